@@ -1,0 +1,110 @@
+// solver/results/RunResult.h - everything that a run yields and a result file holds; plain values, SI units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace squat::results {
+
+// One dataset: `name` is its name in the file's group, `unit` its attribute.
+struct Channel {
+  std::string name, unit, description;
+  std::vector<double> values;
+};
+
+struct Scalar {
+  std::string name, unit, description;
+  double value = 0;
+};
+
+// Outer surface of all solids, for pictures. Quads are four point indices each.
+struct SurfaceMesh {
+  std::vector<float> points;           // x, y, z per point [m], in the configuration at the start, wheel included
+  std::vector<std::int32_t> quads;     // 4 per quad
+  std::vector<std::uint8_t> part;      // per quad: index into partNames
+  std::vector<std::string> partNames;  // "rail", "sleepers", "wheel rim", "wheel body and axle"
+  // Line segments that stand for springs and dampers (pads, ballast, suspension): 6 floats each.
+  std::vector<float> springs;
+};
+
+// Fields on the surface points at one instant.
+struct SurfaceSnapshot {
+  std::string name;                  // "equilibrium", "impact", "frame 012"
+  double time = 0, position = 0;     // [s], [m]
+  double wheelTravel = 0;            // [m] along x, since the start
+  double wheelRotation = 0;          // [rad] since the start, positive in rolling direction
+  std::vector<float> displacement;   // 3 per point [m], elastic and rigid part without travel and rotation
+  std::vector<float> vonMises;       // per point [Pa]
+  std::vector<float> plasticStrain;  // per point, empty where no plasticity
+};
+
+// Pressure and traction at the integration points of the patch at one instant.
+struct PatchSnapshot {
+  std::string name;
+  double time = 0, position = 0;
+  std::vector<float> x, y;                  // [m] relative to the wheel centre / rail axis
+  std::vector<float> pressure;              // [Pa]
+  std::vector<float> tractionX, tractionY;  // [Pa] on the rail
+  std::vector<std::uint8_t> slipping;       // 0 sticks, 1 slips
+  std::vector<float> area;                  // [m2]
+};
+
+struct WheelsetMode {
+  double frequency = 0;     // [Hz]
+  double boxShare = 0;      // vertical mass-normalised amplitude at the axle box [1/sqrt(kg)]
+  double wheelShare = 0;    // the same at the wheel centre
+  double contactShare = 0;  // the same at the contact point
+};
+
+struct RunResult {
+  std::string stem;  // name of the case file without its ending
+  std::string title;
+  std::string caseToml;  // resolved, every default filled in
+  std::string caseHash;  // short hash of caseToml, shown on figures
+  std::string codeVersion;
+  std::string isa;  // instruction set of the operator
+  int threads = 0;
+  bool complete = false;
+  std::string stopReason;  // "done", "cancelled", "failed: ..."
+  std::string created;     // UTC, ISO 8601
+
+  double speed = 0;              // [m/s] links time and position
+  std::vector<double> time;      // [s], 0 at the start of rolling
+  std::vector<double> position;  // [m] wheel centre relative to the deepest point of the defect
+  std::vector<Channel>
+      signals;  // aba, aba_longitudinal, wheel_acceleration, aba_filtered, wheel_acceleration_filtered,
+                // contact_force, creep_force, wheel_speed, patch_length, patch_width
+
+  // Spectra of aba_filtered; window and its limits as text.
+  std::vector<double> frequency, psd, psdWheel;
+  std::string psdWindow;
+  double psdFrom = 0, psdTo = 0;  // [m] positions
+
+  std::vector<double> scalogramFrequency, scalogramTime, scalogramPosition;
+  std::vector<double> scalogramPower;   // row by row, one row a frequency
+  std::vector<double> coneOfInfluence;  // [Hz] lowest trustworthy frequency at each scalogram time
+
+  std::vector<double> profilePosition, profileHeight, wheelPath;  // [m]: defect and the path of a rigid wheel over it
+
+  std::vector<double> energyTime;
+  std::vector<Channel> energy;      // kinetic, strain, contact, friction, damping, plastic, external, residual
+  std::vector<Scalar> equilibrium;  // contact_force, half_axis_rolling, half_axis_lateral, peak_pressure, approach, ...
+  std::vector<Scalar> meshFigures;  // elements, nodes, smallest_jacobian, largest_aspect, stable_step, ...
+  std::vector<Scalar> performance;  // steps, seconds, element_updates_per_second, peak_memory, phases ...
+  std::vector<WheelsetMode> modes;
+  std::vector<std::string> warnings;
+
+  SurfaceMesh surface;
+  std::vector<SurfaceSnapshot> snapshots;
+  std::vector<PatchSnapshot> patches;
+
+  const std::vector<double>* signal(const std::string& name) const {
+    for (const auto& channel : signals)
+      if (channel.name == name) return &channel.values;
+    return nullptr;
+  }
+};
+
+}  // namespace squat::results

@@ -1,0 +1,28 @@
+// solver/simulation/RunCase.h - the one way through: studio, command line, tests and studies enter here.
+#pragma once
+
+#include <string>
+
+#include "case/CaseDescription.h"
+#include "core/Monitor.h"
+#include "results/RunResult.h"
+
+namespace squat::simulation {
+
+struct RunOptions {
+  int threads = 0;                 // 0: all cores
+  std::string isa;                 // empty: the best this processor has; else sse2, avx2, avx512
+  bool wheelsetModes = true;       // compute the natural modes of the half wheelset
+  bool snapshots = true;           // keep fields for pictures
+  std::string checkpointPath;      // empty: no checkpoints
+  double checkpointSeconds = 300;  // wall time between checkpoints
+  bool resume = false;             // go on from checkpointPath where it exists
+};
+
+// Case -> mesh -> model -> equilibrium -> rolling -> signals -> spectra. Returns also what a cancelled run has so far
+// (complete == false, stopReason "cancelled"). A failed run throws RunError; what it has so far is handed to `partial`
+// where one is given. Throws CaseError for a case that cannot be run. Never prints, aborts or exits.
+results::RunResult runCase(const cases::CaseDescription& description, const RunOptions& options, Monitor& monitor,
+                           results::RunResult* partial = nullptr);
+
+}  // namespace squat::simulation
