@@ -1,0 +1,188 @@
+#include "results/DurableFile.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "core/Errors.h"
+
+namespace squat::results {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folderOf(const std::string& path) {
+  const auto parent = fs::path(path).parent_path();
+  return parent.empty() ? std::string(".") : parent.string();
+}
+
+std::string reasonText(int error) { return std::generic_category().message(error); }
+
+[[noreturn]] void cannotWrite(const std::string& path, int error, std::size_t needed) {
+  std::string what = "cannot be written: " + reasonText(error) + " (" + std::to_string(needed) + " bytes needed";
+  struct statvfs space {};
+  if (::statvfs(folderOf(path).c_str(), &space) == 0)
+    what += ", " + std::to_string(static_cast<unsigned long long>(space.f_bavail) * space.f_frsize) + " free";
+  what += ")";
+  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+  throw FileError(path, "", what,
+                  full ? "Free some space or choose another folder; what stood there before is untouched"
+                       : "Check that the folder exists and may be written, or choose another one");
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return number_; }
+  int closeNow() {  // 0 or the error: some file systems tell of a full disk only here
+    const int result = ::close(number_);
+    number_ = -1;
+    return result == 0 ? 0 : errno;
+  }
+
+ private:
+  int number_;
+};
+
+// Going beyond the limit of file size raises SIGXFSZ, which would end the process: held back here, taken away after.
+class FileSizeSignalHeld {
+ public:
+  FileSizeSignalHeld() {
+    sigemptyset(&set_);
+    sigaddset(&set_, SIGXFSZ);
+    ::pthread_sigmask(SIG_BLOCK, &set_, &before_);
+  }
+  ~FileSizeSignalHeld() {
+    if (!sigismember(&before_, SIGXFSZ)) {
+      const timespec now{};
+      while (::sigtimedwait(&set_, nullptr, &now) > 0) {
+      }
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  FileSizeSignalHeld(const FileSizeSignalHeld&) = delete;
+  FileSizeSignalHeld& operator=(const FileSizeSignalHeld&) = delete;
+
+ private:
+  sigset_t set_{}, before_{};
+};
+
+int writeAll(int descriptor, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const auto written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return written < 0 ? errno : ENOSPC;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+// Files PATH.part-PID of processes that no longer run.
+void sweepLeftOvers(const std::string& path) {
+  const auto prefix = fs::path(path).filename().string() + ".part-";
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folderOf(path), ignored)) {
+    const auto name = entry.path().filename().string();
+    if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    long process = 0;
+    const auto* last = name.data() + name.size();
+    const auto [end, error] = std::from_chars(name.data() + prefix.size(), last, process);
+    if (error != std::errc() || end != last || process <= 0) continue;
+    if (::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
+  }
+}
+
+// The earlier file gets a second name before the new one takes the first: there is a file under `path` at all times.
+void keepPrevious(const std::string& path) {
+  const auto previous = path + ".previous";
+  const auto link = previous + ".part-" + std::to_string(::getpid());
+  ::unlink(link.c_str());
+  if (::link(path.c_str(), link.c_str()) == 0)
+    ::rename(link.c_str(), previous.c_str());
+  else if (errno != ENOENT)
+    ::rename(path.c_str(), previous.c_str());  // a file system without links
+}
+
+}  // namespace
+
+void writeDurably(const std::string& path, std::span<const std::byte> bytes,
+                  const std::function<void(const std::string&)>& verify, Previous previous) {
+  sweepLeftOvers(path);
+  const auto part = path + ".part-" + std::to_string(::getpid());
+  struct Remover {
+    const std::string& file;
+    bool armed = true;
+    ~Remover() {
+      if (armed) ::unlink(file.c_str());
+    }
+  } remover{part};
+
+  {
+    const FileSizeSignalHeld held;
+    Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (file.get() < 0) {
+      remover.armed = false;
+      cannotWrite(path, errno, bytes.size());
+    }
+    int error = writeAll(file.get(), bytes);
+    if (error == 0 && ::fsync(file.get()) != 0) error = errno;
+    const int closing = file.closeNow();
+    if (error != 0 || closing != 0) cannotWrite(path, error != 0 ? error : closing, bytes.size());
+  }
+  if (verify) verify(part);
+  if (previous == Previous::kept) keepPrevious(path);
+  if (::rename(part.c_str(), path.c_str()) != 0) cannotWrite(path, errno, bytes.size());
+  remover.armed = false;
+  const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.get() >= 0) ::fsync(folder.get());  // makes the rename itself durable; some file systems refuse, no harm
+}
+
+void writeDurably(const std::string& path, std::string_view text) {
+  writeDurably(path, std::as_bytes(std::span(text)));
+}
+
+void makeFolder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder, error))
+    throw FileError(folder, "", "the folder cannot be made: " + (error ? error.message() : "a file has its name"),
+                    "Choose another folder with -o");
+}
+
+std::string readWholeFile(const std::string& path, std::size_t largest) {
+  // Not blocking: a named pipe must not hold the program.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
+    throw FileError(path, "", "cannot be read: " + reasonText(errno), "Check the path");
+  if (!S_ISREG(status.st_mode)) throw FileError(path, "", "is not a regular file", "Name a file");
+  if (static_cast<unsigned long long>(status.st_size) > largest)
+    throw FileError(path, "", "is larger than the " + std::to_string(largest) + " bytes that are read", "Cut it down");
+  std::string text(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t have = 0;
+  while (have < text.size()) {
+    const auto got = ::read(file.get(), text.data() + have, text.size() - have);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw FileError(path, "", "cannot be read: " + reasonText(errno));
+    if (got == 0) break;
+    have += static_cast<std::size_t>(got);
+  }
+  text.resize(have);
+  return text;
+}
+
+}  // namespace squat::results

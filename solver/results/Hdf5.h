@@ -1,0 +1,35 @@
+// solver/results/Hdf5.h - an ArrayTree as an HDF5 file, both ways. All use of the HDF5 library stays behind this
+// header.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "results/ArrayTree.h"
+
+namespace squat::results {
+
+// What a file may hold at most; a file beyond is refused before memory is taken.
+struct Hdf5Limits {
+  std::size_t bytes = std::size_t{384} << 20;  // of all values together, uncompressed
+  std::size_t objects = 20000;
+  std::size_t rank = 4;
+  std::size_t chunkBytes = std::size_t{32} << 20;
+};
+
+// The image of an HDF5 file in memory. Nothing touches the disk, so a full disk cannot leave the library in a bad
+// state. Datasets above 1 kB are shuffled and deflated; no time stamps: equal trees give equal bytes. Throws
+// FileError(path, object, ...) where the library refuses.
+std::vector<std::byte> encodeHdf5(const ArrayTree& tree, const std::string& path);
+
+// Reads a file that may come from a stranger. Refused with FileError naming the object: external storage, links other
+// than hard ones, virtual layouts, filters other than shuffle, deflate and checksum, extents beyond the limits or
+// beyond what the file can hold, types other than numbers and text. The library itself is old and not proof against
+// damaged files: the work is done in a child process with limits on memory and time, whose death is a FileError here.
+ArrayTree readHdf5(const std::string& path, const Hdf5Limits& limits = {});
+
+// The same without the child process, for files that this process has just written.
+ArrayTree readOwnHdf5(const std::string& path, const Hdf5Limits& limits = {});
+
+}  // namespace squat::results

@@ -1,0 +1,290 @@
+#include "results/Hdf5Reader.h"
+
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include "results/Hdf5Handle.h"
+
+namespace squat::results::hdf5 {
+
+namespace {
+
+constexpr int kDeepest = 8;
+constexpr std::size_t kLongestFixedText = 4096;
+constexpr std::size_t kMostTexts = 100000;
+constexpr std::size_t kMostPacked = 1100;  // deflate packs at most 1032 to one
+constexpr const char* kAdvice = "Use a file that this program has written";
+
+struct Names {
+  std::vector<std::string> list;
+  std::size_t most;
+};
+
+class Walker {
+ public:
+  Walker(const std::string& path, const Hdf5Limits& limits) : path_(path), limits_(limits) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (error) throw FileError(path_, "", "cannot be read: " + error.message(), "Check the path");
+    if (!std::filesystem::is_regular_file(status)) throw FileError(path_, "", "is not a regular file", "Name a file");
+    fileBytes_ = static_cast<std::size_t>(std::filesystem::file_size(path, error));
+    if (error) throw FileError(path_, "", "cannot be read: " + error.message(), "Check the path");
+  }
+
+  ArrayTree walk() {
+    const Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    if (!file.valid()) refuse("", "is not an HDF5 file, or a damaged one (" + lastError() + ")");
+    ArrayTree tree;
+    const Handle root(H5Gopen2(file.get(), "/", H5P_DEFAULT), H5Gclose);
+    check(root.get(), path_, "/", "cannot be opened");
+    tree.attributes = attributes(root.get(), "/");
+    walkGroup(root.get(), "", tree, 0);
+    return tree;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& object, const std::string& what) const {
+    throw FileError(path_, object, what, kAdvice);
+  }
+
+  void walkGroup(hid_t group, const std::string& groupPath, ArrayTree& tree, int depth) {
+    if (depth > kDeepest) refuse(groupPath, "groups are nested too deeply");
+    for (const auto& name : linkNames(group, groupPath)) {
+      const auto path = groupPath + "/" + name;
+      if (++objects_ > limits_.objects) refuse(path, "too many objects");
+      H5L_info_t link{};
+      check(H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT), path_, path, "cannot be looked up");
+      if (link.type == H5L_TYPE_SOFT) refuse(path, "is a soft link, which is not followed");
+      if (link.type == H5L_TYPE_EXTERNAL) refuse(path, "is a link into another file, which is not followed");
+      if (link.type != H5L_TYPE_HARD) refuse(path, "is a link of unknown kind");
+      const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
+      check(object.get(), path_, path, "cannot be opened");
+      switch (H5Iget_type(object.get())) {
+        case H5I_GROUP:
+          addGroup(object.get(), path, tree, depth);
+          break;
+        case H5I_DATASET:
+          tree.arrays.push_back(array(object.get(), path));
+          break;
+        default:
+          refuse(path, "is neither a group nor a dataset");
+      }
+    }
+  }
+
+  void addGroup(hid_t group, const std::string& path, ArrayTree& tree, int depth) {
+    Group entry{path, attributes(group, path)};
+    if (!entry.attributes.empty()) tree.groups.push_back(std::move(entry));
+    walkGroup(group, path, tree, depth + 1);
+  }
+
+  std::vector<std::string> linkNames(hid_t group, const std::string& path) const {
+    const Handle creation(H5Gget_create_plist(group), H5Pclose);
+    unsigned order = 0;
+    if (creation.valid()) H5Pget_link_creation_order(creation.get(), &order);
+    const auto index = (order & H5P_CRT_ORDER_TRACKED) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
+    Names names{{}, limits_.objects};
+    const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
+      auto& found = *static_cast<Names*>(data);
+      try {
+        if (found.list.size() >= found.most) return -1;
+        found.list.emplace_back(name);
+        return 0;
+      } catch (...) {
+        return -1;
+      }
+    };
+    check(H5Literate(group, index, H5_ITER_INC, nullptr, collect, &names), path_, path.empty() ? "/" : path,
+          "its members cannot be listed");
+    return names.list;
+  }
+
+  std::vector<Attribute> attributes(hid_t object, const std::string& path) {
+    Names names{{}, 1000};
+    const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {
+      auto& found = *static_cast<Names*>(data);
+      try {
+        if (found.list.size() >= found.most) return -1;
+        found.list.emplace_back(name);
+        return 0;
+      } catch (...) {
+        return -1;
+      }
+    };
+    check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), path_, path,
+          "its attributes cannot be listed");
+    std::vector<Attribute> list;
+    for (const auto& name : names.list)
+      if (auto value = attributeValue(object, path + "@" + name, name)) list.push_back({name, std::move(*value)});
+    return list;
+  }
+
+  // No value for kinds that this program does not write (arrays, references): other tools may add theirs.
+  std::optional<AttributeValue> attributeValue(hid_t object, const std::string& where, const std::string& name) {
+    const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+    check(attribute.get(), path_, where, "cannot be opened");
+    const Handle space(H5Aget_space(attribute.get()), H5Sclose);
+    if (H5Sget_simple_extent_npoints(space.get()) != 1) return std::nullopt;
+    const Handle type(H5Aget_type(attribute.get()), H5Tclose);
+    const auto size = H5Tget_size(type.get());
+    switch (H5Tget_class(type.get())) {
+      case H5T_FLOAT: {
+        double value = 0;
+        check(H5Aread(attribute.get(), H5T_NATIVE_DOUBLE, &value), path_, where, "cannot be read");
+        return value;
+      }
+      case H5T_INTEGER: {
+        std::int64_t value = 0;
+        check(H5Aread(attribute.get(), H5T_NATIVE_INT64, &value), path_, where, "cannot be read");
+        if (size == 1) return static_cast<std::uint8_t>(value);
+        return value;
+      }
+      case H5T_STRING: {
+        if (H5Tis_variable_str(type.get()) > 0) {
+          char* text = nullptr;
+          check(H5Aread(attribute.get(), type.get(), &text), path_, where, "cannot be read");
+          return text ? ownedText(text) : std::string();
+        }
+        if (size > kLongestFixedText) refuse(where, "is too long");
+        std::string text(size, '\0');
+        check(H5Aread(attribute.get(), type.get(), text.data()), path_, where, "cannot be read");
+        return text.substr(0, text.find('\0'));
+      }
+      default:
+        return std::nullopt;
+    }
+  }
+
+  std::string ownedText(char* text) {
+    std::string copy(text);
+    H5free_memory(text);
+    account(copy.size(), "");
+    return copy;
+  }
+
+  void account(std::size_t bytes, const std::string& path) {
+    if (bytes > limits_.bytes - used_)
+      refuse(path, "takes the file beyond " + std::to_string(limits_.bytes >> 20) + " MiB of values");
+    used_ += bytes;
+  }
+
+  Array array(hid_t dataset, const std::string& path) {
+    checkLayout(dataset, path);
+    Array array;
+    array.path = path;
+    const Handle space(H5Dget_space(dataset), H5Sclose);
+    const Handle type(H5Dget_type(dataset), H5Tclose);
+    const std::size_t count = readShape(space.get(), path, array.shape);
+    const auto typeSize = H5Tget_size(type.get());
+    switch (H5Tget_class(type.get())) {
+      case H5T_FLOAT:
+        if (typeSize > 8) refuse(path, "has a type that is not a number of 4 or 8 bytes");
+        if (typeSize > 4)
+          array.values = numbers<double>(dataset, path, count, H5T_NATIVE_DOUBLE);
+        else
+          array.values = numbers<float>(dataset, path, count, H5T_NATIVE_FLOAT);
+        break;
+      case H5T_INTEGER:
+        if (typeSize > 8) refuse(path, "has whole numbers of more than 8 bytes");
+        if (typeSize == 1)
+          array.values = numbers<std::uint8_t>(dataset, path, count, H5T_NATIVE_UINT8);
+        else if (typeSize <= 4)
+          array.values = numbers<std::int32_t>(dataset, path, count, H5T_NATIVE_INT32);
+        else
+          array.values = numbers<std::int64_t>(dataset, path, count, H5T_NATIVE_INT64);
+        break;
+      case H5T_STRING:
+        array.values = texts(dataset, path, count, type.get());
+        break;
+      default:
+        refuse(path, "has a type that is neither a number nor text");
+    }
+    array.attributes = attributes(dataset, path);
+    return array;
+  }
+
+  void checkLayout(hid_t dataset, const std::string& path) const {
+    const Handle creation(H5Dget_create_plist(dataset), H5Pclose);
+    check(creation.get(), path_, path, "its layout cannot be read");
+    if (H5Pget_external_count(creation.get()) != 0) refuse(path, "keeps its values in another file (external storage)");
+    const auto layout = H5Pget_layout(creation.get());
+    if (layout == H5D_VIRTUAL) refuse(path, "keeps its values in other files (virtual layout)");
+    if (layout != H5D_COMPACT && layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED)
+      refuse(path, "has an unknown layout");
+    const int filters = H5Pget_nfilters(creation.get());
+    for (int i = 0; i < filters; ++i) {
+      unsigned flags = 0, configuration = 0;
+      std::size_t parameters = 0;
+      const auto filter = H5Pget_filter2(creation.get(), static_cast<unsigned>(i), &flags, &parameters, nullptr, 0,
+                                         nullptr, &configuration);
+      if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32)
+        refuse(path, "is packed with an unknown filter (" + std::to_string(filter) + ")");
+    }
+    if (layout == H5D_CHUNKED) {
+      hsize_t extents[H5S_MAX_RANK] = {};
+      const int rank = check(H5Pget_chunk(creation.get(), H5S_MAX_RANK, extents), path_, path, "has no chunks");
+      std::size_t size = 1;
+      for (int axis = 0; axis < rank; ++axis) {
+        if (extents[axis] == 0 || size > limits_.chunkBytes / extents[axis]) refuse(path, "has absurd chunks");
+        size *= extents[axis];
+      }
+    }
+  }
+
+  std::size_t readShape(hid_t space, const std::string& path, std::vector<std::size_t>& shape) const {
+    const int rank = check(H5Sget_simple_extent_ndims(space), path_, path, "has no extents");
+    if (static_cast<std::size_t>(rank) > limits_.rank) refuse(path, "has too many dimensions");
+    std::vector<hsize_t> extents(static_cast<std::size_t>(rank));
+    if (rank > 0) check(H5Sget_simple_extent_dims(space, extents.data(), nullptr), path_, path, "has no extents");
+    std::size_t count = H5Sget_simple_extent_type(space) == H5S_NULL ? 0 : 1;
+    for (const auto extent : extents) {
+      if (extent != 0 && count > limits_.bytes / extent)
+        refuse(path, "has absurd extents (axis of " + std::to_string(extent) + " values)");
+      count *= static_cast<std::size_t>(extent);
+      shape.push_back(static_cast<std::size_t>(extent));
+    }
+    if (rank == 0 && count == 0) shape = {0};
+    return count;
+  }
+
+  template <typename T>
+  std::vector<T> numbers(hid_t dataset, const std::string& path, std::size_t count, hid_t type) {
+    if (count * sizeof(T) / kMostPacked > fileBytes_)
+      refuse(path, "claims more values than the file can hold (" + std::to_string(count) + ")");
+    account(count * sizeof(T), path);
+    std::vector<T> values(count);
+    if (count > 0)
+      check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_, path, "cannot be read");
+    return values;
+  }
+
+  std::vector<std::string> texts(hid_t dataset, const std::string& path, std::size_t count, hid_t type) {
+    if (count > kMostTexts) refuse(path, "has too many texts");
+    std::vector<std::string> list;
+    if (count == 0) return list;
+    if (H5Tis_variable_str(type) > 0) {
+      std::vector<char*> pointers(count, nullptr);
+      check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), path_, path, "cannot be read");
+      for (char* pointer : pointers) list.push_back(pointer ? ownedText(pointer) : std::string());
+      return list;
+    }
+    const auto size = H5Tget_size(type);
+    if (size > kLongestFixedText) refuse(path, "has texts that are too long");
+    account(count * size, path);
+    std::string all(count * size, '\0');
+    check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), path_, path, "cannot be read");
+    for (std::size_t i = 0; i < count; ++i) list.emplace_back(std::string(all, i * size, size).c_str());
+    return list;
+  }
+
+  std::string path_;
+  Hdf5Limits limits_;
+  std::size_t fileBytes_ = 0, objects_ = 0, used_ = 0;
+};
+
+}  // namespace
+
+ArrayTree readTree(const std::string& path, const Hdf5Limits& limits) { return Walker(path, limits).walk(); }
+
+}  // namespace squat::results::hdf5

@@ -1,0 +1,13 @@
+// solver/results/Hdf5Reader.h - walking an HDF5 file in this process; only for the .cpp files of this folder.
+#pragma once
+
+#include <string>
+
+#include "results/Hdf5.h"
+
+namespace squat::results::hdf5 {
+
+// The caller holds the lock of the library.
+ArrayTree readTree(const std::string& path, const Hdf5Limits& limits);
+
+}  // namespace squat::results::hdf5
