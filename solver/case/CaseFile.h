@@ -1,0 +1,52 @@
+// solver/case/CaseFile.h - cases as TOML files: reading with all mistakes collected, writing with every key filled in.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "case/CaseDescription.h"
+
+namespace squat::cases {
+
+inline constexpr int caseSchema =
+    1;  // key `schema` of a case file; raise it when an old reader would misread a new file
+
+// What the command line adds to a case file.
+struct CaseOverrides {
+  std::string preset;                                       // --mesh; empty: as the case states
+  std::vector<std::pair<std::string, std::string>> values;  // --set: key and text in the unit of the case file
+};
+
+// Order of precedence: --set, keys stated in the file, mesh preset (--mesh, --set mesh.preset, the file's, draft),
+// defaults. A mesh key that the file states with just the value that its own preset gives (as every written case does)
+// counts as not stated, so that --mesh acts on written cases too.
+// A profile named by defect.file is read, relative to the file's folder, unless the case has defect.points.
+// Throws CaseError with every mistake in keys, types, ranges and relations (Validation.h); FileError where the file or
+// the profile cannot be read, is no TOML (with line), is larger than 4 MB or of a newer schema.
+CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides = {});
+
+// The same for text; `origin` names it in messages, profiles are looked for relative to `folder`.
+CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder = {},
+                          const CaseOverrides& overrides = {});
+
+// A path to a case file, or the name of a shipped case ("light-defect").
+CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& overrides = {});
+
+// Name of the result for a case: the file's name without its ending.
+std::string caseStem(const std::string& nameOrPath);
+
+// Every key with its value, grouped in tables, units and documentation as comments. parseCase gives back the same
+// description, bit for bit: profiles are written as defect.points.
+std::string writeCase(const CaseDescription& description);
+
+// Written beside, flushed and renamed. Throws FileError.
+void saveCase(const CaseDescription& description, const std::filesystem::path& path);
+
+// Eight hexadecimal digits that stand for everything that the physics sees: all keys but title, note and the name of
+// the profile's file. Does not depend on machine, locale or the wording of comments.
+std::string caseHash(const CaseDescription& description);
+
+}  // namespace squat::cases

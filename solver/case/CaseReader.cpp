@@ -1,0 +1,331 @@
+// Reading of case files. The decimal text of numbers is taken from the source itself, so that units are applied to the
+// digits that the user typed (DecimalNumber.h).
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+#include "case/CaseFile.h"
+#include "case/DecimalNumber.h"
+#include "case/MeshPresets.h"
+#include "case/ParameterValue.h"
+#include "case/PointsText.h"
+#include "case/ProfileFile.h"
+#include "case/ShippedCases.h"
+#include "case/Validation.h"
+#include "core/Errors.h"
+
+namespace squat::cases {
+
+namespace {
+
+constexpr std::uintmax_t largestFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
+constexpr std::size_t mostProblems = 50;
+
+// A key as the file states it.
+struct Stated {
+  std::string key;
+  std::string text;  // as for trySetValue
+  std::size_t line = 0;
+  std::optional<CaseProblem> typeProblem;
+};
+
+class Source {
+ public:
+  explicit Source(std::string_view text) {
+    for (std::size_t from = 0; from <= text.size();) {
+      const std::size_t end = std::min(text.find('\n', from), text.size());
+      lines_.push_back(text.substr(from, end - from));
+      from = end + 1;
+    }
+  }
+
+  // The number's own digits where they can be found again, else the shortest text of its value.
+  std::string numberText(const toml::node& node, double value) const {
+    const auto& region = node.source();
+    if (region.begin.line == region.end.line && region.begin.line >= 1 && region.begin.line <= lines_.size()) {
+      const std::string_view line = lines_[region.begin.line - 1];
+      const std::size_t from = region.begin.column - 1, to = std::min<std::size_t>(region.end.column - 1, line.size());
+      if (from < to) {
+        std::string token(line.substr(from, to - from));
+        token.erase(std::remove(token.begin(), token.end(), '_'), token.end());
+        const auto parsed = parseDecimal(token);
+        if (parsed && *parsed == value) return token;
+      }
+    }
+    return formatDecimal(value);
+  }
+
+ private:
+  std::vector<std::string_view> lines_;
+};
+
+const char* typeName(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    default:
+      return "a date or time";
+  }
+}
+
+std::optional<std::string> numberText(const toml::node& node, const Source& source) {
+  if (const auto* number = node.as_floating_point()) return source.numberText(node, number->get());
+  // Integers beyond 2^53 are no sensible values; as a double they fail the range check.
+  if (const auto* number = node.as_integer()) return source.numberText(node, static_cast<double>(number->get()));
+  return std::nullopt;
+}
+
+std::optional<std::string> pointsText(const toml::node& node, const Source& source) {
+  const auto* array = node.as_array();
+  if (!array) return std::nullopt;
+  std::string text = "[";
+  for (const auto& element : *array) {
+    const auto* pair = element.as_array();
+    if (!pair || pair->size() != 2) return std::nullopt;
+    const auto position = numberText((*pair)[0], source), height = numberText((*pair)[1], source);
+    if (!position || !height) return std::nullopt;
+    text += (text.size() > 1 ? ",[" : "[") + *position + "," + *height + "]";
+  }
+  return text + "]";
+}
+
+std::optional<std::string> textFor(const toml::node& node, Kind kind, const Source& source) {
+  switch (kind) {
+    case Kind::number:
+      return numberText(node, source);
+    case Kind::boolean:
+      if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
+      return std::nullopt;
+    case Kind::choice:
+    case Kind::text:
+      if (const auto* value = node.as_string()) return value->get();
+      return std::nullopt;
+    case Kind::points:
+      return pointsText(node, source);
+  }
+  return std::nullopt;
+}
+
+std::string lineNote(std::size_t line) { return line == 0 ? "" : " (line " + std::to_string(line) + ")"; }
+
+class Statements {
+ public:
+  Statements(const toml::table& table, const Source& source) : source_(source) {
+    for (const auto& [key, node] : table) {
+      if (key.str() == "schema") continue;
+      if (const auto* group = node.as_table(); group && !findParameter(key.str()))
+        addGroup(std::string(key.str()), *group);
+      else
+        add(std::string(key.str()), node);
+    }
+    std::stable_sort(stated.begin(), stated.end(), [](const Stated& a, const Stated& b) { return a.line < b.line; });
+  }
+
+  std::vector<Stated> stated;
+
+ private:
+  void addGroup(const std::string& name, const toml::table& group) {
+    for (const auto& [key, node] : group) add(name + "." + std::string(key.str()), node);
+    const auto& all = parameterTable();
+    const bool known = std::any_of(all.begin(), all.end(), [&](const auto& row) { return row.group == name; });
+    if (group.empty() && !known) add(name, group);
+  }
+
+  void add(const std::string& key, const toml::node& node) {
+    Stated one{key, {}, node.source().begin.line, {}};
+    if (const Parameter* parameter = findParameter(key)) {
+      if (auto text = textFor(node, parameter->kind, source_))
+        one.text = std::move(*text);
+      else
+        one.typeProblem = CaseProblem{key, typeName(node), allowedText(*parameter), "Write the value in this form"};
+    } else {
+      one.typeProblem = unknownKey(key, typeName(node));
+    }
+    stated.push_back(std::move(one));
+  }
+
+  const Source& source_;
+};
+
+// Collects problems; knows which keys have one, so that relations among wrong values are not judged as well.
+class Problems {
+ public:
+  void add(CaseProblem problem, const std::string& note = {}) {
+    keys_.push_back(problem.key);
+    if (problems_.size() >= mostProblems) return;
+    problem.key += note;
+    problems_.push_back(std::move(problem));
+  }
+  bool concern(const std::vector<std::string>& keys) const {
+    return std::any_of(keys.begin(), keys.end(),
+                       [&](const auto& key) { return std::find(keys_.begin(), keys_.end(), key) != keys_.end(); });
+  }
+  void throwIfAny() const {
+    if (!problems_.empty()) throw CaseError(problems_);
+  }
+  bool empty() const { return problems_.empty(); }
+
+ private:
+  std::vector<CaseProblem> problems_;
+  std::vector<std::string> keys_;
+};
+
+const std::string* overrideOf(const CaseOverrides& overrides, std::string_view key) {
+  const std::string* last = nullptr;
+  for (const auto& [name, text] : overrides.values)
+    if (name == key) last = &text;
+  return last;
+}
+
+const Stated* find(const std::vector<Stated>& stated, std::string_view key) {
+  for (const auto& one : stated)
+    if (one.key == key && !one.typeProblem) return &one;
+  return nullptr;
+}
+
+int presetOf(const std::vector<Stated>& stated, int otherwise) {
+  const Stated* one = find(stated, "mesh.preset");
+  const int index = one ? presetIndex(one->text) : otherwise;
+  return index < 0 ? otherwise : index;
+}
+
+// True where the file's value is only what its own preset says.
+bool isOwnPreset(const Stated& one, int filePreset) {
+  for (const auto& row : presetTable())
+    if (row.key == one.key) {
+      const auto value = parseDecimal(one.text);
+      return value && value == parseDecimal(row.values[static_cast<std::size_t>(filePreset)]);
+    }
+  return false;
+}
+
+int wantedPreset(const CaseOverrides& overrides, int filePreset, Problems& problems) {
+  const std::string* set = overrideOf(overrides, "mesh.preset");
+  const std::string name = set ? *set : overrides.preset;
+  if (name.empty()) return filePreset;
+  const int index = presetIndex(name);
+  if (index >= 0) return index;
+  if (!set) problems.add({"--mesh", name, allowedText(*findParameter("mesh.preset")), "Choose one of the names"});
+  return filePreset;  // a wrong --set is reported where all of them are set
+}
+
+void checkSchema(const toml::table& table, const std::string& origin, Problems& problems) {
+  const toml::node* node = table.get("schema");
+  if (!node) return;  // a file without the key is of the first schema
+  const auto* number = node->as_integer();
+  if (!number || number->get() < 1) {
+    problems.add({"schema", typeName(*node), "1 to " + std::to_string(caseSchema), "Write schema = 1"},
+                 lineNote(node->source().begin.line));
+  } else if (number->get() > caseSchema) {
+    throw FileError(origin, "line " + std::to_string(node->source().begin.line),
+                    "the case is of schema " + std::to_string(number->get()) + ", this program reads up to " +
+                        std::to_string(caseSchema),
+                    "Use a newer version of Squat Studio");
+  }
+}
+
+void applyStated(CaseDescription& description, const std::vector<Stated>& stated, int filePreset, int preset,
+                 Problems& problems) {
+  for (const auto& one : stated) {
+    const std::string note = lineNote(one.line);
+    if (one.typeProblem) {
+      problems.add(*one.typeProblem, note);
+    } else if (one.key != "mesh.preset" || presetIndex(one.text) < 0) {
+      if (preset != filePreset && isOwnPreset(one, filePreset)) continue;
+      if (auto wrong = trySetValue(description, *findParameter(one.key), one.text)) problems.add(*wrong, note);
+    }
+  }
+}
+
+void applyOverrides(CaseDescription& description, const CaseOverrides& overrides, Problems& problems) {
+  for (const auto& [key, text] : overrides.values) {
+    const Parameter* parameter = findParameter(key);
+    if (!parameter)
+      problems.add(unknownKey(key, text), " (--set)");
+    else if (auto wrong = trySetValue(description, *parameter, text))
+      problems.add(*wrong, " (--set)");
+  }
+}
+
+// Points in the case go before the file; a file given by --set goes before points of the case.
+void readProfile(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
+                 Problems& problems) {
+  Defect& defect = description.defect;
+  if (defect.shape != static_cast<int>(DefectShape::profile) || defect.file.empty()) return;
+  const bool fileSet = overrideOf(overrides, "defect.file") != nullptr;
+  if (!defect.points.empty() && !(fileSet && !overrideOf(overrides, "defect.points"))) return;
+  const std::filesystem::path named = defect.file;
+  // What is typed on the command line is relative to where it is typed.
+  const auto path = named.is_absolute() || fileSet ? named : folder / named;
+  try {
+    defect.points = readProfileFile(path);
+  } catch (const FileError&) {
+    if (problems.empty()) throw;
+    problems.throwIfAny();  // mistakes of the case first: the file may be one of them
+  }
+}
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw FileError(path.string(), "", "is a folder", "Name a case file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(path.string(), "", "cannot be opened", "Check the path and the permissions");
+  std::string text(largestFile + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw FileError(path.string(), "", "cannot be read");
+  return text;
+}
+
+}  // namespace
+
+CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
+                          const CaseOverrides& overrides) {
+  if (text.size() > largestFile)
+    throw FileError(origin, "", "is larger than 4 MB", "Put long profiles into a CSV file and name it as defect.file");
+  const toml::parse_result parsed = toml::parse(text, origin);
+  if (!parsed)
+    throw FileError(origin, "line " + std::to_string(parsed.error().source().begin.line),
+                    "is no valid TOML: " + std::string(parsed.error().description()));
+  const toml::table& table = parsed.table();
+  Problems problems;
+  checkSchema(table, origin, problems);
+  const Source source(text);
+  const Statements statements(table, source);
+  CaseDescription description = defaultCase();
+  const int filePreset = presetOf(statements.stated, description.mesh.preset);
+  const int preset = wantedPreset(overrides, filePreset, problems);
+  applyPreset(description, static_cast<MeshPreset>(preset));
+  applyStated(description, statements.stated, filePreset, preset, problems);
+  applyOverrides(description, overrides, problems);
+  readProfile(description, overrides, folder, problems);
+  for (auto& finding : validateRelations(description))
+    if (finding.severity == Severity::problem && !problems.concern(finding.keys)) problems.add(finding.problem);
+  problems.throwIfAny();
+  return description;
+}
+
+CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides) {
+  return parseCase(contentOf(path), path.string(), path.parent_path(), overrides);
+}
+
+CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& overrides) {
+  return readCase(findCase(nameOrPath), overrides);
+}
+
+std::string caseStem(const std::string& nameOrPath) { return std::filesystem::path(nameOrPath).stem().string(); }
+
+}  // namespace squat::cases

@@ -1,0 +1,268 @@
+// Relations between keys of a case. The first key of a finding is the one that its user should change.
+#include "case/CaseRelations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "case/DecimalNumber.h"
+#include "case/DefectSurface.h"
+#include "case/ParameterValue.h"
+
+namespace squat::cases::relations {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double endMargin = 0.3;  // [m] of rail that must be left beyond the run
+
+using Case = CaseDescription;
+using Keys = std::vector<std::string>;
+
+std::string withUnit(const std::string& text, const Parameter& parameter) {
+  return parameter.unit.empty() || parameter.unit == "-" ? text : text + " " + parameter.unit;
+}
+
+// Four digits: limits are read, not computed with.
+std::string rounded(double value) {
+  if (value == 0 || !std::isfinite(value)) return formatDecimal(value);
+  const double scale = std::pow(10.0, 3 - std::floor(std::log10(std::abs(value))));
+  const auto text = formatDecimal(std::round(value * scale) / scale);
+  return text;
+}
+
+// `limit` in SI, shown in the unit of `key`.
+std::string limitText(const std::string& key, const char* relation, double limit) {
+  const Parameter& parameter = *findParameter(key);
+  return std::string(relation) + " " + withUnit(rounded(limit * std::pow(10.0, -parameter.powerOfTen)), parameter);
+}
+
+void add(std::vector<Finding>& findings, const Case& description, Severity severity, Keys keys, std::string allowed,
+         std::string advice) {
+  const Parameter& parameter = *findParameter(keys.front());
+  const std::string value =
+      parameter.kind == Kind::points ? "the profile" : withUnit(valueText(description, parameter), parameter);
+  findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});
+}
+
+}  // namespace
+
+void checkMaterials(const Case& c, std::vector<Finding>& findings) {
+  const bool below = c.rail.tangentModulus < c.rail.material.young;
+  if (!below)
+    add(findings, c, Severity::problem, {"rail.tangent_modulus", "rail.young_modulus"},
+        limitText("rail.tangent_modulus", "below rail.young_modulus =", c.rail.material.young),
+        "Beyond yield a material is softer than before");
+}
+
+void checkWheelset(const Case& c, std::vector<Finding>& findings) {
+  const auto& w = c.wheelset;
+  struct Order {
+    double smaller, larger;
+    const char *smallerKey, *largerKey;
+    const char* advice;
+  };
+  const Order orders[] = {
+      {w.boreRadius, w.journalRadius, "wheelset.bore_radius", "wheelset.journal_radius",
+       "The bore runs through the journal"},
+      {w.boreRadius, w.axleRadius, "wheelset.bore_radius", "wheelset.axle_radius", "The bore runs through the axle"},
+      {w.journalRadius, w.seatRadius, "wheelset.journal_radius", "wheelset.seat_radius",
+       "Steps of the axle get thinner outwards"},
+      {w.shoulderRadius, w.hubRadius, "wheelset.shoulder_radius", "wheelset.hub_radius", "The hub sits on the axle"},
+      {w.axleRadius, w.hubRadius, "wheelset.axle_radius", "wheelset.hub_radius", "The hub sits on the axle"},
+      {w.seatRadius, w.hubRadius, "wheelset.seat_radius", "wheelset.hub_radius", "The hub sits on the wheel seat"},
+      {w.hubRadius, w.rimInnerRadius, "wheelset.hub_radius", "wheelset.rim_inner_radius",
+       "The web lies between hub and rim"},
+      {w.rimInnerRadius, w.radius, "wheelset.rim_inner_radius", "wheelset.radius", "The rim needs a thickness"},
+      {w.webThickness, w.hubWidth, "wheelset.web_thickness", "wheelset.hub_width",
+       "The web meets the hub within its width"},
+      {w.webThickness, w.rimWidth, "wheelset.web_thickness", "wheelset.rim_width",
+       "The web meets the rim within its width"},
+      {0.5 * w.hubWidth, w.shoulderEnd, "wheelset.hub_width", "wheelset.shoulder_end",
+       "The step begins outside the hub"},
+      {w.shoulderEnd, w.journalEnd, "wheelset.shoulder_end", "wheelset.journal_end",
+       "The journal begins outside that step"},
+      {0.5 * w.hubWidth, w.trackCentre, "wheelset.hub_width", "wheelset.track_centre",
+       "The hub ends before the symmetry plane"},
+  };
+  for (const auto& order : orders)
+    if (!(order.smaller < order.larger))
+      add(findings, c, Severity::problem, {order.smallerKey, order.largerKey},
+          limitText(order.smallerKey, (std::string("less than allowed by ") + order.largerKey + ":").c_str(),
+                    order.larger * (std::string(order.smallerKey) == "wheelset.hub_width" ? 2 : 1)),
+          order.advice);
+  const double inner = w.bearingCentre - 0.5 * w.bearingWidth, outer = w.bearingCentre + 0.5 * w.bearingWidth;
+  constexpr double slack = 1e-9;  // [m] against round-off of the sums
+  if (inner < w.shoulderEnd - slack || outer > w.journalEnd + slack)
+    add(findings, c, Severity::problem,
+        {"wheelset.bearing_centre", "wheelset.bearing_width", "wheelset.shoulder_end", "wheelset.journal_end"},
+        "bearing within the journal, from " + rounded(w.shoulderEnd * 1e3) + " to " + rounded(w.journalEnd * 1e3) +
+            " mm",
+        "The bearing reaches from " + rounded(inner * 1e3) + " to " + rounded(outer * 1e3) +
+            " mm; move it, shorten it or lengthen the journal");
+  const auto ring = [](double outerRadius, double innerRadius, double length) {
+    return pi * (outerRadius * outerRadius - innerRadius * innerRadius) * length;
+  };
+  const double volume =
+      ring(w.radius, w.rimInnerRadius, w.rimWidth) + ring(w.rimInnerRadius, w.hubRadius, w.webThickness) +
+      ring(w.hubRadius, w.boreRadius, w.hubWidth) + ring(w.axleRadius, w.boreRadius, w.trackCentre - 0.5 * w.hubWidth) +
+      ring(w.shoulderRadius, w.boreRadius, w.shoulderEnd - 0.5 * w.hubWidth) +
+      ring(w.journalRadius, w.boreRadius, w.journalEnd - w.shoulderEnd);
+  const double least = volume * w.material.density + w.axleBoxMass;
+  if (w.totalMass < least)
+    add(findings, c, Severity::problem,
+        {"wheelset.total_mass", "wheelset.axle_box_mass", "wheelset.density", "wheelset.radius"},
+        limitText("wheelset.total_mass", "at least the solid parts and the axle box:", least),
+        "Raise the total mass or make the parts lighter");
+}
+
+void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
+  const double half = 0.5 * c.track.length;
+  const DefectSurface surface(c.defect);
+  if (std::abs(c.track.defectFromSleeper) > 0.5 * c.track.sleeperSpacing)
+    add(findings, c, Severity::problem, {"track.defect_from_sleeper", "track.sleeper_spacing"},
+        "-" + rounded(0.5 * c.track.sleeperSpacing) + " to " + rounded(0.5 * c.track.sleeperSpacing) + " m",
+        "It counts from the nearest sleeper: at most half of track.sleeper_spacing");
+  if (c.motion.runUp > half - endMargin)
+    add(findings, c, Severity::problem, {"motion.run_up", "track.length"},
+        limitText("motion.run_up", "at most", half - endMargin),
+        "The run starts too near the end of the rail; lengthen track.length or shorten the run-up");
+  if (c.motion.beyond > half - endMargin)
+    add(findings, c, Severity::problem, {"motion.beyond", "track.length"},
+        limitText("motion.beyond", "at most", half - endMargin),
+        "The run ends too near the end of the rail; lengthen track.length or shorten the run");
+  if (surface.first() < -half || surface.last() > half)
+    add(findings, c, Severity::problem, {"track.length", "defect.length", "defect.points", "defect.file"},
+        limitText("track.length", "at least", 2 * std::max(-surface.first(), surface.last())),
+        "The defect reaches outside the track");
+  // The patch (half length 7 mm) must be off the defect when the wheel starts.
+  constexpr double patch = 0.01;
+  if (c.motion.runUp < patch - surface.first())
+    add(findings, c, Severity::problem, {"motion.run_up", "defect.length", "defect.points", "defect.file"},
+        limitText("motion.run_up", "at least", patch - surface.first()),
+        "The wheel would start on the defect; lengthen the run-up");
+  if (c.motion.beyond < surface.last())
+    add(findings, c, Severity::warning, {"motion.beyond", "defect.length", "defect.points", "defect.file"},
+        limitText("motion.beyond", "at least", surface.last()), "The run ends before the end of the defect");
+  if (c.track.length < 5 * c.track.sleeperSpacing)
+    add(findings, c, Severity::problem, {"track.length", "track.sleeper_spacing"},
+        limitText("track.length", "at least five sleeper spacings:", 5 * c.track.sleeperSpacing), "Lengthen the track");
+  if (c.pad.length > c.sleeper.width)
+    add(findings, c, Severity::problem, {"pad.length", "sleeper.width"},
+        limitText("pad.length", "at most sleeper.width =", c.sleeper.width), "A pad lies on its sleeper");
+  if (c.sleeper.width >= c.track.sleeperSpacing)
+    add(findings, c, Severity::problem, {"sleeper.width", "track.sleeper_spacing"},
+        limitText("sleeper.width", "below track.sleeper_spacing =", c.track.sleeperSpacing),
+        "Sleepers must not overlap");
+  if (c.sleeper.halfLength < c.wheelset.trackCentre + 0.5 * c.pad.width)
+    add(findings, c, Severity::problem, {"sleeper.half_length", "wheelset.track_centre", "pad.width"},
+        limitText("sleeper.half_length", "at least", c.wheelset.trackCentre + 0.5 * c.pad.width),
+        "The rail must stand on the sleeper");
+  if (c.output.filterCutoff > 0.4 * c.output.rate)
+    add(findings, c, Severity::problem, {"output.filter_cutoff", "output.rate"},
+        limitText("output.filter_cutoff", "at most 0.4 of output.rate:", 0.4 * c.output.rate),
+        "Lower the cut-off or raise the rate");
+}
+
+void checkDefect(const Case& c, std::vector<Finding>& findings) {
+  const auto& d = c.defect;
+  const auto shape = static_cast<DefectShape>(d.shape);
+  const bool sampled = shape == DefectShape::profile;
+  if (sampled && d.points.size() < 2)
+    add(findings, c, Severity::problem, {"defect.points", "defect.file", "defect.shape"}, "at least two points",
+        "Name a CSV file as defect.file or write the points");
+  if (shape == DefectShape::cut && 2 * d.ramp > d.length)
+    add(findings, c, Severity::problem, {"defect.ramp", "defect.length"},
+        limitText("defect.ramp", "at most half of defect.length:", 0.5 * d.length),
+        "Both ramps lie within the length of the cut");
+  const DefectSurface surface(d);
+  if (surface.first() == surface.last()) return;
+  const std::string depthKey = sampled ? "defect.points" : "defect.depth";
+  // A face that drops more than half its length would fold the elements below it.
+  constexpr double steepestPossible = 0.5, steepestSensible = 0.1;
+  const std::string found = "; this one has " + rounded(surface.steepest());
+  if (surface.steepest() > steepestPossible)
+    add(findings, c, Severity::problem, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.5",
+        "The profile is steeper than the mesh can carry" + found + ": make it longer or shallower");
+  else if (surface.steepest() > steepestSensible)
+    add(findings, c, Severity::warning, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.1",
+        "The mesh smooths steeper profiles" + found);
+  if (c.rail.plastic && surface.depth() > c.rail.plasticDepth)
+    add(findings, c, Severity::problem, {depthKey, "rail.plastic_depth", "defect.file"},
+        "at most rail.plastic_depth = " + rounded(c.rail.plasticDepth * 1e3) + " mm",
+        "The defect, " + rounded(surface.depth() * 1e3) + " mm deep, is deeper than the layer that may yield");
+  if (d.moveNodes && surface.depth() > 2 * c.mesh.contactSize)
+    add(findings, c, Severity::problem, {depthKey, "mesh.contact_size", "defect.move_nodes", "defect.file"},
+        "at most twice mesh.contact_size = " + rounded(2e3 * c.mesh.contactSize) + " mm",
+        "The defect is deeper than the fine layer whose nodes are moved; set defect.move_nodes = false or make it "
+        "shallower");
+  if (sampled && surface.profileSpacing() > surface.dipLength() / 8)
+    add(findings, c, Severity::warning, {"defect.points", "defect.file"},
+        "points at most " + rounded(surface.dipLength() * 1e3 / 8) + " mm apart",
+        "Points of the profile are " + rounded(surface.profileSpacing() * 1e3) +
+            " mm apart, more than an eighth of the dip: its shape is guessed between them (monotone cubic)");
+  if (sampled && surface.depth() == 0)
+    add(findings, c, Severity::warning, {"defect.points", "defect.file"}, "a dip below the surface",
+        "The profile has no point below the surface: heights count up positive");
+  if (sampled && !d.level && (d.points.front().height != 0 || d.points.back().height != 0))
+    add(findings, c, Severity::warning, {"defect.level", "defect.points", "defect.file"}, "ends at height zero",
+        "The profile does not end on the undisturbed surface; it runs out over 20 mm");
+}
+
+void checkMesh(const Case& c, std::vector<Finding>& findings) {
+  const auto& m = c.mesh;
+  if (m.rollingSize < m.contactSize)
+    add(findings, c, Severity::problem, {"mesh.rolling_size", "mesh.contact_size"},
+        limitText("mesh.rolling_size", "at least mesh.contact_size =", m.contactSize),
+        "Coarsen between start and defect");
+  if (m.farSize < m.rollingSize)
+    add(findings, c, Severity::problem, {"mesh.far_size", "mesh.rolling_size"},
+        limitText("mesh.far_size", "at least mesh.rolling_size =", m.rollingSize), "Coarsen away from the wheel");
+  if (m.farSize > 0.5 * c.track.sleeperSpacing)
+    add(findings, c, Severity::problem, {"mesh.far_size", "track.sleeper_spacing"},
+        limitText("mesh.far_size", "at most half of track.sleeper_spacing:", 0.5 * c.track.sleeperSpacing),
+        "Two elements between sleepers are the least that bends");
+  if (m.sectionSize < m.contactSize)
+    add(findings, c, Severity::problem, {"mesh.section_size", "mesh.contact_size"},
+        limitText("mesh.section_size", "at least mesh.contact_size =", m.contactSize),
+        "The section is coarser than its band");
+  if (m.rimDepth >= c.wheelset.radius - c.wheelset.rimInnerRadius)
+    add(findings, c, Severity::problem, {"mesh.rim_depth", "wheelset.radius", "wheelset.rim_inner_radius"},
+        limitText("mesh.rim_depth", "below the thickness of the rim:", c.wheelset.radius - c.wheelset.rimInnerRadius),
+        "The fine rim ends within the rim");
+  if (m.bandHalfWidth > 0.4 * c.wheelset.rimWidth)
+    add(findings, c, Severity::problem, {"mesh.band_half_width", "wheelset.rim_width"},
+        limitText("mesh.band_half_width", "at most 0.4 of wheelset.rim_width:", 0.4 * c.wheelset.rimWidth),
+        "The contact band ends within the tread");
+  const DefectSurface surface(c.defect);
+  if (surface.dipLength() > 0 && m.contactSize > surface.dipLength() / 4)
+    add(findings, c, Severity::warning, {"mesh.contact_size", "defect.length", "defect.points", "defect.file"},
+        limitText("mesh.contact_size", "at most a quarter of the dip:", surface.dipLength() / 4),
+        "The mesh is too coarse to show the defect's shape");
+}
+
+void checkTraction(const Case& c, std::vector<Finding>& findings) {
+  const double load = (c.wheelset.totalMass + c.suspension.sprungMass) * c.motion.gravity;  // [N]
+  const double limit = c.contact.friction;
+  if (c.motion.tractionCoefficient != 0) {
+    if (std::abs(c.motion.tractionCoefficient) > limit)
+      add(findings, c, Severity::warning, {"motion.traction_coefficient", "contact.friction"},
+          limitText("motion.traction_coefficient", "at most contact.friction =", limit),
+          "The torque spins the wheel: it exceeds what friction can carry");
+    return;
+  }
+  // Part of the torque spins up the wheelset itself: F = T/R / (1 + I/(m R^2)). I of rim and web as a disc.
+  const double mass = c.wheelset.totalMass + c.suspension.sprungMass, radius = c.wheelset.radius;
+  const double inertia = 0.06 * c.wheelset.totalMass;  // [kg m2]: 55 for the heavy passenger wheelset of 950 kg
+  const double force = std::abs(c.motion.torque) / radius / (1 + inertia / (mass * radius * radius));
+  const double share = load > 0 ? force / load : 0;
+  if (share > 0.95 * limit)
+    add(findings, c, Severity::warning,
+        {"motion.torque", "contact.friction", "suspension.sprung_mass", "wheelset.total_mass", "motion.gravity"},
+        limitText("motion.torque", "well below friction, at most",
+                  0.95 * limit * load * radius * (1 + inertia / (mass * radius * radius))),
+        "The traction would be " + rounded(share) + " of the load with friction " + rounded(limit) +
+            (share > limit ? ": the torque spins the wheel" : ": the patch slips nearly everywhere"));
+}
+
+}  // namespace squat::cases::relations

@@ -1,0 +1,25 @@
+// solver/case/MeshPresets.h - what mesh.preset sets: one small table, one code path for all meshes.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/CaseDescription.h"
+
+namespace squat::cases {
+
+struct PresetRow {
+  std::string key;
+  std::array<const char*, 4> values;  // tiny, draft, standard, paper: text in the unit of the case file
+};
+const std::vector<PresetRow>& presetTable();
+
+// Index of MeshPreset; -1: no such name.
+int presetIndex(std::string_view name);
+
+// Sets mesh.preset and all keys of the table; keys that the user stated are set after this.
+void applyPreset(CaseDescription& description, MeshPreset preset);
+
+}  // namespace squat::cases

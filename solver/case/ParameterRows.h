@@ -1,0 +1,44 @@
+// solver/case/ParameterRows.h - how rows of the parameter table are written; internal to solver/case.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/ParameterTable.h"
+
+namespace squat::cases::rows {
+
+// A unit of the case file: SI = value * 10^power.
+struct Unit {
+  const char* name;
+  int power;
+};
+inline constexpr Unit none{"-", 0}, metre{"m", 0}, millimetre{"mm", -3}, kilogram{"kg", 0}, density{"kg/m3", 0},
+    gigapascal{"GPa", 9}, stiffness{"MN/m", 6}, damping{"kN s/m", 3}, speed{"m/s", 0}, angularSpeed{"rad/s", 0},
+    torque{"N m", 0}, second{"s", 0}, millisecond{"ms", -3}, microsecond{"us", -6}, acceleration{"m/s2", 0},
+    kilohertz{"kHz", 3};
+
+struct Range {
+  double minimum, maximum;
+};
+
+Parameter number(const char* key, Unit unit, double standard, Range range, double& (*access)(CaseDescription&),
+                 const char* doc, const char* source);
+Parameter wholeNumber(const char* key, double standard, Range range, Access access, const char* doc,
+                      const char* source);
+Parameter choice(const char* key, std::vector<std::string> names, int standard, int& (*access)(CaseDescription&),
+                 const char* doc, const char* source);
+Parameter boolean(const char* key, bool standard, bool& (*access)(CaseDescription&), const char* doc,
+                  const char* source);
+Parameter text(const char* key, std::string& (*access)(CaseDescription&), const char* doc, const char* source);
+Parameter points(const char* key, std::vector<ProfilePoint>& (*access)(CaseDescription&), const char* doc,
+                 const char* source);
+
+using Rows = std::vector<Parameter>;
+Rows trackRows();    // track, rail, pad, sleeper, ballast
+Rows vehicleRows();  // wheelset, suspension
+Rows motionRows();   // motion, contact, damping
+Rows runRows();      // mesh, output
+Rows defectRows();   // defect
+
+}  // namespace squat::cases::rows

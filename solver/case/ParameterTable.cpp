@@ -1,0 +1,153 @@
+#include "case/ParameterTable.h"
+
+#include <algorithm>
+#include <numeric>
+#include <unordered_map>
+
+#include "case/DecimalNumber.h"
+#include "case/ParameterRows.h"
+#include "case/ParameterValue.h"
+
+namespace squat::cases {
+
+namespace rows {
+
+namespace {
+
+std::string groupOf(const std::string& key) {
+  const auto dot = key.find('.');
+  return dot == std::string::npos ? "case" : key.substr(0, dot);
+}
+
+Parameter row(const char* key, Kind kind, Access access, const char* doc, const char* source) {
+  Parameter parameter;
+  parameter.key = key;
+  parameter.group = groupOf(parameter.key);
+  parameter.kind = kind;
+  parameter.access = access;
+  parameter.doc = doc;
+  parameter.source = source;
+  return parameter;
+}
+
+}  // namespace
+
+Parameter number(const char* key, Unit unit, double standard, Range range, double& (*access)(CaseDescription&),
+                 const char* doc, const char* source) {
+  Parameter parameter = row(key, Kind::number, access, doc, source);
+  parameter.unit = unit.name;
+  parameter.powerOfTen = unit.power;
+  parameter.standard = standard;
+  parameter.minimum = range.minimum;
+  parameter.maximum = range.maximum;
+  parameter.standardText = formatDecimal(standard);
+  return parameter;
+}
+
+Parameter wholeNumber(const char* key, double standard, Range range, Access access, const char* doc,
+                      const char* source) {
+  Parameter parameter = number(key, none, standard, range, nullptr, doc, source);
+  parameter.access = access;
+  parameter.integer = true;
+  return parameter;
+}
+
+Parameter choice(const char* key, std::vector<std::string> names, int standard, int& (*access)(CaseDescription&),
+                 const char* doc, const char* source) {
+  Parameter parameter = row(key, Kind::choice, access, doc, source);
+  parameter.standardText = names.at(static_cast<std::size_t>(standard));
+  parameter.choices = std::move(names);
+  return parameter;
+}
+
+Parameter boolean(const char* key, bool standard, bool& (*access)(CaseDescription&), const char* doc,
+                  const char* source) {
+  Parameter parameter = row(key, Kind::boolean, access, doc, source);
+  parameter.standardText = standard ? "true" : "false";
+  return parameter;
+}
+
+Parameter text(const char* key, std::string& (*access)(CaseDescription&), const char* doc, const char* source) {
+  return row(key, Kind::text, access, doc, source);
+}
+
+Parameter points(const char* key, std::vector<ProfilePoint>& (*access)(CaseDescription&), const char* doc,
+                 const char* source) {
+  Parameter parameter = row(key, Kind::points, access, doc, source);
+  parameter.unit = millimetre.name;
+  parameter.powerOfTen = millimetre.power;
+  return parameter;
+}
+
+}  // namespace rows
+
+namespace {
+
+using Case = CaseDescription;
+
+std::vector<Parameter> makeTable() {
+  std::vector<Parameter> table;
+  table.push_back(rows::text(
+      "title", [](Case& c) -> std::string& { return c.title; }, "name of the case, shown on figures", "free text"));
+  table.push_back(rows::text(
+      "note", [](Case& c) -> std::string& { return c.note; }, "anything worth keeping with the case", "free text"));
+  for (const auto& part :
+       {rows::defectRows(), rows::motionRows(), rows::trackRows(), rows::vehicleRows(), rows::runRows()})
+    table.insert(table.end(), part.begin(), part.end());
+  return table;
+}
+
+int editDistance(std::string_view a, std::string_view b) {
+  std::vector<int> previous(b.size() + 1), current(b.size() + 1);
+  std::iota(previous.begin(), previous.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    current[0] = static_cast<int>(i) + 1;
+    for (std::size_t j = 0; j < b.size(); ++j)
+      current[j + 1] = std::min({previous[j] + (a[i] != b[j]), previous[j + 1] + 1, current[j] + 1});
+    std::swap(previous, current);
+  }
+  return previous[b.size()];
+}
+
+std::string_view lastPart(std::string_view key) { return key.substr(key.rfind('.') + 1); }
+
+}  // namespace
+
+const std::vector<Parameter>& parameterTable() {
+  static const std::vector<Parameter> table = makeTable();
+  return table;
+}
+
+const Parameter* findParameter(std::string_view key) {
+  static const auto index = [] {
+    std::unordered_map<std::string_view, const Parameter*> map;
+    for (const auto& parameter : parameterTable()) map.emplace(parameter.key, &parameter);
+    return map;
+  }();
+  const auto found = index.find(key);
+  return found == index.end() ? nullptr : found->second;
+}
+
+std::string nearestKey(std::string_view key) {
+  if (key.size() > 100) return {};
+  std::string nearest;
+  int smallest = 1 + static_cast<int>(key.size()) / 3;  // farther than a third of the letters is another word
+  for (const auto& parameter : parameterTable()) {
+    int distance = editDistance(key, parameter.key);
+    // The right name in a wrong or missing table.
+    if (lastPart(key) == lastPart(parameter.key)) distance = std::min(distance, 1);
+    if (distance < smallest) {
+      smallest = distance;
+      nearest = parameter.key;
+    }
+  }
+  return nearest;
+}
+
+CaseDescription defaultCase() {
+  CaseDescription description;
+  for (const auto& parameter : parameterTable()) setToDefault(description, parameter);
+  return description;
+}
+
+}  // namespace squat::cases

@@ -1,0 +1,48 @@
+// solver/case/ParameterTable.h - the one table of all parameters of a case. It feeds the case file, validation, the
+// form in the studio, `squat describe` and the manual; a parameter that is not in it does not exist for a user.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "case/CaseDescription.h"
+
+namespace squat::cases {
+
+enum class Kind { number, choice, text, boolean, points };
+
+// Where in the description a parameter lives; which alternative goes with which kind: number -> double or int,
+// choice -> int (index into `choices`), boolean -> bool, text -> string, points -> vector of profile points.
+using Access = std::variant<double& (*)(CaseDescription&), int& (*)(CaseDescription&), bool& (*)(CaseDescription&),
+                            std::string& (*)(CaseDescription&), std::vector<ProfilePoint>& (*)(CaseDescription&)>;
+
+struct Parameter {
+  std::string key;   // path in the case file, e.g. "pad.stiffness"
+  std::string unit;  // of the value in the case file, e.g. "MN/m"; "-" for a pure number, empty where there is none
+  Kind kind = Kind::number;
+  int powerOfTen = 0;                             // value in SI = value in the case file times 10^powerOfTen
+  double standard = 0, minimum = 0, maximum = 0;  // numbers, in `unit`: default and allowed range, all finite
+  bool integer = false;                           // number: whole numbers only
+  std::vector<std::string> choices;               // names a choice may take
+  std::string standardText;  // default of every kind as the case file would state it, without quotes
+  std::string group;         // table of the case file: "pad"; "case" for the keys above all tables
+  std::string doc;           // one line
+  std::string source;        // evidence of the default: "paper, Table 1", "literature: ...", "assumed: ..."
+  Access access;
+};
+
+// Every parameter, in the order of the case file: parameters of one group stand together.
+const std::vector<Parameter>& parameterTable();
+
+const Parameter* findParameter(std::string_view key);  // nullptr: no such key
+
+// The known key with the smallest edit distance; a key of another table with the same last part counts as near.
+// Empty where nothing is near.
+std::string nearestKey(std::string_view key);
+
+// Every parameter at its default (mesh preset draft included).
+CaseDescription defaultCase();
+
+}  // namespace squat::cases

@@ -1,0 +1,175 @@
+#include "case/ParameterValue.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/DecimalNumber.h"
+#include "case/PointsText.h"
+
+namespace squat::cases {
+
+namespace {
+
+constexpr std::size_t longestText = 10000;  // of a title, a note or a path
+
+// The accessors take a mutable description; reading through them does not change it.
+template <typename Value>
+const Value* member(const CaseDescription& description, const Parameter& parameter) {
+  const auto* access = std::get_if<Value& (*)(CaseDescription&)>(&parameter.access);
+  return access ? &(*access)(const_cast<CaseDescription&>(description)) : nullptr;
+}
+
+template <typename Value>
+Value* member(CaseDescription& description, const Parameter& parameter) {
+  const auto* access = std::get_if<Value& (*)(CaseDescription&)>(&parameter.access);
+  return access ? &(*access)(description) : nullptr;
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t most = 60;
+  return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";
+}
+
+CaseProblem problem(const Parameter& parameter, std::string_view value, std::string advice) {
+  return {parameter.key, shown(value), allowedText(parameter), std::move(advice)};
+}
+
+std::string numberAdvice(const Parameter& parameter, std::string_view text) {
+  if (text.find(',') != std::string_view::npos) return "Write a decimal point, not a comma";
+  return "Write a plain number" + (parameter.unit == "-" ? std::string() : " in " + parameter.unit);
+}
+
+std::optional<CaseProblem> setNumber(CaseDescription& description, const Parameter& parameter, std::string_view text) {
+  const auto typed = parseDecimal(text);
+  const auto si = parseDecimal(text, parameter.powerOfTen);
+  if (!typed || !si) return problem(parameter, text, numberAdvice(parameter, text));
+  if (parameter.integer && *typed != std::floor(*typed)) return problem(parameter, text, "Write a whole number");
+  if (*typed < parameter.minimum || *typed > parameter.maximum)
+    return problem(parameter, text, "Choose a value within the range; its unit is " + parameter.unit);
+  if (auto* number = member<double>(description, parameter)) *number = *si;
+  if (auto* number = member<int>(description, parameter)) *number = static_cast<int>(*typed);
+  return std::nullopt;
+}
+
+std::optional<CaseProblem> setChoice(CaseDescription& description, const Parameter& parameter, std::string_view text) {
+  const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), text);
+  if (found == parameter.choices.end()) return problem(parameter, text, "Choose one of the names");
+  *member<int>(description, parameter) = static_cast<int>(found - parameter.choices.begin());
+  return std::nullopt;
+}
+
+std::optional<CaseProblem> setBoolean(CaseDescription& description, const Parameter& parameter, std::string_view text) {
+  if (text != "true" && text != "false") return problem(parameter, text, "Write true or false");
+  *member<bool>(description, parameter) = text == "true";
+  return std::nullopt;
+}
+
+bool hasControlCharacters(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](unsigned char letter) {
+    return (letter < 0x20 && letter != '\n' && letter != '\t') || letter == 0x7f;
+  });
+}
+
+std::optional<CaseProblem> setText(CaseDescription& description, const Parameter& parameter, std::string_view text) {
+  if (text.size() > longestText) return problem(parameter, text, "Shorten the text");
+  if (hasControlCharacters(text)) return problem(parameter, "text with control characters", "Remove them");
+  *member<std::string>(description, parameter) = text;
+  return std::nullopt;
+}
+
+std::optional<CaseProblem> setPoints(CaseDescription& description, const Parameter& parameter, std::string_view text) {
+  auto points = parsePoints(text, parameter.powerOfTen);
+  if (!points) return problem(parameter, text, "Write pairs of numbers like [[0, 0], [5, -0.1], [10, 0]]");
+  const std::string wrong = pointsMistake(*points);
+  if (!wrong.empty()) return problem(parameter, text, wrong);
+  *member<std::vector<ProfilePoint>>(description, parameter) = std::move(*points);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string allowedText(const Parameter& parameter) {
+  switch (parameter.kind) {
+    case Kind::number:
+      return formatDecimal(parameter.minimum) + " to " + formatDecimal(parameter.maximum) +
+             (parameter.unit == "-" ? "" : " " + parameter.unit) + (parameter.integer ? ", whole numbers" : "");
+    case Kind::choice: {
+      std::string text = "one of ";
+      for (const auto& name : parameter.choices) text += (name == parameter.choices.front() ? "" : ", ") + name;
+      return text;
+    }
+    case Kind::boolean:
+      return "true or false";
+    case Kind::text:
+      return "a text";
+    case Kind::points:
+      return "pairs of position and height in " + parameter.unit + ", positions ascending";
+  }
+  return {};
+}
+
+std::string valueText(const CaseDescription& description, const Parameter& parameter) {
+  switch (parameter.kind) {
+    case Kind::number:
+      if (const auto* number = member<double>(description, parameter))
+        return formatDecimal(*number, parameter.powerOfTen);
+      return std::to_string(*member<int>(description, parameter));
+    case Kind::choice: {
+      const int index = *member<int>(description, parameter);
+      if (index < 0 || index >= static_cast<int>(parameter.choices.size())) return std::to_string(index);
+      return parameter.choices[static_cast<std::size_t>(index)];
+    }
+    case Kind::boolean:
+      return *member<bool>(description, parameter) ? "true" : "false";
+    case Kind::text:
+      return *member<std::string>(description, parameter);
+    case Kind::points:
+      return formatPoints(*member<std::vector<ProfilePoint>>(description, parameter), parameter.powerOfTen);
+  }
+  return {};
+}
+
+std::optional<CaseProblem> trySetValue(CaseDescription& description, const Parameter& parameter,
+                                       std::string_view text) {
+  switch (parameter.kind) {
+    case Kind::number:
+      return setNumber(description, parameter, text);
+    case Kind::choice:
+      return setChoice(description, parameter, text);
+    case Kind::boolean:
+      return setBoolean(description, parameter, text);
+    case Kind::text:
+      return setText(description, parameter, text);
+    case Kind::points:
+      return setPoints(description, parameter, text);
+  }
+  return std::nullopt;
+}
+
+void setValue(CaseDescription& description, std::string_view key, std::string_view text) {
+  const Parameter* parameter = findParameter(key);
+  if (!parameter) throw CaseError({unknownKey(key, text)});
+  if (auto wrong = trySetValue(description, *parameter, text)) throw CaseError({*wrong});
+}
+
+void setToDefault(CaseDescription& description, const Parameter& parameter) {
+  trySetValue(description, parameter, parameter.kind == Kind::points ? "[]" : parameter.standardText);
+}
+
+double numberInUnit(const CaseDescription& description, const Parameter& parameter) {
+  const auto value = parseDecimal(valueText(description, parameter));
+  return value ? *value : std::nan("");
+}
+
+std::optional<CaseProblem> checkRange(const CaseDescription& description, const Parameter& parameter) {
+  CaseDescription copy;  // setting the text of the value anew makes every check that a case file meets
+  return trySetValue(copy, parameter, valueText(description, parameter));
+}
+
+CaseProblem unknownKey(std::string_view key, std::string_view value) {
+  const std::string near = nearestKey(key);
+  return {shown(key), shown(value), "a known key",
+          near.empty() ? "Remove it; squat describe lists every key" : "Did you mean " + near + "?"};
+}
+
+}  // namespace squat::cases

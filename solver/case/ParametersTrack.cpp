@@ -1,0 +1,144 @@
+// Rows of the parameter table: track, rail, pad, sleeper, ballast.
+#include "case/ParameterRows.h"
+
+namespace squat::cases::rows {
+
+using Case = CaseDescription;
+
+namespace {
+
+constexpr const char* table1 = "paper, Table 1";
+constexpr const char* section2 = "paper, section 2";
+
+void addTrack(Rows& rows) {
+  rows.push_back(number(
+      "track.length", metre, 10, {2, 60}, [](Case& c) -> double& { return c.track.length; },
+      "length of the rail in the model, its middle near the defect", section2));
+  rows.push_back(number(
+      "track.sleeper_spacing", metre, 0.6, {0.4, 1}, [](Case& c) -> double& { return c.track.sleeperSpacing; },
+      "distance of neighbouring sleepers", table1));
+  rows.push_back(number(
+      "track.defect_from_sleeper", metre, 0, {-0.5, 0.5}, [](Case& c) -> double& { return c.track.defectFromSleeper; },
+      "the paper's L: deepest point of the defect relative to the nearest sleeper centre, in rolling direction",
+      "assumed: over a sleeper; the paper gives no value"));
+  rows.push_back(choice(
+      "track.rail_ends", {"free", "clamped", "absorbing"}, 0, [](Case& c) -> int& { return c.track.railEnds; },
+      "what holds the rail at its two ends", "assumed: the paper does not say"));
+}
+
+void addRail(Rows& rows) {
+  rows.push_back(number(
+      "rail.young_modulus", gigapascal, 210, {10, 2000}, [](Case& c) -> double& { return c.rail.material.young; },
+      "Young's modulus of the rail", table1));
+  rows.push_back(number(
+      "rail.poisson_ratio", none, 0.3, {0, 0.45}, [](Case& c) -> double& { return c.rail.material.poisson; },
+      "Poisson's ratio of the rail", table1));
+  rows.push_back(number(
+      "rail.density", density, 7800, {1000, 20000}, [](Case& c) -> double& { return c.rail.material.density; },
+      "mass density of the rail", table1));
+  rows.push_back(boolean(
+      "rail.plastic", false, [](Case& c) -> bool& { return c.rail.plastic; },
+      "surface layer of the rail head may yield (bilinear) or stays elastic",
+      "assumed: off; the paper's layer yields, at these loads hardly"));
+  rows.push_back(number(
+      "rail.yield_stress", gigapascal, 0.8, {0.05, 10}, [](Case& c) -> double& { return c.rail.yieldStress; },
+      "yield stress of the surface layer", table1));
+  rows.push_back(number(
+      "rail.tangent_modulus", gigapascal, 21, {0, 2000}, [](Case& c) -> double& { return c.rail.tangentModulus; },
+      "tangent modulus of the surface layer beyond yield, below Young's modulus", table1));
+  rows.push_back(number(
+      "rail.plastic_depth", millimetre, 5, {0.5, 20}, [](Case& c) -> double& { return c.rail.plasticDepth; },
+      "depth of the surface layer that may yield", "assumed: the paper does not say"));
+  rows.push_back(choice(
+      "rail.hardening", {"isotropic", "kinematic"}, 0, [](Case& c) -> int& { return c.rail.hardening; },
+      "hardening of the surface layer", "assumed: the paper does not say"));
+}
+
+void addPad(Rows& rows) {
+  rows.push_back(number(
+      "pad.stiffness", stiffness, 1300, {1, 20000}, [](Case& c) -> double& { return c.pad.stiffness; },
+      "vertical stiffness of a rail pad, per rail seat (K2)", table1));
+  rows.push_back(number(
+      "pad.damping", damping, 45, {0, 2000}, [](Case& c) -> double& { return c.pad.damping; },
+      "vertical damping of a rail pad, per rail seat (C2)", table1));
+  rows.push_back(number(
+      "pad.longitudinal_stiffness", stiffness, 130, {0, 20000},
+      [](Case& c) -> double& { return c.pad.longitudinalStiffness; },
+      "stiffness of a rail pad along the rail, per rail seat", "assumed: a tenth of the vertical"));
+  rows.push_back(number(
+      "pad.longitudinal_damping", damping, 4.5, {0, 2000}, [](Case& c) -> double& { return c.pad.longitudinalDamping; },
+      "damping of a rail pad along the rail, per rail seat", "assumed: a tenth of the vertical"));
+  rows.push_back(number(
+      "pad.lateral_stiffness", stiffness, 130, {0, 20000}, [](Case& c) -> double& { return c.pad.lateralStiffness; },
+      "stiffness of a rail pad across the rail, per rail seat", "assumed: a tenth of the vertical"));
+  rows.push_back(number(
+      "pad.lateral_damping", damping, 4.5, {0, 2000}, [](Case& c) -> double& { return c.pad.lateralDamping; },
+      "damping of a rail pad across the rail, per rail seat", "assumed: a tenth of the vertical"));
+  rows.push_back(number(
+      "pad.length", metre, 0.16, {0.02, 0.4}, [](Case& c) -> double& { return c.pad.length; },
+      "footprint of the pad along the rail", "literature: 0.14 to 0.18 m"));
+  rows.push_back(number(
+      "pad.width", metre, 0.14, {0.02, 0.14}, [](Case& c) -> double& { return c.pad.width; },
+      "footprint of the pad across the rail, at most the rail's foot", "literature: width of the foot"));
+}
+
+void addSleeper(Rows& rows) {
+  rows.push_back(number(
+      "sleeper.young_modulus", gigapascal, 38.4, {1, 2000}, [](Case& c) -> double& { return c.sleeper.material.young; },
+      "Young's modulus of the sleeper",
+      "literature: concrete sleepers in models of this line; the paper does not say"));
+  rows.push_back(number(
+      "sleeper.poisson_ratio", none, 0.2, {0, 0.45}, [](Case& c) -> double& { return c.sleeper.material.poisson; },
+      "Poisson's ratio of the sleeper", "literature: concrete"));
+  rows.push_back(number(
+      "sleeper.density", density, 2450, {200, 20000}, [](Case& c) -> double& { return c.sleeper.material.density; },
+      "mass density of the sleeper; with the block's size it makes the mass",
+      "paper, Table 1: 244 kg a sleeper, 122 kg in the half track"));
+  rows.push_back(number(
+      "sleeper.half_length", metre, 1.26, {0.9, 1.5}, [](Case& c) -> double& { return c.sleeper.halfLength; },
+      "from the track centre to the end of the sleeper", "assumed: concrete sleeper of 2.52 m"));
+  rows.push_back(number(
+      "sleeper.width", metre, 0.26, {0.1, 0.4}, [](Case& c) -> double& { return c.sleeper.width; },
+      "width of the sleeper, along the rail", "assumed: block that has the paper's mass"));
+  rows.push_back(number(
+      "sleeper.height", metre, 0.152, {0.08, 0.35}, [](Case& c) -> double& { return c.sleeper.height; },
+      "height of the sleeper", "assumed: block that has the paper's mass"));
+}
+
+void addBallast(Rows& rows) {
+  rows.push_back(number(
+      "ballast.stiffness", stiffness, 45, {1, 10000}, [](Case& c) -> double& { return c.ballast.stiffness; },
+      "vertical stiffness of the ballast, per half sleeper (K3)", table1));
+  rows.push_back(number(
+      "ballast.damping", damping, 32, {0, 2000}, [](Case& c) -> double& { return c.ballast.damping; },
+      "vertical damping of the ballast, per half sleeper (C3)", table1));
+  rows.push_back(number(
+      "ballast.longitudinal_stiffness", stiffness, 20, {0.1, 10000},
+      [](Case& c) -> double& { return c.ballast.longitudinalStiffness; },
+      "stiffness of the ballast along the rail, per half sleeper", "assumed: about half the vertical"));
+  rows.push_back(number(
+      "ballast.longitudinal_damping", damping, 14, {0, 2000},
+      [](Case& c) -> double& { return c.ballast.longitudinalDamping; },
+      "damping of the ballast along the rail, per half sleeper", "assumed: in proportion to the stiffness"));
+  rows.push_back(number(
+      "ballast.lateral_stiffness", stiffness, 20, {0.1, 10000},
+      [](Case& c) -> double& { return c.ballast.lateralStiffness; },
+      "stiffness of the ballast across the rail, per half sleeper", "assumed: about half the vertical"));
+  rows.push_back(number(
+      "ballast.lateral_damping", damping, 14, {0, 2000}, [](Case& c) -> double& { return c.ballast.lateralDamping; },
+      "damping of the ballast across the rail, per half sleeper", "assumed: in proportion to the stiffness"));
+}
+
+}  // namespace
+
+Rows trackRows() {
+  Rows rows;
+  addTrack(rows);
+  addRail(rows);
+  addPad(rows);
+  addSleeper(rows);
+  addBallast(rows);
+  return rows;
+}
+
+}  // namespace squat::cases::rows

@@ -1,0 +1,115 @@
+// Rows of the parameter table: wheelset, suspension.
+#include "case/ParameterRows.h"
+
+namespace squat::cases::rows {
+
+using Case = CaseDescription;
+
+namespace {
+
+constexpr const char* table1 = "paper, Table 1";
+constexpr const char* steps = "assumed: common passenger wheelset; no drawing of the paper's is public";
+
+void addWheel(Rows& rows) {
+  rows.push_back(number(
+      "wheelset.young_modulus", gigapascal, 210, {10, 2000},
+      [](Case& c) -> double& { return c.wheelset.material.young; }, "Young's modulus of the wheelset", table1));
+  rows.push_back(number(
+      "wheelset.poisson_ratio", none, 0.3, {0, 0.45}, [](Case& c) -> double& { return c.wheelset.material.poisson; },
+      "Poisson's ratio of the wheelset", table1));
+  rows.push_back(number(
+      "wheelset.density", density, 7800, {1000, 20000}, [](Case& c) -> double& { return c.wheelset.material.density; },
+      "mass density of the wheelset", table1));
+  rows.push_back(number(
+      "wheelset.radius", metre, 0.46, {0.25, 0.7}, [](Case& c) -> double& { return c.wheelset.radius; },
+      "nominal rolling radius", "paper, section 2"));
+  rows.push_back(number(
+      "wheelset.rim_width", millimetre, 135, {60, 200}, [](Case& c) -> double& { return c.wheelset.rimWidth; },
+      "width of the rim", steps));
+  rows.push_back(number(
+      "wheelset.rim_inner_radius", millimetre, 395, {150, 660},
+      [](Case& c) -> double& { return c.wheelset.rimInnerRadius; }, "inner radius of the rim", steps));
+  rows.push_back(number(
+      "wheelset.web_thickness", millimetre, 28, {10, 100}, [](Case& c) -> double& { return c.wheelset.webThickness; },
+      "thickness of the web", steps));
+  rows.push_back(number(
+      "wheelset.hub_radius", millimetre, 140, {80, 300}, [](Case& c) -> double& { return c.wheelset.hubRadius; },
+      "outer radius of the hub", steps));
+  rows.push_back(number(
+      "wheelset.hub_width", millimetre, 175, {80, 300}, [](Case& c) -> double& { return c.wheelset.hubWidth; },
+      "width of the hub along the axle, centred on the wheel plane", steps));
+}
+
+void addAxle(Rows& rows) {
+  rows.push_back(number(
+      "wheelset.seat_radius", millimetre, 92.5, {50, 200}, [](Case& c) -> double& { return c.wheelset.seatRadius; },
+      "radius of the wheel seat under the hub", steps));
+  rows.push_back(number(
+      "wheelset.axle_radius", millimetre, 80, {40, 200}, [](Case& c) -> double& { return c.wheelset.axleRadius; },
+      "radius of the axle body between the wheels", steps));
+  rows.push_back(number(
+      "wheelset.bore_radius", millimetre, 25, {5, 60}, [](Case& c) -> double& { return c.wheelset.boreRadius; },
+      "radius of the bore along the axle", "assumed: hollow axle"));
+  rows.push_back(number(
+      "wheelset.shoulder_radius", millimetre, 80, {40, 200},
+      [](Case& c) -> double& { return c.wheelset.shoulderRadius; }, "radius of the step outside the hub", steps));
+  rows.push_back(number(
+      "wheelset.shoulder_end", millimetre, 150, {60, 500}, [](Case& c) -> double& { return c.wheelset.shoulderEnd; },
+      "outer end of that step, from the wheel plane", steps));
+  rows.push_back(number(
+      "wheelset.journal_radius", millimetre, 65, {30, 150}, [](Case& c) -> double& { return c.wheelset.journalRadius; },
+      "radius of the journal", steps));
+  rows.push_back(number(
+      "wheelset.journal_end", millimetre, 330, {100, 700}, [](Case& c) -> double& { return c.wheelset.journalEnd; },
+      "outer end of the journal, from the wheel plane", steps));
+  rows.push_back(number(
+      "wheelset.bearing_centre", millimetre, 250, {80, 600},
+      [](Case& c) -> double& { return c.wheelset.bearingCentre; },
+      "middle of the bearing (spring, axle box), from the wheel plane", steps));
+  rows.push_back(number(
+      "wheelset.bearing_width", millimetre, 160, {20, 400}, [](Case& c) -> double& { return c.wheelset.bearingWidth; },
+      "length of the bearing seat over which the axle box is spread", "assumed: two-row roller bearing"));
+  rows.push_back(number(
+      "wheelset.axle_box_mass", kilogram, 150, {0, 1000}, [](Case& c) -> double& { return c.wheelset.axleBoxMass; },
+      "mass of axle box and bearing", "literature: 100 to 150 kg"));
+  rows.push_back(number(
+      "wheelset.total_mass", kilogram, 950, {200, 5000}, [](Case& c) -> double& { return c.wheelset.totalMass; },
+      "mass of the half wheelset; what solid parts and axle box leave sits as brake discs on the axle",
+      "literature: heavy passenger wheelset"));
+  rows.push_back(number(
+      "wheelset.track_centre", metre, 0.75, {0.5, 1.2}, [](Case& c) -> double& { return c.wheelset.trackCentre; },
+      "from the wheel plane to the symmetry plane", "literature: contact points 1.5 m apart"));
+}
+
+void addSuspension(Rows& rows) {
+  rows.push_back(number(
+      "suspension.sprung_mass", kilogram, 8000, {0, 50000}, [](Case& c) -> double& { return c.suspension.sprungMass; },
+      "mass above the primary suspension, per wheel (M)", table1));
+  rows.push_back(number(
+      "suspension.stiffness", stiffness, 1.15, {0.01, 100}, [](Case& c) -> double& { return c.suspension.stiffness; },
+      "vertical stiffness of the primary suspension (K1)", table1));
+  rows.push_back(number(
+      "suspension.damping", damping, 2.5, {0, 1000}, [](Case& c) -> double& { return c.suspension.damping; },
+      "vertical damping of the primary suspension (C1)", table1));
+  rows.push_back(number(
+      "suspension.longitudinal_stiffness", stiffness, 20, {0.01, 1000},
+      [](Case& c) -> double& { return c.suspension.longitudinalStiffness; },
+      "longitudinal guidance of the axle box: carries the traction to the sprung mass",
+      "assumed: usual order of axle guidance"));
+  rows.push_back(number(
+      "suspension.longitudinal_damping", damping, 20, {0, 1000},
+      [](Case& c) -> double& { return c.suspension.longitudinalDamping; }, "damping of the longitudinal guidance",
+      "assumed"));
+}
+
+}  // namespace
+
+Rows vehicleRows() {
+  Rows rows;
+  addWheel(rows);
+  addAxle(rows);
+  addSuspension(rows);
+  return rows;
+}
+
+}  // namespace squat::cases::rows

@@ -1,0 +1,88 @@
+#include "case/PointsText.h"
+
+#include <cmath>
+
+#include "case/DecimalNumber.h"
+
+namespace squat::cases {
+
+namespace {
+
+// Reads "[", numbers, commas and "]" one after the other; blanks and line ends count for nothing.
+class Cursor {
+ public:
+  explicit Cursor(std::string_view text) : text_(text) {}
+
+  bool take(char letter) {
+    skipBlanks();
+    if (at_ >= text_.size() || text_[at_] != letter) return false;
+    ++at_;
+    return true;
+  }
+
+  std::optional<double> number(int powerOfTen) {
+    skipBlanks();
+    const std::size_t from = at_;
+    while (at_ < text_.size() && std::string_view("+-.0123456789eE").find(text_[at_]) != std::string_view::npos) ++at_;
+    return parseDecimal(text_.substr(from, at_ - from), powerOfTen);
+  }
+
+  bool atEnd() {
+    skipBlanks();
+    return at_ == text_.size();
+  }
+
+ private:
+  void skipBlanks() {
+    while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos) ++at_;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen) {
+  Cursor cursor(text);
+  std::vector<ProfilePoint> points;
+  if (!cursor.take('[')) return std::nullopt;
+  while (!cursor.take(']')) {
+    if (!cursor.take('[') || points.size() >= mostPoints) return std::nullopt;
+    const auto position = cursor.number(powerOfTen);
+    if (!position || !cursor.take(',')) return std::nullopt;
+    const auto height = cursor.number(powerOfTen);
+    if (!height || !cursor.take(']')) return std::nullopt;
+    points.push_back({*position, *height});
+    if (cursor.take(',')) continue;
+    if (!cursor.take(']')) return std::nullopt;
+    break;
+  }
+  if (!cursor.atEnd()) return std::nullopt;
+  return points;
+}
+
+std::string formatPoints(const std::vector<ProfilePoint>& points, int powerOfTen) {
+  std::string text = "[";
+  for (const auto& point : points) {
+    if (text.size() > 1) text += ", ";
+    text += "[" + formatDecimal(point.position, powerOfTen) + ", " + formatDecimal(point.height, powerOfTen) + "]";
+  }
+  return text + "]";
+}
+
+std::string pointsMistake(const std::vector<ProfilePoint>& points) {
+  constexpr double farthest = 1e6, highest = 0.05;  // [m]
+  if (points.size() == 1) return "Give at least two points";
+  if (points.size() > mostPoints) return "Give at most " + std::to_string(mostPoints) + " points";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string which = "Point " + std::to_string(i + 1) + ": ";
+    if (!(std::abs(points[i].position) <= farthest)) return which + "positions go from -1000 to 1000 km";
+    if (!(std::abs(points[i].height) <= highest)) return which + "heights go from -50 to 50 mm; check the unit";
+    if (i > 0 && points[i].position == points[i - 1].position) return which + "has the position of the one before";
+    if (i > 0 && points[i].position < points[i - 1].position) return which + "positions must ascend";
+  }
+  return {};
+}
+
+}  // namespace squat::cases

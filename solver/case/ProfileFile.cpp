@@ -1,0 +1,251 @@
+#include "case/ProfileFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+#include "case/DecimalNumber.h"
+#include "case/PointsText.h"
+#include "core/Errors.h"
+
+namespace squat::cases {
+
+namespace {
+
+constexpr std::uintmax_t largestFile = 200'000'000, longestLine = 1'000'000;  // bytes
+constexpr double highest = 0.05;                                              // [m]
+constexpr double farthest = 1e6;                                              // [m] chainages are welcome
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+// Like trimmed, but keeps tabs: they may be delimiters of empty fields.
+std::string_view withoutLineEnd(std::string_view text) {
+  while (!text.empty() && (text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
+  return text;
+}
+
+std::string shown(std::string_view text) {
+  std::string result;
+  for (const char letter : text.substr(0, 40))
+    result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f ? '?' : letter;
+  return "\"" + result + (text.size() > 40 ? "...\"" : "\"");
+}
+
+std::vector<std::string_view> fieldsOf(std::string_view line, char delimiter) {
+  std::vector<std::string_view> fields;
+  for (std::size_t from = 0; from <= line.size();) {
+    const std::size_t end = std::min(line.find(delimiter, from), line.size());
+    if (fields.size() == 16) break;  // more than anybody needs to see that it is too many
+    std::string_view field = trimmed(line.substr(from, end - from));
+    if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
+      field = trimmed(field.substr(1, field.size() - 2));
+    fields.push_back(field);
+    from = end + 1;
+  }
+  return fields;
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string result(text);
+  for (char& letter : result)
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  return result;
+}
+
+// Power of ten of a unit of length.
+std::optional<int> unitPower(std::string_view unit) {
+  constexpr std::array<std::pair<std::string_view, int>, 6> units{
+      {{"m", 0}, {"mm", -3}, {"um", -6}, {"\xC2\xB5m", -6}, {"\xCE\xBCm", -6}, {"\xB5m", -6}}};
+  for (const auto& [name, power] : units)
+    if (unit == name) return power;
+  return std::nullopt;
+}
+
+struct Column {
+  std::string name;
+  std::optional<int> power;
+};
+
+// "position [mm]", "position (mm)", "position, mm", "position mm"
+Column columnOf(std::string_view field) {
+  const std::string text = lowerCase(field);
+  const std::size_t open = text.find_first_of("[(");
+  if (open != std::string::npos) {
+    const std::size_t close = text.find_first_of("])", open);
+    if (close == std::string::npos) return {text, std::nullopt};
+    return {std::string(trimmed(std::string_view(text).substr(0, open))),
+            unitPower(trimmed(std::string_view(text).substr(open + 1, close - open - 1)))};
+  }
+  const std::size_t gap = text.find_last_of(", _/");
+  if (gap == std::string::npos) return {text, std::nullopt};
+  return {std::string(trimmed(std::string_view(text).substr(0, gap))),
+          unitPower(trimmed(std::string_view(text).substr(gap + 1)))};
+}
+
+bool namesHeight(const std::string& name) {
+  constexpr std::array<std::string_view, 6> words{"height", "z", "level", "deviation", "elevation", "profile"};
+  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+    return name == word || (word.size() > 1 && name.find(word) != std::string::npos);
+  });
+}
+
+class ProfileParser {
+ public:
+  ProfileParser(std::string_view text, std::string origin) : rest_(text), origin_(std::move(origin)) {}
+
+  std::vector<ProfilePoint> parse() {
+    checkEncoding();
+    readHeader();
+    std::string_view line;
+    while (nextLine(line)) addRow(line);
+    if (points_.size() < 2) fail("has fewer than two points", "Give at least two lines of position and height");
+    return std::move(points_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what, const std::string& advice = {}) const {
+    throw FileError(origin_, number_ > 0 ? "line " + std::to_string(number_) : "", what, advice);
+  }
+
+  void checkEncoding() {
+    if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);
+    if (rest_.substr(0, 2) == "\xFF\xFE" || rest_.substr(0, 2) == "\xFE\xFF")
+      fail("is UTF-16 text", "Save it as UTF-8 or plain text");
+    if (rest_.substr(0, 4096).find('\0') != std::string_view::npos)
+      fail("is no text file", "Export the profile as CSV");
+  }
+
+  // The next line that is neither empty nor a comment.
+  bool nextLine(std::string_view& line) {
+    while (!rest_.empty()) {
+      const std::size_t end = rest_.find('\n');
+      line = rest_.substr(0, end);
+      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+      ++number_;
+      if (line.size() > longestLine) fail("is longer than 1 MB", "Put one point on a line");
+      const std::string_view content = trimmed(line);
+      if (!content.empty() && content.front() != '#') return true;
+    }
+    return false;
+  }
+
+  void readHeader() {
+    std::string_view line;
+    if (!nextLine(line)) fail("is empty", "Write a header with units and at least two points");
+    line = withoutLineEnd(line);
+    for (const char candidate : {',', '\t', ';'})
+      if (line.find(candidate) != std::string_view::npos) delimiter_ = candidate;
+    auto fields = fieldsOf(line, delimiter_);
+    std::vector<Column> columns;
+    // "position, mm, height, mm": the comma stands before the units as well
+    if (delimiter_ == ',' && fields.size() == 4 && unitPower(fields[1]) && unitPower(fields[3]))
+      columns = {{lowerCase(fields[0]), unitPower(fields[1])}, {lowerCase(fields[2]), unitPower(fields[3])}};
+    else
+      for (const auto field : fields) columns.push_back(columnOf(field));
+    checkColumns(fields, columns);
+    swapped_ = namesHeight(columns[0].name) && !namesHeight(columns[1].name);
+    if (swapped_) std::swap(columns[0], columns[1]);
+    positionPower_ = *columns[0].power;
+    heightPower_ = *columns[1].power;
+  }
+
+  void checkColumns(const std::vector<std::string_view>& fields, const std::vector<Column>& columns) const {
+    const std::string example = "Write a header like: position [mm]; height [mm]";
+    if (std::any_of(fields.begin(), fields.end(), [](auto field) { return parseDecimal(field).has_value(); }))
+      fail("has no header with units", example);
+    if (columns.size() != 2)
+      fail("has " + std::to_string(columns.size()) + (columns.size() == 1 ? " column" : " columns") +
+               " where two are expected",
+           "Keep position and height, divided by a comma, a semicolon or a tab");
+    for (std::size_t i = 0; i < 2; ++i)
+      if (!columns[i].power) fail("header " + shown(fields[i]) + " names no unit m, mm or um", example);
+    for (const auto& column : columns)
+      if (column.name.find("depth") != std::string::npos)
+        fail("header names a depth; heights are needed, up positive", "Change the signs and name the column height");
+  }
+
+  void addRow(std::string_view line) {
+    if (points_.size() >= mostPoints) fail("has more than " + std::to_string(mostPoints) + " points", "Thin it out");
+    auto fields = fieldsOf(withoutLineEnd(line), delimiter_);
+    if (fields.size() != 2) failForColumns(fields.size());
+    if (swapped_) std::swap(fields[0], fields[1]);
+    const ProfilePoint point{numberIn(fields[0], positionPower_), numberIn(fields[1], heightPower_)};
+    if (std::abs(point.position) > farthest)
+      fail("position " + shown(fields[0]) + " is beyond 1000 km", "Check the unit");
+    if (std::abs(point.height) > highest)
+      fail("height " + shown(fields[1]) + " is beyond 50 mm", "Check the unit in the header");
+    if (!points_.empty() && point.position == points_.back().position)
+      fail("position " + shown(fields[0]) + " stands there twice", "Keep one height for each position");
+    if (!points_.empty() && point.position < points_.back().position)
+      fail("position " + shown(fields[0]) + " is smaller than the one before", "Sort the lines by position");
+    points_.push_back(point);
+  }
+
+  [[noreturn]] void failForColumns(std::size_t count) const {
+    const std::string what =
+        "has " + std::to_string(count) + (count == 1 ? " column" : " columns") + " where two are expected";
+    if (count > 2 && delimiter_ == ',')
+      fail(what, "With a decimal comma, use a semicolon or a tab between the columns");
+    fail(what, "Keep position and height");
+  }
+
+  // One decimal mark for the whole file: a second one would be a thousands separator.
+  double numberIn(std::string_view field, int power) {
+    if (field.empty()) fail("a number is missing", "Give position and height on each line");
+    std::string text(field.substr(0, 100));
+    const std::size_t mark = text.find_first_of(".,");
+    if (mark != std::string::npos) {
+      if (decimalMark_ == 0) decimalMark_ = text[mark];
+      if (text.find_first_of(decimalMark_ == '.' ? "," : ".") != std::string::npos)
+        fail(shown(field) + ": decimal points and commas are mixed", "Use one of them, without thousands separators");
+      text[mark] = '.';
+    }
+    const auto value = parseDecimal(text, power);
+    if (!value) fail(shown(field) + " is no number", "Write plain decimal numbers");
+    return *value;
+  }
+
+  std::string_view rest_;
+  std::string origin_;
+  std::size_t number_ = 0;  // of the line
+  char delimiter_ = ',';
+  char decimalMark_ = 0;
+  bool swapped_ = false;
+  int positionPower_ = 0, heightPower_ = 0;
+  std::vector<ProfilePoint> points_;
+};
+
+}  // namespace
+
+std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin) {
+  return ProfileParser(text, origin).parse();
+}
+
+std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+    throw FileError(path.string(), "", "no such profile", "Paths of profiles are relative to the case file");
+  if (!std::filesystem::is_regular_file(status))
+    throw FileError(path.string(), "", "is no plain file", "Name a CSV file");
+  if (std::filesystem::file_size(path, error) > largestFile)
+    throw FileError(path.string(), "", "is larger than 200 MB", "Cut out the part around the defect");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(path.string(), "", "cannot be opened", "Check the permissions");
+  std::string text(std::filesystem::file_size(path, error), '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw FileError(path.string(), "", "cannot be read", "Check the disk");
+  return parseProfile(text, path.string());
+}
+
+}  // namespace squat::cases

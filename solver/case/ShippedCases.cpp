@@ -1,0 +1,58 @@
+#include "case/ShippedCases.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/Errors.h"
+
+namespace squat::cases {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool hasCases(const fs::path& folder) {
+  std::error_code error;
+  return !folder.empty() && fs::is_directory(folder / "cases", error);
+}
+
+// PREFIX/bin/squat -> PREFIX/share/squat-studio
+fs::path besideProgram() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : program.parent_path().parent_path() / "share" / "squat-studio";
+}
+
+}  // namespace
+
+fs::path resourcesFolder() {
+  if (const char* named = std::getenv("SQUAT_RESOURCES"); named && *named) return named;
+  for (const fs::path& folder :
+       {besideProgram(), fs::path(SQUAT_SOURCE_RESOURCES), fs::path(SQUAT_INSTALLED_RESOURCES)})
+    if (hasCases(folder)) return folder;
+  return {};
+}
+
+std::vector<std::string> shippedCases() {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator entry(resourcesFolder() / "cases", error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().extension() == ".toml") names.push_back(entry->path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path findCase(const std::string& nameOrPath) {
+  std::error_code error;
+  if (fs::is_regular_file(nameOrPath, error)) return nameOrPath;
+  const bool isName = nameOrPath.find_first_of("/\\") == std::string::npos && !nameOrPath.empty();
+  const fs::path shipped = resourcesFolder() / "cases" / (nameOrPath + ".toml");
+  if (isName && fs::is_regular_file(shipped, error)) return shipped;
+  std::string names;
+  for (const auto& name : shippedCases()) names += (names.empty() ? "" : ", ") + name;
+  throw FileError(nameOrPath, "", "no such case file or shipped case",
+                  "Give a path to a case file or one of: " + (names.empty() ? "(no shipped cases found)" : names));
+}
+
+}  // namespace squat::cases
