@@ -1,0 +1,85 @@
+// solver/signals/Features.h - what an axle box acceleration says about a defect, as numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "signals/Peaks.h"
+#include "signals/PowerSpectrum.h"
+#include "signals/TimeSeries.h"
+
+namespace squat::signals {
+
+struct Band {
+  std::string name;
+  double low = 0, high = 0;  // [Hz]
+};
+
+// The bands in which squats speak (Molodova et al. 2014, section 4; the third is that of the later detection work).
+std::vector<Band> squatBands();
+
+struct FeatureOptions {
+  double speed = 30.0;               // [m/s] at the impact
+  std::optional<double> impactTime;  // [s]; default: the sample with the largest absolute value
+  double before = 0.10;              // [m] of the record used for the spectrum, before and after the impact
+  double after = 0.28;
+  std::vector<Band> bands = squatBands();
+  Band waveBand{"wave", 600, 2000};  // the short waves after the impact: the record is band-passed to it
+  double waveSpan = 0.15;            // [m] after the impact over which the mean wavelength is taken
+  double rmsLength = 0.25;           // [m] of the moving root mean square
+  double decayLevel = 0.1;           // free vibration ends where the band's envelope stays below this share of its peak
+  double lowestPeak = 50;            // [Hz] range and least share of the peaks of the spectrum
+  double highestPeak = 2000;
+  double peakShare = 0.02;
+};
+
+struct BandFeatures {
+  Band band;
+  double power = 0;          // [unit^2] integral of the density
+  double share = 0;          // of the integral of the whole spectrum
+  double freeVibration = 0;  // [s] from the impact to the end of free vibration
+};
+
+struct Features {
+  std::string name, unit;
+  double speed = 0, impactTime = 0;                 // [m/s], [s]
+  double peak = 0;                                  // largest absolute value
+  double maximum = 0, minimum = 0, peakToPeak = 0;  // [unit]
+  double rms = 0;                                   // of the whole record
+  double largestMovingRms = 0;                      // over FeatureOptions::rmsLength
+  double wavelengthByCrossings = 0;                 // [m] mean after the impact; 0: fewer than three crossings
+  double wavelengthByRidge = 0;                     // [m] speed / power-weighted mean frequency of the wavelet ridge
+  std::vector<BandFeatures> bands;
+  std::vector<SpectralPeak> peaks;  // most prominent first
+  PowerSpectrum spectrum;           // Hann, from `before` to `after`, zeros appended for a step of about 3 Hz
+};
+
+// Throws SignalError for a signal that is too short, constant or not finite, for a speed that is not positive, and for
+// bands above half the sampling rate.
+Features features(const TimeSeries& series, const FeatureOptions& options = {});
+
+// The same as a row of a table: names with unit ("peak [m/s2]") and values, in a fixed order; `peakCount` frequencies.
+std::vector<std::pair<std::string, double>> featureRow(const Features& features, std::size_t peakCount = 4);
+
+// Root mean square over the n samples centred on each sample (fewer at the ends).
+std::vector<double> movingRms(const std::vector<double>& values, std::size_t n);
+
+// Spectrum of the samples from..to [s], Hann, mean taken off, zeros appended until the step is at most `frequencyStep`.
+PowerSpectrum localSpectrum(const TimeSeries& series, double from, double to, double frequencyStep = 3.0);
+
+// Mean wavelength [m] from the zero crossings of the band-passed record in from..to [s]; 0 with fewer than three.
+double wavelengthByCrossings(const TimeSeries& series, double from, double to, double speed, const Band& band);
+
+// The same from the ridge of the amplitude-normalised Morlet transform: at each sample the strongest frequency in the
+// band, averaged with its power as weight.
+double wavelengthByRidge(const TimeSeries& series, double from, double to, double speed, const Band& band);
+
+// Time [s] from `impact` until the band's envelope (root mean wavelet power, amplitude-normalised) falls below `level`
+// of its largest value after the impact and stays below for a period of the band's lower edge; to the end of the record
+// where it never does. The wavelet's own length is the least that can be seen: an impulse gives 2.0/(band centre) at
+// level 0.1.
+double freeVibration(const TimeSeries& series, double impact, const Band& band, double level);
+
+}  // namespace squat::signals
