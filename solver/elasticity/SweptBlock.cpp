@@ -1,0 +1,181 @@
+#include "elasticity/SweptBlock.h"
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace squat::elasticity {
+
+namespace {
+
+void findPairs(SweptBlock& block) {
+  std::vector<std::set<int>> neighbours(block.nodes);
+  for (const auto& quad : block.section.quads)
+    for (const int i : quad)
+      for (const int j : quad) neighbours[i].insert(j);
+  block.rowStart.assign(1, 0);
+  block.columns.clear();
+  for (const auto& row : neighbours) {
+    block.columns.insert(block.columns.end(), row.begin(), row.end());
+    block.rowStart.push_back(static_cast<int>(block.columns.size()));
+  }
+}
+
+int pairIndex(const SweptBlock& block, int i, int j) {
+  for (int p = block.rowStart[i]; p < block.rowStart[i + 1]; ++p)
+    if (block.columns[p] == j) return p;
+  throw std::logic_error("section nodes do not share a quad");
+}
+
+// Adds one element's matrix to the assembled S and T blocks. R and L: right and left station.
+void addElement(const SweptBlock& block, const std::array<int, 4>& quad, const Matrix24& k, std::vector<double>& out) {
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const Eigen::Matrix3d ll = k.block<3, 3>(3 * i, 3 * j), lr = k.block<3, 3>(3 * i, 12 + 3 * j);
+      const Eigen::Matrix3d rl = k.block<3, 3>(12 + 3 * i, 3 * j), rr = k.block<3, 3>(12 + 3 * i, 12 + 3 * j);
+      const Eigen::Matrix3d sumOfSums = rr + lr + rl + ll, sumOfDifferences = rr + lr - rl - ll;
+      const Eigen::Matrix3d differenceOfSums = rr - lr + rl - ll, differenceOfDifferences = rr - lr - rl + ll;
+      double* pair = out.data() + 18 * pairIndex(block, quad[i], quad[j]);
+      for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+          // S acts on (d_a, s_b, s_c) and yields (difference_a, sum_b, sum_c); T on (s_a, d_b, d_c) likewise.
+          const bool rowA = row == 0, columnA = column == 0;
+          const Eigen::Matrix3d& forS = rowA ? (columnA ? differenceOfDifferences : differenceOfSums)
+                                             : (columnA ? sumOfDifferences : sumOfSums);
+          const Eigen::Matrix3d& forT = rowA ? (columnA ? sumOfSums : sumOfDifferences)
+                                             : (columnA ? differenceOfSums : differenceOfDifferences);
+          pair[3 * row + column] += 0.25 * forS(row, column);
+          pair[9 + 3 * row + column] += 0.25 * forT(row, column);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int SweptBlock::runOf(int interval) const {
+  for (std::size_t r = 0; r < runIntervals.size(); ++r)
+    if (interval < runIntervals[r][1]) return static_cast<int>(r);
+  return static_cast<int>(runIntervals.size()) - 1;
+}
+
+void prepareBlock(SweptBlock& block) {
+  block.nodes = static_cast<int>(block.section.nodes.size());
+  block.intervals = block.stations.intervals();
+  block.stationCount = block.stations.count();
+  block.closed = block.stations.closed;
+  block.positions = block.stations.positions();
+  block.stride = (static_cast<std::size_t>(block.intervals) + 1 + 7) / 8 * 8;
+  findPairs(block);
+  block.coefficients.clear();
+  block.runIntervals.clear();
+  int first = 0;
+  for (const auto& run : block.stations.runs) {
+    if (run.count % 8 != 0) throw std::invalid_argument(block.name + ": a run of stations is no multiple of 8");
+    std::vector<double> matrix(18 * block.columns.size(), 0.0);
+    for (int q = 0; q < static_cast<int>(block.section.quads.size()); ++q)
+      addElement(block, block.section.quads[q], elementStiffness(block, q, run.length), matrix);
+    block.coefficients.push_back(std::move(matrix));
+    block.runIntervals.push_back({first, first + run.count});
+    first += run.count;
+  }
+}
+
+Eigen::Matrix3d localBasis(const SweptBlock& block, double position) {
+  Eigen::Matrix3d basis;
+  switch (block.kind) {
+    case SweepKind::alongX:
+      basis = Eigen::Matrix3d::Identity();
+      break;
+    case SweepKind::alongY:
+      basis << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+      break;
+    case SweepKind::aroundAxis: {
+      const double c = std::cos(position), s = std::sin(position);
+      basis << c, s, 0, 0, 0, 1, s, -c, 0;
+      break;
+    }
+  }
+  return basis;
+}
+
+Eigen::Vector3d nodePosition(const SweptBlock& block, int node, int station) {
+  const auto& p = block.section.nodes[node];
+  const double at = block.positions[station];
+  const Eigen::Matrix3d basis = localBasis(block, at);
+  if (block.kind == SweepKind::aroundAxis) return block.origin + basis * Eigen::Vector3d(0, p[0], p[1]);
+  return block.origin + basis * Eigen::Vector3d(at, p[0], p[1]);
+}
+
+Corners elementCorners(const SweptBlock& block, int quad, double length) {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) {
+    const auto& p = block.section.nodes[block.section.quads[quad][i]];
+    for (int side = 0; side < 2; ++side) {
+      const double at = (side ? 0.5 : -0.5) * length;
+      if (block.kind == SweepKind::aroundAxis)
+        corners[4 * side + i] = {p[0] * std::sin(at), p[0] * std::cos(at), p[1]};
+      else
+        corners[4 * side + i] = {at, p[0], p[1]};
+    }
+  }
+  return corners;
+}
+
+Matrix24 localToMiddle(const SweptBlock& block, double length) {
+  Matrix24 rotation = Matrix24::Identity();
+  if (block.kind != SweepKind::aroundAxis) return rotation;
+  for (int side = 0; side < 2; ++side) {
+    const double at = (side ? 0.5 : -0.5) * length, c = std::cos(at), s = std::sin(at);
+    Eigen::Matrix3d turn;  // columns: e_alpha, e_r, e_y at the station in axes (tangential, radial, y) of the middle
+    turn << c, s, 0, -s, c, 0, 0, 0, 1;
+    for (int i = 0; i < 4; ++i) rotation.block<3, 3>(12 * side + 3 * i, 12 * side + 3 * i) = turn;
+  }
+  return rotation;
+}
+
+Matrix24 elementStiffness(const SweptBlock& block, int quad, double length) {
+  const Matrix24 k = hexahedronStiffness(elementCorners(block, quad, length), block.material);
+  if (block.kind != SweepKind::aroundAxis) return k;
+  const Matrix24 rotation = localToMiddle(block, length);
+  return rotation.transpose() * k * rotation;
+}
+
+std::vector<double> lumpedMass(const SweptBlock& block) {
+  std::vector<double> mass(static_cast<std::size_t>(block.nodes) * block.stride, 0.0);
+  for (std::size_t r = 0; r < block.runIntervals.size(); ++r) {
+    std::vector<double> perNode(block.nodes, 0.0);
+    for (int q = 0; q < static_cast<int>(block.section.quads.size()); ++q) {
+      const auto corners = elementCorners(block, q, block.stations.runs[r].length);
+      const auto share = hexahedronMass(corners, block.material.density);
+      for (int i = 0; i < 4; ++i) perNode[block.section.quads[q][i]] += share[i];
+    }
+    for (int n = 0; n < block.nodes; ++n)
+      for (int s = block.runIntervals[r][0]; s < block.runIntervals[r][1]; ++s) {
+        const int right = block.closed && s + 1 == block.intervals ? 0 : s + 1;
+        mass[n * block.stride + s] += perNode[n];
+        mass[n * block.stride + right] += perNode[n];
+      }
+  }
+  return mass;
+}
+
+std::vector<double> stiffnessDiagonal(const SweptBlock& block) {
+  std::vector<double> diagonal(block.size(), 0.0);
+  for (std::size_t r = 0; r < block.runIntervals.size(); ++r)
+    for (int n = 0; n < block.nodes; ++n) {
+      const double* pair = block.coefficients[r].data() + 18 * pairIndex(block, n, n);
+      for (int c = 0; c < 3; ++c) {
+        const double value = pair[4 * c] + pair[9 + 4 * c];
+        double* line = diagonal.data() + (static_cast<std::size_t>(n) * 3 + c) * block.stride;
+        for (int s = block.runIntervals[r][0]; s < block.runIntervals[r][1]; ++s) {
+          line[s] += value;
+          line[block.closed && s + 1 == block.intervals ? 0 : s + 1] += value;
+        }
+      }
+    }
+  return diagonal;
+}
+
+}  // namespace squat::elasticity

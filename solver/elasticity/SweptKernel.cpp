@@ -1,0 +1,35 @@
+#include "elasticity/SweptKernel.h"
+
+#include <stdexcept>
+
+namespace squat::elasticity {
+
+KernelSet kernelsSse2();
+KernelSet kernelsAvx2();
+KernelSet kernelsAvx512();
+
+std::vector<std::string> availableInstructionSets() {
+  std::vector<std::string> sets{"sse2"};
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    sets.push_back("avx2");
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+      sets.push_back("avx512");
+  }
+  return sets;
+}
+
+KernelSet kernelsFor(const std::string& isa) {
+  const auto available = availableInstructionSets();
+  const std::string wanted = isa.empty() ? available.back() : isa;
+  std::string names;
+  for (const auto& name : available) {
+    if (name == wanted) return name == "avx512" ? kernelsAvx512() : name == "avx2" ? kernelsAvx2() : kernelsSse2();
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw std::invalid_argument("instruction set '" + wanted + "' is not available here; this processor has " + names);
+}
+
+// The widest group is 4 vectors of 8 doubles, 6 per node.
+std::size_t kernelWorkspace(int nodes) { return static_cast<std::size_t>(nodes) * 6 * 32; }
+
+}  // namespace squat::elasticity

@@ -1,0 +1,9 @@
+#define LANES 8
+#define WIDEST 4
+#include "elasticity/SweptKernel.inl"
+
+namespace squat::elasticity {
+
+KernelSet kernelsAvx512() { return {"avx512", applyStiffness, advanceStep, multiplyAddPeak}; }
+
+}  // namespace squat::elasticity

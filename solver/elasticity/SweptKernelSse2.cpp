@@ -1,0 +1,9 @@
+#define LANES 2
+#define WIDEST 2
+#include "elasticity/SweptKernel.inl"
+
+namespace squat::elasticity {
+
+KernelSet kernelsSse2() { return {"sse2", applyStiffness, advanceStep, multiplyAddPeak}; }
+
+}  // namespace squat::elasticity

@@ -1,0 +1,235 @@
+#include "geometry/RailSection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace squat::geometry {
+
+namespace {
+
+// All in metres; sources: the numbers of EN 13674-1 as published, lower part fitted to area, centroid and moments.
+constexpr double crownRadius = 0.300, crownEnd = 0.010012;
+constexpr double shoulderRadius = 0.080, shoulderEnd = 0.0248635;
+constexpr double cornerRadius = 0.013, sideStartY = 0.035, sideStartZ = -0.0141;
+constexpr double height = 0.159, headDepth = 0.0494, footDepth = 0.0302;
+constexpr double webHalf = 0.008, webRadius = 0.508, webMiddle = -0.159 + 0.0699;
+constexpr double headFillet = 0.007, footFillet = 0.020;
+constexpr double footHalf = 0.070, footBreak = 0.0477, footEdge = 0.011;
+constexpr double fishing = 2.75;  // slope 1:2.75 of the fishing surfaces
+
+using Polyline = std::vector<Point2>;
+
+void addArc(Polyline& line, Point2 centre, double radius, double from, double to, int count = 64) {
+  for (int i = line.empty() ? 0 : 1; i <= count; ++i) {
+    const double angle = from + (to - from) * i / count;
+    line.push_back({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)});
+  }
+}
+
+double angleOf(const Point2& centre, const Point2& p) { return std::atan2(p[1] - centre[1], p[0] - centre[0]); }
+
+struct HeadArcs {
+  Point2 crownCentre{0, -crownRadius}, shoulderCentre, cornerCentre;
+  Point2 crownStop, shoulderStop;
+};
+
+HeadArcs headArcs() {
+  HeadArcs arcs;
+  const double a1 = std::acos(crownEnd / crownRadius);
+  arcs.crownStop = {crownRadius * std::cos(a1), -crownRadius + crownRadius * std::sin(a1)};
+  arcs.shoulderCentre = {arcs.crownStop[0] - shoulderRadius * std::cos(a1),
+                         arcs.crownStop[1] - shoulderRadius * std::sin(a1)};
+  const double a2 = std::acos((shoulderEnd - arcs.shoulderCentre[0]) / shoulderRadius);
+  arcs.shoulderStop = {arcs.shoulderCentre[0] + shoulderRadius * std::cos(a2),
+                       arcs.shoulderCentre[1] + shoulderRadius * std::sin(a2)};
+  arcs.cornerCentre = {arcs.shoulderStop[0] - cornerRadius * std::cos(a2),
+                       arcs.shoulderStop[1] - cornerRadius * std::sin(a2)};
+  return arcs;
+}
+
+struct Fillet {
+  Point2 centre, onLine, onWeb;
+};
+
+// Circle of radius r in the void between the web (circle of webRadius about (webHalf + webRadius, webMiddle)) and the
+// line z = z0 + slope y; side = -1: the void is below the line, +1: above it.
+Fillet filletBetween(double z0, double slope, double side, double r) {
+  const Point2 webCentre{webHalf + webRadius, webMiddle};
+  const double norm = std::sqrt(1 + slope * slope);
+  const auto centreAt = [&](double y) { return Point2{y, z0 + slope * y + side * r * norm}; };
+  const auto excess = [&](double y) {
+    const auto c = centreAt(y);
+    return std::hypot(c[0] - webCentre[0], c[1] - webCentre[1]) - (webRadius - r);
+  };
+  double low = webHalf, high = webHalf + 4 * r;  // excess falls from positive to negative with y
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (excess(middle) > 0 ? low : high) = middle;
+  }
+  Fillet fillet;
+  fillet.centre = centreAt(0.5 * (low + high));
+  fillet.onLine = {fillet.centre[0] + side * r * slope / norm, fillet.centre[1] - side * r / norm};
+  const double scale = webRadius / (webRadius - r);
+  fillet.onWeb = {webCentre[0] + (fillet.centre[0] - webCentre[0]) * scale,
+                  webCentre[1] + (fillet.centre[1] - webCentre[1]) * scale};
+  return fillet;
+}
+
+// Points at the given arc-length fractions of a polyline.
+Polyline sample(const Polyline& line, const std::vector<double>& fractions) {
+  std::vector<double> s(line.size(), 0);
+  for (std::size_t i = 1; i < line.size(); ++i)
+    s[i] = s[i - 1] + std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
+  Polyline points;
+  for (const double fraction : fractions) {
+    const double target = fraction * s.back();
+    auto next = std::upper_bound(s.begin(), s.end(), target) - s.begin();
+    next = std::clamp<std::ptrdiff_t>(next, 1, static_cast<std::ptrdiff_t>(s.size()) - 1);
+    const double t = (target - s[next - 1]) / (s[next] - s[next - 1]);
+    points.push_back({line[next - 1][0] + t * (line[next][0] - line[next - 1][0]),
+                      line[next - 1][1] + t * (line[next][1] - line[next - 1][1])});
+  }
+  return points;
+}
+
+Polyline straight(const Point2& a, const Point2& b, const std::vector<double>& fractions) {
+  Polyline points;
+  for (const double t : fractions) points.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])});
+  return points;
+}
+
+std::vector<double> uniform(int count) {
+  std::vector<double> s(count + 1);
+  for (int i = 0; i <= count; ++i) s[i] = static_cast<double>(i) / count;
+  return s;
+}
+
+double lengthOf(const Polyline& line) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    length += std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
+  return length;
+}
+
+}  // namespace
+
+RailOutline outline54E1() {
+  RailOutline out;
+  out.height = height, out.footHalfWidth = footHalf, out.footEdge = footEdge;
+  const HeadArcs arcs = headArcs();
+  const double quarter = std::acos(0.0);
+  const Point2 sideStart{sideStartY, sideStartZ};
+  const double cornerFrom = angleOf(arcs.cornerCentre, arcs.shoulderStop);
+  const double cornerTo = angleOf(arcs.cornerCentre, sideStart);
+  const double cornerMiddle = 0.5 * (cornerFrom + cornerTo);
+  addArc(out.crown, arcs.crownCentre, crownRadius, quarter, angleOf(arcs.crownCentre, arcs.crownStop));
+  addArc(out.crown, arcs.shoulderCentre, shoulderRadius, angleOf(arcs.shoulderCentre, arcs.crownStop), cornerFrom);
+  addArc(out.crown, arcs.cornerCentre, cornerRadius, cornerFrom, cornerMiddle);
+  addArc(out.headSide, arcs.cornerCentre, cornerRadius, cornerMiddle, cornerTo);
+  // Side 1:20 meets the underside z = -headDepth + y / 2.75.
+  const double cornerY = (sideStartZ + 20 * sideStartY + headDepth) / (20 + 1 / fishing);
+  const Point2 lowerCorner{cornerY, -headDepth + cornerY / fishing};
+  out.headSide.push_back(lowerCorner);
+
+  const Fillet head = filletBetween(-headDepth, 1 / fishing, -1, headFillet);
+  const Fillet foot = filletBetween(-height + footDepth, -1 / fishing, +1, footFillet);
+  const Point2 webCentre{webHalf + webRadius, webMiddle};
+  const double headLine = angleOf(head.centre, head.onLine), headWeb = angleOf(head.centre, head.onWeb);
+  // The arc from the underside (pointing up) to the web (pointing inwards, angle near pi) is taken the short way.
+  const auto unwrapped = [](double angle) { return angle < 0 ? angle + 2 * std::acos(-1.0) : angle; };
+  const double headMiddle = 0.5 * (unwrapped(headLine) + unwrapped(headWeb));
+  addArc(out.underside, head.centre, headFillet, headMiddle, unwrapped(headLine));
+  out.underside.push_back(lowerCorner);
+  addArc(out.web, head.centre, headFillet, headMiddle, unwrapped(headWeb));
+  addArc(out.web, webCentre, webRadius, unwrapped(angleOf(webCentre, head.onWeb)),
+         unwrapped(angleOf(webCentre, foot.onWeb)));
+  const double footWeb = unwrapped(angleOf(foot.centre, foot.onWeb)),
+               footLine = unwrapped(angleOf(foot.centre, foot.onLine));
+  const double footMiddle = 0.5 * (footWeb + footLine);
+  addArc(out.web, foot.centre, footFillet, footWeb, footMiddle);
+  addArc(out.footTop, foot.centre, footFillet, footMiddle, footLine);
+  out.footTop.push_back({footBreak, -height + footDepth - footBreak / fishing});
+  out.footTop.push_back({footHalf, -height + footEdge});
+  return out;
+}
+
+double crownHeight54E1(double y) {
+  const HeadArcs arcs = headArcs();
+  const double a = std::abs(y);
+  if (a <= crownEnd) return -crownRadius + std::sqrt(crownRadius * crownRadius - y * y);
+  const double d = std::min(a, shoulderEnd) - arcs.shoulderCentre[0];
+  const double z = arcs.shoulderCentre[1] + std::sqrt(shoulderRadius * shoulderRadius - d * d);
+  return a <= shoulderEnd ? z : z + (a - shoulderEnd) * crownSlope54E1(shoulderEnd);
+}
+
+double crownSlope54E1(double y) {
+  const HeadArcs arcs = headArcs();
+  const double a = std::min(std::abs(y), shoulderEnd), sign = y < 0 ? -1 : 1;
+  if (a <= crownEnd) return -sign * a / std::sqrt(crownRadius * crownRadius - a * a);
+  const double d = a - arcs.shoulderCentre[0];
+  return -sign * d / std::sqrt(shoulderRadius * shoulderRadius - d * d);
+}
+
+SectionMesh railSectionMesh(const RailSectionSizes& sizes) {
+  const RailOutline out = outline54E1();
+  const double h = sizes.contactSize, band = sizes.bandHalfWidth;
+  const int columns = std::max(2, static_cast<int>(std::lround(band / h)));  // half the band
+  const double growth = 1.32;
+
+  // Split the crown at the band edge: the arc-length fraction where y = band.
+  const double crownLength = lengthOf(out.crown);
+  const double bandFraction = crownRadius * std::asin(band / crownRadius) / crownLength;
+  Polyline inner, outer;
+  for (const double s : uniform(columns)) inner.push_back(sample(out.crown, {s * bandFraction})[0]);
+  inner.front() = {0, 0};
+  const double outerLength = crownLength * (1 - bandFraction);
+  const int sideColumns = intervalsFor(outerLength, growth * h, growth, sizes.sectionSize);
+  for (const double s : gradedSpacing(sideColumns, growth * h / outerLength))
+    outer.push_back(sample(out.crown, {bandFraction + (1 - bandFraction) * s})[0]);
+  outer.front() = inner.back();
+
+  const Point2 headMiddle = out.web.front(), footMiddle = out.web.back();
+  const double headCentre = headMiddle[1] + 0.001, footCentre = footMiddle[1] - 0.002;
+  const int headRows = intervalsFor(-headCentre, h, growth, sizes.sectionSize);
+  const auto depth = gradedSpacing(headRows, h / -headCentre);
+  std::vector<double> upwards(depth.rbegin(), depth.rend());
+  for (auto& s : upwards) s = 1 - s;
+
+  BlockMesher mesher(1e-7);
+  // Head, middle part: columns from the axis to the line from the fillet up to the band edge.
+  const Polyline axisHead = straight({0, headCentre}, {0, 0}, upwards);
+  const Polyline divide = straight(headMiddle, inner.back(), upwards);
+  mesher.addBlock(straight({0, headCentre}, headMiddle, uniform(columns)), inner, axisHead, divide);
+  // Head, side part.
+  std::vector<double> sideRows = uniform(headRows);
+  mesher.addBlock(sample(out.underside, uniform(sideColumns)), outer, divide,
+                  [&] {
+                    auto side = sample(out.headSide, sideRows);
+                    std::reverse(side.begin(), side.end());
+                    return side;
+                  }());
+  // Web.
+  const double webLength = lengthOf(out.web);
+  const int webRows = std::max(4, static_cast<int>(std::ceil(webLength / sizes.sectionSize)));
+  Polyline webSide = sample(out.web, uniform(webRows));
+  std::reverse(webSide.begin(), webSide.end());
+  mesher.addBlock(straight({0, footCentre}, footMiddle, uniform(columns)),
+                  straight({0, headCentre}, headMiddle, uniform(columns)),
+                  straight({0, footCentre}, {0, headCentre}, uniform(webRows)), webSide);
+  // Foot.
+  const int footRows = std::max(2, static_cast<int>(std::lround(footEdge / std::max(0.5 * sizes.sectionSize, h))));
+  const int footColumns = std::max(3, static_cast<int>(std::ceil(lengthOf(out.footTop) / (1.2 * sizes.sectionSize))));
+  const Point2 baseMiddle{footMiddle[0] + 0.004, -height};
+  const Polyline footDivide = straight(baseMiddle, footMiddle, uniform(footRows));
+  mesher.addBlock(straight({0, -height}, baseMiddle, uniform(columns)),
+                  straight({0, footCentre}, footMiddle, uniform(columns)),
+                  straight({0, -height}, {0, footCentre}, uniform(footRows)), footDivide);
+  mesher.addBlock(straight(baseMiddle, {footHalf, -height}, uniform(footColumns)),
+                  sample(out.footTop, uniform(footColumns)), footDivide,
+                  straight({footHalf, -height}, {footHalf, -height + footEdge}, uniform(footRows)));
+  mesher.mirror();
+  return mesher.take();
+}
+
+}  // namespace squat::geometry

@@ -1,0 +1,36 @@
+// solver/geometry/Stations.h - where the sections of a swept block stand: runs of equally long intervals.
+#pragma once
+
+#include <vector>
+
+namespace squat::geometry {
+
+struct StationRun {
+  int count = 0;      // intervals
+  double length = 0;  // of each interval: [m] along a line, [rad] around an axis
+};
+
+struct Stations {
+  double start = 0;  // [m] or [rad]
+  bool closed = false;  // around the full circle: the last station is the first
+  std::vector<StationRun> runs;
+
+  int intervals() const;
+  // Stations that carry unknowns: intervals() + 1, or intervals() when closed.
+  int count() const { return closed ? intervals() : intervals() + 1; }
+  // intervals() + 1 positions, the last one also when closed.
+  std::vector<double> positions() const;
+};
+
+// A stretch to be meshed with intervals of at most `length`.
+struct Zone {
+  double to = 0;      // [m] end of the zone; it begins where the one before ended
+  double length = 0;  // [m] wished interval length
+};
+
+// Stations over neighbouring zones from `start`. Where lengths jump by more than `growth`, short runs with intermediate
+// lengths are taken from the coarser zone. Runs get multiples of `multiple` intervals, so that vectors along the stations
+// are full; zone ends move slightly outwards of the finer zone for that, `start` and the last end stay exact.
+Stations stationsOver(double start, const std::vector<Zone>& zones, double growth, int multiple);
+
+}  // namespace squat::geometry

@@ -1,0 +1,20 @@
+// solver/geometry/WheelSection.h - sections of the half wheelset in (radius, y), y from the wheel plane, outwards positive.
+#pragma once
+
+#include "case/CaseDescription.h"
+#include "geometry/SectionMesh.h"
+
+namespace squat::geometry {
+
+struct WheelSectionSizes {
+  double contactSize = 0, bandHalfWidth = 0, sectionSize = 0;  // [m] as in the rail
+  double rimDepth = 0;                                         // [m]
+};
+
+// The finely meshed outer rim: radius - rimDepth .. radius.
+SectionMesh rimSectionMesh(const cases::Wheelset& wheelset, const WheelSectionSizes& sizes);
+
+// Inner rim, web, hub and axle from the symmetry plane to the end of the journal: rectangles on one grid.
+SectionMesh wheelBodySectionMesh(const cases::Wheelset& wheelset, const WheelSectionSizes& sizes);
+
+}  // namespace squat::geometry
