@@ -50,8 +50,9 @@ double wavelengthByCrossings(const TimeSeries& series, double from, double to, d
 double wavelengthByRidge(const TimeSeries& series, double from, double to, double speed, const Band& band) {
   const Scalogram map = bandScalogram(surroundings(series, from, to, band), band);
   double weightedFrequency = 0, weights = 0;
+  const double rounding = 1e-6 * series.step;  // a limit that is a sample's own time but for rounding takes the sample
   for (std::size_t column = 0; column < map.time.size(); ++column) {
-    if (map.time[column] < from || map.time[column] > to) continue;
+    if (map.time[column] < from - rounding || map.time[column] > to + rounding) continue;
     std::size_t best = 0;
     for (std::size_t row = 1; row < map.frequency.size(); ++row)
       if (map.at(row, column) > map.at(best, column)) best = row;
