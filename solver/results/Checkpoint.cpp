@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "core/Errors.h"
-#include "results/DurableFile.h"
+#include "core/DurableFile.h"
 #include "results/TreeStream.h"
 
 namespace squat::results {

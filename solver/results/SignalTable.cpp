@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "results/DurableFile.h"
+#include "core/DurableFile.h"
 
 namespace squat::results {
 

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "core/Errors.h"
-#include "results/DurableFile.h"
+#include "core/DurableFile.h"
 #include "results/SampleResult.h"
 #include "results/TreeStream.h"
 

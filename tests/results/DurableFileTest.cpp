@@ -1,4 +1,4 @@
-#include "results/DurableFile.h"
+#include "core/DurableFile.h"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>

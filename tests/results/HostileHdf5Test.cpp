@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "core/Errors.h"
-#include "results/DurableFile.h"
+#include "core/DurableFile.h"
 #include "results/Hdf5.h"
 #include "results/ResultFile.h"
 #include "results/ResultTree.h"

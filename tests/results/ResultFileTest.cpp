@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/Errors.h"
-#include "results/DurableFile.h"
+#include "core/DurableFile.h"
 #include "results/Hdf5.h"
 #include "results/ResultTree.h"
 #include "results/SampleResult.h"

@@ -1,4 +1,4 @@
-// solver/results/DurableFile.h - files that are whole or not there: written beside, flushed, verified, renamed.
+// solver/core/DurableFile.h - files that are whole or not there: written beside, flushed, verified, renamed.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace squat::results {
+namespace squat {
 
 enum class Previous { replaced, kept };  // kept: the file that stood there goes on as PATH.previous
 
@@ -25,4 +25,4 @@ void makeFolder(const std::string& folder);
 // The whole of a regular file (no pipe, no device), at most `largest` bytes; FileError otherwise.
 std::string readWholeFile(const std::string& path, std::size_t largest);
 
-}  // namespace squat::results
+}  // namespace squat

@@ -1,4 +1,4 @@
-#include "results/DurableFile.h"
+#include "core/DurableFile.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -14,7 +14,7 @@
 
 #include "core/Errors.h"
 
-namespace squat::results {
+namespace squat {
 
 namespace {
 
@@ -185,4 +185,4 @@ std::string readWholeFile(const std::string& path, std::size_t largest) {
   return text;
 }
 
-}  // namespace squat::results
+}  // namespace squat

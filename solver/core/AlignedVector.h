@@ -1,0 +1,26 @@
+// solver/core/AlignedVector.h - contiguous doubles on a 64-byte boundary, for vector loads.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace squat {
+
+template <typename T>
+struct AlignedAllocator {
+  using value_type = T;
+  AlignedAllocator() = default;
+  template <typename U>
+  AlignedAllocator(const AlignedAllocator<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+  template <typename U>
+  bool operator==(const AlignedAllocator<U>&) const {
+    return true;
+  }
+};
+
+using AlignedVector = std::vector<double, AlignedAllocator<double>>;
+
+}  // namespace squat

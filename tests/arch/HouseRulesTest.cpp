@@ -1,0 +1,180 @@
+// The rules of the house (CONTRIBUTING.md), held by reading the sources.
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <map>
+#include <regex>
+
+#include "arch/SourceTree.h"
+
+namespace squat::arch {
+namespace {
+
+using ::testing::IsEmpty;
+
+using Folder = std::string;  // "solver/case", "widgets/scene", "app"
+using Graph = std::map<Folder, std::set<Folder>>;
+
+const std::vector<SourceFile>& sources() {
+  static const auto files = readSources(SQUAT_SOURCE_DIR, {"solver", "widgets", "app"});
+  return files;
+}
+
+bool isQt(const std::string& include) {
+  static const std::regex pattern("^(Q[A-Z][A-Za-z0-9]*(/.*)?|Qt[A-Z].*|qcustomplot\\.h|q[a-z]+\\.h)$");
+  return std::regex_match(include, pattern);
+}
+bool isVtk(const std::string& include) { return include.rfind("vtk", 0) == 0; }
+
+// "solver/case" for "case/CaseFile.h": own includes start at solver/, at widgets/ or at the top.
+Folder folderOf(const Include& include) {
+  const auto first = include.name.substr(0, include.name.find('/'));
+  if (first == "app" || first == "commands") return "app";
+  for (const auto& file : sources())
+    if (file.folder == first) return file.layer + "/" + first;
+  return {};
+}
+Folder folderOf(const SourceFile& file) { return file.layer == "app" ? "app" : file.layer + "/" + file.folder; }
+
+// Every offence as "path includes name"; empty where the rule holds.
+std::vector<std::string> offences(const std::function<bool(const SourceFile&, const Include&)>& forbidden) {
+  std::vector<std::string> list;
+  for (const auto& file : sources())
+    for (const auto& include : file.includes)
+      if (forbidden(file, include)) list.push_back(file.path + " includes " + include.name);
+  return list;
+}
+
+Graph folderGraph() {
+  Graph graph;
+  for (const auto& file : sources())
+    for (const auto& include : file.includes) {
+      if (!include.quoted) continue;
+      const auto target = folderOf(include);
+      if (!target.empty() && target != folderOf(file)) graph[folderOf(file)].insert(target);
+    }
+  return graph;
+}
+
+// A cycle as "a -> b -> a"; empty where there is none.
+std::string cycleIn(const Graph& graph) {
+  std::map<Folder, int> state;  // 1 on the way, 2 done
+  std::vector<Folder> way;
+  std::string cycle;
+  const std::function<void(const Folder&)> visit = [&](const Folder& folder) {
+    state[folder] = 1;
+    way.push_back(folder);
+    if (const auto found = graph.find(folder); found != graph.end())
+      for (const auto& next : found->second) {
+        if (cycle.empty() && state[next] == 1) {
+          for (auto step = std::find(way.begin(), way.end(), next); step != way.end(); ++step) cycle += *step + " -> ";
+          cycle += next;
+        }
+        if (cycle.empty() && state[next] == 0) visit(next);
+      }
+    way.pop_back();
+    state[folder] = 2;
+  };
+  for (const auto& [folder, ignored] : graph)
+    if (state[folder] == 0) visit(folder);
+  return cycle;
+}
+
+TEST(HouseRules, TheTreeWasRead) {
+  EXPECT_GT(sources().size(), 20U);
+  EXPECT_TRUE(folderGraph()["solver/simulation"].count("solver/results"));
+}
+
+TEST(HouseRules, SolverKnowsNoQtAndNoVtk) {
+  EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
+                return file.layer == "solver" && (isQt(include.name) || isVtk(include.name));
+              }),
+              IsEmpty());
+}
+
+TEST(HouseRules, SolverSeesNeitherWidgetsNorApp) {
+  EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
+                const auto target = include.quoted ? folderOf(include) : Folder();
+                return file.layer == "solver" && (target.rfind("widgets", 0) == 0 || target == "app");
+              }),
+              IsEmpty());
+}
+
+TEST(HouseRules, SignalsStandAlone) {
+  EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
+                if (file.path.rfind("solver/signals/", 0) != 0) return false;
+                if (include.quoted) return include.name.rfind("signals/", 0) != 0;
+                if (include.name == "fftw3.h") return !file.path.ends_with(".cpp");
+                return include.name.find('.') != std::string::npos || include.name.find('/') != std::string::npos;
+              }),
+              IsEmpty());
+}
+
+TEST(HouseRules, StaticsAndDynamicsDoNotSeeEachOther) {
+  EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
+                return (file.folder == "statics" && include.name.rfind("dynamics/", 0) == 0) ||
+                       (file.folder == "dynamics" && include.name.rfind("statics/", 0) == 0);
+              }),
+              IsEmpty());
+}
+
+TEST(HouseRules, WidgetsDoNotSeeTheApp) {
+  EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
+                return file.layer == "widgets" && include.quoted && folderOf(include) == "app";
+              }),
+              IsEmpty());
+}
+
+TEST(HouseRules, SceneKnowsNoQt) {
+  EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
+                return file.folder == "scene" && isQt(include.name);
+              }),
+              IsEmpty());
+}
+
+TEST(HouseRules, Hdf5StaysInResults) {
+  EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
+                return file.folder != "results" && (include.name == "hdf5.h" || include.name.rfind("H5", 0) == 0);
+              }),
+              IsEmpty());
+}
+
+TEST(HouseRules, FoldersFormNoCycle) { EXPECT_EQ(cycleIn(folderGraph()), ""); }
+
+TEST(HouseRules, NoFileIsLongerThan500Lines) {
+  std::vector<std::string> list;
+  for (const auto& file : readSources(SQUAT_SOURCE_DIR, {"solver", "widgets", "app", "tests"}))
+    if (file.lines > 500) list.push_back(file.path + ": " + std::to_string(file.lines));
+  EXPECT_THAT(list, IsEmpty());
+}
+
+TEST(HouseRules, TheSolverNeverPrintsAbortsOrExits) {
+  // ::_exit is allowed: the child process of the guarded reader ends with it.
+  static const std::regex pattern(
+      R"(\b(std::cout|std::cerr|std::clog|printf|fprintf|puts|abort|std::terminate|assert|exit|quick_exit)\s*(\(|<<))");
+  std::vector<std::string> list;
+  for (const auto& file : sources())
+    if (std::smatch match; file.layer == "solver" && std::regex_search(file.code, match, pattern))
+      list.push_back(file.path + ": " + match.str());
+  EXPECT_THAT(list, IsEmpty());
+}
+
+TEST(HouseRules, EveryHeaderIsIncludedOnce) {
+  std::vector<std::string> list;
+  for (const auto& file : sources())
+    if (file.path.ends_with(".h") && file.code.find("#pragma once") == std::string::npos) list.push_back(file.path);
+  EXPECT_THAT(list, IsEmpty());
+}
+
+TEST(CycleSearch, FindsACycleAndOnlyACycle) {
+  EXPECT_EQ(cycleIn({{"a", {"b", "c"}}, {"b", {"c"}}}), "");
+  EXPECT_EQ(cycleIn({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}), "b -> c -> b");
+}
+
+TEST(CommentStripper, LeavesOnlyCode) {
+  EXPECT_EQ(withoutComments("int a; // exit(1)\nint b; /* abort() */ f(\"exit(1)\", '\"');"),
+            "int a; \nint b;  f(, );");
+}
+
+}  // namespace
+}  // namespace squat::arch
