@@ -121,6 +121,7 @@ struct Defect {
   double halfWidth = 0;              // [m] parabolic: half width where the defect fades out
   std::string file;                  // path of the profile as the case names it
   std::vector<ProfilePoint> points;  // the profile as read, shape == profile
+  double heightScale = 0;            // [-] profile: factor on all heights
   bool level = false;                // profile: the line through its first and last point is the undisturbed surface
   bool moveNodes = false;            // surface nodes moved (true) or the profile as a term of the gap function (false)
 };

@@ -42,7 +42,8 @@ std::string caseStem(const std::string& nameOrPath);
 // description, bit for bit: profiles are written as defect.points.
 std::string writeCase(const CaseDescription& description);
 
-// Written beside, flushed and renamed. Throws FileError.
+// Written beside, read back, renamed: the earlier file stays until the new one is whole. Throws FileError, and
+// CaseError for a case that could not be read back because it has problems.
 void saveCase(const CaseDescription& description, const std::filesystem::path& path);
 
 // Eight hexadecimal digits that stand for everything that the physics sees: all keys but title, note and the name of

@@ -1,9 +1,7 @@
 // Reading of case files. The decimal text of numbers is taken from the source itself, so that units are applied to the
 // digits that the user typed (DecimalNumber.h).
 #include <algorithm>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #define TOML_EXCEPTIONS 0
 #include <toml++/toml.h>
@@ -16,13 +14,14 @@
 #include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
 #include "case/Validation.h"
+#include "core/DurableFile.h"
 #include "core/Errors.h"
 
 namespace squat::cases {
 
 namespace {
 
-constexpr std::uintmax_t largestFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
+constexpr std::size_t largestFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
 constexpr std::size_t mostProblems = 50;
 
 // A key as the file states it.
@@ -278,18 +277,6 @@ void readProfile(CaseDescription& description, const CaseOverrides& overrides, c
   }
 }
 
-std::string contentOf(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw FileError(path.string(), "", "is a folder", "Name a case file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(path.string(), "", "cannot be opened", "Check the path and the permissions");
-  std::string text(largestFile + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) throw FileError(path.string(), "", "cannot be read");
-  return text;
-}
-
 }  // namespace
 
 CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
@@ -319,7 +306,7 @@ CaseDescription parseCase(std::string_view text, const std::string& origin, cons
 }
 
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides) {
-  return parseCase(contentOf(path), path.string(), path.parent_path(), overrides);
+  return parseCase(readWholeFile(path.string(), largestFile), path.string(), path.parent_path(), overrides);
 }
 
 CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& overrides) {

@@ -31,7 +31,9 @@ struct Parts {
 };
 
 std::optional<Parts> split(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  const bool plus = !text.empty() && text.front() == '+';
+  if (plus) text.remove_prefix(1);
+  if (plus && !text.empty() && text.front() == '-') return std::nullopt;
   std::size_t at = !text.empty() && text.front() == '-' ? 1 : 0;
   std::size_t digits = countDigits(text, at);
   at += digits;

@@ -91,7 +91,7 @@ DefectSurface::DefectSurface(const Defect& defect) : defect_(defect) {
       last_ = 0.5 * defect.length + (defect.waveDepth > 0 ? defect.waveCount * defect.waveLength : 0);
       break;
     case DefectShape::profile:
-      for (const auto& point : defect.points) nodes_.push_back({point.position, point.height, 0});
+      for (const auto& point : defect.points) nodes_.push_back({point.position, point.height * defect.heightScale, 0});
       takeProfile();
       break;
   }

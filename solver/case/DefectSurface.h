@@ -8,7 +8,8 @@
 //   dip-with-wave  the cosine dip, behind it waveCount dips -waveDepth/2 (1 - cos(2 pi s / waveLength))
 //   profile        through the points: piecewise cubic that is monotone between points (Fritsch and Carlson, SIAM J.
 //                  Numer. Anal. 17, 1980; slopes after Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5, 1984), so it
-//                  has a continuous slope and no overshoot: the deepest point is a measured one. Positions are shifted
+//                  has a continuous slope and no overshoot: the deepest point is a measured one. Heights are multiplied
+//                  by heightScale; positions are shifted
 //                  so that it lies at x = 0. With `level` the line through first and last point is taken off; without
 //                  it ends that are not at zero run out over 20 mm.
 // Across the rail: uniform, or parabolic 1 - (y / halfWidth)^2, zero beyond.

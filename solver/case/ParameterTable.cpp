@@ -131,7 +131,7 @@ const Parameter* findParameter(std::string_view key) {
 std::string nearestKey(std::string_view key) {
   if (key.size() > 100) return {};
   std::string nearest;
-  int smallest = 1 + static_cast<int>(key.size()) / 3;  // farther than a third of the letters is another word
+  int smallest = 2 + static_cast<int>(key.size()) / 4;  // farther than that is another word
   for (const auto& parameter : parameterTable()) {
     int distance = editDistance(key, parameter.key);
     // The right name in a wrong or missing table.

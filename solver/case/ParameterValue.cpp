@@ -70,8 +70,33 @@ bool hasControlCharacters(std::string_view text) {
   });
 }
 
+// Well-formed UTF-8 (no overlong forms, no surrogates), as TOML and JSON demand.
+bool isUtf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const int more = lead < 0x80                   ? 0
+                     : lead >= 0xC2 && lead < 0xE0 ? 1
+                     : lead >= 0xE0 && lead < 0xF0 ? 2
+                     : lead >= 0xF0 && lead < 0xF5 ? 3
+                                                   : -1;
+    if (more < 0 || text.size() - i <= static_cast<std::size_t>(more)) return false;
+    unsigned long code = more == 0 ? lead : lead & (0x3Fu >> more);
+    for (int k = 1; k <= more; ++k) {
+      const auto next = static_cast<unsigned char>(text[i + static_cast<std::size_t>(k)]);
+      if ((next & 0xC0u) != 0x80u) return false;
+      code = code << 6 | (next & 0x3Fu);
+    }
+    if ((more == 2 && (code < 0x800 || (code >= 0xD800 && code < 0xE000))) ||
+        (more == 3 && (code < 0x10000 || code > 0x10FFFF)))
+      return false;
+    i += static_cast<std::size_t>(more) + 1;
+  }
+  return true;
+}
+
 std::optional<CaseProblem> setText(CaseDescription& description, const Parameter& parameter, std::string_view text) {
   if (text.size() > longestText) return problem(parameter, text, "Shorten the text");
+  if (!isUtf8(text)) return problem(parameter, "text that is no UTF-8", "Write the text in UTF-8");
   if (hasControlCharacters(text)) return problem(parameter, "text with control characters", "Remove them");
   *member<std::string>(description, parameter) = text;
   return std::nullopt;

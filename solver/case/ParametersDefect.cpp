@@ -53,6 +53,9 @@ Rows defectRows() {
   rows.push_back(boolean(
       "defect.level", true, [](Case& c) -> bool& { return c.defect.level; },
       "profile: take the line through its first and last point as the undisturbed surface", shape));
+  rows.push_back(number(
+      "defect.height_scale", none, 1, {0, 10}, [](Case& c) -> double& { return c.defect.heightScale; },
+      "profile: factor on all heights, for studies of the depth", "1: as measured"));
   rows.push_back(points(
       "defect.points", [](Case& c) -> std::vector<ProfilePoint>& { return c.defect.points; },
       "profile: pairs of position and height, heights below the surface negative", shape));

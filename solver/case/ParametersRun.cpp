@@ -71,7 +71,7 @@ void addMesh(Rows& rows) {
       "mesh.contact_size", millimetre, 2.6, {0.5, 10}, [](Case& c) -> double& { return c.mesh.contactSize; },
       "element size in the contact band, at the start and at the defect (the paper: 1.3 mm)", preset));
   rows.push_back(number(
-      "mesh.rolling_size", millimetre, 5.2, {0.5, 40}, [](Case& c) -> double& { return c.mesh.rollingSize; },
+      "mesh.rolling_size", millimetre, 5, {0.5, 40}, [](Case& c) -> double& { return c.mesh.rollingSize; },
       "largest length of elements that are rolled over in between (the paper: 5 mm)", preset));
   rows.push_back(number(
       "mesh.far_size", millimetre, 75, {5, 200}, [](Case& c) -> double& { return c.mesh.farSize; },

@@ -3,22 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <fstream>
 #include <optional>
 #include <utility>
 
 #include "case/DecimalNumber.h"
 #include "case/PointsText.h"
+#include "core/DurableFile.h"
 #include "core/Errors.h"
 
 namespace squat::cases {
 
 namespace {
 
-constexpr std::uintmax_t largestFile = 200'000'000, longestLine = 1'000'000;  // bytes
-constexpr double highest = 0.05;                                              // [m]
-constexpr double farthest = 1e6;                                              // [m] chainages are welcome
+constexpr std::size_t largestFile = 200'000'000, longestLine = 1'000'000;  // bytes
+constexpr double highest = 0.05;                                           // [m]
+constexpr double farthest = 1e6;                                           // [m] chainages are welcome
 
 std::string_view trimmed(std::string_view text) {
   const auto blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
@@ -231,21 +230,7 @@ std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string&
 }
 
 std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    throw FileError(path.string(), "", "no such profile", "Paths of profiles are relative to the case file");
-  if (!std::filesystem::is_regular_file(status))
-    throw FileError(path.string(), "", "is no plain file", "Name a CSV file");
-  if (std::filesystem::file_size(path, error) > largestFile)
-    throw FileError(path.string(), "", "is larger than 200 MB", "Cut out the part around the defect");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(path.string(), "", "cannot be opened", "Check the permissions");
-  std::string text(std::filesystem::file_size(path, error), '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) throw FileError(path.string(), "", "cannot be read", "Check the disk");
-  return parseProfile(text, path.string());
+  return parseProfile(readWholeFile(path.string(), largestFile), path.string());
 }
 
 }  // namespace squat::cases

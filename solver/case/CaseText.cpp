@@ -1,0 +1,111 @@
+#include "case/CaseText.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "case/DecimalNumber.h"
+#include "case/ParameterValue.h"
+#include "case/PointsText.h"
+
+namespace squat::cases {
+
+namespace {
+
+std::string padded(std::string text, std::size_t width) {
+  std::size_t letters = 0;  // of UTF-8
+  for (const char byte : text) letters += (static_cast<unsigned char>(byte) & 0xC0u) != 0x80u;
+  if (letters < width) text.append(width - letters, ' ');
+  return text;
+}
+
+std::string shortValue(const CaseDescription& description, const Parameter& parameter) {
+  std::string text = valueText(description, parameter);
+  if (parameter.kind == Kind::points) {
+    const auto count = std::count(text.begin(), text.end(), '[') - 1;
+    return std::to_string(count) + " points";
+  }
+  if (parameter.kind == Kind::text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return "\"" + text + "\"";
+  }
+  return parameter.unit == "-" || parameter.unit.empty() ? text : text + " " + parameter.unit;
+}
+
+bool isDefault(const CaseDescription& description, const Parameter& parameter) {
+  const std::string standard = parameter.kind == Kind::points ? "[]" : parameter.standardText;
+  return valueText(description, parameter) == standard;
+}
+
+std::string rangeText(const Parameter& parameter) {
+  if (parameter.kind == Kind::number)
+    return formatDecimal(parameter.minimum) + " to " + formatDecimal(parameter.maximum);
+  return parameter.kind == Kind::choice ? allowedText(parameter) : std::string();
+}
+
+using Json = nlohmann::ordered_json;
+
+Json numberJson(const std::string& text, bool integer) {
+  const auto value = parseDecimal(text);
+  if (!value) return nullptr;
+  return integer ? Json(static_cast<long>(*value)) : Json(*value);
+}
+
+Json valueJson(const Parameter& parameter, const std::string& text) {
+  switch (parameter.kind) {
+    case Kind::number:
+      return numberJson(text, parameter.integer);
+    case Kind::boolean:
+      return text == "true";
+    case Kind::points: {
+      Json array = Json::array();
+      const auto points = parsePoints(text, 0);
+      if (points)
+        for (const auto& point : *points) array.push_back({point.position, point.height});
+      return array;
+    }
+    default:
+      return text;
+  }
+}
+
+}  // namespace
+
+std::string describeTable(const CaseDescription& description) {
+  std::string text, group;
+  for (const auto& parameter : parameterTable()) {
+    if (parameter.group != group) {
+      if (!group.empty()) text += "\n";
+      group = parameter.group;
+      text += "[" + group + "]\n";
+    }
+    const char* star = isDefault(description, parameter) ? "  " : "* ";
+    text += star + padded(parameter.key, 34) + " " + padded(shortValue(description, parameter), 18) + " " +
+            padded(rangeText(parameter), 18) + " " + parameter.doc + " [" + parameter.source + "]\n";
+  }
+  return text;
+}
+
+std::string describeJson(const CaseDescription& description) {
+  Json all = Json::array();
+  for (const auto& parameter : parameterTable()) {
+    const bool isNumber = parameter.kind == Kind::number;
+    constexpr const char* kinds[] = {"number", "choice", "text", "boolean", "points"};
+    const std::string standard = parameter.kind == Kind::points ? "[]" : parameter.standardText;
+    Json row;
+    row["key"] = parameter.key;
+    row["value"] = valueJson(parameter, valueText(description, parameter));
+    row["unit"] = parameter.unit;
+    row["default"] = valueJson(parameter, standard);
+    row["min"] = isNumber ? Json(parameter.minimum) : Json(nullptr);
+    row["max"] = isNumber ? Json(parameter.maximum) : Json(nullptr);
+    row["doc"] = parameter.doc;
+    row["group"] = parameter.group;
+    row["source"] = parameter.source;
+    row["kind"] = kinds[static_cast<int>(parameter.kind)];
+    if (parameter.kind == Kind::choice) row["choices"] = parameter.choices;
+    all.push_back(std::move(row));
+  }
+  return all.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace squat::cases

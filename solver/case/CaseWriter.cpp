@@ -1,0 +1,106 @@
+// Writing of case files, and the hash of a case.
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "case/CaseFile.h"
+#include "case/ParameterValue.h"
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+
+namespace squat::cases {
+
+namespace {
+
+// A basic TOML string on one line.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') result += '\\';
+    if (letter == '\n')
+      result += "\\n";
+    else if (letter == '\t')
+      result += "\\t";
+    else
+      result += letter;
+  }
+  return result + "\"";
+}
+
+// One pair of position and height a line.
+std::string manyLines(const std::string& points) {
+  std::string result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool opens = points[i] == '[' && i > 0, closes = points[i] == ']' && i + 1 == points.size();
+    if ((opens || closes) && points.size() > 2) result += "\n" + std::string(opens ? "  " : "");
+    if (points[i] == ' ' && i > 0 && points[i - 1] == ',' && i + 1 < points.size() && points[i + 1] == '[') continue;
+    result += points[i];
+  }
+  return result;
+}
+
+std::string tomlValue(const CaseDescription& description, const Parameter& parameter) {
+  const std::string text = valueText(description, parameter);
+  switch (parameter.kind) {
+    case Kind::choice:
+    case Kind::text:
+      return quoted(text);
+    case Kind::points:
+      return manyLines(text);
+    default:
+      return text;
+  }
+}
+
+std::string comment(const Parameter& parameter) {
+  std::string text = "  # ";
+  if (!parameter.unit.empty() && parameter.unit != "-") text += parameter.unit + ": ";
+  text += parameter.doc;
+  if (parameter.kind == Kind::choice) text += " (" + allowedText(parameter) + ")";
+  return text;
+}
+
+std::string lastPart(const std::string& key) { return key.substr(key.rfind('.') + 1); }
+
+}  // namespace
+
+std::string writeCase(const CaseDescription& description) {
+  std::string text =
+      "# A case of Squat Studio. Numbers are in the unit named behind them.\nschema = " + std::to_string(caseSchema) +
+      "\n";
+  std::string group = "case";
+  for (const auto& parameter : parameterTable()) {
+    if (parameter.group != group) {
+      group = parameter.group;
+      text += "\n[" + group + "]\n";
+    }
+    text += lastPart(parameter.key) + " = " + tomlValue(description, parameter) + comment(parameter) + "\n";
+  }
+  return text;
+}
+
+void saveCase(const CaseDescription& description, const std::filesystem::path& path) {
+  const std::string text = writeCase(description);
+  const auto reads = [&](const std::string& beside) {
+    if (writeCase(readCase(beside)) != text) throw FileError(path.string(), "", "does not read back as it was written");
+  };
+  writeDurably(path.string(), std::as_bytes(std::span(text)), reads);
+}
+
+std::string caseHash(const CaseDescription& description) {
+  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, 64 bits, folded to 32
+  const auto add = [&hash](const std::string& text) {
+    for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3u;
+  };
+  for (const auto& parameter : parameterTable()) {
+    if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file") continue;
+    add(parameter.key + "=" + valueText(description, parameter) + "\n");
+  }
+  const auto folded = static_cast<std::uint32_t>(hash ^ (hash >> 32));
+  constexpr const char* digits = "0123456789abcdef";
+  std::string text;
+  for (int shift = 28; shift >= 0; shift -= 4) text += digits[(folded >> shift) & 15u];
+  return text;
+}
+
+}  // namespace squat::cases
