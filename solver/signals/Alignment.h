@@ -1,0 +1,70 @@
+// solver/signals/Alignment.h - repeated runs over one defect: aligned on the impact, and how far they scatter.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "signals/Features.h"
+#include "signals/TimeSeries.h"
+
+namespace squat::signals {
+
+// One passage. Position runs with the wheel; where only the speed is known its zero is the first sample.
+struct Passage {
+  TimeSeries series;
+  std::vector<double> position;  // [m] at each sample, strictly rising
+};
+
+// A passage at constant speed [m/s], or at a speed given for every sample.
+Passage passageAtSpeed(TimeSeries series, double speed);
+Passage passageAtSpeed(TimeSeries series, const std::vector<double>& speed);
+
+// Mean speed [m/s] over the samples within `half` metres of the sample nearest to `time`.
+double speedAt(const Passage& passage, double time, double half = 0.5);
+
+struct AlignmentOptions {
+  double before = 0.2, after = 0.6;  // [m] of the reference around its impact that is compared
+  double largestShift = 0;           // [s] or [m] between impacts as recorded; 0: any
+};
+
+// Runs on one axis with its zero at the impact of the first run.
+struct AlignedRuns {
+  bool inPosition = false;                  // axis in m, else in s
+  std::vector<double> axis;                 // equally spaced
+  std::vector<std::vector<double>> values;  // one row a run
+  std::vector<std::string> names;
+  std::vector<double> impact;                 // place on the run's own axis that lies at zero
+  std::vector<double> correlation;            // with the first run, over the common length
+  std::vector<double> speed;                  // [m/s] at the impact
+  std::vector<double> mean, lowest, highest;  // over the runs: the scatter band
+};
+
+// The impact of the first run is its largest absolute value; each other run is moved to where its cross-correlation
+// with the first is largest, to a fraction of a sample (parabola through three values). In position the runs are first
+// put on a common grid of positions, so runs of different speed match. Throws SignalError for fewer than two runs and
+// for signals that are constant, not finite or shorter than what is compared.
+AlignedRuns alignInTime(const std::vector<Passage>& runs, const AlignmentOptions& options = {});
+AlignedRuns alignInPosition(const std::vector<Passage>& runs, const AlignmentOptions& options = {});
+
+// Scatter of one number over the runs.
+struct Dispersion {
+  std::vector<double> values;
+  double mean = 0, standardDeviation = 0;  // of the sample: n - 1
+  double range = 0;                        // (largest - smallest) / mean: the paper's dispersion
+};
+Dispersion dispersionOf(std::vector<double> values);
+
+struct RunDispersion {
+  Dispersion firstPeak;   // [unit] largest absolute value within `peakSpan` of the impact
+  Dispersion wavelength;  // [m] mean after the impact by zero crossings
+};
+RunDispersion runDispersion(const AlignedRuns& runs, double peakSpan = 0.03, double waveSpan = 0.15,
+                            const Band& waveBand = {"wave", 600, 2000});
+
+// Shift d [s] for which sum_t a(t) b(t + d) is largest, |d| <= largestShift; both series must have the same step.
+double shiftBetween(const TimeSeries& a, const TimeSeries& b, double largestShift);
+
+// Pearson's correlation coefficient of two equally long rows.
+double correlationOf(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace squat::signals

@@ -1,0 +1,93 @@
+#include "signals/Resample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "signals/SignalError.h"
+
+namespace squat::signals {
+namespace {
+
+constexpr int lobes = 16;        // zero crossings of the sinc to each side
+constexpr double beta = 8.0;     // Kaiser: side lobes 80 dB down
+constexpr int tableSteps = 512;  // per lobe; linear between: error (pi/512)^2/8 = 5e-6
+
+double besselI0(double x) {
+  double term = 1, sum = 1;
+  for (int k = 1; term > 1e-17 * sum; ++k) {
+    term *= (x / (2 * k)) * (x / (2 * k));
+    sum += term;
+  }
+  return sum;
+}
+
+// The windowed sinc at 0 .. lobes in steps of 1/tableSteps.
+const std::vector<double>& kernelTable() {
+  static const std::vector<double> table = [] {
+    std::vector<double> values(static_cast<std::size_t>(lobes) * tableSteps + 2, 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double u = static_cast<double>(i) / tableSteps;
+      if (u >= lobes) continue;
+      const double sinc = u == 0 ? 1.0 : std::sin(std::numbers::pi * u) / (std::numbers::pi * u);
+      values[i] = sinc * besselI0(beta * std::sqrt(1 - u * u / (lobes * lobes))) / besselI0(beta);
+    }
+    return values;
+  }();
+  return table;
+}
+
+double kernel(double u) {
+  u = std::abs(u) * tableSteps;
+  const auto& table = kernelTable();
+  const auto i = static_cast<std::size_t>(u);
+  if (i + 1 >= table.size()) return 0.0;
+  const double part = u - static_cast<double>(i);
+  return table[i] + part * (table[i + 1] - table[i]);
+}
+
+}  // namespace
+
+Interpolator::Interpolator(const TimeSeries& series, double bandwidth)
+    : series_(series), bandwidth_(bandwidth), reach_(static_cast<int>(std::ceil(lobes / bandwidth))) {
+  requireUsable(series, 1, "interpolation");
+}
+
+double Interpolator::operator()(double time) const {
+  const double place = (time - series_.start) / series_.step;
+  const auto last = static_cast<double>(series_.values.size() - 1);
+  if (place <= -reach_) return series_.values.front();
+  if (place >= last + reach_) return series_.values.back();
+  const double centre = std::floor(place);
+  double sum = 0, weights = 0;
+  for (int k = -reach_ + 1; k <= reach_; ++k) {
+    const double sample = centre + k;
+    const double weight = kernel((place - sample) * bandwidth_);
+    sum += weight * series_.values[static_cast<std::size_t>(std::clamp(sample, 0.0, last))];
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+TimeSeries resample(const TimeSeries& series, double step) {
+  if (!(std::isfinite(step) && step > 0)) throw SignalError("the new sampling step must be a positive time");
+  requireUsable(series, 2, "resampling");
+  const Interpolator at(series, std::min(1.0, 0.9 * series.step / step + (step <= series.step ? 1.0 : 0.0)));
+  TimeSeries result{series.start, step, {}, series.name, series.unit};
+  const double length = series.step * static_cast<double>(series.values.size() - 1);
+  const auto count = static_cast<std::size_t>(std::floor(length / step * (1 + 1e-12) + 1e-9)) + 1;
+  result.values.resize(count);
+  for (std::size_t i = 0; i < count; ++i) result.values[i] = at(result.timeAt(i));
+  return result;
+}
+
+double interpolateLinear(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  if (x.empty()) return 0;
+  const auto above = std::upper_bound(x.begin(), x.end(), at);
+  if (above == x.begin()) return y.front();
+  if (above == x.end()) return y.back();
+  const auto i = static_cast<std::size_t>(above - x.begin());
+  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+}
+
+}  // namespace squat::signals

@@ -1,0 +1,89 @@
+#include "signals/Comparison.h"
+
+#include "signals/SignalError.h"
+#include "signals/Signals.h"
+
+namespace squat::signals {
+namespace {
+
+using tests::pi;
+using tests::sampled;
+
+constexpr double rate = 25000;
+
+Passage struck(double impact, double low, double high, double height, double start = 0) {
+  return passageAtSpeed(sampled(
+                            6000, rate,
+                            [=](double time) {
+                              const double t = time - start - impact;
+                              return t < 0 ? 0.0
+                                           : height * (std::exp(-t / 0.012) * std::sin(2 * pi * low * t) +
+                                                       std::exp(-t / 0.008) * std::sin(2 * pi * high * t));
+                            },
+                            start),
+                        30);
+}
+
+// The same record, later and half as high.
+TEST(Comparison, scaledAndShiftedRecord) {
+  const auto result = compare(struck(0.08, 300, 1034, 60), struck(0.1, 300, 1034, 30, 5.0));
+  EXPECT_NEAR(result.shift, 5.02, 1e-7);
+  EXPECT_NEAR(result.correlation, 1, 1e-6);
+  EXPECT_NEAR(result.peakRatio, 2, 1e-3);
+  EXPECT_NEAR(result.rmsRatio, 2, 1e-4);
+  ASSERT_EQ(result.bandRatio.size(), 3u);
+  for (const double ratio : result.bandRatio) EXPECT_NEAR(ratio, 4, 1e-3);
+  ASSERT_GE(result.peaks.size(), 2u);
+  for (const auto& pair : result.peaks) EXPECT_NEAR(pair.shift(), 0, 0.05);
+  EXPECT_NEAR(result.densityRatio[100], 4, 0.01);
+  EXPECT_EQ(result.axis.size(), result.difference.size());
+  const auto row = comparisonRow(result);
+  EXPECT_EQ(row[0].first, "peak ratio [-]");
+}
+
+// Lines 300 -> 330 Hz and 1034 -> 1000 Hz. The window of 12.7 ms makes lines about 100 Hz wide whose flanks pull each
+// other's maxima a little: 8 Hz.
+TEST(Comparison, movedLines) {
+  const auto result = compare(struck(0.08, 300, 1034, 60), struck(0.08, 330, 1000, 60));
+  ASSERT_GE(result.peaks.size(), 2u);
+  const auto& low = result.peaks[0].first < 600 ? result.peaks[0] : result.peaks[1];
+  const auto& high = result.peaks[0].first < 600 ? result.peaks[1] : result.peaks[0];
+  EXPECT_NEAR(low.shift(), -30, 8);
+  EXPECT_NEAR(high.shift(), 34, 8);
+}
+
+// A defect on top of what the same track does without it: the difference is what the defect does.
+TEST(Comparison, defectAgainstSmooth) {
+  const auto sleeper = [](double t) { return 5 * std::sin(2 * pi * 50 * t) + std::sin(2 * pi * 777 * t); };
+  auto smooth = passageAtSpeed(sampled(6000, rate, sleeper), 30);
+  auto defect = struck(0.08, 300, 1034, 60);
+  const auto alone = defect.series.values;
+  for (std::size_t i = 0; i < alone.size(); ++i) defect.series.values[i] += smooth.series.values[i];
+  ComparisonOptions options;
+  options.align = false;
+  for (const bool inPosition : {false, true}) {
+    options.inPosition = inPosition;
+    const auto result = compare(defect, smooth, options);
+    EXPECT_EQ(result.shift, 0);
+    ASSERT_EQ(result.difference.size(), alone.size());
+    EXPECT_LT(tests::relativeDifference(result.difference, alone), 1e-9);
+    EXPECT_GT(result.bandRatio[1], 100);
+    EXPECT_NEAR(result.differencePeak, *std::max_element(alone.begin(), alone.end()), 1e-6);
+  }
+}
+
+TEST(Comparison, refusesBadInput) {
+  auto one = struck(0.08, 300, 1034, 60), other = one;
+  other.series.unit = "g";
+  EXPECT_THROW(compare(one, other), SignalError);
+  other = one;
+  other.position.pop_back();
+  EXPECT_THROW(compare(one, other), SignalError);
+  other = struck(0.08, 300, 1034, 60, 50.0);
+  ComparisonOptions options;
+  options.align = false;
+  EXPECT_THROW(compare(one, other, options), SignalError);
+}
+
+}  // namespace
+}  // namespace squat::signals
