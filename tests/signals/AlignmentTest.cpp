@@ -102,7 +102,7 @@ TEST(Alignment, speedAsAColumn) {
 TEST(Alignment, ratesMayDiffer) {
   const auto fast = passageAtSpeed(sampled(5000, rate, [](double t) { return answer(t - 0.05); }), 30);
   const auto slow = passageAtSpeed(sampled(
-                                       2000, 10000, [](double t) { return answer(t - 0.07); }, 1.0),
+                                       2000, 10000, [](double t) { return answer(t - 1.07); }, 1.0),
                                    30);
   const auto aligned = alignInTime({fast, slow});
   // The slow run begins at 1 s and is struck at 1.07 s.

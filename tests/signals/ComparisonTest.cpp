@@ -74,7 +74,7 @@ TEST(Comparison, defectAgainstSmooth) {
 
 TEST(Comparison, refusesBadInput) {
   auto one = struck(0.08, 300, 1034, 60), other = one;
-  other.series.unit = "g";
+  other.series.unit = std::string("g");
   EXPECT_THROW(compare(one, other), SignalError);
   other = one;
   other.position.pop_back();
