@@ -93,6 +93,7 @@ struct MeshSizes {
   double rollingSize = 0;    // [m] largest length of elements rolled over in between
   double farSize = 0;        // [m] largest length of elements away from the wheel
   double sectionSize = 0;    // [m] largest element size in the sections of rail and rim
+  double sectionGrowth = 0;  // [-] largest ratio of neighbouring sizes in the sections
   double bandHalfWidth = 0;  // [m] lateral half width of the contact band with contactSize
   double fineBefore = 0;     // [m] fine zone before the first and after the last point of the defect
   double fineStart = 0;      // [m] fine zone each side of the starting point

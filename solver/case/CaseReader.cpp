@@ -300,7 +300,10 @@ CaseDescription parseCase(std::string_view text, const std::string& origin, cons
   applyOverrides(description, overrides, problems);
   readProfile(description, overrides, folder, problems);
   for (auto& finding : validateRelations(description))
-    if (finding.severity == Severity::problem && !problems.concern(finding.keys)) problems.add(finding.problem);
+    if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
+      const Stated* stated = find(statements.stated, finding.problem.key);
+      problems.add(finding.problem, lineNote(stated ? stated->line : 0));
+    }
   problems.throwIfAny();
   return description;
 }

@@ -7,15 +7,24 @@
 namespace squat::cases {
 
 const std::vector<PresetRow>& presetTable() {
+  // clang-format off
   static const std::vector<PresetRow> table = {
       // key                   tiny   draft   standard  paper
-      {"track.length", {"3", "10", "10", "10"}},        {"motion.run_up", {"0.1", "0.3", "0.5", "1"}},
-      {"motion.beyond", {"0.15", "0.3", "0.3", "0.3"}}, {"mesh.contact_size", {"5", "2.6", "1.3", "1.3"}},
-      {"mesh.rolling_size", {"10", "5", "2.6", "5"}},   {"mesh.far_size", {"150", "75", "75", "75"}},
-      {"mesh.section_size", {"16", "12", "10", "10"}},  {"mesh.band_half_width", {"10", "7.8", "7.8", "7.8"}},
-      {"mesh.fine_before", {"10", "20", "20", "20"}},   {"mesh.fine_start", {"15", "20", "20", "20"}},
-      {"mesh.wheel_sectors", {"32", "64", "64", "96"}}, {"mesh.rim_depth", {"20", "25", "25", "25"}},
+      {"track.length", {"3", "10", "10", "10"}},
+      {"motion.run_up", {"0.1", "0.3", "0.5", "1"}},
+      {"motion.beyond", {"0.12", "0.3", "0.3", "0.3"}},
+      {"mesh.contact_size", {"5", "2.6", "1.3", "1.3"}},
+      {"mesh.rolling_size", {"10", "5", "2.6", "5"}},
+      {"mesh.far_size", {"300", "75", "75", "75"}},
+      {"mesh.section_size", {"24", "16", "10", "10"}},
+      {"mesh.section_growth", {"1.7", "1.5", "1.33", "1.33"}},
+      {"mesh.band_half_width", {"10", "7.8", "7.8", "7.8"}},
+      {"mesh.fine_before", {"6", "20", "20", "20"}},
+      {"mesh.fine_start", {"15", "12", "20", "20"}},
+      {"mesh.wheel_sectors", {"24", "48", "64", "96"}},
+      {"mesh.rim_depth", {"20", "25", "25", "25"}},
   };
+  // clang-format on
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "case/DecimalNumber.h"
+#include "case/MeshPresets.h"
 #include "case/ParameterRows.h"
 #include "case/ParameterValue.h"
 
@@ -94,6 +95,13 @@ std::vector<Parameter> makeTable() {
   for (const auto& part :
        {rows::defectRows(), rows::motionRows(), rows::trackRows(), rows::vehicleRows(), rows::runRows()})
     table.insert(table.end(), part.begin(), part.end());
+  // What a preset sets has the value of the preset draft as its default; the rows need not repeat it.
+  for (const auto& preset : presetTable())
+    for (auto& parameter : table)
+      if (parameter.key == preset.key) {
+        parameter.standardText = preset.values[static_cast<std::size_t>(MeshPreset::draft)];
+        parameter.standard = parseDecimal(parameter.standardText).value_or(parameter.standard);
+      }
   return table;
 }
 

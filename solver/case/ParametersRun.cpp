@@ -1,5 +1,5 @@
-// Rows of the parameter table: motion, contact, damping, mesh, output. Defaults of the mesh and of the run-up are those
-// of the preset draft (MeshPresets.cpp); a test holds the two together.
+// Rows of the parameter table: motion, contact, damping, mesh, output. Defaults of the mesh and of the run-up come from the
+// preset draft (MeshPresets.cpp); the numbers in these rows stand for nothing.
 #include "case/ParameterRows.h"
 
 namespace squat::cases::rows {
@@ -74,10 +74,13 @@ void addMesh(Rows& rows) {
       "mesh.rolling_size", millimetre, 5, {0.5, 40}, [](Case& c) -> double& { return c.mesh.rollingSize; },
       "largest length of elements that are rolled over in between (the paper: 5 mm)", preset));
   rows.push_back(number(
-      "mesh.far_size", millimetre, 75, {5, 200}, [](Case& c) -> double& { return c.mesh.farSize; },
+      "mesh.far_size", millimetre, 75, {5, 400}, [](Case& c) -> double& { return c.mesh.farSize; },
       "largest length of elements far from the wheel (the paper: 75 mm)", preset));
   rows.push_back(number(
-      "mesh.section_size", millimetre, 12, {3, 30}, [](Case& c) -> double& { return c.mesh.sectionSize; },
+      "mesh.section_growth", none, 1.5, {1.05, 2}, [](Case& c) -> double& { return c.mesh.sectionGrowth; },
+      "largest ratio of neighbouring element sizes away from the contact band in the sections", preset));
+  rows.push_back(number(
+      "mesh.section_size", millimetre, 16, {3, 30}, [](Case& c) -> double& { return c.mesh.sectionSize; },
       "largest element size in the sections of rail and rim", preset));
   rows.push_back(number(
       "mesh.band_half_width", millimetre, 7.8, {2, 25}, [](Case& c) -> double& { return c.mesh.bandHalfWidth; },

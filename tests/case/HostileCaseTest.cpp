@@ -1,0 +1,126 @@
+// Case and profile files that mean harm: every cut and every flipped byte of good files, and hand-made bombs. Any of
+// them may be refused, none may crash, hang or throw anything but the errors of a user.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+
+#include "case/CaseFile.h"
+#include "case/DefectSurface.h"
+#include "case/ParameterTable.h"
+#include "case/ProfileFile.h"
+#include "case/Validation.h"
+#include "core/Errors.h"
+
+namespace squat::cases {
+namespace {
+
+enum class Outcome { taken, refused };
+
+Outcome readAsCase(const std::string& text) {
+  try {
+    const CaseDescription description = parseCase(text, "hostile.toml", "/nonexistent");
+    const Validation validation = validate(description);
+    EXPECT_TRUE(validation.problems.empty());
+    return Outcome::taken;
+  } catch (const CaseError&) {
+    return Outcome::refused;
+  } catch (const FileError&) {
+    return Outcome::refused;
+  }
+}
+
+Outcome readAsProfile(const std::string& text) {
+  try {
+    Defect defect = defaultCase().defect;
+    defect.shape = static_cast<int>(DefectShape::profile);
+    defect.points = parseProfile(text, "hostile.csv");
+    const DefectSurface surface(defect);
+    EXPECT_TRUE(std::isfinite(surface.height(0)) && std::isfinite(surface.steepest()));
+    return Outcome::taken;
+  } catch (const FileError&) {
+    return Outcome::refused;
+  }
+}
+
+std::string repeated(const std::string& part, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += part;
+  return text;
+}
+
+TEST(HostileCase, EveryCutOfAGoodFile) {
+  const std::string good = writeCase(defaultCase());
+  int taken = 0;
+  for (std::size_t length = 0; length <= good.size(); length += 7)
+    taken += readAsCase(good.substr(0, length)) == Outcome::taken;
+  EXPECT_GT(taken, 0);
+}
+
+TEST(HostileCase, FlippedBytes) {
+  const std::string good = writeCase(defaultCase());
+  std::mt19937_64 random(20260104);
+  int refused = 0;
+  for (int i = 0; i < 1500; ++i) {
+    std::string text = good;
+    for (int k = 0; k < 3; ++k) text[random() % text.size()] = static_cast<char>(random());
+    refused += readAsCase(text) == Outcome::refused;
+  }
+  EXPECT_GT(refused, 100);
+}
+
+// Limits of the project for any one hostile file: a second. Ten are allowed here, for busy and instrumented machines.
+TEST(HostileCase, BombsAreRefusedInTime) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(readAsCase(repeated("[", 3'000'000)), Outcome::refused);
+  EXPECT_EQ(readAsCase("a = " + repeated("[", 100'000) + repeated("]", 100'000)), Outcome::refused);
+  EXPECT_EQ(readAsCase("a = " + repeated("{a=", 100'000)), Outcome::refused);
+  EXPECT_EQ(readAsCase(repeated("a.", 300'000) + "a = 1"), Outcome::refused);
+  EXPECT_EQ(readAsCase("[defect]\npoints = [" + repeated("[0,0],", 600'000) + "]"), Outcome::refused);
+  EXPECT_EQ(readAsCase("[defect]\npoints = " + repeated("[", 200) + repeated("]", 200)), Outcome::refused);
+  std::string keys;
+  for (int i = 0; i < 200'000; ++i) keys += "k" + std::to_string(i) + "=1\n";
+  EXPECT_EQ(readAsCase(keys), Outcome::refused);
+  EXPECT_EQ(readAsCase(std::string(5'000'000, ' ')), Outcome::refused);
+  EXPECT_EQ(readAsCase("title = \"" + std::string(3'000'000, 'x') + "\""), Outcome::refused);
+  EXPECT_EQ(readAsCase("[motion]\nspeed = " + std::string(3'000'000, '9')), Outcome::refused);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(seconds.count(), 10 * 10.0);
+}
+
+TEST(HostileCase, OddLinesDoNotConfuseTheNumbers) {
+  EXPECT_EQ(readAsCase("title = \"\"\"\n\n[pad]\nstiffness = 3\"\"\"\npad.stiffness = 1300"), Outcome::taken);
+  EXPECT_EQ(readAsCase("pad = {stiffness=1300,damping=45}\n"), Outcome::taken);
+  EXPECT_EQ(readAsCase(std::string("title = \"a\0b\"", 13)), Outcome::refused);
+}
+
+TEST(HostileProfile, EveryCutAndManyFlips) {
+  std::string good = "\xEF\xBB\xBF# a comment\nposition [mm]; height (\xC2\xB5m)\r\n";
+  for (int i = 0; i < 40; ++i) good += std::to_string(5 * i) + ",5; -" + std::to_string(i % 7) + ",25\r\n";
+  ASSERT_EQ(readAsProfile(good), Outcome::taken);
+  for (std::size_t length = 0; length < good.size(); ++length) readAsProfile(good.substr(0, length));
+  std::mt19937_64 random(20260105);
+  int refused = 0;
+  for (int i = 0; i < 20000; ++i) {
+    std::string text = good;
+    for (int k = 0; k < 3; ++k) text[random() % text.size()] = static_cast<char>(random());
+    refused += readAsProfile(text) == Outcome::refused;
+  }
+  EXPECT_GT(refused, 1000);
+}
+
+TEST(HostileProfile, Bombs) {
+  const std::string header = "x [mm], z [mm]\n";
+  EXPECT_EQ(readAsProfile(header + std::string(2'000'000, '1')), Outcome::refused);
+  EXPECT_EQ(readAsProfile(std::string(2'000'000, ',')), Outcome::refused);
+  EXPECT_EQ(readAsProfile(std::string(2'000'000, '#')), Outcome::refused);
+  EXPECT_EQ(readAsProfile(std::string(2'000'000, '\n')), Outcome::refused);
+  std::string rows = header;
+  for (int i = 0; i < 100'001; ++i) rows += std::to_string(i) + ",0\n";
+  EXPECT_EQ(readAsProfile(rows), Outcome::refused);
+  EXPECT_EQ(readAsProfile(std::string(1000, '\0')), Outcome::refused);
+  EXPECT_EQ(readAsProfile("\xFF\xFEx\0"), Outcome::refused);
+}
+
+}  // namespace
+}  // namespace squat::cases

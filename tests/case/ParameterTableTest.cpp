@@ -1,0 +1,163 @@
+// The parameter table itself: complete, consistent, and with the paper's numbers as defaults. Expected SI values are
+// those of the paper's Table 1 and of its section 2.
+#include "case/ParameterTable.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "case/DecimalNumber.h"
+#include "case/MeshPresets.h"
+#include "case/ParameterValue.h"
+#include "case/Validation.h"
+
+namespace squat::cases {
+namespace {
+
+TEST(ParameterTable, KeysAreUniqueAndGroupsStandTogether) {
+  std::set<std::string> keys, closedGroups;
+  std::string group;
+  for (const auto& parameter : parameterTable()) {
+    EXPECT_TRUE(keys.insert(parameter.key).second) << parameter.key;
+    if (parameter.group != group) {
+      EXPECT_TRUE(closedGroups.insert(parameter.group).second) << parameter.key << " opens its group a second time";
+      group = parameter.group;
+    }
+    EXPECT_EQ(findParameter(parameter.key), &parameter);
+  }
+  EXPECT_GE(keys.size(), 90u);
+}
+
+TEST(ParameterTable, EveryRowIsDocumented) {
+  for (const auto& parameter : parameterTable()) {
+    EXPECT_FALSE(parameter.doc.empty()) << parameter.key;
+    EXPECT_FALSE(parameter.source.empty()) << parameter.key;
+    EXPECT_EQ(parameter.doc.find('\n'), std::string::npos) << parameter.key;
+  }
+}
+
+TEST(ParameterTable, EveryNumberHasUnitFiniteRangeAndDefaultWithinIt) {
+  for (const auto& parameter : parameterTable()) {
+    if (parameter.kind != Kind::number) continue;
+    EXPECT_FALSE(parameter.unit.empty()) << parameter.key;
+    EXPECT_TRUE(std::isfinite(parameter.minimum) && std::isfinite(parameter.maximum)) << parameter.key;
+    EXPECT_LT(parameter.minimum, parameter.maximum) << parameter.key;
+    EXPECT_LE(parameter.minimum, parameter.standard) << parameter.key;
+    EXPECT_GE(parameter.maximum, parameter.standard) << parameter.key;
+  }
+}
+
+// No two rows may write to the same member, and every row must reach one.
+TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
+  for (const auto& parameter : parameterTable()) {
+    CaseDescription changed = defaultCase();
+    std::string text;
+    switch (parameter.kind) {
+      case Kind::number:
+        text = formatDecimal(parameter.standard == parameter.maximum ? parameter.minimum : parameter.maximum);
+        break;
+      case Kind::choice:
+        text =
+            parameter.choices.back() == parameter.standardText ? parameter.choices.front() : parameter.choices.back();
+        break;
+      case Kind::boolean:
+        text = parameter.standardText == "true" ? "false" : "true";
+        break;
+      case Kind::text:
+        text = "other";
+        break;
+      case Kind::points:
+        text = "[[0, 0], [1, -0.5]]";
+        break;
+    }
+    setValue(changed, parameter.key, text);
+    for (const auto& other : parameterTable()) {
+      const bool same = valueText(changed, other) == valueText(defaultCase(), other);
+      EXPECT_EQ(same, &other != &parameter) << parameter.key << " and " << other.key;
+    }
+  }
+}
+
+TEST(ParameterTable, ChoicesFollowTheEnumerations) {
+  CaseDescription description = defaultCase();
+  setValue(description, "defect.shape", "dip-with-wave");
+  EXPECT_EQ(description.defect.shape, static_cast<int>(DefectShape::dipWithWave));
+  setValue(description, "defect.shape", "profile");
+  EXPECT_EQ(description.defect.shape, static_cast<int>(DefectShape::profile));
+  setValue(description, "defect.lateral", "parabolic");
+  EXPECT_EQ(description.defect.lateral, static_cast<int>(LateralShape::parabolic));
+  setValue(description, "track.rail_ends", "absorbing");
+  EXPECT_EQ(description.track.railEnds, static_cast<int>(RailEnds::absorbing));
+  setValue(description, "rail.hardening", "kinematic");
+  EXPECT_EQ(description.rail.hardening, static_cast<int>(Hardening::kinematic));
+  setValue(description, "mesh.preset", "paper");
+  EXPECT_EQ(description.mesh.preset, static_cast<int>(MeshPreset::paper));
+}
+
+TEST(ParameterTable, DefaultsAreThePapers) {
+  const CaseDescription c = defaultCase();
+  EXPECT_EQ(c.pad.stiffness, 1300e6);
+  EXPECT_EQ(c.pad.damping, 45e3);
+  EXPECT_EQ(c.ballast.stiffness, 45e6);
+  EXPECT_EQ(c.ballast.damping, 32e3);
+  EXPECT_EQ(c.track.sleeperSpacing, 0.6);
+  EXPECT_EQ(c.track.length, 10);
+  EXPECT_EQ(c.suspension.sprungMass, 8000);
+  EXPECT_EQ(c.suspension.stiffness, 1.15e6);
+  EXPECT_EQ(c.suspension.damping, 2500);
+  for (const Material& steel : {c.rail.material, c.wheelset.material}) {
+    EXPECT_EQ(steel.young, 210e9);
+    EXPECT_EQ(steel.poisson, 0.3);
+    EXPECT_EQ(steel.density, 7800);
+  }
+  EXPECT_EQ(c.rail.yieldStress, 0.8e9);
+  EXPECT_EQ(c.rail.tangentModulus, 21e9);
+  EXPECT_EQ(c.wheelset.radius, 0.46);
+  EXPECT_EQ(c.motion.speed, 30);
+  EXPECT_EQ(c.motion.angularVelocity, 65.2);
+  EXPECT_EQ(c.motion.torque, 12450.49);
+  EXPECT_EQ(c.contact.friction, 0.3);
+  EXPECT_EQ(c.damping.fraction, 0.1);
+  EXPECT_EQ(c.output.rate, 25e3);
+  EXPECT_EQ(c.output.filterCutoff, 2e3);
+  // 244 kg a sleeper, the model has half of it; 0.1 kg is the rounding of the block's sizes.
+  const auto& s = c.sleeper;
+  EXPECT_NEAR(2 * s.halfLength * s.width * s.height * s.material.density, 244, 0.1);
+}
+
+TEST(ParameterTable, DefaultCaseIsTheDraftPreset) {
+  CaseDescription draft = defaultCase();
+  applyPreset(draft, MeshPreset::draft);
+  for (const auto& parameter : parameterTable())
+    EXPECT_EQ(valueText(draft, parameter), valueText(defaultCase(), parameter)) << parameter.key;
+}
+
+TEST(ParameterTable, PresetsAreValidAndPaperIsThePapers) {
+  for (const auto preset : {MeshPreset::tiny, MeshPreset::draft, MeshPreset::standard, MeshPreset::paper}) {
+    CaseDescription description = defaultCase();
+    applyPreset(description, preset);
+    EXPECT_EQ(description.mesh.preset, static_cast<int>(preset));
+    for (const auto& problem : validate(description).problems) ADD_FAILURE() << toText(problem);
+  }
+  CaseDescription paper = defaultCase();
+  applyPreset(paper, MeshPreset::paper);
+  EXPECT_EQ(paper.mesh.contactSize, 1.3e-3);
+  EXPECT_EQ(paper.mesh.rollingSize, 5e-3);
+  EXPECT_EQ(paper.mesh.farSize, 75e-3);
+  EXPECT_EQ(paper.motion.runUp, 1);
+}
+
+TEST(ParameterTable, FindsTheNearestKey) {
+  EXPECT_EQ(nearestKey("pad.stifness"), "pad.stiffness");
+  EXPECT_EQ(nearestKey("mesh.contactsize"), "mesh.contact_size");
+  EXPECT_EQ(nearestKey("speed"), "motion.speed");
+  EXPECT_EQ(nearestKey("wheel.torque"), "motion.torque");
+  EXPECT_EQ(nearestKey("titel"), "title");
+  EXPECT_EQ(nearestKey("xyzzy.plugh_frobnicate"), "");
+  EXPECT_EQ(nearestKey(""), "");
+  EXPECT_EQ(nearestKey(std::string(1000000, 'a')), "");
+}
+
+}  // namespace
+}  // namespace squat::cases

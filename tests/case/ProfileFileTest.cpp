@@ -1,0 +1,124 @@
+// Profiles as CSV, in every dialect that is taken and with every mistake that is refused.
+#include "case/ProfileFile.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/Errors.h"
+
+namespace squat::cases {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+void expectDip(const std::string& text) {
+  try {
+    const auto points = parseProfile(text, "p.csv");
+    ASSERT_EQ(points.size(), 3u) << text;
+    EXPECT_EQ(points[0].position, -0.0055) << text;
+    EXPECT_EQ(points[1].position, 0) << text;
+    EXPECT_EQ(points[1].height, -0.00015) << text;
+    EXPECT_EQ(points[2].position, 0.005) << text;
+    EXPECT_EQ(points[2].height, 0) << text;
+  } catch (const FileError& error) {
+    ADD_FAILURE() << error.what() << "\n" << text;
+  }
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    parseProfile(text, "p.csv");
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.path(), "p.csv");
+    return error.what();
+  }
+  ADD_FAILURE() << "taken: " << text;
+  return {};
+}
+
+TEST(ProfileFile, Delimiters) {
+  expectDip("position [mm],height [mm]\n-5.5,0\n0,-0.15\n5,0\n");
+  expectDip("position [mm];height [mm]\n-5.5;0\n0;-0.15\n5;0\n");
+  expectDip("position [mm]\theight [mm]\n-5.5\t0\n0\t-0.15\n5\t0\n");
+}
+
+TEST(ProfileFile, DecimalComma) {
+  expectDip("position [mm];height [mm]\n-5,5;0\n0;-0,15\n5;0\n");
+  expectDip("position [mm]\theight [mm]\n-5,5\t0,0\n0,0\t-0,15\n5,0\t0,0\n");
+}
+
+TEST(ProfileFile, UnitsInBracketsParenthesesOrBehindACommaOrABlank) {
+  expectDip("Position (m);Height (um)\n-0.0055;0\n0;-150\n0.005;0\n");
+  expectDip("x, mm; z, \xC2\xB5m\n-5.5;0\n0;-150\n5;0\n");
+  expectDip("x, mm; z, \xCE\xBCm\n-5.5;0\n0;-150\n5;0\n");
+  expectDip("x mm;z \xB5m\n-5.5;0\n0;-150\n5;0\n");  // Latin-1
+  expectDip("position, mm, height, mm\n-5.5,0\n0,-0.15\n5,0\n");
+  expectDip("\"Position [MM]\";\"Height [ mm ]\"\n-5.5;0\n0;-0.15\n5;0\n");
+}
+
+TEST(ProfileFile, HeightMayComeFirst) { expectDip("height [mm]; position [mm]\n0;-5.5\n-0.15;0\n0;5\n"); }
+
+TEST(ProfileFile, MarksCommentsAndLineEnds) {
+  expectDip("\xEF\xBB\xBFposition [mm];height [mm]\r\n-5.5;0\r\n0;-0.15\r\n5;0");
+  expectDip("# device 7\n\n  # 3 March\nposition [mm] ; height [mm]\n -5.5 ; 0 \n\n0;-0.15\n# end\n5;0\n\n");
+  expectDip("position [mm];height [mm]\n-5.5e0;+0.0\n0.0;-1.5E-1\n5;0\n");
+}
+
+TEST(ProfileFile, KeepsChainagesExact) {
+  const auto points = parseProfile("s [m]; z [mm]\n123456.780; 0\n123456.785; -0.1\n", "p.csv");
+  EXPECT_EQ(points[0].position, 123456.780);
+  EXPECT_EQ(points[1].position, 123456.785);
+}
+
+TEST(ProfileFile, RefusesUnsortedAndDuplicatePositionsWithTheLine) {
+  EXPECT_THAT(refusal("# c\nx [mm];z [mm]\n0;0\n10;0\n5;0\n"), AllOf(HasSubstr("line 5"), HasSubstr("Sort")));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;0\n5.0;0\n"), AllOf(HasSubstr("line 4"), HasSubstr("twice")));
+}
+
+TEST(ProfileFile, RefusesWhatIsNoNumber) {
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;nan\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;inf\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;-\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;1e999\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;\n"), AllOf(HasSubstr("line 3"), HasSubstr("missing")));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n#N/A;1\n5;x\n"), HasSubstr("line 4"));
+}
+
+TEST(ProfileFile, RefusesMixedDecimalMarks) {
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0.5;0\n1,5;0\n"), AllOf(HasSubstr("line 3"), HasSubstr("mixed")));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n1.234,5;0\n"), HasSubstr("mixed"));
+}
+
+TEST(ProfileFile, RefusesWrongNumbersOfColumns) {
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0;0\n"), AllOf(HasSubstr("line 2"), HasSubstr("3 columns")));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0\n"), HasSubstr("1 column"));
+  EXPECT_THAT(refusal("x [mm];y [mm];z [mm]\n0;0;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("3 columns")));
+  EXPECT_THAT(refusal("x [mm],z [mm]\n0,5,0,1\n"), HasSubstr("decimal comma"));
+  EXPECT_THAT(refusal("x z\n0 0\n"), HasSubstr("line 1"));
+}
+
+TEST(ProfileFile, RefusesHeadersWithoutUnits) {
+  EXPECT_THAT(refusal("0;0\n5;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("no header")));
+  EXPECT_THAT(refusal("position;height\n0;0\n"), HasSubstr("unit"));
+  EXPECT_THAT(refusal("position [mm];height [inch]\n0;0\n"), HasSubstr("unit"));
+  EXPECT_THAT(refusal("position [mm;height [mm]\n0;0\n"), HasSubstr("unit"));
+  EXPECT_THAT(refusal("position [mm];depth [mm]\n0;0\n5;0.1\n"), HasSubstr("up positive"));
+}
+
+TEST(ProfileFile, RefusesTooFewAndAbsurdPoints) {
+  EXPECT_THAT(refusal(""), HasSubstr("empty"));
+  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("empty"));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n"), HasSubstr("two points"));
+  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n"), HasSubstr("two points"));
+  EXPECT_THAT(refusal("x [mm];z [m]\n0;0\n5;-0.15\n"), AllOf(HasSubstr("line 3"), HasSubstr("unit")));
+  EXPECT_THAT(refusal("x [m];z [mm]\n0;0\n5000000;-0.15\n"), HasSubstr("line 3"));
+}
+
+TEST(ProfileFile, RefusesOtherEncodings) {
+  EXPECT_THAT(refusal(std::string("\xFF\xFEx\0;\0z\0", 8)), HasSubstr("UTF-16"));
+  EXPECT_THAT(refusal(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("no text"));
+}
+
+}  // namespace
+}  // namespace squat::cases

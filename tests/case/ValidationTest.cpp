@@ -1,0 +1,159 @@
+// Relations between keys: what is refused and what is only said.
+#include "case/Validation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "case/MeshPresets.h"
+#include "case/ParameterValue.h"
+
+namespace squat::cases {
+namespace {
+
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using Settings = std::vector<std::pair<const char*, const char*>>;
+
+CaseDescription caseWith(const Settings& settings) {
+  CaseDescription description = defaultCase();
+  setValue(description, "motion.traction_coefficient", "0.2");  // far from slipping: no warning from the start
+  for (const auto& [key, text] : settings) setValue(description, key, text);
+  return description;
+}
+
+void expectProblem(const Settings& settings, const std::string& key) {
+  const Validation validation = validate(caseWith(settings));
+  EXPECT_THAT(validation.problems, Contains(Field(&CaseProblem::key, key)));
+  for (const auto& problem : validation.problems) {
+    EXPECT_FALSE(problem.value.empty() || problem.allowed.empty() || problem.advice.empty()) << toText(problem);
+  }
+}
+
+void expectWarning(const Settings& settings, const std::string& key) {
+  const Validation validation = validate(caseWith(settings));
+  for (const auto& problem : validation.problems) ADD_FAILURE() << toText(problem);
+  EXPECT_THAT(validation.warnings, Contains(Field(&CaseProblem::key, key)));
+}
+
+TEST(Validation, AGoodCaseHasNothingToSay) {
+  const Validation validation = validate(caseWith({}));
+  for (const auto& problem : validation.problems) ADD_FAILURE() << toText(problem);
+  for (const auto& warning : validation.warnings) ADD_FAILURE() << toText(warning);
+}
+
+TEST(Validation, FindsValuesOutOfRangeInADescription) {
+  CaseDescription description = defaultCase();
+  description.motion.speed = std::numeric_limits<double>::quiet_NaN();
+  description.rail.yieldStress = -1;
+  description.contact.friction = -0.1;
+  const auto problems = validate(description).problems;
+  EXPECT_THAT(problems, Contains(Field(&CaseProblem::key, "motion.speed")));
+  EXPECT_THAT(problems, Contains(Field(&CaseProblem::key, "rail.yield_stress")));
+  EXPECT_THAT(problems, Contains(Field(&CaseProblem::key, "contact.friction")));
+  EXPECT_EQ(problems.size(), 3u);
+}
+
+TEST(Validation, AZeroedDescriptionIsRefusedNotCrashed) { EXPECT_GT(validate(CaseDescription{}).problems.size(), 30u); }
+
+TEST(Validation, Plasticity) {
+  expectProblem({{"rail.tangent_modulus", "210"}}, "rail.tangent_modulus");
+  expectProblem({{"rail.young_modulus", "20"}}, "rail.tangent_modulus");
+  expectProblem({{"rail.plastic", "true"}, {"rail.plastic_depth", "0.5"}, {"defect.depth", "0.6"}}, "defect.depth");
+}
+
+TEST(Validation, StepsOfTheWheelset) {
+  expectProblem({{"wheelset.rim_inner_radius", "460"}}, "wheelset.rim_inner_radius");
+  expectProblem({{"wheelset.hub_radius", "90"}}, "wheelset.seat_radius");
+  expectProblem({{"wheelset.journal_radius", "95"}}, "wheelset.journal_radius");
+  expectProblem({{"wheelset.shoulder_end", "80"}}, "wheelset.hub_width");
+  expectProblem({{"wheelset.journal_end", "150"}}, "wheelset.shoulder_end");
+  expectProblem({{"wheelset.web_thickness", "100"}, {"wheelset.hub_width", "90"}}, "wheelset.web_thickness");
+}
+
+TEST(Validation, BearingWithinTheJournal) {
+  expectProblem({{"wheelset.bearing_width", "170"}}, "wheelset.bearing_centre");
+  expectProblem({{"wheelset.bearing_centre", "220"}}, "wheelset.bearing_centre");
+  EXPECT_TRUE(validate(caseWith({{"wheelset.bearing_width", "160"}})).problems.empty());
+}
+
+// Rim, web, hub, axle of the default wheelset weigh about 480 kg as rings, the axle box 150 kg.
+TEST(Validation, MassesOfTheWheelset) {
+  expectProblem({{"wheelset.total_mass", "500"}}, "wheelset.total_mass");
+  EXPECT_TRUE(validate(caseWith({{"wheelset.total_mass", "700"}})).problems.empty());
+}
+
+TEST(Validation, RunWithinTheTrack) {
+  expectProblem({{"motion.run_up", "4.8"}}, "motion.run_up");
+  expectProblem({{"motion.beyond", "4.8"}}, "motion.beyond");
+  expectProblem({{"motion.run_up", "0.03"}}, "motion.run_up");
+  expectProblem({{"track.length", "2.4"}}, "track.length");
+  expectWarning({{"motion.beyond", "0.02"}}, "motion.beyond");
+}
+
+TEST(Validation, TrackParts) {
+  expectProblem({{"track.defect_from_sleeper", "0.31"}}, "track.defect_from_sleeper");
+  expectProblem({{"pad.length", "0.3"}}, "pad.length");
+  expectProblem({{"track.sleeper_spacing", "0.4"}, {"sleeper.width", "0.4"}}, "sleeper.width");
+}
+
+TEST(Validation, Defects) {
+  expectProblem({{"defect.shape", "cut"}, {"defect.length", "10"}, {"defect.ramp", "6"}}, "defect.ramp");
+  expectProblem({{"defect.shape", "cut"}, {"defect.ramp", "0.1"}, {"defect.depth", "0.1"}}, "defect.depth");
+  expectWarning({{"defect.shape", "cut"}, {"defect.ramp", "0.5"}, {"defect.depth", "0.1"}}, "defect.depth");
+  expectProblem({{"defect.shape", "profile"}}, "defect.points");
+  expectProblem({{"mesh.preset", "tiny"},
+                 {"defect.move_nodes", "true"},
+                 {"mesh.contact_size", "0.5"},
+                 {"defect.length", "200"},
+                 {"defect.depth", "1.1"}},
+                "defect.depth");
+}
+
+TEST(Validation, DefectLongerThanTheTrack) {
+  expectProblem({{"track.length", "3"},
+                 {"motion.run_up", "0.6"},
+                 {"defect.shape", "profile"},
+                 {"defect.points", "[[0, 0], [500, -0.1], [2500, -0.1], [2600, 0]]"}},
+                "track.length");
+}
+
+// 60 mm dip: an eighth is 7.5 mm of the whole, less of the part below 5 % of the depth.
+TEST(Validation, CoarseProfiles) {
+  expectWarning(
+      {{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [15, -0.1], [30, -0.2], [45, -0.1], [60, 0]]"}},
+      "defect.points");
+  expectWarning({{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [30, 0.1], [60, 0]]"}}, "defect.points");
+  expectWarning({{"defect.shape", "profile"},
+                 {"defect.level", "false"},
+                 {"defect.points", "[[0, 0.01], [5, -0.05], [10, -0.1], [15, -0.05], [20, 0]]"}},
+                "defect.level");
+}
+
+TEST(Validation, Meshes) {
+  expectProblem({{"mesh.rolling_size", "2"}}, "mesh.rolling_size");
+  expectProblem({{"mesh.rolling_size", "40"}, {"mesh.far_size", "30"}}, "mesh.far_size");
+  expectProblem({{"mesh.far_size", "300"}, {"track.sleeper_spacing", "0.4"}, {"sleeper.width", "0.2"}},
+                "mesh.far_size");
+  expectProblem({{"mesh.rim_depth", "65"}}, "mesh.rim_depth");
+  expectWarning({{"mesh.contact_size", "5"}, {"defect.length", "15"}, {"defect.depth", "0.05"}}, "mesh.contact_size");
+}
+
+TEST(Validation, FilterBelowHalfTheRate) { expectProblem({{"output.rate", "4"}}, "output.filter_cutoff"); }
+
+// Full slip: torque / radius, less the share that spins up the wheelset, against friction times load
+// (8950 kg * 9.81 m/s2 * 0.3 = 26.34 kN). 12450.49 N m give 26.3 kN: at the limit; 14000 N m are beyond it.
+TEST(Validation, TorqueThatSpinsTheWheelIsSaidNotRefused) {
+  expectWarning({{"motion.traction_coefficient", "0"}}, "motion.torque");
+  expectWarning({{"motion.traction_coefficient", "0.35"}}, "motion.traction_coefficient");
+  const auto spinning = validate(caseWith({{"motion.traction_coefficient", "0"}, {"motion.torque", "14000"}}));
+  ASSERT_EQ(spinning.warnings.size(), 1u);
+  EXPECT_THAT(spinning.warnings[0].advice, HasSubstr("spins the wheel"));
+  EXPECT_TRUE(validate(caseWith({{"motion.traction_coefficient", "0"}, {"motion.torque", "11000"}})).warnings.empty());
+  EXPECT_TRUE(validate(caseWith({{"contact.friction", "0.25"}})).warnings.empty());
+}
+
+}  // namespace
+}  // namespace squat::cases
