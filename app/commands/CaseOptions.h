@@ -1,0 +1,23 @@
+// app/commands/CaseOptions.h - how a call names and changes a case; shared by the commands that take one.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "case/CaseDescription.h"
+
+namespace squat::commands {
+
+struct CaseOptions {
+  std::string name;               // path of a TOML file or name of a shipped case
+  std::string mesh;               // --mesh
+  std::vector<std::string> sets;  // --set key=value
+};
+
+void addCaseOptions(CLI::App& command, CaseOptions& options);
+
+// The case with all changes. Throws CaseError (all mistakes at once) and FileError.
+cases::CaseDescription readCase(const CaseOptions& options);
+
+}  // namespace squat::commands

@@ -1,0 +1,15 @@
+// app/commands/Command.h - each subcommand adds itself to the program and sets `action` where it was called.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace squat::commands {
+
+using Action = std::function<int()>;  // returns the exit code; throws CaseError, RunError, FileError
+
+void addDescribeCommand(CLI::App& program, Action& action);
+void addRenderCommand(CLI::App& program, Action& action);
+void addRunCommand(CLI::App& program, Action& action);
+
+}  // namespace squat::commands

@@ -1,0 +1,37 @@
+#include <cstdio>
+
+#include "case/CaseText.h"
+#include "case/ParameterTable.h"
+#include "commands/CaseOptions.h"
+#include "commands/Command.h"
+#include "commands/ExitCodes.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct DescribeOptions {
+  CaseOptions caseOptions;
+  bool json = false;
+};
+
+int describe(const DescribeOptions& options) {
+  const auto description = options.caseOptions.name.empty() ? cases::defaultCase() : readCase(options.caseOptions);
+  const auto text = options.json ? cases::describeJson(description) : cases::describeTable(description);
+  std::fputs(text.c_str(), stdout);
+  if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+  return kDone;
+}
+
+}  // namespace
+
+void addDescribeCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("describe", "Prints every parameter of a case, with unit, range and source");
+  auto options = std::make_shared<DescribeOptions>();
+  addCaseOptions(*command, options->caseOptions);
+  command->get_option("case")->required(false);
+  command->add_flag("--json", options->json, "As JSON, for programs");
+  command->callback([options, &action] { action = [options] { return describe(*options); }; });
+}
+
+}  // namespace squat::commands

@@ -1,0 +1,209 @@
+#include "commands/PaperTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands/TextTable.h"
+#include "signals/Features.h"
+#include "signals/SignalError.h"
+
+namespace squat::commands {
+
+namespace {
+
+using results::RunResult;
+
+constexpr const char* kNone = "not available";
+
+struct PaperLine {
+  const char* name;       // row
+  double low, high;       // [Hz] within which the line counts as the paper's
+  const char* statement;  // of the paper
+};
+// Light defect: about 300 and 1000 Hz (section 4.1). Class C squat: 130-320 and 1030-1130 Hz (section 4.2).
+constexpr PaperLine kLightLines[] = {{"line near 300 Hz", 250, 400, "300 Hz"},
+                                     {"line near 1000 Hz", 950, 1200, "1000 Hz"}};
+constexpr PaperLine kSquatLines[] = {{"line at 130-320 Hz", 130, 320, "130-320 Hz"},
+                                     {"line at 1030-1130 Hz", 1030, 1130, "1030-1130 Hz"}};
+
+bool startsWith(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
+
+std::vector<signals::SpectralPeak> strongLines(const RunResult& result) {
+  signals::PowerSpectrum spectrum;
+  spectrum.frequency = result.frequency;
+  spectrum.density = result.psd;
+  if (spectrum.frequency.size() < 3) return {};
+  auto lines = signals::spectralPeaks(spectrum, 50, 2000, 0.05);
+  if (lines.size() > 6) lines.resize(6);
+  return lines;
+}
+
+std::string listed(const std::vector<signals::SpectralPeak>& lines) {
+  std::string text;
+  for (const auto& line : lines) text += (text.empty() ? "" : ", ") + std::to_string(std::lround(line.frequency));
+  return text.empty() ? kNone : text + " Hz";
+}
+
+void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* channel, const char* what,
+             const std::string& paper) {
+  const auto* values = result.signal(channel);
+  if (!values || values->empty()) {
+    rows.push_back({what, kNone, paper, ""});
+    return;
+  }
+  const auto [low, high] = std::minmax_element(values->begin(), values->end());
+  rows.push_back({what, number(*high) + " / " + number(*low) + " m/s2", paper, ""});
+}
+
+void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
+  const auto lines = strongLines(result);
+  rows.push_back({"strongest lines of the PSD", listed(lines), "", ""});
+  const bool light = startsWith(result.stem, "light-defect");
+  if (!light && !startsWith(result.stem, "class-c-squat")) return;
+  for (const auto& wanted : light ? kLightLines : kSquatLines) {
+    const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
+      return line.frequency >= wanted.low && line.frequency <= wanted.high;
+    });
+    rows.push_back({wanted.name, found == lines.end() ? "none" : number(std::round(found->frequency), "Hz"),
+                    wanted.statement, found == lines.end() ? "not met" : "met"});
+  }
+}
+
+void addWavelength(std::vector<PaperRow>& rows, const RunResult& result) {
+  PaperRow row{"mean wavelength after the impact", kNone, "", ""};
+  if (startsWith(result.stem, "light-defect")) row.paper = "29 mm";
+  if (startsWith(result.stem, "class-c-squat")) row.paper = "28 mm";
+  const auto* values = result.signal("aba_filtered");
+  if (values && values->size() > 2 && result.time.size() == values->size() && result.speed > 0) {
+    try {
+      signals::TimeSeries series{result.time[0], result.time[1] - result.time[0], *values, "aba_filtered", "m/s2"};
+      signals::FeatureOptions options;
+      options.speed = result.speed;
+      const double length = signals::features(series, options).wavelengthByRidge;
+      if (length > 0) row.ours = number(1e3 * length, "mm");
+    } catch (const signals::SignalError&) {  // too short for a spectrum: stays "not available"
+    }
+  }
+  rows.push_back(row);
+}
+
+void addContact(std::vector<PaperRow>& rows, const RunResult& result) {
+  struct Compared {
+    const char *name, *hertz, *what, *unit;
+    double factor;
+  };
+  static constexpr Compared compared[] = {
+      {"half_axis_rolling", "hertz_half_axis_rolling", "patch, half axis along the rail", "mm", 1e3},
+      {"half_axis_lateral", "hertz_half_axis_lateral", "patch, half axis across the rail", "mm", 1e3},
+      {"peak_pressure", "hertz_peak_pressure", "peak pressure", "GPa", 1e-9},
+      {"approach", "hertz_approach", "approach of wheel and rail", "mm", 1e3},
+  };
+  if (const auto force = scalarNamed(result.equilibrium, "contact_force")) {
+    const auto weight = scalarNamed(result.equilibrium, "weight");
+    rows.push_back({"contact force at equilibrium", number(1e-3 * *force, "kN"),
+                    weight ? "weight " + number(1e-3 * *weight, "kN") : "", ""});
+  }
+  for (const auto& item : compared) {
+    const auto ours = scalarNamed(result.equilibrium, item.name);
+    if (!ours) continue;
+    PaperRow row{item.what, number(item.factor * *ours, item.unit), "", ""};
+    if (const auto hertz = scalarNamed(result.equilibrium, item.hertz); hertz && *hertz > 0) {
+      row.paper = "Hertz " + number(item.factor * *hertz, item.unit);
+      char text[32];
+      std::snprintf(text, sizeof text, "%+.1f %%", 100 * (*ours / *hertz - 1));
+      row.verdict = text;
+    }
+    rows.push_back(row);
+  }
+}
+
+// Largest deviation from the mean over the last 0.2 m before the first point of the defect (40 mm before its deepest).
+void addQuietness(std::vector<PaperRow>& rows, const RunResult& result) {
+  const auto* values = result.signal("aba_filtered");
+  if (!values || values->size() != result.position.size()) return;
+  std::vector<double> window;
+  for (std::size_t i = 0; i < values->size(); ++i)
+    if (result.position[i] >= -0.24 && result.position[i] <= -0.04) window.push_back((*values)[i]);
+  if (window.size() < 2) return;
+  double mean = 0, largest = 0;
+  for (const double value : window) mean += value / static_cast<double>(window.size());
+  for (const double value : window) largest = std::max(largest, std::abs(value - mean));
+  rows.push_back({"quiet before the defect (0.2 m)", number(largest, "m/s2"), "below 5 m/s2 asked",
+                  largest < 5 ? "met" : "not met"});
+}
+
+void addEnergy(std::vector<PaperRow>& rows, const RunResult& result) {
+  const auto last = [&](const char* name) {
+    for (const auto& channel : result.energy)
+      if (channel.name == name && !channel.values.empty()) return channel.values.back();
+    return 0.0;
+  };
+  double strain = 0, residual = 0;
+  for (const auto& channel : result.energy) {
+    if (channel.name == "strain" && !channel.values.empty()) strain = channel.values.front();
+    if (channel.name == "residual")
+      for (const double value : channel.values) residual = std::max(residual, std::abs(value));
+  }
+  const double scale = strain + last("friction") + last("damping") + last("plastic");
+  if (!(scale > 0)) return;
+  rows.push_back({"energy residual, largest", number(100 * residual / scale, "%"), "below 0.2 % asked",
+                  residual < 0.002 * scale ? "met" : "not met"});
+}
+
+void addCost(std::vector<PaperRow>& rows, const RunResult& result) {
+  const auto add = [&](const std::vector<results::Scalar>& list, const char* name, const char* what, double factor,
+                       const char* unit) {
+    if (const auto value = scalarNamed(list, name)) rows.push_back({what, number(factor * *value, unit), "", ""});
+  };
+  add(result.meshFigures, "elements", "elements", 1, "");
+  add(result.performance, "steps", "time steps", 1, "");
+  add(result.meshFigures, "stable_step", "stable step", 1e6, "us");
+  add(result.performance, "element_updates_per_second", "element updates a second", 1e-6, "million");
+  add(result.performance, "seconds", "wall time", 1, "s");
+  add(result.performance, "peak_memory", "peak memory", 1.0 / (1 << 20), "MiB");
+}
+
+}  // namespace
+
+std::optional<double> scalarNamed(const std::vector<results::Scalar>& list, const std::string& name) {
+  for (const auto& scalar : list)
+    if (scalar.name == name) return scalar.value;
+  return std::nullopt;
+}
+
+std::vector<PaperRow> paperRows(const RunResult& result) {
+  std::vector<PaperRow> rows;
+  const bool light = startsWith(result.stem, "light-defect");
+  addPeak(rows, result, "aba_filtered", "axle box acceleration, peak", light ? "115 computed, 100 measured" : "");
+  addPeak(rows, result, "wheel_acceleration_filtered", "wheel centre acceleration, peak", "");
+  addLines(rows, result);
+  addWavelength(rows, result);
+  addContact(rows, result);
+  addQuietness(rows, result);
+  addEnergy(rows, result);
+  addCost(rows, result);
+  return rows;
+}
+
+std::string paperTable(const RunResult& result) {
+  TextTable table({result.stem, "this run", "paper or theory", ""});
+  bool missed = false;
+  for (const auto& row : paperRows(result)) {
+    table.add({row.what, row.ours, row.paper, row.verdict});
+    missed = missed || (row.verdict == "not met" && startsWith(row.what, "line "));
+  }
+  auto text = table.text();
+  if (missed && !result.modes.empty())
+    text +=
+        "\nA line of the paper is not met. Natural modes of the half wheelset, for the cause:\n" + modesTable(result);
+  return text;
+}
+
+std::string modesTable(const RunResult& result) {
+  TextTable table({"mode [Hz]", "at the box", "at the wheel centre", "at the contact [1/sqrt(kg)]"});
+  for (const auto& mode : result.modes)
+    table.add({number(mode.frequency), number(mode.boxShare), number(mode.wheelShare), number(mode.contactShare)});
+  return table.text();
+}
+
+}  // namespace squat::commands

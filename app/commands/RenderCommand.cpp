@@ -1,0 +1,43 @@
+#include <cstdio>
+
+#include "commands/Command.h"
+#include "commands/ExitCodes.h"
+#include "commands/FigureOutput.h"
+#include "core/DurableFile.h"
+#include "results/ResultFile.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct RenderOptions {
+  std::string result, folder = ".";
+  std::vector<std::string> figures, formats;
+};
+
+int render(const RenderOptions& options) {
+  const auto result = results::readResult(options.result);
+  makeFolder(options.folder);
+  const auto output = writeFigures(result, options.folder, options.figures, options.formats);
+  for (const auto& message : output.messages) std::fprintf(stderr, "%s\n", message.c_str());
+  for (const auto& file : output.files) std::printf("%s\n", file.c_str());
+  return kDone;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("render", "Draws the figures of a result file again");
+  auto options = std::make_shared<RenderOptions>();
+  command->add_option("result", options->result, "Result file")->required()->type_name("RESULT.h5");
+  command->add_option("-o,--output", options->folder, "Folder for the figures (default: here)")->type_name("DIR");
+  command->add_option("--figures", options->figures, "Names of figures, comma between them (default: all)")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  command->add_option("--format", options->formats, "png, svg, pdf (default: all)")
+      ->delimiter(',')
+      ->type_name("FORMAT,...");
+  command->callback([options, &action] { action = [options] { return render(*options); }; });
+}
+
+}  // namespace squat::commands

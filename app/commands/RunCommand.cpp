@@ -1,0 +1,151 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "case/CaseFile.h"
+#include "case/Validation.h"
+#include "commands/CaseOptions.h"
+#include "commands/Command.h"
+#include "commands/ExitCodes.h"
+#include "commands/FigureOutput.h"
+#include "commands/Interrupt.h"
+#include "commands/PaperTable.h"
+#include "commands/RunFiles.h"
+#include "commands/TerminalMonitor.h"
+#include "core/Errors.h"
+#include "results/Checkpoint.h"
+#include "results/ResultFile.h"
+#include "simulation/RunCase.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct RunCommandOptions {
+  CaseOptions caseOptions;
+  std::string folder = ".";
+  simulation::RunOptions run;
+  std::vector<std::string> figures, formats;
+  bool noFigures = false, verbose = false;
+};
+
+// --resume: true where the finished result of this very case stands already. Throws where it is another case's.
+bool alreadyDone(const RunFiles& files, const std::string& hash) {
+  std::error_code ignored;
+  const auto otherCase = [&](const std::string& path, const std::string& found) {
+    throw CaseError({{"--resume", path + " (case " + found + ")", "the same case (" + hash + ")",
+                      "It belongs to another case: leave --resume out, or choose another folder with -o"}});
+  };
+  if (const auto state = results::readCheckpoint(files.checkpoint())) {
+    const auto found = results::textAttribute(state->attributes, "case_hash", hash);
+    if (found != hash) otherCase(files.checkpoint(), found);
+    return false;
+  }
+  if (!std::filesystem::exists(files.result(), ignored)) return false;
+  const auto result = results::readResult(files.result());
+  if (!result.complete) return false;
+  if (result.caseHash != hash) otherCase(files.result(), result.caseHash);
+  return true;
+}
+
+void warn(const cases::CaseDescription& description) {
+  for (const auto& problem : cases::validate(description).warnings)
+    std::fprintf(stderr, "warning: %s\n", toText(problem).c_str());
+}
+
+std::vector<std::string> drawFigures(const RunCommandOptions& options, const results::RunResult& result) {
+  if (options.noFigures || !result.complete) return {};
+  if (!figuresAvailable()) {
+    std::fprintf(stderr,
+                 "No figures: this is the headless build. Figures need the full build (cmake --preset release); "
+                 "squat render draws them there from the result file.\n");
+    return {};
+  }
+  const auto output = writeFigures(result, options.folder, options.figures, options.formats);
+  for (const auto& message : output.messages) std::fprintf(stderr, "%s\n", message.c_str());
+  return output.files;
+}
+
+void printWritten(const std::vector<std::string>& paths) {
+  std::printf("\nwritten:\n");
+  for (const auto& path : paths) std::printf("  %s\n", path.c_str());
+}
+
+// What a failed run has so far is kept; then the failure goes on to whoever reports it.
+void keepPart(const RunFiles& files, const results::RunResult& partial) {
+  if (partial.time.empty()) return;
+  try {
+    for (const auto& path : writeRunFiles(files, partial)) std::fprintf(stderr, "kept so far: %s\n", path.c_str());
+  } catch (const FileError& error) {
+    std::fprintf(stderr, "the signals so far could not be kept: %s\n", error.what());
+  }
+}
+
+int run(const RunCommandOptions& options) {
+  const auto description = readCase(options.caseOptions);
+  const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
+  prepareFolder(files);
+  if (options.run.resume && alreadyDone(files, cases::caseHash(description))) {
+    std::printf("%s is complete already\n", files.result().c_str());
+    return kDone;
+  }
+  warn(description);
+
+  auto runOptions = options.run;
+  runOptions.checkpointPath = files.checkpoint();
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  results::RunResult result, partial;
+  try {
+    result = simulation::runCase(description, runOptions, monitor, &partial);
+  } catch (const RunError&) {
+    monitor.clearLine();
+    partial.stem = files.stem;
+    partial.complete = false;
+    keepPart(files, partial);
+    throw;
+  }
+  monitor.clearLine();
+  result.stem = files.stem;
+  auto written = writeRunFiles(files, result);
+  for (auto& path : drawFigures(options, result)) written.push_back(std::move(path));
+  if (options.verbose && !result.modes.empty()) std::printf("%s\n", modesTable(result).c_str());
+  for (const auto& warning : result.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  std::printf("%s", paperTable(result).c_str());
+  printWritten(written);
+  if (result.complete) return kDone;
+  std::fprintf(stderr, "cancelled: the result is marked incomplete; squat run --resume goes on from here\n");
+  return kCancelled;
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("run", "Runs a case: result file, signals, figures and a table");
+  auto options = std::make_shared<RunCommandOptions>();
+  addCaseOptions(*command, options->caseOptions);
+  command->add_option("-o,--output", options->folder, "Folder for all files (default: here)")->type_name("DIR");
+  command->add_option("--threads", options->run.threads, "Threads (default: all cores)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command->add_option("--isa", options->run.isa, "Instruction set: sse2, avx2 or avx512 (default: the best there is)")
+      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
+      ->type_name("NAME");
+  command->add_flag("--resume", options->run.resume, "Goes on from the checkpoint, where there is one");
+  command
+      ->add_option("--checkpoint-every", options->run.checkpointSeconds, "Seconds between checkpoints (default: 300)")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("SECONDS");
+  command->add_option("--figures", options->figures, "Names of figures, comma between them (default: all)")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  command->add_option("--format", options->formats, "png, svg, pdf (default: all)")
+      ->delimiter(',')
+      ->type_name("FORMAT,...");
+  command->add_flag("--no-figures", options->noFigures, "Draws no figures");
+  command->add_flag("--verbose", options->verbose, "Prints the natural modes of the half wheelset as well");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace squat::commands

@@ -1,0 +1,28 @@
+// app/commands/RunFiles.h - which files a run writes, and that a finished result is never lost to an unfinished one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/RunResult.h"
+
+namespace squat::commands {
+
+struct RunFiles {
+  std::string folder, stem;
+  std::string result() const { return folder + "/" + stem + ".h5"; }
+  std::string signals() const { return folder + "/" + stem + ".csv"; }
+  std::string partialResult() const { return folder + "/" + stem + ".partial.h5"; }
+  std::string partialSignals() const { return folder + "/" + stem + ".partial.csv"; }
+  std::string checkpoint() const { return folder + "/" + stem + ".checkpoint"; }
+};
+
+// Makes the folder and sees to it that it can be written to, before hours are spent. FileError otherwise.
+void prepareFolder(const RunFiles& files);
+
+// Writes result and signals, and returns the paths written. A complete result replaces whatever stood there and removes
+// partial files and checkpoint; an incomplete one takes the final name only where nothing or another incomplete result
+// of this program stands, else STEM.partial.h5.
+std::vector<std::string> writeRunFiles(const RunFiles& files, const results::RunResult& result);
+
+}  // namespace squat::commands

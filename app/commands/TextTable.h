@@ -1,0 +1,24 @@
+// app/commands/TextTable.h - a table for a terminal: columns as wide as their widest cell.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace squat::commands {
+
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> head) : rows_{std::move(head)} {}
+  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  bool empty() const { return rows_.size() < 2; }
+  // The first row, a line, the rest; every row ends with a line break.
+  std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+// A number with four significant digits and its unit: "103.4 m/s2".
+std::string number(double value, const std::string& unit = {});
+
+}  // namespace squat::commands

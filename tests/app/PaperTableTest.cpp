@@ -1,0 +1,84 @@
+#include "commands/PaperTable.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "results/SampleResult.h"
+
+namespace squat::commands {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Two lines of the spectrum, one wave of 30 m/s / 1000 Hz = 30 mm after the impact at x = 0.
+results::RunResult made(double firstLine, double secondLine) {
+  results::RunResult result;
+  result.stem = "light-defect";
+  result.speed = 30;
+  const int samples = 1000;
+  results::Channel aba{"aba_filtered", "m/s2", "", {}};
+  for (int i = 0; i < samples; ++i) {
+    const double time = i / 25000.0, position = -0.3 + 30 * time, after = time - 0.01;
+    result.time.push_back(time);
+    result.position.push_back(position);
+    const double wave = 80 * std::exp(-after / 0.004) * std::cos(2 * std::numbers::pi * 1000 * after);
+    aba.values.push_back(after < 0 ? 0.001 * std::sin(i) : wave);
+  }
+  result.signals.push_back(aba);
+  for (int i = 0; i <= 700; ++i) {
+    const double frequency = 3.0 * i;
+    const auto peak = [&](double centre) { return std::exp(-std::pow((frequency - centre) / 20, 2)); };
+    result.frequency.push_back(frequency);
+    result.psd.push_back(2 * peak(firstLine) + peak(secondLine));
+  }
+  result.energyTime = {0, 1};
+  result.energy = {
+      {"strain", "J", "", {2000, 2100}}, {"friction", "J", "", {0, 700}}, {"residual", "J", "", {0, -2.7}}};
+  result.equilibrium = {{"half_axis_rolling", "m", "", 7.0e-3}, {"hertz_half_axis_rolling", "m", "", 6.8e-3}};
+  result.modes = {{345, 0.1, 0.02, 0.01}};
+  return result;
+}
+
+PaperRow row(const results::RunResult& result, const std::string& what) {
+  for (const auto& candidate : paperRows(result))
+    if (candidate.what == what) return candidate;
+  return {};
+}
+
+TEST(PaperTable, LinesWithinTheBandsAreMet) {
+  const auto result = made(306, 1005);
+  EXPECT_EQ(row(result, "line near 300 Hz").verdict, "met");
+  EXPECT_EQ(row(result, "line near 300 Hz").ours, "306 Hz");
+  EXPECT_EQ(row(result, "line near 1000 Hz").verdict, "met");
+  EXPECT_THAT(paperTable(result), Not(HasSubstr("Natural modes")));
+}
+
+TEST(PaperTable, ALineOutsideIsNotMetAndTheModesStandBesideIt) {
+  const auto result = made(450, 1005);
+  EXPECT_EQ(row(result, "line near 300 Hz").verdict, "not met");
+  EXPECT_THAT(paperTable(result), HasSubstr("Natural modes"));
+  EXPECT_THAT(paperTable(result), HasSubstr("345"));
+}
+
+TEST(PaperTable, PeakWavelengthEnergyAndHertz) {
+  const auto result = made(306, 1005);
+  EXPECT_EQ(row(result, "axle box acceleration, peak").ours.substr(0, 2), "80");
+  EXPECT_EQ(row(result, "axle box acceleration, peak").paper, "115 computed, 100 measured");
+  // The wave has 1000 Hz: 30 mm at 30 m/s; the decaying tone's ridge wanders by a few per cent.
+  EXPECT_NEAR(std::stod(row(result, "mean wavelength after the impact").ours), 30, 1.5);
+  EXPECT_EQ(row(result, "mean wavelength after the impact").paper, "29 mm");
+  EXPECT_EQ(row(result, "energy residual, largest").ours, "0.1 %");  // 2.7 J of 2000 + 700 J
+  EXPECT_EQ(row(result, "energy residual, largest").verdict, "met");
+  EXPECT_EQ(row(result, "patch, half axis along the rail").verdict, "+2.9 %");  // 7.0 against 6.8 mm
+  EXPECT_EQ(row(result, "quiet before the defect (0.2 m)").verdict, "met");
+}
+
+TEST(PaperTable, AnEmptyResultGivesATableAllTheSame) {
+  EXPECT_THAT(paperTable(results::RunResult{}), HasSubstr("not available"));
+}
+
+}  // namespace
+}  // namespace squat::commands
