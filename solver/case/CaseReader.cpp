@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#define TOML_EXCEPTIONS 0
-#include <toml++/toml.h>
-
 #include "case/CaseFile.h"
 #include "case/DecimalNumber.h"
 #include "case/MeshPresets.h"
@@ -13,6 +10,8 @@
 #include "case/PointsText.h"
 #include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
+#include "case/TomlDepth.h"
+#include "case/TomlLibrary.h"
 #include "case/Validation.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -22,7 +21,7 @@ namespace squat::cases {
 namespace {
 
 constexpr std::size_t largestFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
-constexpr std::size_t mostProblems = 50;
+constexpr std::size_t mostProblems = 50, mostParts = 8;
 
 // A key as the file states it.
 struct Stated {
@@ -151,20 +150,25 @@ class Statements {
       else
         one.typeProblem = CaseProblem{key, typeName(node), allowedText(*parameter), "Write the value in this form"};
     } else {
-      one.typeProblem = unknownKey(key, typeName(node));
+      // Looking for the nearest key takes its time; a list of thousands is not read by anybody.
+      one.typeProblem = ++unknown_ <= mostProblems ? unknownKey(key, typeName(node)) : CaseProblem{key, {}, {}, {}};
     }
     stated.push_back(std::move(one));
   }
 
   const Source& source_;
+  std::size_t unknown_ = 0;
 };
 
 // Collects problems; knows which keys have one, so that relations among wrong values are not judged as well.
 class Problems {
  public:
   void add(CaseProblem problem, const std::string& note = {}) {
+    if (problems_.size() >= mostProblems) {
+      ++more_;
+      return;
+    }
     keys_.push_back(problem.key);
-    if (problems_.size() >= mostProblems) return;
     problem.key += note;
     problems_.push_back(std::move(problem));
   }
@@ -173,13 +177,17 @@ class Problems {
                        [&](const auto& key) { return std::find(keys_.begin(), keys_.end(), key) != keys_.end(); });
   }
   void throwIfAny() const {
-    if (!problems_.empty()) throw CaseError(problems_);
+    if (problems_.empty()) return;
+    auto all = problems_;
+    if (more_ > 0) all.push_back({"...", std::to_string(more_) + " more mistakes", "", "Mend these first"});
+    throw CaseError(std::move(all));
   }
   bool empty() const { return problems_.empty(); }
 
  private:
   std::vector<CaseProblem> problems_;
   std::vector<std::string> keys_;
+  std::size_t more_ = 0;
 };
 
 const std::string* overrideOf(const CaseOverrides& overrides, std::string_view key) {
@@ -277,17 +285,27 @@ void readProfile(CaseDescription& description, const CaseOverrides& overrides, c
   }
 }
 
+toml::table parsedToml(std::string_view text, const std::string& origin) {
+  if (mostKeyParts(text) > mostParts)
+    throw FileError(origin, "", "has a key of more than " + std::to_string(mostParts) + " parts",
+                    "Keys of a case have two, like pad.stiffness");
+  try {
+    toml::parse_result parsed = toml::parse(text, origin);
+    if (parsed) return std::move(parsed).table();
+    throw FileError(origin, "line " + std::to_string(parsed.error().source().begin.line),
+                    "is no valid TOML: " + std::string(parsed.error().description()));
+  } catch (const TomlAssertion& failed) {
+    throw FileError(origin, "", std::string("is no valid TOML: ") + failed.what());
+  }
+}
+
 }  // namespace
 
 CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
                           const CaseOverrides& overrides) {
   if (text.size() > largestFile)
     throw FileError(origin, "", "is larger than 4 MB", "Put long profiles into a CSV file and name it as defect.file");
-  const toml::parse_result parsed = toml::parse(text, origin);
-  if (!parsed)
-    throw FileError(origin, "line " + std::to_string(parsed.error().source().begin.line),
-                    "is no valid TOML: " + std::string(parsed.error().description()));
-  const toml::table& table = parsed.table();
+  const toml::table table = parsedToml(text, origin);
   Problems problems;
   checkSchema(table, origin, problems);
   const Source source(text);

@@ -9,6 +9,7 @@
 #include "case/DefectSurface.h"
 #include "case/ParameterTable.h"
 #include "case/ProfileFile.h"
+#include "case/TomlDepth.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
 
@@ -76,6 +77,8 @@ TEST(HostileCase, BombsAreRefusedInTime) {
   EXPECT_EQ(readAsCase("a = " + repeated("[", 100'000) + repeated("]", 100'000)), Outcome::refused);
   EXPECT_EQ(readAsCase("a = " + repeated("{a=", 100'000)), Outcome::refused);
   EXPECT_EQ(readAsCase(repeated("a.", 300'000) + "a = 1"), Outcome::refused);
+  EXPECT_EQ(readAsCase("[" + repeated("a.", 1'500'000) + "a]"), Outcome::refused);
+  EXPECT_EQ(readAsCase(repeated("a.a.a.a.a.a.a={", 255) + repeated("}", 255)), Outcome::refused);
   EXPECT_EQ(readAsCase("[defect]\npoints = [" + repeated("[0,0],", 600'000) + "]"), Outcome::refused);
   EXPECT_EQ(readAsCase("[defect]\npoints = " + repeated("[", 200) + repeated("]", 200)), Outcome::refused);
   std::string keys;
@@ -86,6 +89,26 @@ TEST(HostileCase, BombsAreRefusedInTime) {
   EXPECT_EQ(readAsCase("[motion]\nspeed = " + std::string(3'000'000, '9')), Outcome::refused);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_LT(seconds.count(), 10 * 10.0);
+}
+
+TEST(HostileCase, CountsThePartsOfKeysAsTomlDoes) {
+  EXPECT_EQ(mostKeyParts(""), 1u);
+  EXPECT_EQ(mostKeyParts("a.b = 1.5\n[c.d.e]"), 3u);
+  EXPECT_EQ(mostKeyParts("a = '....' # .....\nb = \"\"\"\n.....\"\"\""), 1u);
+  EXPECT_EQ(mostKeyParts("a = [[0.5, -0.1], [1.5, -0.2]]"), 2u);
+  EXPECT_EQ(mostKeyParts("'='.\"=,\\\"\".a.\"#\" = 1"), 4u);
+}
+
+TEST(HostileCase, ManyMistakesAreCounted) {
+  std::string text;
+  for (int i = 0; i < 200; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  try {
+    parseCase(text, "x.toml");
+    FAIL();
+  } catch (const CaseError& error) {
+    ASSERT_EQ(error.problems().size(), 51u);
+    EXPECT_EQ(error.problems().back().value, "150 more mistakes");
+  }
 }
 
 TEST(HostileCase, OddLinesDoNotConfuseTheNumbers) {
