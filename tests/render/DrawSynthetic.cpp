@@ -1,0 +1,17 @@
+// draw_synthetic FOLDER [MAP] - every figure of the made-up run, to be looked at.
+#include <iostream>
+
+#include "plots/Application.h"
+#include "plots/Figures.h"
+#include "render/SyntheticResult.h"
+
+int main(int argc, char** argv) {
+  squat::plots::ensureApplication(argc, argv);
+  squat::plots::FigureRequest request;
+  if (argc > 2) request.colourMap = argv[2];
+  std::vector<std::string> messages;
+  for (const auto& path :
+       squat::plots::renderFigures(squat::tests::syntheticResult(), argc > 1 ? argv[1] : ".", request, &messages))
+    std::cout << path << '\n';
+  for (const auto& message : messages) std::cout << message << '\n';
+}

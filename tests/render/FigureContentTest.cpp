@@ -1,0 +1,96 @@
+// What figures show, asked from the objects.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "plots/Application.h"
+#include "plots/FigureBuilders.h"
+#include "plots/FigureFiles.h"
+#include "plots/LineFigure.h"
+#include "plots/SleeperSpans.h"
+#include "render/PictureComparison.h"
+#include "render/SyntheticResult.h"
+
+namespace squat {
+namespace {
+
+class FigureContent : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { plots::ensureApplication(); }
+  static std::vector<QString> labels(const plots::Figure& figure) {
+    std::vector<QString> texts;
+    for (int i = 0; i < figure.itemCount(); ++i)
+      if (const auto* text = qobject_cast<QCPItemText*>(figure.item(i))) texts.push_back(text->text());
+    return texts;
+  }
+  results::RunResult result_ = tests::syntheticResult();
+};
+
+TEST_F(FigureContent, abaAgainstPositionShowsTheJudgedWindow) {
+  const auto figure = plots::abaPositionFigure(result_, plots::lightStyle());
+  EXPECT_DOUBLE_EQ(figure->xAxis->range().lower, -100);
+  EXPECT_DOUBLE_EQ(figure->xAxis->range().upper, 280);
+  // The largest of the axle box's samples is inside and the curve has them all.
+  const auto& box = *result_.signal("aba_filtered");
+  EXPECT_EQ(figure->graph(0)->dataCount(), static_cast<int>(box.size()));
+  EXPECT_GT(figure->yAxis->range().upper, *std::max_element(box.begin(), box.end()));
+}
+
+TEST_F(FigureContent, psdNamesItsPeaks) {
+  const auto texts = labels(*plots::psdFigure(result_, plots::lightStyle()));
+  // Lines at 300, 640 and 1000 Hz on a raster of 7.8 Hz.
+  ASSERT_EQ(texts.size(), 3u);
+  EXPECT_NEAR(texts[0].toDouble(), 300, 4);
+  EXPECT_NEAR(texts[1].toDouble(), 1000, 4);
+  EXPECT_NEAR(texts[2].toDouble(), 640, 4);
+}
+
+TEST_F(FigureContent, contactForceShowsZero) {
+  const auto figure = plots::contactForceFigure(result_, plots::lightStyle());
+  EXPECT_LE(figure->yAxis->range().lower, 0);
+  EXPECT_GT(figure->yAxis->range().upper, 87.8);  // kN
+}
+
+TEST_F(FigureContent, sleepersAreFoundFromTheSurface) {
+  const auto spans = plots::sleeperSpans(result_.surface);
+  ASSERT_EQ(spans.size(), 5u);
+  EXPECT_NEAR(spans[2].from, -0.13, 1e-6);
+  EXPECT_NEAR(spans[2].to, 0.13, 1e-6);
+}
+
+TEST_F(FigureContent, anIncompleteRunSaysSo) {
+  result_.complete = false;
+  result_.stopReason = "cancelled";
+  const auto figure = plots::abaTimeFigure(result_, plots::lightStyle());
+  EXPECT_TRUE(plots::toSvg(*figure).contains("incomplete (cancelled)"));
+}
+
+TEST_F(FigureContent, notANumberDoesNotSpoilTheAxes) {
+  for (auto& channel : result_.signals) channel.values[200] = NAN;
+  const auto figure = plots::abaPositionFigure(result_, plots::lightStyle());
+  EXPECT_TRUE(std::isfinite(figure->yAxis->range().size()));
+  EXPECT_GT(tests::inkShare(plots::toImage(*figure)), 0.03);
+}
+
+TEST_F(FigureContent, aConstantSignalHasARange) {
+  for (auto& channel : result_.signals) std::fill(channel.values.begin(), channel.values.end(), 0.0);
+  EXPECT_GT(plots::abaTimeFigure(result_, plots::lightStyle())->yAxis->range().size(), 0);
+}
+
+TEST_F(FigureContent, zoomedCurvesStayInsideTheAxesOfTheSvg) {
+  const auto figure = plots::abaPositionFigure(result_, plots::lightStyle());
+  figure->yAxis->setRange(-5, 5);  // the impact runs far out of this
+  const QByteArray svg = plots::toSvg(*figure);
+  EXPECT_TRUE(svg.contains("<clipPath"));
+  EXPECT_GE(svg.count("clip-path=\"url(#"), 2);
+}
+
+TEST_F(FigureContent, exactlyAsSeenTakesTheSizeOnScreen) {
+  const auto figure = plots::psdFigure(result_, plots::darkStyle());
+  const QImage image = plots::toImage(*figure, 96, {700, 400});
+  EXPECT_EQ(image.size(), QSize(700, 400));
+  EXPECT_EQ(image.pixelColor(1, 1), plots::darkStyle().background);
+}
+
+}  // namespace
+}  // namespace squat

@@ -1,0 +1,142 @@
+// Figures as files, with no display at all.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QImage>
+#include <QXmlStreamReader>
+#include <filesystem>
+
+#include "core/Errors.h"
+#include "plots/Application.h"
+#include "plots/Figures.h"
+#include "render/PictureComparison.h"
+#include "render/SyntheticResult.h"
+
+namespace squat {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+class FigureFiles : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    qunsetenv("DISPLAY");
+    qunsetenv("WAYLAND_DISPLAY");
+    plots::ensureApplication();
+  }
+  static QByteArray contents(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path;
+    return file.readAll();
+  }
+  // All character data of <text> elements; fails where the document is not well-formed.
+  static std::vector<std::string> textsOf(const QByteArray& svg) {
+    QXmlStreamReader reader(svg);
+    std::vector<std::string> texts;
+    while (!reader.atEnd())
+      if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == QLatin1String("text"))
+        texts.push_back(reader.readElementText().toStdString());
+    EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
+    return texts;
+  }
+};
+
+TEST_F(FigureFiles, everyFigureComesInEveryFormat) {
+  const std::string folder = tests::freshFolder("every-figure");
+  std::vector<std::string> messages;
+  const auto written = plots::renderFigures(tests::syntheticResult(), folder, {}, &messages);
+  EXPECT_TRUE(messages.empty()) << messages.front();
+  EXPECT_EQ(written.size(), 6u * 3u + 1u);
+  for (const auto& path : written) EXPECT_GT(std::filesystem::file_size(path), 5000u) << path;
+  // Nothing half-written is left beside.
+  std::size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++files;
+  EXPECT_EQ(files, written.size());
+}
+
+TEST_F(FigureFiles, picturesHaveTheWidthOfAColumnAt300Dpi) {
+  const std::string folder = tests::freshFolder("sizes");
+  for (const auto& path : plots::renderFigures(tests::syntheticResult(), folder, {{"psd", "scalogram"}, {"png"}})) {
+    const QImage image(QString::fromStdString(path));
+    EXPECT_NEAR(image.width(), 85 / 25.4 * 300, 2) << path;  // drawn on whole 1/96 inches
+    EXPECT_NEAR(image.dotsPerMeterX(), 300 / 0.0254, 1) << path;
+    EXPECT_GT(tests::inkShare(image), 0.03) << path << " is nearly empty";
+  }
+}
+
+TEST_F(FigureFiles, textInSvgIsTextWithUnitsAndCase) {
+  const std::string folder = tests::freshFolder("svg");
+  for (const auto& path : plots::renderFigures(
+           tests::syntheticResult(), folder,
+           {{"defect_profile", "aba_position", "aba_time", "psd", "scalogram", "contact_force"}, {"svg"}})) {
+    const auto texts = textsOf(contents(path));
+    EXPECT_GT(texts.size(), 10u) << path;
+    int axesWithUnit = 0;
+    for (const auto& text : texts) axesWithUnit += text.back() == ']';
+    EXPECT_GE(axesWithUnit, 2) << path;
+    EXPECT_THAT(texts, Contains(HasSubstr("1a2b3c4d"))) << path;
+    EXPECT_THAT(texts, Contains(HasSubstr("Light defect"))) << path;
+  }
+}
+
+TEST_F(FigureFiles, pdfIsAPdfWithItsFontInside) {
+  const std::string folder = tests::freshFolder("pdf");
+  const auto written = plots::renderFigures(tests::syntheticResult(), folder, {{"aba_time"}, {"pdf"}});
+  const QByteArray bytes = contents(written.at(0));
+  EXPECT_TRUE(bytes.startsWith("%PDF-"));
+  EXPECT_TRUE(bytes.contains("/FontFile2"));
+}
+
+TEST_F(FigureFiles, nothingIsCutAtTheBorder) {
+  const std::string folder = tests::freshFolder("border");
+  for (const auto& path : plots::renderFigures(tests::syntheticResult(), folder, {{}, {"png"}})) {
+    if (path.find("model") != std::string::npos) continue;
+    const QImage image(QString::fromStdString(path));
+    const QRgb background = image.pixel(0, 0);
+    for (int x = 0; x < image.width(); ++x) {
+      ASSERT_EQ(image.pixel(x, 0), background) << path << " top, column " << x;
+      ASSERT_EQ(image.pixel(x, image.height() - 1), background) << path << " bottom, column " << x;
+    }
+    for (int y = 0; y < image.height(); ++y) {
+      ASSERT_EQ(image.pixel(0, y), background) << path << " left, line " << y;
+      ASSERT_EQ(image.pixel(image.width() - 1, y), background) << path << " right, line " << y;
+    }
+  }
+}
+
+TEST_F(FigureFiles, anEmptyResultStillYieldsEveryFigure) {
+  results::RunResult empty;
+  empty.stem = "empty";
+  const std::string folder = tests::freshFolder("empty");
+  std::vector<std::string> messages;
+  EXPECT_EQ(plots::renderFigures(empty, folder, {}, &messages).size(), 18u);
+  ASSERT_EQ(messages.size(), 1u);
+  EXPECT_THAT(messages[0], HasSubstr("no surface"));
+}
+
+TEST_F(FigureFiles, wrongNamesAreAllReportedBeforeAnythingIsWritten) {
+  const std::string folder = tests::freshFolder("wrong");
+  try {
+    plots::renderFigures(tests::syntheticResult(), folder, {{"psd", "spectrum"}, {"gif"}, "rainbow"});
+    FAIL() << "no error";
+  } catch (const CaseError& error) {
+    ASSERT_EQ(error.problems().size(), 3u);
+    EXPECT_EQ(error.problems()[0].value, "spectrum");
+    EXPECT_THAT(error.problems()[0].allowed, HasSubstr("scalogram"));
+    EXPECT_EQ(error.problems()[1].value, "gif");
+    EXPECT_EQ(error.problems()[2].value, "rainbow");
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST_F(FigureFiles, aFolderThatCannotBeMadeIsAFileError) {
+  const std::string folder = tests::freshFolder("not-a-folder");
+  const std::string file = folder + "/file";
+  { QFile(QString::fromStdString(file)).open(QIODevice::WriteOnly); }
+  EXPECT_THROW(plots::renderFigures(tests::syntheticResult(), file + "/below", {{"psd"}}), FileError);
+}
+
+}  // namespace
+}  // namespace squat

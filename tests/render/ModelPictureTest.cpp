@@ -1,0 +1,102 @@
+// The 3-D picture: geometry in closed form, pixels in statistics.
+#include <gtest/gtest.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+
+#include "render/SyntheticResult.h"
+#include "render/SyntheticSurface.h"
+#include "scene/ModelPicture.h"
+#include "scene/SurfaceData.h"
+
+namespace squat {
+namespace {
+
+// One quad of the wheel and one of the rail; wheel centre at (1, 0, 0.5) by two further quads.
+results::SurfaceMesh fourQuads() {
+  results::SurfaceMesh mesh;
+  mesh.partNames = {"rail", "wheel rim"};
+  mesh.points = {0,    0, 0,    1,    0, 0,    1,    1, 0,    0,    1, 0,     // rail
+                 0.5f, 0, 0.5f, 0.5f, 1, 0.5f, 1.5f, 1, 0.5f, 1.5f, 0, 0.5f,  // wheel, level through the centre
+                 1,    0, 0,    1,    1, 0,    1,    1, 1,    1,    0, 1};    // wheel, upright through the centre
+  mesh.quads = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  mesh.part = {0, 1, 1};
+  return mesh;
+}
+
+TEST(SurfaceData, wheelRollsAndRailStays) {
+  const auto mesh = fourQuads();
+  results::SurfaceSnapshot snapshot;
+  snapshot.wheelTravel = 2;
+  snapshot.wheelRotation = M_PI / 2;
+  snapshot.displacement.assign(mesh.points.size(), 0.0f);
+  snapshot.displacement[2] = 0.01f;  // first rail point up
+  const auto parts = scene::partData(mesh, &snapshot, scene::Field::none, 10);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[0].faces->GetPoint(0)[2], 0.1, 1e-6);  // 10 times exaggerated
+  // A quarter of a turn carries the top (1, 1) to the front (1.5, 0.5), then 2 m on: tolerance of single precision.
+  const double* top = parts[1].faces->GetPoint(6);
+  EXPECT_NEAR(top[0], 3.5, 1e-6);
+  EXPECT_NEAR(top[2], 0.5, 1e-6);
+}
+
+TEST(SurfaceData, fieldsComeInTheirUnits) {
+  const auto mesh = fourQuads();
+  results::SurfaceSnapshot snapshot;
+  snapshot.vonMises.assign(12, 250e6f);
+  snapshot.displacement.assign(36, 0.0f);
+  snapshot.displacement[0] = 3e-6f;
+  snapshot.displacement[1] = 4e-6f;
+  const auto stress = scene::partData(mesh, &snapshot, scene::Field::vonMises, 1);
+  EXPECT_NEAR(stress[0].faces->GetPointData()->GetScalars()->GetTuple1(0), 250, 1e-3);  // MPa
+  const auto moved = scene::partData(mesh, &snapshot, scene::Field::displacement, 1);
+  EXPECT_NEAR(moved[0].faces->GetPointData()->GetScalars()->GetTuple1(0), 5, 1e-5);  // um
+}
+
+TEST(SurfaceData, brokenIndicesAreLeftOut) {
+  auto mesh = fourQuads();
+  mesh.quads[1] = 999;
+  mesh.quads[5] = -4;
+  const auto parts = scene::partData(mesh, nullptr, scene::Field::none, 1);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].faces->GetNumberOfPolys(), 1);
+}
+
+// Share of pixels of about the given colour.
+double share(const scene::Picture& picture, int red, int green, int blue, int tolerance) {
+  long long count = 0;
+  for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3)
+    count += std::abs(picture.rgb[i] - red) <= tolerance && std::abs(picture.rgb[i + 1] - green) <= tolerance &&
+             std::abs(picture.rgb[i + 2] - blue) <= tolerance;
+  return static_cast<double>(count) / (picture.rgb.size() / 3.0);
+}
+
+TEST(ModelPicture, showsPartsSpringsAndStress) {
+  std::string reason;
+  const auto picture = scene::modelPicture(tests::syntheticResult(), "viridis", reason);
+  ASSERT_FALSE(picture.empty()) << reason;
+  EXPECT_EQ(picture.width, 2008);                     // 170 mm at 300 dpi
+  EXPECT_GT(share(picture, 255, 255, 255, 0), 0.1);   // paper
+  EXPECT_LT(share(picture, 0, 0, 0, 2), 0.02);        // no black hole
+  EXPECT_GT(share(picture, 204, 51, 38, 40), 1e-4);   // springs
+  EXPECT_GT(share(picture, 253, 231, 37, 30), 5e-4);  // highest stress and the end of the bar
+  EXPECT_GT(share(picture, 68, 1, 84, 25), 0.1);      // lowest stress
+}
+
+TEST(ModelPicture, withoutSnapshotOrCutFacesTheRailIsSeen) {
+  auto result = tests::syntheticResult();
+  result.snapshots.clear();
+  result.surface.partNames[4] = "inner";
+  std::string reason;
+  EXPECT_FALSE(scene::modelPicture(result, "jet", reason).empty()) << reason;
+}
+
+TEST(ModelPicture, withoutASurfaceItSaysWhy) {
+  std::string reason;
+  EXPECT_TRUE(scene::modelPicture({}, "viridis", reason).empty());
+  EXPECT_EQ(reason, "the result has no surface of the model");
+}
+
+}  // namespace
+}  // namespace squat

@@ -1,0 +1,35 @@
+#include <algorithm>
+
+#include "plots/FigureBuilders.h"
+#include "plots/LineFigure.h"
+
+namespace squat::plots {
+
+std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, const Style& style) {
+  auto figure = std::make_unique<Figure>("contact_force", style);
+  const Window window = judgedWindow(result);
+  const std::vector<double> position = scaled(result.position, 1e3);
+  figure->xAxis->setLabel("Position of the wheel from the defect [mm]");
+  figure->yAxis->setLabel("Force on the rail [kN]");
+  figure->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
+  if (const auto* vertical = result.signal("contact_force"))
+    addCurve(*figure, {position, scaled(*vertical, 1e-3), "vertical", 0, 1.2, Qt::SolidLine, true});
+  else
+    addNotice(*figure, "no contact force in this result");
+  if (const auto* creep = result.signal("creep_force"))
+    addCurve(*figure, {position, scaled(*creep, 1e-3), "longitudinal", 1, 0.9});
+  for (const auto& scalar : result.equilibrium) {
+    if (scalar.name != "contact_force" || position.empty()) continue;
+    const double level = scalar.value * 1e-3;
+    const double to = std::max(position.back(), 1e3 * window.to);
+    addCurve(*figure, {{position.front(), to}, {level, level}, "at rest", 6, 0.7, Qt::DashLine});
+  }
+  fitValues(*figure);
+  // Zero is where contact is lost: always in sight.
+  if (figure->yAxis->range().lower > 0) figure->yAxis->setRangeLower(0);
+  if (figure->yAxis->range().upper < 0) figure->yAxis->setRangeUpper(0);
+  setCaption(*figure, result);
+  return figure;
+}
+
+}  // namespace squat::plots

@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <cmath>
+
+#include "plots/FigureBuilders.h"
+#include "plots/LineFigure.h"
+#include "plots/SleeperSpans.h"
+
+namespace squat::plots {
+namespace {
+
+constexpr double surroundings = 0.06;  // [m] shown on both sides of the defect
+constexpr double stripHeight = 0.07;   // share of the axes' height taken by the sleepers below
+
+void addSleeper(Figure& figure, const Span& span, double from, double to) {
+  const double left = std::max(span.from * 1e3, from), right = std::min(span.to * 1e3, to);
+  if (right <= left) return;
+  auto* box = new QCPItemRect(&figure);
+  for (QCPItemPosition* corner : {box->topLeft, box->bottomRight}) {
+    corner->setTypeX(QCPItemPosition::ptPlotCoords);
+    corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  }
+  box->topLeft->setCoords(left, 1 - stripHeight);
+  box->bottomRight->setCoords(right, 1);
+  box->setPen(Qt::NoPen);
+  QColor fill = figure.style().muted;
+  fill.setAlpha(90);
+  box->setBrush(fill);
+  auto* label = new QCPItemText(&figure);
+  label->position->setTypeX(QCPItemPosition::ptPlotCoords);
+  label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  label->position->setCoords(0.5 * (left + right), 1 - 0.5 * stripHeight);
+  label->setFont(figure.style().captionFont());
+  label->setColor(figure.style().text);
+  label->setText("sleeper");
+}
+
+}  // namespace
+
+std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style) {
+  auto figure = std::make_unique<Figure>("defect_profile", style);
+  figure->xAxis->setLabel("Position along the rail [mm]");
+  figure->yAxis->setLabel("Height [µm]");
+  double from = -0.1, to = 0.1;
+  if (result.profilePosition.empty()) {
+    addNotice(*figure, "smooth rail: no defect");
+  } else {
+    const auto [low, high] = std::minmax_element(result.profilePosition.begin(), result.profilePosition.end());
+    from = *low - surroundings;
+    to = *high + surroundings;
+  }
+  const std::vector<double> x = scaled(result.profilePosition, 1e3);
+  figure->xAxis->setRange(from * 1e3, to * 1e3);
+  if (!x.empty()) addCurve(*figure, {x, scaled(result.profileHeight, 1e6), "rail surface", 0, 1.3});
+  if (result.wheelPath.size() == x.size() && !x.empty())
+    addCurve(*figure, {x, scaled(result.wheelPath, 1e6), "path of a rigid wheel", 1, 1.0, Qt::DashLine});
+  fitValues(*figure, 0.1);
+  const QCPRange range = figure->yAxis->range();
+  figure->yAxis->setRange(range.lower - stripHeight * range.size(), range.upper);
+  for (const Span& span : sleeperSpans(result.surface)) addSleeper(*figure, span, from * 1e3, to * 1e3);
+  setCaption(*figure, result);
+  return figure;
+}
+
+}  // namespace squat::plots

@@ -1,0 +1,88 @@
+#include "plots/Figure.h"
+
+#include "plots/AxisTicker.h"
+#include "plots/CaptionElement.h"
+
+namespace squat::plots {
+
+Figure::Figure(const QString& name, const Style& style, QWidget* parent)
+    : QCustomPlot(parent), name_(name), style_(style), caption_(new CaptionElement(this, style)) {
+  setObjectName(name);
+  setBackground(QBrush(style_.background));
+  setNoAntialiasingOnDrag(true);
+  addLayer("front", layer("main"));
+  layOut();
+  styleAxes();
+}
+
+QSize Figure::printedUnits() const {
+  return {qRound(printedSize_.width() * unitsPerMillimetre), qRound(printedSize_.height() * unitsPerMillimetre)};
+}
+
+// Rows: caption, legend, axes.
+void Figure::layOut() {
+  axisRect()->insetLayout()->take(legend);
+  plotLayout()->insertRow(0);
+  plotLayout()->insertRow(0);
+  plotLayout()->addElement(0, 0, caption_);
+  // Axes stand in a row of their own, so that a colour scale beside them does not narrow the caption.
+  axesRow_ = new QCPLayoutGrid;
+  axesRow_->setColumnSpacing(0);
+  QCPAxisRect* axes = axisRect();
+  plotLayout()->take(axes);
+  plotLayout()->addElement(2, 0, axesRow_);
+  axesRow_->addElement(0, 0, axes);
+  plotLayout()->setRowSpacing(0);
+  plotLayout()->setRowStretchFactor(1, 0.001);
+  legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+  legend->setBorderPen(Qt::NoPen);
+  legend->setBrush(Qt::NoBrush);
+  legend->setFont(style_.tickFont());
+  legend->setTextColor(style_.text);
+  legend->setIconSize(14, 8);
+  legend->setIconTextPadding(4);
+  legend->setMargins(QMargins(6, 0, 6, 0));
+  legend->setColumnSpacing(8);
+  legend->setVisible(false);
+  axisRect()->setMinimumMargins(QMargins(4, 3, 10, 4));
+}
+
+void Figure::styleAxes() {
+  axisRect()->setupFullAxesBox(true);
+  for (QCPAxis* axis : {xAxis, yAxis, xAxis2, yAxis2}) {
+    axis->setTicker(QSharedPointer<AxisTicker>::create());
+    axis->setLabelFont(style_.labelFont());
+    axis->setTickLabelFont(style_.tickFont());
+    axis->setLabelColor(style_.text);
+    axis->setTickLabelColor(style_.text);
+    axis->setBasePen(QPen(style_.axis, 0.8));
+    axis->setTickPen(QPen(style_.axis, 0.8));
+    axis->setSubTickPen(QPen(style_.axis, 0.5));
+    axis->setTickLength(4, 0);
+    axis->setSubTickLength(2, 0);
+    axis->setLabelPadding(2);
+    axis->setTickLabelPadding(3);
+    axis->grid()->setPen(QPen(style_.grid, 0.6));
+    axis->grid()->setZeroLinePen(QPen(style_.axis, 0.5));
+    axis->setNumberFormat("gb");
+    axis->setNumberPrecision(5);
+  }
+}
+
+void Figure::settleLayout(QSize units) {
+  const QRect before = viewport();
+  setViewport(QRect(QPoint(0, 0), units));
+  for (int pass = 0; pass < 3; ++pass) updateLayout();
+  setViewport(before);
+}
+
+void Figure::setCaption(const QString& left, const QString& right) { caption_->setTexts(left, right); }
+
+// An empty legend in the layout would limit the width of everything above and below it.
+void Figure::showLegend(bool visible) {
+  if (visible && !plotLayout()->hasElement(1, 0)) plotLayout()->addElement(1, 0, legend);
+  if (!visible && plotLayout()->hasElement(1, 0)) plotLayout()->take(legend);
+  legend->setVisible(visible);
+}
+
+}  // namespace squat::plots

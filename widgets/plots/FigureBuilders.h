@@ -1,0 +1,19 @@
+// widgets/plots/FigureBuilders.h - each figure of a run, as an object for screen or file.
+// A result that lacks what a figure shows yields that figure with a notice in it, never an error.
+#pragma once
+
+#include <memory>
+
+#include "plots/Figure.h"
+#include "results/RunResult.h"
+
+namespace squat::plots {
+
+std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style);
+std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, const Style& style);
+std::unique_ptr<Figure> abaTimeFigure(const results::RunResult& result, const Style& style);
+std::unique_ptr<Figure> psdFigure(const results::RunResult& result, const Style& style);
+std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style);
+std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, const Style& style);
+
+}  // namespace squat::plots

@@ -1,0 +1,34 @@
+// widgets/plots/Figures.h - all figures of a run as files.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "results/RunResult.h"
+
+namespace squat::plots {
+
+class Figure;
+struct Style;
+
+struct FigureRequest {
+  std::vector<std::string> figures;                       // empty: all of figureNames()
+  std::vector<std::string> formats{"png", "svg", "pdf"};  // the 3-D picture comes as png whatever stands here
+  std::string colourMap = "viridis";                      // or "cividis", "jet"
+};
+
+// "defect_profile", "aba_position", "aba_time", "psd", "scalogram", "contact_force", "model" (the 3-D picture).
+std::vector<std::string> figureNames();
+
+// The named figure as an object, for screen or file. Null for "model" and unknown names.
+std::unique_ptr<Figure> makeFigure(const std::string& name, const results::RunResult& result, const Style& style);
+
+// Writes NAME.FORMAT into `folder` (made where missing) and returns the paths written. Call plots::ensureApplication()
+// before. Where the 3-D picture cannot be drawn on this machine, its reason is added to `messages` and the other
+// figures are written all the same. Throws CaseError for unknown names, formats or colour maps before anything is
+// written, FileError where a file cannot be written.
+std::vector<std::string> renderFigures(const results::RunResult& result, const std::string& folder,
+                                       const FigureRequest& request = {}, std::vector<std::string>* messages = nullptr);
+
+}  // namespace squat::plots

@@ -1,0 +1,99 @@
+#include "plots/LineFigure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace squat::plots {
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+  std::vector<double> result(values);
+  for (double& value : result) value *= factor;
+  return result;
+}
+
+QCPGraph* addCurve(Figure& figure, const Curve& curve) {
+  QCPGraph* graph = figure.addGraph();
+  const std::size_t count = std::min(curve.x.size(), curve.y.size());
+  QVector<double> x(curve.x.begin(), curve.x.begin() + static_cast<std::ptrdiff_t>(count));
+  QVector<double> y(curve.y.begin(), curve.y.begin() + static_cast<std::ptrdiff_t>(count));
+  graph->setData(x, y);
+  QPen pen(figure.style().curve(curve.colour), curve.width, curve.line);
+  pen.setJoinStyle(Qt::RoundJoin);
+  graph->setPen(pen);
+  graph->setName(curve.label);
+  if (curve.front) graph->setLayer("front");
+  if (curve.label.isEmpty())
+    graph->removeFromLegend();
+  else
+    figure.showLegend(true);
+  return graph;
+}
+
+void addBand(Figure& figure, double from, double to) {
+  auto* band = new QCPItemRect(&figure);
+  band->setLayer("background");
+  band->topLeft->setTypeX(QCPItemPosition::ptPlotCoords);
+  band->topLeft->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  band->bottomRight->setTypeX(QCPItemPosition::ptPlotCoords);
+  band->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  band->topLeft->setCoords(from, 0);
+  band->bottomRight->setCoords(to, 1);
+  band->setPen(Qt::NoPen);
+  band->setBrush(figure.style().band);
+  band->setSelectable(false);
+}
+
+void addPointLabel(Figure& figure, double x, double y, const QString& text) {
+  auto* label = new QCPItemText(&figure);
+  label->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+  label->position->setCoords(x, y);
+  label->setPadding(QMargins(0, 0, 0, 3));
+  label->setFont(figure.style().tickFont());
+  label->setColor(figure.style().text);
+  label->setText(text);
+  label->setSelectable(false);
+}
+
+void addNotice(Figure& figure, const QString& text) {
+  auto* label = new QCPItemText(&figure);
+  label->position->setType(QCPItemPosition::ptAxisRectRatio);
+  label->position->setCoords(0.5, 0.5);
+  label->setFont(figure.style().tickFont());
+  label->setColor(figure.style().muted);
+  label->setText(text);
+  label->setSelectable(false);
+}
+
+void fitValues(Figure& figure, double margin) {
+  const QCPRange keys = figure.xAxis->range();
+  double low = INFINITY, high = -INFINITY;
+  for (int i = 0; i < figure.graphCount(); ++i) {
+    for (const QCPGraphData& point : *figure.graph(i)->data()) {
+      if (!std::isfinite(point.value) || !keys.contains(point.key)) continue;
+      low = std::min(low, point.value);
+      high = std::max(high, point.value);
+    }
+  }
+  if (!(low <= high)) low = -1, high = 1;
+  double span = high - low;
+  if (span <= 1e-9 * std::max(std::abs(low), std::abs(high)) || span <= 0)
+    span = std::max(1e-9, 0.1 * std::max(std::abs(low), std::abs(high)));
+  figure.yAxis->setRange(low - margin * span, high + margin * span);
+}
+
+void setCaption(Figure& figure, const results::RunResult& result) {
+  QString left = QString::fromStdString(result.title.empty() ? result.stem : result.title);
+  // In front, where a narrow figure does not cut it off.
+  if (!result.complete)
+    left = QStringLiteral("incomplete (%1): ").arg(QString::fromStdString(result.stopReason)) + left;
+  figure.setCaption(left, QString::fromStdString(result.stem + "  " + result.caseHash));
+}
+
+Window judgedWindow(const results::RunResult& result) {
+  if (result.psdTo > result.psdFrom) return {result.psdFrom, result.psdTo};
+  if (result.position.size() > 1 && result.position.back() > result.position.front())
+    return {result.position.front(), result.position.back()};
+  return {-0.1, 0.28};
+}
+
+}  // namespace squat::plots

@@ -1,0 +1,48 @@
+// widgets/plots/LineFigure.h - the few strokes that all line figures are made of.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plots/Figure.h"
+#include "results/RunResult.h"
+
+namespace squat::plots {
+
+struct Curve {
+  std::vector<double> x, y;  // same length; not-a-number breaks the line
+  QString label;             // empty: not in the legend
+  std::size_t colour = 0;    // of Style::curve
+  double width = 1.1;
+  Qt::PenStyle line = Qt::SolidLine;
+  bool front = false;  // above the other curves
+};
+
+std::vector<double> scaled(const std::vector<double>& values, double factor);
+
+QCPGraph* addCurve(Figure& figure, const Curve& curve);
+
+// Vertical band from `from` to `to` on the x axis, behind the curves.
+void addBand(Figure& figure, double from, double to);
+
+// Label centred above a point of the curve.
+void addPointLabel(Figure& figure, double x, double y, const QString& text);
+
+// Short text in the middle of the axes, e.g. why there is nothing to see.
+void addNotice(Figure& figure, const QString& text);
+
+// Range of y over the curves' points with x in the x axis's range, widened by `margin` of its span on both sides;
+// never empty.
+void fitValues(Figure& figure, double margin = 0.06);
+
+// Caption of every figure: title, and stem with hash; says so where the run is incomplete.
+void setCaption(Figure& figure, const results::RunResult& result);
+
+// The stretch around the defect that signals are judged in [m]: the window of the PSD, or all of the record.
+struct Window {
+  double from = 0, to = 0;
+};
+Window judgedWindow(const results::RunResult& result);
+
+}  // namespace squat::plots

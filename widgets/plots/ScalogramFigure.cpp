@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "colours/ColourTables.h"
+#include "plots/FigureBuilders.h"
+#include "plots/LineFigure.h"
+#include "plots/ScalogramGrid.h"
+
+namespace squat::plots {
+namespace {
+
+constexpr double lowest = 50, highest = 3000;  // [Hz] shown at most
+
+QCPColorGradient gradientOf(const std::string& map) {
+  QCPColorGradient gradient;
+  gradient.clearColorStops();
+  constexpr int stops = 64;
+  for (int i = 0; i <= stops; ++i) {
+    const double share = static_cast<double>(i) / stops;
+    const colours::Rgb colour = colours::colourAt(map, share);
+    gradient.setColorStopAt(share, QColor::fromRgbF(colour.red, colour.green, colour.blue));
+  }
+  return gradient;
+}
+
+QSharedPointer<QCPAxisTickerText> frequencyTicks(double from, double to) {
+  auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  for (double tick : {10, 20, 50, 100, 200, 300, 500, 1000, 2000, 3000, 5000, 10000})
+    if (tick >= 0.999 * from && tick <= 1.001 * to) ticker->addTick(tick, QString::number(tick));
+  return ticker;
+}
+
+void addColourScale(Figure& figure, QCPColorMap& map) {
+  auto* scale = new QCPColorScale(&figure);
+  figure.addBeside(scale);
+  scale->setType(QCPAxis::atRight);
+  scale->setBarWidth(8);
+  map.setColorScale(scale);
+  scale->axis()->setLabel("Wavelet power [(m/s²)²]");
+  scale->axis()->setLabelFont(figure.style().labelFont());
+  scale->axis()->setTickLabelFont(figure.style().tickFont());
+  scale->axis()->setLabelColor(figure.style().text);
+  scale->axis()->setTickLabelColor(figure.style().text);
+  scale->axis()->setNumberFormat("gb");
+  scale->axis()->setTickLength(3, 0);
+  scale->axis()->setSubTicks(false);
+  scale->axis()->setTickLabelPadding(3);
+  scale->axis()->setLabelPadding(2);
+  for (QCPAxis* axis : {scale->axis()}) {
+    axis->setBasePen(QPen(figure.style().axis, 0.8));
+    axis->setTickPen(QPen(figure.style().axis, 0.8));
+  }
+  auto* group = new QCPMarginGroup(&figure);
+  figure.axisRect()->setMarginGroup(QCP::msTop | QCP::msBottom, group);
+  scale->setMarginGroup(QCP::msTop | QCP::msBottom, group);
+  scale->setMinimumMargins(QMargins(4, 0, 4, 0));
+}
+
+// Below the curve of the cone the ends of the record count: shaded, bounded by a dashed line.
+void addCone(Figure& figure, const ScalogramGrid& grid) {
+  if (grid.cone.empty()) return;
+  std::vector<double> clipped(grid.cone);
+  for (double& frequency : clipped) frequency = std::clamp(frequency, grid.frequencyFrom, grid.frequencyTo);
+  QCPGraph* floor = addCurve(
+      figure, {{grid.positionFrom * 1e3, grid.positionTo * 1e3}, {grid.frequencyFrom, grid.frequencyFrom}, QString()});
+  floor->setPen(Qt::NoPen);
+  std::vector<double> position(clipped.size());
+  for (std::size_t i = 0; i < position.size(); ++i)
+    position[i] = 1e3 * (grid.positionFrom + (grid.positionTo - grid.positionFrom) * static_cast<double>(i) /
+                                                 static_cast<double>(position.size() - 1));
+  QCPGraph* edge = addCurve(figure, {position, clipped, QString()});
+  edge->setPen(QPen(Qt::white, 0.9, Qt::DashLine));
+  edge->setBrush(QColor(255, 255, 255, 90));
+  edge->setChannelFillGraph(floor);
+}
+
+}  // namespace
+
+std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style) {
+  auto figure = std::make_unique<Figure>("scalogram", style);
+  figure->setPrintedSize({85, 62});
+  figure->xAxis->setLabel("Position of the wheel [mm]");
+  figure->yAxis->setLabel("Frequency [Hz]");
+  setCaption(*figure, result);
+  const Window window = judgedWindow(result);
+  const ScalogramGrid grid = scalogramGrid(result, window.from, window.to, lowest, highest);
+  if (grid.power.empty()) {
+    addNotice(*figure, "no scalogram in this result");
+    return figure;
+  }
+  auto* map = new QCPColorMap(figure->xAxis, figure->yAxis);
+  map->data()->setSize(grid.columns, grid.rows);
+  map->data()->setRange(QCPRange(grid.positionFrom * 1e3, grid.positionTo * 1e3),
+                        QCPRange(grid.frequencyFrom, grid.frequencyTo));
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      map->data()->setCell(column, row, grid.power[static_cast<std::size_t>(row) * grid.columns + column]);
+  map->setInterpolate(true);
+  map->setTightBoundary(true);
+  map->removeFromLegend();
+  addColourScale(*figure, *map);
+  map->setGradient(gradientOf(style.colourMap));
+  map->setDataRange(QCPRange(0, grid.largestPower > 0 ? grid.largestPower : 1));
+  addCone(*figure, grid);
+  figure->yAxis->setScaleType(QCPAxis::stLogarithmic);
+  figure->yAxis->setTicker(frequencyTicks(grid.frequencyFrom, grid.frequencyTo));
+  figure->yAxis2->setScaleType(QCPAxis::stLogarithmic);
+  figure->yAxis2->setTicker(figure->yAxis->ticker());
+  figure->yAxis->setRange(grid.frequencyFrom, grid.frequencyTo);
+  figure->yAxis2->setRange(figure->yAxis->range());
+  figure->xAxis->setRange(grid.positionFrom * 1e3, grid.positionTo * 1e3);
+  for (QCPAxis* axis : {figure->xAxis, figure->yAxis}) axis->grid()->setVisible(false);
+  return figure;
+}
+
+}  // namespace squat::plots

@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <cmath>
+
+#include "plots/FigureBuilders.h"
+#include "plots/LineFigure.h"
+
+namespace squat::plots {
+namespace {
+
+// "axle box: 106 / -92" - largest and smallest value within the shown stretch.
+QString labelWithExtremes(const QString& label, const std::vector<double>& x, const std::vector<double>& y, double from,
+                          double to) {
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (x[i] < from || x[i] > to || !std::isfinite(y[i])) continue;
+    low = std::min(low, y[i]);
+    high = std::max(high, y[i]);
+  }
+  if (!(low <= high)) return label;
+  return QStringLiteral("%1 (%2 … %3)")
+      .arg(label, QString::number(low, 'f', 0).replace('-', QChar(0x2212)),
+           QString::number(high, 'f', 0).replace('-', QChar(0x2212)));
+}
+
+void addAccelerations(Figure& figure, const results::RunResult& result, const std::vector<double>& x, double from,
+                      double to) {
+  const auto* wheel = result.signal("wheel_acceleration_filtered");
+  const auto* box = result.signal("aba_filtered");
+  if (!box) box = result.signal("aba");
+  if (box) addCurve(figure, {x, *box, labelWithExtremes("axle box", x, *box, from, to), 0, 1.2, Qt::SolidLine, true});
+  if (wheel) addCurve(figure, {x, *wheel, labelWithExtremes("wheel centre", x, *wheel, from, to), 1, 0.8});
+  if (!box && !wheel) addNotice(figure, "no acceleration in this result");
+  figure.xAxis->setRange(from, to);
+  figure.yAxis->setLabel("Vertical acceleration [m/s²]");
+  fitValues(figure);
+  setCaption(figure, result);
+}
+
+}  // namespace
+
+std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, const Style& style) {
+  auto figure = std::make_unique<Figure>("aba_position", style);
+  const Window window = judgedWindow(result);
+  figure->xAxis->setLabel("Position of the wheel from the defect [mm]");
+  if (!result.profilePosition.empty()) {
+    const auto [low, high] = std::minmax_element(result.profilePosition.begin(), result.profilePosition.end());
+    addBand(*figure, 1e3 * std::max(*low, window.from), 1e3 * std::min(*high, window.to));
+  }
+  addAccelerations(*figure, result, scaled(result.position, 1e3), 1e3 * window.from, 1e3 * window.to);
+  return figure;
+}
+
+std::unique_ptr<Figure> abaTimeFigure(const results::RunResult& result, const Style& style) {
+  auto figure = std::make_unique<Figure>("aba_time", style);
+  figure->xAxis->setLabel("Time since the start of rolling [ms]");
+  const double from = result.time.empty() ? 0 : 1e3 * result.time.front();
+  const double to = result.time.size() < 2 ? from + 1 : 1e3 * result.time.back();
+  addAccelerations(*figure, result, scaled(result.time, 1e3), from, to);
+  return figure;
+}
+
+}  // namespace squat::plots

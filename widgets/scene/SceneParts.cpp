@@ -1,0 +1,146 @@
+#include "scene/SceneParts.h"
+
+#include <vtkDataArray.h>
+#include <vtkFeatureEdges.h>
+#include <vtkPlaneCollection.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "scene/ColourLookup.h"
+
+namespace squat::scene {
+namespace {
+
+// The letters of the figures where Debian has them, else VTK's own.
+void setLetters(vtkTextProperty& text, int pixels, bool dark) {
+  static const char* const file = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  if (std::filesystem::exists(file)) {
+    text.SetFontFamily(VTK_FONT_FILE);
+    text.SetFontFile(file);
+  } else {
+    text.SetFontFamilyToArial();
+  }
+  text.SetFontSize(pixels);
+  text.SetItalic(false);
+  text.SetBold(false);
+  text.SetShadow(false);
+  const double grey = dark ? 0.92 : 0.08;
+  text.SetColor(grey, grey, grey);
+}
+
+}  // namespace
+
+std::array<double, 3> partColour(const std::string& partName) {
+  if (partName.rfind("rail", 0) == 0) return {0.36, 0.52, 0.68};
+  if (partName.rfind("sleeper", 0) == 0) return {0.80, 0.76, 0.66};
+  if (partName.rfind("wheel rim", 0) == 0) return {0.84, 0.60, 0.30};
+  if (partName.rfind("wheel", 0) == 0) return {0.74, 0.77, 0.79};
+  return {0.6, 0.6, 0.6};
+}
+
+vtkSmartPointer<vtkActor> partActor(const PartData& part, const Look& look) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(part.faces);
+  const bool coloured = look.field != Field::none && part.faces->GetPointData()->GetScalars();
+  mapper->SetScalarVisibility(coloured);
+  if (coloured) {
+    mapper->SetLookupTable(lookupTable(look.colourMap, look.low, look.high));
+    mapper->SetUseLookupTableScalarRange(true);
+    mapper->SetInterpolateScalarsBeforeMapping(true);
+  }
+  if (!isCutFace(part.name))
+    for (const auto& plane : look.cuts) mapper->AddClippingPlane(plane);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  const auto colour = partColour(part.name);
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetInterpolationToFlat();
+  property->SetAmbient(coloured ? 0.45 : 0.25);
+  property->SetDiffuse(coloured ? 0.6 : 0.75);
+  property->SetEdgeVisibility(look.edges);
+  property->SetEdgeColor(0.25, 0.27, 0.30);
+  property->SetLineWidth(0.8f);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> outlineActor(const PartData& part, const Look& look) {
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(part.faces);
+  edges->SetFeatureAngle(25);
+  edges->ColoringOff();
+  edges->ManifoldEdgesOff();
+  edges->NonManifoldEdgesOff();
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(edges->GetOutputPort());
+  mapper->SetScalarVisibility(false);
+  for (const auto& plane : look.cuts) mapper->AddClippingPlane(plane);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.15, 0.17, 0.20);
+  actor->GetProperty()->SetLineWidth(1.6f);
+  actor->GetProperty()->SetLighting(false);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> springActor(vtkPolyData* lines, double width) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0.80, 0.20, 0.15);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
+  actor->GetProperty()->SetLighting(false);
+  return actor;
+}
+
+vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<double, 4>& place, int textPixels) {
+  auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
+  bar->SetLookupTable(lookupTable(look.colourMap, look.low, look.high));
+  bar->SetNumberOfLabels(6);
+  bar->SetLabelFormat(look.high < 1 ? "%.3g" : "%.0f");
+  bar->UnconstrainedFontSizeOn();
+  bar->SetTitle("");
+  bar->SetBarRatio(0.25);
+  bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  bar->SetPosition(place[0], place[1]);
+  bar->SetWidth(place[2]);
+  bar->SetHeight(place[3]);
+  setLetters(*bar->GetLabelTextProperty(), textPixels, look.dark);
+  return bar;
+}
+
+vtkSmartPointer<vtkTextActor> textActor(const std::string& text, double x, double y, int pixels, bool dark,
+                                        double across) {
+  auto actor = vtkSmartPointer<vtkTextActor>::New();
+  actor->SetInput(text.c_str());
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(x, y);
+  vtkTextProperty* property = actor->GetTextProperty();
+  setLetters(*property, pixels, dark);
+  if (across >= 1)
+    property->SetJustificationToRight();
+  else if (across > 0)
+    property->SetJustificationToCentered();
+  return actor;
+}
+
+double largestNear(const std::vector<PartData>& parts, double centre, double reach) {
+  double largest = 0;
+  for (const auto& part : parts) {
+    vtkDataArray* values = part.faces->GetPointData()->GetScalars();
+    if (!values) continue;
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+      if (std::abs(part.faces->GetPoint(i)[0] - centre) < reach && std::isfinite(values->GetTuple1(i)))
+        largest = std::max(largest, values->GetTuple1(i));
+  }
+  return largest;
+}
+
+}  // namespace squat::scene

@@ -1,0 +1,45 @@
+// widgets/scene/SceneParts.h - the actors that every picture of the model is made of.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkPlane.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/SurfaceData.h"
+
+namespace squat::scene {
+
+struct Look {
+  Field field = Field::vonMises;
+  std::string colourMap = "viridis";
+  double low = 0, high = 1;                     // of the field, in the unit of fieldName()
+  bool edges = true;                            // lines of the mesh
+  bool dark = false;                            // background
+  std::vector<vtkSmartPointer<vtkPlane>> cuts;  // only what lies on the side of each normal is shown
+};
+
+// Plain colours by part where `look.field` is none.
+std::array<double, 3> partColour(const std::string& partName);
+vtkSmartPointer<vtkActor> partActor(const PartData& part, const Look& look);
+// Sharp edges and borders of the part.
+vtkSmartPointer<vtkActor> outlineActor(const PartData& part, const Look& look);
+vtkSmartPointer<vtkActor> springActor(vtkPolyData* lines, double width);
+
+// Colour bar for `look`, upright; place and size as shares of the renderer; `textPixels` high letters.
+vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<double, 4>& place, int textPixels);
+
+// Text at a place given as shares of the renderer; `across` is the share of the text's width left of the place.
+vtkSmartPointer<vtkTextActor> textActor(const std::string& text, double x, double y, int pixels, bool dark,
+                                        double across = 0);
+
+// Largest value of the field among the points with |x - centre| < reach; 0 where there are none.
+double largestNear(const std::vector<PartData>& parts, double centre, double reach);
+
+}  // namespace squat::scene

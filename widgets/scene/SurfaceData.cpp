@@ -1,0 +1,170 @@
+#include "scene/SurfaceData.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace squat::scene {
+namespace {
+
+using Point = std::array<double, 3>;
+
+Point pointAt(const std::vector<float>& values, std::size_t index) {
+  return {static_cast<double>(values[3 * index]), static_cast<double>(values[3 * index + 1]),
+          static_cast<double>(values[3 * index + 2])};
+}
+
+// Rotation about the wheel's axis (parallel to y, positive rotation carries the top forward), then travel along x.
+Point rolled(const Point& point, const Point& centre, double rotation, double travel) {
+  const double x = point[0] - centre[0], z = point[2] - centre[2];
+  const double c = std::cos(rotation), s = std::sin(rotation);
+  return {centre[0] + c * x + s * z + travel, point[1], centre[2] - s * x + c * z};
+}
+
+float fieldAt(const results::SurfaceSnapshot& snapshot, Field field, std::size_t point) {
+  switch (field) {
+    case Field::vonMises:
+      return point < snapshot.vonMises.size() ? 1e-6f * snapshot.vonMises[point] : 0.0f;
+    case Field::plasticStrain:
+      return point < snapshot.plasticStrain.size() ? snapshot.plasticStrain[point] : 0.0f;
+    case Field::displacement: {
+      if (3 * point + 2 >= snapshot.displacement.size()) return 0.0f;
+      const Point u = pointAt(snapshot.displacement, point);
+      return static_cast<float>(1e6 * std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
+    }
+    case Field::none:
+      break;
+  }
+  return 0.0f;
+}
+
+struct PartBuilder {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> faces;
+  vtkNew<vtkFloatArray> values;
+  std::vector<vtkIdType> pointOf;  // surface point -> point of the part, -1 not yet used
+};
+
+}  // namespace
+
+std::string fieldName(Field field) {
+  switch (field) {
+    case Field::vonMises:
+      return "von Mises stress [MPa]";
+    case Field::plasticStrain:
+      return "Plastic strain [-]";
+    case Field::displacement:
+      return "Displacement [um]";
+    case Field::none:
+      break;
+  }
+  return {};
+}
+
+bool rolls(const std::string& partName) { return partName.rfind("wheel", 0) == 0; }
+
+bool isCutFace(const std::string& partName) {
+  const std::string ending = " cut";
+  return partName.size() > ending.size() &&
+         partName.compare(partName.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+std::array<double, 3> wheelCentre(const results::SurfaceMesh& surface) {
+  Point low{1e30, 0, 1e30}, high{-1e30, 0, -1e30};
+  for (std::size_t quad = 0; quad < surface.part.size() && 4 * quad + 3 < surface.quads.size(); ++quad) {
+    const std::size_t part = surface.part[quad];
+    if (part >= surface.partNames.size() || !rolls(surface.partNames[part]) || isCutFace(surface.partNames[part]))
+      continue;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const auto index = static_cast<std::size_t>(surface.quads[4 * quad + corner]);
+      if (3 * index + 2 >= surface.points.size()) continue;
+      const Point point = pointAt(surface.points, index);
+      for (std::size_t axis : {0u, 2u}) {
+        low[axis] = std::min(low[axis], point[axis]);
+        high[axis] = std::max(high[axis], point[axis]);
+      }
+    }
+  }
+  if (low[0] > high[0]) return {0, 0, 0};
+  return {0.5 * (low[0] + high[0]), 0, 0.5 * (low[2] + high[2])};
+}
+
+std::vector<PartData> partData(const results::SurfaceMesh& surface, const results::SurfaceSnapshot* snapshot,
+                               Field field, double displacementScale) {
+  const std::size_t pointCount = surface.points.size() / 3;
+  const Point centre = wheelCentre(surface);
+  std::vector<PartData> parts;
+  for (std::size_t part = 0; part < surface.partNames.size(); ++part) {
+    const bool rolling = rolls(surface.partNames[part]);
+    PartBuilder builder;
+    builder.pointOf.assign(pointCount, -1);
+    builder.values->SetName("field");
+    for (std::size_t quad = 0; quad < surface.part.size() && 4 * quad + 3 < surface.quads.size(); ++quad) {
+      if (surface.part[quad] != part) continue;
+      std::array<vtkIdType, 4> corners{};
+      bool valid = true;
+      for (std::size_t corner = 0; corner < 4; ++corner) {
+        const auto index = static_cast<std::size_t>(surface.quads[4 * quad + corner]);
+        valid = valid && index < pointCount;
+        if (!valid) break;
+        vtkIdType& own = builder.pointOf[index];
+        if (own < 0) {
+          Point place = pointAt(surface.points, index);
+          if (snapshot) {
+            if (rolling) place = rolled(place, centre, snapshot->wheelRotation, snapshot->wheelTravel);
+            if (3 * index + 2 < snapshot->displacement.size()) {
+              const Point u = pointAt(snapshot->displacement, index);
+              for (std::size_t axis = 0; axis < 3; ++axis) place[axis] += displacementScale * u[axis];
+            }
+            builder.values->InsertNextValue(fieldAt(*snapshot, field, index));
+          }
+          own = builder.points->InsertNextPoint(place.data());
+        }
+        corners[corner] = own;
+      }
+      if (valid) builder.faces->InsertNextCell(4, corners.data());
+    }
+    if (builder.faces->GetNumberOfCells() == 0) continue;
+    PartData data{surface.partNames[part], vtkSmartPointer<vtkPolyData>::New()};
+    data.faces->SetPoints(builder.points);
+    data.faces->SetPolys(builder.faces);
+    if (snapshot && field != Field::none) data.faces->GetPointData()->SetScalars(builder.values);
+    parts.push_back(std::move(data));
+  }
+  return parts;
+}
+
+vtkSmartPointer<vtkPolyData> springLines(const results::SurfaceMesh& surface, double wheelTravel) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  constexpr int turns = 5;
+  for (std::size_t spring = 0; 6 * spring + 5 < surface.springs.size(); ++spring) {
+    const Point from = pointAt(surface.springs, 2 * spring), to = pointAt(surface.springs, 2 * spring + 1);
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    const double shift = std::max(from[2], to[2]) > 0.05 ? wheelTravel : 0;  // suspension, not pad or ballast
+    // The zigzag swings along x for upright springs and along z for those along the track.
+    const bool upright = std::abs(to[2] - from[2]) > 0.5 * length;
+    const double swing = std::min(0.18 * length, 0.02);
+    lines->InsertNextCell(2 * turns + 2);
+    for (int i = 0; i <= 2 * turns + 1; ++i) {
+      const double share = static_cast<double>(i) / (2 * turns + 1);
+      const double aside = i == 0 || i == 2 * turns + 1 ? 0 : (i % 2 ? swing : -swing);
+      Point place;
+      for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = from[axis] + share * (to[axis] - from[axis]);
+      place[0] += shift + (upright ? aside : 0);
+      if (!upright) place[2] += aside;
+      lines->InsertCellPoint(points->InsertNextPoint(place.data()));
+    }
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetLines(lines);
+  return data;
+}
+
+}  // namespace squat::scene

@@ -1,0 +1,39 @@
+// widgets/scene/SurfaceData.h - surface and snapshot as VTK data, in the place that they have at that instant.
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "results/RunResult.h"
+
+namespace squat::scene {
+
+enum class Field { none, vonMises, plasticStrain, displacement };
+std::string fieldName(Field field);  // with unit, as on the colour bar: "von Mises stress [MPa]"
+
+// Parts whose names begin with "wheel" roll: wheelTravel and wheelRotation apply to them. Parts whose names end with
+// " cut" are inner faces on the plane y = 0, shown only where the picture is cut there.
+bool rolls(const std::string& partName);
+bool isCutFace(const std::string& partName);
+
+// Centre of the wheel at the start: the middle in x and z of the rolling parts; zeros where there are none.
+std::array<double, 3> wheelCentre(const results::SurfaceMesh& surface);
+
+struct PartData {
+  std::string name;
+  vtkSmartPointer<vtkPolyData> faces;  // point scalars: the field in the unit of fieldName(), if any
+};
+
+// One entry a part that has faces. `snapshot` may be null: configuration at the start, no field.
+// Displacements are multiplied by `displacementScale`. Broken indices are left out.
+std::vector<PartData> partData(const results::SurfaceMesh& surface, const results::SurfaceSnapshot* snapshot,
+                               Field field, double displacementScale);
+
+// Springs as zigzag lines. Springs that touch no rolling part stay; those above the rail's top travel with the wheel.
+vtkSmartPointer<vtkPolyData> springLines(const results::SurfaceMesh& surface, double wheelTravel);
+
+}  // namespace squat::scene
