@@ -16,6 +16,9 @@ struct Hdf5Limits {
   std::size_t objects = 20000;
   std::size_t rank = 4;
   std::size_t chunkBytes = std::size_t{32} << 20;
+  // Files of other programs (measured signals): soft links, named types and datasets that are neither numbers nor text
+  // are passed over instead of refused.
+  bool skipForeign = false;
 };
 
 // The image of an HDF5 file in memory. Nothing touches the disk, so a full disk cannot leave the library in a bad

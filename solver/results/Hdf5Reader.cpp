@@ -15,6 +15,7 @@ constexpr std::size_t kLongestFixedText = 4096;
 constexpr std::size_t kMostTexts = 100000;
 constexpr std::size_t kMostPacked = 1100;  // deflate packs at most 1032 to one
 constexpr const char* kAdvice = "Use a file that this program has written";
+constexpr const char* kForeignAdvice = "Export the signals alone, as plain numbers";
 
 struct Names {
   std::vector<std::string> list;
@@ -45,7 +46,7 @@ class Walker {
 
  private:
   [[noreturn]] void refuse(const std::string& object, const std::string& what) const {
-    throw FileError(path_, object, what, kAdvice);
+    throw FileError(path_, object, what, limits_.skipForeign ? kForeignAdvice : kAdvice);
   }
 
   void walkGroup(hid_t group, const std::string& groupPath, ArrayTree& tree, int depth) {
@@ -55,6 +56,7 @@ class Walker {
       if (++objects_ > limits_.objects) refuse(path, "too many objects");
       H5L_info_t link{};
       check(H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT), path_, path, "cannot be looked up");
+      if (link.type == H5L_TYPE_SOFT && limits_.skipForeign) continue;
       if (link.type == H5L_TYPE_SOFT) refuse(path, "is a soft link, which is not followed");
       if (link.type == H5L_TYPE_EXTERNAL) refuse(path, "is a link into another file, which is not followed");
       if (link.type != H5L_TYPE_HARD) refuse(path, "is a link of unknown kind");
@@ -65,12 +67,20 @@ class Walker {
           addGroup(object.get(), path, tree, depth);
           break;
         case H5I_DATASET:
+          if (limits_.skipForeign && !isPlain(object.get())) break;
           tree.arrays.push_back(array(object.get(), path));
           break;
         default:
-          refuse(path, "is neither a group nor a dataset");
+          if (!limits_.skipForeign) refuse(path, "is neither a group nor a dataset");
       }
     }
+  }
+
+  static bool isPlain(hid_t dataset) {
+    const Handle type(H5Dget_type(dataset), H5Tclose);
+    const auto kind = H5Tget_class(type.get());
+    return (kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_STRING) &&
+           H5Tget_size(type.get()) <= kLongestFixedText;
   }
 
   void addGroup(hid_t group, const std::string& path, ArrayTree& tree, int depth) {

@@ -1,0 +1,17 @@
+// solver/measured/Hdf5Signals.h - signals from HDF5 files; see SignalFile.h for what is understood.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "measured/SignalFile.h"
+#include "measured/TextTable.h"
+
+namespace squat::measured {
+
+std::vector<MeasuredSignal> readHdf5Signals(const std::string& path, const SignalFileOptions& options);
+
+// All runs of a table: the part that text and HDF5 have in common.
+std::vector<MeasuredSignal> signalsOf(const TextTable& table, const SignalFileOptions& options);
+
+}  // namespace squat::measured

@@ -1,0 +1,180 @@
+#include "measured/TableLayout.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "measured/ColumnRoles.h"
+#include "measured/TextNumber.h"
+
+namespace squat::measured {
+namespace {
+
+bool isNumeric(std::string_view field, char decimal) {
+  return numberIn(field, decimal) || kilometresAndMetresIn(field, decimal);
+}
+
+struct Candidate {
+  char delimiter, decimal;
+  std::size_t fields = 0, lines = 0;
+  std::size_t numbers = 0, all = 0;  // fields
+  bool closed = true;                // every line ends with a delimiter
+};
+
+// Goes back from the last line as long as the number of fields stays and at least one of them is a number.
+Candidate judge(const std::vector<std::string_view>& lines, char delimiter, char decimal) {
+  Candidate result{delimiter, decimal};
+  std::vector<std::string_view> fields;
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    if (isComment(*line)) continue;
+    splitFields(*line, delimiter, fields);
+    if (result.lines > 0 && fields.size() != result.fields) break;
+    const auto numbers = static_cast<std::size_t>(
+        std::count_if(fields.begin(), fields.end(), [&](auto field) { return isNumeric(field, decimal); }));
+    if (numbers == 0) break;
+    result.fields = fields.size();
+    result.closed = result.closed && fields.size() > 1 && trimmed(fields.back()).empty();
+    ++result.lines;
+    result.numbers += numbers;
+    result.all += fields.size();
+  }
+  return result;
+}
+
+bool better(const Candidate& a, const Candidate& b) {
+  const auto key = [](const Candidate& c) {
+    const double share = c.all ? static_cast<double>(c.numbers) / static_cast<double>(c.all) : 0.0;
+    return std::make_tuple(c.lines, share, c.numbers);
+  };
+  return key(a) > key(b);
+}
+
+std::string_view withoutMarker(std::string_view line) {
+  line = trimmed(line);
+  while (!line.empty() && (line.front() == '#' || line.front() == '%')) line.remove_prefix(1);
+  return line;
+}
+
+// Names and units from the lines above the first row of numbers.
+void readHeader(const std::vector<std::string_view>& lines, TableLayout& layout) {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string_view> fields;
+  for (std::size_t i = 0; i < layout.firstLine; ++i) {
+    splitRow(withoutMarker(lines[i]), layout, fields);
+    if (fields.size() != layout.fields) continue;
+    auto& row = rows.emplace_back();
+    for (const auto field : fields) row.emplace_back(trimmed(field));
+  }
+  if (rows.empty()) return;
+  const auto unitsOnly = [](const std::vector<std::string>& row) {
+    return std::all_of(row.begin(), row.end(), [](const std::string& text) { return text.empty() || isUnit(text); }) &&
+           std::any_of(row.begin(), row.end(), [](const std::string& text) { return !text.empty(); });
+  };
+  std::vector<std::string> units(layout.fields);
+  if (rows.size() > 1 && unitsOnly(rows.back())) {
+    units = rows.back();
+    rows.pop_back();
+  }
+  for (std::size_t column = 0; column < layout.fields; ++column) {
+    std::string name, unit;
+    splitNameAndUnit(rows.back()[column], name, unit);
+    layout.names.push_back(name);
+    layout.units.push_back(unit.empty() ? bareUnit(units[column]) : unit);
+  }
+}
+
+}  // namespace
+
+void splitFields(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
+  fields.clear();
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
+  std::size_t from = 0;
+  while (from <= line.size()) {
+    if (delimiter == ' ')
+      while (from < line.size() && isBlank(line[from])) ++from;
+    std::size_t quote = from;
+    while (delimiter != ' ' && quote < line.size() && line[quote] == ' ') ++quote;
+    if (quote < line.size() && line[quote] == '"') {
+      const std::size_t close = std::min(line.find('"', quote + 1), line.size());
+      fields.push_back(line.substr(quote + 1, close - quote - 1));
+      std::size_t end = std::min(close + 1, line.size());
+      while (end < line.size() && (delimiter == ' ' ? !isBlank(line[end]) : line[end] != delimiter)) ++end;
+      from = end + 1;
+      continue;
+    }
+    std::size_t end = from;
+    if (delimiter == ' ')
+      while (end < line.size() && !isBlank(line[end])) ++end;
+    else
+      end = std::min(line.find(delimiter, from), line.size());
+    if (delimiter != ' ' || end > from) fields.push_back(line.substr(from, end - from));
+    from = end + 1;
+  }
+}
+
+void splitRow(std::string_view line, const TableLayout& layout, std::vector<std::string_view>& fields) {
+  splitFields(line, layout.delimiter, fields);
+  while (fields.size() > layout.fields && trimmed(fields.back()).empty()) fields.pop_back();
+}
+
+bool isComment(std::string_view line) {
+  line = trimmed(line);
+  return line.empty() || line.front() == '#' || line.front() == '%';
+}
+
+void splitNameAndUnit(std::string_view header, std::string& name, std::string& unit) {
+  header = trimmed(header);
+  const std::size_t open = header.find_last_of("[(");
+  if (open != std::string_view::npos && open > 0 && (header.back() == ']' || header.back() == ')')) {
+    name = trimmed(header.substr(0, open));
+    unit = trimmed(header.substr(open + 1, header.size() - open - 2));
+  } else {
+    name = header;
+    unit.clear();
+  }
+}
+
+TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal) {
+  std::vector<Candidate> candidates;
+  for (const char one : {';', '\t', '|', ',', ' '}) {
+    if (delimiter != 0 && delimiter != one) continue;
+    for (const char point : {'.', ','})
+      if ((decimal == 0 || decimal == point) && !(one == ',' && point == ','))
+        candidates.push_back(judge(lines, one, point));
+  }
+  if (delimiter != 0 && std::string_view(";\t|, ").find(delimiter) == std::string_view::npos)
+    for (const char point : {'.', ','})
+      if (decimal == 0 || decimal == point) candidates.push_back(judge(lines, delimiter, point));
+  TableLayout layout;
+  if (candidates.empty()) return layout;
+  Candidate best = candidates.front();
+  for (const auto& candidate : candidates)
+    if (better(candidate, best)) best = candidate;
+  if (best.lines == 0) return layout;
+  layout.delimiter = best.delimiter;
+  layout.decimal = best.decimal;
+  layout.fields = best.closed ? best.fields - 1 : best.fields;
+  // Columns of numbers are those of the last line; the table begins with the first line that has numbers there.
+  std::vector<std::string_view> fields;
+  const auto last = std::find_if(lines.rbegin(), lines.rend(), [](auto line) { return !isComment(line); });
+  splitRow(*last, layout, fields);
+  for (const auto field : fields) layout.numeric.push_back(isNumeric(field, layout.decimal) || isMissing(field));
+  for (layout.firstLine = 0; layout.firstLine < lines.size(); ++layout.firstLine) {
+    if (isComment(lines[layout.firstLine])) continue;
+    splitRow(lines[layout.firstLine], layout, fields);
+    if (fields.size() != layout.fields) continue;
+    bool row = false, text = false;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (!layout.numeric[i]) continue;
+      const bool number = isNumeric(fields[i], layout.decimal);
+      row = row || number;
+      text = text || !(number || isMissing(fields[i]));
+    }
+    if (row && !text) break;
+  }
+  readHeader(lines, layout);
+  return layout;
+}
+
+}  // namespace squat::measured

@@ -1,0 +1,37 @@
+// solver/measured/TableLayout.h - how a text table is laid out, found from its first lines.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace squat::measured {
+
+struct TableLayout {
+  char delimiter = ',';  // ' ' stands for any blanks
+  char decimal = '.';
+  std::size_t fields = 0;
+  std::size_t firstLine = 0;       // index into the lines of the first row of numbers
+  std::vector<std::string> names;  // per column; empty without header
+  std::vector<std::string> units;  // per column; empty texts where none
+  std::vector<bool> numeric;       // columns that held numbers at the end of the lines looked at
+};
+
+// The fields of a line; quotes around a field are taken off, delimiters inside them do not part.
+void splitFields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
+
+// The same for a row of the table: empty fields beyond its last column do not count.
+void splitRow(std::string_view line, const TableLayout& layout, std::vector<std::string_view>& fields);
+
+// Lines that carry nothing: empty ones, and (inside the table) comments.
+bool isComment(std::string_view line);
+
+// `lines` are the first lines of the file, whole, without line ends. `delimiter` and `decimal` 0: found. The layout
+// with fields == 0 tells that no table was found.
+TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal);
+
+// "aba [m/s2]" -> "aba" and "m/s2"; "(..)" as well.
+void splitNameAndUnit(std::string_view header, std::string& name, std::string& unit);
+
+}  // namespace squat::measured

@@ -1,0 +1,56 @@
+#include "measured/TextNumber.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace squat::measured {
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<double> numberIn(std::string_view field, char decimal) {
+  field = trimmed(field);
+  if (!field.empty() && field.front() == '+') field.remove_prefix(1);
+  if (field.empty() || field.size() > 64) return std::nullopt;
+  // from_chars takes words for not-a-number and infinity as well.
+  const char first = field.front() == '-' && field.size() > 1 ? field[1] : field.front();
+  if (!((first >= '0' && first <= '9') || first == '.' || first == ',')) return std::nullopt;
+  std::array<char, 64> copy;
+  if (decimal == ',') {
+    if (field.find('.') != std::string_view::npos) return std::nullopt;
+    std::replace_copy(field.begin(), field.end(), copy.begin(), ',', '.');
+    field = {copy.data(), field.size()};
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> kilometresAndMetresIn(std::string_view field, char decimal) {
+  field = trimmed(field);
+  const std::size_t plus = field.find('+', 1);
+  if (plus == std::string_view::npos || plus + 1 >= field.size()) return std::nullopt;
+  const auto kilometres = numberIn(field.substr(0, plus), decimal), metres = numberIn(field.substr(plus + 1), decimal);
+  if (!kilometres || !metres || *kilometres != std::floor(*kilometres) || *metres < 0) return std::nullopt;
+  return *kilometres * 1000 + *metres;
+}
+
+bool isMissing(std::string_view field) {
+  static constexpr std::array<std::string_view, 9> words{"", "-", "nan", "-nan", "n/a", "na", "null", "inf", "-inf"};
+  field = trimmed(field);
+  const auto same = [&](std::string_view word) {
+    return word.size() == field.size() && std::equal(word.begin(), word.end(), field.begin(), [](char lower, char c) {
+             return lower == (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+           });
+  };
+  return std::any_of(words.begin(), words.end(), same);
+}
+
+}  // namespace squat::measured

@@ -1,0 +1,39 @@
+// solver/measured/TextTable.h - a text file as columns of numbers.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "measured/TableLayout.h"
+
+namespace squat::measured {
+
+struct TableColumn {
+  std::string name, unit;      // empty where the file does not tell
+  std::vector<double> values;  // not-a-number where the field is missing or text
+  bool kilometresAndMetres = false;
+  // First field that is not a number: its row, and what stands there.
+  std::size_t badRow = std::numeric_limits<std::size_t>::max();
+  std::string badText;
+};
+
+struct TextTable {
+  std::string path;
+  std::vector<TableColumn> columns;
+  std::vector<std::uint32_t> lines;  // line of each row in the file, from 1
+  std::string rowWord = "line";      // what `lines` counts
+
+  std::size_t rows() const { return lines.size(); }
+};
+
+// Throws FileError (path, line) for an unreadable or binary file, one without a table of numbers, and for rows with
+// another number of fields than the first.
+TextTable readTextTable(const std::string& path, char delimiter = 0, char decimal = 0);
+
+// The same for text that stands in memory.
+TextTable parseTextTable(std::string_view text, const std::string& path, char delimiter = 0, char decimal = 0);
+
+}  // namespace squat::measured

@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "measured/SignalFile.h"
+#include "measured/TemporaryFile.h"
+#include "results/Hdf5.h"
+
+namespace squat::measured {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string files = std::string(SQUAT_SOURCE_DIR) + "/tests/measured/files/";
+
+double aba(std::size_t i) {
+  return 10 * std::sin(2 * std::numbers::pi * 300 * static_cast<double>(i) / 25000) + static_cast<double>(i) / 100;
+}
+
+std::string complaint(const std::string& path, const SignalFileOptions& options = {}) {
+  try {
+    readSignals(path, options);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Hdf5Signals, matlabVariableWithItsRate) {
+  const auto runs = readSignals(files + "matlab73.mat");
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_NEAR(runs[0].series.rate(), 25000, 1e-9);
+  ASSERT_EQ(runs[0].series.values.size(), 100u);
+  for (std::size_t i = 0; i < 100; ++i) ASSERT_NEAR(runs[0].series.values[i], aba(i), 1e-12);
+  EXPECT_TRUE(runs[0].position.empty());
+}
+
+TEST(Hdf5Signals, matlabStructWithTimeAndSpeed) {
+  SignalFileOptions options;
+  for (const auto* object : {"run2", "/run2/", "run2/aba"}) {
+    options.object = object;
+    const auto runs = readSignals(files + "matlab73.mat", options);
+    ASSERT_EQ(runs.size(), 1u);
+    EXPECT_NEAR(runs[0].series.values[7], 2 * aba(7), 1e-12);
+    EXPECT_NEAR(runs[0].series.rate(), 25000, 1e-6);
+    EXPECT_NEAR(runs[0].position[99], 99 * 28 / 25000.0, 1e-9);
+  }
+}
+
+TEST(Hdf5Signals, severalRunsInOneDataset) {
+  SignalFileOptions options;
+  options.object = "/line/track1/aba";
+  const auto runs = readSignals(files + "runs.h5", options);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[1].run, "aba 2");
+  EXPECT_NEAR(runs[1].series.values[9], 2 * 9.80665 * aba(9), 1e-4);  // stored in single precision
+  EXPECT_NEAR(runs[1].series.rate(), 25000, 1e-9);
+  EXPECT_EQ(runs[1].series.unit, "m/s2");
+  options.object = "line/track1";
+  options.column = "counts";
+  EXPECT_NEAR(readSignals(files + "runs.h5", options)[0].series.values[10], std::trunc(100 * aba(10)), 1e-12);
+}
+
+TEST(Hdf5Signals, badRequestsGetOneClearMessage) {
+  SignalFileOptions options;
+  options.object = "/mixed";
+  EXPECT_THAT(complaint(files + "runs.h5", options), HasSubstr("/mixed/time: has 90 values, the signal 100"));
+  options.object = "/line/track9";
+  EXPECT_THAT(complaint(files + "runs.h5", options), HasSubstr("/line/track1/counts"));
+  options.object = "/line/track1";
+  options.column = "abba";
+  EXPECT_THAT(complaint(files + "runs.h5", options), HasSubstr("no column 'abba'"));
+  const tests::TemporaryFile cut("\x89HDF\r\n\x1a\n cut off", ".h5");
+  EXPECT_FALSE(complaint(cut.path()).empty());
+}
+
+// A file laid out like a result of this program: /signals with time, position and several signals.
+TEST(Hdf5Signals, resultFile) {
+  results::ArrayTree tree;
+  std::vector<double> time, position, values;
+  for (std::size_t i = 0; i < 200; ++i) {
+    time.push_back(static_cast<double>(i) / 25000);
+    position.push_back(-0.5 + 30 * time.back());
+    values.push_back(aba(i));
+  }
+  tree.add("/signals/time", time, "s");
+  tree.add("/signals/position", position, "m");
+  tree.add("/signals/aba", values, "m/s2");
+  tree.add("/signals/wheel_speed", std::vector<double>(200, 65.2), "rad/s");
+  tree.add("/spectra/frequency", std::vector<double>{0, 1, 2}, "Hz");
+  const auto bytes = results::encodeHdf5(tree, "test");
+  const tests::TemporaryFile file(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), ".h5");
+  const auto runs = readSignals(file.path());
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_EQ(runs[0].series.values, values);
+  EXPECT_TRUE(runs[0].chainage);
+  EXPECT_NEAR(runs[0].position[0], -0.5, 1e-12);
+  SignalFileOptions options;
+  options.column = "wheel_speed";
+  EXPECT_DOUBLE_EQ(readSignals(file.path(), options)[0].series.values[5], 65.2);
+}
+
+}  // namespace
+}  // namespace squat::measured

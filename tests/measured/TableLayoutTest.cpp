@@ -1,0 +1,107 @@
+#include "measured/TableLayout.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "measured/ColumnRoles.h"
+#include "measured/TextNumber.h"
+#include "measured/TextTable.h"
+
+namespace squat::measured {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(TextNumber, pointAndComma) {
+  EXPECT_EQ(numberIn(" 1.5e-3 ", '.'), 1.5e-3);
+  EXPECT_EQ(numberIn("+2,5", ','), 2.5);
+  EXPECT_EQ(numberIn("-,5", ','), -0.5);
+  EXPECT_EQ(numberIn("7", ','), 7.0);
+  for (const auto* bad : {"", "-", "1,5", "nan", "inf", "1.5x", "0x10", "1e999", "1 2"})
+    EXPECT_FALSE(numberIn(bad, '.')) << bad;
+  EXPECT_FALSE(numberIn("1.234,5", ','));
+  EXPECT_EQ(kilometresAndMetresIn("12+345.6", '.'), 12345.6);
+  EXPECT_FALSE(kilometresAndMetresIn("1.5+20", '.'));
+  EXPECT_FALSE(kilometresAndMetresIn("1e+20", '.'));
+  EXPECT_TRUE(isMissing(" NaN "));
+  EXPECT_FALSE(isMissing("5"));
+}
+
+struct LayoutCase {
+  const char* text;
+  char delimiter, decimal;
+  std::size_t columns, rows;
+  double last;  // in the last column
+};
+
+class Layouts : public testing::TestWithParam<LayoutCase> {};
+
+TEST_P(Layouts, areFound) {
+  const auto& c = GetParam();
+  const TextTable table = parseTextTable(c.text, "test");
+  ASSERT_EQ(table.columns.size(), c.columns) << c.text;
+  ASSERT_EQ(table.rows(), c.rows) << c.text;
+  const double last = table.columns.back().values.back();
+  EXPECT_TRUE(std::isnan(c.last) ? std::isnan(last) : last == c.last) << c.text << " gave " << last;
+}
+
+INSTANTIATE_TEST_SUITE_P(Matrix, Layouts,
+                         testing::Values(LayoutCase{"1.5,2.5\n3.5,4.5\n", ',', '.', 2, 2, 4.5},
+                                         LayoutCase{"t,a\n0,1\n1,2\n", ',', '.', 2, 2, 2},
+                                         LayoutCase{"0,5;1,5\n0,6;1,7", ';', ',', 2, 2, 1.7},
+                                         LayoutCase{"t;a\r\n0,5;1,5\r\n0,6;1,7\r\n", ';', ',', 2, 2, 1.7},
+                                         LayoutCase{"0.5\t-1.5e3\n0.6\t-1.7E-2\n", '\t', '.', 2, 2, -0.017},
+                                         LayoutCase{"0,5\t-1,5\n0,6\t-1,7\n", '\t', ',', 2, 2, -1.7},
+                                         LayoutCase{"  0.5   1.5\n  0.6   1.75\n", ' ', '.', 2, 2, 1.75},
+                                         LayoutCase{"0,001 1,234\n0,002 1,235\n", ' ', ',', 2, 2, 1.235},
+                                         LayoutCase{"1.0, 2.0\n2.0, 3.0\n", ',', '.', 2, 2, 3.0},
+                                         LayoutCase{"1|2|3\n4|5|6.5\n", '|', '.', 3, 2, 6.5},
+                                         LayoutCase{"1.5\n2.5\n3.5", ' ', '.', 1, 3, 3.5},
+                                         LayoutCase{"\xEF\xBB\xBFt;a\n1;2\n2;3\n", ';', '.', 2, 2, 3},
+                                         LayoutCase{"1;2;\n2;3;\n3;5;\n", ';', '.', 2, 3, 5},
+                                         LayoutCase{"# comment\n% another\n1,2\n# inside\n\n3,4\n", ',', '.', 2, 2, 4},
+                                         LayoutCase{"time,aba,remark\n0,1,start\n1,2.5,\n2,4,end of run\n", ',', '.', 3,
+                                                    3, std::nan("")}),
+                         [](const auto& instance) { return "layout" + std::to_string(instance.index); });
+
+TEST(TextTable, preambleHeaderAndUnits) {
+  const auto table = parseTextTable(
+      "Measuring train 7;;\nDate;2014-01-06;\n\n\"Time\";\"ABA; "
+      "left\";Speed\n[s];[m/s2];[km/h]\n0,0;1,5;100\n0,1;2,5;101\n",
+      "test");
+  ASSERT_EQ(table.columns.size(), 3u);
+  EXPECT_EQ(table.columns[1].name, "ABA; left");
+  EXPECT_EQ(table.columns[2].unit, "km/h");
+  EXPECT_EQ(table.rows(), 2u);
+  EXPECT_EQ(table.lines[0], 6u);
+  EXPECT_THAT(table.columns[1].values, ElementsAre(1.5, 2.5));
+}
+
+TEST(TextTable, unitsInTheHeader) {
+  const auto table = parseTextTable("time [ms], aba (g), km\n0,1,12+000.0\n1,2,12+000.5\n", "test");
+  EXPECT_EQ(table.columns[0].name, "time");
+  EXPECT_EQ(table.columns[0].unit, "ms");
+  EXPECT_EQ(table.columns[1].unit, "g");
+  EXPECT_TRUE(table.columns[2].kilometresAndMetres);
+  EXPECT_DOUBLE_EQ(table.columns[2].values[1], 12000.5);
+}
+
+TEST(ColumnRoles, byNameAndUnit) {
+  EXPECT_EQ(roleOf("Time", ""), Role::time);
+  EXPECT_EQ(roleOf("time_s", ""), Role::time);
+  EXPECT_EQ(roleOf("Zeit", "s"), Role::time);
+  EXPECT_EQ(roleOf("chainage", "km"), Role::position);
+  EXPECT_EQ(roleOf("km", ""), Role::position);
+  EXPECT_EQ(roleOf("Speed", "km/h"), Role::speed);
+  EXPECT_EQ(roleOf("aba", "m/s2"), Role::signal);
+  EXPECT_EQ(roleOf("vertical", ""), Role::signal);
+  EXPECT_EQ(roleOf("timeliness", ""), Role::signal);
+  EXPECT_DOUBLE_EQ(scaleOf("km/h", "v", Role::speed).factor, 1 / 3.6);
+  EXPECT_DOUBLE_EQ(scaleOf("", "km", Role::position).factor, 1000);
+  EXPECT_EQ(scaleOf("g", "aba", Role::signal).unit, "m/s2");
+  EXPECT_EQ(scaleOf("counts", "aba", Role::signal).unit, "counts");
+}
+
+}  // namespace
+}  // namespace squat::measured
