@@ -77,9 +77,9 @@ double wavelengthByCrossings(const TimeSeries& series, double from, double to, d
 double wavelengthByRidge(const TimeSeries& series, double from, double to, double speed, const Band& band);
 
 // Time [s] from `impact` until the band's envelope (root mean wavelet power, amplitude-normalised) falls below `level`
-// of its largest value after the impact and stays below for a period of the band's lower edge; to the end of the record
-// where it never does. The wavelet's own length is the least that can be seen: an impulse gives 2.0/(band centre) at
-// level 0.1.
+// of its largest value after the impact and stays below for a period of the band's lower edge; to the end of the
+// record, or one second, where it never does. The wavelet's own length is the least that can be seen: an impulse
+// gives 2.0/(band centre) at level 0.1.
 double freeVibration(const TimeSeries& series, double impact, const Band& band, double level);
 
 }  // namespace squat::signals

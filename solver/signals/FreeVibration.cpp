@@ -13,6 +13,7 @@ namespace squat::signals {
 namespace {
 
 constexpr double voicesPerOctave = 24;
+constexpr double longestVibration = 1.0;  // [s] looked at after the impact
 
 // Power of all voices of the band at every sample, row by row.
 Scalogram bandScalogram(const TimeSeries& series, const Band& band) {
@@ -69,16 +70,17 @@ double wavelengthByRidge(const TimeSeries& series, double from, double to, doubl
 }
 
 double freeVibration(const TimeSeries& series, double impact, const Band& band, double level) {
-  const Scalogram map = bandScalogram(series, band);
-  std::vector<double> power(map.time.size(), 0.0);
-  for (std::size_t row = 0; row < map.frequency.size(); ++row)
-    for (std::size_t column = 0; column < power.size(); ++column) power[column] += map.at(row, column);
-  const auto begin = std::lower_bound(map.time.begin(), map.time.end(), impact - 0.5 * series.step) - map.time.begin();
-  if (begin >= static_cast<std::ptrdiff_t>(power.size())) {
+  if (impact > series.timeAt(series.values.size())) {
     std::ostringstream text;
     text << "the impact at " << impact << " s lies behind the end of the signal";
     throw SignalError(text.str());
   }
+  const Scalogram map = bandScalogram(surroundings(series, impact, impact + longestVibration, band), band);
+  std::vector<double> power(map.time.size(), 0.0);
+  for (std::size_t row = 0; row < map.frequency.size(); ++row)
+    for (std::size_t column = 0; column < power.size(); ++column) power[column] += map.at(row, column);
+  const auto begin = std::lower_bound(map.time.begin(), map.time.end(), impact - 0.5 * series.step) - map.time.begin();
+  if (begin == static_cast<std::ptrdiff_t>(power.size())) return 0;
   const auto top = std::max_element(power.begin() + begin, power.end());
   const double limit = level * level * *top;
   const auto period = static_cast<std::size_t>(std::ceil(1 / (band.low * series.step)));
