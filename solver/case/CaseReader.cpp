@@ -10,7 +10,7 @@
 #include "case/PointsText.h"
 #include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
-#include "case/TomlDepth.h"
+#include "case/TomlGuard.h"
 #include "case/TomlLibrary.h"
 #include "case/Validation.h"
 #include "core/DurableFile.h"
@@ -289,6 +289,9 @@ toml::table parsedToml(std::string_view text, const std::string& origin) {
   if (mostKeyParts(text) > mostParts)
     throw FileError(origin, "", "has a key of more than " + std::to_string(mostParts) + " parts",
                     "Keys of a case have two, like pad.stiffness");
+  if (const auto foreign = firstForeignByte(text); foreign != std::string_view::npos)
+    throw FileError(origin, "line " + std::to_string(1 + std::count(text.begin(), text.begin() + foreign, '\n')),
+                    "has a letter beyond ASCII outside quotes", "Put texts between quotes");
   try {
     toml::parse_result parsed = toml::parse(text, origin);
     if (parsed) return std::move(parsed).table();

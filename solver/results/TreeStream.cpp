@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <memory>
+#include <set>
 #include <type_traits>
 
 #include "core/Errors.h"
@@ -16,7 +17,8 @@ static_assert(std::endian::native == std::endian::little, "the stream is little-
 namespace {
 
 constexpr std::string_view kMagic = "SQTREE01";
-constexpr std::size_t kMostNames = 100000;  // sections, attributes of one owner
+constexpr std::size_t kMostSections = 100000;
+constexpr std::size_t kMostAttributes = 1000;  // of one owner
 constexpr std::size_t kMostRank = 8;
 constexpr std::size_t kStep = std::size_t{1} << 20;  // memory grows by this much while bytes come
 enum Kind : std::uint8_t { kEnd = 0, kRoot = 1, kGroup = 2, kArray = 3 };
@@ -88,11 +90,13 @@ class Reader {
   }
   std::vector<Attribute> attributes() {
     const auto count = number<std::uint32_t>();
-    if (count > kMostNames) refuse_("too many attributes");
+    if (count > kMostAttributes) refuse_("too many attributes");
     std::vector<Attribute> list;
     for (std::uint32_t i = 0; i < count; ++i) {
       Attribute attribute;
       attribute.name = text();
+      for (const auto& earlier : list)
+        if (earlier.name == attribute.name) refuse_("an attribute comes twice");
       switch (number<std::uint8_t>()) {
         case 0:
           attribute.value = text();
@@ -265,10 +269,11 @@ ArrayTree decodeTree(const ByteSource& source, const std::string& path, std::siz
   if (std::memcmp(magic.data(), kMagic.data(), kMagic.size()) != 0) refuse("not a file of this program");
 
   ArrayTree tree;
+  std::set<std::string> paths;
   std::size_t used = 0;
   for (std::uint64_t index = 0;; ++index) {
     section = "section " + std::to_string(index);
-    if (index > kMostNames) refuse("too many sections");
+    if (index > kMostSections) refuse("too many sections");
     std::array<std::byte, 9> head{};
     fill(head);
     std::uint64_t length = 0;
@@ -301,11 +306,13 @@ ArrayTree decodeTree(const ByteSource& source, const std::string& path, std::siz
         Group group;
         group.path = reader.text();
         group.attributes = reader.attributes();
+        if (!paths.insert(group.path + "/").second) refuse("a group comes twice");
         tree.groups.push_back(std::move(group));
         break;
       }
       case kArray:
         tree.arrays.push_back(readArray(reader, refuse));
+        if (!paths.insert(tree.arrays.back().path).second) refuse("an array comes twice");
         break;
       default:
         refuse("unknown kind of section");

@@ -9,7 +9,7 @@
 #include "case/DefectSurface.h"
 #include "case/ParameterTable.h"
 #include "case/ProfileFile.h"
-#include "case/TomlDepth.h"
+#include "case/TomlGuard.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
 
@@ -89,6 +89,15 @@ TEST(HostileCase, BombsAreRefusedInTime) {
   EXPECT_EQ(readAsCase("[motion]\nspeed = " + std::string(3'000'000, '9')), Outcome::refused);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_LT(seconds.count(), 10 * 10.0);
+}
+
+// U+FB44 outside quotes reaches __builtin_unreachable in toml++ 3.3 (found by the fuzzer).
+TEST(HostileCase, LettersBeyondAsciiStandOnlyInTextsAndComments) {
+  EXPECT_EQ(readAsCase("\xEF\xBB\x84 = 1"), Outcome::refused);
+  EXPECT_EQ(readAsCase("title = 1 \xEF\xBB\x84"), Outcome::refused);
+  EXPECT_EQ(readAsCase("\xEF\xBB\xBFtitle = \"L\xC3\xA4nge \xEF\xBB\x84\" # \xEF\xBB\x84"), Outcome::taken);
+  EXPECT_EQ(firstForeignByte("a = 'b'\n\xC3"), 8u);
+  EXPECT_EQ(firstForeignByte("a = '\xC3' # \xC3"), std::string_view::npos);
 }
 
 TEST(HostileCase, CountsThePartsOfKeysAsTomlDoes) {

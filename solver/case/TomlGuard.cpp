@@ -1,4 +1,4 @@
-#include "case/TomlDepth.h"
+#include "case/TomlGuard.h"
 
 #include <algorithm>
 
@@ -22,24 +22,39 @@ std::size_t behindString(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-}  // namespace
-
-std::size_t mostKeyParts(std::string_view text) {
-  std::size_t dots = 0, most = 0;
+// Calls `visit(letter, position)` for everything outside strings; of a comment only its # is seen.
+template <typename Visit>
+void visitOutsideStrings(std::string_view text, const Visit& visit) {
   for (std::size_t at = 0; at < text.size();) {
     const char letter = text[at];
     if (letter == '"' || letter == '\'') {
       at = behindString(text, at);
       continue;
     }
-    if (letter == '#')
-      at = std::min(text.find('\n', at), text.size());
-    else
-      ++at;
+    visit(letter, at);
+    at = letter == '#' ? std::min(text.find('\n', at), text.size()) : at + 1;
+  }
+}
+
+}  // namespace
+
+std::size_t mostKeyParts(std::string_view text) {
+  std::size_t dots = 0, most = 0;
+  visitOutsideStrings(text, [&](char letter, std::size_t) {
     if (letter == '.') most = std::max(most, ++dots);
     if (std::string_view("=,[]{}\n#").find(letter) != std::string_view::npos) dots = 0;
-  }
+  });
   return most + 1;
+}
+
+std::size_t firstForeignByte(std::string_view text) {
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  const std::size_t begin = text.substr(0, 3) == byteOrderMark ? 3 : 0;
+  std::size_t found = std::string_view::npos;
+  visitOutsideStrings(text.substr(begin), [&](char letter, std::size_t at) {
+    if (found == std::string_view::npos && static_cast<unsigned char>(letter) > 127) found = at + begin;
+  });
+  return found;
 }
 
 }  // namespace squat::cases
