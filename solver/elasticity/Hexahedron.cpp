@@ -109,7 +109,8 @@ double jacobianRatio(const Corners& corners) {
   double smallest = 1;
   for (int i = 0; i < 8; ++i)
     smallest = std::min(
-        smallest, jacobian(corners, referenceGradients(cornerXi[i], cornerEta[i], cornerZeta[i])).determinant() / centre);
+        smallest,
+        jacobian(corners, referenceGradients(cornerXi[i], cornerEta[i], cornerZeta[i])).determinant() / centre);
   return smallest;
 }
 

@@ -16,10 +16,11 @@ using Corners = std::array<Eigen::Vector3d, 8>;
 // Hooke's matrix for the strains (xx, yy, zz, 2xy, 2yz, 2zx) [Pa].
 Matrix6 elasticityMatrix(const cases::Material& material);
 
-// Corners 0-3 are a quad, counter-clockwise seen against the sweep, 4-7 the same quad one station on. Unknowns: 3 a corner.
-// Incompatible modes after Wilson with Taylor's correction (R. L. Taylor, P. J. Beresford, E. L. Wilson 1976), the same as
-// the nine-parameter enhanced strain of Simo and Rifai (1990): passes the patch test for any shape, no shear locking,
-// no hourglass modes. Throws std::invalid_argument when the Jacobian is not positive at an integration point.
+// Corners 0-3 are a quad, counter-clockwise seen against the sweep, 4-7 the same quad one station on. Unknowns: 3 a
+// corner. Incompatible modes after Wilson with Taylor's correction (R. L. Taylor, P. J. Beresford, E. L. Wilson 1976),
+// the same as the nine-parameter enhanced strain of Simo and Rifai (1990): passes the patch test for any shape, no
+// shear locking, no hourglass modes. Throws std::invalid_argument when the Jacobian is not positive at an integration
+// point.
 Matrix24 hexahedronStiffness(const Corners& corners, const cases::Material& material);
 
 // Mass of each corner, row sums of the consistent matrix [kg].
@@ -31,11 +32,13 @@ Strain24 centreStrain(const Corners& corners);
 // Smallest Jacobian determinant over the corners divided by that of the centre; 1 is a brick, below 0 inverted.
 double jacobianRatio(const Corners& corners);
 
-// Trilinear shape functions at (xi, eta, zeta) in corner order, and the point's reference coordinates by Newton's method.
+// Trilinear shape functions at (xi, eta, zeta) in corner order, and the point's reference coordinates by Newton's
+// method.
 std::array<double, 8> hexahedronShape(double xi, double eta, double zeta);
 Eigen::Vector3d referenceCoordinates(const Corners& corners, const Eigen::Vector3d& point);
 
 // Shape gradients at a reference point [1/m] (8 columns) and the Jacobian determinant.
-Eigen::Matrix<double, 3, 8> shapeGradients(const Corners& corners, double xi, double eta, double zeta, double& determinant);
+Eigen::Matrix<double, 3, 8> shapeGradients(const Corners& corners, double xi, double eta, double zeta,
+                                           double& determinant);
 
 }  // namespace squat::elasticity

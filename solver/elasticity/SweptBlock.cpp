@@ -40,10 +40,10 @@ void addElement(const SweptBlock& block, const std::array<int, 4>& quad, const M
         for (int column = 0; column < 3; ++column) {
           // S acts on (d_a, s_b, s_c) and yields (difference_a, sum_b, sum_c); T on (s_a, d_b, d_c) likewise.
           const bool rowA = row == 0, columnA = column == 0;
-          const Eigen::Matrix3d& forS = rowA ? (columnA ? differenceOfDifferences : differenceOfSums)
-                                             : (columnA ? sumOfDifferences : sumOfSums);
-          const Eigen::Matrix3d& forT = rowA ? (columnA ? sumOfSums : sumOfDifferences)
-                                             : (columnA ? differenceOfSums : differenceOfDifferences);
+          const Eigen::Matrix3d& forS =
+              rowA ? (columnA ? differenceOfDifferences : differenceOfSums) : (columnA ? sumOfDifferences : sumOfSums);
+          const Eigen::Matrix3d& forT =
+              rowA ? (columnA ? sumOfSums : sumOfDifferences) : (columnA ? differenceOfSums : differenceOfDifferences);
           pair[3 * row + column] += 0.25 * forS(row, column);
           pair[9 + 3 * row + column] += 0.25 * forT(row, column);
         }

@@ -1,8 +1,8 @@
 // solver/elasticity/SweptBlock.h - a solid made by sweeping a section along a line or around the wheel's axis.
 //
-// All elements of one section quad within one run of stations are congruent and share one matrix. Displacements are kept
-// in local components: a along the sweep, b and c in the section. Around the axis the basis turns with the station, so
-// every sector of equal angle shares one matrix as well.
+// All elements of one section quad within one run of stations are congruent and share one matrix. Displacements are
+// kept in local components: a along the sweep, b and c in the section. Around the axis the basis turns with the
+// station, so every sector of equal angle shares one matrix as well.
 //
 // Mirroring an interval at its middle swaps its stations and turns the sign of a. With sums s = u(right) + u(left) and
 // differences d = u(right) - u(left), the interval's matrix therefore falls apart into two:
@@ -27,17 +27,17 @@ namespace squat::elasticity {
 enum class SweepKind {
   alongX,     // (a, b, c) = (x, y, z); section coordinates (y, z)
   alongY,     // (a, b, c) = (y, z, x); section coordinates (z, x)
-  aroundAxis  // (a, b, c) = (e_alpha, e_r, e_y); section coordinates (r, y); e_r = (sin alpha, 0, -cos alpha): alpha = 0 is
-              // the lowest point, growing towards +x. Rolling in +x turns material points towards smaller alpha.
+  aroundAxis  // (a, b, c) = (e_alpha, e_r, e_y); section coordinates (r, y); e_r = (sin alpha, 0, -cos alpha): alpha =
+              // 0 is the lowest point, growing towards +x. Rolling in +x turns material points towards smaller alpha.
 };
 
 struct SweptBlock {
   std::string name;
   SweepKind kind = SweepKind::alongX;
   geometry::SectionMesh section;
-  geometry::Stations stations;         // every run a multiple of 8 intervals
+  geometry::Stations stations;  // every run a multiple of 8 intervals
   cases::Material material;
-  Eigen::Vector3d origin{0, 0, 0};     // [m] added to the swept position; around the axis: the axis at y = 0
+  Eigen::Vector3d origin{0, 0, 0};  // [m] added to the swept position; around the axis: the axis at y = 0
 
   // Filled by prepareBlock().
   int nodes = 0, intervals = 0, stationCount = 0;
@@ -61,13 +61,15 @@ struct SweptBlock {
 // Computes everything below the comment; throws std::invalid_argument for a run that is no multiple of 8.
 void prepareBlock(SweptBlock& block);
 
-// Position of a node in the reference configuration; around the axis in the configuration where the wheel has not turned.
+// Position of a node in the reference configuration; around the axis in the configuration where the wheel has not
+// turned.
 Eigen::Vector3d nodePosition(const SweptBlock& block, int node, int station);
 
 // Columns are the local basis vectors (a, b, c) of a station in global axes.
 Eigen::Matrix3d localBasis(const SweptBlock& block, double stationPosition);
 
-// Corners of an element in the axes of the middle of its interval, left station first, and its local-to-local rotations.
+// Corners of an element in the axes of the middle of its interval, left station first, and its local-to-local
+// rotations.
 Corners elementCorners(const SweptBlock& block, int quad, double intervalLength);
 
 // Stiffness of one element in local components, 24x24: left quad nodes, then right; 3 components each.

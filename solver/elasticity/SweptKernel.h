@@ -24,23 +24,24 @@ struct KernelCall {
   double* force = nullptr;
 
   // advanceStep: one step of the central difference for the same stations.
-  const double* inverseMass = nullptr;  // nodes lines (one per node)
-  const double* fixedMask = nullptr;    // nodes x 3: 1 free, 0 held
-  const int* externalLine = nullptr;    // per node: line triple in `external`, or -1
-  const unsigned char* slave = nullptr; // per node: 1: not advanced, its inner force is left in `external` instead
-  double* external = nullptr;           // triples of lines; added to the inner force and cleared
-  double* velocity = nullptr;           // in place
-  double* target = nullptr;             // new u + beta v
-  const double* acceleration = nullptr; // 3 lines: body acceleration of each station in local components
-  const double* radialWeight = nullptr; // per node: radius for the spin, or null
-  double spinAcceleration = 0;          // [rad/s2] added times radius to a
-  double step = 0, beta = 0;            // [s]
-  double cosine = 1, sine = 0;          // of the angle by which the local basis turns in this step
+  const double* inverseMass = nullptr;   // nodes lines (one per node)
+  const double* fixedMask = nullptr;     // nodes x 3: 1 free, 0 held
+  const int* externalLine = nullptr;     // per node: line triple in `external`, or -1
+  const unsigned char* slave = nullptr;  // per node: 1: not advanced, its inner force is left in `external` instead
+  double* external = nullptr;            // triples of lines; added to the inner force and cleared
+  double* velocity = nullptr;            // in place
+  double* target = nullptr;              // new u + beta v
+  const double* acceleration = nullptr;  // 3 lines: body acceleration of each station in local components
+  const double* radialWeight = nullptr;  // per node: radius for the spin, or null
+  double spinAcceleration = 0;           // [rad/s2] added times radius to a
+  double step = 0, beta = 0;             // [s]
+  double cosine = 1, sine = 0;           // of the angle by which the local basis turns in this step
 };
 
 struct KernelSet {
   std::string name;  // "sse2", "avx2", "avx512"
   void (*applyStiffness)(const KernelCall&) = nullptr;
+  void (*carryOver)(const KernelCall&) = nullptr;  // carry of the interval before call.first, nothing else
   void (*advanceStep)(const KernelCall&) = nullptr;
   double (*multiplyAddPeak)(double seconds) = nullptr;  // measured multiply-add peak of one core [flop/s]
 };

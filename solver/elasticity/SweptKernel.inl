@@ -1,6 +1,6 @@
-// Body of the kernels; included once per instruction set with LANES (doubles a vector) and WIDEST (vectors a group) set.
-// GCC vector types: the same text for every width. No reassociation is allowed, so that a lane's result does not depend
-// on how stations are grouped.
+// Body of the kernels; included once per instruction set with LANES (doubles a vector) and WIDEST (vectors a group)
+// set. GCC vector types: the same text for every width. No reassociation is allowed, so that a lane's result does not
+// depend on how stations are grouped.
 #include <chrono>
 
 #include "elasticity/SweptKernel.h"
@@ -10,7 +10,6 @@ namespace {
 
 using Vector = double __attribute__((vector_size(LANES * sizeof(double)), may_alias));
 using Loose = double __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
-using Mask = long long __attribute__((vector_size(LANES * sizeof(double))));
 
 inline Vector loadLoose(const double* p) { return *reinterpret_cast<const Loose*>(p); }
 inline Vector load(const double* p) { return *reinterpret_cast<const Vector*>(p); }
@@ -20,13 +19,12 @@ inline Vector splat(double value) { return value - Vector{}; }
 // Last lane of `before`, then all but the last of `now`.
 inline Vector shifted(Vector before, Vector now) {
 #if LANES == 8
-  const Mask order = {7, 8, 9, 10, 11, 12, 13, 14};
+  return __builtin_shufflevector(before, now, 7, 8, 9, 10, 11, 12, 13, 14);
 #elif LANES == 4
-  const Mask order = {3, 4, 5, 6};
+  return __builtin_shufflevector(before, now, 3, 4, 5, 6);
 #else
-  const Mask order = {1, 2};
+  return __builtin_shufflevector(before, now, 1, 2);
 #endif
-  return __builtin_shuffle(before, now, order);
 }
 
 // Sums and differences of both stations for all nodes: per node d_a, s_b, s_c, s_a, d_b, d_c.
@@ -142,6 +140,14 @@ inline void advanceGroup(const KernelCall& call, int at) {
         store(call.target + here, displacement[c]);
       }
     }
+  }
+}
+
+void carryOver(const KernelCall& call) {
+  gather<1>(call, call.first - LANES);
+  for (int n = 0; n < call.nodes; ++n) {
+    Vector force[3][1];
+    innerForce<1>(call, n, force);
   }
 }
 

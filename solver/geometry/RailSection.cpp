@@ -175,7 +175,7 @@ SectionMesh railSectionMesh(const RailSectionSizes& sizes) {
   const RailOutline out = outline54E1();
   const double h = sizes.contactSize, band = sizes.bandHalfWidth;
   const int columns = std::max(2, static_cast<int>(std::lround(band / h)));  // half the band
-  const double growth = 1.32;
+  const double growth = sizes.growth;
 
   // Split the crown at the band edge: the arc-length fraction where y = band.
   const double crownLength = lengthOf(out.crown);
@@ -203,12 +203,11 @@ SectionMesh railSectionMesh(const RailSectionSizes& sizes) {
   mesher.addBlock(straight({0, headCentre}, headMiddle, uniform(columns)), inner, axisHead, divide);
   // Head, side part.
   std::vector<double> sideRows = uniform(headRows);
-  mesher.addBlock(sample(out.underside, uniform(sideColumns)), outer, divide,
-                  [&] {
-                    auto side = sample(out.headSide, sideRows);
-                    std::reverse(side.begin(), side.end());
-                    return side;
-                  }());
+  mesher.addBlock(sample(out.underside, uniform(sideColumns)), outer, divide, [&] {
+    auto side = sample(out.headSide, sideRows);
+    std::reverse(side.begin(), side.end());
+    return side;
+  }());
   // Web.
   const double webLength = lengthOf(out.web);
   const int webRows = std::max(4, static_cast<int>(std::ceil(webLength / sizes.sectionSize)));

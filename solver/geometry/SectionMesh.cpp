@@ -101,8 +101,8 @@ void BlockMesher::addBlock(const std::vector<Point2>& bottom, const std::vector<
       Point2 p;
       for (int k = 0; k < 2; ++k) {
         const double edges = (1 - v) * bottom[i][k] + v * top[i][k] + (1 - u) * left[j][k] + u * right[j][k];
-        const double corners = (1 - u) * (1 - v) * bottom[0][k] + u * (1 - v) * bottom[n][k] +
-                               (1 - u) * v * top[0][k] + u * v * top[n][k];
+        const double corners =
+            (1 - u) * (1 - v) * bottom[0][k] + u * (1 - v) * bottom[n][k] + (1 - u) * v * top[0][k] + u * v * top[n][k];
         p[k] = edges - corners;
       }
       if (j == 0) p = bottom[i];
@@ -114,8 +114,8 @@ void BlockMesher::addBlock(const std::vector<Point2>& bottom, const std::vector<
   }
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i)
-      mesh_.quads.push_back({ids[j * (n + 1) + i], ids[j * (n + 1) + i + 1], ids[(j + 1) * (n + 1) + i + 1],
-                             ids[(j + 1) * (n + 1) + i]});
+      mesh_.quads.push_back(
+          {ids[j * (n + 1) + i], ids[j * (n + 1) + i + 1], ids[(j + 1) * (n + 1) + i + 1], ids[(j + 1) * (n + 1) + i]});
 }
 
 void BlockMesher::mirror() {

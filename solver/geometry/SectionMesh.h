@@ -27,16 +27,16 @@ std::vector<int> nodesWhere(const SectionMesh& mesh, const std::function<bool(co
 
 // Area, centroid and second moments about the centroid of a section, by Gauss integration over the quads.
 struct SectionIntegrals {
-  double area = 0;             // [m2]
+  double area = 0;                      // [m2]
   double centroidB = 0, centroidC = 0;  // [m]
-  double momentBB = 0;         // integral of (b - centroidB)^2 [m4]
-  double momentCC = 0;         // integral of (c - centroidC)^2 [m4]
+  double momentBB = 0;                  // integral of (b - centroidB)^2 [m4]
+  double momentCC = 0;                  // integral of (c - centroidC)^2 [m4]
 };
 SectionIntegrals sectionIntegrals(const SectionMesh& mesh);
 
 // A structured block of quads between four edges (transfinite interpolation). bottom and top run in the first
-// direction, left and right in the second; corners must coincide. The first direction crossed with the second must point
-// along the sweep.
+// direction, left and right in the second; corners must coincide. The first direction crossed with the second must
+// point along the sweep.
 class BlockMesher {
  public:
   explicit BlockMesher(double mergeTolerance) : tolerance_(mergeTolerance) {}

@@ -44,8 +44,29 @@ double lengthOf(const std::vector<StationRun>& runs) {
 
 }  // namespace
 
+std::vector<StationRun> fillGap(double gap, double length, double finerBefore, double finerAfter, double growth,
+                                int multiple) {
+  std::vector<StationRun> before, after;
+  if (finerBefore > 0)
+    for (const double l : between(finerBefore, length, growth)) before.push_back({multiple, l});
+  if (finerAfter > 0)
+    for (const double l : between(length, finerAfter, growth)) after.push_back({multiple, l});
+  double rest = gap - lengthOf(before) - lengthOf(after);
+  while (rest <= 0 && (!before.empty() || !after.empty())) {  // no room: drop the coarsest steps
+    if (before.size() >= after.size())
+      before.pop_back();
+    else
+      after.erase(after.begin());
+    rest = gap - lengthOf(before) - lengthOf(after);
+  }
+  const int count = roundedUp(rest / length, multiple);
+  before.push_back({count, rest / count});
+  before.insert(before.end(), after.begin(), after.end());
+  return before;
+}
+
 Stations stationsOver(double start, const std::vector<Zone>& zones, double growth, int multiple) {
-  // Finer zones are laid first and grow by rounding; a coarser zone fills what its neighbours and transitions leave.
+  // Finer zones are laid first and grow by rounding into coarser ones, which fill what is left.
   const int n = static_cast<int>(zones.size());
   std::vector<double> from(n), to(n);
   for (int i = 0; i < n; ++i) from[i] = i ? zones[i - 1].to : start, to[i] = zones[i].to;
@@ -55,39 +76,18 @@ Stations stationsOver(double start, const std::vector<Zone>& zones, double growt
   std::vector<std::vector<StationRun>> runs(n);
   for (const int i : order) {
     const double length = zones[i].length;
-    const bool finerBefore = i > 0 && zones[i - 1].length < length, finerAfter = i + 1 < n && zones[i + 1].length < length;
-    std::vector<StationRun> before, after;
-    if (finerBefore)
-      for (const double l : between(zones[i - 1].length, length, growth)) before.push_back({multiple, l});
-    if (finerAfter)
-      for (const double l : between(length, zones[i + 1].length, growth)) after.push_back({multiple, l});
-    double rest = to[i] - from[i] - lengthOf(before) - lengthOf(after);
-    while (rest < 0 && (!before.empty() || !after.empty())) {  // no room: drop the coarsest steps
-      if (before.size() >= after.size()) before.pop_back();
-      else after.erase(after.begin());
-      rest = to[i] - from[i] - lengthOf(before) - lengthOf(after);
+    const bool coarserBefore = i > 0 && zones[i - 1].length > length;
+    const bool coarserAfter = i + 1 < n && zones[i + 1].length > length;
+    if (to[i] - from[i] <= 1e-9) continue;
+    if (coarserBefore || coarserAfter) {
+      const int count = roundedUp((to[i] - from[i]) / length, multiple);
+      const double extra = count * length - (to[i] - from[i]);
+      if (coarserBefore) from[i] -= coarserAfter ? extra / 2 : extra, to[i - 1] = from[i];
+      if (coarserAfter) to[i] = from[i] + count * length, from[i + 1] = to[i];
     }
-    auto& mine = runs[i];
-    mine = before;
-    // A zone with a coarser neighbour grows into it; between finer neighbours the length shrinks to fit.
-    const bool coarserBefore = i > 0 && zones[i - 1].length > length, coarserAfter = i + 1 < n && zones[i + 1].length > length;
-    if (rest > 1e-9) {
-      const int count = roundedUp(rest / length, multiple);
-      if (coarserBefore || coarserAfter) {
-        const double extra = count * length - rest;
-        if (coarserBefore && coarserAfter) {
-          to[i - 1] = from[i] - extra / 2, to[i] += extra / 2, from[i] -= extra / 2, from[i + 1] = to[i];
-        } else if (coarserBefore) {
-          from[i] -= extra, to[i - 1] = from[i];
-        } else {
-          to[i] += extra, from[i + 1] = to[i];
-        }
-        mine.push_back({count, length});
-      } else {
-        mine.push_back({count, rest / count});
-      }
-    }
-    mine.insert(mine.end(), after.begin(), after.end());
+    const double finerBefore = i > 0 && zones[i - 1].length < length ? zones[i - 1].length : 0;
+    const double finerAfter = i + 1 < n && zones[i + 1].length < length ? zones[i + 1].length : 0;
+    runs[i] = fillGap(to[i] - from[i], length, finerBefore, finerAfter, growth, multiple);
   }
   Stations stations;
   stations.start = start;

@@ -11,7 +11,7 @@ struct StationRun {
 };
 
 struct Stations {
-  double start = 0;  // [m] or [rad]
+  double start = 0;     // [m] or [rad]
   bool closed = false;  // around the full circle: the last station is the first
   std::vector<StationRun> runs;
 
@@ -28,9 +28,14 @@ struct Zone {
   double length = 0;  // [m] wished interval length
 };
 
+// Runs that fill exactly `gap` with intervals of about `length`, stepping down towards finer neighbours (their interval
+// length, or 0 where there is none) by at most a factor `growth` a run.
+std::vector<StationRun> fillGap(double gap, double length, double finerBefore, double finerAfter, double growth,
+                                int multiple);
+
 // Stations over neighbouring zones from `start`. Where lengths jump by more than `growth`, short runs with intermediate
-// lengths are taken from the coarser zone. Runs get multiples of `multiple` intervals, so that vectors along the stations
-// are full; zone ends move slightly outwards of the finer zone for that, `start` and the last end stay exact.
+// lengths are taken from the coarser zone. Runs get multiples of `multiple` intervals, so that vectors along the
+// stations are full; zone ends move slightly outwards of the finer zone for that, `start` and the last end stay exact.
 Stations stationsOver(double start, const std::vector<Zone>& zones, double growth, int multiple);
 
 }  // namespace squat::geometry

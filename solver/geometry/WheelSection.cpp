@@ -34,13 +34,13 @@ struct Rectangle {
 }  // namespace
 
 SectionMesh rimSectionMesh(const cases::Wheelset& wheelset, const WheelSectionSizes& sizes) {
-  const double growth = 1.32, h = sizes.contactSize, half = wheelset.rimWidth / 2;
+  const double growth = sizes.growth, h = sizes.contactSize, half = wheelset.rimWidth / 2;
   const int columns = std::max(2, static_cast<int>(std::lround(sizes.bandHalfWidth / h)));
   const double bandEdge = sizes.bandHalfWidth;
   std::vector<double> side;
   for (int i = 0; i <= columns; ++i) side.push_back(bandEdge * i / columns);
   const double rest = half - bandEdge, first = growth * h;
-  const int outer = intervalsFor(rest, first, 1.5, 1.5 * sizes.sectionSize);
+  const int outer = intervalsFor(rest, first, growth * 1.15, 1.5 * sizes.sectionSize);
   for (const double y : scaled(gradedSpacing(outer, first / rest), bandEdge, half))
     if (y > bandEdge + 1e-9) side.push_back(y);
   std::vector<double> y;
@@ -63,15 +63,15 @@ SectionMesh rimSectionMesh(const cases::Wheelset& wheelset, const WheelSectionSi
 }
 
 SectionMesh wheelBodySectionMesh(const cases::Wheelset& w, const WheelSectionSizes& sizes) {
-  const double rimOuter = w.radius - sizes.rimDepth, half = w.rimWidth / 2, hub = w.hubWidth / 2, web = w.webThickness / 2;
-  const std::vector<Rectangle> solids{
-      {w.boreRadius, w.axleRadius, -w.trackCentre, -hub},         // axle body
-      {w.boreRadius, w.seatRadius, -hub, hub},                    // wheel seat
-      {w.seatRadius, w.hubRadius, -hub, hub},                     // hub
-      {w.hubRadius, w.rimInnerRadius, -web, web},                 // web
-      {w.rimInnerRadius, rimOuter, -half, half},                  // inner rim
-      {w.boreRadius, w.shoulderRadius, hub, w.shoulderEnd},       // shoulder outside the hub
-      {w.boreRadius, w.journalRadius, w.shoulderEnd, w.journalEnd}};
+  const double rimOuter = w.radius - sizes.rimDepth, half = w.rimWidth / 2, hub = w.hubWidth / 2,
+               web = w.webThickness / 2;
+  const std::vector<Rectangle> solids{{w.boreRadius, w.axleRadius, -w.trackCentre, -hub},    // axle body
+                                      {w.boreRadius, w.seatRadius, -hub, hub},               // wheel seat
+                                      {w.seatRadius, w.hubRadius, -hub, hub},                // hub
+                                      {w.hubRadius, w.rimInnerRadius, -web, web},            // web
+                                      {w.rimInnerRadius, rimOuter, -half, half},             // inner rim
+                                      {w.boreRadius, w.shoulderRadius, hub, w.shoulderEnd},  // shoulder outside the hub
+                                      {w.boreRadius, w.journalRadius, w.shoulderEnd, w.journalEnd}};
   std::vector<double> radii, lateral;
   for (const auto& s : solids) {
     radii.push_back(s.inner), radii.push_back(s.outer);

@@ -1,4 +1,5 @@
-// solver/geometry/WheelSection.h - sections of the half wheelset in (radius, y), y from the wheel plane, outwards positive.
+// solver/geometry/WheelSection.h - sections of the half wheelset in (radius, y), y from the wheel plane, outwards
+// positive.
 #pragma once
 
 #include "case/CaseDescription.h"
@@ -7,8 +8,8 @@
 namespace squat::geometry {
 
 struct WheelSectionSizes {
-  double contactSize = 0, bandHalfWidth = 0, sectionSize = 0;  // [m] as in the rail
-  double rimDepth = 0;                                         // [m]
+  double contactSize = 0, bandHalfWidth = 0, sectionSize = 0, growth = 0;  // as in the rail
+  double rimDepth = 0;                                                     // [m]
 };
 
 // The finely meshed outer rim: radius - rimDepth .. radius.

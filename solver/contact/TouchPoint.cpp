@@ -1,0 +1,79 @@
+#include "contact/TouchPoint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace squat::contact {
+
+double railValue(const elasticity::SweptBlock& rail, const TouchPoint& t, const double* state, int component) {
+  const double* first = state + rail.index(t.railNode[0], component, t.railStation);
+  const double* second = state + rail.index(t.railNode[1], component, t.railStation);
+  return t.railWeight[0] * first[0] + t.railWeight[1] * first[1] + t.railWeight[2] * second[0] +
+         t.railWeight[3] * second[1];
+}
+
+double treadValue(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state, int component) {
+  const double* first = state + rim.index(t.treadNode[0], component, 0);
+  const double* second = state + rim.index(t.treadNode[1], component, 0);
+  return t.treadWeight[0] * first[t.treadStation[0]] + t.treadWeight[1] * first[t.treadStation[1]] +
+         t.treadWeight[2] * second[t.treadStation[0]] + t.treadWeight[3] * second[t.treadStation[1]];
+}
+
+std::pair<int, int> reachableIntervals(const Surfaces& s, const elasticity::SweptBlock& rail, double x, double reach) {
+  const auto begin = rail.positions.begin() + s.firstInterval, end = begin + s.intervals + 1;
+  int first = static_cast<int>(std::upper_bound(begin, end, x - reach) - rail.positions.begin()) - 1;
+  int last = static_cast<int>(std::lower_bound(begin, end, x + reach) - rail.positions.begin());
+  first = std::clamp(first, s.firstInterval, s.firstInterval + s.intervals);
+  last = std::clamp(last, first, s.firstInterval + s.intervals);
+  return {first, last};
+}
+
+bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
+                   const double* state, const WheelPlacement& wheel, int interval, int column, int point, double near,
+                   TouchPoint& t) {
+  t.point = s.pointIndex(interval, column, point);
+  const double x0 = s.pointX[t.point] - wheel.centreX - wheel.hubX, z0 = s.height[t.point] - wheel.centreZ - wheel.hubZ;
+  // (R^2 - x^2 - z^2) / 2R is the penetration but for terms of its square over 2R.
+  if (s.radius * s.radius - x0 * x0 - z0 * z0 < -near * 2 * s.radius) return false;
+  constexpr double gauss = 0.57735026918962576;
+  const double along = 0.5 * (1 + (point % 2 ? gauss : -gauss)), across = 0.5 * (1 + (point / 2 ? gauss : -gauss));
+  t.railNode[0] = s.railLine[column], t.railNode[1] = s.railLine[column + 1];
+  t.railStation = interval;
+  t.railWeight[0] = (1 - across) * (1 - along), t.railWeight[1] = (1 - across) * along;
+  t.railWeight[2] = across * (1 - along), t.railWeight[3] = across * along;
+  const double dx = x0 + railValue(rail, t, state, 0), dz = z0 + railValue(rail, t, state, 2);
+  const double distance = std::sqrt(dx * dx + dz * dz);
+  t.sine = dx / distance, t.cosine = -dz / distance;
+
+  // The tread's material point: stations of rail and rim roll on each other, so the search starts next to its end.
+  double angle = std::asin(t.sine) + wheel.rotation;
+  const double full = 6.283185307179586;
+  int k = interval - s.rolledInterval;
+  if (k < 0 || k >= rim.intervals) k = 0;
+  while (angle < rim.positions[k])
+    if (k > 0) {
+      --k;
+    } else {
+      angle += full, k = rim.intervals - 1;
+    }
+  while (angle >= rim.positions[k + 1])
+    if (k + 1 < rim.intervals) {
+      ++k;
+    } else {
+      angle -= full, k = 0;
+    }
+  const double u = (angle - rim.positions[k]) / (rim.positions[k + 1] - rim.positions[k]);
+  const int lateral = 2 * (column - s.firstColumn) + point / 2;
+  const int tread = s.treadColumn[lateral];
+  const double v = s.treadFraction[lateral];
+  t.treadNode[0] = s.treadLine[tread], t.treadNode[1] = s.treadLine[tread + 1];
+  t.treadStation[0] = k, t.treadStation[1] = k + 1 == rim.intervals ? 0 : k + 1;
+  t.treadWeight[0] = (1 - v) * (1 - u), t.treadWeight[1] = (1 - v) * u;
+  t.treadWeight[2] = v * (1 - u), t.treadWeight[3] = v * u;
+
+  const double radial = treadValue(rim, t, state, 1) - (wheel.hubX * t.sine - wheel.hubZ * t.cosine);
+  t.penetration = s.radius - distance + radial;
+  return true;
+}
+
+}  // namespace squat::contact

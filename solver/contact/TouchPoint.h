@@ -1,0 +1,46 @@
+// solver/contact/TouchPoint.h - where a contact point of the rail meets the wheel, and how deep.
+#pragma once
+
+#include <utility>
+
+#include "contact/ContactSurfaces.h"
+#include "elasticity/SweptBlock.h"
+
+namespace squat::contact {
+
+// The wheel as the contact sees it: where its reference stands, how far it has turned, and the mean displacement of its
+// centre, all in the plane of rolling.
+struct WheelPlacement {
+  double centreX = 0, centreZ = 0;  // [m] reference position of the axis
+  double rotation = 0;              // [rad] since the start, rolling in +x positive
+  double hubX = 0, hubZ = 0;        // [m] mean displacement of the wheel centre relative to that
+};
+
+// Penetration (positive: overlap) after
+//   gap = R - |d - u_hub| + (u_wheel - u_hub) . e_r,   d: rail point seen from the reference of the wheel's axis.
+// A mere spin of the wheel's displacement field does not move the patch, rigid translations are exact.
+struct TouchPoint {
+  std::size_t point = 0;
+  double penetration = 0;
+  double sine = 0, cosine = 1;  // of the spatial angle: e_r = (sine, -cosine), e_alpha = (cosine, sine) in (x, z)
+  int railNode[2] = {0, 0}, railStation = 0;
+  double railWeight[4] = {0, 0, 0, 0};  // node 0: station, station + 1; node 1: the same
+  int treadNode[2] = {0, 0}, treadStation[2] = {0, 0};
+  double treadWeight[4] = {0, 0, 0, 0};  // node 0: left, right station; node 1: the same
+};
+
+// Sets penetration to the gap's negative; everything else is only filled in where the undeformed gap is below `near`.
+// Returns false for points that are farther away than that.
+bool evaluatePoint(const Surfaces& surfaces, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
+                   const double* state, const WheelPlacement& wheel, int interval, int column, int point, double near,
+                   TouchPoint& touch);
+
+// Rail intervals [first, second) within reach of a wheel at x.
+std::pair<int, int> reachableIntervals(const Surfaces& surfaces, const elasticity::SweptBlock& rail, double x,
+                                       double reach);
+
+// Interpolated state component at the touch point: rail and tread (local components).
+double railValue(const elasticity::SweptBlock& rail, const TouchPoint& touch, const double* state, int component);
+double treadValue(const elasticity::SweptBlock& rim, const TouchPoint& touch, const double* state, int component);
+
+}  // namespace squat::contact

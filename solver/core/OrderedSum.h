@@ -1,0 +1,29 @@
+// solver/core/OrderedSum.h - work over long vectors by a team, with sums that do not depend on the number of threads.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "core/ThreadTeam.h"
+
+namespace squat {
+
+// Calls part(begin, end) for fixed chunks of 0..n and adds what they return in the order of the chunks.
+template <typename Part>
+double orderedSum(ThreadTeam& team, std::size_t n, const Part& part) {
+  constexpr std::size_t chunks = 32;
+  std::array<double, chunks> sums{};
+  const std::size_t each = (n + chunks - 1) / chunks;
+  team.run([&](int index) {
+    for (std::size_t k = index; k < chunks; k += static_cast<std::size_t>(team.size())) {
+      const std::size_t begin = std::min(n, k * each), end = std::min(n, begin + each);
+      sums[k] = part(begin, end);
+    }
+  });
+  double total = 0;
+  for (const double sum : sums) total += sum;
+  return total;
+}
+
+}  // namespace squat

@@ -1,0 +1,93 @@
+#include "core/ThreadTeam.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+namespace squat {
+
+void StepBarrier::wait() {
+  if (threads_ == 1) return;
+  const unsigned round = round_.load(std::memory_order_relaxed);
+  if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_) {
+    arrived_.store(0, std::memory_order_relaxed);
+    round_.store(round + 1, std::memory_order_release);
+    return;
+  }
+  int spins = 0;
+  while (round_.load(std::memory_order_acquire) == round) {
+    if (++spins < 20000) {
+#if defined(__x86_64__)
+      __builtin_ia32_pause();
+#endif
+    } else {
+      std::this_thread::yield();
+    }
+  }
+}
+
+ThreadTeam::ThreadTeam(int threads) : size_(std::max(1, threads)), barrier_(size_) {
+  for (int i = 1; i < size_; ++i) threads_.emplace_back([this, i] { work(i); });
+}
+
+ThreadTeam::~ThreadTeam() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  start_.notify_all();
+  for (auto& thread : threads_) thread.join();
+}
+
+void ThreadTeam::run(const std::function<void(int)>& task) {
+  {
+    const std::lock_guard lock(mutex_);
+    task_ = &task;
+    busy_ = size_ - 1;
+    ++round_;
+  }
+  start_.notify_all();
+  std::exception_ptr own;
+  try {
+    task(0);
+  } catch (...) {
+    own = std::current_exception();
+  }
+  std::unique_lock lock(mutex_);
+  done_.wait(lock, [this] { return busy_ == 0; });
+  task_ = nullptr;
+  const auto failure = own ? own : std::exchange(failure_, nullptr);
+  if (failure) std::rethrow_exception(failure);
+}
+
+void ThreadTeam::work(int index) {
+  unsigned long seen = 0;
+  while (true) {
+    const std::function<void(int)>* task = nullptr;
+    {
+      std::unique_lock lock(mutex_);
+      start_.wait(lock, [&] { return stop_ || round_ != seen; });
+      if (stop_) return;
+      seen = round_;
+      task = task_;
+    }
+    try {
+      (*task)(index);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      --busy_;
+    }
+    done_.notify_one();
+  }
+}
+
+int threadCount(int wished) {
+  if (wished > 0) return wished;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+}  // namespace squat

@@ -1,0 +1,58 @@
+// solver/core/ThreadTeam.h - a few threads that work in step.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace squat {
+
+// Barrier for threads that meet every few microseconds: spins a while, then yields, so that a busy machine only slows
+// it.
+class StepBarrier {
+ public:
+  explicit StepBarrier(int threads) : threads_(threads) {}
+  void wait();
+
+ private:
+  const int threads_;
+  std::atomic<int> arrived_{0};
+  std::atomic<unsigned> round_{0};
+};
+
+// Runs a task on all threads (the caller is thread 0) and returns when all are done. An exception in a task is passed
+// on.
+class ThreadTeam {
+ public:
+  explicit ThreadTeam(int threads);
+  ~ThreadTeam();
+  ThreadTeam(const ThreadTeam&) = delete;
+  ThreadTeam& operator=(const ThreadTeam&) = delete;
+
+  int size() const { return size_; }
+  void run(const std::function<void(int)>& task);
+  // For use inside a task: all threads of the team must come.
+  void barrier() { barrier_.wait(); }
+
+ private:
+  void work(int index);
+  int size_;
+  StepBarrier barrier_;
+  std::vector<std::thread> threads_;
+  std::mutex mutex_;
+  std::condition_variable start_, done_;
+  const std::function<void(int)>* task_ = nullptr;
+  unsigned long round_ = 0;
+  int busy_ = 0;
+  bool stop_ = false;
+  std::exception_ptr failure_;
+};
+
+// Number of threads for a wish of the user; 0 or less: all cores.
+int threadCount(int wished);
+
+}  // namespace squat

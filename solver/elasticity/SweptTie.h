@@ -1,0 +1,60 @@
+// solver/elasticity/SweptTie.h - joins a fine swept block (slave) to a coarser one (master) along a surface.
+//
+// A slave node takes the displacement of the master hexahedron at its true place (trilinear, extrapolated where a chord
+// leaves the arc), so translations and small rotations pass exactly. Both blocks are swept alike, so the weights are a
+// product: section weights of the slave node times station weights of its station. Around the axis the radial
+// coordinate within the master depends on the station (chord against arc), hence the extrapolation factor e: outer (1 +
+// e) - inner e.
+#pragma once
+
+#include <vector>
+
+#include "core/AlignedVector.h"
+#include "elasticity/SweptBlock.h"
+
+namespace squat::elasticity {
+
+struct SweptTie {
+  int slaveBlock = 0, masterBlock = 0;
+  std::vector<int> slaveNodes;
+
+  // Columns: pairs of master section nodes (outer, inner) that slaves refer to.
+  struct Column {
+    int outer = 0, inner = 0;
+  };
+  std::vector<Column> columns;
+  // Section weights: slave node i uses entries [entryStart[i], entryStart[i + 1]).
+  std::vector<int> entryStart, entryColumn;
+  std::vector<double> entryWeight;
+
+  // Station weights, one per slave station: master stations left and right of it.
+  struct Station {
+    int left = 0, right = 0;
+    double leftCosine = 0, leftSine = 0, rightCosine = 0,
+           rightSine = 0;  // weight times turn from master to slave basis
+    double leftWeight = 0, rightWeight = 0;
+    double extrapolation = 0;
+  };
+  std::vector<Station> stations;
+};
+
+// Slave nodes are given by the caller and must lie on edges of master quads (section coordinates); for around-axis
+// blocks the master's section is made of rectangles in (r, y). Throws std::invalid_argument when a slave lies outside.
+SweptTie makeTie(const std::vector<SweptBlock>& blocks, int slaveBlock, int masterBlock, std::vector<int> slaveNodes);
+
+// Workspace of a tie: columns x 3 x slave stride doubles.
+std::size_t tieWorkspace(const SweptTie& tie, const SweptBlock& slave);
+
+// slave := interpolation of master, in a state vector (whole layout).
+void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace);
+
+// The transpose, in two stages. Stage one: forces of the slaves, `slaveLine(i)` giving the first of three lines of
+// slave node i (spaced `stride`), are gathered to the columns. Stage two adds a column's share to the master's force
+// lines.
+template <typename SlaveLine, typename MasterLine>
+void transferForces(const SweptTie& tie, const SweptBlock& slave, const SlaveLine& slaveLine,
+                    const MasterLine& masterLine, double* workspace);
+
+}  // namespace squat::elasticity
+
+#include "elasticity/SweptTieTransfer.h"

@@ -1,0 +1,155 @@
+#include "elasticity/SweptWork.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace squat::elasticity {
+
+namespace {
+
+KernelCall callFor(const SweptBlock& block, int run, int first, int count, const double* source,
+                   KernelScratch& scratch) {
+  KernelCall call;
+  call.nodes = block.nodes;
+  call.rowStart = block.rowStart.data();
+  call.columns = block.columns.data();
+  call.coefficients = block.coefficients[run].data();
+  call.stride = block.stride;
+  call.first = first, call.count = count;
+  call.source = source + block.offset;
+  call.carry = scratch.carry.data();
+  call.workspace = scratch.workspace.data();
+  return call;
+}
+
+// What the interval before `first` adds to that station; nothing at the open end of a block.
+void startCarry(const SweptBlock& block, const KernelSet& kernels, int first, const double* source,
+                KernelScratch& scratch) {
+  std::fill(scratch.carry.begin(), scratch.carry.end(), 0.0);
+  if (first == 0 && !block.closed) return;
+  const int before = first == 0 ? block.intervals : first;
+  kernels.carryOver(callFor(block, block.runOf(before - 1), before, 0, source, scratch));
+}
+
+// Runs `body(call)` for the parts of a segment that lie in one run each.
+template <typename Body>
+void overRuns(const SweptBlock& block, const Segment& segment, const double* source, KernelScratch& scratch,
+              const Body& body) {
+  const int end = segment.first + segment.count;
+  for (int at = segment.first; at < end;) {
+    const int run = block.runOf(at), stop = std::min(end, block.runIntervals[run][1]);
+    body(callFor(block, run, at, stop - at, source, scratch));
+    at = stop;
+  }
+}
+
+// The last station of an open block has only its left interval: the carry.
+void advanceLastStation(const SweptBlock& block, const BlockStep& with, double step, const double* source,
+                        double* target, double* velocity, const AlignedVector& carry) {
+  const int s = block.intervals;
+  for (int n = 0; n < block.nodes; ++n) {
+    const int triple = with.lineOfNode[n];
+    double* outer = triple < 0 ? nullptr : with.force + static_cast<std::size_t>(triple) * 3 * block.stride + s;
+    for (int c = 0; c < 3; ++c) {
+      if (with.slave[n]) {
+        outer[c * block.stride] = carry[3 * n + c];
+        continue;
+      }
+      double total = -carry[3 * n + c];
+      if (outer) total += outer[c * block.stride], outer[c * block.stride] = 0;
+      const double acceleration =
+          total * with.inverseMass[n * block.stride + s] + with.acceleration[c * block.stride + s];
+      const std::size_t here = block.index(n, c, s);
+      const double old = velocity[here];
+      velocity[here] = (old + step * acceleration) * with.freeMask[3 * n + c];
+      target[here] = source[here] - with.beta * old + (step + with.beta) * velocity[here];
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
+                                            int parts) {
+  double total = 0;
+  for (const int b : which) total += static_cast<double>(blocks[b].columns.size()) * blocks[b].intervals;
+  std::vector<std::vector<Segment>> lists(parts);
+  double done = 0;
+  int part = 0;
+  for (const int b : which) {
+    const double cost = static_cast<double>(blocks[b].columns.size());
+    for (int at = 0; at < blocks[b].intervals;) {
+      const double target = total * (part + 1) / parts;
+      int count = blocks[b].intervals - at;
+      if (part + 1 < parts) {
+        // Up to the target, in whole groups of 32 where that many are left.
+        const int room = static_cast<int>(std::lround((target - done) / cost / 8)) * 8;
+        count = std::clamp(room, 0, count);
+        if (count > 32 && count < blocks[b].intervals - at) count = count / 32 * 32;
+      }
+      if (count > 0) lists[part].push_back({b, at, count});
+      at += count, done += cost * count;
+      if (part + 1 < parts && (count == 0 || done > target - 16 * cost)) ++part;
+    }
+  }
+  return lists;
+}
+
+KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
+  int most = 0;
+  for (const auto& block : blocks) most = std::max(most, block.nodes);
+  workspace.assign(kernelWorkspace(most), 0.0);
+  carry.assign(static_cast<std::size_t>(most) * 3 + 8, 0.0);
+}
+
+void applySegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
+                   const KernelSet& kernels, const double* source, double* result, KernelScratch& scratch) {
+  for (const auto& segment : segments) {
+    const auto& block = blocks[segment.block];
+    startCarry(block, kernels, segment.first, source, scratch);
+    overRuns(block, segment, source, scratch, [&](KernelCall call) {
+      call.force = result + block.offset;
+      kernels.applyStiffness(call);
+    });
+    if (!block.closed && segment.first + segment.count == block.intervals)
+      for (int n = 0; n < block.nodes; ++n)
+        for (int c = 0; c < 3; ++c) result[block.index(n, c, block.intervals)] = scratch.carry[3 * n + c];
+  }
+}
+
+void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
+                     const KernelSet& kernels, const std::vector<BlockStep>& steps, double step, const double* source,
+                     double* target, double* velocity, KernelScratch& scratch) {
+  for (const auto& segment : segments) {
+    const auto& block = blocks[segment.block];
+    const auto& with = steps[segment.block];
+    startCarry(block, kernels, segment.first, source, scratch);
+    overRuns(block, segment, source, scratch, [&](KernelCall call) {
+      call.inverseMass = with.inverseMass, call.fixedMask = with.freeMask;
+      call.externalLine = with.lineOfNode, call.slave = with.slave, call.external = with.force;
+      call.velocity = velocity + block.offset, call.target = target + block.offset;
+      call.acceleration = with.acceleration, call.radialWeight = with.radialWeight;
+      call.spinAcceleration = with.spinAcceleration, call.step = step, call.beta = with.beta;
+      call.cosine = with.cosine, call.sine = with.sine;
+      kernels.advanceStep(call);
+    });
+    if (!block.closed && segment.first + segment.count == block.intervals)
+      advanceLastStation(block, with, step, source, target, velocity, scratch.carry);
+    if (block.closed && segment.first == 0)
+      for (std::size_t line = 0; line < block.lines(); ++line) {
+        double* values = target + block.offset + line * block.stride;
+        values[block.intervals] = values[0];
+      }
+  }
+}
+
+void refreshGhosts(const std::vector<SweptBlock>& blocks, double* state) {
+  for (const auto& block : blocks)
+    if (block.closed)
+      for (std::size_t line = 0; line < block.lines(); ++line) {
+        double* values = state + block.offset + line * block.stride;
+        values[block.intervals] = values[0];
+      }
+}
+
+}  // namespace squat::elasticity

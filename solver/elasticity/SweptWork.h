@@ -1,0 +1,53 @@
+// solver/elasticity/SweptWork.h - the swept operator over many blocks, cut into stretches of stations for threads.
+//
+// A station's force is the sum of what its left and its right interval add. A stretch that does not begin at the end of
+// its block computes the interval before it once more, so that stretches are independent of each other and results do
+// not depend on where the cuts are.
+#pragma once
+
+#include <vector>
+
+#include "core/AlignedVector.h"
+#include "elasticity/SweptBlock.h"
+#include "elasticity/SweptKernel.h"
+
+namespace squat::elasticity {
+
+struct Segment {
+  int block = 0, first = 0, count = 0;  // intervals, multiples of 8
+};
+
+// Cuts the intervals of the named blocks into `parts` lists of about equal cost.
+std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
+                                            int parts);
+
+// Scratch memory of one thread.
+struct KernelScratch {
+  explicit KernelScratch(const std::vector<SweptBlock>& blocks);
+  AlignedVector workspace, carry;
+};
+
+// result := K source on the stations of the segments (state layout). The source's ghost stations must be up to date.
+void applySegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
+                   const KernelSet& kernels, const double* source, double* result, KernelScratch& scratch);
+
+// What one block needs for a step besides source, target and velocity (state layout).
+struct BlockStep {
+  const double* inverseMass = nullptr;  // nodes lines
+  const double* freeMask = nullptr;     // nodes x 3
+  const int* lineOfNode = nullptr;      // into the force lines
+  const unsigned char* slave = nullptr;
+  double* force = nullptr;               // triples of lines, cleared when read
+  const double* acceleration = nullptr;  // 3 lines
+  const double* radialWeight = nullptr;
+  double spinAcceleration = 0, beta = 0, cosine = 1, sine = 0;
+};
+
+void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
+                     const KernelSet& kernels, const std::vector<BlockStep>& steps, double step, const double* source,
+                     double* target, double* velocity, KernelScratch& scratch);
+
+// Copies station 0 of closed blocks to their ghost station.
+void refreshGhosts(const std::vector<SweptBlock>& blocks, double* state);
+
+}  // namespace squat::elasticity

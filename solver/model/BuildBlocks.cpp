@@ -1,0 +1,166 @@
+#include "model/BuildBlocks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/DefectSurface.h"
+#include "core/Errors.h"
+#include "geometry/RailSection.h"
+#include "geometry/WheelSection.h"
+
+namespace squat::model {
+
+namespace {
+
+constexpr int vectorMultiple = 8;      // every run of stations fills whole vectors of any instruction set
+constexpr double runGrowth = 2.0;      // neighbouring runs differ by at most this factor
+constexpr double patchMargin = 0.020;  // [m] rolled mesh before the first and behind the last wheel position
+
+std::vector<double> evenly(double from, double to, int count) {
+  std::vector<double> values;
+  for (int i = 0; i <= count; ++i) values.push_back(from + (to - from) * i / count);
+  return values;
+}
+
+geometry::SectionMesh rectangleMesh(const std::vector<double>& b, const std::vector<double>& c) {
+  geometry::SectionMesh mesh;
+  const int n = static_cast<int>(b.size());
+  for (const double atC : c)
+    for (const double atB : b) mesh.nodes.push_back({atB, atC});
+  for (int j = 0; j + 1 < static_cast<int>(c.size()); ++j)
+    for (int i = 0; i + 1 < n; ++i)
+      mesh.quads.push_back({j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i});
+  return mesh;
+}
+
+void append(Model& model, elasticity::SweptBlock block) {
+  elasticity::prepareBlock(block);
+  block.offset = model.stateSize;
+  model.stateSize += block.size();
+  model.blocks.push_back(std::move(block));
+}
+
+// The rim rolls with the stations of the rail; the rest of the circumference is coarser.
+geometry::Stations rimStations(const cases::CaseDescription& d, const RollingStretch& stretch, double startX) {
+  const double radius = d.wheelset.radius, circumference = 2 * std::acos(-1.0) * radius;
+  const double rolled = stretch.to - stretch.from, rest = circumference - rolled;
+  const double coarse = std::max(4 * d.mesh.sectionSize, 2 * d.mesh.rollingSize);
+  if (rest < 0.1 * circumference)
+    throw CaseError({{"motion.beyond", std::to_string(d.motion.beyond) + " m",
+                      "run-up and distance beyond the defect together up to " +
+                          std::to_string(0.9 * circumference - 0.1) + " m for this wheel",
+                      "Shorten motion.run_up or motion.beyond: the wheel is meshed for less than one turn"}});
+  geometry::Stations stations;
+  stations.closed = true;
+  stations.start = (stretch.from - startX) / radius;
+  auto runs = stretch.rolled;
+  const auto filling =
+      geometry::fillGap(rest, coarse, runs.back().length, runs.front().length, runGrowth, vectorMultiple);
+  runs.insert(runs.end(), filling.begin(), filling.end());
+  for (auto& run : runs) run.length /= radius;
+  stations.runs = runs;
+  return stations;
+}
+
+void addSleepers(Model& model) {
+  const auto& d = model.description;
+  const bool tiny = d.mesh.preset == static_cast<int>(cases::MeshPreset::tiny);
+  model.firstSleeper = static_cast<int>(model.blocks.size());
+  model.sleepers = static_cast<int>(model.sleeperPositions.size());
+  const int lengthwise = tiny ? 8 : 16;
+  for (int i = 0; i < model.sleepers; ++i) {
+    elasticity::SweptBlock sleeper;
+    sleeper.name = "sleeper " + std::to_string(i + 1);
+    sleeper.kind = elasticity::SweepKind::alongY;
+    sleeper.section =
+        rectangleMesh(evenly(-d.sleeper.height, 0, 2), evenly(-d.sleeper.width / 2, d.sleeper.width / 2, tiny ? 2 : 3));
+    sleeper.stations = {-d.wheelset.trackCentre, false, {{lengthwise, d.sleeper.halfLength / lengthwise}}};
+    sleeper.material = d.sleeper.material;
+    sleeper.origin = {model.sleeperPositions[i], 0, -geometry::outline54E1().height};
+    append(model, std::move(sleeper));
+  }
+}
+
+}  // namespace
+
+RollingStretch rollingStretch(const cases::CaseDescription& d, double railStart, double railEnd) {
+  const cases::DefectSurface defect(d.defect);
+  const double start = -d.motion.runUp, end = d.motion.beyond + patchMargin;
+  const double fineFrom = std::max(start - d.mesh.fineStart, defect.first() - d.mesh.fineBefore);
+  const double fineTo = std::max(defect.last() + d.mesh.fineBefore, fineFrom + d.mesh.contactSize);
+  const double startTo = start + d.mesh.fineStart, h = d.mesh.contactSize, rolling = d.mesh.rollingSize;
+  const double far = d.mesh.farSize;
+  std::vector<geometry::Zone> zones{{start - std::max(d.mesh.fineStart, patchMargin), far}};
+  if (startTo + 8 * rolling < fineFrom) {
+    zones.push_back({startTo, h});
+    zones.push_back({fineFrom, rolling});
+  }
+  zones.push_back({std::min(fineTo, end), h});
+  if (fineTo + 4 * rolling < end) zones.push_back({end, rolling});
+  zones.push_back({railEnd, far});
+  RollingStretch stretch;
+  stretch.rail = geometry::stationsOver(railStart, zones, runGrowth, vectorMultiple);
+  // The rolled runs: all of at most the rolling length around the wheel's path.
+  double at = railStart;
+  bool first = true;
+  for (const auto& run : stretch.rail.runs) {
+    const double next = at + run.count * run.length;
+    if (next > start - 1e-9 - patchMargin / 2 && at < end - patchMargin / 2 &&
+        run.length < 1.01 * std::max(rolling, h)) {
+      if (first) stretch.from = at, first = false;
+      stretch.to = next;
+      stretch.rolled.push_back(run);
+    }
+    at = next;
+  }
+  return stretch;
+}
+
+RollingStretch addBlocks(Model& model) {
+  const auto& d = model.description;
+  model.startX = -d.motion.runUp;
+  // The rail is centred on the sleeper nearest to the middle of the rolled stretch.
+  const double middle = 0.5 * (d.motion.beyond - d.motion.runUp), spacing = d.track.sleeperSpacing;
+  const double first = -d.track.defectFromSleeper;
+  const double centre = first + spacing * std::round((middle - first) / spacing);
+  const double railStart = centre - d.track.length / 2, railEnd = centre + d.track.length / 2;
+  const int each = static_cast<int>(std::floor((d.track.length / 2 - d.pad.length / 2) / spacing + 1e-9));
+  for (int i = -each; i <= each; ++i) model.sleeperPositions.push_back(centre + i * spacing);
+
+  const RollingStretch stretch = rollingStretch(d, railStart, railEnd);
+  elasticity::SweptBlock rail;
+  rail.name = "rail";
+  rail.section =
+      geometry::railSectionMesh({d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize, d.mesh.sectionGrowth});
+  rail.stations = stretch.rail;
+  rail.material = d.rail.material;
+  model.rail = 0;
+  append(model, std::move(rail));
+
+  const geometry::WheelSectionSizes sizes{d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize,
+                                          d.mesh.sectionGrowth, d.mesh.rimDepth};
+  elasticity::SweptBlock rim;
+  rim.name = "wheel rim";
+  rim.kind = elasticity::SweepKind::aroundAxis;
+  rim.section = geometry::rimSectionMesh(d.wheelset, sizes);
+  rim.stations = rimStations(d, stretch, model.startX);
+  rim.material = d.wheelset.material;
+  rim.origin = {model.startX, 0, d.wheelset.radius};
+  model.rim = 1;
+  append(model, std::move(rim));
+
+  elasticity::SweptBlock body;
+  body.name = "wheel body and axle";
+  body.kind = elasticity::SweepKind::aroundAxis;
+  body.section = geometry::wheelBodySectionMesh(d.wheelset, sizes);
+  const int sectors = (d.mesh.wheelSectors + 7) / 8 * 8;
+  body.stations = {0, true, {{sectors, 2 * std::acos(-1.0) / sectors}}};
+  body.material = d.wheelset.material;
+  body.origin = {model.startX, 0, d.wheelset.radius};
+  model.body = 2;
+  append(model, std::move(body));
+  addSleepers(model);
+  return stretch;
+}
+
+}  // namespace squat::model

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/Errors.h"
+#include "model/BuildBlocks.h"
+#include "model/BuildSupports.h"
+#include "model/Model.h"
+
+namespace squat::model {
+
+namespace {
+
+std::vector<int> ringNodes(const elasticity::SweptBlock& body, double radius, double from, double to) {
+  return geometry::nodesWhere(
+      body.section,
+      [&](const geometry::Point2& p) {
+        return std::abs(p[0] - radius) < 1e-9 && p[1] > from - 1e-9 && p[1] < to + 1e-9;
+      },
+      1);
+}
+
+// Weights of nodes along y by the length that belongs to each, summing to one.
+std::vector<double> lengthShares(const elasticity::SweptBlock& body, const std::vector<int>& nodes) {
+  std::vector<double> share(nodes.size(), nodes.size() == 1 ? 1.0 : 0.0);
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const double half = 0.5 * (body.section.nodes[nodes[i + 1]][1] - body.section.nodes[nodes[i]][1]);
+    share[i] += half, share[i + 1] += half;
+  }
+  double sum = 0;
+  for (const double s : share) sum += s;
+  for (double& s : share) s /= sum;
+  return share;
+}
+
+Ring makeRing(const Model& model, double radius, double from, double to) {
+  const auto& body = model.blocks[model.body];
+  Ring ring{model.body, ringNodes(body, radius, from, to), {}};
+  ring.weight = lengthShares(body, ring.nodes);
+  return ring;
+}
+
+void tieRim(Model& model) {
+  const double radius = model.description.wheelset.radius - model.description.mesh.rimDepth;
+  const auto inner = geometry::nodesWhere(
+      model.blocks[model.rim].section, [&](const geometry::Point2& p) { return std::abs(p[0] - radius) < 1e-9; }, 1);
+  model.ties.push_back(elasticity::makeTie(model.blocks, model.rim, model.body, inner));
+  for (const auto& block : model.blocks) model.slave.emplace_back(block.nodes, 0);
+  for (const int node : inner) model.slave[model.rim][node] = 1;
+}
+
+// A ring's mass is added evenly around, by the ring's weights along y.
+void addRingMass(Model& model, const Ring& ring, double mass) {
+  const auto& block = model.blocks[ring.block];
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i)
+    for (int s = 0; s < block.stationCount; ++s)
+      model.mass[ring.block][ring.nodes[i] * block.stride + s] += mass * ring.weight[i] / block.stationCount;
+}
+
+void passSlaveMass(Model& model, const elasticity::SweptTie& tie) {
+  const auto &slave = model.blocks[tie.slaveBlock], &master = model.blocks[tie.masterBlock];
+  auto &from = model.mass[tie.slaveBlock], &to = model.mass[tie.masterBlock];
+  for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
+    for (int s = 0; s < slave.stationCount; ++s) {
+      double& own = from[tie.slaveNodes[i] * slave.stride + s];
+      const auto& at = tie.stations[s];
+      for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e) {
+        const auto& column = tie.columns[tie.entryColumn[e]];
+        for (int layer = 0; layer < 2; ++layer) {
+          const int node = layer ? column.inner : column.outer;
+          if (node < 0) continue;
+          const double share = own * tie.entryWeight[e] * (layer ? -at.extrapolation : 1 + at.extrapolation);
+          to[node * master.stride + at.left] += share * at.leftWeight;
+          to[node * master.stride + at.right] += share * at.rightWeight;
+        }
+      }
+      own = 0;
+    }
+}
+
+double massOf(const elasticity::SweptBlock& block, const AlignedVector& mass) {
+  double sum = 0;
+  for (int n = 0; n < block.nodes; ++n)
+    for (int s = 0; s < block.stationCount; ++s) sum += mass[n * block.stride + s];
+  return sum;
+}
+
+void addMasses(Model& model) {
+  const auto& w = model.description.wheelset;
+  for (const auto& block : model.blocks) {
+    const auto mass = elasticity::lumpedMass(block);
+    model.mass.emplace_back(mass.begin(), mass.end());
+  }
+  auto& figures = model.wheelset;
+  figures.solidMass =
+      massOf(model.blocks[model.rim], model.mass[model.rim]) + massOf(model.blocks[model.body], model.mass[model.body]);
+  const double discs = w.totalMass - w.axleBoxMass - figures.solidMass;
+  if (discs < 0)
+    throw CaseError(
+        {{"wheelset.total_mass", std::to_string(w.totalMass) + " kg",
+          "at least " + std::to_string(figures.solidMass + w.axleBoxMass) + " kg: solids as meshed and axle box",
+          "Raise wheelset.total_mass or lower wheelset.axle_box_mass"}});
+  addRingMass(model, model.bearing, w.axleBoxMass);
+  // Brake discs sit on the axle between wheel and symmetry plane.
+  Ring discRing = makeRing(model, w.axleRadius, -0.85 * w.trackCentre, -0.25 * w.trackCentre);
+  addRingMass(model, discRing, discs);
+  for (const auto& tie : model.ties) passSlaveMass(model, tie);
+  figures.mass = w.totalMass;
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int n = 0; n < block.nodes; ++n)
+      for (int s = 0; s < block.stationCount; ++s)
+        figures.inertia += model.mass[b][n * block.stride + s] * std::pow(block.section.nodes[n][0], 2);
+  }
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    AlignedVector inverse(model.mass[b].size(), 0.0);
+    for (std::size_t i = 0; i < inverse.size(); ++i)
+      if (model.mass[b][i] > 0) inverse[i] = 1 / model.mass[b][i];
+    for (int n = 0; n < model.blocks[b].nodes; ++n)
+      if (model.slave[b][n]) std::fill_n(inverse.begin() + n * model.blocks[b].stride, model.blocks[b].stride, 0.0);
+    model.inverseMass.push_back(std::move(inverse));
+  }
+}
+
+// Symmetry plane at the track centre: no lateral motion of axle end and sleeper ends.
+void holdSymmetry(Model& model) {
+  for (const auto& block : model.blocks) model.freeMask.emplace_back(block.lines(), 1.0);
+  const auto& body = model.blocks[model.body];
+  for (int n = 0; n < body.nodes; ++n)
+    if (body.section.nodes[n][1] < -model.description.wheelset.trackCentre + 1e-9)
+      model.freeMask[model.body][3 * n + 2] = 0;
+  for (int i = 0; i < model.sleepers; ++i) {
+    const auto& sleeper = model.blocks[model.firstSleeper + i];
+    for (int n = 0; n < sleeper.nodes; ++n) model.held.push_back(sleeper.index(n, 0, 0));
+  }
+}
+
+}  // namespace
+
+std::size_t Model::elements() const {
+  std::size_t sum = 0;
+  for (const auto& block : blocks) sum += block.elements();
+  return sum;
+}
+
+std::size_t Model::nodeCount() const {
+  std::size_t sum = 0;
+  for (const auto& block : blocks) sum += static_cast<std::size_t>(block.nodes) * block.stationCount;
+  for (const auto& tie : ties) sum -= tie.slaveNodes.size() * blocks[tie.slaveBlock].stationCount;
+  return sum;
+}
+
+Model buildModel(const cases::CaseDescription& description) {
+  Model model;
+  model.description = description;
+  const RollingStretch stretch = addBlocks(model);
+  const auto& w = description.wheelset;
+  model.wheelset.centreHeight = w.radius;
+  model.bearing =
+      makeRing(model, w.journalRadius, w.bearingCentre - w.bearingWidth / 2, w.bearingCentre + w.bearingWidth / 2);
+  model.hub = makeRing(model, w.hubRadius, -w.hubWidth / 2, w.hubWidth / 2);
+  model.centre = makeRing(model, w.seatRadius, -1e-6, 1e-6);
+  tieRim(model);
+  model.surfaces = contact::makeSurfaces(model.blocks[model.rail], model.rail, model.blocks[model.rim], model.rim,
+                                         description, stretch.from, stretch.to);
+  model.smallUnknowns = model.stateSize;
+  model.sprungX = model.stateSize, model.sprungZ = model.stateSize + 1;
+  model.stateSize += 8;
+  layOutForces(model);
+  addSupports(model);
+  holdSymmetry(model);
+  addMasses(model);
+  return model;
+}
+
+}  // namespace squat::model

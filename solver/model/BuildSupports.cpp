@@ -1,0 +1,188 @@
+#include "model/BuildSupports.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace squat::model {
+
+namespace {
+
+using Terms = std::vector<std::pair<std::size_t, double>>;
+
+// Place of a value between ascending positions: index of the left one and the fraction towards the right.
+std::pair<int, double> place(const std::vector<double>& positions, double at) {
+  int k = static_cast<int>(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;
+  k = std::clamp(k, 0, static_cast<int>(positions.size()) - 2);
+  return {k, (at - positions[k]) / (positions[k + 1] - positions[k])};
+}
+
+// Bilinear interpolation on a face line of a block: one displacement component at (section coordinate, station
+// position).
+void interpolate(const elasticity::SweptBlock& block, const std::vector<int>& line, int axis, double section,
+                 double station, int component, double sign, Terms& terms) {
+  std::vector<double> coordinates;
+  for (const int node : line) coordinates.push_back(block.section.nodes[node][axis]);
+  const auto [j, v] = place(coordinates, section);
+  const auto [s, u] = place(block.positions, station);
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b) {
+      const double weight = (a ? v : 1 - v) * (b ? u : 1 - u);
+      if (weight != 0) terms.push_back({block.index(line[j + a], component, s + b), sign * weight});
+    }
+}
+
+std::vector<int> railBase(const elasticity::SweptBlock& rail) {
+  double lowest = 0;
+  for (const auto& p : rail.section.nodes) lowest = std::min(lowest, p[1]);
+  return geometry::nodesWhere(
+      rail.section, [&](const geometry::Point2& p) { return p[1] < lowest + 1e-9; }, 0);
+}
+
+std::vector<int> sleeperFace(const elasticity::SweptBlock& sleeper, double z) {
+  return geometry::nodesWhere(
+      sleeper.section, [&](const geometry::Point2& p) { return std::abs(p[0] - z) < 1e-9; }, 1);
+}
+
+// Local component of a block for a global axis (x, y, z).
+int component(elasticity::SweepKind kind, int axis) {
+  if (kind == elasticity::SweepKind::alongX) return axis;
+  const int alongY[3] = {2, 0, 1};
+  return alongY[axis];
+}
+
+void addPads(Model& model) {
+  constexpr int alongRail = 6, acrossRail = 4;  // springs of one pad
+  const auto& pad = model.description.pad;
+  const auto& rail = model.blocks[model.rail];
+  const auto base = railBase(rail);
+  const double stiffness[3] = {pad.longitudinalStiffness, pad.lateralStiffness, pad.stiffness};
+  const double damping[3] = {pad.longitudinalDamping, pad.lateralDamping, pad.damping};
+  for (int i = 0; i < model.sleepers; ++i) {
+    const auto& sleeper = model.blocks[model.firstSleeper + i];
+    const auto top = sleeperFace(sleeper, 0);
+    for (int p = 0; p < alongRail; ++p)
+      for (int q = 0; q < acrossRail; ++q) {
+        const double dx = ((p + 0.5) / alongRail - 0.5) * pad.length, y = ((q + 0.5) / acrossRail - 0.5) * pad.width;
+        for (int axis = 0; axis < 3; ++axis) {
+          Terms terms;
+          interpolate(rail, base, 0, y, model.sleeperPositions[i] + dx, axis, 1, terms);
+          interpolate(sleeper, top, 1, dx, y, component(sleeper.kind, axis), -1, terms);
+          const double share = 1.0 / (alongRail * acrossRail);
+          model.pads.add(terms, share * stiffness[axis], share * damping[axis]);
+        }
+      }
+  }
+}
+
+void addBallast(Model& model) {
+  const auto& d = model.description;
+  const double stiffness[3] = {d.ballast.longitudinalStiffness, d.ballast.lateralStiffness, d.ballast.stiffness};
+  const double damping[3] = {d.ballast.longitudinalDamping, d.ballast.lateralDamping, d.ballast.damping};
+  for (int i = 0; i < model.sleepers; ++i) {
+    const auto& sleeper = model.blocks[model.firstSleeper + i];
+    const auto base = sleeperFace(sleeper, -d.sleeper.height);
+    const int n = static_cast<int>(base.size());
+    for (int j = 0; j < n; ++j)
+      for (int s = 0; s < sleeper.stationCount; ++s) {
+        // Share of the base area that belongs to the node.
+        const double across = (j == 0 || j == n - 1 ? 0.5 : 1.0) / (n - 1);
+        const double along = (s == 0 || s == sleeper.stationCount - 1 ? 0.5 : 1.0) / sleeper.intervals;
+        for (int axis = 0; axis < 3; ++axis)
+          model.ballast.add({{sleeper.index(base[j], component(sleeper.kind, axis), s), 1.0}},
+                            across * along * stiffness[axis], across * along * damping[axis]);
+      }
+  }
+}
+
+// Dashpots with the impedances of plane waves let rail waves leave (Lysmer and Kuhlemeyer 1969): density times the
+// bar's wave speed along the rail, density times the shear wave speed across it.
+void addAbsorbingEnds(Model& model) {
+  const auto& rail = model.blocks[model.rail];
+  const auto& m = rail.material;
+  const double impedance[3] = {m.density * std::sqrt(m.young / m.density),
+                               m.density * std::sqrt(m.young / (2 * (1 + m.poisson)) / m.density),
+                               m.density * std::sqrt(m.young / (2 * (1 + m.poisson)) / m.density)};
+  std::vector<double> area(rail.nodes, 0.0);
+  for (const auto& quad : rail.section.quads) {
+    geometry::SectionMesh single{{}, {{0, 1, 2, 3}}};
+    for (const int node : quad) single.nodes.push_back(rail.section.nodes[node]);
+    for (const int node : quad) area[node] += sectionIntegrals(single).area / 4;
+  }
+  for (const int station : {0, rail.stationCount - 1})
+    for (int n = 0; n < rail.nodes; ++n)
+      for (int axis = 0; axis < 3; ++axis)
+        model.ends.add({{rail.index(n, axis, station), 1.0}}, 0, impedance[axis] * area[n]);
+}
+
+void fillSlots(const Model& model, supports::SpringSet& set) {
+  set.forceSlot.clear();
+  for (const auto index : set.unknown) set.forceSlot.push_back(forceSlot(model, index));
+}
+
+}  // namespace
+
+void layOutForces(Model& model) {
+  std::vector<std::vector<char>> wanted;
+  for (const auto& block : model.blocks) wanted.emplace_back(block.nodes, 0);
+  const auto mark = [&](int block, const std::vector<int>& nodes) {
+    for (const int node : nodes) wanted[block][node] = 1;
+  };
+  mark(model.rail, railBase(model.blocks[model.rail]));
+  mark(model.rail, model.surfaces.railLine);
+  mark(model.rim, model.surfaces.treadLine);
+  mark(model.body, model.bearing.nodes);
+  mark(model.body, model.hub.nodes);
+  for (const auto& tie : model.ties) {
+    mark(tie.slaveBlock, tie.slaveNodes);
+    for (const auto& column : tie.columns) {
+      mark(tie.masterBlock, {column.outer});
+      if (column.inner >= 0) mark(tie.masterBlock, {column.inner});
+    }
+  }
+  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing))
+    std::fill(wanted[model.rail].begin(), wanted[model.rail].end(), 1);
+  for (int i = 0; i < model.sleepers; ++i) {
+    const int block = model.firstSleeper + i;
+    mark(block, sleeperFace(model.blocks[block], 0));
+    mark(block, sleeperFace(model.blocks[block], -model.description.sleeper.height));
+  }
+  model.loaded.clear();
+  model.forceSize = 0;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    LoadedNodes loaded;
+    loaded.offset = model.forceSize;
+    for (const char yes : wanted[b]) loaded.lineOfNode.push_back(yes ? loaded.count++ : -1);
+    model.forceSize += static_cast<std::size_t>(loaded.count) * 3 * model.blocks[b].stride;
+    model.loaded.push_back(std::move(loaded));
+  }
+  model.forceSize += 8;  // small unknowns
+}
+
+std::size_t forceSlot(const Model& model, std::size_t index) {
+  if (index >= model.smallUnknowns) return model.forceSize - 8 + (index - model.smallUnknowns);
+  std::size_t b = 0;
+  while (b + 1 < model.blocks.size() && model.blocks[b + 1].offset <= index) ++b;
+  const auto& block = model.blocks[b];
+  const std::size_t line = (index - block.offset) / block.stride, station = (index - block.offset) % block.stride;
+  const int triple = model.loaded[b].lineOfNode[line / 3];
+  if (triple < 0) throw std::logic_error("a spring acts on a node without a force line");
+  return model.loaded[b].offset + (static_cast<std::size_t>(triple) * 3 + line % 3) * block.stride + station;
+}
+
+void addSupports(Model& model) {
+  addPads(model);
+  addBallast(model);
+  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing)) addAbsorbingEnds(model);
+  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::clamped)) {
+    const auto& rail = model.blocks[model.rail];
+    for (const int station : {0, rail.stationCount - 1})
+      for (int n = 0; n < rail.nodes; ++n)
+        for (int c = 0; c < 3; ++c) model.held.push_back(rail.index(n, c, station));
+  }
+  fillSlots(model, model.pads);
+  fillSlots(model, model.ballast);
+  fillSlots(model, model.ends);
+}
+
+}  // namespace squat::model

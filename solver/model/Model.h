@@ -1,0 +1,77 @@
+// solver/model/Model.h - the assembled system: solids, ties, springs, masses, contact surfaces. No time in it.
+//
+// State layout: the lines of block 0, block 1, ... and at the end the small unknowns (sprung mass along x and z).
+// Displacements are relative to a reference that moves with the vehicle's speed and, for the wheelset, turns with its
+// mean spin; components are local to each block (SweptBlock.h).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/CaseDescription.h"
+#include "contact/ContactSurfaces.h"
+#include "core/AlignedVector.h"
+#include "elasticity/SweptBlock.h"
+#include "elasticity/SweptTie.h"
+#include "supports/Springs.h"
+
+namespace squat::model {
+
+// Nodes of a block on which forces act besides the elasticity: each has a triple of force lines.
+struct LoadedNodes {
+  std::vector<int> lineOfNode;  // per section node: triple index or -1
+  int count = 0;
+  std::size_t offset = 0;  // of the block's triples in the force buffer
+};
+
+// A set of wheelset nodes all around the axis whose mean motion counts: bearing seat, hub.
+struct Ring {
+  int block = 0;
+  std::vector<int> nodes;
+  std::vector<double> weight;  // per node, sums to 1 over all nodes and stations when divided by the station count
+};
+
+struct WheelsetFigures {
+  double inertia = 0;       // [kg m2] about the axis, everything that turns
+  double mass = 0;          // [kg] solids, axle box and discs
+  double solidMass = 0;     // [kg] as meshed
+  double centreHeight = 0;  // [m] of the axis above the running surface
+};
+
+struct Model {
+  cases::CaseDescription description;
+  std::vector<elasticity::SweptBlock> blocks;
+  int rail = -1, rim = -1, body = -1, firstSleeper = -1, sleepers = 0;
+  std::vector<double> sleeperPositions;  // [m] along x
+  std::vector<elasticity::SweptTie> ties;
+  std::vector<std::vector<unsigned char>> slave;  // per block and section node
+  std::vector<std::vector<double>> freeMask;      // per block: nodes x 3, 0 where a whole line is held
+  std::vector<std::size_t> held;                  // single unknowns that are held
+  std::vector<LoadedNodes> loaded;                // per block
+  std::size_t stateSize = 0, forceSize = 0;
+  std::size_t sprungX = 0, sprungZ = 0;  // state indices of the small unknowns
+  std::size_t smallUnknowns = 0;         // index of the first
+
+  std::vector<AlignedVector> mass;         // per block: nodes x stride [kg], ties passed on, boxes and discs added
+  std::vector<AlignedVector> inverseMass;  // 0 for slaves and padding
+  supports::SpringSet pads, ballast, ends;
+  Ring bearing, hub, centre;  // centre: the ring that stands for the wheel centre
+  WheelsetFigures wheelset;
+  contact::Surfaces surfaces;
+  double startX = 0;  // [m] wheel position at the start
+
+  std::size_t elements() const;
+  std::size_t nodeCount() const;  // without slaves counted twice
+};
+
+// Builds everything from the case. Throws CaseError where the mesh cannot carry the case.
+Model buildModel(const cases::CaseDescription& description);
+
+// Mesh quality: smallest Jacobian ratio, largest aspect ratio, and where.
+struct MeshQuality {
+  double smallestJacobian = 1, largestAspect = 1;
+  std::string jacobianPlace, aspectPlace;
+};
+MeshQuality meshQuality(const Model& model);
+
+}  // namespace squat::model

@@ -1,0 +1,120 @@
+#include "model/StaticOperator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace squat::model {
+
+namespace {
+
+std::vector<unsigned char> findFree(const Model& model, bool holdSprungMassAlong) {
+  std::vector<unsigned char> free(model.stateSize, 0);
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
+    for (int n = 0; n < block.nodes; ++n)
+      for (int c = 0; c < 3; ++c)
+        if (!model.slave[b][n] && model.freeMask[b][3 * n + c] != 0)
+          std::fill_n(free.begin() + static_cast<std::ptrdiff_t>(block.index(n, c, 0)), block.stationCount, 1);
+  }
+  for (const auto index : model.held) free[index] = 0;
+  free[model.sprungZ] = 1;
+  free[model.sprungX] = holdSprungMassAlong ? 0 : 1;
+  return free;
+}
+
+// Mean turn of the hub: enough to hold the spin, whose force is zero in the equilibrium.
+std::vector<std::pair<std::size_t, double>> hubTurn(const Model& model) {
+  std::vector<std::pair<std::size_t, double>> terms;
+  const auto& block = model.blocks[model.hub.block];
+  for (std::size_t i = 0; i < model.hub.nodes.size(); ++i)
+    for (int s = 0; s < block.stationCount; ++s)
+      terms.push_back({block.index(model.hub.nodes[i], 0, s),
+                       model.hub.weight[i] / block.stationCount / block.section.nodes[model.hub.nodes[i]][0]});
+  return terms;
+}
+
+}  // namespace
+
+StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                               double rotation, double spinStiffness, bool holdSprungMassAlong)
+    : model_(model), kernels_(kernels), team_(team), free_(findFree(model, holdSprungMassAlong)) {
+  std::vector<int> all;
+  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) all.push_back(b);
+  work_ = elasticity::partition(model.blocks, all, team.size());
+  for (int i = 0; i < team.size(); ++i) scratch_.push_back(std::make_unique<elasticity::KernelScratch>(model.blocks));
+  turnStations(model.blocks[model.body], rotation, turned_);
+  const auto& d = model.description;
+  auto vertical = ringTerms(model, model.bearing, turned_, {0, 1});
+  vertical.push_back({model.sprungZ, -1});
+  vehicle_.add(vertical, d.suspension.stiffness, d.suspension.damping);
+  auto along = ringTerms(model, model.bearing, turned_, {1, 0});
+  along.push_back({model.sprungX, -1});
+  vehicle_.add(along, d.suspension.longitudinalStiffness, d.suspension.longitudinalDamping);
+  if (spinStiffness > 0) vehicle_.add(hubTurn(model), spinStiffness, 0);
+  std::size_t most = 0;
+  for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie, model.blocks[tie.slaveBlock]));
+  tieWorkspace_.assign(most, 0.0);
+}
+
+void StaticOperator::fillSlaves(double* u) {
+  elasticity::refreshGhosts(model_.blocks, u);
+  for (const auto& tie : model_.ties) elasticity::interpolateSlaves(tie, model_.blocks, u, tieWorkspace_.data());
+}
+
+void StaticOperator::reduceForces(double* r) {
+  for (const auto& tie : model_.ties) {
+    const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
+    elasticity::transferForces(
+        tie, slave, [&](int i, int c) { return r + slave.index(tie.slaveNodes[i], c, 0); },
+        [&](int node, int c) { return r + master.index(node, c, 0); }, tieWorkspace_.data());
+  }
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    if (!free_[i]) r[i] = 0;
+}
+
+void StaticOperator::apply(double* u, double* result) {
+  fillSlaves(u);
+  team_.run([&](int index) {
+    elasticity::applySegments(work_[index], model_.blocks, kernels_, u, result, *scratch_[index]);
+  });
+  std::fill(result + model_.smallUnknowns, result + model_.stateSize, 0.0);
+  supports::addSpringStiffness(model_.pads, u, result);
+  supports::addSpringStiffness(model_.ballast, u, result);
+  supports::addSpringStiffness(vehicle_, u, result);
+  supports::addSpringStiffness(contact_, u, result);
+  reduceForces(result);
+}
+
+AlignedVector StaticOperator::diagonal() const {
+  AlignedVector diagonal(model_.stateSize, 0.0);
+  for (const auto& block : model_.blocks) {
+    const auto own = elasticity::stiffnessDiagonal(block);
+    std::copy(own.begin(), own.end(), diagonal.begin() + static_cast<std::ptrdiff_t>(block.offset));
+  }
+  supports::addSpringDiagonal(model_.pads, diagonal.data());
+  supports::addSpringDiagonal(model_.ballast, diagonal.data());
+  supports::addSpringDiagonal(vehicle_, diagonal.data());
+  supports::addSpringDiagonal(contact_, diagonal.data());
+  for (std::size_t i = 0; i < diagonal.size(); ++i)
+    if (!free_[i] || diagonal[i] <= 0) diagonal[i] = 1;
+  return diagonal;
+}
+
+AlignedVector gravityForces(const Model& model, double rotation) {
+  AlignedVector force(model.stateSize, 0.0);
+  const double g = model.description.motion.gravity;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
+    for (int s = 0; s < block.stationCount; ++s) {
+      const Eigen::Matrix3d basis = elasticity::localBasis(
+          block, block.positions[s] - (block.kind == elasticity::SweepKind::aroundAxis ? rotation : 0));
+      const Eigen::Vector3d local = basis.transpose() * Eigen::Vector3d(0, 0, -g);
+      for (int n = 0; n < block.nodes; ++n)
+        for (int c = 0; c < 3; ++c) force[block.index(n, c, s)] = local[c] * model.mass[b][n * block.stride + s];
+    }
+  }
+  force[model.sprungZ] = -g * model.description.suspension.sprungMass;
+  return force;
+}
+
+}  // namespace squat::model

@@ -1,0 +1,51 @@
+// solver/model/StaticOperator.h - K u of the whole model at one position of the wheel: solids, ties, supports,
+// suspension.
+#pragma once
+
+#include <memory>
+
+#include "core/ThreadTeam.h"
+#include "elasticity/SweptWork.h"
+#include "model/Model.h"
+#include "model/WheelMotion.h"
+
+namespace squat::model {
+
+// Vectors are in state layout. Slaves, held unknowns, ghosts and padding are zero in results; in arguments they are
+// written by apply() (slaves and ghosts from their masters).
+class StaticOperator {
+ public:
+  // `spinStiffness` [N m/rad] holds the wheelset's mean spin, which nothing else does without friction; zero leaves it
+  // free.
+  StaticOperator(const Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double rotation,
+                 double spinStiffness, bool holdSprungMassAlong);
+
+  void apply(double* u, double* result);
+  // Springs besides pads and ballast: suspension and spin.
+  const supports::SpringSet& vehicleSprings() const { return vehicle_; }
+  supports::SpringSet& contactSprings() { return contact_; }  // the caller's: tangent of the closed contact
+  AlignedVector diagonal() const;                             // with contact springs; 1 where the unknown is not free
+  const std::vector<unsigned char>& freeUnknowns() const { return free_; }
+  const TurnedStations& turned() const { return turned_; }
+  ThreadTeam& team() { return team_; }
+
+  // Moves forces on slaves to their masters and clears what is not free: r in state layout.
+  void reduceForces(double* r);
+  void fillSlaves(double* u);
+
+ private:
+  const Model& model_;
+  elasticity::KernelSet kernels_;
+  ThreadTeam& team_;
+  std::vector<std::vector<elasticity::Segment>> work_;
+  std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
+  TurnedStations turned_;
+  supports::SpringSet vehicle_, contact_;
+  std::vector<unsigned char> free_;
+  AlignedVector tieWorkspace_;
+};
+
+// Weight of the model in state layout: gravity times mass, z down; the wheelset's at the given rotation.
+AlignedVector gravityForces(const Model& model, double rotation);
+
+}  // namespace squat::model

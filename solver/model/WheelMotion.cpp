@@ -1,0 +1,61 @@
+#include "model/WheelMotion.h"
+
+#include <cmath>
+
+namespace squat::model {
+
+void turnStations(const elasticity::SweptBlock& body, double rotation, TurnedStations& turned) {
+  turned.sine.resize(body.stationCount), turned.cosine.resize(body.stationCount);
+  for (int s = 0; s < body.stationCount; ++s) {
+    turned.sine[s] = std::sin(body.positions[s] - rotation);
+    turned.cosine[s] = std::cos(body.positions[s] - rotation);
+  }
+}
+
+PlaneVector ringMean(const Model& model, const Ring& ring, const TurnedStations& turned, const double* state) {
+  const auto& block = model.blocks[ring.block];
+  PlaneVector mean;
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
+    const double *a = state + block.index(ring.nodes[i], 0, 0), *b = a + block.stride;
+    double x = 0, z = 0;
+    for (int s = 0; s < block.stationCount; ++s) {
+      x += turned.cosine[s] * a[s] + turned.sine[s] * b[s];
+      z += turned.sine[s] * a[s] - turned.cosine[s] * b[s];
+    }
+    mean.x += ring.weight[i] * x / block.stationCount;
+    mean.z += ring.weight[i] * z / block.stationCount;
+  }
+  return mean;
+}
+
+void addRingForce(const Model& model, const Ring& ring, const TurnedStations& turned, PlaneVector force,
+                  double* forces) {
+  const auto& block = model.blocks[ring.block];
+  const auto& loaded = model.loaded[ring.block];
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
+    double* a = forces + loaded.offset + static_cast<std::size_t>(loaded.lineOfNode[ring.nodes[i]]) * 3 * block.stride;
+    double* b = a + block.stride;
+    const double fx = force.x * ring.weight[i] / block.stationCount, fz = force.z * ring.weight[i] / block.stationCount;
+    for (int s = 0; s < block.stationCount; ++s) {
+      a[s] += turned.cosine[s] * fx + turned.sine[s] * fz;
+      b[s] += turned.sine[s] * fx - turned.cosine[s] * fz;
+    }
+  }
+}
+
+std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const Ring& ring,
+                                                      const TurnedStations& turned, PlaneVector direction) {
+  const auto& block = model.blocks[ring.block];
+  std::vector<std::pair<std::size_t, double>> terms;
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i)
+    for (int s = 0; s < block.stationCount; ++s) {
+      const double share = ring.weight[i] / block.stationCount;
+      terms.push_back(
+          {block.index(ring.nodes[i], 0, s), share * (turned.cosine[s] * direction.x + turned.sine[s] * direction.z)});
+      terms.push_back(
+          {block.index(ring.nodes[i], 1, s), share * (turned.sine[s] * direction.x - turned.cosine[s] * direction.z)});
+    }
+  return terms;
+}
+
+}  // namespace squat::model

@@ -1,0 +1,33 @@
+// solver/model/WheelMotion.h - mean motion of rings of the turning wheelset in the plane of rolling, and forces on
+// them.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "model/Model.h"
+
+namespace squat::model {
+
+struct PlaneVector {
+  double x = 0, z = 0;
+};
+
+// Sine and cosine of the spatial angle of every station of the wheel body when it has turned by `rotation`.
+struct TurnedStations {
+  std::vector<double> sine, cosine;
+};
+void turnStations(const elasticity::SweptBlock& body, double rotation, TurnedStations& turned);
+
+// Weighted mean of a state (displacement, velocity, ...) over a ring, in x and z.
+PlaneVector ringMean(const Model& model, const Ring& ring, const TurnedStations& turned, const double* state);
+
+// Adds a force in the plane, spread over the ring, to a force buffer.
+void addRingForce(const Model& model, const Ring& ring, const TurnedStations& turned, PlaneVector force,
+                  double* forces);
+
+// The ring's mean motion along a direction as a sum over unknowns, for a SpringSet.
+std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const Ring& ring,
+                                                      const TurnedStations& turned, PlaneVector direction);
+
+}  // namespace squat::model

@@ -1,0 +1,343 @@
+#include "statics/CoarseSpace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace squat::statics {
+
+namespace {
+
+constexpr int rimHats = 24;
+constexpr double full = 6.283185307179586;
+
+// The two hats that cover a place on a line of equally spaced knots.
+struct Hats {
+  int left = 0;
+  double leftShare = 1, rightShare = 0;
+};
+Hats hatsAt(const std::vector<double>& knots, double at) {
+  const double spacing = knots[1] - knots[0], position = (at - knots[0]) / spacing;
+  const int k = std::clamp(static_cast<int>(std::floor(position)), 0, static_cast<int>(knots.size()) - 2);
+  const double t = std::clamp(position - k, 0.0, 1.0);
+  return {k, 1 - t, t};
+}
+
+double hat(const std::vector<double>& knots, int k, double at) {
+  if (at <= knots[k]) return k == 0 ? 1 : std::max(0.0, (at - knots[k - 1]) / (knots[k] - knots[k - 1]));
+  if (k + 1 == static_cast<int>(knots.size())) return 1;
+  return std::max(0.0, (knots[k + 1] - at) / (knots[k + 1] - knots[k]));
+}
+
+// Shares of the hats around the rim at an angle: hat k and k + 1.
+Hats rimHatsAt(double angle) {
+  double position = std::fmod(angle / full, 1.0);
+  if (position < 0) position += 1;
+  position *= rimHats;
+  const int k = std::min(static_cast<int>(position), rimHats - 1);
+  return {k, 1 - (position - k), position - k};
+}
+
+}  // namespace
+
+CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator& op)
+    : model_(model), free_(op.freeUnknowns()) {
+  // Rail hats reach two knots and a pad: five colours. Sleepers reach the rail hats about them: every second one apart.
+  addLineGroup(model.rail, 0.1, 6, 0, 5);
+  for (int i = 0; i < model.sleepers; ++i) addLineGroup(model.firstSleeper + i, 0.42, 3, 30 + 20 * (i % 2), 1);
+  const auto& w = model.description.wheelset;
+  axleKnots_ = {
+      -w.trackCentre, -0.6 * w.trackCentre, -0.25 * w.trackCentre, 0, 0.5 * (w.hubWidth / 2 + w.bearingCentre),
+      w.journalEnd};
+  int colour = 100;
+  axleFirst_ = unknowns_;
+  unknowns_ += 6 * static_cast<int>(axleKnots_.size());
+  rimFirst_ = unknowns_;
+  unknowns_ += 3 * rimHats;
+  sprungFirst_ = unknowns_;
+  for (const std::size_t index : {model.sprungX, model.sprungZ})
+    if (free_[index]) sprung_.push_back(index), ++unknowns_;
+  while (static_cast<int>(placed_.size()) < unknowns_) placed_.push_back({colour++, 0});
+  cosine_.resize(model.blocks.size()), sine_.resize(model.blocks.size()), rimShare_.resize(model.blocks.size());
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int s = 0; s < block.stationCount; ++s)
+      cosine_[b].push_back(std::cos(block.positions[s])), sine_[b].push_back(std::sin(block.positions[s]));
+    for (const auto& p : block.section.nodes)
+      rimShare_[b].push_back(std::clamp((p[0] - w.hubRadius) / (w.rimInnerRadius - w.hubRadius), 0.0, 1.0));
+  }
+}
+
+void CoarseSpace::addLineGroup(int b, double spacing, int modes, int colourBase, int colours) {
+  const auto& block = model_.blocks[b];
+  LineGroup group{b, unknowns_, modes, {}, 0, 0};
+  const double from = block.positions.front(), to = block.positions.back();
+  const int count = std::max(1, static_cast<int>(std::lround((to - from) / spacing)));
+  for (int k = 0; k <= count; ++k) {
+    group.knots.push_back(from + (to - from) * k / count);
+    for (int m = 0; m < modes; ++m) {
+      const bool rail = b == model_.rail;
+      placed_.push_back(
+          {colourBase + (rail ? k % colours * modes + m : k * modes + m), rail ? group.knots.back() : block.origin[0]});
+    }
+  }
+  const auto integrals = geometry::sectionIntegrals(block.section);
+  group.middleB = integrals.centroidB, group.middleC = integrals.centroidC;
+  unknowns_ += modes * (count + 1);
+  lines_.push_back(std::move(group));
+}
+
+// Resultants of stations in local axes: forces a, b, c and, for six modes, moments about the section's middle.
+void CoarseSpace::projectLine(const LineGroup& group, const double* r, int part, int parts, double* coarse) const {
+  const auto& block = model_.blocks[group.block];
+  const int first = block.stationCount * part / parts, last = block.stationCount * (part + 1) / parts;
+  const int count = last - first;
+  std::vector<double> sums(6 * static_cast<std::size_t>(count), 0.0);
+  double *fa = sums.data(), *fb = fa + count, *fc = fb + count, *ma = fc + count, *mb = ma + count, *mc = mb + count;
+  for (int n = 0; n < block.nodes; ++n) {
+    const double *a = r + block.index(n, 0, first), *b = a + block.stride, *c = b + block.stride;
+    const double lb = block.section.nodes[n][0] - group.middleB, lc = block.section.nodes[n][1] - group.middleC;
+    for (int s = 0; s < count; ++s) {
+      fa[s] += a[s], fb[s] += b[s], fc[s] += c[s];
+      ma[s] += lb * c[s] - lc * b[s], mb[s] += lc * a[s], mc[s] -= lb * a[s];
+    }
+  }
+  for (int s = 0; s < count; ++s) {
+    const double at = block.positions[first + s];
+    const Hats hats = hatsAt(group.knots, at);
+    for (int side = 0; side < 2; ++side) {
+      const int k = hats.left + side;
+      const double share = side ? hats.rightShare : hats.leftShare, lever = at - group.knots[k];
+      double* out = coarse + group.first + group.modes * k;
+      out[0] += share * fa[s], out[1] += share * fb[s], out[2] += share * fc[s];
+      if (group.modes < 6) continue;
+      out[3] += share * ma[s], out[4] += share * (mb[s] - lever * fc[s]), out[5] += share * (mc[s] + lever * fb[s]);
+    }
+  }
+}
+
+void CoarseSpace::prolongLine(const LineGroup& group, const double* coarse, int part, int parts, double* z) const {
+  const auto& block = model_.blocks[group.block];
+  const int first = block.stationCount * part / parts, last = block.stationCount * (part + 1) / parts;
+  const int count = last - first;
+  std::vector<double> sums(6 * static_cast<std::size_t>(count), 0.0);
+  double *ta = sums.data(), *tb = ta + count, *tc = tb + count, *ra = tc + count, *rb = ra + count, *rc = rb + count;
+  for (int s = 0; s < count; ++s) {
+    const double at = block.positions[first + s];
+    const Hats hats = hatsAt(group.knots, at);
+    for (int side = 0; side < 2; ++side) {
+      const int k = hats.left + side;
+      const double share = side ? hats.rightShare : hats.leftShare, lever = at - group.knots[k];
+      const double* in = coarse + group.first + group.modes * k;
+      ta[s] += share * in[0], tb[s] += share * in[1], tc[s] += share * in[2];
+      if (group.modes < 6) continue;
+      ra[s] += share * in[3], rb[s] += share * in[4], rc[s] += share * in[5];
+      tc[s] -= share * lever * in[4], tb[s] += share * lever * in[5];
+    }
+  }
+  for (int n = 0; n < block.nodes; ++n) {
+    double *a = z + block.index(n, 0, first), *b = a + block.stride, *c = b + block.stride;
+    const double lb = block.section.nodes[n][0] - group.middleB, lc = block.section.nodes[n][1] - group.middleC;
+    for (int s = 0; s < count; ++s) {
+      a[s] += ta[s] + lc * rb[s] - lb * rc[s];
+      b[s] += tb[s] - lc * ra[s];
+      c[s] += tc[s] + lb * ra[s];
+    }
+  }
+}
+
+double CoarseSpace::axleHat(int b, int node, int knot) const {
+  return hat(axleKnots_, knot, model_.blocks[b].section.nodes[node][1]);
+}
+
+void CoarseSpace::projectWheel(int b, const double* r, double* coarse) const {
+  const auto& block = model_.blocks[b];
+  const int count = block.stationCount;
+  const auto &cosine = cosine_[b], &sine = sine_[b];
+  std::vector<double> rim(3 * static_cast<std::size_t>(count), 0.0);
+  for (int n = 0; n < block.nodes; ++n) {
+    if (model_.slave[b][n]) continue;
+    const double *fa = r + block.index(n, 0, 0), *fb = fa + block.stride, *fc = fb + block.stride;
+    const double radius = block.section.nodes[n][0], y = block.section.nodes[n][1], share = rimShare_[b][n];
+    double x = 0, z = 0, lateral = 0, spin = 0, cosLateral = 0, sinLateral = 0;
+    for (int s = 0; s < count; ++s) {
+      const double atX = cosine[s] * fa[s] + sine[s] * fb[s], atZ = sine[s] * fa[s] - cosine[s] * fb[s];
+      x += atX, z += atZ, lateral += fc[s], spin += fa[s];
+      cosLateral += cosine[s] * fc[s], sinLateral += sine[s] * fc[s];
+      rim[s] += share * atX, rim[count + s] += share * fc[s], rim[2 * count + s] += share * atZ;
+    }
+    for (int k = 0; k < static_cast<int>(axleKnots_.size()); ++k) {
+      const double h = axleHat(b, n, k);
+      if (h == 0) continue;
+      double* out = coarse + axleFirst_ + 6 * k;
+      out[0] += h * x, out[1] += h * lateral, out[2] += h * z;
+      out[3] += h * (y * z + radius * cosLateral), out[4] -= h * radius * spin,
+          out[5] += h * (radius * sinLateral - y * x);
+    }
+  }
+  for (int s = 0; s < count; ++s) {
+    const Hats hats = rimHatsAt(block.positions[s]);
+    for (int m = 0; m < 3; ++m) {
+      coarse[rimFirst_ + 3 * hats.left + m] += hats.leftShare * rim[m * count + s];
+      coarse[rimFirst_ + 3 * ((hats.left + 1) % rimHats) + m] += hats.rightShare * rim[m * count + s];
+    }
+  }
+}
+
+void CoarseSpace::prolongWheel(int b, const double* coarse, int part, int parts, double* z) const {
+  const auto& block = model_.blocks[b];
+  const int count = block.stationCount;
+  const auto &cosine = cosine_[b], &sine = sine_[b];
+  std::vector<double> rim(3 * static_cast<std::size_t>(count), 0.0);
+  for (int s = 0; s < count; ++s) {
+    const Hats hats = rimHatsAt(block.positions[s]);
+    for (int m = 0; m < 3; ++m)
+      rim[m * count + s] = hats.leftShare * coarse[rimFirst_ + 3 * hats.left + m] +
+                           hats.rightShare * coarse[rimFirst_ + 3 * ((hats.left + 1) % rimHats) + m];
+  }
+  for (int n = block.nodes * part / parts; n < block.nodes * (part + 1) / parts; ++n) {
+    if (model_.slave[b][n]) continue;
+    double t[3] = {0, 0, 0}, w[3] = {0, 0, 0};
+    for (int k = 0; k < static_cast<int>(axleKnots_.size()); ++k) {
+      const double h = axleHat(b, n, k);
+      const double* in = coarse + axleFirst_ + 6 * k;
+      for (int m = 0; m < 3; ++m) t[m] += h * in[m], w[m] += h * in[3 + m];
+    }
+    const double radius = block.section.nodes[n][0], y = block.section.nodes[n][1], share = rimShare_[b][n];
+    const double mask = model_.freeMask[b][3 * n + 2];
+    double *a = z + block.index(n, 0, 0), *radial = a + block.stride, *c = radial + block.stride;
+    for (int s = 0; s < count; ++s) {
+      const double x = t[0] - y * w[2] + share * rim[s], up = t[2] + y * w[0] + share * rim[2 * count + s];
+      a[s] += cosine[s] * x + sine[s] * up - radius * w[1];
+      radial[s] += sine[s] * x - cosine[s] * up;
+      c[s] += mask * (t[1] + radius * (cosine[s] * w[0] + sine[s] * w[2]) + share * rim[count + s]);
+    }
+  }
+}
+
+void CoarseSpace::project(ThreadTeam& team, const double* r, Eigen::VectorXd& coarse) const {
+  const int parts = team.size();
+  // Fixed halves of the rail, then everything else: sums do not depend on the number of threads.
+  Eigen::VectorXd pieces[4] = {Eigen::VectorXd::Zero(unknowns_), Eigen::VectorXd::Zero(unknowns_),
+                               Eigen::VectorXd::Zero(unknowns_), Eigen::VectorXd::Zero(unknowns_)};
+  team.run([&](int index) {
+    for (int piece = index; piece < 4; piece += parts) {
+      double* out = pieces[piece].data();
+      if (piece < 2) {
+        projectLine(lines_[0], r, piece, 2, out);
+      } else if (piece == 2) {
+        projectWheel(model_.body, r, out);
+        for (std::size_t g = 1; g < lines_.size(); ++g) projectLine(lines_[g], r, 0, 1, out);
+      } else {
+        projectWheel(model_.rim, r, out);
+      }
+    }
+  });
+  coarse = pieces[0] + pieces[1] + pieces[2] + pieces[3];
+  for (std::size_t i = 0; i < sprung_.size(); ++i) coarse[sprungFirst_ + static_cast<int>(i)] = r[sprung_[i]];
+}
+
+void CoarseSpace::prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, double* z) const {
+  const int parts = team.size();
+  team.run([&](int index) {
+    prolongLine(lines_[0], coarse.data(), index, parts, z);
+    for (std::size_t g = 1; g < lines_.size(); ++g)
+      if (static_cast<int>(g) % parts == index) prolongLine(lines_[g], coarse.data(), 0, 1, z);
+    prolongWheel(model_.body, coarse.data(), index, parts, z);
+    prolongWheel(model_.rim, coarse.data(), index, parts, z);
+  });
+  for (std::size_t i = 0; i < sprung_.size(); ++i) z[sprung_[i]] += coarse[sprungFirst_ + static_cast<int>(i)];
+  for (const auto index : model_.held) z[index] = 0;
+}
+
+void CoarseSpace::assemble(model::StaticOperator& op) {
+  const supports::SpringSet kept = std::exchange(op.contactSprings(), supports::SpringSet{});
+  auto& team = op.team();
+  std::vector<std::vector<int>> groups;
+  for (int j = 0; j < unknowns_; ++j) {
+    if (placed_[j].colour >= static_cast<int>(groups.size())) groups.resize(placed_[j].colour + 1);
+    groups[placed_[j].colour].push_back(j);
+  }
+  matrix_ = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
+  AlignedVector u(model_.stateSize, 0.0), result(model_.stateSize, 0.0);
+  Eigen::VectorXd coarse;
+  for (const auto& group : groups) {
+    if (group.empty()) continue;
+    Eigen::VectorXd source = Eigen::VectorXd::Zero(unknowns_);
+    for (const int j : group) source[j] = 1;
+    std::fill(u.begin(), u.end(), 0.0);
+    prolong(team, source, u.data());
+    op.apply(u.data(), result.data());
+    project(team, result.data(), coarse);
+    for (int i = 0; i < unknowns_; ++i) {
+      int nearest = group.front();
+      for (const int j : group)
+        if (std::abs(placed_[j].x - placed_[i].x) < std::abs(placed_[nearest].x - placed_[i].x)) nearest = j;
+      matrix_(i, nearest) += coarse[i];
+    }
+  }
+  matrix_ = 0.5 * (matrix_ + matrix_.transpose()).eval();
+  op.contactSprings() = kept;
+}
+
+Eigen::VectorXd CoarseSpace::projectSparse(const supports::SpringSet& springs, std::size_t i) const {
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(unknowns_);
+  const auto& rail = model_.blocks[model_.rail];
+  const auto& group = lines_[0];
+  for (std::size_t t = springs.start[i]; t < springs.start[i + 1]; ++t) {
+    const std::size_t index = springs.unknown[t];
+    const int b = index >= rail.offset + rail.size() ? model_.rim : model_.rail;
+    const auto& block = model_.blocks[b];
+    const std::size_t line = (index - block.offset) / block.stride;
+    const int s = static_cast<int>((index - block.offset) % block.stride), n = static_cast<int>(line / 3);
+    Eigen::Vector3d f = Eigen::Vector3d::Zero();
+    f[static_cast<int>(line % 3)] = springs.weight[t];
+    const auto& p = block.section.nodes[n];
+    if (b == model_.rail) {
+      const Hats hats = hatsAt(group.knots, block.positions[s]);
+      const double lb = p[0] - group.middleB, lc = p[1] - group.middleC;
+      for (int side = 0; side < 2; ++side) {
+        const int k = hats.left + side;
+        const double share = side ? hats.rightShare : hats.leftShare, lever = block.positions[s] - group.knots[k];
+        const double values[6] = {
+            f[0], f[1], f[2], lb * f[2] - lc * f[1], lc * f[0] - lever * f[2], lever * f[1] - lb * f[0]};
+        for (int m = 0; m < 6; ++m) g[group.first + 6 * k + m] += share * values[m];
+      }
+      continue;
+    }
+    const double c = cosine_[b][s], sn = sine_[b][s], x = c * f[0] + sn * f[1], z = sn * f[0] - c * f[1];
+    for (int k = 0; k < static_cast<int>(axleKnots_.size()); ++k) {
+      const double h = axleHat(b, n, k);
+      const double values[6] = {x, f[2], z, p[1] * z + p[0] * c * f[2], -p[0] * f[0], p[0] * sn * f[2] - p[1] * x};
+      for (int m = 0; m < 6; ++m) g[axleFirst_ + 6 * k + m] += h * values[m];
+    }
+    const Hats hats = rimHatsAt(block.positions[s]);
+    const double values[3] = {x, f[2], z};
+    for (int m = 0; m < 3; ++m) {
+      g[rimFirst_ + 3 * hats.left + m] += rimShare_[b][n] * hats.leftShare * values[m];
+      g[rimFirst_ + 3 * ((hats.left + 1) % rimHats) + m] += rimShare_[b][n] * hats.rightShare * values[m];
+    }
+  }
+  return g;
+}
+
+void CoarseSpace::factorise(const supports::SpringSet& contact) {
+  Eigen::MatrixXd whole = matrix_;
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    const Eigen::VectorXd g = projectSparse(contact, i);
+    for (int j = 0; j < unknowns_; ++j)
+      if (g[j] != 0) whole.col(j) += contact.stiffness[i] * g[j] * g;
+  }
+  // Hats of the wheelset overlap and are nearly dependent: a little relative stiffness keeps the factor definite.
+  whole.diagonal() *= 1 + 1e-10;
+  const double negligible = 1e-14 * whole.diagonal().maxCoeff();
+  factor_.compute(whole.sparseView(negligible, 1.0));
+}
+
+void CoarseSpace::addCorrection(ThreadTeam& team, const double* r, double* z) const {
+  Eigen::VectorXd projected;
+  project(team, r, projected);
+  prolong(team, factor_.solve(projected), z);
+}
+
+}  // namespace squat::statics

@@ -1,0 +1,65 @@
+// solver/statics/CoarseSpace.h - smooth displacement fields that carry what single-node preconditioning cannot.
+//
+// Rail: hats every 0.1 m along the track times the six rigid motions of a section. Sleepers: hats along the length
+// times three translations. Wheelset: hats along the axle times six rigid motions, hats around the rim times three
+// translations. Sprung mass: itself. Fields are products, so projecting a force and adding a field cost little more
+// than reading it: forces are first summed to resultants of stations (or of section nodes around the axle), then to
+// coarse unknowns.
+#pragma once
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <vector>
+
+#include "model/StaticOperator.h"
+
+namespace squat::statics {
+
+class CoarseSpace {
+ public:
+  CoarseSpace(const model::Model& model, const model::StaticOperator& op);
+
+  int size() const { return unknowns_; }
+  // Z^T K Z without contact springs; call once.
+  void assemble(model::StaticOperator& op);
+  // Adds the contact springs' share and factorises.
+  void factorise(const supports::SpringSet& contact);
+  // z += Z (Z^T K Z)^-1 Z^T r.
+  void addCorrection(ThreadTeam& team, const double* r, double* z) const;
+
+ private:
+  // Hats along a line-swept block; local axes (a, b, c), rotations about the knot at the section's middle.
+  struct LineGroup {
+    int block = 0, first = 0, modes = 6;  // first: coarse unknown of knot 0, mode 0
+    std::vector<double> knots;
+    double middleB = 0, middleC = 0;
+  };
+  struct Placed {
+    int colour = 0;  // unknowns of one colour do not reach each other
+    double x = 0;    // [m] along the track
+  };
+  void project(ThreadTeam& team, const double* r, Eigen::VectorXd& coarse) const;
+  void prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, double* z) const;
+  Eigen::VectorXd projectSparse(const supports::SpringSet& springs, std::size_t spring) const;
+
+  void addLineGroup(int block, double spacing, int modes, int colourBase, int colours);
+  void projectLine(const LineGroup& group, const double* r, int part, int parts, double* coarse) const;
+  void prolongLine(const LineGroup& group, const double* coarse, int part, int parts, double* z) const;
+  void projectWheel(int block, const double* r, double* coarse) const;
+  void prolongWheel(int block, const double* coarse, int part, int parts, double* z) const;
+  double axleHat(int block, int node, int knot) const;
+
+  const model::Model& model_;
+  const std::vector<unsigned char>& free_;
+  std::vector<LineGroup> lines_;
+  std::vector<Placed> placed_;
+  std::vector<double> axleKnots_;
+  int axleFirst_ = 0, rimFirst_ = 0, sprungFirst_ = 0, unknowns_ = 0;
+  std::vector<std::size_t> sprung_;
+  std::vector<std::vector<double>> cosine_, sine_;  // per block around the axis: of the stations as placed
+  std::vector<std::vector<double>> rimShare_;       // per block: of each section node in the rim's hats
+  Eigen::MatrixXd matrix_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;  // the rail's part is banded
+};
+
+}  // namespace squat::statics

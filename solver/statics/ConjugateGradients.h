@@ -1,0 +1,23 @@
+// solver/statics/ConjugateGradients.h - conjugate gradients on the whole model, preconditioned by diagonal and coarse
+// space.
+#pragma once
+
+#include <functional>
+
+#include "statics/CoarseSpace.h"
+
+namespace squat::statics {
+
+struct LinearSolution {
+  int iterations = 0;
+  double residual = 0;  // 2-norm at the end
+  bool cancelled = false;
+};
+
+// Solves (K + contact) x = b from x = 0 until the residual's 2-norm is below `target` or `mostIterations` are done.
+// `step(iterations, residual)` is asked every few iterations and returns false to stop.
+LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& coarse, const AlignedVector& b,
+                                  AlignedVector& x, double target, int mostIterations,
+                                  const std::function<bool(int, double)>& step);
+
+}  // namespace squat::statics

@@ -1,0 +1,213 @@
+#include "statics/Equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Errors.h"
+#include "core/OrderedSum.h"
+#include "statics/ConjugateGradients.h"
+
+namespace squat::statics {
+
+namespace {
+
+constexpr double patchReach = 0.022;  // [m] along the rail, far beyond any patch
+constexpr double nearGap = 1.2e-3;    // [m] undeformed gap that a deflection of the track may close
+
+struct ClosedContact {
+  supports::SpringSet springs;               // tangent of the closed points
+  std::vector<double> penetration;           // of each spring
+  std::vector<std::array<double, 2>> place;  // x relative to the wheel, y
+  double vertical = 0;                       // [N] on the rail, downwards positive
+};
+
+ClosedContact evaluateContact(const model::Model& model, const model::TurnedStations& turned, const double* u,
+                              double wheelX, double rotation, double penalty) {
+  const auto& s = model.surfaces;
+  const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
+  const auto hub = ringMean(model, model.centre, turned, u);
+  const contact::WheelPlacement wheel{wheelX, model.wheelset.centreHeight, rotation, hub.x, hub.z};
+  ClosedContact closed;
+  const auto [first, last] = contact::reachableIntervals(s, rail, wheelX, patchReach);
+  for (int i = first; i < last; ++i)
+    for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
+      for (int point = 0; point < 4; ++point) {
+        contact::TouchPoint t;
+        if (!evaluatePoint(s, rail, rim, u, wheel, i, j, point, nearGap, t) || t.penetration <= 0) continue;
+        std::vector<std::pair<std::size_t, double>> terms;
+        for (int a = 0; a < 2; ++a)
+          for (int b = 0; b < 2; ++b) {
+            terms.push_back({rail.index(t.railNode[a], 0, t.railStation + b), -t.sine * t.railWeight[2 * a + b]});
+            terms.push_back({rail.index(t.railNode[a], 2, t.railStation + b), t.cosine * t.railWeight[2 * a + b]});
+            terms.push_back({rim.index(t.treadNode[a], 1, t.treadStation[b]), t.treadWeight[2 * a + b]});
+          }
+        closed.springs.add(terms, penalty * s.area[t.point], 0);
+        closed.penetration.push_back(t.penetration);
+        closed.place.push_back({s.pointX[t.point] - wheelX, s.pointY[t.point]});
+        closed.vertical += penalty * s.area[t.point] * t.penetration * t.cosine;
+      }
+  return closed;
+}
+
+void addContactForces(const ClosedContact& closed, double* r) {
+  for (std::size_t i = 0; i < closed.springs.size(); ++i) {
+    const double force = closed.springs.stiffness[i] * closed.penetration[i];
+    for (std::size_t t = closed.springs.start[i]; t < closed.springs.start[i + 1]; ++t)
+      r[closed.springs.unknown[t]] -= closed.springs.weight[t] * force;
+  }
+}
+
+void describePatch(const ClosedContact& closed, Equilibrium& e) {
+  double n = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+  for (std::size_t i = 0; i < closed.springs.size(); ++i) {
+    const double force = closed.springs.stiffness[i] * closed.penetration[i];
+    n += force;
+    x1 += force * closed.place[i][0], y1 += force * closed.place[i][1];
+    x2 += force * closed.place[i][0] * closed.place[i][0], y2 += force * closed.place[i][1] * closed.place[i][1];
+  }
+  e.halfAxisRolling = std::sqrt(5 * (x2 / n - x1 * x1 / n / n));
+  e.halfAxisLateral = std::sqrt(5 * (y2 / n - y1 * y1 / n / n));
+  e.peakPressure = 3 * n / (2 * std::acos(-1.0) * e.halfAxisRolling * e.halfAxisLateral);
+}
+
+// A start that closes the contact: wheelset and sprung mass lowered by a tenth of a millimetre.
+void lowerVehicle(const model::Model& model, double rotation, AlignedVector& u) {
+  constexpr double lowered = 1e-4;
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int s = 0; s < block.stationCount; ++s) {
+      const Eigen::Vector3d local =
+          elasticity::localBasis(block, block.positions[s] - rotation).transpose() * Eigen::Vector3d(0, 0, -lowered);
+      for (int n = 0; n < block.nodes; ++n)
+        for (int c = 0; c < 2; ++c) u[block.index(n, c, s)] = local[c];
+    }
+  }
+  u[model.sprungZ] = -lowered;
+}
+
+// Vertical displacement of the rail section under the wheel, mean over its nodes' masses.
+double railDeflection(const model::Model& model, const AlignedVector& u, double x) {
+  const auto& rail = model.blocks[model.rail];
+  const auto it = std::upper_bound(rail.positions.begin(), rail.positions.end(), x);
+  const int s = std::clamp(static_cast<int>(it - rail.positions.begin()) - 1, 0, rail.intervals);
+  double sum = 0, mass = 0;
+  for (int n = 0; n < rail.nodes; ++n) {
+    const double m = model.mass[model.rail][n * rail.stride + s];
+    sum += m * u[rail.index(n, 2, s)], mass += m;
+  }
+  return sum / mass;
+}
+
+}  // namespace
+
+double normalPenalty(const cases::CaseDescription& d) {
+  return d.contact.normalPenalty * d.rail.material.young / d.mesh.contactSize;
+}
+
+double meanSpin(const model::Model& model, const double* state) {
+  double sum = 0;
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int n = 0; n < block.nodes; ++n) {
+      double line = 0;
+      for (int s = 0; s < block.stationCount; ++s)
+        line += model.mass[b][n * block.stride + s] * state[block.index(n, 0, s)];
+      sum += line * block.section.nodes[n][0];
+    }
+  }
+  return sum / model.wheelset.inertia;
+}
+
+void removeSpin(const model::Model& model, double spin, double* state) {
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int n = 0; n < block.nodes; ++n)
+      for (int s = 0; s < block.stationCount; ++s) state[block.index(n, 0, s)] -= spin * block.section.nodes[n][0];
+  }
+  elasticity::refreshGhosts(model.blocks, state);
+}
+
+Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                            double wheelX, double rotation, const EquilibriumOptions& options, Monitor& monitor) {
+  Equilibrium e;
+  e.wheelX = wheelX, e.rotation = rotation;
+  const auto& d = model.description;
+  const double load = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
+  const double penalty = normalPenalty(d);
+  // Any stiffness holds the spin; this one is of the order of the contact's.
+  model::StaticOperator op(model, kernels, team, rotation, 1e8, true);
+  CoarseSpace coarse(model, op);
+  const std::size_t n = model.stateSize;
+  e.displacement.assign(n, 0.0);
+  if (options.guess)
+    e.displacement = *options.guess;
+  else
+    lowerVehicle(model, rotation, e.displacement);
+  const AlignedVector weight = gravityForces(model, rotation);
+  coarse.assemble(op);
+
+  AlignedVector r(n, 0.0), change(n, 0.0);
+  double startNorm = 0;
+  while (true) {
+    op.contactSprings() = {};
+    op.apply(e.displacement.data(), r.data());
+    ClosedContact closed = evaluateContact(model, op.turned(), e.displacement.data(), wheelX, rotation, penalty);
+    if (closed.springs.size() == 0) throw RunError("the wheel finds no contact in the equilibrium", 0, 0, "contact");
+    for (std::size_t i = 0; i < n; ++i) r[i] = weight[i] - r[i];
+    addContactForces(closed, r.data());
+    op.reduceForces(r.data());
+    const double norm = std::sqrt(orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i) sum += r[i] * r[i];
+      return sum;
+    }));
+    e.residual = norm / load;
+    e.contactForce = closed.vertical;
+    if (e.newtonSteps == 0) startNorm = norm;
+    if (e.residual < options.tolerance) {
+      describePatch(closed, e);
+      for (std::size_t i = 0; i < closed.springs.size(); ++i)
+        e.strainEnergy += 0.5 * closed.springs.stiffness[i] * closed.penetration[i] * closed.penetration[i];
+      break;
+    }
+    if (!std::isfinite(norm)) throw RunError("the equilibrium is not a number", 0, 0, "equilibrium");
+    if (e.newtonSteps >= options.mostNewtonSteps || e.iterations >= options.mostIterations)
+      throw RunError("the equilibrium does not converge: residual " + std::to_string(e.residual) +
+                         " of the load after " + std::to_string(e.newtonSteps) + " Newton steps and " +
+                         std::to_string(e.iterations) + " iterations",
+                     0, 0, "equilibrium");
+    op.contactSprings() = closed.springs;
+    coarse.factorise(closed.springs);
+    // Inexact Newton: coarse at first, then tight enough to end in few steps.
+    const double goal = std::max(0.3 * options.tolerance * load, norm * (e.newtonSteps < 2 ? 1e-2 : 1e-4));
+    const auto solution = conjugateGradients(
+        op, coarse, r, change, goal, options.mostIterations - e.iterations, [&](int, double residual) {
+          Progress progress;
+          progress.phase = "equilibrium";
+          const double all = std::log(std::max(startNorm, load) / (options.tolerance * load));
+          progress.fraction =
+              std::clamp(1 - std::log(std::max(residual, 1e-300) / (options.tolerance * load)) / all, 0.0, 1.0);
+          monitor.report(progress);
+          return !monitor.cancelled();
+        });
+    e.iterations += solution.iterations;
+    ++e.newtonSteps;
+    if (solution.cancelled) {
+      e.cancelled = true;
+      return e;
+    }
+    for (std::size_t i = 0; i < n; ++i) e.displacement[i] += change[i];
+  }
+  op.fillSlaves(e.displacement.data());
+  removeSpin(model, meanSpin(model, e.displacement.data()), e.displacement.data());
+  op.fillSlaves(e.displacement.data());
+  op.contactSprings() = {};
+  AlignedVector copy = e.displacement;
+  op.apply(copy.data(), r.data());
+  for (std::size_t i = 0; i < n; ++i) e.strainEnergy += 0.5 * copy[i] * r[i];
+  const auto hub = ringMean(model, model.centre, op.turned(), e.displacement.data());
+  e.approach = railDeflection(model, e.displacement, wheelX) - hub.z;
+  return e;
+}
+
+}  // namespace squat::statics

@@ -1,0 +1,48 @@
+// solver/statics/Equilibrium.h - static equilibrium of track, wheelset and sprung mass with frictionless contact.
+//
+// Newton's method on the active set of contact points; each linear system by conjugate gradients with a coarse space
+// (CoarseSpace.h). Load: weight of everything. The sprung mass is held along the track, the wheelset's mean spin is
+// held and taken out of the result.
+#pragma once
+
+#include <functional>
+
+#include "contact/TouchPoint.h"
+#include "core/Monitor.h"
+#include "model/StaticOperator.h"
+
+namespace squat::statics {
+
+struct EquilibriumOptions {
+  double tolerance = 1e-7;  // residual 2-norm relative to the wheel load
+  int mostNewtonSteps = 40;
+  int mostIterations = 20000;  // of conjugate gradients in all
+  const AlignedVector* guess = nullptr;
+};
+
+struct Equilibrium {
+  AlignedVector displacement;       // state layout
+  double wheelX = 0, rotation = 0;  // where the wheel stands
+  double contactForce = 0;          // [N] vertical
+  double residual = 0;              // 2-norm relative to the wheel load
+  double approach = 0;  // [m] largest penetration of the undeformed surfaces: hub to far rail minus body motion
+  double halfAxisRolling = 0, halfAxisLateral = 0;  // [m] sqrt(5 <x^2>), sqrt(5 <y^2>) of the pressure
+  double peakPressure = 0;                          // [Pa] 3 N / (2 pi a b)
+  double strainEnergy = 0;                          // [J] solids, springs and contact
+  int newtonSteps = 0, iterations = 0;
+  bool cancelled = false;
+};
+
+// Throws RunError when it does not converge or the wheel finds no contact.
+Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                            double wheelX, double rotation, const EquilibriumOptions& options, Monitor& monitor);
+
+// Normal penalty of the model [Pa/m]: normal_penalty * E / element size.
+double normalPenalty(const cases::CaseDescription& description);
+
+// Mean turn of the wheelset about its axis in a state, sum of m r u_alpha over the inertia [rad].
+double meanSpin(const model::Model& model, const double* state);
+// Subtracts a rigid turn from the wheelset's displacements or velocities.
+void removeSpin(const model::Model& model, double spin, double* state);
+
+}  // namespace squat::statics
