@@ -1,0 +1,154 @@
+#include "laboratory/Analysis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "core/Errors.h"
+#include "signals/Butterworth.h"
+#include "signals/FourierTransform.h"
+#include "signals/Resample.h"
+#include "signals/SignalError.h"
+
+namespace squat::laboratory {
+namespace {
+
+constexpr std::size_t mostColumns = 2000;  // of a picture
+constexpr std::size_t longestPeriodogram = 16384, usualSegment = 8192;
+
+std::size_t largestSample(const std::vector<double>& values) {
+  return static_cast<std::size_t>(
+      std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      values.begin());
+}
+
+std::string hertz(double value) {
+  std::ostringstream text;
+  text << value << " Hz";
+  return text.str();
+}
+
+std::optional<signals::Stft> stftOf(const signals::TimeSeries& series, signals::StftOptions options,
+                                    std::vector<std::string>& notes) {
+  const std::size_t n = series.values.size();
+  if (options.segment == 0) {
+    options.segment = signals::fastLength(static_cast<std::size_t>(std::max(16.0, 0.01 * series.rate())));
+    if (n < options.segment) {
+      notes.push_back("the record is too short for a short-time transform over 10 ms");
+      return std::nullopt;
+    }
+  }
+  if (options.hop == 0) options.hop = std::max<std::size_t>(1, (n - std::min(n, options.segment)) / mostColumns + 1);
+  return signals::shortTimeTransform(series, options);
+}
+
+signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::WaveletOptions options,
+                               std::vector<std::string>& notes) {
+  const double half = series.rate() / 2;
+  if (options.highest > half) {
+    notes.push_back("the scalogram ends at " + hertz(half) + ", half the sampling rate");
+    options.highest = half;
+  }
+  if (options.cell == 0) options.cell = (series.values.size() + mostColumns - 1) / mostColumns;
+  return signals::scalogram(series, options);
+}
+
+// The message of a signal with its place in a file.
+FileError inFile(const measured::MeasuredSignal& signal, const signals::SignalError& error) {
+  std::string place = signal.run;
+  if (error.sample()) place += ", sample " + std::to_string(*error.sample());
+  return FileError(signal.file, place, error.what());
+}
+
+void alignRuns(Analysis& analysis, const AnalysisOptions& options) {
+  std::vector<signals::Passage> runs;
+  for (const auto& signal : analysis.signals) {
+    runs.push_back({signal.filtered, signal.passage.position});
+    runs.back().series.name = signal.run;
+    if (runs.back().series.unit != runs.front().series.unit) {
+      analysis.notes.push_back("the runs were not aligned: their units differ");
+      return;
+    }
+  }
+  try {
+    analysis.inTime = signals::alignInTime(runs, options.alignment);
+    analysis.inPosition = signals::alignInPosition(runs, options.alignment);
+    analysis.dispersion =
+        signals::runDispersion(*analysis.inTime, 0.03, options.features.waveSpan, options.features.waveBand);
+  } catch (const signals::SignalError& error) {
+    analysis.inTime.reset();
+    analysis.inPosition.reset();
+    analysis.notes.push_back(std::string("the runs were not aligned: ") + error.what());
+  }
+}
+
+}  // namespace
+
+SignalAnalysis analyseSignal(const measured::MeasuredSignal& signal, const AnalysisOptions& options) {
+  SignalAnalysis result;
+  result.file = signal.file;
+  result.run = signal.run;
+  result.notes = signal.notes;
+  result.passage = signal.passage();
+  signals::requireUsable(signal.series, 32, "the analysis");
+  signals::requireVarying(signal.series, "the analysis");
+  result.filtered = signal.series;
+  if (options.lowPass > 0 && options.lowPass < 0.49 * signal.series.rate())
+    result.filtered = signals::lowPass(signal.series, options.lowPass);
+  else if (options.lowPass > 0)
+    result.notes.push_back("not low-passed at " + hertz(options.lowPass) + ": the sampling rate is " +
+                           hertz(signal.series.rate()));
+  if (!signal.run.empty()) result.filtered.name = signal.run;
+
+  signals::FeatureOptions features = options.features;
+  if (!features.impactTime) features.impactTime = result.filtered.timeAt(largestSample(result.filtered.values));
+  features.speed = signals::speedAt(result.passage, *features.impactTime);
+  result.features = signals::features(result.filtered, features);
+
+  signals::PowerSpectrumOptions spectrum = options.spectrum;
+  if (spectrum.segment == 0 && result.filtered.values.size() > longestPeriodogram) spectrum.segment = usualSegment;
+  result.spectrum = signals::powerSpectrum(result.filtered, spectrum);
+  result.stft = stftOf(result.filtered, options.stft, result.notes);
+  result.scalogram = scalogramOf(result.filtered, options.wavelet, result.notes);
+
+  std::vector<double> times(result.passage.position.size());
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = result.filtered.timeAt(i);
+  const double zero = signals::interpolateLinear(times, result.passage.position, *features.impactTime);
+  for (const double time : result.scalogram.time)
+    result.scalogramPosition.push_back(signals::interpolateLinear(times, result.passage.position, time) - zero);
+  return result;
+}
+
+Analysis analyse(const std::vector<std::string>& files, const AnalysisOptions& options, Monitor& monitor) {
+  if (files.empty()) throw CaseError({{"signal", "none", "at least one file", "Name the files to analyse"}});
+  Analysis analysis;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    Progress progress;
+    progress.phase = "analysing " + std::filesystem::path(files[i]).filename().string();
+    progress.fraction = static_cast<double>(i) / static_cast<double>(files.size());
+    monitor.report(progress);
+    for (const auto& signal : measured::readSignals(files[i], options.file)) {
+      if (monitor.cancelled()) {
+        analysis.notes.push_back("cancelled: later signals were not analysed");
+        return analysis;
+      }
+      try {
+        analysis.signals.push_back(analyseSignal(signal, options));
+      } catch (const signals::SignalError& error) {
+        throw inFile(signal, error);
+      }
+    }
+  }
+  // Runs of several files need names that tell them apart.
+  if (files.size() > 1)
+    for (auto& signal : analysis.signals) {
+      const std::string stem = std::filesystem::path(signal.file).stem().string();
+      signal.run = stem + (signal.run.empty() || signal.run == stem ? "" : ": " + signal.run);
+      signal.features.name = signal.filtered.name = signal.run;
+    }
+  if (options.align && analysis.signals.size() > 1) alignRuns(analysis, options);
+  return analysis;
+}
+
+}  // namespace squat::laboratory

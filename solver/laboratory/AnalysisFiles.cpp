@@ -1,0 +1,134 @@
+#include "laboratory/AnalysisFiles.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/DurableFile.h"
+#include "laboratory/NumberTable.h"
+
+namespace squat::laboratory {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const signals::Dispersion& dispersion) {
+  return {{"values", dispersion.values},
+          {"mean", dispersion.mean},
+          {"standard_deviation", dispersion.standardDeviation},
+          {"range_by_mean", dispersion.range}};
+}
+
+Json jsonOf(const SignalAnalysis& signal) {
+  const auto& f = signal.features;
+  Json features, bands = Json::array(), peaks = Json::array();
+  for (const auto& [name, value] : signals::featureRow(f)) features[name] = value;
+  for (const auto& band : f.bands)
+    bands.push_back({{"name", band.band.name},
+                     {"low_hz", band.band.low},
+                     {"high_hz", band.band.high},
+                     {"power", band.power},
+                     {"share", band.share},
+                     {"free_vibration_s", band.freeVibration}});
+  for (const auto& peak : f.peaks)
+    peaks.push_back({{"frequency_hz", peak.frequency},
+                     {"density", peak.density},
+                     {"prominence", peak.prominence},
+                     {"width_hz", peak.width}});
+  return {{"file", signal.file},
+          {"run", signal.run},
+          {"unit", f.unit},
+          {"rate_hz", signal.filtered.rate()},
+          {"samples", signal.filtered.values.size()},
+          {"features", features},
+          {"bands", bands},
+          {"peaks", peaks},
+          {"spectrum",
+           {{"window", signal.spectrum.window},
+            {"integral", signal.spectrum.integral},
+            {"mean_square", signal.spectrum.meanSquare}}},
+          {"notes", signal.notes}};
+}
+
+}  // namespace
+
+std::string featureCsv(const Analysis& analysis) {
+  std::string text;
+  for (const auto& signal : analysis.signals) {
+    const auto row = signals::featureRow(signal.features);
+    if (text.empty()) {
+      text = "file,run";
+      for (const auto& [name, value] : row) text += "," + csvField(name);
+      text += '\n';
+    }
+    text += csvField(signal.file) + "," + csvField(signal.run);
+    for (const auto& [name, value] : row) text += "," + numberText(value);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string featureJson(const Analysis& analysis) {
+  Json json;
+  json["signals"] = Json::array();
+  for (const auto& signal : analysis.signals) json["signals"].push_back(jsonOf(signal));
+  if (analysis.dispersion)
+    json["dispersion"] = {{"first_peak", jsonOf(analysis.dispersion->firstPeak)},
+                          {"wavelength_m", jsonOf(analysis.dispersion->wavelength)}};
+  json["notes"] = analysis.notes;
+  // File names need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string spectrumCsv(const SignalAnalysis& signal) {
+  const std::string unit = " [(" + signal.features.unit + ")2/Hz]";
+  const auto& local = signal.features.spectrum;
+  return csvColumns(
+      {"frequency [Hz]", "whole record" + unit, "frequency around the impact [Hz]", "around the impact" + unit},
+      {&signal.spectrum.frequency, &signal.spectrum.density, &local.frequency, &local.density});
+}
+
+std::string alignedCsv(const signals::AlignedRuns& runs) {
+  std::vector<std::string> names{runs.inPosition ? "position [m]" : "time [s]", "mean", "lowest", "highest"};
+  std::vector<const std::vector<double>*> columns{&runs.axis, &runs.mean, &runs.lowest, &runs.highest};
+  for (std::size_t r = 0; r < runs.values.size(); ++r) {
+    names.push_back(runs.names[r]);
+    columns.push_back(&runs.values[r]);
+  }
+  return csvColumns(names, columns);
+}
+
+std::string safeFileName(const std::string& name) {
+  std::string safe;
+  for (const char c : name) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-';
+    if (plain)
+      safe += c;
+    else if (!safe.empty() && safe.back() != '_')
+      safe += '_';
+  }
+  while (!safe.empty() && safe.back() == '_') safe.pop_back();
+  return safe.empty() ? "signal" : safe.substr(0, 100);
+}
+
+std::vector<std::string> writeAnalysis(const Analysis& analysis, const std::string& folder) {
+  std::vector<std::pair<std::string, std::string>> files{{"features.csv", featureCsv(analysis)},
+                                                         {"features.json", featureJson(analysis)}};
+  std::set<std::string> names;
+  for (const auto& signal : analysis.signals) {
+    const std::string base = safeFileName(signal.run);
+    std::string name = base;
+    for (int i = 2; !names.insert(name).second; ++i) name = base + "_" + std::to_string(i);
+    files.emplace_back(name + "_spectrum.csv", spectrumCsv(signal));
+  }
+  if (analysis.inTime) files.emplace_back("aligned_time.csv", alignedCsv(*analysis.inTime));
+  if (analysis.inPosition) files.emplace_back("aligned_position.csv", alignedCsv(*analysis.inPosition));
+  makeFolder(folder);
+  std::vector<std::string> paths;
+  for (const auto& [name, text] : files) {
+    paths.push_back(folder + "/" + name);
+    writeDurably(paths.back(), std::string_view(text));
+  }
+  return paths;
+}
+
+}  // namespace squat::laboratory

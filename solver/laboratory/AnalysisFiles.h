@@ -1,0 +1,31 @@
+// solver/laboratory/AnalysisFiles.h - an analysis as tables: CSV for people and spreadsheets, JSON for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "laboratory/Analysis.h"
+
+namespace squat::laboratory {
+
+// One row a signal: file, run, then signals::featureRow.
+std::string featureCsv(const Analysis& analysis);
+
+// {"signals": [{file, run, features: {name: value}, bands: [...], peaks: [...], notes}], "dispersion": {...}, "notes"}
+std::string featureJson(const Analysis& analysis);
+
+// frequency, density of the whole record, and (own frequency axis) density around the impact.
+std::string spectrumCsv(const SignalAnalysis& signal);
+
+// axis, mean, lowest, highest, then each run.
+std::string alignedCsv(const signals::AlignedRuns& runs);
+
+// Writes features.csv, features.json, RUN_spectrum.csv for each signal, and aligned_time.csv, aligned_position.csv
+// where there are several runs. Everything is made before anything is written, each file durably. Returns the paths.
+std::vector<std::string> writeAnalysis(const Analysis& analysis, const std::string& folder);
+
+// Name without characters that a file name should not have; distinct names stay distinct within one call of
+// writeAnalysis by a number behind them.
+std::string safeFileName(const std::string& name);
+
+}  // namespace squat::laboratory

@@ -1,0 +1,24 @@
+// solver/laboratory/OptionText.h - options of the signal laboratory as a user types them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "laboratory/Analysis.h"
+
+namespace squat::laboratory {
+
+// "130-320" or "130:320", in Hz, with an optional name before: "squat=250-350". Throws CaseError.
+signals::Band bandFromText(const std::string& text);
+
+// "," ";" "tab" "space" "|" or any single character; "auto" and "" give 0. Throws CaseError.
+char delimiterFromText(const std::string& text);
+
+// Speed in m/s, or with its unit: "30", "30 m/s", "108 km/h". Throws CaseError.
+double speedFromText(const std::string& text);
+
+// Window and detrend by name into the options of the spectrum; throws CaseError naming the known ones.
+void setWindow(signals::PowerSpectrumOptions& options, const std::string& text);
+void setDetrend(signals::PowerSpectrumOptions& options, const std::string& text);
+
+}  // namespace squat::laboratory

@@ -1,0 +1,131 @@
+#include "laboratory/Analysis.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/Errors.h"
+#include "laboratory/AnalysisFiles.h"
+#include "laboratory/Folder.h"
+
+namespace squat::laboratory {
+namespace {
+
+using ::testing::HasSubstr;
+using tests::Folder;
+using tests::runTable;
+
+TEST(Analysis, oneFileFromEndToEnd) {
+  const Folder folder;
+  const auto file = folder.write("run.csv", runTable(0.08, 60, 30));
+  Monitor monitor;
+  AnalysisOptions options;
+  options.spectrum.window = signals::Window::boxcar;  // for which the integral is the mean square exactly
+  const auto analysis = analyse({file}, options, monitor);
+  ASSERT_EQ(analysis.signals.size(), 1u);
+  const auto& signal = analysis.signals[0];
+  EXPECT_NEAR(signal.features.speed, 30, 1e-6);
+  EXPECT_NEAR(signal.features.wavelengthByRidge, 30.0 / 1034, 0.002);
+  EXPECT_NEAR(signal.features.impactTime, 0.08, 0.002);
+  ASSERT_TRUE(signal.stft);
+  EXPECT_LE(signal.scalogram.time.size(), 2000u);
+  EXPECT_EQ(signal.scalogramPosition.size(), signal.scalogram.time.size());
+  EXPECT_NEAR(signal.spectrum.integral, signal.spectrum.meanSquare, 1e-12 * signal.spectrum.meanSquare);
+  EXPECT_FALSE(analysis.inTime);
+
+  const auto paths = writeAnalysis(analysis, folder.path("out"));
+  ASSERT_EQ(paths.size(), 3u);
+  const auto json = nlohmann::json::parse(folder.read("out/features.json"));
+  EXPECT_NEAR(json["signals"][0]["features"]["peak [m/s2]"], signal.features.peak, 1e-12);
+  EXPECT_EQ(json["signals"][0]["bands"].size(), 3u);
+  const std::string csv = folder.read("out/features.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
+  EXPECT_THAT(csv, HasSubstr("wavelength by ridge [m]"));
+  EXPECT_THAT(folder.read("out/aba_spectrum.csv"), HasSubstr("frequency [Hz],whole record [(m/s2)2/Hz]"));
+}
+
+TEST(Analysis, repeatedRunsAreAligned) {
+  const Folder folder;
+  std::vector<std::string> files;
+  const double impacts[3] = {0.08, 0.091, 0.0703}, heights[3] = {60, 66, 54}, speeds[3] = {30, 28, 29};
+  for (int r = 0; r < 3; ++r)
+    files.push_back(folder.write("run" + std::to_string(r) + ".csv", runTable(impacts[r], heights[r], speeds[r])));
+  Monitor monitor;
+  const auto analysis = analyse(files, {}, monitor);
+  ASSERT_TRUE(analysis.inTime && analysis.inPosition && analysis.dispersion);
+  for (std::size_t r = 0; r < 3; ++r)
+    EXPECT_NEAR(analysis.inTime->impact[r] - analysis.inTime->impact[0], impacts[r] - impacts[0], 1 / 25000.0);
+  EXPECT_NEAR(analysis.dispersion->firstPeak.range, 0.2, 0.005);  // (66 - 54)/60
+  EXPECT_EQ(analysis.signals[1].run, "run1: aba");
+  writeAnalysis(analysis, folder.path("out"));
+  EXPECT_THAT(folder.read("out/aligned_time.csv"), HasSubstr("time [s],mean,lowest,highest,run0: aba,run1: aba"));
+  EXPECT_THAT(folder.read("out/features.json"), HasSubstr("range_by_mean"));
+  EXPECT_EQ(Folder().files(), 0u);
+}
+
+TEST(Analysis, slowRatesAreNotedAndBandsRefused) {
+  const Folder folder;
+  std::ostringstream text;
+  text << "t,aba\n";
+  for (int i = 0; i < 3000; ++i)
+    text << i / 1000.0 << ',' << std::exp(-std::abs(i - 1000) / 50.0) * (i % 9 - 4) << '\n';
+  const auto file = folder.write("slow.csv", text.str());
+  AnalysisOptions options;
+  options.file.speed = 30;
+  Monitor monitor;
+  try {
+    analyse({file}, options, monitor);
+    FAIL() << "bands above half the rate were accepted";
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("needs a sampling rate above 2400 Hz"));
+  }
+  options.features.bands = {{"low", 20, 200}};
+  options.features.waveBand = {"wave", 100, 400};
+  options.wavelet.lowest = 10;
+  const auto analysis = analyse({file}, options, monitor);
+  EXPECT_EQ(analysis.signals[0].notes.size(), 2u);  // no low-pass, scalogram to 500 Hz
+  EXPECT_LE(analysis.signals[0].scalogram.frequency.back(), 500);
+}
+
+TEST(Analysis, badInputIsOneMessageAndNoFile) {
+  const Folder folder;
+  Monitor monitor;
+  const auto noSpeed = folder.write("a.csv", "t,aba\n0,1\n0.1,2\n0.2,1\n");
+  EXPECT_THROW(analyse({noSpeed}, {}, monitor), CaseError);
+  AnalysisOptions options;
+  options.file.speed = 30;
+  EXPECT_THROW(analyse({noSpeed}, options, monitor), FileError);  // too short
+  std::string constant = "t,aba\n";
+  for (int i = 0; i < 500; ++i) constant += std::to_string(i) + ",3\n";
+  const auto flat = folder.write("b.csv", constant);
+  try {
+    analyse({flat}, options, monitor);
+    FAIL() << "a constant signal was accepted";
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(HasSubstr("b.csv"), HasSubstr("constant")));
+  }
+  EXPECT_THROW(analyse({}, {}, monitor), CaseError);
+  EXPECT_EQ(folder.files(), 2u);
+}
+
+TEST(Analysis, cancelledKeepsWhatIsThere) {
+  struct Impatient : Monitor {
+    bool cancelled() override { return ++asked > 1; }
+    int asked = 0;
+  };
+  const Folder folder;
+  const auto file = folder.write("run.csv", runTable(0.08, 60, 30));
+  Impatient monitor;
+  const auto analysis = analyse({file, file, file}, {}, monitor);
+  EXPECT_EQ(analysis.signals.size(), 1u);
+  EXPECT_EQ(analysis.notes.size(), 1u);
+}
+
+TEST(AnalysisFiles, namesAreSafe) {
+  EXPECT_EQ(safeFileName("../a b: \"c\""), "a_b_c");
+  EXPECT_EQ(safeFileName(""), "signal");
+  EXPECT_EQ(safeFileName("run-7"), "run-7");
+}
+
+}  // namespace
+}  // namespace squat::laboratory
