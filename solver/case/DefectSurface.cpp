@@ -126,9 +126,15 @@ void DefectSurface::level() {
 
 // Flat lead-in and run-out are no part of the defect.
 void DefectSurface::trim() {
-  while (nodes_.size() > 1 && nodes_[0].height == 0 && nodes_[1].height == 0) nodes_.erase(nodes_.begin());
-  while (nodes_.size() > 1 && nodes_.back().height == 0 && nodes_[nodes_.size() - 2].height == 0) nodes_.pop_back();
-  if (nodes_.size() < 2) nodes_.clear();
+  const auto rises = [](const Node& node) { return node.height != 0; };
+  const auto firstRise = std::find_if(nodes_.begin(), nodes_.end(), rises);
+  if (firstRise == nodes_.end()) {
+    nodes_.clear();
+    return;
+  }
+  const auto behindLast = std::find_if(nodes_.rbegin(), nodes_.rend(), rises).base();
+  if (behindLast != nodes_.end()) nodes_.erase(behindLast + 1, nodes_.end());
+  if (firstRise != nodes_.begin()) nodes_.erase(nodes_.begin(), firstRise - 1);
 }
 
 void DefectSurface::findSlopes() {
@@ -150,17 +156,33 @@ void DefectSurface::findSlopes() {
     nodes_.back().slope = endSlope(width(n - 2), width(n - 3), secant(n - 2), secant(n - 3));
 }
 
+// Positions between which slopes and edges are looked for: 4000 steps of an analytic shape, four in every interval of a
+// profile, within which it is monotone.
+std::vector<double> DefectSurface::marks() const {
+  std::vector<double> marks;
+  constexpr int steps = 4000, parts = 4;
+  if (nodes_.empty())
+    for (int i = 0; i <= steps; ++i) marks.push_back(first_ + (last_ - first_) * i / steps);
+  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i)
+    for (int k = 0; k < parts; ++k)
+      marks.push_back(nodes_[i].position + (nodes_[i + 1].position - nodes_[i].position) * k / parts);
+  if (!nodes_.empty()) marks.push_back(last_);
+  return marks;
+}
+
 void DefectSurface::measure() {
   if (first_ == last_) return;
-  constexpr int samplesAlong = 4000;
-  const double step = (last_ - first_) / samplesAlong;
   depth_ = std::max(0.0, -alongHeight(0));
-  for (int i = 0; i <= samplesAlong; ++i) steepest_ = std::max(steepest_, std::abs(alongSlope(first_ + i * step)));
   const double shallow = -0.05 * depth_;
-  double from = 0, to = 0;
-  while (from > first_ && alongHeight(from) < shallow) from -= step;
-  while (to < last_ && alongHeight(to) < shallow) to += step;
-  dipLength_ = to - from;
+  const auto all = marks();
+  double from = first_, to = last_;  // edges of the dip around x = 0
+  for (const double x : all) {
+    steepest_ = std::max(steepest_, std::abs(alongSlope(x)));
+    if (alongHeight(x) < shallow) continue;
+    if (x <= 0) from = x;
+    if (x >= 0) to = std::min(to, x);
+  }
+  dipLength_ = depth_ > 0 ? to - from : 0;
   for (std::size_t i = 0; i + 1 < nodes_.size(); ++i)
     if (nodes_[i + 1].position > from && nodes_[i].position < to)
       spacing_ = std::max(spacing_, nodes_[i + 1].position - nodes_[i].position);

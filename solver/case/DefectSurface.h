@@ -47,6 +47,7 @@ class DefectSurface {
   void findSlopes();
   void trim();
   void measure();
+  std::vector<double> marks() const;
   double alongHeight(double x) const;
   double alongSlope(double x) const;
   double across(double y) const;

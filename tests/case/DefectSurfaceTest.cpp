@@ -214,6 +214,23 @@ TEST(DefectSurface, ScaleActsOnProfiles) {
   EXPECT_EQ(DefectSurface(defect).depth(), 0);
 }
 
+// The same dip with a long plane rail before and behind it: 100,000 points, the most that a profile may have.
+TEST(DefectSurface, LongPlaneEndsAreTrimmed) {
+  std::vector<ProfilePoint> points;
+  for (int i = 0; i < 100000; ++i) points.push_back({i * 0.001, i > 50000 && i < 50020 ? -1e-4 : 0});
+  const DefectSurface surface(profileOf(points));
+  EXPECT_NEAR(surface.first(), -0.001, 1e-12);  // round-off of positions of 50 m
+  EXPECT_NEAR(surface.last(), 0.019, 1e-12);
+  EXPECT_NEAR(surface.profileSpacing(), 0.001, 1e-12);
+  EXPECT_EQ(surface.samples().size(), 21u);
+}
+
+// A short step in a long profile must not be missed: 0.1 mm over 1 mm, cubic with level ends: 1.5 times the secant.
+TEST(DefectSurface, FindsTheSteepestPlaceOfALongProfile) {
+  const DefectSurface surface(profileOf({{0, 0}, {10, -1e-5}, {20, -1e-5}, {20.001, -1.1e-4}, {30, -1.1e-4}, {50, 0}}));
+  EXPECT_NEAR(surface.steepest(), 0.15, 1e-9);
+}
+
 TEST(DefectSurface, OddProfilesAreNoDefect) {
   EXPECT_EQ(DefectSurface(profileOf({})).last(), 0);
   EXPECT_EQ(DefectSurface(profileOf({{1, -1}})).last(), 0);
