@@ -109,12 +109,15 @@ void sweepLeftOvers(const std::string& path) {
 // The earlier file gets a second name before the new one takes the first: there is a file under `path` at all times.
 void keepPrevious(const std::string& path) {
   const auto previous = path + ".previous";
+  sweepLeftOvers(previous);
   const auto link = previous + ".part-" + std::to_string(::getpid());
   ::unlink(link.c_str());
   if (::link(path.c_str(), link.c_str()) == 0)
     ::rename(link.c_str(), previous.c_str());
   else if (errno != ENOENT)
     ::rename(path.c_str(), previous.c_str());  // a file system without links
+  // Renaming does nothing where both names stand for one file already (a kill between the two renames of last time).
+  ::unlink(link.c_str());
 }
 
 }  // namespace
