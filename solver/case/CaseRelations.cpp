@@ -27,8 +27,7 @@ std::string withUnit(const std::string& text, const Parameter& parameter) {
 std::string rounded(double value) {
   if (value == 0 || !std::isfinite(value)) return formatDecimal(value);
   const double scale = std::pow(10.0, 3 - std::floor(std::log10(std::abs(value))));
-  const auto text = formatDecimal(std::round(value * scale) / scale);
-  return text;
+  return formatDecimal(std::round(value * scale) / scale);
 }
 
 // `limit` in SI, shown in the unit of `key`.

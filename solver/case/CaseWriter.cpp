@@ -13,7 +13,7 @@ namespace squat::cases {
 namespace {
 
 // A basic TOML string on one line.
-std::string quoted(const std::string& text) {
+std::string tomlString(const std::string& text) {
   std::string result = "\"";
   for (const char letter : text) {
     if (letter == '"' || letter == '\\') result += '\\';
@@ -40,11 +40,11 @@ std::string manyLines(const std::string& points) {
 }
 
 std::string tomlValue(const CaseDescription& description, const Parameter& parameter) {
-  const std::string text = valueText(description, parameter);
+  std::string text = valueText(description, parameter);
   switch (parameter.kind) {
     case Kind::choice:
     case Kind::text:
-      return quoted(text);
+      return tomlString(text);
     case Kind::points:
       return manyLines(text);
     default:

@@ -1,5 +1,5 @@
-// Rows of the parameter table: motion, contact, damping, mesh, output. Defaults of the mesh and of the run-up come from the
-// preset draft (MeshPresets.cpp); the numbers in these rows stand for nothing.
+// Rows of the parameter table: motion, contact, damping, mesh, output. Where the preset draft has a value for a key,
+// it is the default and the number in the row is replaced by it (ParameterTable.cpp).
 #include "case/ParameterRows.h"
 
 namespace squat::cases::rows {

@@ -47,7 +47,7 @@ fs::path findCase(const std::string& nameOrPath) {
   std::error_code error;
   if (fs::is_regular_file(nameOrPath, error)) return nameOrPath;
   const bool isName = nameOrPath.find_first_of("/\\") == std::string::npos && !nameOrPath.empty();
-  const fs::path shipped = resourcesFolder() / "cases" / (nameOrPath + ".toml");
+  fs::path shipped = resourcesFolder() / "cases" / (nameOrPath + ".toml");
   if (isName && fs::is_regular_file(shipped, error)) return shipped;
   std::string names;
   for (const auto& name : shippedCases()) names += (names.empty() ? "" : ", ") + name;
