@@ -48,12 +48,12 @@ std::size_t tieWorkspace(const SweptTie& tie, const SweptBlock& slave);
 // slave := interpolation of master, in a state vector (whole layout).
 void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace);
 
-// The transpose, in two stages. Stage one: forces of the slaves, `slaveLine(i)` giving the first of three lines of
-// slave node i (spaced `stride`), are gathered to the columns. Stage two adds a column's share to the master's force
-// lines.
+// The transpose: forces of the slaves, times `sign`, are added to the masters. `slaveLine(i, c)` gives the line of component
+// c of slave node i, `masterLine(node, c)` that of a master's section node. Only columns [firstColumn, lastColumn) are served:
+// columns share no master, so threads may take ranges of them.
 template <typename SlaveLine, typename MasterLine>
-void transferForces(const SweptTie& tie, const SweptBlock& slave, const SlaveLine& slaveLine,
-                    const MasterLine& masterLine, double* workspace);
+void transferForces(const SweptTie& tie, const SweptBlock& slave, double sign, const SlaveLine& slaveLine,
+                    const MasterLine& masterLine, double* workspace, int firstColumn, int lastColumn);
 
 }  // namespace squat::elasticity
 

@@ -6,20 +6,22 @@
 namespace squat::elasticity {
 
 template <typename SlaveLine, typename MasterLine>
-void transferForces(const SweptTie& tie, const SweptBlock& slave, const SlaveLine& slaveLine,
-                    const MasterLine& masterLine, double* workspace) {
+void transferForces(const SweptTie& tie, const SweptBlock& slave, double sign, const SlaveLine& slaveLine,
+                    const MasterLine& masterLine, double* workspace, int firstColumn, int lastColumn) {
   const int stations = slave.stationCount;
   const std::size_t stride = slave.stride;
-  std::fill(workspace, workspace + tie.columns.size() * 3 * stride, 0.0);
+  for (int j = firstColumn; j < lastColumn; ++j) std::fill_n(workspace + j * 3 * stride, 3 * stride, 0.0);
   for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
-    for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e)
+    for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e) {
+      if (tie.entryColumn[e] < firstColumn || tie.entryColumn[e] >= lastColumn) continue;
       for (int c = 0; c < 3; ++c) {
         const double* force = slaveLine(static_cast<int>(i), c);
         double* column = workspace + (static_cast<std::size_t>(tie.entryColumn[e]) * 3 + c) * stride;
-        const double weight = tie.entryWeight[e];
+        const double weight = sign * tie.entryWeight[e];
         for (int s = 0; s < stations; ++s) column[s] += weight * force[s];
       }
-  for (std::size_t j = 0; j < tie.columns.size(); ++j) {
+    }
+  for (int j = firstColumn; j < lastColumn; ++j) {
     const double* f = workspace + j * 3 * stride;
     for (int layer = 0; layer < 2; ++layer) {
       const int node = layer ? tie.columns[j].inner : tie.columns[j].outer;

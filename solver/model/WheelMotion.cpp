@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "elasticity/SweptWork.h"
+
 namespace squat::model {
 
 void turnStations(const elasticity::SweptBlock& body, double rotation, TurnedStations& turned) {
@@ -56,6 +58,29 @@ std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const 
           {block.index(ring.nodes[i], 1, s), share * (turned.sine[s] * direction.x - turned.cosine[s] * direction.z)});
     }
   return terms;
+}
+
+double meanSpin(const Model& model, const double* state) {
+  double sum = 0;
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int n = 0; n < block.nodes; ++n) {
+      double line = 0;
+      for (int s = 0; s < block.stationCount; ++s)
+        line += model.mass[b][n * block.stride + s] * state[block.index(n, 0, s)];
+      sum += line * block.section.nodes[n][0];
+    }
+  }
+  return sum / model.wheelset.inertia;
+}
+
+void removeSpin(const Model& model, double spin, double* state) {
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int n = 0; n < block.nodes; ++n)
+      for (int s = 0; s < block.stationCount; ++s) state[block.index(n, 0, s)] -= spin * block.section.nodes[n][0];
+  }
+  elasticity::refreshGhosts(model.blocks, state);
 }
 
 }  // namespace squat::model

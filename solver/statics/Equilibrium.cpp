@@ -5,6 +5,7 @@
 
 #include "core/Errors.h"
 #include "core/OrderedSum.h"
+#include "model/ContactPenalty.h"
 #include "statics/ConjugateGradients.h"
 
 namespace squat::statics {
@@ -100,40 +101,13 @@ double railDeflection(const model::Model& model, const AlignedVector& u, double 
 
 }  // namespace
 
-double normalPenalty(const cases::CaseDescription& d) {
-  return d.contact.normalPenalty * d.rail.material.young / d.mesh.contactSize;
-}
-
-double meanSpin(const model::Model& model, const double* state) {
-  double sum = 0;
-  for (const int b : {model.rim, model.body}) {
-    const auto& block = model.blocks[b];
-    for (int n = 0; n < block.nodes; ++n) {
-      double line = 0;
-      for (int s = 0; s < block.stationCount; ++s)
-        line += model.mass[b][n * block.stride + s] * state[block.index(n, 0, s)];
-      sum += line * block.section.nodes[n][0];
-    }
-  }
-  return sum / model.wheelset.inertia;
-}
-
-void removeSpin(const model::Model& model, double spin, double* state) {
-  for (const int b : {model.rim, model.body}) {
-    const auto& block = model.blocks[b];
-    for (int n = 0; n < block.nodes; ++n)
-      for (int s = 0; s < block.stationCount; ++s) state[block.index(n, 0, s)] -= spin * block.section.nodes[n][0];
-  }
-  elasticity::refreshGhosts(model.blocks, state);
-}
-
 Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                             double wheelX, double rotation, const EquilibriumOptions& options, Monitor& monitor) {
   Equilibrium e;
   e.wheelX = wheelX, e.rotation = rotation;
   const auto& d = model.description;
   const double load = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
-  const double penalty = normalPenalty(d);
+  const double penalty = model::normalPenalty(d);
   // Any stiffness holds the spin; this one is of the order of the contact's.
   model::StaticOperator op(model, kernels, team, rotation, 1e8, true);
   CoarseSpace coarse(model, op);
@@ -199,7 +173,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
     for (std::size_t i = 0; i < n; ++i) e.displacement[i] += change[i];
   }
   op.fillSlaves(e.displacement.data());
-  removeSpin(model, meanSpin(model, e.displacement.data()), e.displacement.data());
+  model::removeSpin(model, model::meanSpin(model, e.displacement.data()), e.displacement.data());
   op.fillSlaves(e.displacement.data());
   op.contactSprings() = {};
   AlignedVector copy = e.displacement;

@@ -37,12 +37,4 @@ struct Equilibrium {
 Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                             double wheelX, double rotation, const EquilibriumOptions& options, Monitor& monitor);
 
-// Normal penalty of the model [Pa/m]: normal_penalty * E / element size.
-double normalPenalty(const cases::CaseDescription& description);
-
-// Mean turn of the wheelset about its axis in a state, sum of m r u_alpha over the inertia [rad].
-double meanSpin(const model::Model& model, const double* state);
-// Subtracts a rigid turn from the wheelset's displacements or velocities.
-void removeSpin(const model::Model& model, double spin, double* state);
-
 }  // namespace squat::statics

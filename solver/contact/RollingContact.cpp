@@ -1,0 +1,104 @@
+#include "contact/RollingContact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace squat::contact {
+
+namespace {
+
+constexpr double patchReach = 0.020;  // [m] along the rail from below the axis, far beyond any patch
+constexpr double nearGap = 1.5e-3;    // [m] undeformed gap that deflections of the track may close
+
+void addForce(const elasticity::SweptBlock& block, const ForceLines& to, int node, int component, int first, int second,
+              double atFirst, double atSecond) {
+  double* line = to.lines + (static_cast<std::size_t>(to.lineOfNode[node]) * 3 + component) * block.stride;
+  line[first] += atFirst;
+  line[second] += atSecond;
+}
+
+struct Sums {
+  double n = 0, x1 = 0, y1 = 0, x2 = 0, y2 = 0;
+};
+
+}  // namespace
+
+PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
+                       const ContactLaw& law, const WheelRolling& wheel, const double* displaced, const double* velocity,
+                       double step, FrictionHistory& history, const ForceLines& railForces, const ForceLines& rimForces,
+                       std::vector<PatchPoint>* points) {
+  PatchState patch;
+  Sums sums;
+  const auto& place = wheel.placement;
+  std::vector<std::size_t> before;
+  before.swap(history.closed);
+  const auto [first, last] = reachableIntervals(s, rail, place.centreX + place.hubX, patchReach);
+  for (int i = first; i < last; ++i)
+    for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
+      for (int point = 0; point < 4; ++point) {
+        TouchPoint t;
+        if (!evaluatePoint(s, rail, rim, displaced, place, i, j, point, nearGap, t) || t.penetration <= 0) continue;
+        const double pressure = law.normalPenalty * t.penetration, area = s.area[t.point];
+        const double railX = railValue(rail, t, velocity, 0), railZ = railValue(rail, t, velocity, 2);
+        const double slipAlong = wheel.speed * t.cosine - wheel.spinRate * s.radius + treadValue(rim, t, velocity, 0) -
+                                 (t.cosine * railX + t.sine * railZ);
+        const double slipAcross = treadValue(rim, t, velocity, 2) - railValue(rail, t, velocity, 1);
+        double* traction = &history.traction[2 * t.point];
+        double along = traction[0] + law.tangentialPenalty * step * slipAlong;
+        double across = traction[1] + law.tangentialPenalty * step * slipAcross;
+        const double limit = law.friction * pressure, size = std::hypot(along, across);
+        const bool slips = size > limit;
+        if (slips) {
+          const double back = size > 0 ? limit / size : 0;
+          // What the return takes off is slip that friction has worked through.
+          patch.frictionPower +=
+              area * (1 - back) * size * limit / (law.tangentialPenalty * step);
+          along *= back, across *= back;
+          ++patch.slipping;
+        }
+        traction[0] = along, traction[1] = across;
+        history.closed.push_back(t.point);
+        ++patch.points;
+        patch.deepest = std::max(patch.deepest, t.penetration);
+        patch.storedEnergy += 0.5 * area *
+                              (pressure * t.penetration + (along * along + across * across) / law.tangentialPenalty);
+
+        // On the rail: pressure along e_r = (sine, -cosine), traction along e_alpha = (cosine, sine) and y.
+        const double forceX = area * (pressure * t.sine + along * t.cosine);
+        const double forceZ = area * (along * t.sine - pressure * t.cosine), forceY = area * across;
+        for (int a = 0; a < 2; ++a) {
+          const double w0 = t.railWeight[2 * a], w1 = t.railWeight[2 * a + 1];
+          const int station = t.railStation;
+          addForce(rail, railForces, t.railNode[a], 0, station, station + 1, w0 * forceX, w1 * forceX);
+          addForce(rail, railForces, t.railNode[a], 1, station, station + 1, w0 * forceY, w1 * forceY);
+          addForce(rail, railForces, t.railNode[a], 2, station, station + 1, w0 * forceZ, w1 * forceZ);
+          const double v0 = t.treadWeight[2 * a], v1 = t.treadWeight[2 * a + 1];
+          const int left = t.treadStation[0], right = t.treadStation[1];
+          addForce(rim, rimForces, t.treadNode[a], 0, left, right, -v0 * area * along, -v1 * area * along);
+          addForce(rim, rimForces, t.treadNode[a], 1, left, right, -v0 * area * pressure, -v1 * area * pressure);
+          addForce(rim, rimForces, t.treadNode[a], 2, left, right, -v0 * forceY, -v1 * forceY);
+        }
+        patch.vertical -= forceZ, patch.longitudinal += forceX, patch.lateral += forceY;
+        patch.spinMoment += s.radius * area * along;
+        // (X + u) x F about y: -(R + u_r) F_a + u_a F_r with F_a = -t A, F_r = -p A.
+        patch.fullMoment += area * ((s.radius + treadValue(rim, t, displaced, 1)) * along -
+                                    treadValue(rim, t, displaced, 0) * pressure);
+        const double x = s.pointX[t.point] - place.centreX - place.hubX, y = s.pointY[t.point], n = pressure * area;
+        sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
+        if (points) points->push_back({x, y, pressure, along, across, area, slips});
+      }
+  // Points that have opened forget their traction; both lists are in ascending order.
+  std::size_t k = 0;
+  for (const std::size_t old : before) {
+    while (k < history.closed.size() && history.closed[k] < old) ++k;
+    if (k == history.closed.size() || history.closed[k] != old) history.traction[2 * old] = history.traction[2 * old + 1] = 0;
+  }
+  if (sums.n > 0) {
+    const double meanX = sums.x1 / sums.n, meanY = sums.y1 / sums.n;
+    patch.length = 2 * std::sqrt(5 * std::max(0.0, sums.x2 / sums.n - meanX * meanX));
+    patch.width = 2 * std::sqrt(5 * std::max(0.0, sums.y2 / sums.n - meanY * meanY));
+  }
+  return patch;
+}
+
+}  // namespace squat::contact

@@ -1,0 +1,268 @@
+#include "dynamics/Rolling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/ContactPenalty.h"
+
+namespace squat::dynamics {
+
+namespace {
+
+contact::ForceLines forceLines(const model::Model& model, int block, AlignedVector& forces) {
+  return {forces.data() + model.loaded[block].offset, model.loaded[block].lineOfNode.data()};
+}
+
+// Gravity in the local components of every station.
+void fillGravity(const elasticity::SweptBlock& block, double gravity, const model::TurnedStations* turned, AlignedVector& lines) {
+  for (int s = 0; s < block.stationCount; ++s) {
+    switch (block.kind) {
+      case elasticity::SweepKind::alongX:
+        lines[2 * block.stride + s] = -gravity;
+        break;
+      case elasticity::SweepKind::alongY:
+        lines[block.stride + s] = -gravity;
+        break;
+      case elasticity::SweepKind::aroundAxis:
+        lines[s] = -gravity * turned->sine[s];
+        lines[block.stride + s] = gravity * turned->cosine[s];
+        break;
+    }
+  }
+}
+
+}  // namespace
+
+Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double step, double beta)
+    : model_(model), kernels_(kernels), team_(team), step_(step), beta_(beta) {
+  const auto& d = model.description;
+  load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
+  law_ = {model::normalPenalty(d), model::tangentialPenalty(d), d.contact.friction};
+  std::vector<int> others;
+  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b)
+    if (b != model.body) others.push_back(b);
+  trackWork_ = elasticity::partition(model.blocks, others, team.size());
+  bodyWork_ = elasticity::partition(model.blocks, {model.body}, team.size());
+  for (int i = 0; i < team.size(); ++i) scratch_.push_back(std::make_unique<elasticity::KernelScratch>(model.blocks));
+  forces_.assign(model.forceSize, 0.0);
+  turnStations(model.blocks[model.body], 0, turned_);
+  turnStations(model.blocks[model.rim], 0, turnedRim_);
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
+    acceleration_.emplace_back(3 * block.stride, 0.0);
+    fillGravity(block, d.motion.gravity, static_cast<int>(b) == model.rim ? &turnedRim_ : &turned_, acceleration_.back());
+    radii_.emplace_back();
+    if (block.kind == elasticity::SweepKind::aroundAxis)
+      for (const auto& p : block.section.nodes) radii_.back().push_back(p[0]);
+  }
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    elasticity::BlockStep with;
+    with.inverseMass = model.inverseMass[b].data();
+    with.freeMask = model.freeMask[b].data();
+    with.lineOfNode = model.loaded[b].lineOfNode.data();
+    with.slave = model.slave[b].data();
+    with.force = forces_.data() + model.loaded[b].offset;
+    with.acceleration = acceleration_[b].data();
+    with.radialWeight = radii_[b].empty() ? nullptr : radii_[b].data();
+    with.beta = beta;
+    blockSteps_.push_back(with);
+  }
+  std::size_t most = 0;
+  for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie, model.blocks[tie.slaveBlock]));
+  tieWorkspace_.assign(most, 0.0), slaveWorkspace_.assign(most, 0.0);
+}
+
+void Rolling::start(const AlignedVector& displacement, const AlignedVector& velocity, double spinRate) {
+  state_ = {};
+  state_.velocity = velocity;
+  state_.displaced = displacement;
+  for (std::size_t i = 0; i < velocity.size(); ++i) state_.displaced[i] += beta_ * velocity[i];
+  state_.spinRate = spinRate;
+  state_.friction.traction.assign(2 * model_.surfaces.points(), 0.0);
+  restore(std::move(state_));
+}
+
+void Rolling::restore(RollingState state) {
+  state_ = std::move(state);
+  target_ = state_.displaced;
+  std::fill(forces_.begin(), forces_.end(), 0.0);
+  turnStations(model_.blocks[model_.body], state_.rotation, turned_);
+  boxVelocity_ = ringMean(model_, model_.bearing, turned_, state_.velocity.data());
+  wheelVelocity_ = ringMean(model_, model_.centre, turned_, state_.velocity.data());
+}
+
+double Rolling::torqueAt(double time) const {
+  const auto& m = model_.description.motion;
+  const double full = m.tractionCoefficient != 0 ? m.tractionCoefficient * load_ * model_.surfaces.radius : m.torque;
+  if (time >= m.torqueRamp) return full;
+  return full * 0.5 * (1 - std::cos(std::acos(-1.0) * time / m.torqueRamp));
+}
+
+contact::WheelRolling Rolling::wheelRolling() const {
+  const auto& d = model_.description;
+  const auto hub = ringMean(model_, model_.centre, turned_, state_.displaced.data());
+  contact::WheelRolling wheel;
+  wheel.placement = {model_.startX + d.motion.speed * state_.time, model_.wheelset.centreHeight, state_.rotation, hub.x, hub.z};
+  wheel.speed = d.motion.speed;
+  wheel.spinRate = state_.spinRate;
+  return wheel;
+}
+
+void Rolling::touch() {
+  const auto wheel = wheelRolling();
+  hub_ = {wheel.placement.hubX, wheel.placement.hubZ};
+  view_.step = state_.step;
+  view_.time = state_.time;
+  view_.position = wheel.placement.centreX + hub_.x;
+  view_.patch = rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel,
+                            state_.displaced.data(), state_.velocity.data(), step_, state_.friction,
+                            forceLines(model_, model_.rail, forces_), forceLines(model_, model_.rim, forces_));
+}
+
+// Suspension and torque; the sprung mass is advanced with its own two unknowns in finishStep().
+void Rolling::pushVehicle() {
+  const auto& d = model_.description;
+  const auto at = ringMean(model_, model_.bearing, turned_, state_.displaced.data());
+  const auto rate = ringMean(model_, model_.bearing, turned_, state_.velocity.data());
+  const double* u = state_.displaced.data();
+  const double* v = state_.velocity.data();
+  const double relativeZ = v[model_.sprungZ] - rate.z, relativeX = v[model_.sprungX] - rate.x;
+  const double forceZ = d.suspension.stiffness * (u[model_.sprungZ] - at.z) + d.suspension.damping * relativeZ;
+  const double forceX =
+      d.suspension.longitudinalStiffness * (u[model_.sprungX] - at.x) + d.suspension.longitudinalDamping * relativeX;
+  addRingForce(model_, model_.bearing, turned_, {forceX, forceZ}, forces_.data());
+  double* small = forces_.data() + model_.forceSize - 8;
+  small[model_.sprungX - model_.smallUnknowns] -= forceX;
+  small[model_.sprungZ - model_.smallUnknowns] -= forceZ;
+  damperPower_[2] = d.suspension.damping * relativeZ * relativeZ + d.suspension.longitudinalDamping * relativeX * relativeX;
+
+  // The torque acts evenly on the hub, against alpha.
+  torque_ = torqueAt(state_.time);
+  const auto& body = model_.blocks[model_.body];
+  const auto& loaded = model_.loaded[model_.body];
+  hubSpinRate_ = 0;
+  for (std::size_t i = 0; i < model_.hub.nodes.size(); ++i) {
+    const int node = model_.hub.nodes[i];
+    const double radius = body.section.nodes[node][0], share = model_.hub.weight[i] / body.stationCount;
+    double* a = forces_.data() + loaded.offset + static_cast<std::size_t>(loaded.lineOfNode[node]) * 3 * body.stride;
+    const double* va = v + body.index(node, 0, 0);
+    for (int s = 0; s < body.stationCount; ++s) a[s] -= torque_ * share / radius, hubSpinRate_ -= share * va[s] / radius;
+  }
+  // Moment about y of suspension and weight with the arms that displacement gives them: u_z F_x - u_x F_z.
+  vehicleMoment_ = at.z * forceX - at.x * forceZ + hub_.x * d.motion.gravity * d.wheelset.totalMass;
+}
+
+void Rolling::collectForces(int index) {
+  const int other = team_.size() > 1 ? 1 : 0;
+  if (index == 0) {
+    turnStations(model_.blocks[model_.body], state_.rotation, turned_);
+    turnStations(model_.blocks[model_.rim], state_.rotation, turnedRim_);
+    const double g = model_.description.motion.gravity;
+    fillGravity(model_.blocks[model_.body], g, &turned_, acceleration_[model_.body]);
+    fillGravity(model_.blocks[model_.rim], g, &turnedRim_, acceleration_[model_.rim]);
+    touch();
+    pushVehicle();
+    referenceAcceleration_ = (torque_ + view_.patch.spinMoment) / model_.wheelset.inertia;
+    spinAcceleration_ = (torque_ + view_.patch.fullMoment + vehicleMoment_) / model_.wheelset.inertia;
+    const double rate = state_.spinRate + step_ * spinAcceleration_;
+    for (const int b : {model_.rim, model_.body}) {
+      blockSteps_[b].spinAcceleration = referenceAcceleration_;
+      blockSteps_[b].cosine = std::cos(rate * step_);
+      blockSteps_[b].sine = std::sin(rate * step_);
+    }
+  }
+  if (index == other) {
+    const double* u = state_.displaced.data();
+    const double* v = state_.velocity.data();
+    damperPower_[0] = addSpringForces(model_.ballast, u, v, forces_.data());
+    damperPower_[1] = addSpringForces(model_.pads, u, v, forces_.data()) + addSpringForces(model_.ends, u, v, forces_.data());
+    for (const auto& tie : model_.ties)
+      interpolateSlaves(tie, model_.blocks, state_.displaced.data(), slaveWorkspace_.data());
+  }
+}
+
+void Rolling::advanceTrackAndRim(int index) {
+  elasticity::advanceSegments(trackWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
+                              target_.data(), state_.velocity.data(), *scratch_[index]);
+}
+
+void Rolling::passTieForces(int index) {
+  for (const auto& tie : model_.ties) {
+    const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
+    const auto from = model_.loaded[tie.slaveBlock], to = model_.loaded[tie.masterBlock];
+    const int columns = static_cast<int>(tie.columns.size());
+    // Inner forces of slaves pull their masters the other way round than outer ones: negative share.
+    elasticity::transferForces(
+        tie, slave, -1.0,
+        [&](int i, int c) {
+          return forces_.data() + from.offset +
+                 (static_cast<std::size_t>(from.lineOfNode[tie.slaveNodes[i]]) * 3 + c) * slave.stride;
+        },
+        [&](int node, int c) {
+          return forces_.data() + to.offset + (static_cast<std::size_t>(to.lineOfNode[node]) * 3 + c) * master.stride;
+        },
+        tieWorkspace_.data(), columns * index / team_.size(), columns * (index + 1) / team_.size());
+  }
+}
+
+void Rolling::advanceBody(int index) {
+  elasticity::advanceSegments(bodyWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
+                              target_.data(), state_.velocity.data(), *scratch_[index]);
+}
+
+void Rolling::finishStep() {
+  const auto& d = model_.description;
+  double* v = state_.velocity.data();
+  // Sprung mass: two plain unknowns.
+  double* small = forces_.data() + model_.forceSize - 8;
+  for (const std::size_t index : {model_.sprungX, model_.sprungZ}) {
+    const double force = small[index - model_.smallUnknowns];
+    const double acceleration =
+        force / d.suspension.sprungMass - (index == model_.sprungZ ? d.motion.gravity : 0.0);
+    const double old = v[index];
+    v[index] = old + step_ * acceleration;
+    target_[index] = state_.displaced[index] - beta_ * old + (step_ + beta_) * v[index];
+    small[index - model_.smallUnknowns] = 0;
+  }
+  for (const auto index : model_.held) v[index] = 0, target_[index] = 0;
+  state_.displaced.swap(target_);
+
+  const double oldRate = state_.spinRate;
+  state_.spinRate += step_ * spinAcceleration_;
+  state_.rotation += step_ * state_.spinRate;
+  ++state_.step;
+  state_.time = static_cast<double>(state_.step) * step_;
+  state_.sums.friction += step_ * view_.patch.frictionPower;
+  state_.sums.damping += step_ * (damperPower_[0] + damperPower_[1] + damperPower_[2]);
+  state_.sums.torqueWork += step_ * torque_ * (0.5 * (oldRate + state_.spinRate) + hubSpinRate_);
+
+  // The new velocities stand in the basis of the new rotation.
+  turnStations(model_.blocks[model_.body], state_.rotation, turned_);
+  const auto box = ringMean(model_, model_.bearing, turned_, v);
+  const auto wheel = ringMean(model_, model_.centre, turned_, v);
+  view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};
+  view_.wheelAcceleration = {(wheel.x - wheelVelocity_.x) / step_, (wheel.z - wheelVelocity_.z) / step_};
+  view_.spinRate = 0.5 * (oldRate + state_.spinRate);
+  boxVelocity_ = box, wheelVelocity_ = wheel;
+}
+
+AlignedVector Rolling::displacement() const {
+  AlignedVector u = state_.displaced;
+  for (std::size_t i = 0; i < u.size(); ++i) u[i] -= beta_ * state_.velocity[i];
+  elasticity::refreshGhosts(model_.blocks, u.data());
+  AlignedVector workspace(tieWorkspace_.size(), 0.0);
+  for (const auto& tie : model_.ties) interpolateSlaves(tie, model_.blocks, u.data(), workspace.data());
+  return u;
+}
+
+std::vector<contact::PatchPoint> Rolling::patchPoints() const {
+  AlignedVector forces(model_.forceSize, 0.0);
+  auto history = state_.friction;
+  std::vector<contact::PatchPoint> points;
+  rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheelRolling(),
+              state_.displaced.data(), state_.velocity.data(), step_, history, forceLines(model_, model_.rail, forces),
+              forceLines(model_, model_.rim, forces), &points);
+  return points;
+}
+
+}  // namespace squat::dynamics

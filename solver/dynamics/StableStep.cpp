@@ -1,0 +1,133 @@
+#include "dynamics/StableStep.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "contact/TouchPoint.h"
+#include "core/OrderedSum.h"
+#include "model/ContactPenalty.h"
+#include "model/StaticOperator.h"
+
+namespace squat::dynamics {
+
+namespace {
+
+// Normal and both tangential penalties of every point that the wheel can reach, each closed where the wheel rolls on it.
+void closeAllContact(const model::Model& model, supports::SpringSet& springs) {
+  const auto& s = model.surfaces;
+  const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
+  const double normal = model::normalPenalty(model.description), tangential = model::tangentialPenalty(model.description);
+  const AlignedVector zero(model.stateSize, 0.0);
+  for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
+    for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
+      for (int point = 0; point < 4; ++point) {
+        const double x = s.pointX[s.pointIndex(i, j, point)];
+        const contact::WheelPlacement wheel{x, model.wheelset.centreHeight, (x - model.startX) / s.radius, 0, 0};
+        contact::TouchPoint t;
+        if (!evaluatePoint(s, rail, rim, zero.data(), wheel, i, j, point, 1.0, t)) continue;
+        const int railComponent[3] = {2, 0, 1}, treadComponent[3] = {1, 0, 2};
+        const double treadSign[3] = {1, -1, -1};  // at the lowest point e_r points down, e_alpha along x
+        for (int direction = 0; direction < 3; ++direction) {
+          std::vector<std::pair<std::size_t, double>> terms;
+          for (int a = 0; a < 2; ++a)
+            for (int b = 0; b < 2; ++b) {
+              terms.push_back({rail.index(t.railNode[a], railComponent[direction], t.railStation + b), t.railWeight[2 * a + b]});
+              terms.push_back({rim.index(t.treadNode[a], treadComponent[direction], t.treadStation[b]),
+                               treadSign[direction] * t.treadWeight[2 * a + b]});
+            }
+          springs.add(terms, (direction ? tangential : normal) * s.area[t.point], 0);
+        }
+      }
+}
+
+std::string placeOf(const model::Model& model, std::size_t index) {
+  for (const auto& block : model.blocks) {
+    if (index < block.offset || index >= block.offset + block.size()) continue;
+    const std::size_t line = (index - block.offset) / block.stride;
+    const int s = static_cast<int>((index - block.offset) % block.stride);
+    const Eigen::Vector3d p = elasticity::nodePosition(block, static_cast<int>(line / 3), std::min(s, block.intervals));
+    char text[160];
+    std::snprintf(text, sizeof text, "%s, node %d of station %d at x %.4f, y %.4f, z %.4f m", block.name.c_str(),
+                  static_cast<int>(line / 3), s, p[0], p[1], p[2]);
+    return text;
+  }
+  return "sprung mass";
+}
+
+}  // namespace
+
+StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, Monitor& monitor) {
+  model::StaticOperator op(model, kernels, team, 0, 0, false);
+  closeAllContact(model, op.contactSprings());
+  const std::size_t n = model.stateSize;
+  const auto& free = op.freeUnknowns();
+  // Square root of the mass scales to a symmetric problem: A = M^-1/2 K M^-1/2.
+  AlignedVector rootInverse(n, 0.0);
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
+    for (int node = 0; node < block.nodes; ++node)
+      for (int c = 0; c < 3; ++c)
+        for (int s = 0; s < block.stationCount; ++s) {
+          const std::size_t i = block.index(node, c, s);
+          if (free[i]) rootInverse[i] = std::sqrt(model.inverseMass[b][node * block.stride + s]);
+        }
+  }
+  AlignedVector previous(n, 0.0), now(n, 0.0), scaled(n, 0.0), next(n, 0.0);
+  unsigned long seed = 88172645463325252UL;
+  double norm2 = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    seed ^= seed << 13, seed ^= seed >> 7, seed ^= seed << 17;
+    now[i] = rootInverse[i] > 0 ? static_cast<double>(seed >> 11) / 9007199254740992.0 - 0.5 : 0.0;
+    norm2 += now[i] * now[i];
+  }
+  for (double& value : now) value /= std::sqrt(norm2);
+
+  StableStep result;
+  std::vector<double> alpha, beta;
+  double largest = 0;
+  AlignedVector direction = now;
+  for (int k = 0; k < 400; ++k) {
+    for (std::size_t i = 0; i < n; ++i) scaled[i] = rootInverse[i] * now[i];
+    op.apply(scaled.data(), next.data());
+    const double a = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i) next[i] *= rootInverse[i], sum += next[i] * now[i];
+      return sum;
+    });
+    const double last = beta.empty() ? 0 : beta.back();
+    const double b2 = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i) next[i] -= a * now[i] + last * previous[i], sum += next[i] * next[i];
+      return sum;
+    });
+    alpha.push_back(a);
+    const double b = std::sqrt(b2);
+    result.iterations = k + 1;
+    if (k % 10 == 9 || b < 1e-12 * a) {
+      Eigen::VectorXd diagonal = Eigen::Map<Eigen::VectorXd>(alpha.data(), static_cast<Eigen::Index>(alpha.size()));
+      Eigen::VectorXd side = Eigen::Map<Eigen::VectorXd>(beta.data(), static_cast<Eigen::Index>(beta.size()));
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
+      eigen.computeFromTridiagonal(diagonal, side, Eigen::EigenvaluesOnly);
+      const double before = std::exchange(largest, eigen.eigenvalues().maxCoeff());
+      monitor.report({"stable step", std::min(1.0, k / 100.0)});
+      if (std::abs(largest - before) < 1e-4 * largest || monitor.cancelled() || b < 1e-12 * a) break;
+    }
+    beta.push_back(b);
+    for (std::size_t i = 0; i < n; ++i) previous[i] = now[i], now[i] = next[i] / b;
+  }
+  // A few power steps from the last vector show where the highest mode sits.
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (std::abs(now[i]) * rootInverse[i] > std::abs(now[at]) * rootInverse[at]) at = i;
+  result.place = placeOf(model, at);
+  result.highestFrequency = std::sqrt(largest);
+  const auto& damping = model.description.damping;
+  result.beta = damping.beta > 0 ? damping.beta : 2 * damping.fraction / result.highestFrequency;
+  const double z = 0.5 * result.beta * result.highestFrequency;
+  result.step = 0.95 * 2 / result.highestFrequency * (std::sqrt(1 + z * z) - z);
+  return result;
+}
+
+}  // namespace squat::dynamics

@@ -1,0 +1,25 @@
+// solver/dynamics/StableStep.h - the largest stable step of the central difference, from the assembled operator.
+#pragma once
+
+#include <string>
+
+#include "core/Monitor.h"
+#include "core/ThreadTeam.h"
+#include "elasticity/SweptKernel.h"
+#include "model/Model.h"
+
+namespace squat::dynamics {
+
+struct StableStep {
+  double highestFrequency = 0;  // [rad/s] of the undamped model with every possible contact point closed
+  double beta = 0;              // [s] stiffness-proportional damping that the case asks for
+  double step = 0;              // [s] with safety and damping: 0.95 (2/w) (sqrt(1 + z^2) - z), z = beta w / 2
+  std::string place;            // block and position that set it
+  int iterations = 0;
+};
+
+// Lanczos steps on M^-1 K in the inner product of M until the largest eigenvalue changes by less than 1e-4; Lanczos
+// values approach from below, hence the factor 0.95.
+StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, Monitor& monitor);
+
+}  // namespace squat::dynamics
