@@ -1,0 +1,80 @@
+#include "studies/CaseStudy.h"
+
+#include <algorithm>
+
+#include "case/ParameterTable.h"
+#include "case/ParameterValue.h"
+#include "core/Errors.h"
+#include "laboratory/RunFeatures.h"
+
+namespace squat::studies {
+namespace {
+
+// Each value on its own: type and range. Relations between keys are found when the point's case is made.
+void checkValues(const Variation& variation, std::vector<CaseProblem>& problems) {
+  const auto* parameter = cases::findParameter(variation.key);
+  if (!parameter) {
+    problems.push_back(cases::unknownKey(variation.key, variation.values.front()));
+    return;
+  }
+  auto description = cases::defaultCase();
+  for (const auto& value : variation.values)
+    if (auto problem = cases::trySetValue(description, *parameter, value)) problems.push_back(*problem);
+}
+
+}  // namespace
+
+StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverrides& overrides,
+                        const std::vector<std::string>& variations) {
+  StudyDefinition definition{nameOrPath, cases::caseHash(cases::loadCase(nameOrPath, overrides)), {}};
+  std::vector<CaseProblem> problems;
+  for (const auto& text : variations) {
+    try {
+      definition.variations.push_back(variationFromText(text));
+      checkValues(definition.variations.back(), problems);
+    } catch (const CaseError& error) {
+      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+  if (!problems.empty()) throw CaseError(problems);
+  // A grid of which no point can be run is a mistake; single points that cannot become failed rows.
+  for (const auto& point : gridOf(definition)) {
+    try {
+      caseAt(definition, overrides, point);
+      return definition;
+    } catch (const CaseError& error) {
+      if (problems.empty()) problems = error.problems();
+    }
+  }
+  throw CaseError(problems);
+}
+
+cases::CaseDescription caseAt(const StudyDefinition& definition, const cases::CaseOverrides& overrides,
+                              const StudyPoint& point) {
+  cases::CaseOverrides all = overrides;
+  for (std::size_t v = 0; v < definition.variations.size(); ++v)
+    all.values.emplace_back(definition.variations[v].key, point.values[v]);
+  return cases::loadCase(definition.caseName, all);
+}
+
+FeatureRow studyFeatures(const results::RunResult& result) {
+  FeatureRow row = signals::featureRow(laboratory::runFeatures(result));
+  if (const auto* force = result.signal("contact_force"); force && !force->empty()) {
+    const auto [low, high] = std::minmax_element(force->begin(), force->end());
+    row.emplace_back("smallest contact force [N]", *low);
+    row.emplace_back("largest contact force [N]", *high);
+  }
+  return row;
+}
+
+StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOverrides& overrides, const CaseRunner& run,
+                        const StudyOptions& options, Monitor& monitor) {
+  const StudyRunner runner = [&](const StudyPoint& point, Monitor& own) -> std::optional<FeatureRow> {
+    const auto result = run(caseAt(definition, overrides, point), point, own);
+    if (!result.complete) return std::nullopt;
+    return studyFeatures(result);
+  };
+  return runStudy(definition, runner, options, monitor);
+}
+
+}  // namespace squat::studies

@@ -1,0 +1,34 @@
+// solver/studies/CaseStudy.h - studies of a case file: the keys are those of the parameter table.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/CaseDescription.h"
+#include "case/CaseFile.h"
+#include "results/RunResult.h"
+#include "studies/RunStudy.h"
+
+namespace squat::studies {
+
+// Reads the case and the texts of --vary. Throws CaseError for unknown keys (with the nearest known one), values of the
+// wrong type or out of range, and a grid of which no point can be run; FileError for the case.
+StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverrides& overrides,
+                        const std::vector<std::string>& variations);
+
+// The case at one point of the grid: file, then overrides, then the point's values. Throws CaseError.
+cases::CaseDescription caseAt(const StudyDefinition& definition, const cases::CaseOverrides& overrides,
+                              const StudyPoint& point);
+
+// Features of a complete run (laboratory::runFeatures) and the extremes of its contact force.
+FeatureRow studyFeatures(const results::RunResult& result);
+
+// Runs the study with `run` for each case: simulation::runCase with the options of the caller. An incomplete result
+// counts as cancelled.
+using CaseRunner = std::function<results::RunResult(const cases::CaseDescription&, const StudyPoint&, Monitor&)>;
+StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOverrides& overrides, const CaseRunner& run,
+                        const StudyOptions& options, Monitor& monitor);
+
+}  // namespace squat::studies

@@ -1,0 +1,153 @@
+#include "studies/RunStudy.h"
+
+#include <algorithm>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+
+namespace squat::studies {
+namespace {
+
+std::string oneLine(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+  return text;
+}
+
+class Study {
+ public:
+  Study(StudyTable table, const StudyRunner& runner, const StudyOptions& options, Monitor& monitor)
+      : table_(std::move(table)), runner_(runner), options_(options), monitor_(monitor) {
+    for (std::size_t i = 0; i < table_.rows.size(); ++i) {
+      auto& row = table_.rows[i];
+      if (row.state == RowState::failed && options.retryFailed) row = {row.point, RowState::open, {}, {}};
+      if (row.state == RowState::open) open_.push_back(i);
+    }
+  }
+
+  StudyTable run() {
+    const std::size_t workers =
+        std::min<std::size_t>(static_cast<std::size_t>(std::max(options_.jobs, 1)), open_.size());
+    fractions_.assign(workers, 0.0);
+    {
+      std::vector<std::jthread> helpers;
+      for (std::size_t w = 1; w < workers; ++w) helpers.emplace_back([this, w] { work(w); });
+      if (workers > 0) work(0);
+    }
+    if (error_) std::rethrow_exception(error_);
+    return std::move(table_);
+  }
+
+ private:
+  // What a single run sees of the study's monitor.
+  class RunMonitor : public Monitor {
+   public:
+    RunMonitor(Study& study, std::size_t worker, std::string name)
+        : study_(study), worker_(worker), name_(std::move(name)) {}
+    void report(const Progress& progress) override {
+      const std::lock_guard lock(study_.mutex_);
+      study_.fractions_[worker_] = progress.phase == "rolling" ? progress.fraction : study_.fractions_[worker_];
+      study_.reportLocked(progress, name_);
+    }
+    void message(const std::string& text) override {
+      const std::lock_guard lock(study_.mutex_);
+      study_.monitor_.message(name_ + ": " + text);
+    }
+    bool cancelled() override {
+      const std::lock_guard lock(study_.mutex_);
+      return study_.stopped_ || study_.monitor_.cancelled();
+    }
+    bool paused() override {
+      const std::lock_guard lock(study_.mutex_);
+      return study_.monitor_.paused();
+    }
+
+   private:
+    Study& study_;
+    std::size_t worker_;
+    std::string name_;
+  };
+
+  void reportLocked(Progress progress, const std::string& name) {
+    double ended = static_cast<double>(table_.rows.size() - table_.count(RowState::open));
+    for (const double fraction : fractions_) ended += fraction;
+    progress.phase = name + " (" + progress.phase + ")";
+    progress.fraction = ended / static_cast<double>(table_.rows.size());
+    progress.remainingSeconds = -1;
+    monitor_.report(progress);
+  }
+
+  // The next open point; nothing where all are taken or the study was stopped.
+  std::optional<std::size_t> take() {
+    const std::lock_guard lock(mutex_);
+    if (stopped_ || next_ >= open_.size() || monitor_.cancelled()) return std::nullopt;
+    return open_[next_++];
+  }
+
+  void work(std::size_t worker) {
+    try {
+      while (const auto index = take()) end(worker, outcomeOf(worker, *index), *index);
+    } catch (...) {  // the table could not be written
+      const std::lock_guard lock(mutex_);
+      if (!error_) error_ = std::current_exception();
+      stopped_ = true;
+    }
+  }
+
+  StudyRow outcomeOf(std::size_t worker, std::size_t index) {
+    StudyRow row = table_.rows[index];  // its own point never changes
+    RunMonitor monitor(*this, worker, toText(table_.definition, row.point));
+    try {
+      if (auto features = runner_(row.point, monitor)) {
+        row.state = RowState::done;
+        row.features = std::move(*features);
+      }
+    } catch (const std::exception& error) {
+      row.state = RowState::failed;
+      row.message = oneLine(error.what());
+    } catch (...) {
+      row.state = RowState::failed;
+      row.message = "unknown error";
+    }
+    return row;
+  }
+
+  void end(std::size_t worker, StudyRow row, std::size_t index) {
+    const std::lock_guard lock(mutex_);
+    fractions_[worker] = 0;
+    if (row.state == RowState::open) return;
+    const std::string name = toText(table_.definition, row.point);
+    monitor_.message(name + (row.state == RowState::done ? ": done" : ": failed: " + row.message));
+    table_.rows[index] = std::move(row);
+    writeTable(table_, options_.folder);
+    reportLocked({}, name);
+  }
+
+  StudyTable table_;
+  const StudyRunner& runner_;
+  const StudyOptions& options_;
+  Monitor& monitor_;
+  std::mutex mutex_;
+  std::vector<std::size_t> open_;
+  std::vector<double> fractions_;  // of the runs under way, one a worker
+  std::size_t next_ = 0;
+  bool stopped_ = false;
+  std::exception_ptr error_;
+};
+
+}  // namespace
+
+StudyTable runStudy(const StudyDefinition& definition, const StudyRunner& runner, const StudyOptions& options,
+                    Monitor& monitor) {
+  auto table = emptyTable(definition);
+  makeFolder(options.folder);
+  if (auto earlier = readTable(definition, options.folder)) table = std::move(*earlier);
+  writeTable(table, options.folder);
+  return Study(std::move(table), runner, options, monitor).run();
+}
+
+}  // namespace squat::studies

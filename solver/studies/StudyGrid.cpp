@@ -1,0 +1,115 @@
+#include "studies/StudyGrid.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "core/Errors.h"
+
+namespace squat::studies {
+namespace {
+
+constexpr std::size_t mostValues = 1000, mostPoints = 10000;
+
+[[noreturn]] void refuse(const std::string& text, const std::string& allowed) {
+  throw CaseError({{"vary", "'" + text + "'", allowed, "Write it like defect.length=20:60:5"}});
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t from = text.find_first_not_of(" \t"), to = text.find_last_not_of(" \t");
+  return from == std::string::npos ? std::string() : text.substr(from, to - from + 1);
+}
+
+std::vector<std::string> parts(const std::string& text, char mark) {
+  std::vector<std::string> list;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(mark, from), text.size());
+    list.push_back(trimmed(text.substr(from, end - from)));
+    from = end + 1;
+  }
+  return list;
+}
+
+std::optional<double> number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::string roundedText(double value) {
+  std::array<char, 40> text;
+  auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12).ptr;
+  const double rounded = number(std::string(text.data(), end)).value_or(value);
+  end = std::to_chars(text.data(), text.data() + text.size(), rounded == 0 ? 0.0 : rounded).ptr;
+  return std::string(text.data(), end);
+}
+
+}  // namespace
+
+Variation variationFromText(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) refuse(text, "key=first:last:count or key=value,value,...");
+  Variation variation{trimmed(text.substr(0, equals)), {}};
+  const std::string right = trimmed(text.substr(equals + 1));
+  if (variation.key.empty() || right.empty()) refuse(text, "a key, = and its values");
+  if (right.find(':') == std::string::npos) {
+    variation.values = parts(right, ',');
+    for (const auto& value : variation.values)
+      if (value.empty()) refuse(text, "values without empty places between commas");
+    if (variation.values.size() > mostValues) refuse(text, "at most 1000 values");
+  } else {
+    const auto range = parts(right, ':');
+    if (range.size() != 3) refuse(text, "first:last:count");
+    const auto first = number(range[0]), last = number(range[1]), count = number(range[2]);
+    if (!first || !last || !count) refuse(text, "three numbers first:last:count");
+    if (*count != std::floor(*count) || *count < 1 || *count > static_cast<double>(mostValues))
+      refuse(text, "a whole count from 1 to 1000");
+    if (*count == 1 && *first != *last) refuse(text, "a count of at least 2 where first and last differ");
+    const auto n = static_cast<std::size_t>(*count);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.0;
+      variation.values.push_back(roundedText(*first * (1 - share) + *last * share));
+    }
+  }
+  const std::set<std::string> distinct(variation.values.begin(), variation.values.end());
+  if (distinct.size() != variation.values.size()) refuse(text, "values that differ from each other");
+  return variation;
+}
+
+std::vector<StudyPoint> gridOf(const StudyDefinition& definition) {
+  if (definition.variations.empty())
+    throw CaseError({{"vary", "none", "at least one key with values", "Write it like --vary defect.length=20:60:5"}});
+  std::size_t count = 1;
+  std::set<std::string> keys;
+  for (const auto& variation : definition.variations) {
+    if (!keys.insert(variation.key).second)
+      throw CaseError({{"vary", variation.key, "each key once", "Put all its values into one --vary"}});
+    count *= variation.values.size();
+    if (count > mostPoints || count == 0)
+      throw CaseError({{"vary", "more than 10000 runs", "1 to 10000 runs", "Take fewer values"}});
+  }
+  std::vector<StudyPoint> points(count);
+  for (std::size_t index = 0; index < count; ++index) {
+    points[index].index = index;
+    points[index].values.resize(definition.variations.size());
+    std::size_t rest = index;
+    for (std::size_t v = definition.variations.size(); v-- > 0;) {
+      const auto& values = definition.variations[v].values;
+      points[index].values[v] = values[rest % values.size()];
+      rest /= values.size();
+    }
+  }
+  return points;
+}
+
+std::string toText(const StudyDefinition& definition, const StudyPoint& point) {
+  std::string text;
+  for (std::size_t v = 0; v < definition.variations.size(); ++v)
+    text += (v ? ", " : "") + definition.variations[v].key + "=" + point.values[v];
+  return text;
+}
+
+}  // namespace squat::studies

@@ -1,0 +1,74 @@
+#include "studies/CaseStudy.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "core/Errors.h"
+
+namespace squat::studies {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string lightDefect = std::string(SQUAT_SOURCE_DIR) + "/resources/cases/light-defect.toml";
+
+// What a run might give: ABA and contact force with the numbers of the case in them.
+results::RunResult pretend(const cases::CaseDescription& description) {
+  results::RunResult run;
+  run.complete = true;
+  run.speed = description.motion.speed;
+  results::Channel aba{"aba_filtered", "m/s2", "", {}}, force{"contact_force", "N", "", {}};
+  for (int i = 0; i < 3000; ++i) {
+    const double t = i / 25000.0, after = t - 0.04;
+    run.time.push_back(t);
+    run.position.push_back(run.speed * after);
+    aba.values.push_back(after < 0 ? 0
+                                   : 1e6 * description.defect.depth * std::exp(-after / 0.01) *
+                                         std::sin(2 * std::numbers::pi * 1000 * after));
+    force.values.push_back(80000 + aba.values.back());
+  }
+  run.signals = {aba, force};
+  return run;
+}
+
+TEST(CaseStudy, keysAreThoseOfTheTable) {
+  const auto definition = studyOf(lightDefect, {}, {"defect.depth=0.1:0.3:3", "motion.speed=27,30"});
+  EXPECT_EQ(gridOf(definition).size(), 6u);
+  EXPECT_EQ(definition.caseHash.size(), 8u);
+  const auto description = caseAt(definition, {}, gridOf(definition)[1]);
+  EXPECT_DOUBLE_EQ(description.defect.depth, 1e-4);
+  try {
+    studyOf(lightDefect, {}, {"defect.deepth=0.1:0.3:3", "defect.depth=0.1:1e9:2", "motion.speed"});
+    FAIL() << "wrong keys were accepted";
+  } catch (const CaseError& error) {
+    EXPECT_EQ(error.problems().size(), 3u);
+    EXPECT_THAT(error.what(), HasSubstr("defect.depth"));
+  }
+}
+
+TEST(CaseStudy, runsEveryPoint) {
+  const auto folder =
+      (std::filesystem::temp_directory_path() / ("squat-case-study-" + std::to_string(::getpid()))).string();
+  const auto definition = studyOf(lightDefect, {}, {"defect.depth=0.1:0.3:3"});
+  Monitor monitor;
+  const auto table = runCaseStudy(
+      definition, {},
+      [](const cases::CaseDescription& description, const StudyPoint&, Monitor&) { return pretend(description); },
+      {folder, 2, false}, monitor);
+  std::filesystem::remove_all(folder);
+  ASSERT_EQ(table.count(RowState::done), 3u);
+  const auto value = [&](std::size_t row, const std::string& name) {
+    for (const auto& [key, number] : table.rows[row].features)
+      if (key == name) return number;
+    return std::nan("");
+  };
+  EXPECT_NEAR(value(2, "peak [m/s2]") / value(0, "peak [m/s2]"), 3, 1e-9);
+  EXPECT_NEAR(value(0, "largest contact force [N]"), 80000 + value(0, "maximum [m/s2]"), 1e-9);
+}
+
+}  // namespace
+}  // namespace squat::studies

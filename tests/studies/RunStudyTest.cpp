@@ -1,0 +1,167 @@
+#include "studies/RunStudy.h"
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "core/Errors.h"
+
+namespace squat::studies {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Study : public testing::Test {
+ protected:
+  Study() { std::filesystem::create_directories(root_); }
+  ~Study() override { std::filesystem::remove_all(root_); }
+  std::string folder(const std::string& name) const { return (root_ / name).string(); }
+  static std::string read(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+  const std::filesystem::path root_ =
+      std::filesystem::temp_directory_path() / ("squat-study-" + std::to_string(::getpid()));
+  const StudyDefinition definition_{
+      "light-defect",
+      "12345678",
+      {variationFromText("defect.length=20:60:3"), variationFromText("defect.depth=0.1:0.3:3")}};
+  Monitor monitor_;
+};
+
+// Features that depend on the point alone; the point 40, 0.2 fails.
+std::optional<FeatureRow> pretend(const StudyPoint& point, Monitor&) {
+  if (point.values == std::vector<std::string>{"40", "0.2"})
+    throw RunError("contact lost, \"for good\"", 7, 0.01, "element 3");
+  const double length = std::stod(point.values[0]), depth = std::stod(point.values[1]);
+  return FeatureRow{{"peak [m/s2]", length * depth / 3}, {"wavelength, mean [m]", 1 / length}};
+}
+
+TEST_F(Study, oneTableWithTheFailedRunNamed) {
+  const auto table = runStudy(definition_, pretend, {folder("a"), 1, false}, monitor_);
+  EXPECT_EQ(table.count(RowState::done), 8u);
+  EXPECT_EQ(table.count(RowState::failed), 1u);
+  EXPECT_THAT(table.rows[4].message, HasSubstr("contact lost"));
+  const std::string text = read(folder("a/study.csv"));
+  EXPECT_EQ(text, tableText(table));
+  EXPECT_THAT(text, HasSubstr("defect.length,defect.depth,state,peak [m/s2],\"wavelength, mean [m]\",message\n"));
+  EXPECT_THAT(text, HasSubstr("\n20,0.1,done,0.6666666666666666,0.05,\n"));
+  EXPECT_THAT(text, HasSubstr("\n40,0.2,failed,,,"));
+}
+
+// Killed without warning in the fifth run, then called again: the same bytes as without the interruption, and no run
+// is made twice.
+TEST_F(Study, killedAndResumedGivesTheSameTable) {
+  for (const int jobs : {1, 2}) {
+    const std::string whole = folder("whole" + std::to_string(jobs)), cut = folder("cut" + std::to_string(jobs));
+    runStudy(definition_, pretend, {whole, jobs, false}, monitor_);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::atomic<int> runs{0};
+      runStudy(
+          definition_,
+          [&](const StudyPoint& point, Monitor& monitor) {
+            if (++runs == 5) ::_exit(0);
+            return pretend(point, monitor);
+          },
+          {cut, jobs, false}, monitor_);
+      ::_exit(1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    const std::string half = read(cut + "/study.csv");
+    EXPECT_LT(half.size(), read(whole + "/study.csv").size());
+    std::atomic<int> runs{0};
+    runStudy(
+        definition_,
+        [&](const StudyPoint& point, Monitor& monitor) {
+          ++runs;
+          return pretend(point, monitor);
+        },
+        {cut, jobs, false}, monitor_);
+    EXPECT_EQ(read(cut + "/study.csv"), read(whole + "/study.csv"));
+    EXPECT_EQ(read(cut + "/study.json"), read(whole + "/study.json"));
+    EXPECT_GE(runs, 5);
+    EXPECT_LE(runs, 6);  // four ended before; with two jobs one more may have been under way
+  }
+}
+
+TEST_F(Study, cancelledRunsStayOpen) {
+  struct Impatient : Monitor {
+    bool cancelled() override { return ended >= 3; }
+    void message(const std::string&) override { ++ended; }
+    int ended = 0;
+  } impatient;
+  auto table = runStudy(definition_, pretend, {folder("c"), 1, false}, impatient);
+  EXPECT_EQ(table.count(RowState::done), 3u);
+  EXPECT_EQ(table.count(RowState::open), 6u);
+  // a run that notices the cancelling itself and returns nothing
+  table = runStudy(
+      definition_, [](const StudyPoint&, Monitor&) { return std::optional<FeatureRow>(); }, {folder("c"), 1, false},
+      monitor_);
+  EXPECT_EQ(table.count(RowState::done), 3u);
+  table = runStudy(definition_, pretend, {folder("c"), 1, false}, monitor_);
+  EXPECT_EQ(table.count(RowState::open), 0u);
+}
+
+TEST_F(Study, failedRunsAreRepeatedOnRequestOnly) {
+  runStudy(definition_, pretend, {folder("d"), 1, false}, monitor_);
+  int runs = 0;
+  const auto count = [&](const StudyPoint&, Monitor&) {
+    ++runs;
+    return std::optional<FeatureRow>(FeatureRow{{"peak [m/s2]", 1}});
+  };
+  EXPECT_EQ(runStudy(definition_, count, {folder("d"), 1, false}, monitor_).count(RowState::failed), 1u);
+  EXPECT_EQ(runs, 0);
+  EXPECT_EQ(runStudy(definition_, count, {folder("d"), 1, true}, monitor_).count(RowState::failed), 0u);
+  EXPECT_EQ(runs, 1);
+}
+
+TEST_F(Study, anotherStudyIsNotOverwritten) {
+  runStudy(definition_, pretend, {folder("e"), 1, false}, monitor_);
+  auto other = definition_;
+  other.variations[1] = variationFromText("defect.depth=0.1:0.4:3");
+  EXPECT_THROW(runStudy(other, pretend, {folder("e"), 1, false}, monitor_), CaseError);
+  other = definition_;
+  other.caseHash = "87654321";
+  EXPECT_THROW(runStudy(other, pretend, {folder("e"), 1, false}, monitor_), CaseError);
+  std::ofstream(folder("e/study.csv"), std::ios::app) << "20,0.7,done,1,2,\n";
+  try {
+    runStudy(definition_, pretend, {folder("e"), 1, false}, monitor_);
+    FAIL() << "a damaged table was accepted";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.location(), "line 11");
+  }
+}
+
+TEST_F(Study, progressCountsTheWholeStudy) {
+  struct Listener : Monitor {
+    void report(const Progress& progress) override { fractions.push_back(progress.fraction); }
+    std::vector<double> fractions;
+  } listener;
+  runStudy(
+      definition_,
+      [](const StudyPoint& point, Monitor& monitor) {
+        Progress progress;
+        progress.phase = "rolling";
+        progress.fraction = 0.5;
+        monitor.report(progress);
+        return pretend(point, monitor);
+      },
+      {folder("f"), 1, false}, listener);
+  ASSERT_EQ(listener.fractions.size(), 18u);
+  EXPECT_NEAR(listener.fractions[0], 0.5 / 9, 1e-12);
+  EXPECT_NEAR(listener.fractions.back(), 1, 1e-12);
+  EXPECT_TRUE(std::is_sorted(listener.fractions.begin(), listener.fractions.end()));
+}
+
+}  // namespace
+}  // namespace squat::studies
