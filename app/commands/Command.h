@@ -8,8 +8,11 @@ namespace squat::commands {
 
 using Action = std::function<int()>;  // returns the exit code; throws CaseError, RunError, FileError
 
+void addAnalyseCommand(CLI::App& program, Action& action);
+void addCompareCommand(CLI::App& program, Action& action);
 void addDescribeCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addRunCommand(CLI::App& program, Action& action);
+void addStudyCommand(CLI::App& program, Action& action);
 
 }  // namespace squat::commands

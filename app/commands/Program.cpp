@@ -48,6 +48,9 @@ int runProgram(int argc, char** argv) {
   addRunCommand(program, action);
   addRenderCommand(program, action);
   addDescribeCommand(program, action);
+  addAnalyseCommand(program, action);
+  addCompareCommand(program, action);
+  addStudyCommand(program, action);
   program.footer(
       "Exit codes: 0 done, 2 the case or the call is wrong, 3 the run failed, 4 a file is wrong, 130 cancelled");
   try {

@@ -1,0 +1,115 @@
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "commands/Command.h"
+#include "commands/ExitCodes.h"
+#include "commands/Interrupt.h"
+#include "commands/SignalOptions.h"
+#include "commands/TerminalMonitor.h"
+#include "commands/TextTable.h"
+#include "core/DurableFile.h"
+#include "laboratory/Analysis.h"
+#include "laboratory/AnalysisFiles.h"
+#include "laboratory/OptionText.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct AnalyseOptions {
+  std::vector<std::string> files, bands;
+  std::string folder, window = "hann", detrend = "constant";
+  SignalOptions signal;
+  laboratory::AnalysisOptions analysis;
+  bool noAlignment = false, json = false;
+};
+
+void printTable(const laboratory::Analysis& analysis) {
+  std::vector<std::string> head{"feature"};
+  std::vector<std::vector<std::pair<std::string, double>>> columns;
+  for (const auto& signal : analysis.signals) {
+    head.push_back(signal.run);
+    columns.push_back(signals::featureRow(signal.features));
+  }
+  if (columns.empty()) return;
+  TextTable table(head);
+  for (std::size_t row = 0; row < columns.front().size(); ++row) {
+    std::vector<std::string> cells{columns.front()[row].first};
+    for (const auto& column : columns) cells.push_back(number(column[row].second));
+    table.add(cells);
+  }
+  for (const auto& signal : analysis.signals) {
+    std::printf("%s, %s: integral of the density %s, mean square %s %s (%s)\n", signal.file.c_str(), signal.run.c_str(),
+                number(signal.spectrum.integral).c_str(), number(signal.spectrum.meanSquare).c_str(),
+                ("(" + signal.spectrum.unit + ")2").c_str(), signal.spectrum.window.c_str());
+    for (const auto& note : signal.notes) std::printf("  note: %s\n", note.c_str());
+  }
+  std::printf("\n%s", table.text().c_str());
+  if (analysis.dispersion)
+    std::printf("\n%zu runs aligned: first peak %s, scatter %s of its mean; wavelength %s, scatter %s\n",
+                analysis.signals.size(), number(analysis.dispersion->firstPeak.mean).c_str(),
+                number(100 * analysis.dispersion->firstPeak.range, "%").c_str(),
+                number(1e3 * analysis.dispersion->wavelength.mean, "mm").c_str(),
+                number(100 * analysis.dispersion->wavelength.range, "%").c_str());
+  for (const auto& note : analysis.notes) std::printf("note: %s\n", note.c_str());
+}
+
+int analyse(const AnalyseOptions& given) {
+  auto options = given.analysis;
+  options.file = fileOptions(given.signal);
+  options.align = !given.noAlignment;
+  laboratory::setWindow(options.spectrum, given.window);
+  laboratory::setDetrend(options.spectrum, given.detrend);
+  for (const auto& band : given.bands) options.features.bands.push_back(laboratory::bandFromText(band));
+
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  const auto analysis = laboratory::analyse(given.files, options, monitor);
+  monitor.clearLine();
+  if (given.json)
+    std::printf("%s\n", laboratory::featureJson(analysis).c_str());
+  else
+    printTable(analysis);
+  if (InterruptGuard::asked()) return kCancelled;
+  if (given.folder.empty()) return kDone;
+  makeFolder(given.folder);
+  std::FILE* const list = given.json ? stderr : stdout;
+  std::fprintf(list, "\nwritten:\n");
+  for (const auto& path : laboratory::writeAnalysis(analysis, given.folder)) std::fprintf(list, "  %s\n", path.c_str());
+  return kDone;
+}
+
+}  // namespace
+
+void addAnalyseCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("analyse", "Spectra and features of measured or computed signals");
+  auto options = std::make_shared<AnalyseOptions>();
+  command->add_option("signals", options->files, "CSV or HDF5 files")->required()->type_name("SIGNAL...");
+  command->add_option("-o,--output", options->folder, "Folder for tables (default: only printed)")->type_name("DIR");
+  addSignalOptions(*command, options->signal);
+  auto& analysis = options->analysis;
+  command
+      ->add_option("--low-pass", analysis.lowPass,
+                   "Zero-phase low-pass before everything else; 0: none (default: 2000)")
+      ->check(CLI::Range(0.0, 1e7))
+      ->type_name("HZ");
+  command->add_option("--band", options->bands, "A further band: 250-350 or name=250-350; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("LOW-HIGH");
+  command->add_option("--window", options->window, "boxcar, hann, hamming or blackman (default: hann)")
+      ->type_name("NAME");
+  command->add_option("--detrend", options->detrend, "none, constant or linear (default: constant)")->type_name("NAME");
+  command
+      ->add_option("--segment", analysis.spectrum.segment, "Samples of a segment of Welch's average (default: chosen)")
+      ->check(CLI::Range(0, 1 << 30))
+      ->type_name("N");
+  command->add_option("--overlap", analysis.spectrum.overlap, "Share of a segment (default: 0.5)")
+      ->check(CLI::Range(0.0, 0.99))
+      ->type_name("SHARE");
+  command->add_flag("--no-alignment", options->noAlignment, "Takes repeated runs as they are");
+  command->add_flag("--json", options->json, "Prints the features as JSON");
+  command->callback([options, &action] { action = [options] { return analyse(*options); }; });
+}
+
+}  // namespace squat::commands

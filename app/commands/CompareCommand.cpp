@@ -1,0 +1,77 @@
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "commands/Command.h"
+#include "commands/ExitCodes.h"
+#include "commands/Interrupt.h"
+#include "commands/SignalOptions.h"
+#include "commands/TerminalMonitor.h"
+#include "commands/TextTable.h"
+#include "core/DurableFile.h"
+#include "laboratory/ComparisonFiles.h"
+#include "laboratory/FileComparison.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct CompareOptions {
+  std::string result, folder, resultColumn;
+  std::vector<std::string> measured;
+  SignalOptions signal;
+  laboratory::FileComparisonOptions comparison;
+};
+
+void printTable(const laboratory::FileComparison& pair) {
+  const auto& comparison = pair.comparison;
+  std::printf("%s against %s (%s)\n", comparison.firstName.c_str(), comparison.secondName.c_str(),
+              pair.secondFile.c_str());
+  TextTable table({"what", "value"});
+  for (const auto& [name, value] : signals::comparisonRow(comparison)) table.add({name, number(value)});
+  std::printf("%s", table.text().c_str());
+  for (const auto& note : pair.notes) std::printf("note: %s\n", note.c_str());
+  std::printf("\n");
+}
+
+int compare(const CompareOptions& given) {
+  auto options = given.comparison;
+  options.second = fileOptions(given.signal);
+  options.first.column = given.resultColumn;
+  options.first.speed = options.second.speed;
+  options.comparison.align = !options.smooth;
+
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  const auto pairs = laboratory::compareFiles(given.result, given.measured, options, monitor);
+  monitor.clearLine();
+  for (const auto& pair : pairs) printTable(pair);
+  if (InterruptGuard::asked()) return kCancelled;
+  if (given.folder.empty()) return kDone;
+  makeFolder(given.folder);
+  std::printf("written:\n");
+  for (const auto& path : laboratory::writeComparisons(pairs, given.folder)) std::printf("  %s\n", path.c_str());
+  return kDone;
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("compare", "A computed signal beside measured ones, or beside its smooth run");
+  auto options = std::make_shared<CompareOptions>();
+  command->add_option("result", options->result, "Result file (or any signal)")->required()->type_name("RESULT.h5");
+  command->add_option("measured", options->measured, "CSV or HDF5 files")->required()->type_name("MEASURED...");
+  command->add_option("-o,--output", options->folder, "Folder for tables (default: only printed)")->type_name("DIR");
+  command->add_option("--result-column", options->resultColumn, "Signal of the result (default: aba)")
+      ->type_name("NAME");
+  addSignalOptions(*command, options->signal);
+  command->add_option("--low-pass", options->comparison.lowPass, "Zero-phase low-pass of both; 0: none (default: 2000)")
+      ->check(CLI::Range(0.0, 1e7))
+      ->type_name("HZ");
+  command->add_flag("--by-position", options->comparison.comparison.inPosition, "Aligns over position instead of time");
+  command->add_flag("--smooth", options->comparison.smooth,
+                    "The others are the same track without the defect: nothing is shifted");
+  command->callback([options, &action] { action = [options] { return compare(*options); }; });
+}
+
+}  // namespace squat::commands

@@ -1,0 +1,52 @@
+#include "studio/Arguments.h"
+
+#include <QCommandLineParser>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+
+#include "studio/MainWindow.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr int wrongCall = 2;
+
+[[noreturn]] void refuse(const QString& sentence) {
+  std::cerr << "squat-studio: " << sentence.toStdString() << '\n';
+  std::exit(wrongCall);
+}
+
+}  // namespace
+
+bool wantsScreenshot(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (std::strncmp(argv[i], "--screenshot", 12) == 0) return true;
+  return false;
+}
+
+Arguments readArguments() {
+  QCommandLineParser parser;
+  parser.setApplicationDescription("Draw a squat, roll a wheel over it, see what the axle box feels.");
+  const QCommandLineOption help = parser.addHelpOption();
+  const QCommandLineOption version = parser.addVersionOption();
+  const QCommandLineOption screenshot("screenshot", "Draw the window into this PNG and end; needs no display.",
+                                      "OUT.png");
+  const QCommandLineOption caseFile("case", "Case to open (path or shipped name).", "CASE");
+  const QCommandLineOption resultFile("result", "Result to open.", "RESULT.h5");
+  const QCommandLineOption tab("tab", "Tab to show: " + MainWindow::tabNames().join(", ") + ".", "NAME");
+  parser.addOptions({screenshot, caseFile, resultFile, tab});
+  parser.addPositionalArgument("file", "Case or result to open.", "[CASE|RESULT.h5]");
+  if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
+  if (parser.isSet(help)) parser.showHelp(0);
+  if (parser.isSet(version)) parser.showVersion();
+  const QStringList files = parser.positionalArguments() + parser.values(caseFile) + parser.values(resultFile);
+  if (files.size() > 1) refuse("one case or one result at a time; found " + files.join(", "));
+  Arguments arguments{files.value(0), parser.value(screenshot), parser.value(tab)};
+  if (!arguments.tab.isEmpty() && !MainWindow::tabNames().contains(arguments.tab))
+    refuse(QStringLiteral("no tab “%1”; there are %2").arg(arguments.tab, MainWindow::tabNames().join(", ")));
+  if (parser.isSet(screenshot) && arguments.screenshot.isEmpty()) refuse("--screenshot needs the name of a PNG");
+  return arguments;
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,24 @@
+#include "studio/Screenshot.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QThread>
+
+#include "studio/MainWindow.h"
+
+namespace squat::studio {
+
+bool takeScreenshot(MainWindow& window, const QString& path) {
+  window.show();
+  // Queued replots and late layouts are done after a few turns of the event loop.
+  QElapsedTimer clock;
+  clock.start();
+  constexpr int settling = 700;  // [ms]
+  while (clock.elapsed() < settling) {
+    QApplication::processEvents(QEventLoop::AllEvents, 50);
+    QThread::msleep(10);
+  }
+  return window.grab().save(path, "PNG");
+}
+
+}  // namespace squat::studio

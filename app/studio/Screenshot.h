@@ -1,0 +1,13 @@
+// app/studio/Screenshot.h - the real window as a picture.
+#pragma once
+
+#include <QString>
+
+namespace squat::studio {
+
+class MainWindow;
+
+// Lets the window lay out and paint, then writes it as PNG. False where the file cannot be written.
+bool takeScreenshot(MainWindow& window, const QString& path);
+
+}  // namespace squat::studio

@@ -1,0 +1,67 @@
+// squat-studio - the desktop program.
+#include <QApplication>
+#include <QDir>
+#include <QIcon>
+#include <QStandardPaths>
+#include <clocale>
+#include <iostream>
+
+#include "case/ShippedCases.h"
+#include "commands/ExitCodes.h"
+#include "commands/PaperTable.h"
+#include "simulation/RunCase.h"
+#include "studio/Arguments.h"
+#include "studio/MainWindow.h"
+#include "studio/MessageBar.h"
+#include "studio/Screenshot.h"
+
+namespace {
+
+std::vector<squat::studio::ComparedRow> comparedRows(const squat::results::RunResult& result) {
+  std::vector<squat::studio::ComparedRow> rows;
+  for (const auto& row : squat::commands::paperRows(result))
+    rows.push_back({QString::fromStdString(row.what), QString::fromStdString(row.ours),
+                    QString::fromStdString(row.paper), QString::fromStdString(row.verdict)});
+  return rows;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool pictureOnly = squat::studio::wantsScreenshot(argc, argv);
+  const bool noDisplay = qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+  if (pictureOnly && noDisplay) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (noDisplay && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    std::cerr << "squat-studio: no display found (DISPLAY and WAYLAND_DISPLAY are empty); `squat` works without one, "
+                 "and so does --screenshot\n";
+    return squat::commands::kCaseWrong;
+  }
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // strtod and printf of the solver keep the decimal point
+  QApplication::setApplicationName("squat-studio");
+  QApplication::setApplicationVersion(SQUAT_VERSION);
+  const QString icon = QString::fromStdString((squat::cases::resourcesFolder() / "icons/squat-studio.svg").string());
+  QApplication::setWindowIcon(QIcon(icon));
+  const squat::studio::Arguments arguments = squat::studio::readArguments();
+  if (pictureOnly) QStandardPaths::setTestModeEnabled(true);  // the user's layout and files stay out of the picture
+
+  squat::studio::StudioServices services;
+  services.runner = squat::simulation::runCase;
+  services.comparison = comparedRows;
+  if (!pictureOnly)
+    services.recoveryFolder =
+        QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)).filePath("recovery");
+  squat::studio::MainWindow window(services);
+  const bool opened = arguments.file.isEmpty() || window.openAny(arguments.file);
+  if (!arguments.tab.isEmpty()) window.showTab(arguments.tab);
+  if (pictureOnly) {
+    if (!opened) {
+      std::cerr << "squat-studio: " << window.messages()->text().toStdString() << '\n';
+      return squat::commands::kFileWrong;
+    }
+    return squat::studio::takeScreenshot(window, arguments.screenshot) ? squat::commands::kDone
+                                                                       : squat::commands::kFileWrong;
+  }
+  window.show();
+  return QApplication::exec();
+}
