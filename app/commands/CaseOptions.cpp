@@ -1,6 +1,5 @@
 #include "commands/CaseOptions.h"
 
-#include "case/CaseFile.h"
 #include "case/ShippedCases.h"
 #include "core/Errors.h"
 
@@ -27,8 +26,10 @@ void addCaseOptions(CLI::App& command, CaseOptions& options) {
       ->allow_extra_args(false);
 }
 
-cases::CaseDescription readCase(const CaseOptions& options) {
-  cases::CaseOverrides overrides;
+namespace {
+
+// Takes what is well formed into `overrides`; returns the rest.
+std::vector<CaseProblem> takeSets(const CaseOptions& options, cases::CaseOverrides& overrides) {
   overrides.preset = options.mesh;
   std::vector<CaseProblem> problems;
   for (const auto& set : options.sets) {
@@ -38,6 +39,21 @@ cases::CaseDescription readCase(const CaseOptions& options) {
     else
       overrides.values.emplace_back(set.substr(0, split), set.substr(split + 1));
   }
+  return problems;
+}
+
+}  // namespace
+
+cases::CaseOverrides caseOverrides(const CaseOptions& options) {
+  cases::CaseOverrides overrides;
+  const auto problems = takeSets(options, overrides);
+  if (!problems.empty()) throw CaseError(problems);
+  return overrides;
+}
+
+cases::CaseDescription readCase(const CaseOptions& options) {
+  cases::CaseOverrides overrides;
+  auto problems = takeSets(options, overrides);
   if (problems.empty()) return cases::loadCase(options.name, overrides);
   try {
     cases::loadCase(options.name, overrides);

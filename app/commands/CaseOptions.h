@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "case/CaseDescription.h"
+#include "case/CaseFile.h"
 
 namespace squat::commands {
 
@@ -16,6 +17,9 @@ struct CaseOptions {
 };
 
 void addCaseOptions(CLI::App& command, CaseOptions& options);
+
+// The changes alone. Throws CaseError for a --set that is no KEY=VALUE.
+cases::CaseOverrides caseOverrides(const CaseOptions& options);
 
 // The case with all changes. Throws CaseError (all mistakes at once) and FileError.
 cases::CaseDescription readCase(const CaseOptions& options);
