@@ -148,8 +148,11 @@ void Rolling::pushVehicle() {
     const double* va = v + body.index(node, 0, 0);
     for (int s = 0; s < body.stationCount; ++s) a[s] -= torque_ * share / radius, hubSpinRate_ -= share * va[s] / radius;
   }
-  // Moment about y of suspension and weight with the arms that displacement gives them: u_z F_x - u_x F_z.
-  vehicleMoment_ = at.z * forceX - at.x * forceZ + hub_.x * d.motion.gravity * d.wheelset.totalMass;
+  // Moment about y, u_z F_x - u_x F_z, of suspension, weight and inertia with the arms that displacement gives them:
+  // minus the moment of the inner forces, whose part of second order is all that the linear elasticity leaves.
+  const double mass = d.wheelset.totalMass;
+  const auto& a = view_.wheelAcceleration;
+  vehicleMoment_ = at.z * forceX - at.x * forceZ - hub_.z * mass * a.x + hub_.x * mass * (d.motion.gravity + a.z);
 }
 
 void Rolling::collectForces(int index) {

@@ -59,6 +59,7 @@ class Rolling {
   }
 
   const RollingState& state() const { return state_; }
+  const StepView& view() const { return view_; }  // of the last step
   void restore(RollingState state);
   const model::Model& model() const { return model_; }
   double stepSize() const { return step_; }

@@ -1,0 +1,19 @@
+// solver/statics/QuietStart.h - displacements and the velocities that steady rolling through them implies.
+//
+// The wheel is brought to equilibrium one element before, at, and one element behind the start; half the difference of the
+// outer two, in space, times speed over distance is the velocity of every node. Rolling then starts quietly.
+#pragma once
+
+#include "statics/Equilibrium.h"
+
+namespace squat::statics {
+
+struct QuietStart {
+  Equilibrium equilibrium;  // at the start
+  AlignedVector velocity;   // state layout [m/s]
+};
+
+QuietStart prepareQuietStart(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                             Monitor& monitor);
+
+}  // namespace squat::statics
