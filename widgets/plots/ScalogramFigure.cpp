@@ -5,6 +5,8 @@
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "plots/ScalogramGrid.h"
+#include "signals/Resample.h"
+#include "signals/Stft.h"
 
 namespace squat::plots {
 namespace {
@@ -30,13 +32,13 @@ QSharedPointer<QCPAxisTickerText> frequencyTicks(double from, double to) {
   return ticker;
 }
 
-void addColourScale(Figure& figure, QCPColorMap& map) {
+void addColourScale(Figure& figure, QCPColorMap& map, const QString& label) {
   auto* scale = new QCPColorScale(&figure);
   figure.addBeside(scale);
   scale->setType(QCPAxis::atRight);
   scale->setBarWidth(8);
   map.setColorScale(scale);
-  scale->axis()->setLabel("Wavelet power [(m/s²)²]");
+  scale->axis()->setLabel(label);
   scale->axis()->setLabelFont(figure.style().labelFont());
   scale->axis()->setTickLabelFont(figure.style().tickFont());
   scale->axis()->setLabelColor(figure.style().text);
@@ -74,10 +76,9 @@ void addCone(Figure& figure, const ScalogramGrid& grid) {
   edge->setChannelFillGraph(floor);
 }
 
-}  // namespace
-
-std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style) {
-  auto figure = std::make_unique<Figure>("scalogram", style);
+std::unique_ptr<Figure> mapFigure(const results::RunResult& result, const Style& style, const QString& name,
+                                  const QString& label) {
+  auto figure = std::make_unique<Figure>(name, style);
   figure->setPrintedSize({85, 62});
   figure->xAxis->setLabel("Position of the wheel [mm]");
   figure->yAxis->setLabel("Frequency [Hz]");
@@ -85,7 +86,7 @@ std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const 
   const Window window = judgedWindow(result);
   const ScalogramGrid grid = scalogramGrid(result, window.from, window.to, lowest, highest);
   if (grid.power.empty()) {
-    addNotice(*figure, "no scalogram in this result");
+    addNotice(*figure, QStringLiteral("no %1 in this result").arg(name));
     return figure;
   }
   auto* map = new QCPColorMap(figure->xAxis, figure->yAxis);
@@ -98,7 +99,7 @@ std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const 
   map->setInterpolate(true);
   map->setTightBoundary(true);
   map->removeFromLegend();
-  addColourScale(*figure, *map);
+  addColourScale(*figure, *map, label);
   map->setGradient(gradientOf(style.colourMap));
   map->setDataRange(QCPRange(0, grid.largestPower > 0 ? grid.largestPower : 1));
   addCone(*figure, grid);
@@ -111,6 +112,41 @@ std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const 
   figure->xAxis->setRange(grid.positionFrom * 1e3, grid.positionTo * 1e3);
   for (QCPAxis* axis : {figure->xAxis, figure->yAxis}) axis->grid()->setVisible(false);
   return figure;
+}
+
+}  // namespace
+
+std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style) {
+  return mapFigure(result, style, "scalogram", "Wavelet power [(m/s²)² s]");
+}
+
+std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment) {
+  results::RunResult local;
+  local.stem = result.stem;
+  local.title = result.title;
+  local.caseHash = result.caseHash;
+  local.complete = result.complete;
+  local.stopReason = result.stopReason;
+  local.psdFrom = result.psdFrom;
+  local.psdTo = result.psdTo;
+  local.position = result.position;
+  const std::vector<double>* values = result.signal("aba_filtered");
+  if (values && values->size() == result.time.size() && values->size() > segment && result.time.size() > 1) {
+    signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, "aba_filtered", "m/s2"};
+    signals::StftOptions options;
+    options.segment = segment;
+    options.hop = std::max<std::size_t>(1, segment / 32);
+    options.transformLength = 8 * segment;
+    const signals::Stft stft = signals::shortTimeTransform(series, options);
+    // Row 0 is the mean, which has no place on a logarithmic axis.
+    local.scalogramFrequency.assign(stft.frequency.begin() + 1, stft.frequency.end());
+    local.scalogramPower.assign(stft.density.begin() + static_cast<std::ptrdiff_t>(stft.time.size()),
+                                stft.density.end());
+    local.scalogramTime = stft.time;
+    for (double time : stft.time)
+      local.scalogramPosition.push_back(signals::interpolateLinear(result.time, result.position, time));
+  }
+  return mapFigure(local, style, "stft", "Power density [(m/s²)²/Hz]");
 }
 
 }  // namespace squat::plots

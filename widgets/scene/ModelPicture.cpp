@@ -45,26 +45,6 @@ vtkSmartPointer<vtkPlane> planeAt(double x, double y, double z, double nx, doubl
   return plane;
 }
 
-// Upper end of a scale with five even stretches of a round length.
-double roundUp(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value / 5)));
-  for (double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
-    if (5 * step * decade >= value) return 5 * step * decade;
-  return 50 * decade;
-}
-
-// Looks at `target` from `direction` (from target to eye), with `reach` metres from the middle to the upper edge.
-void aim(vtkRenderer& renderer, const std::array<double, 3>& target, const std::array<double, 3>& direction,
-         double reach) {
-  vtkCamera* camera = renderer.GetActiveCamera();
-  camera->SetFocalPoint(target.data());
-  camera->SetPosition(target[0] + 5 * direction[0], target[1] + 5 * direction[1], target[2] + 5 * direction[2]);
-  camera->SetViewUp(0, 0, 1);
-  camera->ParallelProjectionOn();
-  camera->SetParallelScale(reach);
-  renderer.ResetCameraClippingRange();
-}
-
 void addOverview(SurfacelessWindow& window, const results::RunResult& result, const results::SurfaceSnapshot* snapshot,
                  double contactAt) {
   auto renderer = newRenderer(window, 0, division, 0, bodyTop);

@@ -1,5 +1,6 @@
 #include "scene/SceneParts.h"
 
+#include <vtkCamera.h>
 #include <vtkDataArray.h>
 #include <vtkFeatureEdges.h>
 #include <vtkPlaneCollection.h>
@@ -141,6 +142,24 @@ double largestNear(const std::vector<PartData>& parts, double centre, double rea
         largest = std::max(largest, values->GetTuple1(i));
   }
   return largest;
+}
+
+double roundUp(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value / 5)));
+  for (double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (5 * step * decade >= value) return 5 * step * decade;
+  return 50 * decade;
+}
+
+void aim(vtkRenderer& renderer, const std::array<double, 3>& target, const std::array<double, 3>& direction,
+         double reach) {
+  vtkCamera* camera = renderer.GetActiveCamera();
+  camera->SetFocalPoint(target.data());
+  camera->SetPosition(target[0] + 5 * direction[0], target[1] + 5 * direction[1], target[2] + 5 * direction[2]);
+  camera->SetViewUp(0, 0, 1);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(reach);
+  renderer.ResetCameraClippingRange();
 }
 
 }  // namespace squat::scene

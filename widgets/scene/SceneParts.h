@@ -42,4 +42,11 @@ vtkSmartPointer<vtkTextActor> textActor(const std::string& text, double x, doubl
 // Largest value of the field among the points with |x - centre| < reach; 0 where there are none.
 double largestNear(const std::vector<PartData>& parts, double centre, double reach);
 
+// Upper end of a scale with five even stretches of a round length.
+double roundUp(double value);
+
+// Looks at `target` from `direction` (from target to eye), with `reach` metres from the middle to the upper edge.
+void aim(vtkRenderer& renderer, const std::array<double, 3>& target, const std::array<double, 3>& direction,
+         double reach);
+
 }  // namespace squat::scene

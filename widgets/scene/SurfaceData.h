@@ -9,11 +9,9 @@
 #include <vector>
 
 #include "results/RunResult.h"
+#include "scene/Field.h"
 
 namespace squat::scene {
-
-enum class Field { none, vonMises, plasticStrain, displacement };
-std::string fieldName(Field field);  // with unit, as on the colour bar: "von Mises stress [MPa]"
 
 // Parts whose names begin with "wheel" roll: wheelTravel and wheelRotation apply to them. Parts whose names end with
 // " cut" are inner faces on the plane y = 0, shown only where the picture is cut there.

@@ -1,0 +1,173 @@
+#include "scene/SceneView.h"
+
+#include <vtkCamera.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/SceneParts.h"
+#include "scene/SurfacelessWindow.h"
+
+namespace squat::scene {
+
+struct SceneView::Parts {
+  vtkSmartPointer<SurfacelessWindow> window;
+  vtkSmartPointer<vtkRenderer> renderer;
+  std::shared_ptr<const results::RunResult> result;
+  SceneChoices choices;
+  std::vector<vtkSmartPointer<vtkActor>> surfaces;
+  bool stale = true, placed = false;
+  double highest = 0, contactAt = 0;
+};
+
+SceneView::SceneView(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+SceneView::~SceneView() = default;
+
+std::unique_ptr<SceneView> SceneView::create(std::string& reason) {
+  auto parts = std::make_unique<Parts>();
+  parts->window = SurfacelessWindow::create(reason);
+  if (!parts->window) return nullptr;
+  parts->renderer = vtkSmartPointer<vtkRenderer>::New();
+  parts->window->AddRenderer(parts->renderer);
+  return std::unique_ptr<SceneView>(new SceneView(std::move(parts)));
+}
+
+void SceneView::setResult(std::shared_ptr<const results::RunResult> result) {
+  parts_->result = std::move(result);
+  parts_->stale = true;
+  parts_->placed = false;
+}
+
+void SceneView::setChoices(const SceneChoices& choices) {
+  parts_->choices = choices;
+  parts_->stale = true;
+}
+
+const SceneChoices& SceneView::choices() const { return parts_->choices; }
+
+double SceneView::highest() const { return parts_->highest; }
+
+void SceneView::rebuild() {
+  Parts& my = *parts_;
+  my.stale = false;
+  my.surfaces.clear();
+  my.renderer->RemoveAllViewProps();
+  const double ground = my.choices.dark ? 0.13 : 1.0;
+  my.renderer->SetBackground(ground, ground, my.choices.dark ? 0.14 : 1.0);
+  if (!my.result) return;
+  const auto& snapshots = my.result->snapshots;
+  const bool has = my.choices.snapshot >= 0 && my.choices.snapshot < static_cast<int>(snapshots.size());
+  const results::SurfaceSnapshot* snapshot = has ? &snapshots[static_cast<std::size_t>(my.choices.snapshot)] : nullptr;
+  const double contactBefore = my.contactAt;
+  my.contactAt = wheelCentre(my.result->surface)[0] + (snapshot ? snapshot->wheelTravel : 0);
+  Look look;
+  look.field = snapshot ? my.choices.field : Field::none;
+  look.colourMap = my.choices.colourMap;
+  look.edges = my.choices.edges;
+  look.dark = my.choices.dark;
+  const auto parts = partData(my.result->surface, snapshot, look.field, my.choices.displacementScale);
+  my.highest = look.field == Field::none ? 0 : largestNear(parts, my.contactAt, 0.1);
+  look.high = roundUp(my.highest > 0 ? my.highest : 1);
+  if (my.choices.cut) {
+    look.cuts.push_back(vtkSmartPointer<vtkPlane>::New());
+    look.cuts.back()->SetNormal(0, -1, 0);
+  }
+  for (const auto& part : parts) {
+    if (isCutFace(part.name) && !my.choices.cut) continue;
+    my.surfaces.push_back(partActor(part, look));
+    my.renderer->AddActor(my.surfaces.back());
+  }
+  if (my.choices.springs)
+    my.renderer->AddActor(springActor(springLines(my.result->surface, snapshot ? snapshot->wheelTravel : 0), 1.5));
+  if (look.field != Field::none) {
+    my.renderer->AddActor2D(colourBar(look, {0.9, 0.06, 0.08, 0.78}, 13));
+    my.renderer->AddActor2D(textActor(fieldName(look.field), 0.985, 0.9, 13, look.dark, 1.0));
+  }
+  if (snapshot) {
+    char text[120];
+    std::snprintf(text, sizeof text, "%s: wheel at %.1f mm, %.2f ms", snapshot->name.c_str(), 1e3 * snapshot->position,
+                  1e3 * snapshot->time);
+    my.renderer->AddActor2D(textActor(text, 0.015, 0.02, 13, look.dark));
+  }
+  if (!my.placed) {
+    my.placed = true;
+    lookFrom(StandardView::overview);
+  } else {
+    // The eye travels with the wheel.
+    double focal[3], eye[3];
+    vtkCamera* camera = my.renderer->GetActiveCamera();
+    camera->GetFocalPoint(focal);
+    camera->GetPosition(eye);
+    const double travelled = my.contactAt - contactBefore;
+    camera->SetFocalPoint(focal[0] + travelled, focal[1], focal[2]);
+    camera->SetPosition(eye[0] + travelled, eye[1], eye[2]);
+  }
+}
+
+Picture SceneView::render(int width, int height, bool moving) {
+  if (parts_->stale) rebuild();
+  for (const auto& surface : parts_->surfaces)
+    surface->GetProperty()->SetEdgeVisibility(parts_->choices.edges && !moving);
+  parts_->window->SetMultiSamples(moving ? 0 : 4);
+  parts_->renderer->ResetCameraClippingRange();
+  return parts_->window->renderPicture(std::max(width, 16), std::max(height, 16));
+}
+
+void SceneView::rotate(double right, double up) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  camera->Azimuth(right);
+  // Straight above or below the view would flip over.
+  const double* direction = camera->GetDirectionOfProjection();
+  const double elevation = -std::asin(std::clamp(direction[2], -1.0, 1.0)) * 180 / M_PI;
+  camera->Elevation(std::clamp(up, -88 - elevation, 88 - elevation));
+  camera->SetViewUp(0, 0, 1);
+}
+
+void SceneView::pan(double right, double up, int height) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  const double perPixel = 2 * camera->GetParallelScale() / std::max(height, 1);
+  camera->OrthogonalizeViewUp();
+  const double* direction = camera->GetDirectionOfProjection();
+  const double* above = camera->GetViewUp();
+  const double side[3] = {direction[1] * above[2] - direction[2] * above[1],
+                          direction[2] * above[0] - direction[0] * above[2],
+                          direction[0] * above[1] - direction[1] * above[0]};
+  double focal[3], eye[3];
+  camera->GetFocalPoint(focal);
+  camera->GetPosition(eye);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double shift = -perPixel * (right * side[axis] + up * above[axis]);
+    focal[axis] += shift;
+    eye[axis] += shift;
+  }
+  camera->SetFocalPoint(focal);
+  camera->SetPosition(eye);
+  camera->SetViewUp(0, 0, 1);
+}
+
+void SceneView::zoom(double factor) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  camera->SetParallelScale(std::clamp(camera->GetParallelScale() / factor, 1e-3, 50.0));
+}
+
+void SceneView::lookFrom(StandardView view) {
+  if (parts_->stale && parts_->placed) rebuild();
+  const double x = parts_->contactAt;
+  switch (view) {
+    case StandardView::overview:
+      return aim(*parts_->renderer, {x, -0.1, 0.22}, {0.55, 0.75, 0.42}, 0.75);
+    case StandardView::contact:
+      return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.12, 0.97, 0.14}, 0.035)
+                                 : aim(*parts_->renderer, {x, 0, 0}, {0.5, 0.75, 0.3}, 0.08);
+    case StandardView::side:
+      return aim(*parts_->renderer, {x, 0, 0.25}, {0, 1, 0}, 0.75);
+    case StandardView::front:
+      return aim(*parts_->renderer, {x, -0.2, 0.25}, {1, 0, 0}, 0.75);
+    case StandardView::top:
+      return aim(*parts_->renderer, {x, -0.1, 0.2}, {0.0001, 0.02, 1}, 0.9);
+  }
+}
+
+}  // namespace squat::scene

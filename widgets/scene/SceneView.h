@@ -1,0 +1,52 @@
+// widgets/scene/SceneView.h - the model as a picture that can be turned, for a window that paints it. No VTK in here.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "results/RunResult.h"
+#include "scene/Field.h"
+#include "scene/Picture.h"
+
+namespace squat::scene {
+
+enum class StandardView { overview, contact, side, front, top };
+
+struct SceneChoices {
+  Field field = Field::vonMises;
+  std::string colourMap = "viridis";
+  int snapshot = -1;  // index into the result's snapshots; -1: configuration at the start
+  double displacementScale = 1;
+  bool edges = true, springs = true, dark = false;
+  bool cut = false;  // at y = 0; inner faces are shown there
+};
+
+// Belongs to the thread that made it.
+class SceneView {
+ public:
+  // Null, with the reason, where this machine has no OpenGL without a display.
+  static std::unique_ptr<SceneView> create(std::string& reason);
+  ~SceneView();
+
+  void setResult(std::shared_ptr<const results::RunResult> result);
+  void setChoices(const SceneChoices& choices);
+  const SceneChoices& choices() const;
+
+  // `moving`: coarser and without the lines of the mesh, for a smooth motion.
+  Picture render(int width, int height, bool moving = false);
+
+  void rotate(double right, double up);           // [degrees] of the eye around the focal point
+  void pan(double right, double up, int height);  // [pixels] of a picture of that height
+  void zoom(double factor);                       // above 1: nearer
+  void lookFrom(StandardView view);
+  // Largest value of the field that the colours stand for, in the unit of fieldName().
+  double highest() const;
+
+ private:
+  struct Parts;
+  explicit SceneView(std::unique_ptr<Parts> parts);
+  void rebuild();
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace squat::scene

@@ -1,0 +1,91 @@
+#include "studio/CaseDocument.h"
+
+#include <QFileInfo>
+
+#include "case/CaseFile.h"
+#include "case/MeshPresets.h"
+#include "case/ParameterTable.h"
+#include "case/ParameterValue.h"
+#include "case/ShippedCases.h"
+#include "studio/CaseCommand.h"
+
+namespace squat::studio {
+namespace {
+
+// Shipped cases are opened as copies: saving asks for a place.
+bool isShipped(const QString& path) {
+  const QString resources = QString::fromStdString(cases::resourcesFolder().string());
+  return !resources.isEmpty() &&
+         QFileInfo(path).canonicalFilePath().startsWith(QFileInfo(resources).canonicalFilePath() + "/");
+}
+
+}  // namespace
+
+CaseDocument::CaseDocument(QObject* parent) : QObject(parent), undo_(this) {
+  connect(&undo_, &QUndoStack::cleanChanged, this, &CaseDocument::titleChanged);
+  startNew();
+}
+
+void CaseDocument::startNew() { startFrom(cases::defaultCase(), QString(), tr("untitled"), false); }
+
+void CaseDocument::open(const QString& nameOrPath) {
+  const std::string path = cases::findCase(nameOrPath.toStdString()).string();
+  const cases::CaseDescription description = cases::readCase(path);
+  const QString file = QString::fromStdString(path);
+  startFrom(description, isShipped(file) ? QString() : QFileInfo(file).absoluteFilePath(),
+            QFileInfo(file).completeBaseName(), false);
+}
+
+void CaseDocument::startFrom(const cases::CaseDescription& description, const QString& path, const QString& name,
+                             bool modified) {
+  path_ = path;
+  name_ = name;
+  undo_.clear();
+  become(std::make_shared<const cases::CaseDescription>(description));
+  if (modified) undo_.resetClean();
+  Q_EMIT titleChanged();
+}
+
+void CaseDocument::save(const QString& path) {
+  cases::saveCase(description(), path.toStdString());
+  path_ = QFileInfo(path).absoluteFilePath();
+  name_ = QFileInfo(path).completeBaseName();
+  undo_.setClean();
+  Q_EMIT titleChanged();
+}
+
+std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, const std::string& text) {
+  const cases::Parameter* parameter = cases::findParameter(key);
+  if (!parameter) return cases::unknownKey(key, text);
+  cases::CaseDescription after = description();
+  if (auto problem = cases::trySetValue(after, *parameter, text)) return problem;
+  if (cases::valueText(after, *parameter) == cases::valueText(description(), *parameter)) return std::nullopt;
+  if (key == "mesh.preset") cases::applyPreset(after, static_cast<cases::MeshPreset>(after.mesh.preset));
+  edit(tr("Change %1").arg(QString::fromStdString(key)), after);
+  return std::nullopt;
+}
+
+void CaseDocument::resetParameter(const std::string& key) {
+  const cases::Parameter* parameter = cases::findParameter(key);
+  if (!parameter) return;
+  cases::CaseDescription after = description();
+  cases::setToDefault(after, *parameter);
+  if (key == "mesh.preset") cases::applyPreset(after, static_cast<cases::MeshPreset>(after.mesh.preset));
+  edit(tr("Reset %1").arg(QString::fromStdString(key)), after);
+}
+
+void CaseDocument::edit(const QString& what, const cases::CaseDescription& after, int gesture) {
+  undo_.push(new CaseCommand(*this, what, current_, std::make_shared<const cases::CaseDescription>(after), gesture));
+}
+
+void CaseDocument::become(std::shared_ptr<const cases::CaseDescription> description) {
+  current_ = std::move(description);
+  validation_ = cases::validate(*current_);
+  Q_EMIT changed();
+}
+
+bool sameCase(const cases::CaseDescription& a, const cases::CaseDescription& b) {
+  return cases::writeCase(a) == cases::writeCase(b);
+}
+
+}  // namespace squat::studio

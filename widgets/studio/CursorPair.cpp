@@ -1,0 +1,94 @@
+#include "studio/CursorPair.h"
+
+#include <QMouseEvent>
+#include <cmath>
+
+namespace squat::studio {
+
+CursorPair::CursorPair(plots::Figure& figure, double secondsPerUnit, const QString& unit)
+    : QObject(&figure), figure_(figure), secondsPerUnit_(secondsPerUnit), unit_(unit) {
+  for (auto& line : lines_) {
+    line = new QCPItemStraightLine(&figure_);
+    line->setPen(QPen(figure_.style().curve(3), 1.2));
+    line->setSelectable(false);
+    line->setVisible(false);
+  }
+  label_ = new QCPItemText(&figure_);
+  label_->position->setType(QCPItemPosition::ptAxisRectRatio);
+  label_->position->setCoords(0.01, 0.015);
+  label_->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+  label_->setTextAlignment(Qt::AlignLeft);
+  label_->setFont(figure_.style().tickFont());
+  label_->setColor(figure_.style().text);
+  QColor ground = figure_.style().background;
+  ground.setAlpha(215);
+  label_->setBrush(ground);
+  label_->setPadding(QMargins(4, 2, 4, 2));
+  label_->setSelectable(false);
+  label_->setVisible(false);
+  connect(&figure_, &QCustomPlot::mousePress, this, &CursorPair::press);
+  connect(&figure_, &QCustomPlot::mouseMove, this, &CursorPair::move);
+  connect(&figure_, &QCustomPlot::mouseRelease, this, &CursorPair::release);
+}
+
+void CursorPair::setVisible(bool visible) {
+  visible_ = visible;
+  if (visible && !placed_) {
+    const QCPRange range = figure_.xAxis->range();
+    setPlaces(range.lower + 0.4 * range.size(), range.lower + 0.6 * range.size());
+  }
+  show();
+}
+
+void CursorPair::setPlaces(double first, double second) {
+  places_[0] = first;
+  places_[1] = second;
+  placed_ = true;
+  show();
+}
+
+QString CursorPair::text() const {
+  const double distance = std::abs(places_[1] - places_[0]);
+  QString text = tr("%1 and %2 %4, difference %3 %4")
+                     .arg(places_[0], 0, 'f', 2)
+                     .arg(places_[1], 0, 'f', 2)
+                     .arg(distance, 0, 'f', 2)
+                     .arg(unit_);
+  if (secondsPerUnit_ > 0 && distance > 0) text += tr(", 1/dt %1 Hz").arg(1 / (distance * secondsPerUnit_), 0, 'f', 1);
+  return text;
+}
+
+void CursorPair::show() {
+  for (int i = 0; i < 2; ++i) {
+    lines_[i]->point1->setCoords(places_[i], 0);
+    lines_[i]->point2->setCoords(places_[i], 1);
+    lines_[i]->point2->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    lines_[i]->point1->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    lines_[i]->setVisible(visible_);
+  }
+  label_->setText(text());
+  label_->setVisible(visible_);
+  figure_.replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CursorPair::press(QMouseEvent* event) {
+  if (!visible_ || event->button() != Qt::LeftButton) return;
+  constexpr double reach = 6;  // pixels
+  for (int i = 0; i < 2; ++i)
+    if (std::abs(figure_.xAxis->coordToPixel(places_[i]) - event->position().x()) < reach) dragged_ = i;
+  if (dragged_ >= 0) figure_.setInteraction(QCP::iRangeDrag, false);
+}
+
+void CursorPair::move(QMouseEvent* event) {
+  if (dragged_ < 0) return;
+  places_[dragged_] = figure_.xAxis->pixelToCoord(event->position().x());
+  show();
+}
+
+void CursorPair::release() {
+  if (dragged_ < 0) return;
+  dragged_ = -1;
+  figure_.setInteraction(QCP::iRangeDrag, true);
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,38 @@
+// widgets/studio/CursorPair.h - two vertical lines on a figure, with their distance and its inverse.
+#pragma once
+
+#include <QObject>
+
+#include "plots/Figure.h"
+
+namespace squat::studio {
+
+// Lines are dragged with the mouse. `perSecond` turns a distance on the axis into seconds (0: no frequency shown):
+// 1e-3 for an axis in ms, 1e-3/speed for one in mm.
+class CursorPair : public QObject {
+  Q_OBJECT
+ public:
+  CursorPair(plots::Figure& figure, double secondsPerUnit, const QString& unit);
+
+  void setVisible(bool visible);
+  bool isVisible() const { return visible_; }
+  void setPlaces(double first, double second);
+  QString text() const;
+
+ private:
+  void press(QMouseEvent* event);
+  void move(QMouseEvent* event);
+  void release();
+  void show();
+
+  plots::Figure& figure_;
+  double secondsPerUnit_;
+  QString unit_;
+  QCPItemStraightLine* lines_[2];
+  QCPItemText* label_;
+  double places_[2] = {0, 0};
+  int dragged_ = -1;
+  bool visible_ = false, placed_ = false;
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,210 @@
+#include "studio/MainWindow.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "studio/MessageBar.h"
+#include "studio/ParameterForm.h"
+#include "studio/ProfileEditor.h"
+#include "studio/Recovery.h"
+#include "studio/RunPanel.h"
+#include "studio/RunsPanel.h"
+#include "studio/ScenePanel.h"
+#include "studio/SignalsPanel.h"
+#include "studio/Theme.h"
+
+namespace squat::studio {
+namespace {
+
+Answer askWithBox(QWidget* parent, const QString& question, const QString& discardText) {
+  QMessageBox box(QMessageBox::Question, QObject::tr("Squat Studio"), question, QMessageBox::Cancel, parent);
+  QPushButton* discard = box.addButton(discardText, QMessageBox::DestructiveRole);
+  QPushButton* save = discardText == QObject::tr("Discard") ? box.addButton(QMessageBox::Save) : nullptr;
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  if (box.clickedButton() == discard) return Answer::discard;
+  return save && box.clickedButton() == save ? Answer::save : Answer::cancel;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(StudioServices services, QWidget* parent)
+    : QMainWindow(parent), services_(std::move(services)), controller_(services_.runner) {
+  if (!services_.asker) services_.asker = askWithBox;
+  setObjectName("mainWindow");
+  setAcceptDrops(true);
+  makeParts();
+  makeDocks();
+  makeFileMenu();
+  makeEditMenu();
+  makeRunMenu();
+  makeViewMenu();
+  makeHelpMenu();
+  connectParts();
+  resize(1500, 920);
+  const QSettings settings;
+  restoreGeometry(settings.value("geometry").toByteArray());
+  restoreState(settings.value("state").toByteArray());
+  showTitle();
+  if (!services_.recoveryFolder.isEmpty()) {
+    offerRecovery();
+    recovery_ = new Recovery(document_, services_.recoveryFolder, this);
+  }
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeParts() {
+  const bool dark = QSettings().value("dark", false).toBool();
+  applyTheme(dark);
+  const plots::Style style = figureStyle(dark);
+  auto* centre = new QWidget(this);
+  messages_ = new MessageBar(centre);
+  middle_ = new QTabWidget(centre);
+  middle_->setDocumentMode(true);
+  profile_ = new ProfileEditor(document_, style, middle_);
+  scene_ = new ScenePanel(store_, dark, middle_);
+  paper_ = new PaperPanel(store_, services_.comparison, middle_);
+  middle_->addTab(profile_, tr("Profile"));
+  middle_->addTab(scene_, tr("3-D"));
+  middle_->addTab(paper_, tr("Paper"));
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(messages_);
+  layout->addWidget(middle_, 1);
+  setCentralWidget(centre);
+  form_ = new ParameterForm(document_, this);
+  signals_ = new SignalsPanel(store_, style, this);
+  run_ = new RunPanel(controller_, style, this);
+  runs_ = new RunsPanel(store_, this);
+}
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(inside);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+void MainWindow::makeDocks() {
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  formDock_ = addDock("caseDock", tr("Case"), form_, Qt::LeftDockWidgetArea);
+  signalsDock_ = addDock("signalsDock", tr("Signals"), signals_, Qt::RightDockWidgetArea);
+  runsDock_ = addDock("runsDock", tr("Runs"), runs_, Qt::RightDockWidgetArea);
+  runDock_ = addDock("runDock", tr("Run"), run_, Qt::BottomDockWidgetArea);
+  resizeDocks({formDock_, signalsDock_}, {330, 520}, Qt::Horizontal);
+  resizeDocks({signalsDock_, runsDock_}, {620, 160}, Qt::Vertical);
+  resizeDocks({runDock_}, {300}, Qt::Vertical);
+}
+
+void MainWindow::connectParts() {
+  connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::showTitle);
+  connect(form_, &ParameterForm::blockersChanged, this, [this] { run_->setBlockers(form_->blockers()); });
+  run_->setBlockers(form_->blockers());
+  connect(run_, &RunPanel::runWished, this, &MainWindow::startRun);
+  connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
+    const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(store_.rowCount() + 1);
+    store_.add({result, label, QString(), false, false});
+  });
+  connect(&controller_, &RunController::failed, this,
+          [this](const QString& sentence, const QString& details, const ResultPointer& soFar) {
+            messages_->warn(sentence, details);
+            if (soFar)
+              store_.add({soFar, QString::fromStdString(soFar->stem) + tr(" (failed)"), QString(), false, false});
+          });
+  connect(profile_, &ProfileEditor::failed, messages_, [this](const QString& text) { messages_->warn(text); });
+  connect(signals_, &SignalsPanel::failed, messages_, [this](const QString& text) { messages_->warn(text); });
+  connect(scene_, &ScenePanel::failed, messages_, [this](const QString& text) { messages_->warn(text); });
+}
+
+void MainWindow::showTitle() {
+  setWindowTitle(tr("%1[*] - Squat Studio").arg(document_.name()));
+  setWindowModified(document_.isModified());
+  setWindowFilePath(document_.path());
+}
+
+void MainWindow::startRun() {
+  const QStringList reasons = form_->blockers();
+  if (!reasons.isEmpty() || controller_.isRunning()) return;
+  showTab("run");
+  controller_.start(document_.description(), document_.name().toStdString());
+}
+
+void MainWindow::setDark(bool dark) {
+  QSettings().setValue("dark", dark);
+  applyTheme(dark);
+  const plots::Style style = figureStyle(dark);
+  profile_->setStyle(style);
+  signals_->setStyle(style);
+  run_->setStyle(style);
+  scene_->setDark(dark);
+}
+
+QStringList MainWindow::tabNames() {
+  return {"profile", "3d",   "paper",     "run",           "runs",          "aba",
+          "psd",     "stft", "scalogram", "contact_force", "defect_profile"};
+}
+
+bool MainWindow::showTab(const QString& name) {
+  if (!tabNames().contains(name)) return false;
+  if (name == "profile")
+    middle_->setCurrentWidget(profile_);
+  else if (name == "3d")
+    middle_->setCurrentWidget(scene_);
+  else if (name == "paper")
+    middle_->setCurrentWidget(paper_);
+  else if (name == "run")
+    runDock_->show(), runDock_->raise();
+  else if (name == "runs")
+    runsDock_->show(), runsDock_->raise();
+  else
+    signalsDock_->show(), signalsDock_->raise(), signals_->showTab(name);
+  return true;
+}
+
+void MainWindow::offerRecovery() {
+  const auto found = Recovery::take(services_.recoveryFolder);
+  if (!found) return;
+  document_.startFrom(found->description, QString(), found->name, true);
+  messages_->say(
+      tr("Unsaved changes of “%1” were recovered: save them, or open another case to let them go.").arg(found->name));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (controller_.isRunning()) {
+    if (services_.asker(this, tr("A run is going on."), tr("Stop it and close")) == Answer::cancel)
+      return event->ignore();
+    controller_.setPaused(false);
+    controller_.cancel();
+    constexpr int patience = 20000;  // [ms]: a run asks whether it is cancelled many times a second
+    controller_.waitFor(patience);
+  }
+  if (!mayLeaveCase()) return event->ignore();
+  QSettings settings;
+  settings.setValue("geometry", saveGeometry());
+  settings.setValue("state", saveState());
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) openAny(url.toLocalFile());
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,107 @@
+// widgets/studio/MainWindow.h - the studio's window: it puts the parts together and knows files, nothing more.
+#pragma once
+
+#include <QMainWindow>
+#include <functional>
+
+#include "studio/CaseDocument.h"
+#include "studio/PaperPanel.h"
+#include "studio/RunController.h"
+#include "studio/RunStore.h"
+
+class QDockWidget;
+class QMenu;
+class QTabWidget;
+
+namespace squat::studio {
+
+class MessageBar;
+class ParameterForm;
+class ProfileEditor;
+class Recovery;
+class RunPanel;
+class RunsPanel;
+class ScenePanel;
+class SignalsPanel;
+
+enum class Answer { save, discard, cancel };
+// Asks what to do with unsaved changes (or a run that goes on); tests answer without a window.
+using Asker = std::function<Answer(QWidget*, const QString& question, const QString& discardText)>;
+
+struct StudioServices {
+  Runner runner;
+  Comparison comparison;
+  Asker asker;             // empty: a message box
+  QString recoveryFolder;  // empty: none
+};
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(StudioServices services, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  CaseDocument& document() { return document_; }
+  RunController& controller() { return controller_; }
+  RunStore& store() { return store_; }
+  ProfileEditor* profile() const { return profile_; }
+  ParameterForm* form() const { return form_; }
+  SignalsPanel* signalsPanel() const { return signals_; }
+  ScenePanel* scene() const { return scene_; }
+  MessageBar* messages() const { return messages_; }
+
+  // A case, a result or the name of a shipped case. False, with a message in the window, where it cannot be opened.
+  bool openAny(const QString& path);
+  bool openCase(const QString& nameOrPath);
+  bool openResult(const QString& path);
+  bool openMeasured(const QString& path);
+  bool saveCase();
+  bool saveCaseAs();
+  bool saveCaseTo(const QString& path);
+  bool saveResultTo(const QString& path);
+  void startRun();
+  void setDark(bool dark);
+  // "profile", "3d", "paper", "run", "runs", or one of the signals panel's; false for another name.
+  bool showTab(const QString& name);
+  static QStringList tabNames();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void makeParts();
+  void makeDocks();
+  void connectParts();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeRunMenu();
+  void makeViewMenu();
+  void makeHelpMenu();
+  void fillRecentMenu();
+  void showTitle();
+  bool mayLeaveCase();  // saves, or the user lets the changes go
+  void offerRecovery();
+  QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
+
+  StudioServices services_;
+  CaseDocument document_;
+  RunStore store_;
+  RunController controller_;
+  Recovery* recovery_ = nullptr;
+  MessageBar* messages_;
+  ParameterForm* form_;
+  ProfileEditor* profile_;
+  ScenePanel* scene_;
+  PaperPanel* paper_;
+  SignalsPanel* signals_;
+  RunPanel* run_;
+  RunsPanel* runs_;
+  QTabWidget* middle_;
+  QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
+  QMenu* recent_ = nullptr;
+  QAction* darkAction_ = nullptr;
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,141 @@
+// Menus of the main window: every action with a shortcut where it is used often, and a name.
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStyle>
+
+#include "case/ShippedCases.h"
+#include "studio/MainWindow.h"
+#include "studio/ProfileEditor.h"
+#include "studio/ProfilePlot.h"
+#include "studio/RecentFiles.h"
+#include "studio/RunsPanel.h"
+
+namespace squat::studio {
+namespace {
+
+template <class Target, class Slot>
+QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, const char* name, Target* target, Slot slot) {
+  QAction* action = menu->addAction(text, target, slot);
+  action->setShortcut(keys);
+  action->setObjectName(name);
+  return action;
+}
+
+}  // namespace
+
+void MainWindow::makeFileMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  add(menu, tr("&New case"), QKeySequence::New, "new", this, [this] {
+    if (!mayLeaveCase()) return;
+    document_.startNew();
+    profile_->plot()->fit();
+  });
+  add(menu, tr("&Open…"), QKeySequence::Open, "open", this, [this] {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a case or a result"), QString(),
+                                                      tr("Cases and results (*.toml *.h5);;All files (*)"));
+    if (!path.isEmpty()) openAny(path);
+  });
+  QMenu* shipped = menu->addMenu(tr("S&hipped cases"));
+  for (const auto& name : cases::shippedCases()) {
+    const QString text = QString::fromStdString(name);
+    shipped->addAction(text, this, [this, text] { openCase(text); })->setObjectName("shipped " + text);
+  }
+  recent_ = menu->addMenu(tr("&Recent"));
+  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+  menu->addSeparator();
+  add(menu, tr("&Save case"), QKeySequence::Save, "save", this, [this] { saveCase(); });
+  add(menu, tr("Save case &as…"), QKeySequence("Ctrl+Shift+S"), "saveAs", this, [this] { saveCaseAs(); });
+  QAction* saveResult = add(menu, tr("Save r&esult…"), QKeySequence("Ctrl+E"), "saveResult", this, [this] {
+    if (!store_.currentResult()) return;
+    const QString stem = QString::fromStdString(store_.currentResult()->stem);
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the result"), stem + ".h5", tr("Results (*.h5)"));
+    if (!path.isEmpty()) saveResultTo(path);
+  });
+  QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Overlay a measured signal"), QString(),
+                                                      tr("Signals (*.csv *.txt *.h5 *.mat);;All files (*)"));
+    if (!path.isEmpty()) openMeasured(path);
+  });
+  connect(runs_, &RunsPanel::saveWished, saveResult, &QAction::trigger);
+  connect(runs_, &RunsPanel::measuredWished, measured, &QAction::trigger);
+  connect(runs_, &RunsPanel::openWished, this, [this] {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a result"), QString(), tr("Results (*.h5)"));
+    if (!path.isEmpty()) openResult(path);
+  });
+  menu->addSeparator();
+  add(menu, tr("&Quit"), QKeySequence::Quit, "quit", this, &QWidget::close);
+}
+
+void MainWindow::fillRecentMenu() {
+  recent_->clear();
+  for (const QString& path : recentFiles()) recent_->addAction(path, this, [this, path] { openAny(path); });
+  if (recent_->isEmpty()) recent_->addAction(tr("nothing yet"))->setEnabled(false);
+}
+
+void MainWindow::makeEditMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = document_.undoStack().createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setObjectName("undo");
+  QAction* redo = document_.undoStack().createRedoAction(this, tr("&Redo"));
+  redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  redo->setObjectName("redo");
+  menu->addAction(undo);
+  menu->addAction(redo);
+  menu->addSeparator();
+  add(menu, tr("&Fit the profile"), QKeySequence("Ctrl+0"), "fit", this, [this] { profile_->plot()->fit(); });
+}
+
+void MainWindow::makeRunMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Run"));
+  add(menu, tr("&Run the case"), QKeySequence("F5"), "runAction", this, [this] { startRun(); });
+  add(menu, tr("&Pause or resume"), QKeySequence("F6"), "pauseAction", this,
+      [this] { controller_.setPaused(!controller_.isPaused()); });
+  add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] { controller_.cancel(); });
+}
+
+void MainWindow::makeViewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  const char* keys[] = {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4", "Ctrl+5", "Ctrl+6",
+                        "Ctrl+7", "Ctrl+8", "Ctrl+9", "",       ""};
+  int index = 0;
+  for (const QString& name : tabNames()) {
+    QAction* action =
+        menu->addAction(tr("Show %1").arg(QString(name).replace('_', ' ')), this, [this, name] { showTab(name); });
+    action->setShortcut(QKeySequence(QLatin1String(keys[index++])));
+    action->setObjectName("show " + name);
+  }
+  menu->addSeparator();
+  for (QDockWidget* dock : {formDock_, signalsDock_, runDock_, runsDock_}) menu->addAction(dock->toggleViewAction());
+  menu->addSeparator();
+  darkAction_ = menu->addAction(tr("&Dark"), this, [this](bool on) { setDark(on); });
+  darkAction_->setCheckable(true);
+  darkAction_->setChecked(QSettings().value("dark", false).toBool());
+  darkAction_->setShortcut(QKeySequence("Ctrl+D"));
+  darkAction_->setObjectName("dark");
+}
+
+void MainWindow::makeHelpMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  menu->addAction(tr("&About Squat Studio"), this, [this] {
+    auto* box =
+        new QMessageBox(QMessageBox::NoIcon, tr("About Squat Studio"),
+                        tr("<b>Squat Studio %1</b><br>Draw a squat, roll a wheel over it, see what the axle box "
+                           "feels.<br>After M. Molodova, Z. Li, A. Núñez and R. Dollevoet (2014).<br>"
+                           "GPL-3.0-or-later")
+                            .arg(QApplication::applicationVersion()),
+                        QMessageBox::Close, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+  });
+  for (QAction* action : menuBar()->actions())
+    if (action->menu()) action->menu()->setToolTipsVisible(true);
+}
+
+}  // namespace squat::studio

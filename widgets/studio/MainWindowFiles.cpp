@@ -1,0 +1,138 @@
+// Files of the main window: opening, saving, asking.
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "case/CaseFile.h"
+#include "core/Errors.h"
+#include "results/ResultFile.h"
+#include "studio/MainWindow.h"
+#include "studio/MeasuredRun.h"
+#include "studio/MessageBar.h"
+#include "studio/ProfileEditor.h"
+#include "studio/ProfilePlot.h"
+#include "studio/RecentFiles.h"
+
+namespace squat::studio {
+namespace {
+
+QString allProblems(const CaseError& error) {
+  QStringList lines;
+  for (const auto& problem : error.problems()) lines << QString::fromStdString(toText(problem));
+  return lines.join('\n');
+}
+
+}  // namespace
+
+bool MainWindow::openAny(const QString& path) {
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (ending == "h5" || ending == "hdf5") return openResult(path);
+  if (ending == "csv" || ending == "txt") {
+    showTab("profile");
+    profile_->importFile(path);
+    return true;
+  }
+  return openCase(path);
+}
+
+bool MainWindow::openCase(const QString& nameOrPath) {
+  if (!mayLeaveCase()) return false;
+  try {
+    document_.open(nameOrPath);
+  } catch (const CaseError& error) {
+    messages_->warn(tr("“%1” is not a case that can be used: %2 to mend").arg(nameOrPath).arg(error.problems().size()),
+                    allProblems(error));
+    return false;
+  } catch (const FileError& error) {
+    messages_->warn(QString::fromStdString(error.what()));
+    return false;
+  }
+  if (!document_.path().isEmpty()) addRecentFile(document_.path());
+  messages_->hide();
+  profile_->plot()->fit();
+  return true;
+}
+
+bool MainWindow::openResult(const QString& path) {
+  try {
+    auto result = std::make_shared<results::RunResult>(results::readResult(path.toStdString()));
+    const QString label = QFileInfo(path).completeBaseName();
+    if (result->stem.empty()) result->stem = label.toStdString();
+    addRecentFile(path);
+    store_.add({result, label, QFileInfo(path).absoluteFilePath(), false, false});
+    if (result->caseToml.empty() || document_.isModified()) return true;
+    // The case that made the result, to be looked at and changed.
+    document_.startFrom(cases::parseCase(result->caseToml, path.toStdString()), QString(), label, false);
+    profile_->plot()->fit();
+    return true;
+  } catch (const FileError& error) {
+    messages_->warn(QString::fromStdString(error.what()));
+  } catch (const CaseError& error) {
+    messages_->warn(tr("The case inside %1 is of another version; its signals are shown.").arg(path),
+                    allProblems(error));
+    return true;
+  }
+  return false;
+}
+
+bool MainWindow::openMeasured(const QString& path) {
+  try {
+    const ResultPointer current = store_.currentResult();
+    const ResultPointer measured = measuredRun(path, document_.description().motion.speed, current.get());
+    store_.add({measured, QFileInfo(path).completeBaseName(), QFileInfo(path).absoluteFilePath(), true, true});
+    return true;
+  } catch (const std::exception& error) {
+    messages_->warn(QString::fromStdString(error.what()));
+  }
+  return false;
+}
+
+bool MainWindow::saveCaseTo(const QString& path) {
+  try {
+    document_.save(path);
+  } catch (const CaseError& error) {
+    messages_->warn(tr("The case is not saved: mend what is marked in the form first."), allProblems(error));
+    return false;
+  } catch (const FileError& error) {
+    messages_->warn(QString::fromStdString(error.what()));
+    return false;
+  }
+  addRecentFile(path);
+  return true;
+}
+
+bool MainWindow::saveCase() { return document_.path().isEmpty() ? saveCaseAs() : saveCaseTo(document_.path()); }
+
+bool MainWindow::saveCaseAs() {
+  const QString path =
+      QFileDialog::getSaveFileName(this, tr("Save the case"), document_.name() + ".toml", tr("Cases (*.toml)"));
+  return !path.isEmpty() && saveCaseTo(path);
+}
+
+bool MainWindow::saveResultTo(const QString& path) {
+  const ResultPointer result = store_.currentResult();
+  if (!result) return false;
+  try {
+    results::writeResult(path.toStdString(), *result);
+  } catch (const FileError& error) {
+    messages_->warn(QString::fromStdString(error.what()));
+    return false;
+  }
+  store_.setPath(store_.current(), QFileInfo(path).absoluteFilePath());
+  addRecentFile(path);
+  return true;
+}
+
+bool MainWindow::mayLeaveCase() {
+  if (!document_.isModified()) return true;
+  switch (services_.asker(this, tr("“%1” has unsaved changes.").arg(document_.name()), tr("Discard"))) {
+    case Answer::save:
+      return saveCase();
+    case Answer::discard:
+      return true;
+    case Answer::cancel:
+      break;
+  }
+  return false;
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,64 @@
+#include "studio/MeasuredRun.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Errors.h"
+#include "measured/SignalFile.h"
+#include "signals/Butterworth.h"
+#include "signals/SignalError.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr double alignmentCutoff = 2000;  // [Hz] peaks are compared below it
+
+// Index of the largest absolute value; 0 for an empty list.
+std::size_t largest(const std::vector<double>& values) {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::abs(values[i]) > std::abs(values[at])) at = i;
+  return at;
+}
+
+double impactOf(const results::RunResult& reference) {
+  const auto* values = reference.signal("aba_filtered");
+  if (!values || values->empty() || values->size() != reference.position.size()) return 0;
+  return reference.position[largest(*values)];
+}
+
+}  // namespace
+
+std::shared_ptr<const results::RunResult> measuredRun(const QString& path, double speed,
+                                                      const results::RunResult* reference) {
+  const auto read = measured::readSignals(path.toStdString());
+  if (read.empty()) throw FileError(path.toStdString(), "", "has no signal");
+  const measured::MeasuredSignal& signal = read.front();
+  auto result = std::make_shared<results::RunResult>();
+  result->stem = result->title = signal.series.name;
+  result->complete = true;
+  const std::size_t count = signal.series.values.size();
+  for (std::size_t i = 0; i < count; ++i) result->time.push_back(signal.series.timeAt(i));
+  result->position = signal.position;
+  if (result->position.size() != count) {
+    result->position.clear();
+    for (double time : result->time) result->position.push_back(speed * (time - result->time.front()));
+  }
+  result->speed = result->time.back() > result->time.front() ? (result->position.back() - result->position.front()) /
+                                                                   (result->time.back() - result->time.front())
+                                                             : speed;
+  std::vector<double> filtered = signal.series.values;
+  try {
+    if (signal.series.rate() > 2.5 * alignmentCutoff)
+      filtered = signals::lowPass(signal.series, alignmentCutoff).values;
+  } catch (const signals::SignalError&) {
+    // Too short to be filtered: shown as it is.
+  }
+  const double shift = (reference ? impactOf(*reference) : 0.0) - result->position[largest(filtered)];
+  for (double& position : result->position) position += shift;
+  result->signals.push_back({"aba", "m/s2", "measured", signal.series.values});
+  result->signals.push_back({"aba_filtered", "m/s2", "measured, low-passed", filtered});
+  return result;
+}
+
+}  // namespace squat::studio

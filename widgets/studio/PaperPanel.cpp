@@ -1,0 +1,46 @@
+#include "studio/PaperPanel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace squat::studio {
+
+PaperPanel::PaperPanel(RunStore& store, Comparison comparison, QWidget* parent)
+    : QWidget(parent), store_(store), comparison_(std::move(comparison)) {
+  title_ = new QLabel(this);
+  title_->setWordWrap(true);
+  table_ = new QTableWidget(0, 4, this);
+  table_->setHorizontalHeaderLabels({tr("What"), tr("This run"), tr("Paper"), tr("Verdict")});
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->setWordWrap(true);
+  table_->setAccessibleName(tr("Comparison with the paper"));
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(title_);
+  layout->addWidget(table_, 1);
+  connect(&store_, &RunStore::currentChanged, this, &PaperPanel::update);
+  update();
+}
+
+void PaperPanel::update() {
+  const ResultPointer result = store_.currentResult();
+  table_->setRowCount(0);
+  table_->setVisible(result != nullptr && comparison_);
+  if (!result || !comparison_) {
+    title_->setText(tr("Open a shipped case (File, Shipped cases), run it, and see here what the paper states."));
+    return;
+  }
+  title_->setText(tr("%1 beside Molodova et al. (2014)").arg(QString::fromStdString(result->stem)));
+  for (const ComparedRow& row : comparison_(*result)) {
+    const int at = table_->rowCount();
+    table_->insertRow(at);
+    const QString cells[] = {row.what, row.ours, row.paper, row.verdict};
+    for (int column = 0; column < 4; ++column) table_->setItem(at, column, new QTableWidgetItem(cells[column]));
+  }
+  table_->resizeRowsToContents();
+}
+
+}  // namespace squat::studio

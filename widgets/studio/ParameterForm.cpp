@@ -1,0 +1,130 @@
+#include "studio/ParameterForm.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "studio/CaseDocument.h"
+#include "studio/ParameterRow.h"
+
+namespace squat::studio {
+
+ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
+  search_ = new QLineEdit(this);
+  search_->setPlaceholderText(tr("Search parameters"));
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName(tr("Search parameters"));
+  search_->setObjectName("parameterSearch");
+  changedOnly_ = new QCheckBox(tr("changed"), this);
+  changedOnly_->setToolTip(tr("Show only what differs from the default"));
+  auto* top = new QHBoxLayout;
+  top->addWidget(search_);
+  top->addWidget(changedOnly_);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFrameShape(QFrame::NoFrame);
+  auto* inside = new QWidget(scroll);
+  makeGroups(inside);
+  scroll->setWidget(inside);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addLayout(top);
+  layout->addWidget(scroll);
+  setMinimumWidth(300);
+  connect(search_, &QLineEdit::textChanged, this, &ParameterForm::filter);
+  connect(changedOnly_, &QCheckBox::toggled, this, &ParameterForm::filter);
+  connect(&document_, &CaseDocument::changed, this, &ParameterForm::update);
+  update();
+}
+
+void ParameterForm::makeGroups(QWidget* inside) {
+  auto* layout = new QVBoxLayout(inside);
+  layout->setContentsMargins(0, 0, 6, 0);
+  layout->setSpacing(2);
+  for (const auto& parameter : cases::parameterTable()) {
+    const QString title = QString::fromStdString(parameter.group);
+    if (groups_.empty() || groups_.back().header->text() != title) {
+      auto* header = new QToolButton(inside);
+      header->setText(title);
+      header->setObjectName("group " + title);
+      header->setCheckable(true);
+      header->setChecked(true);
+      header->setAutoRaise(true);
+      header->setArrowType(Qt::DownArrow);
+      header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+      header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+      QFont font = header->font();
+      font.setBold(true);
+      header->setFont(font);
+      auto* body = new QWidget(inside);
+      auto* rows = new QVBoxLayout(body);
+      rows->setContentsMargins(8, 0, 0, 4);
+      rows->setSpacing(1);
+      connect(header, &QToolButton::toggled, body, [header, body](bool open) {
+        header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+        body->setVisible(open);
+      });
+      layout->addWidget(header);
+      layout->addWidget(body);
+      groups_.push_back({header, body, {}});
+    }
+    auto* row = new ParameterRow(document_, parameter, groups_.back().body);
+    groups_.back().body->layout()->addWidget(row);
+    groups_.back().rows.push_back(row);
+    rows_.push_back(row);
+    connect(row, &ParameterRow::reasonChanged, this, &ParameterForm::blockersChanged);
+  }
+  layout->addStretch();
+}
+
+ParameterRow* ParameterForm::row(const std::string& key) const {
+  const auto found = std::find_if(rows_.begin(), rows_.end(),
+                                  [&](const ParameterRow* candidate) { return candidate->parameter().key == key; });
+  return found == rows_.end() ? nullptr : *found;
+}
+
+void ParameterForm::update() {
+  unplaced_.clear();
+  for (ParameterRow* each : rows_) {
+    each->showRelation({});
+    each->showValue();
+  }
+  for (const auto& problem : document_.validation().problems) {
+    const QString text =
+        QStringLiteral("%1 %2").arg(QString::fromStdString(problem.allowed).prepend(tr("needs ")),
+                                    QString::fromStdString(problem.advice).prepend(QChar(0x2013) + QString(" ")));
+    if (ParameterRow* flagged = row(problem.key))
+      flagged->showRelation(text);
+    else
+      unplaced_ << QString::fromStdString(toText(problem));
+  }
+  if (changedOnly_->isChecked()) filter();
+  Q_EMIT blockersChanged();
+}
+
+void ParameterForm::filter() {
+  const QString searched = search_->text().trimmed();
+  for (const Group& group : groups_) {
+    bool any = false;
+    for (ParameterRow* each : group.rows) {
+      const bool shown = each->matches(searched) && (!changedOnly_->isChecked() || each->isChanged());
+      each->setVisible(shown);
+      any = any || shown;
+    }
+    group.header->setVisible(any);
+    group.body->setVisible(any && group.header->isChecked());
+  }
+}
+
+QStringList ParameterForm::blockers() const {
+  QStringList reasons = unplaced_;
+  for (const ParameterRow* each : rows_)
+    if (!each->reason().isEmpty())
+      reasons << QStringLiteral("%1: %2").arg(QString::fromStdString(each->parameter().key), each->reason());
+  return reasons;
+}
+
+}  // namespace squat::studio

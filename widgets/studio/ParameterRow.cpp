@@ -1,0 +1,153 @@
+#include "studio/ParameterRow.h"
+
+#include <QGridLayout>
+#include <QSignalBlocker>
+
+#include "case/ParameterValue.h"
+#include "studio/CaseDocument.h"
+
+namespace squat::studio {
+namespace {
+
+QString sentence(const CaseProblem& problem) {
+  QString text = QString::fromStdString(problem.value);
+  if (text.size() > 40) text = text.left(40) + QChar(0x2026);
+  return QObject::tr("“%1”: allowed is %2").arg(text, QString::fromStdString(problem.allowed));
+}
+
+}  // namespace
+
+ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& parameter, QWidget* parent)
+    : QWidget(parent), document_(document), parameter_(parameter) {
+  makeEditor();
+  name_ = new QLabel(label(), this);
+  name_->setBuddy(editor_);
+  auto* unit = new QLabel(parameter.unit == "-" ? QString() : QString::fromStdString(parameter.unit), this);
+  unit->setFixedWidth(56);
+  reset_ = new QToolButton(this);
+  reset_->setText(QChar(0x21ba));
+  reset_->setAutoRaise(true);
+  reset_->setToolTip(tr("Back to the default: %1").arg(QString::fromStdString(parameter.standardText)));
+  reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(parameter.key)));
+  reset_->setFocusPolicy(Qt::ClickFocus);
+  why_ = new QLabel(this);
+  why_->setWordWrap(true);
+  why_->setObjectName("reason");
+  why_->hide();
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(2, 1, 2, 1);
+  grid->setHorizontalSpacing(6);
+  grid->setVerticalSpacing(0);
+  grid->addWidget(name_, 0, 0);
+  grid->addWidget(editor_, 0, 1);
+  grid->addWidget(unit, 0, 2);
+  grid->addWidget(reset_, 0, 3);
+  grid->addWidget(why_, 1, 0, 1, 4);
+  grid->setColumnStretch(0, 5);
+  grid->setColumnStretch(1, 4);
+  name_->setMinimumWidth(120);
+  setToolTip(toolTipText());
+  connect(reset_, &QToolButton::clicked, this, [this] { document_.resetParameter(parameter_.key); });
+  showValue();
+}
+
+QString ParameterRow::label() const {
+  QString key = QString::fromStdString(parameter_.key);
+  return key.mid(key.indexOf('.') + 1).replace('_', ' ');
+}
+
+void ParameterRow::makeEditor() {
+  const QString key = QString::fromStdString(parameter_.key);
+  if (parameter_.kind == cases::Kind::choice) {
+    editor_ = choice_ = new QComboBox(this);
+    for (const auto& name : parameter_.choices) choice_->addItem(QString::fromStdString(name));
+    connect(choice_, &QComboBox::activated, this, [this] { commit(choice_->currentText()); });
+  } else if (parameter_.kind == cases::Kind::boolean) {
+    editor_ = check_ = new QCheckBox(this);
+    connect(check_, &QCheckBox::clicked, this, [this](bool on) { commit(on ? "true" : "false"); });
+  } else {
+    editor_ = line_ = new QLineEdit(this);
+    line_->setReadOnly(parameter_.kind == cases::Kind::points);
+    connect(line_, &QLineEdit::textEdited, this, &ParameterRow::tryText);
+    connect(line_, &QLineEdit::editingFinished, this, [this] {
+      if (line_->isModified()) commit(line_->text());
+    });
+  }
+  editor_->setObjectName(key);
+  editor_->setAccessibleName(key);
+  editor_->setAccessibleDescription(QString::fromStdString(parameter_.doc));
+  editor_->setMinimumWidth(90);
+}
+
+void ParameterRow::showValue() {
+  const std::string text = cases::valueText(document_.description(), parameter_);
+  if (line_) {
+    QString shown = QString::fromStdString(text);
+    if (parameter_.kind == cases::Kind::points) {
+      const auto* points = std::get_if<4>(&parameter_.access);
+      auto copy = document_.description();
+      shown = tr("%n points", nullptr, points ? static_cast<int>((*points)(copy).size()) : 0);
+    }
+    if (line_->text() != shown) line_->setText(shown);
+    line_->setModified(false);
+  }
+  if (choice_) choice_->setCurrentText(QString::fromStdString(text));
+  if (check_) check_->setChecked(text == "true");
+  changed_ = text != parameter_.standardText;
+  QFont font = name_->font();
+  font.setBold(changed_);
+  name_->setFont(font);
+  reset_->setVisible(changed_ && parameter_.kind != cases::Kind::points);
+  const bool wasWrong = !wrongText_.isEmpty();
+  wrongText_.clear();
+  showReason();
+  if (wasWrong) Q_EMIT reasonChanged();
+}
+
+void ParameterRow::showRelation(const QString& reason) {
+  relation_ = reason;
+  showReason();
+}
+
+void ParameterRow::tryText(const QString& text) {
+  cases::CaseDescription copy = document_.description();
+  const auto problem = cases::trySetValue(copy, parameter_, text.toStdString());
+  wrongText_ = problem ? sentence(*problem) : QString();
+  showReason();
+  Q_EMIT reasonChanged();
+}
+
+void ParameterRow::commit(const QString& text) {
+  if (const auto problem = document_.setParameter(parameter_.key, text.toStdString())) {
+    wrongText_ = sentence(*problem);
+    showReason();
+    Q_EMIT reasonChanged();
+    return;
+  }
+  showValue();
+}
+
+void ParameterRow::showReason() {
+  const QString text = reason();
+  why_->setText(text);
+  why_->setVisible(!text.isEmpty());
+  why_->setStyleSheet("color: #c0392b; font-size: small;");
+  editor_->setStyleSheet(text.isEmpty() ? QString() : QString("border: 1px solid #c0392b;"));
+}
+
+bool ParameterRow::matches(const QString& searched) const {
+  return searched.isEmpty() || QString::fromStdString(parameter_.key).contains(searched, Qt::CaseInsensitive) ||
+         label().contains(searched, Qt::CaseInsensitive) ||
+         QString::fromStdString(parameter_.doc).contains(searched, Qt::CaseInsensitive);
+}
+
+QString ParameterRow::toolTipText() const {
+  return QStringLiteral("<b>%1</b><br>%2<br>%3: %4<br>%5: %6<br><i>%7</i>")
+      .arg(QString::fromStdString(parameter_.key).toHtmlEscaped(),
+           QString::fromStdString(parameter_.doc).toHtmlEscaped(), tr("allowed"),
+           QString::fromStdString(cases::allowedText(parameter_)).toHtmlEscaped(), tr("default"),
+           QString::fromStdString(parameter_.standardText).toHtmlEscaped(),
+           QString::fromStdString(parameter_.source).toHtmlEscaped());
+}
+
+}  // namespace squat::studio

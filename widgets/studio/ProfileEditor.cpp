@@ -1,0 +1,146 @@
+#include "studio/ProfileEditor.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "core/Errors.h"
+#include "plots/FigureFiles.h"
+#include "studio/CaseDocument.h"
+#include "studio/ImportDialog.h"
+#include "studio/ProfilePlot.h"
+#include "studio/ProfileTable.h"
+#include "studio/ShapeControls.h"
+
+namespace squat::studio {
+
+ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, QWidget* parent)
+    : QWidget(parent), document_(document), style_(style) {
+  table_ = new QTableView(this);
+  table_->setModel(new ProfileTable(document_, table_));
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->verticalHeader()->setDefaultSectionSize(22);
+  table_->setAccessibleName(tr("Points of the profile"));
+  table_->setObjectName("profileTable");
+  place_ = new QLabel(this);
+  auto* side = new QWidget(this);
+  auto* sideLayout = new QVBoxLayout(side);
+  sideLayout->setContentsMargins(0, 0, 0, 0);
+  sideLayout->addWidget(new ShapeControls(document_, side));
+  sideLayout->addWidget(table_, 1);
+  side->setMinimumWidth(210);
+  splitter_ = new QSplitter(Qt::Horizontal, this);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->addWidget(new QWidget(splitter_));
+  splitter_->addWidget(side);
+  splitter_->setStretchFactor(0, 4);
+  splitter_->setStretchFactor(1, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addWidget(makeToolBar());
+  layout->addWidget(splitter_, 1);
+  makePlot(style);
+}
+
+QWidget* ProfileEditor::makeToolBar() {
+  auto* bar = new QWidget(this);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(0, 0, 0, 0);
+  const auto button = [&](const QString& text, const QString& tip, auto action) {
+    auto* made = new QPushButton(text, bar);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    layout->addWidget(made);
+    connect(made, &QPushButton::clicked, this, action);
+  };
+  button(tr("Import…"), tr("Import a measured profile from a table"), [this] { askForFile(); });
+  button(tr("Export…"), tr("Write the profile as CSV"), [this] { exportFile(); });
+  button(tr("To points"), tr("Turn the shape into points that can be dragged"),
+         [this] { document_.edit(tr("Turn the shape into points"), asPoints(document_.description())); });
+  button(tr("Fit"), tr("Show the whole defect (F)"), [this] { plot_->fit(); });
+  snap_ = new QComboBox(bar);
+  snap_->addItem(tr("no snapping"), QPointF(0, 0));
+  snap_->addItem(tr("snap 0.5 mm, 1 µm"), QPointF(5e-4, 1e-6));
+  snap_->addItem(tr("snap 1 mm, 5 µm"), QPointF(1e-3, 5e-6));
+  snap_->addItem(tr("snap 5 mm, 10 µm"), QPointF(5e-3, 1e-5));
+  snap_->setAccessibleName(tr("Snapping"));
+  snap_->setObjectName("snap");
+  connect(snap_, &QComboBox::currentIndexChanged, this, [this] {
+    const QPointF steps = snap_->currentData().toPointF();
+    plot_->setSnap(steps.x(), steps.y());
+  });
+  layout->addWidget(snap_);
+  layout->addStretch();
+  layout->addWidget(place_);
+  return bar;
+}
+
+void ProfileEditor::makePlot(const plots::Style& style) {
+  style_ = style;
+  plot_ = new ProfilePlot(document_, style, this);
+  delete splitter_->replaceWidget(0, plot_);
+  splitter_->setStretchFactor(0, 4);
+  plot_->show();
+  const QPointF steps = snap_->currentData().toPointF();
+  plot_->setSnap(steps.x(), steps.y());
+  connect(plot_, &ProfilePlot::cursorMoved, this, [this](double position, double height) {
+    place_->setText(tr("%1 mm, %2 µm").arg(position * 1e3, 0, 'f', 1).arg(height * 1e6, 0, 'f', 1));
+  });
+  connect(plot_, &ProfilePlot::chosenChanged, this, [this] {
+    if (const auto chosen = plot_->chosen()) table_->selectRow(static_cast<int>(*chosen));
+  });
+  connect(table_, &QTableView::clicked, plot_,
+          [this](const QModelIndex& index) { plot_->choose(static_cast<std::size_t>(index.row())); });
+}
+
+void ProfileEditor::setStyle(const plots::Style& style) { makePlot(style); }
+
+void ProfileEditor::askForFile() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Import a profile"), QString(),
+                                                    tr("Tables (*.csv *.txt *.dat);;All files (*)"));
+  if (!path.isEmpty()) importFile(path);
+}
+
+void ProfileEditor::importFile(const QString& path) {
+  try {
+    auto* dialog = new ImportDialog(path, style_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+      cases::CaseDescription after = document_.description();
+      after.defect.shape = static_cast<int>(cases::DefectShape::profile);
+      after.defect.points = dialog->points();
+      after.defect.file.clear();
+      after.defect.level = true;
+      after.defect.heightScale = 1;
+      document_.edit(tr("Import a profile"), after);
+      plot_->fit();
+    });
+    dialog->open();
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+void ProfileEditor::exportFile() {
+  const QString path = QFileDialog::getSaveFileName(this, tr("Write the profile"), "profile.csv", tr("CSV (*.csv)"));
+  if (path.isEmpty()) return;
+  const ProfileView view = profileView(document_.description());
+  QByteArray text("position [mm],height [um]\n");
+  for (const auto& point : view.handles.empty() ? view.surface : view.handles)
+    text += QByteArray::number(point.position * 1e3, 'g', 12) + ',' + QByteArray::number(point.height * 1e6, 'g', 12) +
+            '\n';
+  try {
+    plots::writeWhole(text, path.toStdString());
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+}  // namespace squat::studio

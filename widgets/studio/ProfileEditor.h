@@ -1,0 +1,46 @@
+// widgets/studio/ProfileEditor.h - the defect: curve, numbers, shapes, import.
+#pragma once
+
+#include <QWidget>
+
+#include "plots/Style.h"
+
+class QComboBox;
+class QLabel;
+class QSplitter;
+class QTableView;
+
+namespace squat::studio {
+
+class CaseDocument;
+class ProfilePlot;
+
+class ProfileEditor : public QWidget {
+  Q_OBJECT
+ public:
+  ProfileEditor(CaseDocument& document, const plots::Style& style, QWidget* parent = nullptr);
+
+  ProfilePlot* plot() const { return plot_; }
+  QTableView* table() const { return table_; }
+  void setStyle(const plots::Style& style);
+  void importFile(const QString& path);  // opens the preview
+
+ Q_SIGNALS:
+  void failed(const QString& message);
+
+ private:
+  void makePlot(const plots::Style& style);
+  void askForFile();
+  void exportFile();
+  QWidget* makeToolBar();
+
+  CaseDocument& document_;
+  plots::Style style_;
+  ProfilePlot* plot_ = nullptr;
+  QTableView* table_;
+  QSplitter* splitter_;
+  QComboBox* snap_;
+  QLabel* place_;
+};
+
+}  // namespace squat::studio

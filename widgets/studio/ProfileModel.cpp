@@ -1,0 +1,110 @@
+#include "studio/ProfileModel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/DefectSurface.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr double around = 0.04;           // [m] shown beyond the defect
+constexpr double smoothHalfLength = 0.1;  // [m] shown of a smooth rail
+
+bool sampled(const cases::Defect& defect) {
+  return defect.shape == static_cast<int>(cases::DefectShape::profile) && defect.points.size() >= 2;
+}
+
+}  // namespace
+
+ProfileView profileView(const cases::CaseDescription& description) {
+  ProfileView view;
+  const cases::DefectSurface asRun(description.defect);
+  cases::Defect asDrawn = description.defect;
+  double slope = 0, start = 0;  // of the line that `level` takes off
+  if (sampled(description.defect)) {
+    const auto& points = description.defect.points;
+    view.handles = points;
+    asDrawn.heightScale = 1;
+    const cases::DefectSurface scaled(asDrawn);
+    if (asDrawn.level) {
+      slope = (points.back().height - points.front().height) / (points.back().position - points.front().position);
+      start = points.front().height - slope * points.front().position;
+    }
+    const auto deepest = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+      return a.height - slope * a.position < b.height - slope * b.position;
+    });
+    view.shift = deepest->position;
+  }
+  const cases::DefectSurface surface(asDrawn);
+  const bool none = !(surface.last() > surface.first());
+  const double from = none ? -smoothHalfLength : surface.first() - around;
+  const double to = none ? smoothHalfLength : surface.last() + around;
+  const double step = std::max(1e-4, (to - from) / 1500);
+  const auto line = [&](double own) { return start + slope * own; };
+  for (double x = from; x <= to; x += step)
+    view.surface.push_back({x + view.shift, surface.height(x) + line(x + view.shift)});
+  const double radius = std::max(description.wheelset.radius, 0.1);
+  for (const auto& point : cases::rigidWheelPath(surface, radius, from, to, std::max(step, 5e-4)))
+    view.wheelPath.push_back({point.position + view.shift, point.height + line(point.position + view.shift)});
+  view.sleeperWidth = description.sleeper.width;
+  const double spacing = description.track.sleeperSpacing;
+  if (spacing > 0.05) {
+    const double nearest = -description.track.defectFromSleeper;
+    for (double x = nearest - spacing * std::ceil((nearest - from) / spacing + 1); x <= to + spacing; x += spacing)
+      if (x + view.sleeperWidth / 2 >= from && x - view.sleeperWidth / 2 <= to) view.sleepers.push_back(x + view.shift);
+  }
+  return view;
+}
+
+cases::CaseDescription asPoints(const cases::CaseDescription& description) {
+  if (sampled(description.defect)) return description;
+  cases::CaseDescription result = description;
+  const cases::DefectSurface surface(description.defect);
+  std::vector<cases::ProfilePoint> points;
+  if (surface.last() > surface.first()) {
+    constexpr int most = 199;
+    const double length = surface.last() - surface.first();
+    const int count = std::clamp(static_cast<int>(std::ceil(length / 1e-3)), 8, most);
+    for (int i = 0; i <= count; ++i) {
+      const double x = surface.first() + length * i / count;
+      points.push_back({x, surface.height(x)});
+    }
+    points.front().height = points.back().height = 0;
+  } else {
+    points = {{-0.03, 0}, {-0.01, 0}, {0, -1e-5}, {0.01, 0}, {0.03, 0}};
+  }
+  result.defect.shape = static_cast<int>(cases::DefectShape::profile);
+  result.defect.points = points;
+  result.defect.file.clear();
+  result.defect.heightScale = 1;
+  result.defect.level = true;
+  return result;
+}
+
+std::vector<cases::ProfilePoint> movedPoint(std::vector<cases::ProfilePoint> points, std::size_t index,
+                                            cases::ProfilePoint to) {
+  if (index >= points.size()) return points;
+  if (index > 0) to.position = std::max(to.position, points[index - 1].position + leastGap);
+  if (index + 1 < points.size()) to.position = std::min(to.position, points[index + 1].position - leastGap);
+  points[index] = to;
+  return points;
+}
+
+std::vector<cases::ProfilePoint> withPoint(std::vector<cases::ProfilePoint> points, cases::ProfilePoint added) {
+  const auto at = std::lower_bound(points.begin(), points.end(), added,
+                                   [](const auto& a, const auto& b) { return a.position < b.position; });
+  const bool tooNear = (at != points.end() && at->position - added.position < leastGap) ||
+                       (at != points.begin() && added.position - std::prev(at)->position < leastGap);
+  if (!tooNear) points.insert(at, added);
+  return points;
+}
+
+std::vector<cases::ProfilePoint> withoutPoint(std::vector<cases::ProfilePoint> points, std::size_t index) {
+  if (index < points.size() && points.size() > 2) points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
+  return points;
+}
+
+double snapped(double value, double step) { return step > 0 ? step * std::round(value / step) : value; }
+
+}  // namespace squat::studio

@@ -1,0 +1,36 @@
+// widgets/studio/ProfileModel.h - the defect of a case as the profile editor shows it. No windows here.
+#pragma once
+
+#include <vector>
+
+#include "case/CaseDescription.h"
+
+namespace squat::studio {
+
+// Positions [m] are those of the profile's own points (as measured) for a sampled profile, and from the deepest point
+// for analytic shapes. Heights [m], up positive.
+struct ProfileView {
+  std::vector<cases::ProfilePoint> surface;    // the rail's surface along the middle line
+  std::vector<cases::ProfilePoint> wheelPath;  // of a rigid wheel, relative to its path on smooth rail
+  std::vector<cases::ProfilePoint> handles;    // points that can be dragged; empty for analytic shapes
+  std::vector<double> sleepers;                // [m] centres within sight
+  double sleeperWidth = 0;                     // [m]
+  double shift = 0;                            // [m] own position of the deepest point
+};
+
+ProfileView profileView(const cases::CaseDescription& description);
+
+// The same defect as sampled points (at most 200), so that they can be dragged.
+cases::CaseDescription asPoints(const cases::CaseDescription& description);
+
+// Changes of a sampled profile; positions stay at least `leastGap` apart, so the result is always a valid profile.
+inline constexpr double leastGap = 1e-5;  // [m]
+std::vector<cases::ProfilePoint> movedPoint(std::vector<cases::ProfilePoint> points, std::size_t index,
+                                            cases::ProfilePoint to);
+std::vector<cases::ProfilePoint> withPoint(std::vector<cases::ProfilePoint> points, cases::ProfilePoint added);
+std::vector<cases::ProfilePoint> withoutPoint(std::vector<cases::ProfilePoint> points, std::size_t index);
+
+// Nearest multiple of `step`; `value` itself where the step is not positive.
+double snapped(double value, double step);
+
+}  // namespace squat::studio

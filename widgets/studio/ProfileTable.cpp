@@ -1,0 +1,73 @@
+#include "studio/ProfileTable.h"
+
+#include <QLocale>
+#include <cmath>
+
+#include "studio/CaseDocument.h"
+#include "studio/ProfileModel.h"
+
+namespace squat::studio {
+
+ProfileTable::ProfileTable(CaseDocument& document, QObject* parent) : QAbstractTableModel(parent), document_(document) {
+  connect(&document_, &CaseDocument::changed, this, &ProfileTable::update);
+  update();
+}
+
+void ProfileTable::update() {
+  const auto& defect = document_.description().defect;
+  const bool sampled = defect.shape == static_cast<int>(cases::DefectShape::profile);
+  std::vector<cases::ProfilePoint> points = sampled ? defect.points : std::vector<cases::ProfilePoint>();
+  if (points.size() == points_.size()) {
+    points_ = std::move(points);
+    if (!points_.empty()) Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(points_.size()) - 1, 1));
+    return;
+  }
+  beginResetModel();
+  points_ = std::move(points);
+  endResetModel();
+}
+
+int ProfileTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(points_.size());
+}
+
+int ProfileTable::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : 2; }
+
+QVariant ProfileTable::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || static_cast<std::size_t>(index.row()) >= points_.size()) return {};
+  if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
+  const auto& point = points_[static_cast<std::size_t>(index.row())];
+  return index.column() == 0 ? QString::number(point.position * 1e3, 'g', 8)
+                             : QString::number(point.height * 1e6, 'g', 8);
+}
+
+QVariant ProfileTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (role != Qt::DisplayRole) return {};
+  if (orientation == Qt::Vertical) return section + 1;
+  return section == 0 ? tr("Position [mm]") : tr("Height [µm]");
+}
+
+Qt::ItemFlags ProfileTable::flags(const QModelIndex& index) const {
+  return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable : Qt::NoItemFlags;
+}
+
+// A number that would pass a neighbour is refused, not clamped: what was typed is what counts.
+bool ProfileTable::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || !index.isValid()) return false;
+  bool valid = false;
+  const double number = value.toString().trimmed().replace(',', '.').toDouble(&valid);
+  if (!valid || !std::isfinite(number)) return false;
+  const auto row = static_cast<std::size_t>(index.row());
+  cases::ProfilePoint to = points_[row];
+  (index.column() == 0 ? to.position : to.height) = number * (index.column() == 0 ? 1e-3 : 1e-6);
+  if (std::abs(to.height) > 0.05) return false;
+  cases::CaseDescription after = document_.description();
+  after.defect.points = movedPoint(after.defect.points, row, to);
+  if (after.defect.points[row].position != to.position) return false;
+  after.defect.file.clear();
+  document_.edit(tr("Change point %1").arg(row + 1), after);
+  return true;
+}
+
+}  // namespace squat::studio

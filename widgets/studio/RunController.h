@@ -1,0 +1,62 @@
+// widgets/studio/RunController.h - runs one case at a time in a thread of its own.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <thread>
+
+#include "case/CaseDescription.h"
+#include "results/RunResult.h"
+#include "simulation/RunCase.h"
+#include "studio/WorkerMonitor.h"
+
+namespace squat::studio {
+
+// How a case is run: simulation::runCase in the program, a made-up run in tests.
+using Runner = std::function<results::RunResult(const cases::CaseDescription&, const simulation::RunOptions&, Monitor&,
+                                                results::RunResult*)>;
+using ResultPointer = std::shared_ptr<const results::RunResult>;
+
+class RunController : public QObject {
+  Q_OBJECT
+ public:
+  explicit RunController(Runner runner, QObject* parent = nullptr);
+  ~RunController() override;  // cancels and waits
+
+  // The result carries `stem` and the case's title. Does nothing while a run is going on.
+  void start(const cases::CaseDescription& description, const std::string& stem, int threads = 0);
+  bool isRunning() const { return running_; }
+  bool isPaused() const { return monitor_ && monitor_->isPaused(); }
+  void setPaused(bool paused);
+  void cancel();                   // returns at once; finished() follows
+  bool waitFor(int milliseconds);  // runs the event loop until the run has ended
+
+ Q_SIGNALS:
+  void started();
+  void pausedChanged(bool paused);
+  void news(const squat::studio::WorkerMonitor::News& news);  // about 20 times a second
+  // Complete or cancelled (result->complete tells).
+  void finished(squat::studio::ResultPointer result);
+  // What failed and why, in one sentence; details for those who ask; what there was so far (may be null).
+  void failed(const QString& sentence, const QString& details, squat::studio::ResultPointer soFar);
+  void ended();  // after finished() or failed()
+
+ private:
+  struct Outcome;
+  void conclude();
+  void passNews();
+
+  Runner runner_;
+  std::unique_ptr<WorkerMonitor> monitor_;
+  std::unique_ptr<Outcome> outcome_;
+  std::thread thread_;
+  QTimer timer_;
+  bool running_ = false;
+};
+
+}  // namespace squat::studio
+
+Q_DECLARE_METATYPE(squat::studio::ResultPointer)
+Q_DECLARE_METATYPE(squat::studio::WorkerMonitor::News)

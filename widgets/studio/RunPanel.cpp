@@ -1,0 +1,134 @@
+#include "studio/RunPanel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "studio/LivePlot.h"
+#include "studio/RunController.h"
+
+namespace squat::studio {
+
+QString durationText(double seconds) {
+  if (!(seconds >= 0) || seconds > 1e7) return QObject::tr("not known yet");
+  const auto whole = static_cast<long>(std::lround(seconds));
+  if (whole < 60) return QObject::tr("%1 s").arg(whole);
+  if (whole < 3600) return QObject::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
+  return QObject::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
+}
+
+RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget* parent)
+    : QWidget(parent), controller_(controller) {
+  const auto button = [this](const QString& text, const QString& name) {
+    auto* made = new QPushButton(text, this);
+    made->setObjectName(name);
+    made->setAccessibleName(text);
+    return made;
+  };
+  run_ = button(tr("Run"), "run");
+  pause_ = button(tr("Pause"), "pause");
+  cancel_ = button(tr("Cancel"), "cancel");
+  progress_ = new QProgressBar(this);
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setAccessibleName(tr("Progress of the phase"));
+  state_ = new QLabel(tr("Ready"), this);
+  state_->setObjectName("runState");
+  figures_ = new QLabel(this);
+  figures_->setObjectName("runFigures");
+  why_ = new QLabel(this);
+  why_->setObjectName("blockers");
+  why_->setWordWrap(true);
+  why_->setStyleSheet("color: #c0392b;");
+  live_ = new LivePlot(style, this);
+  log_ = new QPlainTextEdit(this);
+  log_->setReadOnly(true);
+  log_->setMaximumBlockCount(500);
+  log_->setAccessibleName(tr("Messages of the run"));
+  log_->setMaximumHeight(90);
+  auto* top = new QHBoxLayout;
+  for (QPushButton* each : {run_, pause_, cancel_}) top->addWidget(each);
+  top->addWidget(progress_, 1);
+  top->addWidget(state_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 4, 6, 4);
+  layout->addLayout(top);
+  layout->addWidget(why_);
+  layout->addWidget(figures_);
+  layout->addWidget(live_, 1);
+  layout->addWidget(log_);
+  connect(run_, &QPushButton::clicked, this, &RunPanel::runWished);
+  connect(pause_, &QPushButton::clicked, this, [this] { controller_.setPaused(!controller_.isPaused()); });
+  connect(cancel_, &QPushButton::clicked, &controller_, &RunController::cancel);
+  connect(&controller_, &RunController::started, this, [this] {
+    live_->clear();
+    log_->clear();
+    showState();
+  });
+  connect(&controller_, &RunController::pausedChanged, this, &RunPanel::showState);
+  connect(&controller_, &RunController::news, this, &RunPanel::showNews);
+  connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
+    say(result->complete
+            ? tr("Done.")
+            : tr("Stopped: %1. What there is so far is kept.").arg(QString::fromStdString(result->stopReason)));
+    for (const auto& warning : result->warnings) say(QString::fromStdString(warning));
+  });
+  connect(&controller_, &RunController::failed, this, [this](const QString& sentence, const QString& details) {
+    say(sentence);
+    if (!details.isEmpty()) say(details);
+  });
+  connect(&controller_, &RunController::ended, this, &RunPanel::showState);
+  showState();
+}
+
+void RunPanel::setBlockers(const QStringList& reasons) {
+  blockers_ = reasons;
+  showState();
+}
+
+void RunPanel::setStyle(const plots::Style& style) { live_->setStyle(style); }
+
+void RunPanel::say(const QString& line) { log_->appendPlainText(line); }
+
+void RunPanel::showState() {
+  const bool running = controller_.isRunning();
+  run_->setEnabled(!running && blockers_.isEmpty());
+  run_->setToolTip(blockers_.isEmpty() ? tr("Run the case (F5)") : blockers_.join('\n'));
+  pause_->setEnabled(running);
+  pause_->setText(controller_.isPaused() && running ? tr("Resume") : tr("Pause"));
+  cancel_->setEnabled(running);
+  why_->setVisible(!blockers_.isEmpty() && !running);
+  QString reason = blockers_.value(0);
+  if (blockers_.size() > 1) reason += tr(" (and %n more)", nullptr, static_cast<int>(blockers_.size()) - 1);
+  why_->setText(tr("Cannot run: %1").arg(reason));
+  if (!running) {
+    state_->setText(tr("Ready"));
+    progress_->setValue(0);
+  } else if (controller_.isPaused()) {
+    state_->setText(tr("Paused"));
+  }
+}
+
+void RunPanel::showNews(const WorkerMonitor::News& news) {
+  const Progress& now = news.progress;
+  progress_->setValue(static_cast<int>(1000 * now.fraction));
+  if (!controller_.isPaused() && !now.phase.empty())
+    state_->setText(tr("%1 %2 %, %3 left")
+                        .arg(QString::fromStdString(now.phase))
+                        .arg(100 * now.fraction, 0, 'f', 0)
+                        .arg(durationText(now.remainingSeconds)));
+  QStringList parts;
+  if (now.simulatedTime > 0) parts << tr("%1 ms simulated").arg(now.simulatedTime * 1e3, 0, 'f', 2);
+  if (now.elementUpdatesPerSecond > 0)
+    parts << tr("%1 million element updates a second").arg(now.elementUpdatesPerSecond * 1e-6, 0, 'f', 1);
+  if (now.energyResidual != 0) parts << tr("energy residual %1 %").arg(now.energyResidual * 100, 0, 'f', 3);
+  figures_->setText(parts.join(QStringLiteral("  ·  ")));
+  for (const QString& line : news.messages) say(line);
+  live_->add(news.samples);
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,49 @@
+// widgets/studio/RunPanel.h - start, pause and stop a run, and watch it.
+#pragma once
+
+#include <QWidget>
+
+#include "plots/Style.h"
+#include "studio/WorkerMonitor.h"
+
+class QLabel;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace squat::studio {
+
+class LivePlot;
+class RunController;
+
+class RunPanel : public QWidget {
+  Q_OBJECT
+ public:
+  RunPanel(RunController& controller, const plots::Style& style, QWidget* parent = nullptr);
+
+  // Why the case cannot be run, one sentence each; empty: it can.
+  void setBlockers(const QStringList& reasons);
+  LivePlot* live() const { return live_; }
+  void setStyle(const plots::Style& style);
+
+ Q_SIGNALS:
+  void runWished();
+
+ private:
+  void showNews(const WorkerMonitor::News& news);
+  void showState();
+  void say(const QString& line);
+
+  RunController& controller_;
+  QPushButton *run_, *pause_, *cancel_;
+  QProgressBar* progress_;
+  QLabel *state_, *figures_, *why_;
+  LivePlot* live_;
+  QPlainTextEdit* log_;
+  QStringList blockers_;
+};
+
+// "3 min 20 s"; "unknown" below zero.
+QString durationText(double seconds);
+
+}  // namespace squat::studio

@@ -1,0 +1,90 @@
+#include "studio/RunStore.h"
+
+#include <QFont>
+
+namespace squat::studio {
+
+RunStore::RunStore(QObject* parent) : QAbstractListModel(parent) {}
+
+int RunStore::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(runs_.size());
+}
+
+QVariant RunStore::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const StoredRun& run = at(index.row());
+  if (role == Qt::DisplayRole) {
+    QString text = run.label;
+    if (run.measured) text += tr(" (measured)");
+    if (!run.measured && !run.result->complete) text += tr(" (incomplete)");
+    if (!run.measured && run.path.isEmpty()) text += " *";
+    return text;
+  }
+  if (role == Qt::ToolTipRole)
+    return run.path.isEmpty() ? tr("not saved; hash %1").arg(QString::fromStdString(run.result->caseHash)) : run.path;
+  if (role == Qt::CheckStateRole) return run.overlaid ? Qt::Checked : Qt::Unchecked;
+  if (role == Qt::FontRole && index.row() == current_) {
+    QFont font;
+    font.setBold(true);
+    return font;
+  }
+  return {};
+}
+
+bool RunStore::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || role != Qt::CheckStateRole) return false;
+  runs_[static_cast<std::size_t>(index.row())].overlaid = value.toInt() == Qt::Checked;
+  Q_EMIT dataChanged(index, index);
+  Q_EMIT overlaysChanged();
+  return true;
+}
+
+Qt::ItemFlags RunStore::flags(const QModelIndex& index) const {
+  return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable : Qt::NoItemFlags;
+}
+
+int RunStore::add(StoredRun run) {
+  const int row = rowCount();
+  const bool measured = run.measured;
+  run.overlaid = measured;
+  beginInsertRows({}, row, row);
+  runs_.push_back(std::move(run));
+  endInsertRows();
+  if (measured && current_ >= 0)
+    Q_EMIT overlaysChanged();
+  else
+    setCurrent(row);
+  return row;
+}
+
+void RunStore::remove(int row) {
+  if (row < 0 || row >= rowCount()) return;
+  beginRemoveRows({}, row, row);
+  runs_.erase(runs_.begin() + row);
+  endRemoveRows();
+  if (current_ > row || current_ == rowCount()) --current_;
+  Q_EMIT currentChanged();
+}
+
+void RunStore::setCurrent(int row) {
+  if (row < -1 || row >= rowCount() || row == current_) return;
+  current_ = row;
+  if (rowCount() > 0) Q_EMIT dataChanged(index(0), index(rowCount() - 1));
+  Q_EMIT currentChanged();
+}
+
+ResultPointer RunStore::currentResult() const { return current_ < 0 ? nullptr : at(current_).result; }
+
+void RunStore::setPath(int row, const QString& path) {
+  runs_.at(static_cast<std::size_t>(row)).path = path;
+  Q_EMIT dataChanged(index(row), index(row));
+}
+
+std::vector<StoredRun> RunStore::overlays() const {
+  std::vector<StoredRun> chosen;
+  for (int row = 0; row < rowCount(); ++row)
+    if (row != current_ && at(row).overlaid) chosen.push_back(at(row));
+  return chosen;
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,50 @@
+// widgets/studio/RunStore.h - the runs of this session, side by side.
+#pragma once
+
+#include <QAbstractListModel>
+#include <QString>
+#include <vector>
+
+#include "studio/RunController.h"
+
+namespace squat::studio {
+
+struct StoredRun {
+  ResultPointer result;
+  QString label;
+  QString path;           // empty: not in a file yet
+  bool overlaid = false;  // drawn with the current one
+  bool measured = false;
+};
+
+// A list with check boxes: checked runs are overlaid on the current one.
+class RunStore : public QAbstractListModel {
+  Q_OBJECT
+ public:
+  explicit RunStore(QObject* parent = nullptr);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  // Makes it the current one, unless it is measured, which is overlaid instead. Returns its row.
+  int add(StoredRun run);
+  void remove(int row);
+  int current() const { return current_; }
+  void setCurrent(int row);
+  ResultPointer currentResult() const;
+  const StoredRun& at(int row) const { return runs_.at(static_cast<std::size_t>(row)); }
+  void setPath(int row, const QString& path);
+  std::vector<StoredRun> overlays() const;  // checked ones other than the current
+
+ Q_SIGNALS:
+  void currentChanged();
+  void overlaysChanged();
+
+ private:
+  std::vector<StoredRun> runs_;
+  int current_ = -1;
+};
+
+}  // namespace squat::studio

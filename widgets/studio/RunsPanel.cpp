@@ -1,0 +1,41 @@
+#include "studio/RunsPanel.h"
+
+#include <QHBoxLayout>
+#include <QListView>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "studio/RunStore.h"
+
+namespace squat::studio {
+
+RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_(store) {
+  list_ = new QListView(this);
+  list_->setModel(&store_);
+  list_->setAccessibleName(tr("Runs"));
+  list_->setObjectName("runs");
+  list_->setMinimumHeight(50);
+  auto* buttons = new QHBoxLayout;
+  const auto button = [&](const QString& text, const QString& tip, auto action) {
+    auto* made = new QPushButton(text, this);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    buttons->addWidget(made);
+    connect(made, &QPushButton::clicked, this, action);
+  };
+  button(tr("Open…"), tr("Open a result"), &RunsPanel::openWished);
+  button(tr("Save…"), tr("Save the shown result"), &RunsPanel::saveWished);
+  button(tr("Measured…"), tr("Overlay a measured signal"), &RunsPanel::measuredWished);
+  button(tr("Remove"), tr("Take the shown run off the list"), [this] { store_.remove(list_->currentIndex().row()); });
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addWidget(list_, 1);
+  layout->addLayout(buttons);
+  connect(list_, &QListView::clicked, this, [this](const QModelIndex& index) {
+    if (!store_.at(index.row()).measured) store_.setCurrent(index.row());
+  });
+  connect(&store_, &RunStore::currentChanged, this,
+          [this] { list_->setCurrentIndex(store_.index(store_.current(), 0)); });
+}
+
+}  // namespace squat::studio

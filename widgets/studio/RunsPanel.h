@@ -1,0 +1,28 @@
+// widgets/studio/RunsPanel.h - the list of runs: click to see one, tick to overlay it.
+#pragma once
+
+#include <QWidget>
+
+class QListView;
+
+namespace squat::studio {
+
+class RunStore;
+
+class RunsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RunsPanel(RunStore& store, QWidget* parent = nullptr);
+  QListView* list() const { return list_; }
+
+ Q_SIGNALS:
+  void openWished();
+  void saveWished();
+  void measuredWished();
+
+ private:
+  RunStore& store_;
+  QListView* list_;
+};
+
+}  // namespace squat::studio

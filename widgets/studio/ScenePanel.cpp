@@ -1,0 +1,146 @@
+#include "studio/ScenePanel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include "studio/SceneWidget.h"
+
+namespace squat::studio {
+
+ScenePanel::ScenePanel(RunStore& store, bool dark, QWidget* parent)
+    : QWidget(parent), store_(store), scene_(new SceneWidget(this)) {
+  choices_.dark = dark;
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addWidget(makeControls());
+  layout->addWidget(scene_, 1);
+  layout->addWidget(makeTime());
+  animation_.setInterval(120);
+  connect(&animation_, &QTimer::timeout, this,
+          [this] { time_->setValue(time_->value() < time_->maximum() ? time_->value() + 1 : 0); });
+  connect(&store_, &RunStore::currentChanged, this, &ScenePanel::showResult);
+  showResult();
+}
+
+QWidget* ScenePanel::makeControls() {
+  auto* bar = new QWidget(this);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(0, 0, 0, 0);
+  field_ = new QComboBox(bar);
+  for (const auto field : {scene::Field::vonMises, scene::Field::plasticStrain, scene::Field::displacement})
+    field_->addItem(QString::fromStdString(scene::fieldName(field)).replace("[um]", "[µm]"), static_cast<int>(field));
+  field_->addItem(tr("parts"), static_cast<int>(scene::Field::none));
+  field_->setAccessibleName(tr("Colours show"));
+  scale_ = new QDoubleSpinBox(bar);
+  scale_->setRange(0, 10000);
+  scale_->setValue(1);
+  scale_->setPrefix(tr("displacement × "));
+  scale_->setDecimals(0);
+  scale_->setAccessibleName(tr("Displacement scale"));
+  cut_ = new QCheckBox(tr("Cut"), bar);
+  cut_->setToolTip(tr("Cut at the middle of the running surface, so that the contact is seen"));
+  edges_ = new QCheckBox(tr("Mesh"), bar);
+  edges_->setChecked(true);
+  layout->addWidget(field_);
+  layout->addWidget(scale_);
+  layout->addWidget(cut_);
+  layout->addWidget(edges_);
+  const QList<QPair<QString, scene::StandardView>> views{{tr("All"), scene::StandardView::overview},
+                                                         {tr("Contact"), scene::StandardView::contact},
+                                                         {tr("Side"), scene::StandardView::side},
+                                                         {tr("Front"), scene::StandardView::front},
+                                                         {tr("Top"), scene::StandardView::top}};
+  for (const auto& [text, view] : views) {
+    auto* button = new QPushButton(text, bar);
+    button->setAccessibleName(tr("View: %1").arg(text));
+    button->setObjectName("view " + text);
+    layout->addWidget(button);
+    const auto chosen = view;
+    connect(button, &QPushButton::clicked, this, [this, chosen] { scene_->lookFrom(chosen); });
+  }
+  auto* picture = new QPushButton(tr("Picture…"), bar);
+  layout->addWidget(picture);
+  layout->addStretch();
+  connect(picture, &QPushButton::clicked, this, &ScenePanel::savePicture);
+  connect(field_, &QComboBox::currentIndexChanged, this, &ScenePanel::apply);
+  connect(scale_, &QDoubleSpinBox::valueChanged, this, &ScenePanel::apply);
+  connect(cut_, &QCheckBox::toggled, this, &ScenePanel::apply);
+  connect(edges_, &QCheckBox::toggled, this, &ScenePanel::apply);
+  return bar;
+}
+
+QWidget* ScenePanel::makeTime() {
+  auto* bar = new QWidget(this);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(0, 0, 0, 0);
+  play_ = new QPushButton(tr("Play"), bar);
+  play_->setCheckable(true);
+  time_ = new QSlider(Qt::Horizontal, bar);
+  time_->setAccessibleName(tr("Moment"));
+  time_->setObjectName("moment");
+  moment_ = new QLabel(bar);
+  moment_->setMinimumWidth(220);
+  layout->addWidget(play_);
+  layout->addWidget(time_, 1);
+  layout->addWidget(moment_);
+  connect(play_, &QPushButton::toggled, this, [this](bool on) {
+    play_->setText(on ? tr("Stop") : tr("Play"));
+    on ? animation_.start() : animation_.stop();
+  });
+  connect(time_, &QSlider::valueChanged, this, &ScenePanel::apply);
+  return bar;
+}
+
+void ScenePanel::showResult() {
+  const ResultPointer result = store_.currentResult();
+  const int count = result ? static_cast<int>(result->snapshots.size()) : 0;
+  int shown = count - 1;
+  for (int i = 0; i < count; ++i)
+    if (result->snapshots[static_cast<std::size_t>(i)].name == "impact") shown = i;
+  time_->setRange(0, std::max(count - 1, 0));
+  time_->setEnabled(count > 1);
+  play_->setEnabled(count > 1);
+  if (count < 2) play_->setChecked(false);
+  time_->setValue(std::max(shown, 0));
+  scene_->setResult(result);
+  apply();
+}
+
+void ScenePanel::apply() {
+  const ResultPointer result = store_.currentResult();
+  const int count = result ? static_cast<int>(result->snapshots.size()) : 0;
+  choices_.field = static_cast<scene::Field>(field_->currentData().toInt());
+  choices_.displacementScale = scale_->value();
+  choices_.cut = cut_->isChecked();
+  choices_.edges = edges_->isChecked();
+  choices_.snapshot = count > 0 ? time_->value() : -1;
+  moment_->clear();
+  if (choices_.snapshot >= 0 && choices_.snapshot < count) {
+    const auto& snapshot = result->snapshots[static_cast<std::size_t>(choices_.snapshot)];
+    moment_->setText(tr("%1: %2 mm, %3 ms")
+                         .arg(QString::fromStdString(snapshot.name))
+                         .arg(snapshot.position * 1e3, 0, 'f', 1)
+                         .arg(snapshot.time * 1e3, 0, 'f', 2));
+  }
+  scene_->setChoices(choices_);
+}
+
+void ScenePanel::setDark(bool dark) {
+  choices_.dark = dark;
+  apply();
+}
+
+void ScenePanel::savePicture() {
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save the picture"), "model.png", tr("PNG (*.png)"));
+  if (path.isEmpty()) return;
+  if (!scene_->picture(2000, 1400).save(path, "PNG")) Q_EMIT failed(tr("%1 cannot be written").arg(path));
+}
+
+}  // namespace squat::studio

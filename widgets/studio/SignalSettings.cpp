@@ -1,0 +1,66 @@
+#include "studio/SignalSettings.h"
+
+#include "signals/Butterworth.h"
+#include "signals/PowerSpectrum.h"
+#include "signals/Resample.h"
+#include "signals/SignalError.h"
+
+namespace squat::studio {
+namespace {
+
+results::Channel* channel(results::RunResult& result, const std::string& name) {
+  for (auto& each : result.signals)
+    if (each.name == name) return &each;
+  return nullptr;
+}
+
+void filter(results::RunResult& result, const std::string& raw, const std::string& filtered, double cutoff) {
+  const auto* values = result.signal(raw);
+  results::Channel* target = channel(result, filtered);
+  if (!values || !target || values->size() != result.time.size() || values->size() < 2) return;
+  const signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, raw, "m/s2"};
+  target->values = signals::lowPass(series, cutoff).values;
+}
+
+std::vector<double> spectrum(results::RunResult& result, const std::string& name, const SignalSettings& settings) {
+  const auto* values = result.signal(name);
+  if (!values || values->size() != result.time.size() || values->size() < 2) return {};
+  const signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, name, "m/s2"};
+  const double from = signals::interpolateLinear(result.position, result.time, settings.from);
+  const double to = signals::interpolateLinear(result.position, result.time, settings.to);
+  signals::PowerSpectrumOptions options;
+  options.window = signals::windowFromText(settings.window);
+  const signals::TimeSeries part = signals::cutOut(series, from, to);
+  constexpr std::size_t padding = 4;  // a smooth curve; the resolution stays that of the stretch
+  options.transformLength = padding * part.values.size();
+  signals::PowerSpectrum density = signals::powerSpectrum(part, options);
+  result.frequency = std::move(density.frequency);
+  return std::move(density.density);
+}
+
+}  // namespace
+
+std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
+                                                   std::string& problem) {
+  auto changed = std::make_shared<results::RunResult>(result);
+  problem.clear();
+  try {
+    filter(*changed, "aba", "aba_filtered", settings.cutoff);
+    filter(*changed, "wheel_acceleration", "wheel_acceleration_filtered", settings.cutoff);
+    const auto wheel = spectrum(*changed, "wheel_acceleration_filtered", settings);
+    auto box = spectrum(*changed, "aba_filtered", settings);
+    if (!box.empty()) {
+      changed->psd = std::move(box);
+      changed->psdWheel = wheel.size() == changed->psd.size() ? wheel : std::vector<double>();
+      changed->psdFrom = settings.from;
+      changed->psdTo = settings.to;
+      changed->psdWindow = settings.window;
+    }
+  } catch (const signals::SignalError& error) {
+    problem = error.what();
+    return std::make_shared<const results::RunResult>(result);
+  }
+  return changed;
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,23 @@
+// widgets/studio/SignalSettings.h - filter and window as the user has set them, and a result seen through them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "results/RunResult.h"
+
+namespace squat::studio {
+
+struct SignalSettings {
+  double cutoff = 2000;           // [Hz] low-pass, Butterworth of order 4 forward and back
+  std::string window = "hann";    // of the spectrum
+  double from = -0.1, to = 0.28;  // [m] stretch of the spectrum
+  bool againstTime = false;
+};
+
+// The result with aba_filtered, wheel_acceleration_filtered and both spectra computed anew. Where that cannot be done
+// (no raw signal, cut-off above half the rate, empty stretch) these stay as they are and `problem` says why.
+std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
+                                                   std::string& problem);
+
+}  // namespace squat::studio

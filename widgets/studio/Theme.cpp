@@ -1,0 +1,41 @@
+#include "studio/Theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyle>
+#include <QStyleFactory>
+
+namespace squat::studio {
+namespace {
+
+QPalette darkPalette() {
+  const QColor ground(45, 46, 50), base(32, 33, 36), text(232, 234, 237), muted(140, 142, 146), accent(86, 180, 233);
+  QPalette palette(text, ground);
+  palette.setColor(QPalette::Window, ground);
+  palette.setColor(QPalette::WindowText, text);
+  palette.setColor(QPalette::Base, base);
+  palette.setColor(QPalette::AlternateBase, ground);
+  palette.setColor(QPalette::ToolTipBase, base);
+  palette.setColor(QPalette::ToolTipText, text);
+  palette.setColor(QPalette::Text, text);
+  palette.setColor(QPalette::PlaceholderText, muted);
+  palette.setColor(QPalette::Button, QColor(60, 62, 66));
+  palette.setColor(QPalette::ButtonText, text);
+  palette.setColor(QPalette::Link, accent);
+  palette.setColor(QPalette::Highlight, QColor(0, 114, 178));
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText})
+    palette.setColor(QPalette::Disabled, role, muted);
+  return palette;
+}
+
+}  // namespace
+
+void applyTheme(bool dark) {
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setPalette(dark ? darkPalette() : QApplication::style()->standardPalette());
+}
+
+plots::Style figureStyle(bool dark) { return dark ? plots::darkStyle() : plots::lightStyle(); }
+
+}  // namespace squat::studio
