@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "case/CaseFile.h"
-#include "case/Validation.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
@@ -49,11 +48,6 @@ bool alreadyDone(const RunFiles& files, const std::string& hash) {
   return true;
 }
 
-void warn(const cases::CaseDescription& description) {
-  for (const auto& problem : cases::validate(description).warnings)
-    std::fprintf(stderr, "warning: %s\n", toText(problem).c_str());
-}
-
 std::vector<std::string> drawFigures(const RunCommandOptions& options, const results::RunResult& result) {
   if (options.noFigures || !result.complete) return {};
   if (!figuresAvailable()) {
@@ -90,7 +84,6 @@ int run(const RunCommandOptions& options) {
     std::printf("%s is complete already\n", files.result().c_str());
     return kDone;
   }
-  warn(description);
 
   auto runOptions = options.run;
   runOptions.checkpointPath = files.checkpoint();
@@ -111,7 +104,6 @@ int run(const RunCommandOptions& options) {
   auto written = writeRunFiles(files, result);
   for (auto& path : drawFigures(options, result)) written.push_back(std::move(path));
   if (options.verbose && !result.modes.empty()) std::printf("%s\n", modesTable(result).c_str());
-  for (const auto& warning : result.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   std::printf("%s", paperTable(result).c_str());
   printWritten(written);
   if (result.complete) return kDone;

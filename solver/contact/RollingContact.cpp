@@ -24,9 +24,9 @@ struct Sums {
 }  // namespace
 
 PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
-                       const ContactLaw& law, const WheelRolling& wheel, const double* displaced, const double* velocity,
-                       double step, FrictionHistory& history, const ForceLines& railForces, const ForceLines& rimForces,
-                       std::vector<PatchPoint>* points) {
+                       const ContactLaw& law, const WheelRolling& wheel, const double* displaced,
+                       const double* velocity, double step, FrictionHistory& history, const ForceLines& railForces,
+                       const ForceLines& rimForces, std::vector<PatchPoint>* points) {
   PatchState patch;
   Sums sums;
   const auto& place = wheel.placement;
@@ -51,8 +51,7 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         if (slips) {
           const double back = size > 0 ? limit / size : 0;
           // What the return takes off is slip that friction has worked through.
-          patch.frictionPower +=
-              area * (1 - back) * size * limit / (law.tangentialPenalty * step);
+          patch.frictionPower += area * (1 - back) * size * limit / (law.tangentialPenalty * step);
           along *= back, across *= back;
           ++patch.slipping;
         }
@@ -60,8 +59,8 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         history.closed.push_back(t.point);
         ++patch.points;
         patch.deepest = std::max(patch.deepest, t.penetration);
-        patch.storedEnergy += 0.5 * area *
-                              (pressure * t.penetration + (along * along + across * across) / law.tangentialPenalty);
+        patch.storedEnergy +=
+            0.5 * area * (pressure * t.penetration + (along * along + across * across) / law.tangentialPenalty);
 
         // On the rail: pressure along e_r = (sine, -cosine), traction along e_alpha = (cosine, sine) and y.
         const double forceX = area * (pressure * t.sine + along * t.cosine);
@@ -83,8 +82,7 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         // (X + u) x F about y: -(R + u_r) F_a + u_a F_r with F_a = -t A, F_r = -p A. The pressure points at the wheel's
         // centre, so its arm is that of the hub.
         const double hubAlong = place.hubX * t.cosine + place.hubZ * t.sine;
-        patch.fullMoment +=
-            area * ((s.radius + treadValue(rim, t, displaced, 1)) * along - hubAlong * pressure);
+        patch.fullMoment += area * ((s.radius + treadValue(rim, t, displaced, 1)) * along - hubAlong * pressure);
         const double x = s.pointX[t.point] - place.centreX - place.hubX, y = s.pointY[t.point], n = pressure * area;
         sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
         if (points) points->push_back({x, y, pressure, along, across, area, slips});
@@ -93,7 +91,8 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
   std::size_t k = 0;
   for (const std::size_t old : before) {
     while (k < history.closed.size() && history.closed[k] < old) ++k;
-    if (k == history.closed.size() || history.closed[k] != old) history.traction[2 * old] = history.traction[2 * old + 1] = 0;
+    if (k == history.closed.size() || history.closed[k] != old)
+      history.traction[2 * old] = history.traction[2 * old + 1] = 0;
   }
   if (sums.n > 0) {
     const double meanX = sums.x1 / sums.n, meanY = sums.y1 / sums.n;

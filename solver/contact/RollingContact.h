@@ -1,8 +1,8 @@
 // solver/contact/RollingContact.h - penalty pressure and Coulomb friction between wheel and rail while rolling.
 //
 // Pressure p = k * penetration at each closed point; traction grows with the slip, t' = kt (v_wheel - v_rail), and is
-// returned to the friction cone |t| <= mu p. The tractions are carried by the rail's points: they enter and leave the patch
-// with the material.
+// returned to the friction cone |t| <= mu p. The tractions are carried by the rail's points: they enter and leave the
+// patch with the material.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct ContactLaw {
 // How the wheel moves besides its nodal velocities.
 struct WheelRolling {
   WheelPlacement placement;
-  double speed = 0;      // [m/s] of the reference along x
-  double spinRate = 0;   // [rad/s]
+  double speed = 0;     // [m/s] of the reference along x
+  double spinRate = 0;  // [rad/s]
 };
 
 // Tractions on the rail, along e_alpha and y [Pa]; zero where open. Two per contact point of the surfaces.
@@ -31,15 +31,15 @@ struct FrictionHistory {
 };
 
 struct PatchState {
-  double vertical = 0;       // [N] of the wheel on the rail, downwards
-  double longitudinal = 0;   // [N] of the wheel on the rail, along x
-  double lateral = 0;        // [N]
-  double spinMoment = 0;     // [N m] on the wheel about y with the reference arms X
-  double fullMoment = 0;     // [N m] with the displaced arms X + u
-  double length = 0, width = 0;      // [m] 2 sqrt(5 <x^2>), 2 sqrt(5 <y^2>) of the pressure
-  double storedEnergy = 0;   // [J] in the penalties
-  double frictionPower = 0;  // [W] dissipated
-  double deepest = 0;        // [m] largest penetration
+  double vertical = 0;           // [N] of the wheel on the rail, downwards
+  double longitudinal = 0;       // [N] of the wheel on the rail, along x
+  double lateral = 0;            // [N]
+  double spinMoment = 0;         // [N m] on the wheel about y with the reference arms X
+  double fullMoment = 0;         // [N m] with the displaced arms X + u
+  double length = 0, width = 0;  // [m] 2 sqrt(5 <x^2>), 2 sqrt(5 <y^2>) of the pressure
+  double storedEnergy = 0;       // [J] in the penalties
+  double frictionPower = 0;      // [W] dissipated
+  double deepest = 0;            // [m] largest penetration
   int points = 0, slipping = 0;
 };
 
@@ -58,8 +58,8 @@ struct ForceLines {
 // Evaluates the patch for displacements `displaced` and velocities (state layout), updates the friction history over
 // `step` seconds and adds the forces. `points` receives the closed points where it is given.
 PatchState rollContact(const Surfaces& surfaces, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
-                       const ContactLaw& law, const WheelRolling& wheel, const double* displaced, const double* velocity,
-                       double step, FrictionHistory& history, const ForceLines& railForces, const ForceLines& rimForces,
-                       std::vector<PatchPoint>* points = nullptr);
+                       const ContactLaw& law, const WheelRolling& wheel, const double* displaced,
+                       const double* velocity, double step, FrictionHistory& history, const ForceLines& railForces,
+                       const ForceLines& rimForces, std::vector<PatchPoint>* points = nullptr);
 
 }  // namespace squat::contact

@@ -14,7 +14,8 @@ contact::ForceLines forceLines(const model::Model& model, int block, AlignedVect
 }
 
 // Gravity in the local components of every station.
-void fillGravity(const elasticity::SweptBlock& block, double gravity, const model::TurnedStations* turned, AlignedVector& lines) {
+void fillGravity(const elasticity::SweptBlock& block, double gravity, const model::TurnedStations* turned,
+                 AlignedVector& lines) {
   for (int s = 0; s < block.stationCount; ++s) {
     switch (block.kind) {
       case elasticity::SweepKind::alongX:
@@ -33,7 +34,8 @@ void fillGravity(const elasticity::SweptBlock& block, double gravity, const mode
 
 }  // namespace
 
-Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double step, double beta)
+Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double step,
+                 double beta)
     : model_(model), kernels_(kernels), team_(team), step_(step), beta_(beta) {
   const auto& d = model.description;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
@@ -50,7 +52,8 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const auto& block = model.blocks[b];
     acceleration_.emplace_back(3 * block.stride, 0.0);
-    fillGravity(block, d.motion.gravity, static_cast<int>(b) == model.rim ? &turnedRim_ : &turned_, acceleration_.back());
+    fillGravity(block, d.motion.gravity, static_cast<int>(b) == model.rim ? &turnedRim_ : &turned_,
+                acceleration_.back());
     radii_.emplace_back();
     if (block.kind == elasticity::SweepKind::aroundAxis)
       for (const auto& p : block.section.nodes) radii_.back().push_back(p[0]);
@@ -87,6 +90,8 @@ void Rolling::restore(RollingState state) {
   target_ = state_.displaced;
   std::fill(forces_.begin(), forces_.end(), 0.0);
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
+  view_ = {};
+  view_.wheelAcceleration = state_.wheelAcceleration;
   boxVelocity_ = ringMean(model_, model_.bearing, turned_, state_.velocity.data());
   wheelVelocity_ = ringMean(model_, model_.centre, turned_, state_.velocity.data());
 }
@@ -102,7 +107,8 @@ contact::WheelRolling Rolling::wheelRolling() const {
   const auto& d = model_.description;
   const auto hub = ringMean(model_, model_.centre, turned_, state_.displaced.data());
   contact::WheelRolling wheel;
-  wheel.placement = {model_.startX + d.motion.speed * state_.time, model_.wheelset.centreHeight, state_.rotation, hub.x, hub.z};
+  wheel.placement = {model_.startX + d.motion.speed * state_.time, model_.wheelset.centreHeight, state_.rotation, hub.x,
+                     hub.z};
   wheel.speed = d.motion.speed;
   wheel.spinRate = state_.spinRate;
   return wheel;
@@ -134,7 +140,8 @@ void Rolling::pushVehicle() {
   double* small = forces_.data() + model_.forceSize - 8;
   small[model_.sprungX - model_.smallUnknowns] -= forceX;
   small[model_.sprungZ - model_.smallUnknowns] -= forceZ;
-  damperPower_[2] = d.suspension.damping * relativeZ * relativeZ + d.suspension.longitudinalDamping * relativeX * relativeX;
+  damperPower_[2] =
+      d.suspension.damping * relativeZ * relativeZ + d.suspension.longitudinalDamping * relativeX * relativeX;
 
   // The torque acts evenly on the hub, against alpha.
   torque_ = torqueAt(state_.time);
@@ -146,7 +153,8 @@ void Rolling::pushVehicle() {
     const double radius = body.section.nodes[node][0], share = model_.hub.weight[i] / body.stationCount;
     double* a = forces_.data() + loaded.offset + static_cast<std::size_t>(loaded.lineOfNode[node]) * 3 * body.stride;
     const double* va = v + body.index(node, 0, 0);
-    for (int s = 0; s < body.stationCount; ++s) a[s] -= torque_ * share / radius, hubSpinRate_ -= share * va[s] / radius;
+    for (int s = 0; s < body.stationCount; ++s)
+      a[s] -= torque_ * share / radius, hubSpinRate_ -= share * va[s] / radius;
   }
   // Moment about y, u_z F_x - u_x F_z, of suspension, weight and inertia with the arms that displacement gives them:
   // minus the moment of the inner forces, whose part of second order is all that the linear elasticity leaves.
@@ -178,7 +186,8 @@ void Rolling::collectForces(int index) {
     const double* u = state_.displaced.data();
     const double* v = state_.velocity.data();
     damperPower_[0] = addSpringForces(model_.ballast, u, v, forces_.data());
-    damperPower_[1] = addSpringForces(model_.pads, u, v, forces_.data()) + addSpringForces(model_.ends, u, v, forces_.data());
+    damperPower_[1] =
+        addSpringForces(model_.pads, u, v, forces_.data()) + addSpringForces(model_.ends, u, v, forces_.data());
     for (const auto& tie : model_.ties)
       interpolateSlaves(tie, model_.blocks, state_.displaced.data(), slaveWorkspace_.data());
   }
@@ -220,8 +229,7 @@ void Rolling::finishStep() {
   double* small = forces_.data() + model_.forceSize - 8;
   for (const std::size_t index : {model_.sprungX, model_.sprungZ}) {
     const double force = small[index - model_.smallUnknowns];
-    const double acceleration =
-        force / d.suspension.sprungMass - (index == model_.sprungZ ? d.motion.gravity : 0.0);
+    const double acceleration = force / d.suspension.sprungMass - (index == model_.sprungZ ? d.motion.gravity : 0.0);
     const double old = v[index];
     v[index] = old + step_ * acceleration;
     target_[index] = state_.displaced[index] - beta_ * old + (step_ + beta_) * v[index];
@@ -245,6 +253,7 @@ void Rolling::finishStep() {
   const auto wheel = ringMean(model_, model_.centre, turned_, v);
   view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};
   view_.wheelAcceleration = {(wheel.x - wheelVelocity_.x) / step_, (wheel.z - wheelVelocity_.z) / step_};
+  state_.wheelAcceleration = view_.wheelAcceleration;
   view_.spinRate = 0.5 * (oldRate + state_.spinRate);
   boxVelocity_ = box, wheelVelocity_ = wheel;
 }

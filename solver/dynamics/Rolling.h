@@ -1,12 +1,12 @@
 // solver/dynamics/Rolling.h - central difference of the rolling wheel on the track.
 //
-// One step, everything local in memory: contact, springs and torque collect forces on surface nodes; then each stretch of
-// stations computes its inner forces and is advanced at once. The rim's tied nodes pass their inner forces to the wheel
-// body, which follows. Fixed partition, ordered sums: the same bits for any number of threads.
+// One step, everything local in memory: contact, springs and torque collect forces on surface nodes; then each stretch
+// of stations computes its inner forces and is advanced at once. The rim's tied nodes pass their inner forces to the
+// wheel body, which follows. Fixed partition, ordered sums: the same bits for any number of threads.
 //
-// Spin of the wheelset: the reference turns with rate w, I w' = torque + moment of all outer forces with displaced arms;
-// in the turning reference every mass feels +a' r along alpha, I a' = torque + moment with undisplaced arms, so that no
-// mean spin gathers in the displacements (false power otherwise).
+// Spin of the wheelset: the reference turns with rate w, I w' = torque + moment of all outer forces with displaced
+// arms; in the turning reference every mass feels +a' r along alpha, I a' = torque + moment with undisplaced arms, so
+// that no mean spin gathers in the displacements (false power otherwise).
 #pragma once
 
 #include <memory>
@@ -23,10 +23,10 @@ namespace squat::dynamics {
 // What one step shows to observers; instants are those of the displacement before the step.
 struct StepView {
   long step = 0;
-  double time = 0, position = 0;           // [s], [m] wheel centre relative to the defect
+  double time = 0, position = 0;  // [s], [m] wheel centre relative to the defect
   contact::PatchState patch;
   model::PlaneVector boxAcceleration, wheelAcceleration;  // [m/s2]
-  double spinRate = 0;                     // [rad/s]
+  double spinRate = 0;                                    // [rad/s]
 };
 
 class Rolling {
@@ -94,15 +94,15 @@ class Rolling {
   std::vector<std::vector<elasticity::Segment>> trackWork_, bodyWork_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
-  std::vector<AlignedVector> acceleration_;     // per block: 3 lines
-  std::vector<std::vector<double>> radii_;      // per block: of section nodes, around the axis
+  std::vector<AlignedVector> acceleration_;  // per block: 3 lines
+  std::vector<std::vector<double>> radii_;   // per block: of section nodes, around the axis
   model::TurnedStations turned_, turnedRim_;
   AlignedVector tieWorkspace_, slaveWorkspace_;
   StepView view_;
   model::PlaneVector boxVelocity_, wheelVelocity_, hub_;
   double spinAcceleration_ = 0, referenceAcceleration_ = 0;
-  double damperPower_[3] = {0, 0, 0};           // ballast, pads and ends; suspension
-  double vehicleMoment_ = 0;                    // of outer forces besides the contact, displaced arms
+  double damperPower_[3] = {0, 0, 0};  // ballast, pads and ends; suspension
+  double vehicleMoment_ = 0;           // of outer forces besides the contact, displaced arms
   double torque_ = 0, hubSpinRate_ = 0;
 };
 

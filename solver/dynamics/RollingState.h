@@ -3,6 +3,7 @@
 
 #include "contact/RollingContact.h"
 #include "core/AlignedVector.h"
+#include "model/WheelMotion.h"
 
 namespace squat::dynamics {
 
@@ -14,11 +15,12 @@ struct RollingState {
   AlignedVector displaced;  // u + beta v, state layout
   AlignedVector velocity;   // half a step behind the displacement [m/s]
   long step = 0;
-  double time = 0;          // [s] of the displacement
-  double rotation = 0;      // [rad]
-  double spinRate = 0;      // [rad/s] half a step behind
+  double time = 0;      // [s] of the displacement
+  double rotation = 0;  // [rad]
+  double spinRate = 0;  // [rad/s] half a step behind
   contact::FrictionHistory friction;
   EnergySums sums;
+  model::PlaneVector wheelAcceleration;  // [m/s2] of the last step
 };
 
 }  // namespace squat::dynamics

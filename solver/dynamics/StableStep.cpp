@@ -14,11 +14,13 @@ namespace squat::dynamics {
 
 namespace {
 
-// Normal and both tangential penalties of every point that the wheel can reach, each closed where the wheel rolls on it.
+// Normal and both tangential penalties of every point that the wheel can reach, each closed where the wheel rolls on
+// it.
 void closeAllContact(const model::Model& model, supports::SpringSet& springs) {
   const auto& s = model.surfaces;
   const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
-  const double normal = model::normalPenalty(model.description), tangential = model::tangentialPenalty(model.description);
+  const double normal = model::normalPenalty(model.description),
+               tangential = model::tangentialPenalty(model.description);
   const AlignedVector zero(model.stateSize, 0.0);
   for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
     for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
@@ -33,7 +35,8 @@ void closeAllContact(const model::Model& model, supports::SpringSet& springs) {
           std::vector<std::pair<std::size_t, double>> terms;
           for (int a = 0; a < 2; ++a)
             for (int b = 0; b < 2; ++b) {
-              terms.push_back({rail.index(t.railNode[a], railComponent[direction], t.railStation + b), t.railWeight[2 * a + b]});
+              terms.push_back(
+                  {rail.index(t.railNode[a], railComponent[direction], t.railStation + b), t.railWeight[2 * a + b]});
               terms.push_back({rim.index(t.treadNode[a], treadComponent[direction], t.treadStation[b]),
                                treadSign[direction] * t.treadWeight[2 * a + b]});
             }
@@ -42,23 +45,10 @@ void closeAllContact(const model::Model& model, supports::SpringSet& springs) {
       }
 }
 
-std::string placeOf(const model::Model& model, std::size_t index) {
-  for (const auto& block : model.blocks) {
-    if (index < block.offset || index >= block.offset + block.size()) continue;
-    const std::size_t line = (index - block.offset) / block.stride;
-    const int s = static_cast<int>((index - block.offset) % block.stride);
-    const Eigen::Vector3d p = elasticity::nodePosition(block, static_cast<int>(line / 3), std::min(s, block.intervals));
-    char text[160];
-    std::snprintf(text, sizeof text, "%s, node %d of station %d at x %.4f, y %.4f, z %.4f m", block.name.c_str(),
-                  static_cast<int>(line / 3), s, p[0], p[1], p[2]);
-    return text;
-  }
-  return "sprung mass";
-}
-
 }  // namespace
 
-StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, Monitor& monitor) {
+StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                      Monitor& monitor) {
   model::StaticOperator op(model, kernels, team, 0, 0, false);
   closeAllContact(model, op.contactSprings());
   const std::size_t n = model.stateSize;
@@ -121,7 +111,7 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
   std::size_t at = 0;
   for (std::size_t i = 0; i < n; ++i)
     if (std::abs(now[i]) * rootInverse[i] > std::abs(now[at]) * rootInverse[at]) at = i;
-  result.place = placeOf(model, at);
+  result.place = model::placeName(model, at);
   result.highestFrequency = std::sqrt(largest);
   const auto& damping = model.description.damping;
   result.beta = damping.beta > 0 ? damping.beta : 2 * damping.fraction / result.highestFrequency;

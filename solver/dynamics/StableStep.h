@@ -20,6 +20,7 @@ struct StableStep {
 
 // Lanczos steps on M^-1 K in the inner product of M until the largest eigenvalue changes by less than 1e-4; Lanczos
 // values approach from below, hence the factor 0.95.
-StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, Monitor& monitor);
+StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                      Monitor& monitor);
 
 }  // namespace squat::dynamics

@@ -85,7 +85,7 @@ void addSleepers(Model& model) {
 
 RollingStretch rollingStretch(const cases::CaseDescription& d, double railStart, double railEnd) {
   const cases::DefectSurface defect(d.defect);
-  const double start = -d.motion.runUp, end = d.motion.beyond + patchMargin;
+  const double start = -d.motion.runUp, end = d.motion.beyond + 0.030;
   const double fineFrom = std::max(start - d.mesh.fineStart, defect.first() - d.mesh.fineBefore);
   const double fineTo = std::max(defect.last() + d.mesh.fineBefore, fineFrom + d.mesh.contactSize);
   const double startTo = start + d.mesh.fineStart, h = d.mesh.contactSize, rolling = d.mesh.rollingSize;

@@ -10,6 +10,8 @@ inline double normalPenalty(const cases::CaseDescription& d) {
   return d.contact.normalPenalty * d.rail.material.young / d.mesh.contactSize;
 }
 
-inline double tangentialPenalty(const cases::CaseDescription& d) { return d.contact.tangentialPenalty * normalPenalty(d); }
+inline double tangentialPenalty(const cases::CaseDescription& d) {
+  return d.contact.tangentialPenalty * normalPenalty(d);
+}
 
 }  // namespace squat::model

@@ -67,6 +67,9 @@ struct Model {
 // Builds everything from the case. Throws CaseError where the mesh cannot carry the case.
 Model buildModel(const cases::CaseDescription& description);
 
+// Block, node, station and position of a state index, for messages.
+std::string placeName(const Model& model, std::size_t index);
+
 // Mesh quality: smallest Jacobian ratio, largest aspect ratio, and where.
 struct MeshQuality {
   double smallestJacobian = 1, largestAspect = 1;

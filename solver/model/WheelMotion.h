@@ -30,7 +30,8 @@ void addRingForce(const Model& model, const Ring& ring, const TurnedStations& tu
 std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const Ring& ring,
                                                       const TurnedStations& turned, PlaneVector direction);
 
-// Mean turn of the wheelset about its axis in a state, sum of m r u_alpha over the inertia [rad]; of velocities [rad/s].
+// Mean turn of the wheelset about its axis in a state, sum of m r u_alpha over the inertia [rad]; of velocities
+// [rad/s].
 double meanSpin(const Model& model, const double* state);
 // Subtracts a rigid turn from the wheelset's displacements or velocities.
 void removeSpin(const Model& model, double spin, double* state);

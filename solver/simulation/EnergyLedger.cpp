@@ -42,7 +42,9 @@ SolidEnergies quadratic(const dynamics::Rolling& rolling, AlignedVector x) {
       for (int s = 0; s < block.stationCount; ++s) own += x[at + s] * force[at + s];
       sum += own;
     }
-    (b == model.rail ? energies.rail : b == model.rim || b == model.body ? energies.wheelset : energies.sleepers) += sum;
+    (b == model.rail                     ? energies.rail
+     : b == model.rim || b == model.body ? energies.wheelset
+                                         : energies.sleepers) += sum;
   }
   return energies;
 }
@@ -128,7 +130,8 @@ double EnergyLedger::relativeResidual() const {
   if (samples_.empty()) return 0;
   const auto& s = samples_.back();
   const double residual = (s.kinetic + s.strain + s.contact) - (first_.kinetic + first_.strain + first_.contact) +
-                          (s.friction + s.damping) - (first_.friction + first_.damping) - (s.external - first_.external);
+                          (s.friction + s.damping) - (first_.friction + first_.damping) -
+                          (s.external - first_.external);
   return residual / (reference_ + s.friction + s.damping);
 }
 
@@ -155,14 +158,16 @@ std::vector<results::Channel> EnergyLedger::channels() const {
   for (const auto& s : samples_) {
     const double residual = (s.kinetic + s.strain + s.contact) - (first_.kinetic + first_.strain + first_.contact) +
                             (s.friction + s.damping) - (s.external - first_.external);
-    const double values[8] = {s.kinetic, s.strain, s.contact, s.friction, s.damping, 0, s.external - first_.external, residual};
+    const double values[8] = {s.kinetic, s.strain, s.contact, s.friction, s.damping, 0, s.external - first_.external,
+                              residual};
     for (int i = 0; i < 8; ++i) list[i].values.push_back(values[i]);
   }
   return list;
 }
 
 std::vector<double> EnergyLedger::pack() const {
-  std::vector<double> numbers{reference_, firstSpin_, materialDamping_, lastDampingPower_, lastTime_, started_ ? 1.0 : 0.0};
+  std::vector<double> numbers{reference_,        firstSpin_, materialDamping_,
+                              lastDampingPower_, lastTime_,  started_ ? 1.0 : 0.0};
   const auto put = [&](const Sample& s) {
     numbers.insert(numbers.end(), {s.kinetic, s.strain, s.contact, s.friction, s.damping, s.external});
   };
@@ -179,7 +184,8 @@ void EnergyLedger::unpack(const std::vector<double>& numbers) {
   };
   first_ = get(6);
   time_.clear(), samples_.clear();
-  for (std::size_t at = 12; at + 7 <= numbers.size(); at += 7) time_.push_back(numbers[at]), samples_.push_back(get(at + 1));
+  for (std::size_t at = 12; at + 7 <= numbers.size(); at += 7)
+    time_.push_back(numbers[at]), samples_.push_back(get(at + 1));
 }
 
 }  // namespace squat::simulation

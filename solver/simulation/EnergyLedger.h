@@ -40,7 +40,7 @@ class EnergyLedger {
     double kinetic = 0, strain = 0, contact = 0, friction = 0, damping = 0, external = 0;
   };
   double kineticEnergy(const dynamics::Rolling& rolling) const;
-  double reference_ = 0;       // [J] strain energy at the start
+  double reference_ = 0;  // [J] strain energy at the start
   double firstSpin_ = 0;
   double materialDamping_ = 0, lastDampingPower_ = 0, lastTime_ = 0;
   Sample first_, pending_;

@@ -38,8 +38,7 @@ QuietStart prepareQuietStart(const model::Model& model, const elasticity::Kernel
     EquilibriumOptions options;
     options.guess = &start.equilibrium.displacement;
     options.tolerance = 1e-6;  // of the load: velocities then err by about a micrometre per second
-    auto other =
-        findEquilibrium(model, kernels, team, model.startX + side * distance, side * turn, options, monitor);
+    auto other = findEquilibrium(model, kernels, team, model.startX + side * distance, side * turn, options, monitor);
     if (other.cancelled) {
       start.equilibrium.cancelled = true;
       return start;

@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+
+#include "case/DefectSurface.h"
+#include "contact/Hertz.h"
+#include "model/ContactPenalty.h"
+#include "model/WheelsetModes.h"
+#include "signals/ContinuousWavelet.h"
+#include "signals/PowerSpectrum.h"
+#include "simulation/RunParts.h"
+
+namespace squat::simulation {
+
+void describeEquilibrium(const model::Model& model, const statics::Equilibrium& e, results::RunResult& result) {
+  const auto& d = model.description;
+  const double weight = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
+  const auto hertz =
+      contact::hertzContact(d.wheelset.radius, 0.300, d.rail.material.young, d.rail.material.poisson, weight);
+  const double peak = e.peakPressure;
+  result.equilibrium = {
+      {"contact_force", "N", "vertical", e.contactForce},
+      {"weight", "N", "of wheelset and sprung mass", weight},
+      {"residual", "1", "2-norm of the unbalanced forces over the weight", e.residual},
+      {"half_axis_rolling", "m", "sqrt(5 <x2>) of the pressure", e.halfAxisRolling},
+      {"half_axis_lateral", "m", "sqrt(5 <y2>) of the pressure", e.halfAxisLateral},
+      {"peak_pressure", "Pa", "3 N / (2 pi a b)", peak},
+      {"approach", "m", "of wheel centre and rail section", e.approach},
+      {"hertz_half_axis_rolling", "m", "Hertz, R300 crown and cylindrical tread", hertz.halfAxisX},
+      {"hertz_half_axis_lateral", "m", "Hertz", hertz.halfAxisY},
+      {"hertz_peak_pressure", "Pa", "Hertz", hertz.peakPressure},
+      {"hertz_approach", "m", "Hertz", hertz.approach},
+      {"penalty_approach", "m", "p0 / 2k that the penalty adds to the approach",
+       hertz.peakPressure / (2 * model::normalPenalty(d))},
+      {"strain_energy", "J", "solids, springs and contact", e.strainEnergy},
+      {"newton_steps", "1", "", static_cast<double>(e.newtonSteps)},
+      {"iterations", "1", "of conjugate gradients", static_cast<double>(e.iterations)},
+  };
+}
+
+void describeMesh(const model::Model& model, const dynamics::StableStep& stable, double step,
+                  results::RunResult& result) {
+  const auto quality = model::meshQuality(model);
+  result.meshFigures = {
+      {"elements", "1", "", static_cast<double>(model.elements())},
+      {"nodes", "1", "", static_cast<double>(model.nodeCount())},
+      {"smallest_jacobian", "1", quality.jacobianPlace, quality.smallestJacobian},
+      {"largest_aspect", "1", quality.aspectPlace, quality.largestAspect},
+      {"stable_step", "s", stable.place, stable.step},
+      {"step", "s", "as run", step},
+      {"highest_frequency", "rad/s", "of the assembled model, contact closed", stable.highestFrequency},
+      {"beta", "s", "stiffness-proportional damping", stable.beta},
+      {"wheelset_mass", "kg", "half wheelset", model.wheelset.mass},
+      {"wheelset_solid_mass", "kg", "of it meshed as solid", model.wheelset.solidMass},
+      {"wheelset_inertia", "kg m2", "about the axis", model.wheelset.inertia},
+  };
+}
+
+void describeModes(const cases::CaseDescription& description, results::RunResult& result) {
+  for (const auto& mode : model::wheelsetModes(description, 2000, 3))
+    result.modes.push_back({mode.frequency, mode.boxShare, mode.wheelShare, mode.contactShare});
+}
+
+void describeProfile(const cases::CaseDescription& d, results::RunResult& result) {
+  const cases::DefectSurface surface(d.defect);
+  const double from = std::max(-d.motion.runUp, std::min(-0.1, surface.first() - 0.03));
+  const double to = std::min(d.motion.beyond, std::max(0.15, surface.last() + 0.03)), step = 0.5e-3;
+  for (const auto& point : cases::rigidWheelPath(surface, d.wheelset.radius, from, to, step)) {
+    result.profilePosition.push_back(point.position);
+    result.profileHeight.push_back(surface.height(point.position));
+    result.wheelPath.push_back(point.height);
+  }
+}
+
+void addSpectra(const cases::CaseDescription& d, results::RunResult& result) {
+  const auto* filtered = result.signal("aba_filtered");
+  const auto* wheel = result.signal("wheel_acceleration_filtered");
+  if (!filtered || filtered->size() < 64) return;
+  const double step = result.time[1] - result.time[0], speed = d.motion.speed;
+  // Window of the paper's figures: from 0.1 m before to 0.28 m beyond the defect, as far as the record goes.
+  result.psdFrom = std::max(-0.1, result.position.front()), result.psdTo = std::min(0.28, result.position.back());
+  const auto timeOf = [&](double position) {
+    const auto it = std::lower_bound(result.position.begin(), result.position.end(), position);
+    return result.time[std::min<std::size_t>(it - result.position.begin(), result.time.size() - 1)];
+  };
+  try {
+    signals::PowerSpectrumOptions options;
+    options.window = signals::Window::hann;
+    options.transformLength = 8192;
+    for (const auto& [values, out] : {std::pair{filtered, &result.psd}, std::pair{wheel, &result.psdWheel}}) {
+      const signals::TimeSeries series{result.time.front(), step, *values, "", "m/s2"};
+      const auto part = signals::cutOut(series, timeOf(result.psdFrom), timeOf(result.psdTo));
+      if (part.values.size() < 32) return;
+      const auto spectrum = signals::powerSpectrum(part, options);
+      result.frequency = spectrum.frequency;
+      *out = spectrum.density;
+      result.psdWindow = spectrum.window;
+    }
+    signals::WaveletOptions wavelet;
+    wavelet.highest = std::min(2500.0, 0.45 / step);
+    wavelet.voicesPerOctave = d.output.cwtVoices > 0 ? d.output.cwtVoices : 16;
+    const signals::TimeSeries series{result.time.front(), step, *filtered, "aba_filtered", "m/s2"};
+    const auto scalogram = signals::scalogram(series, wavelet);
+    result.scalogramFrequency = scalogram.frequency, result.scalogramTime = scalogram.time;
+    result.scalogramPower = scalogram.power, result.coneOfInfluence = scalogram.coneOfInfluence;
+    for (const double t : scalogram.time)
+      result.scalogramPosition.push_back(result.position.front() + speed * (t - result.time.front()));
+  } catch (const std::exception& error) {
+    result.warnings.push_back(std::string("no spectra: ") + error.what());
+  }
+}
+
+}  // namespace squat::simulation

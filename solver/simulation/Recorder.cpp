@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/Errors.h"
+#include "signals/Butterworth.h"
+#include "simulation/RunParts.h"
+
+namespace squat::simulation {
+
+namespace {
+
+struct ChannelName {
+  const char *name, *unit, *description;
+};
+constexpr ChannelName channelNames[] = {
+    {"aba", "m/s2", "vertical acceleration of the axle box, up positive, anti-aliased"},
+    {"aba_longitudinal", "m/s2", "longitudinal acceleration of the axle box, rolling direction positive"},
+    {"wheel_acceleration", "m/s2", "vertical acceleration of the wheel centre, up positive"},
+    {"contact_force", "N", "vertical force of the wheel on the rail, down positive"},
+    {"creep_force", "N", "longitudinal force of the wheel on the rail, rolling direction positive"},
+    {"wheel_speed", "rad/s", "angular velocity of the wheelset"},
+    {"patch_length", "m", "2 sqrt(5 <x2>) of the pressure"},
+    {"patch_width", "m", "2 sqrt(5 <y2>) of the pressure"},
+    {"position", "m", "wheel centre relative to the deepest point of the defect"},
+};
+constexpr std::size_t channels = std::size(channelNames);
+
+}  // namespace
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Recorder::Recorder(double step, std::size_t stepsPerSample) : filter_(step, stepsPerSample, channels) {}
+
+void Recorder::observe(const dynamics::StepView& view) {
+  const double sample[channels] = {view.boxAcceleration.z, view.boxAcceleration.x,  view.wheelAcceleration.z,
+                                   view.patch.vertical,    view.patch.longitudinal, view.spinRate,
+                                   view.patch.length,      view.patch.width,        view.position};
+  filter_.push(sample);
+}
+
+void Recorder::store(results::RunResult& result, double cutoff) const {
+  const auto series = filter_.finish();
+  result.time.clear(), result.signals.clear();
+  if (series.empty() || series[0].values.empty()) return;
+  for (std::size_t i = 0; i < series[0].values.size(); ++i) result.time.push_back(series[0].timeAt(i));
+  result.position = series[channels - 1].values;
+  for (std::size_t c = 0; c + 1 < channels; ++c)
+    result.signals.push_back(
+        {channelNames[c].name, channelNames[c].unit, channelNames[c].description, series[c].values});
+  for (const auto& [from, name] :
+       {std::pair<std::size_t, const char*>{0, "aba_filtered"}, {2, "wheel_acceleration_filtered"}}) {
+    std::vector<double> values = series[from].values;
+    if (values.size() > 30) values = signals::lowPass(series[from], cutoff).values;
+    result.signals.push_back(
+        {name, "m/s2", std::string(channelNames[from].name) + ", Butterworth of order 4 forward and back", values});
+  }
+}
+
+void Recorder::save(results::ArrayTree& tree) const {
+  const auto& state = filter_.state();
+  tree.addScalar("/recorder/pushed", static_cast<double>(state.pushed), "1");
+  tree.add("/recorder/last", state.last, "1");
+  tree.add("/recorder/pending", state.pending, "1");
+  for (std::size_t c = 0; c < state.complete.size(); ++c)
+    tree.add("/recorder/complete" + std::to_string(c), state.complete[c], "1");
+}
+
+namespace {
+
+const std::vector<double>& numbers(const results::ArrayTree& tree, const std::string& path) {
+  const auto* array = tree.find(path);
+  const auto* values = array ? std::get_if<std::vector<double>>(&array->values) : nullptr;
+  if (!values) throw FileError("checkpoint", path, "is missing or of another kind");
+  return *values;
+}
+
+}  // namespace
+
+void Recorder::load(const results::ArrayTree& tree) {
+  signals::DecimatingFilterState state;
+  state.pushed = static_cast<std::uint64_t>(numbers(tree, "/recorder/pushed").at(0));
+  state.last = numbers(tree, "/recorder/last");
+  state.pending = numbers(tree, "/recorder/pending");
+  for (std::size_t c = 0; c < channels; ++c)
+    state.complete.push_back(numbers(tree, "/recorder/complete" + std::to_string(c)));
+  filter_.restore(std::move(state));
+}
+
+void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
+  const auto& s = rolling.state();
+  const auto plain = [](const AlignedVector& v) { return std::vector<double>(v.begin(), v.end()); };
+  tree.add("/rolling/displaced", plain(s.displaced), "m");
+  tree.add("/rolling/velocity", plain(s.velocity), "m/s");
+  tree.add("/rolling/traction", s.friction.traction, "Pa");
+  tree.add("/rolling/closed", std::vector<std::int64_t>(s.friction.closed.begin(), s.friction.closed.end()), "1");
+  tree.add(
+      "/rolling/small",
+      std::vector<double>{static_cast<double>(s.step), s.time, s.rotation, s.spinRate, s.sums.friction, s.sums.damping,
+                          s.sums.torqueWork, rolling.view().wheelAcceleration.x, rolling.view().wheelAcceleration.z},
+      "1");
+}
+
+dynamics::RollingState loadRolling(const results::ArrayTree& tree) {
+  dynamics::RollingState s;
+  const auto& u = numbers(tree, "/rolling/displaced");
+  const auto& v = numbers(tree, "/rolling/velocity");
+  s.displaced.assign(u.begin(), u.end()), s.velocity.assign(v.begin(), v.end());
+  s.friction.traction = numbers(tree, "/rolling/traction");
+  const auto* closed = tree.find("/rolling/closed");
+  if (const auto* list = closed ? std::get_if<std::vector<std::int64_t>>(&closed->values) : nullptr)
+    s.friction.closed.assign(list->begin(), list->end());
+  const auto& small = numbers(tree, "/rolling/small");
+  s.step = static_cast<long>(small.at(0)), s.time = small.at(1), s.rotation = small.at(2), s.spinRate = small.at(3);
+  s.sums = {small.at(4), small.at(5), small.at(6)};
+  s.wheelAcceleration = {small.at(7), small.at(8)};
+  return s;
+}
+
+void DivergenceGuard::check(const dynamics::Rolling& rolling, const EnergyLedger& ledger) {
+  const auto& view = rolling.view();
+  const auto& state = rolling.state();
+  const auto fail = [&](const std::string& what, const std::string& place) {
+    throw RunError(what, state.step, state.time, place);
+  };
+  if (!std::isfinite(view.patch.vertical) || !std::isfinite(view.boxAcceleration.z) || !std::isfinite(state.spinRate) ||
+      std::abs(view.patch.vertical) > 1e3 * rolling.wheelLoad()) {
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < state.velocity.size(); ++i)
+      if (!(std::abs(state.velocity[i]) <= std::abs(state.velocity[worst]))) worst = i;
+    fail("the run diverges: a velocity is not a number or grows without bound",
+         model::placeName(rolling.model(), worst));
+  }
+  if (view.patch.deepest > 2e-3)
+    fail("runaway penetration of " + std::to_string(view.patch.deepest * 1e3) + " mm", "contact");
+  if (view.patch.points > 0) lastContact_ = state.time;
+  if (state.time - lastContact_ > 0.010) fail("the wheel has lost contact for 10 ms", "contact");
+  if (std::abs(ledger.relativeResidual()) > 0.005)
+    fail("the energy ledger does not close: residual " + std::to_string(100 * ledger.relativeResidual()) +
+             " % of the strain energy at the start plus all dissipation",
+         "energy");
+}
+
+results::PatchSnapshot patchSnapshot(const std::string& name, const dynamics::Rolling& rolling) {
+  results::PatchSnapshot shot;
+  shot.name = name, shot.time = rolling.state().time;
+  shot.position = rolling.view().position;
+  for (const auto& p : rolling.patchPoints()) {
+    shot.x.push_back(static_cast<float>(p.x)), shot.y.push_back(static_cast<float>(p.y));
+    shot.pressure.push_back(static_cast<float>(p.pressure));
+    shot.tractionX.push_back(static_cast<float>(p.tractionX)),
+        shot.tractionY.push_back(static_cast<float>(p.tractionY));
+    shot.slipping.push_back(p.slips), shot.area.push_back(static_cast<float>(p.area));
+  }
+  return shot;
+}
+
+}  // namespace squat::simulation

@@ -1,0 +1,372 @@
+#include "simulation/RunCase.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "case/CaseFile.h"
+#include "case/Validation.h"
+#include "core/Errors.h"
+#include "results/Checkpoint.h"
+#include "simulation/RunParts.h"
+#include "simulation/SurfaceFields.h"
+#include "statics/QuietStart.h"
+
+#ifndef SQUAT_VERSION
+#define SQUAT_VERSION "unknown"
+#endif
+
+namespace squat::simulation {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double frameFrom = -0.06, frameTo = 0.12;  // [m] stretch about the defect of which frames are kept
+constexpr int frames = 12;
+constexpr long mostStepsAtOnce = 24;  // cancel is asked at least this often
+constexpr int samplesPerLedger = 5;   // output samples between entries of the ledger
+
+std::string utcNow() {
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+// Everything that one run carries from phase to phase.
+struct Run {
+  const cases::CaseDescription& description;
+  const RunOptions& options;
+  Monitor& monitor;
+  results::RunResult result;
+  std::vector<results::Scalar> phases;
+
+  template <typename Phase>
+  auto timed(const char* name, const Phase& phase) {
+    const auto start = Clock::now();
+    monitor.report({name, 0.0});
+    auto value = phase();
+    phases.push_back({std::string("seconds_") + name, "s", "wall time", secondsSince(start)});
+    return value;
+  }
+};
+
+void refuseOrWarn(Run& run) {
+  const auto validation = cases::validate(run.description);
+  if (!validation.problems.empty()) throw CaseError(validation.problems);
+  for (const auto& warning : validation.warnings) run.result.warnings.push_back(toText(warning));
+  for (const auto& warning : run.result.warnings) run.monitor.message("warning: " + warning);
+}
+
+void identify(Run& run, const elasticity::KernelSet& kernels, int threads) {
+  auto& r = run.result;
+  r.title = run.description.title;
+  r.caseToml = cases::writeCase(run.description);
+  r.caseHash = cases::caseHash(run.description);
+  r.codeVersion = SQUAT_VERSION;
+  r.isa = kernels.name;
+  r.threads = threads;
+  r.created = utcNow();
+  r.speed = run.description.motion.speed;
+  r.stopReason = "cancelled";
+}
+
+// Steps per output sample: the stable step, or the user's where it is shorter.
+long stepsPerSample(const cases::CaseDescription& d, const dynamics::StableStep& stable) {
+  const double sample = 1 / d.output.rate;
+  if (d.output.timeStep > stable.step)
+    throw CaseError({{"output.time_step", std::to_string(d.output.timeStep * 1e6) + " us",
+                      "0 or at most " + std::to_string(stable.step * 1e6) + " us: the stable step of this mesh",
+                      "Leave it at 0 for the stable step; it is set by " + stable.place}});
+  const double wished = d.output.timeStep > 0 ? d.output.timeStep : stable.step;
+  return std::max(2L, static_cast<long>(std::ceil(sample / wished - 1e-9)));
+}
+
+// The rolling phase: the loop, its observers and its checkpoints.
+class RollingPhase {
+ public:
+  RollingPhase(Run& run, dynamics::Rolling& rolling, const SurfaceFields* fields, long perSample, double startStrain)
+      : run_(run),
+        rolling_(rolling),
+        fields_(fields),
+        perSample_(perSample),
+        recorder_(rolling.stepSize(), static_cast<std::size_t>(perSample)),
+        ledger_(rolling, startStrain) {
+    const auto& m = run.description.motion;
+    const double duration = (m.runUp + m.beyond) / m.speed;
+    samples_ = static_cast<long>(std::floor(duration * run.description.output.rate)) + 1;
+    total_ = samples_ * perSample_ + static_cast<long>(std::ceil(recorder_.wait() / rolling.stepSize()));
+  }
+
+  // True when it ran to its end, false when cancelled.
+  bool go() {
+    started_ = Clock::now(), lastCheckpoint_ = started_, firstStep_ = rolling_.state().step;
+    const auto observe = [this](const dynamics::StepView& view) { recorder_.observe(view); };
+    while (rolling_.state().step < total_) {
+      const long done = rolling_.state().step;
+      if (done % (samplesPerLedger * perSample_) == 0) {
+        ledger_.before(rolling_);
+        rolling_.advance(1, observe);
+        ledger_.after(rolling_);
+      } else {
+        const long toSample = perSample_ - done % perSample_;
+        rolling_.advance(std::min({mostStepsAtOnce, toSample, total_ - done}), observe);
+      }
+      guard_.check(rolling_, ledger_);
+      takePictures();
+      tell();
+      while (run_.monitor.paused() && !run_.monitor.cancelled()) wait();
+      if (run_.monitor.cancelled()) {
+        checkpoint();
+        return false;
+      }
+      if (!run_.options.checkpointPath.empty() && secondsSince(lastCheckpoint_) > run_.options.checkpointSeconds)
+        checkpoint();
+    }
+    return true;
+  }
+
+  void store() {
+    auto& r = run_.result;
+    recorder_.store(r, run_.description.output.filterCutoff);
+    const std::size_t wanted = std::min<std::size_t>(static_cast<std::size_t>(samples_), r.time.size());
+    r.time.resize(wanted), r.position.resize(wanted);
+    for (auto& channel : r.signals) channel.values.resize(wanted);
+    r.energyTime = ledger_.times();
+    r.energy = ledger_.channels();
+    const auto shares = ledger_.shares();
+    r.equilibrium.push_back({"strain_energy_rail", "J", "at the end", shares.rail});
+    r.equilibrium.push_back({"strain_energy_wheelset", "J", "at the end", shares.wheelset});
+    r.equilibrium.push_back({"strain_energy_sleepers", "J", "at the end", shares.sleepers});
+    r.equilibrium.push_back({"strain_energy_springs", "J", "at the end", shares.springs});
+    const long steps = rolling_.state().step - firstStep_;
+    const double seconds = secondsSince(started_);
+    r.performance.push_back({"steps", "1", "", static_cast<double>(rolling_.state().step)});
+    r.performance.push_back({"rolling_seconds", "s", "wall time", seconds});
+    r.performance.push_back({"element_updates_per_second", "1/s", "elements times steps over wall time of the rolling",
+                             static_cast<double>(steps) * static_cast<double>(rolling_.model().elements()) / seconds});
+    r.performance.push_back({"energy_residual", "1", "largest, of strain energy at the start plus all dissipation",
+                             ledger_.largestRelativeResidual()});
+  }
+
+  void checkpoint() {
+    if (run_.options.checkpointPath.empty()) return;
+    results::ArrayTree tree;
+    setAttribute(tree.attributes, "case_hash", run_.result.caseHash);
+    setAttribute(tree.attributes, "code_version", run_.result.codeVersion);
+    setAttribute(tree.attributes, "isa", run_.result.isa);
+    saveRolling(rolling_, tree);
+    recorder_.save(tree);
+    tree.add("/ledger", ledger_.pack(), "1");
+    tree.add("/steps", std::vector<double>{static_cast<double>(perSample_), rolling_.stepSize(), rolling_.beta()}, "1");
+    for (const auto& shot : run_.result.snapshots) {
+      const std::string path = "/snapshots/" + shot.name;
+      tree.add(path + "/numbers", std::vector<double>{shot.time, shot.position, shot.wheelTravel, shot.wheelRotation},
+               "1");
+      tree.add(path + "/displacement", shot.displacement, "m");
+      tree.add(path + "/von_mises", shot.vonMises, "Pa");
+    }
+    for (const auto& shot : run_.result.patches) {
+      const std::string path = "/patches/" + shot.name;
+      tree.add(path + "/numbers", std::vector<double>{shot.time, shot.position}, "1");
+      const std::pair<const char*, const std::vector<float>*> fields[] = {{"/x", &shot.x},
+                                                                          {"/y", &shot.y},
+                                                                          {"/pressure", &shot.pressure},
+                                                                          {"/traction_x", &shot.tractionX},
+                                                                          {"/traction_y", &shot.tractionY},
+                                                                          {"/area", &shot.area}};
+      for (const auto& [name, values] : fields) tree.add(path + name, *values, "1");
+      tree.add(path + "/slipping", shot.slipping, "1");
+    }
+    results::writeCheckpoint(run_.options.checkpointPath, tree);
+    lastCheckpoint_ = Clock::now();
+  }
+
+  void load(const results::ArrayTree& tree) {
+    rolling_.restore(loadRolling(tree));
+    recorder_.load(tree);
+    if (const auto* ledger = tree.find("/ledger")) ledger_.unpack(std::get<std::vector<double>>(ledger->values));
+    run_.result.snapshots.clear(), run_.result.patches.clear();
+    const auto floats = [&](const std::string& path) {
+      const auto* array = tree.find(path);
+      return array ? std::get<std::vector<float>>(array->values) : std::vector<float>{};
+    };
+    const auto numbersOf = [&](const std::string& path) {
+      return std::get<std::vector<double>>(tree.find(path)->values);
+    };
+    for (const auto& array : tree.arrays) {
+      if (!array.path.ends_with("/numbers")) continue;
+      const std::string path = array.path.substr(0, array.path.size() - 8), name = path.substr(path.rfind('/') + 1);
+      const auto n = numbersOf(array.path);
+      if (path.starts_with("/snapshots/"))
+        run_.result.snapshots.push_back({name,
+                                         n.at(0),
+                                         n.at(1),
+                                         n.at(2),
+                                         n.at(3),
+                                         floats(path + "/displacement"),
+                                         floats(path + "/von_mises"),
+                                         {}});
+      else
+        run_.result.patches.push_back(
+            {name, n.at(0), n.at(1), floats(path + "/x"), floats(path + "/y"), floats(path + "/pressure"),
+             floats(path + "/traction_x"), floats(path + "/traction_y"),
+             std::get<std::vector<std::uint8_t>>(tree.find(path + "/slipping")->values), floats(path + "/area")});
+    }
+    std::sort(run_.result.snapshots.begin(), run_.result.snapshots.end(),
+              [](const auto& a, const auto& b) { return a.time < b.time; });
+  }
+
+ private:
+  void wait() { std::this_thread::sleep_for(std::chrono::milliseconds(50)); }
+
+  double referencePosition() const {
+    return rolling_.model().startX + run_.description.motion.speed * rolling_.state().time;
+  }
+
+  bool has(const std::string& name) const {
+    return std::any_of(run_.result.snapshots.begin(), run_.result.snapshots.end(),
+                       [&](const auto& s) { return s.name == name; });
+  }
+
+  void picture(const std::string& name) {
+    const double travel = rolling_.view().position - rolling_.model().startX;
+    run_.result.snapshots.push_back(
+        fields_->snapshot(name, rolling_.displacement(), rolling_.state().time, travel, rolling_.state().rotation));
+    run_.result.patches.push_back(patchSnapshot(name, rolling_));
+  }
+
+  void takePictures() {
+    if (!fields_) return;
+    const double x = referencePosition();
+    if (x >= 0 && !has("impact")) picture("impact");
+    const int frame = static_cast<int>(std::floor((x - frameFrom) / (frameTo - frameFrom) * frames));
+    if (x < frameFrom || frame >= frames) return;
+    char name[16];
+    std::snprintf(name, sizeof name, "frame %02d", frame);
+    if (!has(name)) picture(name);
+  }
+
+  void tell() {
+    const long done = rolling_.state().step;
+    const double seconds = secondsSince(started_);
+    if (seconds - lastTold_ < 0.1 && done < total_) return;
+    lastTold_ = seconds;
+    Progress p;
+    p.phase = "rolling";
+    p.fraction = static_cast<double>(done) / static_cast<double>(total_);
+    p.simulatedTime = rolling_.state().time;
+    const double rate = static_cast<double>(done - firstStep_) / std::max(seconds, 1e-3);
+    if (seconds > 0.5) p.remainingSeconds = static_cast<double>(total_ - done) / std::max(rate, 1e-3);
+    p.elementUpdatesPerSecond = rate * static_cast<double>(rolling_.model().elements());
+    p.position = rolling_.view().position;
+    p.contactForce = rolling_.view().patch.vertical;
+    p.axleBoxAcceleration = recorder_.latestAxleBox();
+    p.energyResidual = ledger_.relativeResidual();
+    run_.monitor.report(p);
+  }
+
+  Run& run_;
+  dynamics::Rolling& rolling_;
+  const SurfaceFields* fields_;
+  long perSample_, samples_ = 0, total_ = 0, firstStep_ = 0;
+  Recorder recorder_;
+  EnergyLedger ledger_;
+  DivergenceGuard guard_;
+  Clock::time_point started_, lastCheckpoint_;
+  double lastTold_ = -1;
+};
+
+std::optional<results::ArrayTree> readMatchingCheckpoint(Run& run) {
+  if (!run.options.resume || run.options.checkpointPath.empty()) return {};
+  auto tree = results::readCheckpoint(run.options.checkpointPath);
+  if (!tree) return {};
+  const auto hash = results::textAttribute(tree->attributes, "case_hash");
+  if (hash != run.result.caseHash)
+    throw CaseError({{"--resume", run.options.checkpointPath, "a checkpoint of this case (" + run.result.caseHash + ")",
+                      "It belongs to case " + hash + ": give another output folder or run without --resume"}});
+  const auto isa = results::textAttribute(tree->attributes, "isa");
+  if (isa != run.result.isa)
+    run.result.warnings.push_back("resumed on " + run.result.isa + " a run that was begun on " + isa +
+                                  ": results may differ in the last digits from an uninterrupted run");
+  return tree;
+}
+
+void finish(Run& run, Clock::time_point start) {
+  auto& r = run.result;
+  addSpectra(run.description, r);
+  r.performance.push_back({"seconds", "s", "wall time of the whole run", secondsSince(start)});
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  r.performance.push_back({"peak_memory", "B", "largest resident size", 1024.0 * static_cast<double>(usage.ru_maxrss)});
+  r.performance.insert(r.performance.end(), run.phases.begin(), run.phases.end());
+}
+
+}  // namespace
+
+results::RunResult runCase(const cases::CaseDescription& description, const RunOptions& options, Monitor& monitor,
+                           results::RunResult* partial) {
+  const auto start = Clock::now();
+  Run run{description, options, monitor, {}, {}};
+  refuseOrWarn(run);
+  elasticity::KernelSet kernels;
+  try {
+    kernels = elasticity::kernelsFor(options.isa);
+  } catch (const std::invalid_argument& error) {
+    throw CaseError({{"--isa", options.isa, "one that this processor has", error.what()}});
+  }
+  ThreadTeam team(threadCount(options.threads));
+  identify(run, kernels, team.size());
+  const auto checkpoint = readMatchingCheckpoint(run);
+
+  const model::Model model = run.timed("mesh", [&] { return model::buildModel(description); });
+  describeProfile(description, run.result);
+  if (options.wheelsetModes) run.timed("modes", [&] { return describeModes(description, run.result), 0; });
+  const auto stable = run.timed("stable_step", [&] { return dynamics::stableStep(model, kernels, team, monitor); });
+  if (monitor.cancelled()) return run.result;
+  const long perSample = stepsPerSample(description, stable);
+  const double step = 1 / description.output.rate / static_cast<double>(perSample);
+  describeMesh(model, stable, step, run.result);
+
+  std::unique_ptr<SurfaceFields> fields;
+  if (options.snapshots) {
+    fields = std::make_unique<SurfaceFields>(model);
+    run.result.surface = fields->mesh();
+  }
+  dynamics::Rolling rolling(model, kernels, team, step, stable.beta);
+  const auto quiet =
+      run.timed("equilibrium", [&] { return statics::prepareQuietStart(model, kernels, team, monitor); });
+  describeEquilibrium(model, quiet.equilibrium, run.result);
+  if (quiet.equilibrium.cancelled) return run.result;
+  const auto& motion = description.motion;
+  rolling.start(quiet.equilibrium.displacement, quiet.velocity,
+                motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / description.wheelset.radius);
+  if (fields) run.result.snapshots.push_back(fields->snapshot("equilibrium", quiet.equilibrium.displacement, 0, 0, 0));
+
+  RollingPhase phase(run, rolling, fields.get(), perSample, quiet.equilibrium.strainEnergy);
+  if (checkpoint) phase.load(*checkpoint);
+  try {
+    const bool complete = run.timed("rolling", [&] { return phase.go(); });
+    phase.store();
+    run.result.complete = complete;
+    run.result.stopReason = complete ? "done" : "cancelled";
+    run.timed("spectra", [&] { return finish(run, start), 0; });
+  } catch (const RunError& error) {
+    phase.store();
+    run.result.stopReason = std::string("failed: ") + error.what();
+    finish(run, start);
+    if (partial) *partial = run.result;
+    throw;
+  }
+  return run.result;
+}
+
+}  // namespace squat::simulation

@@ -1,0 +1,61 @@
+// solver/simulation/RunParts.h - pieces of runCase(): recording, guarding, describing. Internal to this folder.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "core/Monitor.h"
+#include "dynamics/Rolling.h"
+#include "dynamics/StableStep.h"
+#include "results/ArrayTree.h"
+#include "results/RunResult.h"
+#include "signals/DecimatingFilter.h"
+#include "simulation/EnergyLedger.h"
+#include "statics/Equilibrium.h"
+
+namespace squat::simulation {
+
+double secondsSince(std::chrono::steady_clock::time_point start);
+
+// Every signal on the solver's own steps, low-passed and thinned out to the output rate.
+class Recorder {
+ public:
+  Recorder(double step, std::size_t stepsPerSample);
+  void observe(const dynamics::StepView& view);
+  void store(results::RunResult& result, double filterCutoff) const;
+  double latestAxleBox() const { return filter_.latest(0); }
+  double wait() const { return filter_.wait(); }
+  void save(results::ArrayTree& tree) const;
+  void load(const results::ArrayTree& tree);
+
+ private:
+  signals::DecimatingFilter filter_;
+};
+
+// Throws RunError when the run has gone astray: not a number, runaway penetration, contact lost for good, books open.
+class DivergenceGuard {
+ public:
+  void check(const dynamics::Rolling& rolling, const EnergyLedger& ledger);
+
+ private:
+  double lastContact_ = 0;  // [s]
+};
+
+// Equilibrium, Hertz, mesh and modes as they stand in the result.
+void describeEquilibrium(const model::Model& model, const statics::Equilibrium& equilibrium,
+                         results::RunResult& result);
+void describeMesh(const model::Model& model, const dynamics::StableStep& stable, double step,
+                  results::RunResult& result);
+void describeModes(const cases::CaseDescription& description, results::RunResult& result);
+void describeProfile(const cases::CaseDescription& description, results::RunResult& result);
+
+// PSD and scalogram of what has been recorded; leaves them empty where the record is too short.
+void addSpectra(const cases::CaseDescription& description, results::RunResult& result);
+
+// The whole state of a rolling run as arrays, and back.
+void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree);
+dynamics::RollingState loadRolling(const results::ArrayTree& tree);
+
+results::PatchSnapshot patchSnapshot(const std::string& name, const dynamics::Rolling& rolling);
+
+}  // namespace squat::simulation
