@@ -14,12 +14,14 @@ struct EdgePlace {
   double fraction = 0;                    // of the way from first to second
 };
 
-// The master edge on which a section point lies.
-EdgePlace findEdge(const geometry::SectionMesh& mesh, const geometry::Point2& point) {
+// The master edge on which a section point lies. Around the axis only edges along y count: at a corner the edge along
+// the radius would name the lateral neighbour for the one further in.
+EdgePlace findEdge(const geometry::SectionMesh& mesh, const geometry::Point2& point, bool around) {
   for (const auto& quad : mesh.quads) {
     for (int i = 0; i < 4; ++i) {
       const auto &p = mesh.nodes[quad[i]], &q = mesh.nodes[quad[(i + 1) % 4]];
       const double db = q[0] - p[0], dc = q[1] - p[1], length2 = db * db + dc * dc;
+      if (around && std::abs(db) > 1e-9) continue;
       const double t = ((point[0] - p[0]) * db + (point[1] - p[1]) * dc) / length2;
       const double away = std::abs((point[0] - p[0]) * dc - (point[1] - p[1]) * db) / std::sqrt(length2);
       if (t > -1e-9 && t < 1 + 1e-9 && away < 1e-7)
@@ -78,7 +80,7 @@ SweptTie makeTie(const std::vector<SweptBlock>& blocks, int slaveBlock, int mast
   tie.entryStart.push_back(0);
   for (const int node : tie.slaveNodes) {
     const auto& point = slave.section.nodes[node];
-    const auto edge = findEdge(master.section, point);
+    const auto edge = findEdge(master.section, point, around);
     const double weights[2] = {1 - edge.fraction, edge.fraction};
     const int outer[2] = {edge.first, edge.second}, inner[2] = {edge.firstInner, edge.secondInner};
     for (int i = 0; i < 2; ++i)

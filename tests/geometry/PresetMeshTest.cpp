@@ -1,0 +1,95 @@
+// Meshes of all presets as the model builds them: quality of the sections, stations, and what the presets promise.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/CaseFile.h"
+#include "model/BuildBlocks.h"
+
+namespace squat::model {
+namespace {
+
+class PresetMesh : public testing::TestWithParam<const char*> {
+ protected:
+  static Model blocksOf(const char* preset) {
+    Model model;
+    model.description = cases::loadCase("light-defect", {preset, {}});
+    addBlocks(model);
+    return model;
+  }
+};
+
+TEST_P(PresetMesh, SectionsAreWellShaped) {
+  const Model model = blocksOf(GetParam());
+  for (const auto& block : model.blocks)
+    for (int q = 0; q < static_cast<int>(block.section.quads.size()); ++q) {
+      const auto& p = block.section.nodes[block.section.quads[q][0]];
+      // Below 0.3 a corner is under 18 degrees: such quads lose accuracy and set the time step.
+      ASSERT_GT(geometry::scaledJacobian(block.section, q), 0.3) << block.name << " at " << p[0] << ", " << p[1];
+    }
+}
+
+TEST_P(PresetMesh, StationsFillWholeVectorsAndGrowSlowly) {
+  const Model model = blocksOf(GetParam());
+  for (const auto& block : model.blocks) {
+    const auto& runs = block.stations.runs;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      EXPECT_EQ(runs[r].count % 8, 0) << block.name;
+      EXPECT_GT(runs[r].length, 0) << block.name;
+      if (r == 0 && !block.closed) continue;
+      const double ratio = runs[r].length / runs[r == 0 ? runs.size() - 1 : r - 1].length;
+      // Wished lengths grow by a factor 2 at most; rounding to whole vectors shortens the coarser side a little. The
+      // far runs of `tiny` are single vectors, which shrink to what is left of its 3 m.
+      const double limit = std::string(GetParam()) == "tiny" ? 3.0 : 2.0 * 7 / 6;
+      EXPECT_LE(std::max(ratio, 1 / ratio), limit) << block.name << ", run " << r;
+    }
+  }
+}
+
+TEST_P(PresetMesh, RailAndWheelAreWhole) {
+  const Model model = blocksOf(GetParam());
+  const auto& rail = model.blocks[model.rail];
+  EXPECT_NEAR(rail.positions.back() - rail.positions.front(), model.description.track.length, 1e-9);
+  for (const int b : {model.rim, model.body}) {
+    const auto& ring = model.blocks[b];
+    EXPECT_TRUE(ring.closed);
+    EXPECT_NEAR(ring.positions.back() - ring.positions.front(), 2 * std::acos(-1.0), 1e-12);
+  }
+}
+
+// Stations of wheel and rail stand opposite each other where they roll on each other.
+TEST_P(PresetMesh, RimRollsOnTheRailsStations) {
+  Model model;
+  model.description = cases::loadCase("light-defect", {GetParam(), {}});
+  const auto stretch = addBlocks(model);
+  const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
+  const auto first = std::lower_bound(rail.positions.begin(), rail.positions.end(), stretch.from - 1e-9);
+  int count = 0;
+  for (const auto& run : stretch.rolled) count += run.count;
+  for (int i = 0; i <= count; ++i)
+    ASSERT_NEAR(model.startX + rim.positions[i] * model.description.wheelset.radius, *(first + i), 1e-9);
+  EXPECT_LE(stretch.from, -model.description.motion.runUp - 0.010);  // the patch's half length and more
+  EXPECT_GE(stretch.to, model.description.motion.beyond + 0.010);
+}
+
+TEST_P(PresetMesh, HasTheElementsThatThePresetPromises) {
+  const std::string preset = GetParam();
+  const auto elements = blocksOf(GetParam()).elements();
+  if (preset == "tiny") {
+    EXPECT_LE(elements, 15000u);
+  }
+  if (preset == "draft") {
+    EXPECT_LE(elements, 80000u);
+  }
+  if (preset == "paper") {
+    EXPECT_NEAR(static_cast<double>(elements), 344816, 0.1 * 344816);
+  }
+  EXPECT_GT(elements, 5000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllPresets, PresetMesh, testing::Values("tiny", "draft", "standard", "paper"),
+                         [](const auto& preset) { return std::string(preset.param); });
+
+}  // namespace
+}  // namespace squat::model
