@@ -2,7 +2,9 @@
 #include <QApplication>
 #include <QDir>
 #include <QIcon>
+#include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <clocale>
 #include <iostream>
 
@@ -43,7 +45,9 @@ int main(int argc, char** argv) {
   const QString icon = QString::fromStdString((squat::cases::resourcesFolder() / "icons/squat-studio.svg").string());
   QApplication::setWindowIcon(QIcon(icon));
   const squat::studio::Arguments arguments = squat::studio::readArguments();
-  if (pictureOnly) QStandardPaths::setTestModeEnabled(true);  // the user's layout and files stay out of the picture
+  // The user's layout and recent files stay out of a picture, and a picture out of them.
+  const QTemporaryDir settingsOfPicture;
+  if (pictureOnly) QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settingsOfPicture.path());
 
   squat::studio::StudioServices services;
   services.runner = squat::simulation::runCase;

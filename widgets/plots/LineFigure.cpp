@@ -60,6 +60,8 @@ void addNotice(Figure& figure, const QString& text) {
   label->position->setCoords(0.5, 0.5);
   label->setFont(figure.style().tickFont());
   label->setColor(figure.style().muted);
+  label->setBrush(figure.style().background);
+  label->setPadding(QMargins(4, 2, 4, 2));
   label->setText(text);
   label->setSelectable(false);
 }

@@ -17,9 +17,9 @@ QFont fontOf(int pixels) {
 
 }  // namespace
 
-QFont Style::labelFont() const { return fontOf(11); }
-QFont Style::tickFont() const { return fontOf(9); }
-QFont Style::captionFont() const { return fontOf(7); }
+QFont Style::labelFont() const { return fontOf(qRound(11 * fontScale)); }
+QFont Style::tickFont() const { return fontOf(qRound(9 * fontScale)); }
+QFont Style::captionFont() const { return fontOf(qRound(7 * fontScale)); }
 
 QColor Style::curve(std::size_t index) const {
   const colours::Rgb colour = colours::curveColour(index);

@@ -15,6 +15,7 @@ struct Style {
   QColor background, text, axis, grid, muted, band;
   std::string colourMap = "viridis";
   bool dark = false;
+  double fontScale = 1;  // larger letters for a window, which is read from farther away
 
   QFont labelFont() const;    // axis labels, 8 pt
   QFont tickFont() const;     // numbers and legend, 7 pt

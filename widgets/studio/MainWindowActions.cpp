@@ -69,7 +69,7 @@ void MainWindow::makeFileMenu() {
     if (!path.isEmpty()) openResult(path);
   });
   menu->addSeparator();
-  add(menu, tr("&Quit"), QKeySequence::Quit, "quit", this, &QWidget::close);
+  add(menu, tr("&Quit"), QKeySequence("Ctrl+Q"), "quit", this, &QWidget::close);
 }
 
 void MainWindow::fillRecentMenu() {

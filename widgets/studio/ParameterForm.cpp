@@ -33,7 +33,8 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addLayout(top);
   layout->addWidget(scroll);
-  setMinimumWidth(300);
+  constexpr int scrollBar = 24;
+  setMinimumWidth(inside->minimumSizeHint().width() + scrollBar);
   connect(search_, &QLineEdit::textChanged, this, &ParameterForm::filter);
   connect(changedOnly_, &QCheckBox::toggled, this, &ParameterForm::filter);
   connect(&document_, &CaseDocument::changed, this, &ParameterForm::update);

@@ -35,7 +35,7 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   sideLayout->setContentsMargins(0, 0, 0, 0);
   sideLayout->addWidget(new ShapeControls(document_, side));
   sideLayout->addWidget(table_, 1);
-  side->setMinimumWidth(210);
+  side->setMinimumWidth(235);
   splitter_ = new QSplitter(Qt::Horizontal, this);
   splitter_->setChildrenCollapsible(false);
   splitter_->addWidget(new QWidget(splitter_));

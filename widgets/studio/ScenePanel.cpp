@@ -31,8 +31,13 @@ ScenePanel::ScenePanel(RunStore& store, bool dark, QWidget* parent)
 
 QWidget* ScenePanel::makeControls() {
   auto* bar = new QWidget(this);
-  auto* layout = new QHBoxLayout(bar);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* rows = new QVBoxLayout(bar);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(2);
+  auto* layout = new QHBoxLayout;
+  auto* second = new QHBoxLayout;
+  rows->addLayout(layout);
+  rows->addLayout(second);
   field_ = new QComboBox(bar);
   for (const auto field : {scene::Field::vonMises, scene::Field::plasticStrain, scene::Field::displacement})
     field_->addItem(QString::fromStdString(scene::fieldName(field)).replace("[um]", "[µm]"), static_cast<int>(field));
@@ -61,12 +66,13 @@ QWidget* ScenePanel::makeControls() {
     auto* button = new QPushButton(text, bar);
     button->setAccessibleName(tr("View: %1").arg(text));
     button->setObjectName("view " + text);
-    layout->addWidget(button);
+    second->addWidget(button);
     const auto chosen = view;
     connect(button, &QPushButton::clicked, this, [this, chosen] { scene_->lookFrom(chosen); });
   }
   auto* picture = new QPushButton(tr("Picture…"), bar);
-  layout->addWidget(picture);
+  second->addWidget(picture);
+  second->addStretch();
   layout->addStretch();
   connect(picture, &QPushButton::clicked, this, &ScenePanel::savePicture);
   connect(field_, &QComboBox::currentIndexChanged, this, &ScenePanel::apply);
@@ -86,7 +92,7 @@ QWidget* ScenePanel::makeTime() {
   time_->setAccessibleName(tr("Moment"));
   time_->setObjectName("moment");
   moment_ = new QLabel(bar);
-  moment_->setMinimumWidth(220);
+  moment_->setMinimumWidth(150);
   layout->addWidget(play_);
   layout->addWidget(time_, 1);
   layout->addWidget(moment_);

@@ -30,6 +30,13 @@ const QList<QPair<QString, QString>>& tabTitles() {
   return titles;
 }
 
+ResultPointer noRun() {
+  auto none = std::make_shared<results::RunResult>();
+  none->title = QObject::tr("No run yet: press F5, or open a result").toStdString();
+  none->complete = true;
+  return none;
+}
+
 }  // namespace
 
 SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* parent)
@@ -62,45 +69,50 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
 
 QWidget* SignalsPanel::makeControls() {
   auto* bar = new QWidget(this);
-  auto* layout = new QHBoxLayout(bar);
-  layout->setContentsMargins(0, 0, 0, 0);
-  const auto number = [&](const QString& label, const QString& unit, double low, double high, double value,
-                          int digits) {
+  auto* rows = new QVBoxLayout(bar);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(2);
+  auto* layout = new QHBoxLayout;
+  auto* second = new QHBoxLayout;
+  rows->addLayout(layout);
+  rows->addLayout(second);
+  const auto number = [&](QHBoxLayout* row, const QString& label, const QString& unit, double low, double high,
+                          double value) {
     auto* box = new QDoubleSpinBox(bar);
     box->setRange(low, high);
-    box->setDecimals(digits);
+    box->setDecimals(0);
     box->setValue(value);
     box->setSuffix(" " + unit);
     box->setKeyboardTracking(false);
     box->setAccessibleName(label);
     box->setToolTip(label);
-    layout->addWidget(box);
+    row->addWidget(box);
     connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
     return box;
   };
-  const auto choice = [&](const QString& label, const QStringList& entries) {
+  const auto choice = [&](QHBoxLayout* row, const QString& label, const QStringList& entries) {
     auto* box = new QComboBox(bar);
     box->addItems(entries);
     box->setAccessibleName(label);
     box->setToolTip(label);
-    layout->addWidget(box);
+    row->addWidget(box);
     return box;
   };
-  axis_ = choice(tr("Axis of the ABA"), {tr("against position"), tr("against time")});
+  axis_ = choice(layout, tr("Axis of the ABA"), {tr("against position"), tr("against time")});
   axis_->setObjectName("abaAxis");
   connect(axis_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
   layout->addWidget(new QLabel(tr("Low-pass"), bar));
-  cutoff_ = number(tr("Cut-off of the low-pass"), "Hz", 20, 12000, settings_.cutoff, 0);
+  cutoff_ = number(layout, tr("Cut-off of the low-pass"), "Hz", 20, 12000, settings_.cutoff);
   cutoff_->setSingleStep(100);
   cutoff_->setObjectName("cutoff");
-  layout->addWidget(new QLabel(tr("Window"), bar));
-  window_ = choice(tr("Window of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
+  second->addWidget(new QLabel(tr("Spectrum"), bar));
+  window_ = choice(second, tr("Window of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
   connect(window_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
-  from_ = number(tr("Stretch of the spectrum, from"), "mm", -5000, 5000, settings_.from * 1e3, 0);
-  to_ = number(tr("Stretch of the spectrum, to"), "mm", -5000, 5000, settings_.to * 1e3, 0);
+  from_ = number(second, tr("Stretch of the spectrum, from"), "mm", -5000, 5000, settings_.from * 1e3);
+  to_ = number(second, tr("Stretch of the spectrum, to"), "mm", -5000, 5000, settings_.to * 1e3);
   QStringList maps;
   for (const auto& name : colours::mapNames()) maps << QString::fromStdString(name);
-  map_ = choice(tr("Colour map"), maps);
+  map_ = choice(layout, tr("Colour map"), maps);
   connect(map_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
   auto* cursors = new QCheckBox(tr("Cursors"), bar);
   cursors->setObjectName("cursors");
@@ -108,13 +120,17 @@ QWidget* SignalsPanel::makeControls() {
     for (const auto& [name, view] : views_) view->setCursors(on);
   });
   layout->addWidget(cursors);
+  layout->addStretch();
   auto* all = new QPushButton(tr("Export all…"), bar);
   all->setToolTip(tr("Every figure as seen, as PNG, SVG, PDF and CSV"));
   connect(all, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
-  layout->addWidget(all);
+  second->addStretch();
+  second->addWidget(all);
   problem_ = new QLabel(bar);
   problem_->setStyleSheet("color: #c0392b;");
-  layout->addWidget(problem_, 1);
+  problem_->setWordWrap(true);
+  rows->addWidget(problem_);
+  problem_->hide();
   return bar;
 }
 
@@ -148,8 +164,9 @@ void SignalsPanel::update() {
   style_.colourMap = map_->currentText().toStdString();
   const ResultPointer current = store_.currentResult();
   std::string problem;
-  shown_ = current ? analysed(*current, settings_, problem) : std::make_shared<const results::RunResult>();
+  shown_ = current ? analysed(*current, settings_, problem) : noRun();
   problem_->setText(QString::fromStdString(problem));
+  problem_->setVisible(!problem.empty());
   // Only what is seen is drawn now; the rest when its tab is opened.
   for (const auto& name : names()) stale_[name] = true;
   rebuild(tabTitles().value(tabs_->currentIndex()).first);

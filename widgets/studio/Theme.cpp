@@ -36,6 +36,10 @@ void applyTheme(bool dark) {
   QApplication::setPalette(dark ? darkPalette() : QApplication::style()->standardPalette());
 }
 
-plots::Style figureStyle(bool dark) { return dark ? plots::darkStyle() : plots::lightStyle(); }
+plots::Style figureStyle(bool dark) {
+  plots::Style style = dark ? plots::darkStyle() : plots::lightStyle();
+  style.fontScale = 1.25;
+  return style;
+}
 
 }  // namespace squat::studio

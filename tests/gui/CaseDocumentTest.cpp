@@ -1,0 +1,115 @@
+// Every change of the case can be undone.
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <cmath>
+#include <random>
+
+#include "case/CaseFile.h"
+#include "case/ParameterTable.h"
+#include "case/ParameterValue.h"
+#include "studio/CaseDocument.h"
+#include "studio/ProfileModel.h"
+
+namespace squat::studio {
+namespace {
+
+// One random change of a random kind; may be refused.
+void changeSomething(CaseDocument& document, std::mt19937& random) {
+  const auto& table = cases::parameterTable();
+  const auto share = [&] { return std::uniform_real_distribution<double>(0, 1)(random); };
+  const auto kind = std::uniform_int_distribution<int>(0, 9)(random);
+  if (kind < 6) {
+    const auto& parameter = table[std::uniform_int_distribution<std::size_t>(0, table.size() - 1)(random)];
+    std::string text = "a title";
+    if (parameter.kind == cases::Kind::number) {
+      double value = parameter.minimum + share() * (parameter.maximum - parameter.minimum);
+      if (parameter.integer) value = std::floor(value);
+      text = QString::number(value, 'g', 12).toStdString();
+    } else if (parameter.kind == cases::Kind::choice) {
+      text =
+          parameter.choices[static_cast<std::size_t>(share() * 0.999 * static_cast<double>(parameter.choices.size()))];
+    } else if (parameter.kind == cases::Kind::boolean) {
+      text = share() < 0.5 ? "true" : "false";
+    } else if (parameter.kind == cases::Kind::points) {
+      text = "[[0, 0], [10, -0.1], [20, 0]]";
+    }
+    document.setParameter(parameter.key, text);
+  } else if (kind < 7) {
+    document.resetParameter(table[static_cast<std::size_t>(share() * 0.999 * static_cast<double>(table.size()))].key);
+  } else {
+    cases::CaseDescription after = asPoints(document.description());
+    auto& points = after.defect.points;
+    const auto index = static_cast<std::size_t>(share() * 0.999 * static_cast<double>(points.size()));
+    if (kind == 7)
+      points = movedPoint(points, index, {points[index].position + 0.01 * (share() - 0.5), -1e-4 * share()});
+    if (kind == 8) points = withPoint(points, {0.1 * (share() - 0.5), -1e-4 * share()});
+    if (kind == 9) points = withoutPoint(points, index);
+    document.edit("points", after, kind == 7 ? 1 + static_cast<int>(3 * share()) : 0);
+  }
+}
+
+TEST(CaseDocument, aThousandRandomEditsUndoneAndRedone) {
+  std::mt19937 random(20140715);
+  CaseDocument document;
+  const std::string start = cases::writeCase(document.description());
+  for (int i = 0; i < 1000; ++i) changeSomething(document, random);
+  const std::string end = cases::writeCase(document.description());
+  ASSERT_NE(start, end);
+  ASSERT_GT(document.undoStack().count(), 500);
+  while (document.undoStack().canUndo()) document.undoStack().undo();
+  EXPECT_EQ(cases::writeCase(document.description()), start);
+  EXPECT_FALSE(document.isModified());
+  while (document.undoStack().canRedo()) document.undoStack().redo();
+  EXPECT_EQ(cases::writeCase(document.description()), end);
+}
+
+TEST(CaseDocument, oneGestureIsOneStep) {
+  CaseDocument document;
+  const int gesture = document.newGesture();
+  for (double depth : {1e-4, 2e-4, 3e-4}) {
+    cases::CaseDescription after = document.description();
+    after.defect.depth = depth;
+    document.edit("depth", after, gesture);
+  }
+  EXPECT_EQ(document.undoStack().count(), 1);
+  document.undoStack().undo();
+  EXPECT_TRUE(sameCase(document.description(), cases::defaultCase()));
+}
+
+TEST(CaseDocument, aWrongTextChangesNothingAndSaysWhatIsAllowed) {
+  CaseDocument document;
+  const auto problem = document.setParameter("motion.speed", "fast");
+  ASSERT_TRUE(problem);
+  EXPECT_EQ(problem->value, "fast");
+  EXPECT_FALSE(problem->allowed.empty());
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST(CaseDocument, aPresetBringsItsSizes) {
+  CaseDocument document;
+  const double before = document.description().mesh.contactSize;
+  document.setParameter("mesh.preset", "tiny");
+  EXPECT_GT(document.description().mesh.contactSize, before);
+  document.undoStack().undo();
+  EXPECT_EQ(document.description().mesh.contactSize, before);
+}
+
+TEST(CaseDocument, savedAndOpenedIsEqual) {
+  const QTemporaryDir folder;
+  CaseDocument document;
+  document.open("light-defect");
+  EXPECT_TRUE(document.path().isEmpty());  // a shipped case is opened as a copy
+  document.setParameter("motion.speed", "27.5");
+  const auto before = document.description();
+  document.save(folder.filePath("mine.toml"));
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(document.name(), "mine");
+  CaseDocument again;
+  again.open(folder.filePath("mine.toml"));
+  EXPECT_EQ(cases::caseHash(again.description()), cases::caseHash(before));
+  EXPECT_TRUE(sameCase(again.description(), before));
+}
+
+}  // namespace
+}  // namespace squat::studio

@@ -1,0 +1,99 @@
+// The window as a whole: files, tabs, closing, dark.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "gui/MadeUpRun.h"
+#include "render/PictureComparison.h"
+#include "render/SyntheticResult.h"
+#include "results/ResultFile.h"
+#include "studio/MessageBar.h"
+
+namespace squat::studio {
+namespace {
+
+TEST(MainWindow, everyTabShowsSomething) {
+  MainWindow window(tests::services());
+  ASSERT_TRUE(window.openCase("light-defect"));
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  window.resize(1400, 900);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  for (const QString& name : MainWindow::tabNames()) {
+    ASSERT_TRUE(window.showTab(name));
+    QTest::qWait(60);
+    EXPECT_GT(tests::inkShare(window.grab().toImage()), 0.1) << name.toStdString();
+  }
+  EXPECT_FALSE(window.showTab("nowhere"));
+}
+
+TEST(MainWindow, everyActionHasAName) {
+  MainWindow window(tests::services());
+  for (const QAction* action : window.findChildren<QAction*>())
+    if (!action->isSeparator() && action->parent() == &window) {
+      EXPECT_FALSE(action->text().isEmpty());
+    }
+  for (const char* name : {"new", "open", "save", "saveAs", "saveResult", "undo", "redo", "runAction", "pauseAction",
+                           "cancelAction", "dark", "fit", "quit"}) {
+    const auto* action = window.findChild<QAction*>(name);
+    ASSERT_NE(action, nullptr) << name;
+    EXPECT_FALSE(action->shortcut().isEmpty()) << name;
+  }
+}
+
+TEST(MainWindow, aWrongFileIsAMessageNotABox) {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("wrong.toml"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("schema = 1\n[motion]\nsped = 3\n");
+  file.close();
+  MainWindow window(tests::services());
+  window.show();
+  EXPECT_FALSE(window.openAny(file.fileName()));
+  EXPECT_FALSE(window.messages()->text().isEmpty());
+  EXPECT_FALSE(window.openAny(folder.filePath("missing.h5")));
+  EXPECT_TRUE(window.messages()->text().contains("missing.h5"));
+}
+
+TEST(MainWindow, aResultIsSavedAndOpened) {
+  const QTemporaryDir folder;
+  MainWindow window(tests::services());
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  ASSERT_TRUE(window.saveResultTo(folder.filePath("run.h5"))) << window.messages()->text().toStdString();
+  ASSERT_TRUE(window.openAny(folder.filePath("run.h5")));
+  ASSERT_EQ(window.store().rowCount(), 2);
+  EXPECT_EQ(*window.store().currentResult()->signal("aba_filtered"),
+            *window.store().at(0).result->signal("aba_filtered"));
+}
+
+TEST(MainWindow, closingDuringARunAsksAndStopsCleanly) {
+  Answer answer = Answer::cancel;
+  StudioServices services = tests::services(60000);
+  services.asker = [&](QWidget*, const QString&, const QString&) { return answer; };
+  MainWindow window(services);
+  window.show();
+  window.startRun();
+  EXPECT_FALSE(window.close());
+  EXPECT_TRUE(window.controller().isRunning());
+  answer = Answer::discard;
+  EXPECT_TRUE(window.close());
+  EXPECT_FALSE(window.controller().isRunning());
+}
+
+TEST(MainWindow, darkAndBackKeepsTheWindowAlive) {
+  MainWindow window(tests::services());
+  window.show();
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  window.setDark(true);
+  QTest::qWait(30);
+  EXPECT_LT(window.palette().color(QPalette::Window).lightness(), 100);
+  window.setDark(false);
+  QTest::qWait(30);
+  EXPECT_GT(window.palette().color(QPalette::Window).lightness(), 180);
+}
+
+}  // namespace
+}  // namespace squat::studio

@@ -1,0 +1,79 @@
+// The form: every key, wrong values in place, reset.
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QTest>
+
+#include "case/ParameterTable.h"
+#include "studio/CaseDocument.h"
+#include "studio/ParameterForm.h"
+#include "studio/ParameterRow.h"
+
+namespace squat::studio {
+namespace {
+
+class Form : public testing::Test {
+ protected:
+  void SetUp() override {
+    form_.resize(400, 600);
+    form_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&form_));
+  }
+  QLineEdit* line(const std::string& key) { return qobject_cast<QLineEdit*>(form_.row(key)->editor()); }
+  void type(const std::string& key, const QString& text) {
+    line(key)->setFocus();
+    line(key)->selectAll();
+    QTest::keyClicks(line(key), text);
+  }
+  CaseDocument document_;
+  ParameterForm form_{document_};
+};
+
+TEST_F(Form, hasOneRowForEveryKey) {
+  EXPECT_EQ(form_.rows().size(), cases::parameterTable().size());
+  for (const auto& parameter : cases::parameterTable()) {
+    const ParameterRow* row = form_.row(parameter.key);
+    ASSERT_NE(row, nullptr) << parameter.key;
+    EXPECT_FALSE(row->editor()->accessibleName().isEmpty());
+    EXPECT_TRUE(row->toolTip().contains(QString::fromStdString(parameter.doc).toHtmlEscaped())) << parameter.key;
+  }
+}
+
+TEST_F(Form, typingChangesTheCaseAndUndoShowsTheOldValue) {
+  type("motion.speed", "27");
+  QTest::keyClick(line("motion.speed"), Qt::Key_Return);
+  EXPECT_DOUBLE_EQ(document_.description().motion.speed, 27);
+  EXPECT_TRUE(form_.row("motion.speed")->isChanged());
+  document_.undoStack().undo();
+  EXPECT_EQ(line("motion.speed")->text(), "30");
+  EXPECT_FALSE(form_.row("motion.speed")->isChanged());
+}
+
+TEST_F(Form, aWrongValueIsFlaggedWhileTypingAndBlocksTheRun) {
+  EXPECT_TRUE(form_.blockers().isEmpty()) << form_.blockers().join("; ").toStdString();
+  type("pad.stiffness", "-5");
+  EXPECT_FALSE(form_.row("pad.stiffness")->reason().isEmpty());
+  ASSERT_EQ(form_.blockers().size(), 1);
+  EXPECT_TRUE(form_.blockers()[0].startsWith("pad.stiffness"));
+  QTest::keyClick(line("pad.stiffness"), Qt::Key_Return);
+  EXPECT_EQ(document_.undoStack().count(), 0);
+  type("pad.stiffness", "800");
+  QTest::keyClick(line("pad.stiffness"), Qt::Key_Return);
+  EXPECT_TRUE(form_.blockers().isEmpty());
+  EXPECT_DOUBLE_EQ(document_.description().pad.stiffness, 800e6);
+}
+
+TEST_F(Form, relationsAreFlaggedAtTheirKey) {
+  document_.setParameter("motion.run_up", "9");  // longer than the track is before the defect
+  EXPECT_FALSE(form_.blockers().isEmpty());
+}
+
+TEST_F(Form, searchLeavesWhatMatches) {
+  auto* search = form_.findChild<QLineEdit*>("parameterSearch");
+  QTest::keyClicks(search, "friction");
+  EXPECT_TRUE(form_.row("contact.friction")->isVisible());
+  EXPECT_FALSE(form_.row("pad.stiffness")->isVisible());
+}
+
+}  // namespace
+}  // namespace squat::studio

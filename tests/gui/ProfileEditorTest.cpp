@@ -1,0 +1,121 @@
+// The profile editor, driven by mouse and keys.
+#include <gtest/gtest.h>
+
+#include <QSlider>
+#include <QTableView>
+#include <QTest>
+#include <cmath>
+
+#include "case/ParameterTable.h"
+#include "plots/Style.h"
+#include "studio/CaseDocument.h"
+#include "studio/ProfileEditor.h"
+#include "studio/ProfilePlot.h"
+
+namespace squat::studio {
+namespace {
+
+class Editor : public testing::Test {
+ protected:
+  void SetUp() override {
+    cases::CaseDescription description = cases::defaultCase();
+    description.defect.shape = static_cast<int>(cases::DefectShape::profile);
+    description.defect.points = {{-0.04, 0}, {-0.02, -5e-5}, {0, -1.5e-4}, {0.02, -5e-5}, {0.04, 0}};
+    document_.startFrom(description, QString(), "test", false);
+    editor_.resize(900, 600);
+    editor_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&editor_));
+    editor_.plot()->fit();
+    editor_.plot()->replot(QCustomPlot::rpImmediateRefresh);
+  }
+  const std::vector<cases::ProfilePoint>& points() { return document_.description().defect.points; }
+  QPoint place(std::size_t index) { return editor_.plot()->placeOf(index).toPoint(); }
+  CaseDocument document_;
+  ProfileEditor editor_{document_, plots::lightStyle()};
+};
+
+TEST_F(Editor, draggingMovesAPointInOneStep) {
+  const QPoint from = place(1);
+  QTest::mousePress(editor_.plot(), Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 5; ++i) QTest::mouseMove(editor_.plot(), from + QPoint(0, 6 * i));
+  QTest::mouseRelease(editor_.plot(), Qt::LeftButton, {}, from + QPoint(0, 30));
+  EXPECT_LT(points()[1].height, -6e-5);
+  EXPECT_EQ(document_.undoStack().count(), 1);
+  document_.undoStack().undo();
+  EXPECT_DOUBLE_EQ(points()[1].height, -5e-5);
+}
+
+TEST_F(Editor, aPointCannotPassItsNeighbour) {
+  const QPoint from = place(1);
+  QTest::mousePress(editor_.plot(), Qt::LeftButton, {}, from);
+  QTest::mouseMove(editor_.plot(), from + QPoint(4000, 0));
+  QTest::mouseRelease(editor_.plot(), Qt::LeftButton, {}, from);
+  for (std::size_t i = 1; i < points().size(); ++i) EXPECT_GT(points()[i].position, points()[i - 1].position);
+}
+
+TEST_F(Editor, doubleClickInsertsAndDeleteRemoves) {
+  const QPoint between = (place(1) + place(2)) / 2 + QPoint(0, -60);
+  QTest::mouseDClick(editor_.plot(), Qt::LeftButton, {}, between);
+  ASSERT_EQ(points().size(), 6u);
+  EXPECT_NEAR(points()[2].position, -0.01, 1e-3);  // half-way, within a pixel or two
+  editor_.plot()->choose(2);
+  QTest::keyClick(editor_.plot(), Qt::Key_Delete);
+  EXPECT_EQ(points().size(), 5u);
+}
+
+TEST_F(Editor, snappingAndArrowKeys) {
+  editor_.plot()->setSnap(1e-3, 5e-6);
+  editor_.plot()->choose(2);
+  QTest::keyClick(editor_.plot(), Qt::Key_Up);
+  EXPECT_NEAR(points()[2].height, -1.45e-4, 1e-12);
+  QTest::keyClick(editor_.plot(), Qt::Key_Right);
+  EXPECT_NEAR(points()[2].position, 1e-3, 1e-12);
+}
+
+TEST_F(Editor, theTableShowsAndTakesNumbers) {
+  auto* model = editor_.table()->model();
+  ASSERT_EQ(model->rowCount(), 5);
+  EXPECT_EQ(model->data(model->index(2, 1)).toString(), "-150");
+  EXPECT_TRUE(model->setData(model->index(2, 1), "-120,5"));  // decimal comma
+  EXPECT_NEAR(points()[2].height, -1.205e-4, 1e-12);
+  EXPECT_FALSE(model->setData(model->index(2, 0), "900"));  // beyond its neighbour
+  EXPECT_FALSE(model->setData(model->index(2, 1), "deep"));
+}
+
+TEST_F(Editor, slidersDriveAnalyticShapes) {
+  document_.setParameter("defect.shape", "cosine");
+  auto* slider = editor_.findChild<QSlider*>("slider defect.depth");
+  ASSERT_TRUE(slider && slider->isVisible());
+  const double before = document_.description().defect.depth;
+  slider->setFocus();
+  for (int i = 0; i < 20; ++i) QTest::keyClick(slider, Qt::Key_Right);
+  EXPECT_GT(document_.description().defect.depth, before);
+  EXPECT_FALSE(editor_.findChild<QSlider*>("slider defect.ramp")->isVisible());
+}
+
+// A wheel of radius R over a gap of length L sinks L^2 / (8 R) at most: the drawn path must say so.
+TEST(ProfileModel, aWheelCannotFeelTheFloorOfANarrowCut) {
+  cases::CaseDescription description = cases::defaultCase();
+  description.defect.shape = static_cast<int>(cases::DefectShape::cut);
+  description.defect.length = 0.02;
+  description.defect.ramp = 1e-4;
+  description.defect.depth = 1e-3;
+  const ProfileView view = profileView(description);
+  double lowest = 0;
+  for (const auto& point : view.wheelPath) lowest = std::min(lowest, point.height);
+  // 20 mm, 0.46 m: 0.109 mm. The ramps shorten the edge by 0.1 mm of 20 at the most, and the grid by half a step.
+  EXPECT_NEAR(-lowest, 0.02 * 0.02 / (8 * 0.46), 0.05 * 1.09e-4);
+}
+
+TEST(ProfileModel, shapesTurnedIntoPointsKeepTheirForm) {
+  const cases::CaseDescription shape = cases::defaultCase();
+  const cases::CaseDescription sampled = asPoints(shape);
+  const ProfileView before = profileView(shape), after = profileView(sampled);
+  double lowestBefore = 0, lowestAfter = 0;
+  for (const auto& point : before.surface) lowestBefore = std::min(lowestBefore, point.height);
+  for (const auto& point : after.surface) lowestAfter = std::min(lowestAfter, point.height);
+  EXPECT_NEAR(lowestAfter, lowestBefore, 1e-6);  // 1 mm apart on a cosine of 50 mm: below 1 % of 150 um
+}
+
+}  // namespace
+}  // namespace squat::studio

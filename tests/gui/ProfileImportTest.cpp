@@ -1,0 +1,59 @@
+// Tables of many makes, read as profiles.
+#include <gtest/gtest.h>
+
+#include "studio/ProfileImport.h"
+
+namespace squat::studio {
+namespace {
+
+TEST(ProfileImport, semicolonsDecimalCommasAndUnitsAreFound) {
+  const std::string text = "Position [mm];Hoogte [um]\n0;0\n5;-10,5\n10;0\n";
+  const ImportChoices choices = suggestedChoices(text);
+  EXPECT_EQ(choices.delimiter, ';');
+  EXPECT_TRUE(choices.decimalComma);
+  EXPECT_DOUBLE_EQ(choices.positionUnit, 1e-3);
+  EXPECT_DOUBLE_EQ(choices.heightUnit, 1e-6);
+  const ImportedProfile profile = importProfile(text, choices);
+  ASSERT_TRUE(profile.problem.empty()) << profile.problem;
+  ASSERT_EQ(profile.points.size(), 3u);
+  EXPECT_NEAR(profile.points[1].height, -10.5e-6, 1e-15);
+}
+
+TEST(ProfileImport, levellingTakesTheLineOff) {
+  ImportChoices choices;
+  choices.levelling = Levelling::throughEnds;
+  const ImportedProfile profile = importProfile("0,1\n10,2\n20,3\n30,4\n", choices);
+  for (const auto& point : profile.points) EXPECT_NEAR(point.height, 0, 1e-15);
+}
+
+TEST(ProfileImport, resamplingIsLinear) {
+  ImportChoices choices;
+  choices.levelling = Levelling::none;
+  choices.resampleStep = 2.5e-3;
+  const ImportedProfile profile = importProfile("0,0\n10,-1\n20,0\n", choices);
+  ASSERT_EQ(profile.points.size(), 9u);
+  EXPECT_NEAR(profile.points[1].height, -0.25e-3, 1e-12);
+  EXPECT_NEAR(profile.points[4].height, -1e-3, 1e-12);
+}
+
+TEST(ProfileImport, flippedReversedAndScaled) {
+  ImportChoices choices;
+  choices.levelling = Levelling::none;
+  choices.flip = choices.reverse = true;
+  choices.heightScale = 2;
+  const ImportedProfile profile = importProfile("0,0\n10,1\n30,0\n", choices);
+  ASSERT_EQ(profile.points.size(), 3u);
+  EXPECT_NEAR(profile.points[0].position, -0.03, 1e-15);
+  EXPECT_NEAR(profile.points[1].height, -2e-3, 1e-15);
+}
+
+TEST(ProfileImport, mistakesNameTheirLine) {
+  EXPECT_EQ(importProfile("0,0\n5,x\n10,0\n", {}).problem, "line 2: no two numbers in the chosen columns");
+  EXPECT_FALSE(importProfile("0,0\n5,1\n5,2\n9,0\n", {}).problem.empty());
+  EXPECT_FALSE(importProfile("", {}).problem.empty());
+  EXPECT_FALSE(importProfile("0,0\n1,nan\n2,0\n", {}).problem.empty());
+  EXPECT_FALSE(importProfile("0,0\n1,900\n2,0\n", {}).problem.empty());  // 900 mm high
+}
+
+}  // namespace
+}  // namespace squat::studio

@@ -1,0 +1,56 @@
+// Unsaved changes after a crash.
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "case/CaseFile.h"
+#include "studio/CaseDocument.h"
+#include "studio/Recovery.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr const char* deadProcess = "999999999";  // above the largest number of a process
+
+TEST(Recovery, whatACrashLeftIsTaken) {
+  const QTemporaryDir folder;
+  CaseDocument document;
+  document.setParameter("motion.speed", "21");
+  {
+    Recovery recovery(document, folder.path());
+    recovery.saveNow();
+    const auto files = QDir(folder.path()).entryList(QDir::Files);
+    ASSERT_EQ(files.size(), 1);
+    EXPECT_FALSE(Recovery::take(folder.path()));  // its process is alive: us
+    QFile::copy(folder.filePath(files[0]), folder.filePath(QString(deadProcess) + ".case"));
+  }
+  const auto found = Recovery::take(folder.path());
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(sameCase(found->description, document.description()));
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST(Recovery, savingTheCaseMakesTheCopyNeedless) {
+  const QTemporaryDir folder;
+  CaseDocument document;
+  Recovery recovery(document, folder.path());
+  document.setParameter("motion.speed", "21");
+  recovery.saveNow();
+  document.save(folder.filePath("case.toml"));
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList("case.toml"));
+}
+
+TEST(Recovery, brokenCopiesAreThrownAway) {
+  const QTemporaryDir folder;
+  QFile broken(folder.filePath(QString(deadProcess) + ".case"));
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("# x\nnot = [a case");
+  broken.close();
+  EXPECT_FALSE(Recovery::take(folder.path()));
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+}  // namespace
+}  // namespace squat::studio

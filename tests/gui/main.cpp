@@ -1,0 +1,18 @@
+// One program for all tests of windows; without QT_QPA_PLATFORM in the environment no display is needed.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <clocale>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  QApplication::setApplicationName("squat-studio-tests");
+  const QTemporaryDir settings;  // nobody's own settings are read or written
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  return RUN_ALL_TESTS();
+}
