@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "commands/TextTable.h"
 #include "signals/Features.h"
@@ -117,19 +118,26 @@ void addContact(std::vector<PaperRow>& rows, const RunResult& result) {
   }
 }
 
-// Largest deviation from the mean over the last 0.2 m before the first point of the defect (40 mm before its deepest).
+// Largest deviation from the mean over the last 0.2 m (or what there is) before the first point of the defect, which
+// lies 40 mm before its deepest.
 void addQuietness(std::vector<PaperRow>& rows, const RunResult& result) {
+  constexpr double kFrom = -0.24, kTo = -0.04;
   const auto* values = result.signal("aba_filtered");
   if (!values || values->size() != result.position.size()) return;
   std::vector<double> window;
+  double first = kTo;
   for (std::size_t i = 0; i < values->size(); ++i)
-    if (result.position[i] >= -0.24 && result.position[i] <= -0.04) window.push_back((*values)[i]);
+    if (result.position[i] >= kFrom && result.position[i] <= kTo) {
+      first = std::min(first, result.position[i]);
+      window.push_back((*values)[i]);
+    }
   if (window.size() < 2) return;
   double mean = 0, largest = 0;
   for (const double value : window) mean += value / static_cast<double>(window.size());
   for (const double value : window) largest = std::max(largest, std::abs(value - mean));
-  rows.push_back({"quiet before the defect (0.2 m)", number(largest, "m/s2"), "below 5 m/s2 asked",
-                  largest < 5 ? "met" : "not met"});
+  char what[64];
+  std::snprintf(what, sizeof what, "quiet before the defect (%.2f m)", kTo - first);
+  rows.push_back({what, number(largest, "m/s2"), "below 5 m/s2 asked", largest < 5 ? "met" : "not met"});
 }
 
 // Largest residual of the ledger, of the strain energy at equilibrium plus all dissipation.

@@ -1,6 +1,7 @@
 #include "commands/TextTable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace squat::commands {
@@ -41,7 +42,8 @@ std::string TextTable::text() const {
 
 std::string number(double value, const std::string& unit) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.4g", value);
+  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
+  std::snprintf(text, sizeof text, whole ? "%.0f" : "%.4g", value);
   return unit.empty() || unit == "1" ? text : text + (" " + unit);
 }
 

@@ -18,7 +18,7 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-// A number with four significant digits and its unit: "103.4 m/s2".
+// A number with four significant digits and its unit: "103.4 m/s2"; whole numbers with all their digits: "13710".
 std::string number(double value, const std::string& unit = {});
 
 }  // namespace squat::commands

@@ -71,7 +71,7 @@ TEST(PaperTable, PeakWavelengthEnergyAndHertz) {
   EXPECT_EQ(row(result, "energy residual, largest").ours, "0.1 %");
   EXPECT_EQ(row(result, "energy residual, largest").verdict, "met");
   EXPECT_EQ(row(result, "patch, half axis along the rail").verdict, "+2.9 %");  // 7.0 against 6.8 mm
-  EXPECT_EQ(row(result, "quiet before the defect (0.2 m)").verdict, "met");
+  EXPECT_EQ(row(result, "quiet before the defect (0.20 m)").verdict, "met");
 }
 
 TEST(PaperTable, AnEmptyResultGivesATableAllTheSame) {

@@ -1,0 +1,65 @@
+// Signals and kills sent to the program while it rolls.
+#include <gmock/gmock.h>
+#include <signal.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "results/Checkpoint.h"
+#include "results/ResultFile.h"
+#include "results/SampleResult.h"
+#include "trust/KillRun.h"
+#include "trust/Program.h"
+#include "trust/ShortCase.h"
+
+namespace squat {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Program;
+using testing::shortRun;
+using testing::TemporaryFolder;
+using Clock = std::chrono::steady_clock;
+
+class Interrupt : public ::testing::TestWithParam<int> {};
+
+TEST_P(Interrupt, OneSignalStopsCleanlyAndTheRunCanGoOn) {
+  const TemporaryFolder folder;
+  const auto result = folder / "light-defect.h5";
+  Program program(shortRun(folder.path()));
+  ASSERT_TRUE(program.waitForOutput("rolling")) << program.output();
+  program.signal(GetParam());
+  EXPECT_EQ(program.wait(), 130) << program.output();
+  const auto stopped = results::readResult(result);
+  EXPECT_FALSE(stopped.complete);
+  EXPECT_EQ(stopped.stopReason, "cancelled");
+  EXPECT_TRUE(results::readCheckpoint(folder / "light-defect.checkpoint").has_value());
+
+  std::string output;
+  EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume"}), &output), 0) << output;
+  EXPECT_TRUE(results::readResult(result).complete);
+  EXPECT_FALSE(std::filesystem::exists(folder / "light-defect.checkpoint"));
+  EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume"}), &output), 0);
+  EXPECT_THAT(output, HasSubstr("complete already"));
+  EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume", "--set", "motion.speed=29"}), &output), 2);
+  EXPECT_THAT(output, HasSubstr("another case"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM));
+
+TEST(InterruptTwice, IsOutWithinASecond) {
+  const TemporaryFolder folder;
+  Program program(shortRun(folder.path()));
+  ASSERT_TRUE(program.waitForOutput("equilibrium")) << program.output();
+  program.signal(SIGINT);
+  program.signal(SIGINT);
+  const auto start = Clock::now();
+  const int code = program.wait();
+  EXPECT_EQ(code, 130) << program.output();
+  EXPECT_LT(Clock::now() - start, std::chrono::seconds(1));
+}
+
+TEST(KillRun, AFewMomentsLoseNothing) { testing::killAndResume(4); }
+
+}  // namespace
+}  // namespace squat

@@ -1,0 +1,105 @@
+// A run that was stopped and resumed gives the same bits as one that was not: every dataset, also after a change of the
+// number of threads. What tells of the machine and the clock (performance, threads, time of writing) is left out.
+#include <gmock/gmock.h>
+
+#include "case/CaseFile.h"
+#include "core/Errors.h"
+#include "results/Checkpoint.h"
+#include "results/ResultTree.h"
+#include "results/SampleResult.h"
+#include "simulation/RunCase.h"
+#include "trust/ShortCase.h"
+
+namespace squat {
+namespace {
+
+using results::ArrayTree;
+using results::RunResult;
+using testing::TemporaryFolder;
+
+cases::CaseDescription shortCase() {
+  cases::CaseOverrides overrides;
+  overrides.preset = "tiny";
+  overrides.values = testing::shortSets();
+  return cases::loadCase("light-defect", overrides);
+}
+
+// Cancels at the given share of the rolling.
+class StopAt : public Monitor {
+ public:
+  explicit StopAt(double share) : share_(share) {}
+  void report(const Progress& progress) override {
+    if (progress.phase == "rolling" && progress.fraction >= share_) stop_ = true;
+  }
+  bool cancelled() override { return stop_; }
+
+ private:
+  double share_;
+  bool stop_ = false;
+};
+
+ArrayTree comparable(RunResult result) {
+  result.performance.clear();
+  result.threads = 0;
+  result.created.clear();
+  return results::toTree(result);
+}
+
+RunResult run(const simulation::RunOptions& options, double stopAt = 2) {
+  StopAt monitor(stopAt);
+  return simulation::runCase(shortCase(), options, monitor);
+}
+
+const RunResult& uninterrupted() {
+  static const RunResult result = [] {
+    simulation::RunOptions options;
+    options.threads = 1;
+    return run(options);
+  }();
+  return result;
+}
+
+TEST(Resume, StoppedAndResumedIsTheSameToTheBit) {
+  const TemporaryFolder folder;
+  simulation::RunOptions options;
+  options.threads = 1;
+  options.checkpointPath = folder / "run.checkpoint";
+  const auto stopped = run(options, 0.3);
+  ASSERT_FALSE(stopped.complete);
+  ASSERT_TRUE(results::readCheckpoint(options.checkpointPath).has_value());
+  EXPECT_LT(stopped.time.size(), uninterrupted().time.size());
+
+  options.resume = true;
+  options.threads = 2;  // another number of threads changes nothing
+  const auto again = run(options, 0.7);
+  ASSERT_FALSE(again.complete);
+  const auto resumed = run(options);
+  ASSERT_TRUE(resumed.complete);
+  EXPECT_EQ(results::firstDifference(comparable(uninterrupted()), comparable(resumed)), "");
+}
+
+TEST(Resume, ACheckpointOfAnotherCaseIsRefused) {
+  const TemporaryFolder folder;
+  simulation::RunOptions options;
+  options.checkpointPath = folder / "run.checkpoint";
+  options.resume = true;
+  ArrayTree other;
+  setAttribute(other.attributes, "case_hash", std::string("00000000"));
+  results::writeCheckpoint(options.checkpointPath, other);
+  EXPECT_THROW(run(options), CaseError);
+}
+
+TEST(Resume, ACheckpointWithoutItsArraysIsRefused) {
+  const TemporaryFolder folder;
+  simulation::RunOptions options;
+  options.checkpointPath = folder / "run.checkpoint";
+  options.resume = true;
+  ArrayTree hollow;
+  setAttribute(hollow.attributes, "case_hash", uninterrupted().caseHash);
+  setAttribute(hollow.attributes, "isa", uninterrupted().isa);
+  results::writeCheckpoint(options.checkpointPath, hollow);
+  EXPECT_THROW(run(options), FileError);
+}
+
+}  // namespace
+}  // namespace squat
