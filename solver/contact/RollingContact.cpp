@@ -40,9 +40,9 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         if (!evaluatePoint(s, rail, rim, displaced, place, i, j, point, nearGap, t) || t.penetration <= 0) continue;
         const double pressure = law.normalPenalty * t.penetration, area = s.area[t.point];
         const double railX = railValue(rail, t, velocity, 0), railZ = railValue(rail, t, velocity, 2);
-        const double slipAlong = wheel.speed * t.cosine - wheel.spinRate * s.radius + treadValue(rim, t, velocity, 0) -
+        const double slipAlong = wheel.speed * t.cosine - wheel.spinRate * s.radius + treadAlong(rim, t, velocity) -
                                  (t.cosine * railX + t.sine * railZ);
-        const double slipAcross = treadValue(rim, t, velocity, 2) - railValue(rail, t, velocity, 1);
+        const double slipAcross = treadLateral(rim, t, velocity) - railValue(rail, t, velocity, 1);
         double* traction = &history.traction[2 * t.point];
         double along = traction[0] + law.tangentialPenalty * step * slipAlong;
         double across = traction[1] + law.tangentialPenalty * step * slipAcross;
@@ -73,8 +73,13 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
           addForce(rail, railForces, t.railNode[a], 2, station, station + 1, w0 * forceZ, w1 * forceZ);
           const double v0 = t.treadWeight[2 * a], v1 = t.treadWeight[2 * a + 1];
           const int left = t.treadStation[0], right = t.treadStation[1];
-          addForce(rim, rimForces, t.treadNode[a], 0, left, right, -v0 * area * along, -v1 * area * along);
-          addForce(rim, rimForces, t.treadNode[a], 1, left, right, -v0 * area * pressure, -v1 * area * pressure);
+          double forceAlong[2], forceRadial[2];  // -t along e_alpha and -p along e_r in the stations' bases
+          for (int side = 0; side < 2; ++side) {
+            forceAlong[side] = area * (t.turnSine[side] * pressure - t.turnCosine[side] * along);
+            forceRadial[side] = -area * (t.turnSine[side] * along + t.turnCosine[side] * pressure);
+          }
+          addForce(rim, rimForces, t.treadNode[a], 0, left, right, v0 * forceAlong[0], v1 * forceAlong[1]);
+          addForce(rim, rimForces, t.treadNode[a], 1, left, right, v0 * forceRadial[0], v1 * forceRadial[1]);
           addForce(rim, rimForces, t.treadNode[a], 2, left, right, -v0 * forceY, -v1 * forceY);
         }
         patch.vertical -= forceZ, patch.longitudinal += forceX, patch.lateral += forceY;
@@ -82,7 +87,7 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         // (X + u) x F about y: -(R + u_r) F_a + u_a F_r with F_a = -t A, F_r = -p A. The pressure points at the wheel's
         // centre, so its arm is that of the hub.
         const double hubAlong = place.hubX * t.cosine + place.hubZ * t.sine;
-        patch.fullMoment += area * ((s.radius + treadValue(rim, t, displaced, 1)) * along - hubAlong * pressure);
+        patch.fullMoment += area * ((s.radius + treadRadial(rim, t, displaced)) * along - hubAlong * pressure);
         const double x = s.pointX[t.point] - place.centreX - place.hubX, y = s.pointY[t.point], n = pressure * area;
         sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
         if (points) points->push_back({x, y, pressure, along, across, area, slips});

@@ -12,11 +12,34 @@ double railValue(const elasticity::SweptBlock& rail, const TouchPoint& t, const 
          t.railWeight[3] * second[1];
 }
 
-double treadValue(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state, int component) {
+namespace {
+
+// The tread's component at the left and the right station, interpolated between its two section nodes.
+struct Sides {
+  double left, right;
+};
+Sides treadSides(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state, int component) {
   const double* first = state + rim.index(t.treadNode[0], component, 0);
   const double* second = state + rim.index(t.treadNode[1], component, 0);
-  return t.treadWeight[0] * first[t.treadStation[0]] + t.treadWeight[1] * first[t.treadStation[1]] +
-         t.treadWeight[2] * second[t.treadStation[0]] + t.treadWeight[3] * second[t.treadStation[1]];
+  return {t.treadWeight[0] * first[t.treadStation[0]] + t.treadWeight[2] * second[t.treadStation[0]],
+          t.treadWeight[1] * first[t.treadStation[1]] + t.treadWeight[3] * second[t.treadStation[1]]};
+}
+
+}  // namespace
+
+double treadAlong(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state) {
+  const Sides a = treadSides(rim, t, state, 0), r = treadSides(rim, t, state, 1);
+  return t.turnCosine[0] * a.left + t.turnSine[0] * r.left + t.turnCosine[1] * a.right + t.turnSine[1] * r.right;
+}
+
+double treadRadial(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state) {
+  const Sides a = treadSides(rim, t, state, 0), r = treadSides(rim, t, state, 1);
+  return t.turnCosine[0] * r.left - t.turnSine[0] * a.left + t.turnCosine[1] * r.right - t.turnSine[1] * a.right;
+}
+
+double treadLateral(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state) {
+  const Sides y = treadSides(rim, t, state, 2);
+  return y.left + y.right;
 }
 
 std::pair<int, int> reachableIntervals(const Surfaces& s, const elasticity::SweptBlock& rail, double x, double reach) {
@@ -68,10 +91,19 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   const double v = s.treadFraction[lateral];
   t.treadNode[0] = s.treadLine[tread], t.treadNode[1] = s.treadLine[tread + 1];
   t.treadStation[0] = k, t.treadStation[1] = k + 1 == rim.intervals ? 0 : k + 1;
-  t.treadWeight[0] = (1 - v) * (1 - u), t.treadWeight[1] = (1 - v) * u;
-  t.treadWeight[2] = v * (1 - u), t.treadWeight[3] = v * u;
+  // The radial directions of two stations, weighted, add up to a vector shorter than one; stretched, a translation of the
+  // wheel passes whole, and so does the force back: wheel and rail feel the same.
+  const double sector = rim.positions[k + 1] - rim.positions[k];
+  const double stretch = 1 / ((1 - u) * std::cos(u * sector) + u * std::cos((1 - u) * sector));
+  t.treadWeight[0] = (1 - v) * (1 - u) * stretch, t.treadWeight[1] = (1 - v) * u * stretch;
+  t.treadWeight[2] = v * (1 - u) * stretch, t.treadWeight[3] = v * u * stretch;
+  for (int side = 0; side < 2; ++side) {
+    // Angles of half an element: the series errs by less than 1e-12.
+    const double d = rim.positions[k + side] - angle, d2 = d * d;
+    t.turnCosine[side] = 1 - d2 / 2 * (1 - d2 / 12), t.turnSine[side] = d * (1 - d2 / 6 * (1 - d2 / 20));
+  }
 
-  const double radial = treadValue(rim, t, state, 1) - (wheel.hubX * t.sine - wheel.hubZ * t.cosine);
+  const double radial = treadRadial(rim, t, state) - (wheel.hubX * t.sine - wheel.hubZ * t.cosine);
   t.penetration = s.radius - distance + radial;
   return true;
 }

@@ -27,6 +27,8 @@ struct TouchPoint {
   double railWeight[4] = {0, 0, 0, 0};  // node 0: station, station + 1; node 1: the same
   int treadNode[2] = {0, 0}, treadStation[2] = {0, 0};
   double treadWeight[4] = {0, 0, 0, 0};  // node 0: left, right station; node 1: the same
+  // Cosine and sine of the angle from the touch point to the left and the right station: local bases differ.
+  double turnCosine[2] = {1, 1}, turnSine[2] = {0, 0};
 };
 
 // Sets penetration to the gap's negative; everything else is only filled in where the undeformed gap is below `near`.
@@ -39,8 +41,10 @@ bool evaluatePoint(const Surfaces& surfaces, const elasticity::SweptBlock& rail,
 std::pair<int, int> reachableIntervals(const Surfaces& surfaces, const elasticity::SweptBlock& rail, double x,
                                        double reach);
 
-// Interpolated state component at the touch point: rail and tread (local components).
+// Interpolated state at the touch point: a component of the rail, and the tread's along e_alpha, e_r and y.
 double railValue(const elasticity::SweptBlock& rail, const TouchPoint& touch, const double* state, int component);
-double treadValue(const elasticity::SweptBlock& rim, const TouchPoint& touch, const double* state, int component);
+double treadAlong(const elasticity::SweptBlock& rim, const TouchPoint& touch, const double* state);
+double treadRadial(const elasticity::SweptBlock& rim, const TouchPoint& touch, const double* state);
+double treadLateral(const elasticity::SweptBlock& rim, const TouchPoint& touch, const double* state);
 
 }  // namespace squat::contact

@@ -185,6 +185,7 @@ void Rolling::collectForces(int index) {
   if (index == other) {
     const double* u = state_.displaced.data();
     const double* v = state_.velocity.data();
+    elasticity::addIrregularForces(model_.movedElements, u, forces_.data());
     damperPower_[0] = addSpringForces(model_.ballast, u, v, forces_.data());
     damperPower_[1] =
         addSpringForces(model_.pads, u, v, forces_.data()) + addSpringForces(model_.ends, u, v, forces_.data());

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/DefectSurface.h"
 #include "core/Errors.h"
+#include "geometry/RailSection.h"
 #include "model/BuildBlocks.h"
 #include "model/BuildSupports.h"
 #include "model/Model.h"
@@ -134,6 +136,30 @@ void holdSymmetry(Model& model) {
   }
 }
 
+// The surface nodes take the shape of the defect; nodes below follow, less with depth, down to four element sizes.
+void moveDefectNodes(Model& model) {
+  const auto& d = model.description;
+  if (!d.defect.moveNodes) return;
+  const cases::DefectSurface defect(d.defect);
+  const auto& rail = model.blocks[model.rail];
+  const double blended = 4 * d.mesh.contactSize;
+  model.movedElements = elasticity::irregularElements(rail, [&](int node, int station) -> Eigen::Vector3d {
+    const auto& p = rail.section.nodes[node];
+    const double depth = geometry::crownHeight54E1(p[0]) - p[1];
+    if (depth >= blended) return {0, 0, 0};
+    return {0, 0, defect.height(rail.positions[station], p[0]) * (1 - std::max(0.0, depth) / blended)};
+  });
+}
+
+void fillIrregularSlots(Model& model) {
+  auto& moved = model.movedElements;
+  for (const auto& unknown : moved.unknown) {
+    std::array<std::size_t, 24> slots{};
+    for (int i = 0; i < 24; ++i) slots[i] = forceSlot(model, unknown[i]);
+    moved.forceSlot.push_back(slots);
+  }
+}
+
 }  // namespace
 
 std::size_t Model::elements() const {
@@ -165,7 +191,9 @@ Model buildModel(const cases::CaseDescription& description) {
   model.smallUnknowns = model.stateSize;
   model.sprungX = model.stateSize, model.sprungZ = model.stateSize + 1;
   model.stateSize += 8;
+  moveDefectNodes(model);
   layOutForces(model);
+  fillIrregularSlots(model);
   addSupports(model);
   holdSymmetry(model);
   addMasses(model);

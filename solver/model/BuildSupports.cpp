@@ -142,6 +142,9 @@ void layOutForces(Model& model) {
   }
   if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing))
     std::fill(wanted[model.rail].begin(), wanted[model.rail].end(), 1);
+  for (const auto& unknown : model.movedElements.unknown)
+    for (const auto index : unknown)
+      wanted[model.rail][(index - model.blocks[model.rail].offset) / model.blocks[model.rail].stride / 3] = 1;
   for (int i = 0; i < model.sleepers; ++i) {
     const int block = model.firstSleeper + i;
     mark(block, sleeperFace(model.blocks[block], 0));

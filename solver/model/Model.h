@@ -11,6 +11,7 @@
 #include "case/CaseDescription.h"
 #include "contact/ContactSurfaces.h"
 #include "core/AlignedVector.h"
+#include "elasticity/IrregularElements.h"
 #include "elasticity/SweptBlock.h"
 #include "elasticity/SweptTie.h"
 #include "supports/Springs.h"
@@ -44,6 +45,7 @@ struct Model {
   int rail = -1, rim = -1, body = -1, firstSleeper = -1, sleepers = 0;
   std::vector<double> sleeperPositions;  // [m] along x
   std::vector<elasticity::SweptTie> ties;
+  elasticity::IrregularElements movedElements;    // of the rail, under a defect whose nodes are moved
   std::vector<std::vector<unsigned char>> slave;  // per block and section node
   std::vector<std::vector<double>> freeMask;      // per block: nodes x 3, 0 where a whole line is held
   std::vector<std::size_t> held;                  // single unknowns that are held

@@ -79,6 +79,7 @@ void StaticOperator::apply(double* u, double* result) {
     elasticity::applySegments(work_[index], model_.blocks, kernels_, u, result, *scratch_[index]);
   });
   std::fill(result + model_.smallUnknowns, result + model_.stateSize, 0.0);
+  elasticity::addIrregularStiffness(model_.movedElements, u, result);
   supports::addSpringStiffness(model_.pads, u, result);
   supports::addSpringStiffness(model_.ballast, u, result);
   supports::addSpringStiffness(vehicle_, u, result);

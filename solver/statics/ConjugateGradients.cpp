@@ -27,7 +27,11 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
       return sum;
     });
     solution.residual = std::sqrt(norm2);
-    if (solution.residual < target || solution.iterations >= mostIterations) return solution;
+    if (solution.residual < target || solution.iterations >= mostIterations) {
+      // A last coarse correction leaves no resultant force on any coarse field, rigid motions of the wheelset among them.
+      coarse.addCorrection(team, r.data(), x.data());
+      return solution;
+    }
     if (solution.iterations % 8 == 0 && !step(solution.iterations, solution.residual)) {
       solution.cancelled = true;
       return solution;

@@ -40,7 +40,9 @@ ClosedContact evaluateContact(const model::Model& model, const model::TurnedStat
           for (int b = 0; b < 2; ++b) {
             terms.push_back({rail.index(t.railNode[a], 0, t.railStation + b), -t.sine * t.railWeight[2 * a + b]});
             terms.push_back({rail.index(t.railNode[a], 2, t.railStation + b), t.cosine * t.railWeight[2 * a + b]});
-            terms.push_back({rim.index(t.treadNode[a], 1, t.treadStation[b]), t.treadWeight[2 * a + b]});
+            const double weight = t.treadWeight[2 * a + b];
+            terms.push_back({rim.index(t.treadNode[a], 0, t.treadStation[b]), -t.turnSine[b] * weight});
+            terms.push_back({rim.index(t.treadNode[a], 1, t.treadStation[b]), t.turnCosine[b] * weight});
           }
         closed.springs.add(terms, penalty * s.area[t.point], 0);
         closed.penetration.push_back(t.penetration);
