@@ -91,12 +91,8 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   const double v = s.treadFraction[lateral];
   t.treadNode[0] = s.treadLine[tread], t.treadNode[1] = s.treadLine[tread + 1];
   t.treadStation[0] = k, t.treadStation[1] = k + 1 == rim.intervals ? 0 : k + 1;
-  // The radial directions of two stations, weighted, add up to a vector shorter than one; stretched, a translation of the
-  // wheel passes whole, and so does the force back: wheel and rail feel the same.
-  const double sector = rim.positions[k + 1] - rim.positions[k];
-  const double stretch = 1 / ((1 - u) * std::cos(u * sector) + u * std::cos((1 - u) * sector));
-  t.treadWeight[0] = (1 - v) * (1 - u) * stretch, t.treadWeight[1] = (1 - v) * u * stretch;
-  t.treadWeight[2] = v * (1 - u) * stretch, t.treadWeight[3] = v * u * stretch;
+  t.treadWeight[0] = (1 - v) * (1 - u), t.treadWeight[1] = (1 - v) * u;
+  t.treadWeight[2] = v * (1 - u), t.treadWeight[3] = v * u;
   for (int side = 0; side < 2; ++side) {
     // Angles of half an element: the series errs by less than 1e-12.
     const double d = rim.positions[k + side] - angle, d2 = d * d;
