@@ -36,6 +36,15 @@ TEST_F(FigureContent, abaAgainstPositionShowsTheJudgedWindow) {
   EXPECT_GT(figure->yAxis->range().upper, *std::max_element(box.begin(), box.end()));
 }
 
+TEST_F(FigureContent, defectReachesFromItsFirstToItsLastSlope) {
+  // The made-up profile is flat but for -25 to 65 mm; its raster is 0.75 mm.
+  const auto extent = plots::defectExtent(result_);
+  EXPECT_NEAR(extent.from, -0.025, 2e-3);
+  EXPECT_NEAR(extent.to, 0.065, 2e-3);
+  result_.profileHeight.assign(result_.profileHeight.size(), 0.0);
+  EXPECT_TRUE(plots::defectExtent(result_).empty());
+}
+
 TEST_F(FigureContent, psdNamesItsPeaks) {
   const auto texts = labels(*plots::psdFigure(result_, plots::lightStyle()));
   // Lines at 300, 640 and 1000 Hz on a raster of 7.8 Hz.

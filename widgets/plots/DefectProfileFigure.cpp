@@ -8,7 +8,7 @@
 namespace squat::plots {
 namespace {
 
-constexpr double surroundings = 0.06;  // [m] shown on both sides of the defect
+constexpr double surroundings = 0.04;  // [m] shown on both sides of the defect
 constexpr double stripHeight = 0.07;   // share of the axes' height taken by the sleepers below
 
 void addSleeper(Figure& figure, const Span& span, double from, double to) {
@@ -41,12 +41,12 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   figure->xAxis->setLabel("Position along the rail [mm]");
   figure->yAxis->setLabel("Height [µm]");
   double from = -0.1, to = 0.1;
-  if (result.profilePosition.empty()) {
+  const Extent defect = defectExtent(result);
+  if (defect.empty()) {
     addNotice(*figure, "smooth rail: no defect");
   } else {
-    const auto [low, high] = std::minmax_element(result.profilePosition.begin(), result.profilePosition.end());
-    from = *low - surroundings;
-    to = *high + surroundings;
+    from = defect.from - surroundings;
+    to = defect.to + surroundings;
   }
   const std::vector<double> x = scaled(result.profilePosition, 1e3);
   figure->xAxis->setRange(from * 1e3, to * 1e3);

@@ -17,6 +17,9 @@ QCPGraph* addCurve(Figure& figure, const Curve& curve) {
   QVector<double> x(curve.x.begin(), curve.x.begin() + static_cast<std::ptrdiff_t>(count));
   QVector<double> y(curve.y.begin(), curve.y.begin() + static_cast<std::ptrdiff_t>(count));
   graph->setData(x, y);
+  // Thinning out shows as steps on steep slopes; only long records need it.
+  constexpr std::size_t manyPoints = 30000;
+  graph->setAdaptiveSampling(count > manyPoints);
   QPen pen(figure.style().curve(curve.colour), curve.width, curve.line);
   pen.setJoinStyle(Qt::RoundJoin);
   graph->setPen(pen);
@@ -89,6 +92,21 @@ void setCaption(Figure& figure, const results::RunResult& result) {
   if (!result.complete)
     left = QStringLiteral("incomplete (%1): ").arg(QString::fromStdString(result.stopReason)) + left;
   figure.setCaption(left, QString::fromStdString(result.stem + "  " + result.caseHash));
+}
+
+Extent defectExtent(const results::RunResult& result) {
+  const std::size_t count = std::min(result.profilePosition.size(), result.profileHeight.size());
+  double deepest = 0;
+  for (std::size_t i = 0; i < count; ++i) deepest = std::max(deepest, std::abs(result.profileHeight[i]));
+  Extent extent;
+  bool found = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(std::abs(result.profileHeight[i]) > 0.005 * deepest)) continue;
+    if (!found) extent.from = result.profilePosition[i];
+    found = true;
+    extent.to = result.profilePosition[i];
+  }
+  return extent;
 }
 
 Window judgedWindow(const results::RunResult& result) {

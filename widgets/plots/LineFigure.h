@@ -39,6 +39,13 @@ void fitValues(Figure& figure, double margin = 0.06);
 // Caption of every figure: title, and stem with hash; says so where the run is incomplete.
 void setCaption(Figure& figure, const results::RunResult& result);
 
+// Stretch of the profile that is not flat [m]; empty (from == to == 0) for a smooth rail.
+struct Extent {
+  double from = 0, to = 0;
+  bool empty() const { return !(to > from); }
+};
+Extent defectExtent(const results::RunResult& result);
+
 // The stretch around the defect that signals are judged in [m]: the window of the PSD, or all of the record.
 struct Window {
   double from = 0, to = 0;

@@ -42,10 +42,8 @@ std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, cons
   auto figure = std::make_unique<Figure>("aba_position", style);
   const Window window = judgedWindow(result);
   figure->xAxis->setLabel("Position of the wheel from the defect [mm]");
-  if (!result.profilePosition.empty()) {
-    const auto [low, high] = std::minmax_element(result.profilePosition.begin(), result.profilePosition.end());
-    addBand(*figure, 1e3 * std::max(*low, window.from), 1e3 * std::min(*high, window.to));
-  }
+  const Extent defect = defectExtent(result);
+  if (!defect.empty()) addBand(*figure, 1e3 * std::max(defect.from, window.from), 1e3 * std::min(defect.to, window.to));
   addAccelerations(*figure, result, scaled(result.position, 1e3), 1e3 * window.from, 1e3 * window.to);
   return figure;
 }

@@ -8,11 +8,13 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "colours/ColourTables.h"
 #include "scene/ColourLookup.h"
 
 namespace squat::scene {
@@ -35,6 +37,31 @@ void setLetters(vtkTextProperty& text, int pixels, bool dark) {
   text.SetColor(grey, grey, grey);
 }
 
+// Colours of the map, fading into the part's own colour over the lowest tenth of the scale, so that parts can be told
+// apart away from the contact.
+vtkSmartPointer<vtkPolyData> withBlendedColours(const PartData& part, const Look& look) {
+  constexpr double fade = 0.1;
+  vtkDataArray* values = part.faces->GetPointData()->GetScalars();
+  const auto own = partColour(part.name);
+  vtkNew<vtkUnsignedCharArray> shades;
+  shades->SetName("colours");
+  shades->SetNumberOfComponents(3);
+  shades->SetNumberOfTuples(values->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i) {
+    const double share = (values->GetTuple1(i) - look.low) / (look.high - look.low);
+    const double weight = std::isfinite(share) ? std::clamp(share / fade, 0.0, 1.0) : 0.0;
+    const colours::Rgb map = colours::colourAt(look.colourMap, share);
+    const double mixed[3] = {own[0] + weight * (map.red - own[0]), own[1] + weight * (map.green - own[1]),
+                             own[2] + weight * (map.blue - own[2])};
+    for (int channel = 0; channel < 3; ++channel)
+      shades->SetTypedComponent(i, channel, static_cast<unsigned char>(255 * mixed[channel] + 0.5));
+  }
+  auto painted = vtkSmartPointer<vtkPolyData>::New();
+  painted->ShallowCopy(part.faces);
+  painted->GetPointData()->SetScalars(shades);
+  return painted;
+}
+
 }  // namespace
 
 std::array<double, 3> partColour(const std::string& partName) {
@@ -50,7 +77,10 @@ vtkSmartPointer<vtkActor> partActor(const PartData& part, const Look& look) {
   mapper->SetInputData(part.faces);
   const bool coloured = look.field != Field::none && part.faces->GetPointData()->GetScalars();
   mapper->SetScalarVisibility(coloured);
-  if (coloured) {
+  if (coloured && look.blend) {
+    mapper->SetInputData(withBlendedColours(part, look));
+    mapper->SetColorModeToDirectScalars();
+  } else if (coloured) {
     mapper->SetLookupTable(lookupTable(look.colourMap, look.low, look.high));
     mapper->SetUseLookupTableScalarRange(true);
     mapper->SetInterpolateScalarsBeforeMapping(true);

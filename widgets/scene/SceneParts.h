@@ -21,6 +21,7 @@ struct Look {
   std::string colourMap = "viridis";
   double low = 0, high = 1;                     // of the field, in the unit of fieldName()
   bool edges = true;                            // lines of the mesh
+  bool blend = false;                           // where the field is low the part keeps its own colour
   bool dark = false;                            // background
   std::vector<vtkSmartPointer<vtkPlane>> cuts;  // only what lies on the side of each normal is shown
 };

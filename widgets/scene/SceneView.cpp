@@ -11,9 +11,13 @@
 
 namespace squat::scene {
 
+namespace {
+constexpr double barLeft = 0.88;  // share of the width where the colour bar begins
+}
+
 struct SceneView::Parts {
   vtkSmartPointer<SurfacelessWindow> window;
-  vtkSmartPointer<vtkRenderer> renderer;
+  vtkSmartPointer<vtkRenderer> renderer, bar;
   std::shared_ptr<const results::RunResult> result;
   SceneChoices choices;
   std::vector<vtkSmartPointer<vtkActor>> surfaces;
@@ -31,6 +35,9 @@ std::unique_ptr<SceneView> SceneView::create(std::string& reason) {
   if (!parts->window) return nullptr;
   parts->renderer = vtkSmartPointer<vtkRenderer>::New();
   parts->window->AddRenderer(parts->renderer);
+  parts->bar = vtkSmartPointer<vtkRenderer>::New();
+  parts->bar->SetViewport(1, 0, 1, 1);
+  parts->window->AddRenderer(parts->bar);
   return std::unique_ptr<SceneView>(new SceneView(std::move(parts)));
 }
 
@@ -66,6 +73,7 @@ void SceneView::rebuild() {
   look.field = snapshot ? my.choices.field : Field::none;
   look.colourMap = my.choices.colourMap;
   look.edges = my.choices.edges;
+  look.blend = true;
   look.dark = my.choices.dark;
   const auto parts = partData(my.result->surface, snapshot, look.field, my.choices.displacementScale);
   my.highest = look.field == Field::none ? 0 : largestNear(parts, my.contactAt, 0.1);
@@ -81,16 +89,11 @@ void SceneView::rebuild() {
   }
   if (my.choices.springs)
     my.renderer->AddActor(springActor(springLines(my.result->surface, snapshot ? snapshot->wheelTravel : 0), 1.5));
-  if (look.field != Field::none) {
-    my.renderer->AddActor2D(colourBar(look, {0.9, 0.06, 0.08, 0.78}, 13));
-    my.renderer->AddActor2D(textActor(fieldName(look.field), 0.985, 0.9, 13, look.dark, 1.0));
-  }
-  if (snapshot) {
-    char text[120];
-    std::snprintf(text, sizeof text, "%s: wheel at %.1f mm, %.2f ms", snapshot->name.c_str(), 1e3 * snapshot->position,
-                  1e3 * snapshot->time);
-    my.renderer->AddActor2D(textActor(text, 0.015, 0.02, 13, look.dark));
-  }
+  my.bar->RemoveAllViewProps();
+  my.bar->SetBackground(my.renderer->GetBackground());
+  my.renderer->SetViewport(0, 0, look.field == Field::none ? 1.0 : barLeft, 1);
+  my.bar->SetViewport(look.field == Field::none ? 1.0 : barLeft, 0, 1, 1);
+  if (look.field != Field::none) my.bar->AddActor2D(colourBar(look, {0.12, 0.06, 0.8, 0.86}, 12));
   if (!my.placed) {
     my.placed = true;
     lookFrom(StandardView::overview);

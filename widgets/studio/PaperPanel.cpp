@@ -15,6 +15,7 @@ PaperPanel::PaperPanel(RunStore& store, Comparison comparison, QWidget* parent)
   table_->setHorizontalHeaderLabels({tr("What"), tr("This run"), tr("Paper"), tr("Verdict")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->setWordWrap(true);
   table_->setAccessibleName(tr("Comparison with the paper"));
@@ -40,7 +41,6 @@ void PaperPanel::update() {
     const QString cells[] = {row.what, row.ours, row.paper, row.verdict};
     for (int column = 0; column < 4; ++column) table_->setItem(at, column, new QTableWidgetItem(cells[column]));
   }
-  table_->resizeRowsToContents();
 }
 
 }  // namespace squat::studio

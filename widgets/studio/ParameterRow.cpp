@@ -98,7 +98,8 @@ void ParameterRow::showValue() {
   }
   if (choice_) choice_->setCurrentText(QString::fromStdString(text));
   if (check_) check_->setChecked(text == "true");
-  changed_ = text != parameter_.standardText;
+  const bool noPoints = parameter_.kind == cases::Kind::points && text == "[]";
+  changed_ = text != parameter_.standardText && !noPoints;
   QFont font = name_->font();
   font.setBold(changed_);
   name_->setFont(font);

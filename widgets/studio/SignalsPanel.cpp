@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -62,7 +63,10 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   }
   connect(tabs_, &QTabWidget::currentChanged, this,
           [this] { rebuild(tabTitles().value(tabs_->currentIndex()).first); });
-  connect(&store_, &RunStore::currentChanged, this, &SignalsPanel::update);
+  connect(&store_, &RunStore::currentChanged, this, [this] {
+    takeWindow();
+    update();
+  });
   connect(&store_, &RunStore::overlaysChanged, this, &SignalsPanel::update);
   update();
 }
@@ -153,6 +157,15 @@ QStringList SignalsPanel::names() const {
 void SignalsPanel::showTab(const QString& name) {
   const int index = static_cast<int>(names().indexOf(name));
   if (index >= 0) tabs_->setCurrentIndex(index);
+}
+
+// A new run is first seen through the window that its own spectrum has.
+void SignalsPanel::takeWindow() {
+  const ResultPointer current = store_.currentResult();
+  if (!current || !(current->psdTo > current->psdFrom)) return;
+  const QSignalBlocker quietFrom(from_), quietTo(to_);
+  from_->setValue(current->psdFrom * 1e3);
+  to_->setValue(current->psdTo * 1e3);
 }
 
 void SignalsPanel::update() {

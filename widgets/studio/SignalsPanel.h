@@ -42,6 +42,7 @@ class SignalsPanel : public QWidget {
 
  private:
   QWidget* makeControls();
+  void takeWindow();
   void update();
   void rebuild(const QString& name);
   std::unique_ptr<plots::Figure> makeFigure(const QString& name) const;
