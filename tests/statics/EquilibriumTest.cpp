@@ -1,0 +1,168 @@
+// Equilibrium of track, wheelset and sprung mass on the coarsest preset: load, balance, patch, independence of threads.
+//
+// Hertz's patch for R = 0.46 m on R300, E 210 GPa, nu 0.3, from CONTACT 25.2 (60 x 60 elements), half axes scaling with
+// the cube root of the load: 87.8 kN: a = 6.86 mm along, b = 5.16 mm across, p0 = 1185 MPa.
+// Tolerance 15 %: quads of 5 mm in the patch of 13.7 x 10.3 mm, three along and two across.
+#include "statics/Equilibrium.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "case/CaseFile.h"
+#include "core/Errors.h"
+#include "model/StaticOperator.h"
+
+namespace squat::statics {
+namespace {
+
+struct Solved {
+  model::Model model;
+  Equilibrium equilibrium;
+};
+
+Solved solve(const std::string& preset, int threads, const std::string& isa = "") {
+  Solved s;
+  s.model = model::buildModel(cases::loadCase("smooth-rail", {preset, {}}));
+  ThreadTeam team(threads);
+  Monitor quiet;
+  s.equilibrium =
+      findEquilibrium(s.model, elasticity::kernelsFor(isa), team, s.model.startX, 0, EquilibriumOptions{}, quiet);
+  return s;
+}
+
+const Solved& tiny() {
+  static const Solved solved = solve("tiny", 1);
+  return solved;
+}
+
+double weight(const model::Model& model) {
+  const auto& d = model.description;
+  return d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
+}
+
+TEST(Equilibrium, ContactForceIsTheWeight) {
+  const auto& e = tiny().equilibrium;
+  // 1e-6 of the load is asked for; the residual below 1e-7 bounds the sum of vertical forces but for the number of
+  // unknowns.
+  EXPECT_NEAR(e.contactForce, weight(tiny().model), 1e-6 * weight(tiny().model));
+  EXPECT_LT(e.residual, 1e-7);
+  EXPECT_FALSE(e.cancelled);
+}
+
+TEST(Equilibrium, PatchIsThatOfHertz) {
+  const auto& e = tiny().equilibrium;
+  const double scale = std::cbrt(weight(tiny().model) / 87.8e3);
+  EXPECT_NEAR(e.halfAxisRolling, 6.86e-3 * scale, 0.15 * 6.86e-3);
+  EXPECT_NEAR(e.halfAxisLateral, 5.16e-3 * scale, 0.15 * 5.16e-3);
+  EXPECT_NEAR(e.peakPressure, 1185e6 * scale, 0.15 * 1185e6);
+}
+
+// Vertical balance of the parts: ballast carries everything, pads carry all but the sleepers.
+TEST(Equilibrium, SupportsCarryTheWholeWeight) {
+  const auto& [model, e] = tiny();
+  const auto& u = e.displacement;
+  const auto vertical = [&](const supports::SpringSet& set, bool onRail) {
+    double sum = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      double q = 0, lift = 0;
+      for (std::size_t t = set.start[i]; t < set.start[i + 1]; ++t) q += set.weight[t] * u[set.unknown[t]];
+      for (std::size_t t = set.start[i]; t < set.start[i + 1]; ++t) {
+        // Unknown along z? Rail: component 2 of its lines; sleepers (swept along y): component 1.
+        const std::size_t at = set.unknown[t];
+        const auto& rail = model.blocks[model.rail];
+        const bool inRail = at < rail.offset + rail.size();
+        if (inRail != onRail) continue;
+        const auto& first = model.blocks[model.firstSleeper];
+        const std::size_t line =
+            inRail ? (at - rail.offset) / rail.stride : (at - first.offset) % first.size() / first.stride;
+        if (line % 3 == (inRail ? 2u : 1u)) lift -= set.weight[t] * set.stiffness[i] * q;
+      }
+      sum += lift;
+    }
+    return sum;
+  };
+  const double g = model.description.motion.gravity;
+  const auto massOf = [&](int b) {
+    double sum = 0;
+    for (int n = 0; n < model.blocks[b].nodes; ++n)
+      for (int s = 0; s < model.blocks[b].stationCount; ++s) sum += model.mass[b][n * model.blocks[b].stride + s];
+    return sum;
+  };
+  double sleepers = 0;
+  for (int i = 0; i < model.sleepers; ++i) sleepers += massOf(model.firstSleeper + i);
+  const double onPads = weight(model) + g * massOf(model.rail);
+  // Lift of the pads on the rail, and of the ballast on the sleepers.
+  EXPECT_NEAR(vertical(model.pads, true), onPads, 1e-5 * onPads);
+  EXPECT_NEAR(vertical(model.ballast, false), onPads + g * sleepers, 1e-5 * onPads);
+}
+
+// The suspension is compressed by the sprung mass: g m / k between bearing and mass.
+TEST(Equilibrium, SuspensionIsCompressedBySprungMass) {
+  const auto& [model, e] = tiny();
+  model::TurnedStations turned;
+  model::turnStations(model.blocks[model.body], 0, turned);
+  const double bearing = ringMean(model, model.bearing, turned, e.displacement.data()).z;
+  const auto& s = model.description.suspension;
+  const double expected = model.description.motion.gravity * s.sprungMass / s.stiffness;
+  EXPECT_NEAR(bearing - e.displacement[model.sprungZ], expected, 1e-6 * expected);
+  EXPECT_EQ(e.displacement[model.sprungX], 0);
+}
+
+// Clapeyron: the work of the dead load, applied slowly, is twice the stored energy in a linear structure. Contact makes
+// it a little less than linear, so the energy lies between half and all of the load's work.
+TEST(Equilibrium, StrainEnergyIsHalfTheWorkOfTheLoad) {
+  const auto& [model, e] = tiny();
+  const AlignedVector load = model::gravityForces(model, 0);
+  double work = 0;
+  for (std::size_t i = 0; i < load.size(); ++i) work += load[i] * e.displacement[i];
+  // Contact energy grows with the power 5/3 of the load instead of 2, on 5 J of some 2,000 J.
+  EXPECT_NEAR(e.strainEnergy, 0.5 * work, 0.005 * work);
+}
+
+TEST(Equilibrium, DoesNotDependOnThreads) {
+  const auto two = solve("tiny", 2);
+  EXPECT_EQ(two.equilibrium.displacement, tiny().equilibrium.displacement);
+  EXPECT_EQ(two.equilibrium.iterations, tiny().equilibrium.iterations);
+}
+
+TEST(Equilibrium, AgreesBetweenInstructionSets) {
+  for (const auto& isa : elasticity::availableInstructionSets()) {
+    const auto other = solve("tiny", 1, isa);
+    EXPECT_NEAR(other.equilibrium.halfAxisRolling, tiny().equilibrium.halfAxisRolling, 1e-8) << isa;
+    EXPECT_NEAR(other.equilibrium.strainEnergy, tiny().equilibrium.strainEnergy,
+                1e-6 * tiny().equilibrium.strainEnergy);
+  }
+}
+
+class Impatient : public Monitor {
+ public:
+  void report(const Progress& progress) override {
+    EXPECT_EQ(progress.phase, "equilibrium");
+    EXPECT_GE(progress.fraction, 0);
+    EXPECT_LE(progress.fraction, 1);
+    ++reports;
+  }
+  bool cancelled() override { return reports >= 3; }
+  int reports = 0;
+};
+
+TEST(Equilibrium, CanBeCancelled) {
+  ThreadTeam team(1);
+  Impatient monitor;
+  const auto e = findEquilibrium(tiny().model, elasticity::kernelsFor(""), team, tiny().model.startX, 0, {}, monitor);
+  EXPECT_TRUE(e.cancelled);
+  EXPECT_EQ(monitor.reports, 3);
+}
+
+TEST(Equilibrium, SaysWhenItDoesNotConverge) {
+  ThreadTeam team(1);
+  Monitor quiet;
+  EquilibriumOptions options;
+  options.mostNewtonSteps = 1;
+  EXPECT_THROW(findEquilibrium(tiny().model, elasticity::kernelsFor(""), team, tiny().model.startX, 0, options, quiet),
+               RunError);
+}
+
+}  // namespace
+}  // namespace squat::statics

@@ -1,0 +1,123 @@
+// The operator of the whole model: symmetry, rigid motions of the wheelset through the tie, weight.
+#include "model/StaticOperator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "case/CaseFile.h"
+
+namespace squat::model {
+namespace {
+
+const Model& tiny() {
+  static const Model model = buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+  return model;
+}
+
+double dot(const AlignedVector& a, const AlignedVector& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+TEST(StaticOperator, IsSymmetricAndPositive) {
+  ThreadTeam team(1);
+  StaticOperator op(tiny(), elasticity::kernelsFor(""), team, 0.3, 1e8, true);
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> value(-1, 1);
+  const std::size_t n = tiny().stateSize;
+  AlignedVector a(n, 0.0), b(n, 0.0), ka(n, 0.0), kb(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    if (op.freeUnknowns()[i]) a[i] = value(generator), b[i] = value(generator);
+  AlignedVector ua = a, ub = b;  // apply() fills the slaves
+  op.apply(ua.data(), ka.data());
+  op.apply(ub.data(), kb.data());
+  const double size = std::sqrt(dot(a, ka) * dot(b, kb));
+  EXPECT_GT(dot(a, ka), 0);
+  EXPECT_NEAR(dot(a, kb), dot(b, ka), 1e-12 * size);
+}
+
+// The wheelset with its springs taken away has the rigid motions that the symmetry plane leaves: along x, along z and
+// the turn about its axis. Rim and body are joined by the tie.
+TEST(StaticOperator, WheelsetMovesRigidlyThroughTheTie) {
+  Model model = tiny();
+  model.description.suspension.stiffness = model.description.suspension.longitudinalStiffness = 0;
+  ThreadTeam team(1);
+  StaticOperator op(model, elasticity::kernelsFor(""), team, 0, 0, true);
+  for (int motion = 0; motion < 4; ++motion) {
+    AlignedVector u(model.stateSize, 0.0), f(model.stateSize, 0.0);
+    for (const int b : {model.rim, model.body}) {
+      const auto& block = model.blocks[b];
+      for (int n = 0; n < block.nodes; ++n)
+        for (int s = 0; s < block.stationCount; ++s) {
+          const Eigen::Vector3d global(motion == 0, 0, motion == 1);
+          Eigen::Vector3d local = elasticity::localBasis(block, block.positions[s]).transpose() * global;
+          if (motion == 2) local[0] = block.section.nodes[n][0];  // turn about the axis
+          if (motion == 3) local[1] = block.section.nodes[n][0];  // blown up like a balloon: not rigid
+          for (int c = 0; c < 3; ++c) u[block.index(n, c, s)] = local[c];
+        }
+    }
+    op.apply(u.data(), f.data());
+    double most = 0;
+    for (const double v : f) most = std::max(most, std::abs(v));
+    // Stiffnesses at single nodes are of the order of E times 0.1 m.
+    const double stiff = 210e9 * 0.1;
+    if (motion < 3) {
+      EXPECT_LT(most, 1e-12 * stiff) << "motion " << motion;
+    } else {
+      EXPECT_GT(most, 1e-3 * stiff);
+    }
+  }
+}
+
+// Gravity adds up to the weight: of wheelset (950 kg as the case says) and sprung mass, rail and sleepers.
+TEST(StaticOperator, GravityIsTheWeightOfEverything) {
+  const auto& model = tiny();
+  const auto& d = model.description;
+  for (const double rotation : {0.0, 0.7}) {
+    const AlignedVector load = gravityForces(model, rotation);
+    Eigen::Vector3d wheelset = Eigen::Vector3d::Zero(), track = Eigen::Vector3d::Zero();
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+      const auto& block = model.blocks[b];
+      const bool turns = static_cast<int>(b) == model.rim || static_cast<int>(b) == model.body;
+      for (int n = 0; n < block.nodes; ++n)
+        for (int s = 0; s < block.stationCount; ++s) {
+          const Eigen::Vector3d local(load[block.index(n, 0, s)], load[block.index(n, 1, s)],
+                                      load[block.index(n, 2, s)]);
+          (turns ? wheelset : track) +=
+              elasticity::localBasis(block, block.positions[s] - (turns ? rotation : 0)) * local;
+        }
+    }
+    const double g = d.motion.gravity;
+    EXPECT_NEAR(-wheelset[2], g * d.wheelset.totalMass, 1e-9 * g * d.wheelset.totalMass);
+    EXPECT_LT(std::hypot(wheelset[0], wheelset[1]), 1e-8 * g * d.wheelset.totalMass);
+    // 54.4 kg a metre (7800 kg/m3 times 69.77 cm2), the coarse section within 1 %; half sleepers of the case's block.
+    const auto& s = d.sleeper;
+    const double sleeper = s.material.density * s.halfLength * s.width * s.height;
+    const double expected = g * (7800 * 69.77e-4 * d.track.length + model.sleepers * sleeper);
+    EXPECT_NEAR(-track[2], expected, 0.01 * expected);
+  }
+}
+
+TEST(StaticOperator, TieKeepsTheMass) {
+  const auto& model = tiny();
+  double solid = 0, all = 0, inertia = 0;
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (const double m : elasticity::lumpedMass(block)) solid += m;
+    for (int n = 0; n < block.nodes; ++n)
+      for (int s = 0; s < block.stationCount; ++s) {
+        const double m = model.mass[b][n * block.stride + s];
+        EXPECT_GE(m, 0);
+        all += m, inertia += m * std::pow(block.section.nodes[n][0], 2);
+      }
+  }
+  EXPECT_NEAR(solid, model.wheelset.solidMass, 1e-9 * solid);
+  EXPECT_NEAR(all, model.description.wheelset.totalMass, 1e-9 * all);
+  EXPECT_NEAR(inertia, model.wheelset.inertia, 1e-9 * inertia);
+}
+
+}  // namespace
+}  // namespace squat::model
