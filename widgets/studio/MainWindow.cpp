@@ -139,7 +139,7 @@ void MainWindow::startRun() {
   const QStringList reasons = form_->blockers();
   if (!reasons.isEmpty() || controller_.isRunning()) return;
   showTab("run");
-  controller_.start(document_.description(), document_.name().toStdString());
+  controller_.start(document_.description(), document_.name().toStdString(), services_.threads);
 }
 
 void MainWindow::setDark(bool dark) {

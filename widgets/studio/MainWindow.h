@@ -33,6 +33,7 @@ struct StudioServices {
   Comparison comparison;
   Asker asker;             // empty: a message box
   QString recoveryFolder;  // empty: none
+  int threads = 0;         // of a run; 0: all cores (the window goes first all the same)
 };
 
 class MainWindow : public QMainWindow {

@@ -1,0 +1,77 @@
+// The studio around the real computation, at the coarsest mesh and over a short stretch.
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+#include <iostream>
+
+#include "gui/MadeUpRun.h"
+#include "simulation/RunCase.h"
+#include "studio/LivePlot.h"
+#include "studio/MessageBar.h"
+#include "studio/ParameterForm.h"
+#include "studio/RunPanel.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr int patience = 240000;  // [ms] for slow machines and sanitizers; an idle core needs some seconds
+
+class RealRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    StudioServices services = tests::services();
+    services.runner = simulation::runCase;
+    services.threads = 1;  // other tests may hold the second core
+    window_ = std::make_unique<MainWindow>(services);
+    ASSERT_TRUE(window_->openCase("light-defect"));
+    window_->document().setParameter("mesh.preset", "tiny");
+    window_->document().setParameter("motion.run_up", "0.06");
+    window_->document().setParameter("motion.beyond", "0.07");
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    ASSERT_TRUE(window_->form()->blockers().isEmpty()) << window_->form()->blockers().join('\n').toStdString();
+  }
+  std::unique_ptr<MainWindow> window_;
+};
+
+TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAlive) {
+  std::vector<double> gaps;  // [ms] between turns of a timer of 5 ms
+  QElapsedTimer clock;
+  QTimer pulse;
+  QObject::connect(&pulse, &QTimer::timeout, [&] { gaps.push_back(clock.restart() - 5.0); });
+  clock.start();
+  pulse.start(5);
+  window_->startRun();
+  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, patience));
+  pulse.stop();
+  ASSERT_EQ(window_->store().rowCount(), 1) << window_->messages()->text().toStdString();
+  const ResultPointer result = window_->store().currentResult();
+  EXPECT_TRUE(result->complete);
+  EXPECT_GT(result->time.size(), 50u);
+  EXPECT_FALSE(result->snapshots.empty());
+  EXPECT_GT(window_->findChild<RunPanel*>()->live()->sampleCount(), 3);
+  // Printed, not judged: what else the machine does is not known here.
+  std::sort(gaps.begin(), gaps.end());
+  if (!gaps.empty())
+    std::cout << "event loop latency: 99th percentile " << gaps[gaps.size() * 99 / 100] << " ms, largest "
+              << gaps.back() << " ms, " << gaps.size() << " turns\n";
+}
+
+TEST_F(RealRun, cancelStopsItAndKeepsWhatThereIs) {
+  window_->startRun();
+  auto* live = window_->findChild<RunPanel*>()->live();
+  ASSERT_TRUE(tests::passes([&] { return live->sampleCount() > 1; }, patience));
+  QElapsedTimer clock;
+  clock.start();
+  window_->controller().cancel();
+  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, patience));
+  std::cout << "cancelled after " << clock.elapsed() << " ms\n";
+  ASSERT_EQ(window_->store().rowCount(), 1);
+  EXPECT_FALSE(window_->store().currentResult()->complete);
+}
+
+}  // namespace
+}  // namespace squat::studio
