@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/Errors.h"
+
 namespace squat::results {
 
 using Values = std::variant<std::vector<double>, std::vector<float>, std::vector<std::int64_t>,
@@ -56,6 +58,16 @@ void setAttribute(std::vector<Attribute>& attributes, std::string name, Attribut
 // Text or number of an attribute; the fallback where it is missing or of another kind.
 std::string textAttribute(const std::vector<Attribute>& attributes, std::string_view name, std::string fallback = {});
 double numberAttribute(const std::vector<Attribute>& attributes, std::string_view name, double fallback = 0);
+
+// The values of an array. Throws FileError(file, path) where it is missing or holds another type.
+template <typename T>
+const std::vector<T>& valuesOf(const ArrayTree& tree, const std::string& path, const std::string& file) {
+  const auto* array = tree.find(path);
+  if (!array) throw FileError(file, path, "is missing");
+  const auto* values = std::get_if<std::vector<T>>(&array->values);
+  if (!values) throw FileError(file, path, "has a wrong type");
+  return *values;
+}
 
 std::size_t valueCount(const Values& values);
 std::size_t byteCount(const Values& values);  // memory of the values, strings included

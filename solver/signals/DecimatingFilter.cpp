@@ -126,9 +126,14 @@ double DecimatingFilter::gainAt(double frequency) const {
 }
 
 void DecimatingFilter::restore(DecimatingFilterState state) {
-  const bool fits = state.complete.size() == channels_ && state.pending.size() % channels_ == 0 &&
-                    (state.pushed == 0 || state.last.size() == channels_);
-  if (!fits) throw SignalError("the stored filter state belongs to another number of channels");
+  if (state.complete.size() != channels_ || (state.pushed > 0 && state.last.size() != channels_))
+    throw SignalError("the stored filter state belongs to another number of channels");
+  // What must stand after so many inputs: outputs up to the last whole one, sums for those that the last input reaches.
+  const std::uint64_t whole = state.pushed > half_ ? (state.pushed - 1 - half_) / factor_ + 1 : 0;
+  const std::uint64_t reached = state.pushed > 0 ? (state.pushed - 1 + half_) / factor_ + 1 : whole;
+  bool fits = state.pending.size() == (reached - whole) * channels_;
+  for (const auto& values : state.complete) fits = fits && values.size() == whole;
+  if (!fits) throw SignalError("the stored filter state does not belong to its number of samples");
   state_ = std::move(state);
 }
 

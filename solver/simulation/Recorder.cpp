@@ -3,6 +3,7 @@
 
 #include "core/Errors.h"
 #include "signals/Butterworth.h"
+#include "signals/SignalError.h"
 #include "simulation/RunParts.h"
 
 namespace squat::simulation {
@@ -67,25 +68,21 @@ void Recorder::save(results::ArrayTree& tree) const {
     tree.add("/recorder/complete" + std::to_string(c), state.complete[c], "1");
 }
 
-namespace {
-
-const std::vector<double>& numbers(const results::ArrayTree& tree, const std::string& path) {
-  const auto* array = tree.find(path);
-  const auto* values = array ? std::get_if<std::vector<double>>(&array->values) : nullptr;
-  if (!values) throw FileError("checkpoint", path, "is missing or of another kind");
-  return *values;
-}
-
-}  // namespace
-
-void Recorder::load(const results::ArrayTree& tree) {
+void Recorder::load(const results::ArrayTree& tree, const std::string& file) {
   signals::DecimatingFilterState state;
-  state.pushed = static_cast<std::uint64_t>(numbers(tree, "/recorder/pushed").at(0));
-  state.last = numbers(tree, "/recorder/last");
-  state.pending = numbers(tree, "/recorder/pending");
+  const auto& pushed = results::valuesOf<double>(tree, "/recorder/pushed", file);
+  if (pushed.size() != 1 || !(pushed[0] >= 0 && pushed[0] < 1e15))
+    throw FileError(file, "/recorder/pushed", "is no number of samples");
+  state.pushed = static_cast<std::uint64_t>(pushed[0]);
+  state.last = results::valuesOf<double>(tree, "/recorder/last", file);
+  state.pending = results::valuesOf<double>(tree, "/recorder/pending", file);
   for (std::size_t c = 0; c < channels; ++c)
-    state.complete.push_back(numbers(tree, "/recorder/complete" + std::to_string(c)));
-  filter_.restore(std::move(state));
+    state.complete.push_back(results::valuesOf<double>(tree, "/recorder/complete" + std::to_string(c), file));
+  try {
+    filter_.restore(std::move(state));
+  } catch (const signals::SignalError& error) {
+    throw FileError(file, "/recorder", error.what());
+  }
 }
 
 void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
@@ -102,16 +99,37 @@ void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
       "1");
 }
 
+void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling& rolling, long lastStep,
+                         const std::string& file) {
+  results::ArrayTree own;
+  saveRolling(rolling, own);
+  for (const char* path : {"/rolling/displaced", "/rolling/velocity", "/rolling/traction", "/rolling/small"})
+    if (results::valuesOf<double>(tree, path, file).size() != results::valuesOf<double>(own, path, file).size())
+      throw FileError(file, path, "has another length than this case and mesh need", "Start anew without --resume");
+  const auto points = static_cast<std::int64_t>(results::valuesOf<double>(own, "/rolling/traction", file).size() / 2);
+  std::int64_t before = -1;
+  for (const auto point : results::valuesOf<std::int64_t>(tree, "/rolling/closed", file)) {
+    if (point <= before || point >= points)
+      throw FileError(file, "/rolling/closed", "names points of contact that are not there");
+    before = point;
+  }
+  const double step = results::valuesOf<double>(tree, "/rolling/small", file)[0];
+  if (!(step >= 0 && step <= static_cast<double>(lastStep)))
+    throw FileError(file, "/rolling/small", "names a step beyond the end of the run");
+  const auto ledger = results::valuesOf<double>(tree, "/ledger", file).size();
+  if (ledger < 12 || (ledger - 12) % 7 != 0) throw FileError(file, "/ledger", "has a wrong length");
+}
+
 dynamics::RollingState loadRolling(const results::ArrayTree& tree) {
   dynamics::RollingState s;
-  const auto& u = numbers(tree, "/rolling/displaced");
-  const auto& v = numbers(tree, "/rolling/velocity");
+  const auto& u = results::valuesOf<double>(tree, "/rolling/displaced", "checkpoint");
+  const auto& v = results::valuesOf<double>(tree, "/rolling/velocity", "checkpoint");
   s.displaced.assign(u.begin(), u.end()), s.velocity.assign(v.begin(), v.end());
-  s.friction.traction = numbers(tree, "/rolling/traction");
+  s.friction.traction = results::valuesOf<double>(tree, "/rolling/traction", "checkpoint");
   const auto* closed = tree.find("/rolling/closed");
   if (const auto* list = closed ? std::get_if<std::vector<std::int64_t>>(&closed->values) : nullptr)
     s.friction.closed.assign(list->begin(), list->end());
-  const auto& small = numbers(tree, "/rolling/small");
+  const auto& small = results::valuesOf<double>(tree, "/rolling/small", "checkpoint");
   s.step = static_cast<long>(small.at(0)), s.time = small.at(1), s.rotation = small.at(2), s.spinRate = small.at(3);
   s.sums = {small.at(4), small.at(5), small.at(6)};
   s.wheelAcceleration = {small.at(7), small.at(8)};

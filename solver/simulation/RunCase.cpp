@@ -190,36 +190,29 @@ class RollingPhase {
     lastCheckpoint_ = Clock::now();
   }
 
+  // Goes on from a checkpoint. Throws FileError for one that does not fit this run, before anything is taken from it.
   void load(const results::ArrayTree& tree) {
+    const auto& file = run_.options.checkpointPath;
+    requireFittingState(tree, rolling_, total_, file);
     rolling_.restore(loadRolling(tree));
-    recorder_.load(tree);
-    if (const auto* ledger = tree.find("/ledger")) ledger_.unpack(std::get<std::vector<double>>(ledger->values));
+    recorder_.load(tree, file);
+    ledger_.unpack(results::valuesOf<double>(tree, "/ledger", file));
     run_.result.snapshots.clear(), run_.result.patches.clear();
-    const auto floats = [&](const std::string& path) {
-      const auto* array = tree.find(path);
-      return array ? std::get<std::vector<float>>(array->values) : std::vector<float>{};
-    };
-    const auto numbersOf = [&](const std::string& path) {
-      return std::get<std::vector<double>>(tree.find(path)->values);
-    };
+    const auto floats = [&](const std::string& path) { return results::valuesOf<float>(tree, path, file); };
     for (const auto& array : tree.arrays) {
       if (!array.path.ends_with("/numbers")) continue;
       const std::string path = array.path.substr(0, array.path.size() - 8), name = path.substr(path.rfind('/') + 1);
-      const auto n = numbersOf(array.path);
-      if (path.starts_with("/snapshots/"))
-        run_.result.snapshots.push_back({name,
-                                         n.at(0),
-                                         n.at(1),
-                                         n.at(2),
-                                         n.at(3),
-                                         floats(path + "/displacement"),
-                                         floats(path + "/von_mises"),
-                                         {}});
+      const auto& n = results::valuesOf<double>(tree, array.path, file);
+      const bool isSnapshot = path.starts_with("/snapshots/");
+      if (n.size() != (isSnapshot ? 4U : 2U)) throw FileError(file, array.path, "has a wrong length");
+      if (isSnapshot)
+        run_.result.snapshots.push_back(
+            {name, n[0], n[1], n[2], n[3], floats(path + "/displacement"), floats(path + "/von_mises"), {}});
       else
         run_.result.patches.push_back(
-            {name, n.at(0), n.at(1), floats(path + "/x"), floats(path + "/y"), floats(path + "/pressure"),
+            {name, n[0], n[1], floats(path + "/x"), floats(path + "/y"), floats(path + "/pressure"),
              floats(path + "/traction_x"), floats(path + "/traction_y"),
-             std::get<std::vector<std::uint8_t>>(tree.find(path + "/slipping")->values), floats(path + "/area")});
+             results::valuesOf<std::uint8_t>(tree, path + "/slipping", file), floats(path + "/area")});
     }
     std::sort(run_.result.snapshots.begin(), run_.result.snapshots.end(),
               [](const auto& a, const auto& b) { return a.time < b.time; });

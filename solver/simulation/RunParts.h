@@ -26,7 +26,7 @@ class Recorder {
   double latestAxleBox() const { return filter_.latest(0); }
   double wait() const { return filter_.wait(); }
   void save(results::ArrayTree& tree) const;
-  void load(const results::ArrayTree& tree);
+  void load(const results::ArrayTree& tree, const std::string& file);
 
  private:
   signals::DecimatingFilter filter_;
@@ -55,6 +55,11 @@ void addSpectra(const cases::CaseDescription& description, results::RunResult& r
 // The whole state of a rolling run as arrays, and back.
 void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree);
 dynamics::RollingState loadRolling(const results::ArrayTree& tree);
+
+// Throws FileError(file, array) where a stored state has other arrays or lengths than this run, points of contact that
+// the model does not have, or a step beyond the end: a checkpoint may come from a stranger.
+void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling& rolling, long lastStep,
+                         const std::string& file);
 
 results::PatchSnapshot patchSnapshot(const std::string& name, const dynamics::Rolling& rolling);
 

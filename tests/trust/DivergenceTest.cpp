@@ -1,0 +1,155 @@
+// Runs that go astray, provoked by checkpoints that were tampered with: each is stopped within a few steps, says where,
+// keeps the signals so far and the last good checkpoint. And checkpoints that do not fit: refused by the array's name.
+#include <gmock/gmock.h>
+
+#include <functional>
+
+#include "case/CaseFile.h"
+#include "core/Errors.h"
+#include "results/Checkpoint.h"
+#include "results/SampleResult.h"
+#include "simulation/RunCase.h"
+#include "trust/ShortCase.h"
+
+namespace squat {
+namespace {
+
+using results::ArrayTree;
+using results::RunResult;
+using ::testing::HasSubstr;
+using testing::TemporaryFolder;
+
+cases::CaseDescription shortCase() {
+  cases::CaseOverrides overrides;
+  overrides.preset = "tiny";
+  overrides.values = testing::shortSets();
+  return cases::loadCase("light-defect", overrides);
+}
+
+class StopInTheMiddle : public Monitor {
+ public:
+  void report(const Progress& progress) override { stop_ = progress.phase == "rolling" && progress.fraction > 0.4; }
+  bool cancelled() override { return stop_; }
+
+ private:
+  bool stop_ = false;
+};
+
+// A good checkpoint from the middle of a run, made once.
+const ArrayTree& goodState() {
+  static const ArrayTree state = [] {
+    const TemporaryFolder folder;
+    simulation::RunOptions options;
+    options.threads = 1;
+    options.checkpointPath = folder / "run.checkpoint";
+    StopInTheMiddle monitor;
+    simulation::runCase(shortCase(), options, monitor);
+    return results::readCheckpoint(options.checkpointPath).value();
+  }();
+  return state;
+}
+
+std::vector<double>& numbers(ArrayTree& tree, const std::string& path) {
+  return std::get<std::vector<double>>(tree.find(path)->values);
+}
+
+struct Outcome {
+  std::string error = "none";
+  long step = 0;
+  RunResult partial;
+};
+
+// Goes on from a checkpoint that `change` has spoilt.
+Outcome goOn(const TemporaryFolder& folder, const std::function<void(ArrayTree&)>& change) {
+  auto state = goodState();
+  change(state);
+  simulation::RunOptions options;
+  options.threads = 1;
+  options.resume = true;
+  options.checkpointPath = folder / "run.checkpoint";
+  options.checkpointSeconds = 0;  // after every step that is asked
+  results::writeCheckpoint(options.checkpointPath, state);
+  Outcome outcome;
+  Monitor monitor;
+  try {
+    simulation::runCase(shortCase(), options, monitor, &outcome.partial);
+  } catch (const RunError& error) {
+    outcome.error = error.what();
+    outcome.step = error.step();
+  } catch (const FileError& error) {
+    outcome.error = error.what();
+  }
+  return outcome;
+}
+
+long storedStep() {
+  auto state = goodState();
+  return static_cast<long>(numbers(state, "/rolling/small")[0]);
+}
+
+void expectStoppedSoon(const TemporaryFolder& folder, const std::string& what, const Outcome& outcome) {
+  EXPECT_THAT(outcome.error, HasSubstr(what));
+  EXPECT_THAT(outcome.error, HasSubstr("step"));
+  EXPECT_LE(outcome.step - storedStep(), 500) << "the ledger is looked at every five output samples of about 80 steps";
+  EXPECT_FALSE(outcome.partial.complete);
+  EXPECT_THAT(outcome.partial.stopReason, HasSubstr("failed"));
+  EXPECT_GT(outcome.partial.time.size(), 10U) << "the signals so far are kept";
+  const auto kept = results::readCheckpoint(folder / "run.checkpoint");
+  ASSERT_TRUE(kept.has_value());
+  EXPECT_EQ(results::firstNotFinite(*kept), "");
+}
+
+TEST(Divergence, AVelocityBeyondEverythingIsCaught) {
+  const TemporaryFolder folder;
+  expectStoppedSoon(folder, "diverges", goOn(folder, [](ArrayTree& state) {
+                      auto& velocity = numbers(state, "/rolling/velocity");
+                      for (double& value : velocity) value *= 1e200;
+                    }));
+}
+
+TEST(Divergence, RunawayPenetrationIsCaught) {
+  const TemporaryFolder folder;
+  expectStoppedSoon(folder, "runaway penetration", goOn(folder, [](ArrayTree& state) {
+                      for (double& value : numbers(state, "/rolling/displaced")) value *= 400;
+                    }));
+}
+
+// Near equilibrium the energy is stationary: stretching all displacements by 20 % adds 4 % of the strain energy.
+TEST(Divergence, EnergyFromNowhereIsCaught) {
+  const TemporaryFolder folder;
+  expectStoppedSoon(folder, "energy ledger", goOn(folder, [](ArrayTree& state) {
+                      for (double& value : numbers(state, "/rolling/displaced")) value *= 1.2;
+                    }));
+}
+
+TEST(HostileCheckpoint, WhatDoesNotFitIsRefusedByName) {
+  const auto refusal = [](const std::function<void(ArrayTree&)>& change) {
+    const TemporaryFolder folder;
+    return goOn(folder, change).error;
+  };
+  EXPECT_THAT(refusal([](ArrayTree& s) {
+                numbers(s, "/rolling/velocity").resize(10);
+                s.find("/rolling/velocity")->shape = {10};
+              }),
+              HasSubstr("/rolling/velocity"));
+  EXPECT_THAT(refusal([](ArrayTree& s) {
+                s.find("/rolling/closed")->values = std::vector<std::int64_t>{1LL << 40};
+                s.find("/rolling/closed")->shape = {1};
+              }),
+              HasSubstr("/rolling/closed"));
+  EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/rolling/small")[0] = -5; }), HasSubstr("/rolling/small"));
+  EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/recorder/pushed")[0] += 1000; }), HasSubstr("/recorder"));
+  EXPECT_THAT(refusal([](ArrayTree& s) {
+                numbers(s, "/ledger").resize(5);
+                s.find("/ledger")->shape = {5};
+              }),
+              HasSubstr("/ledger"));
+  EXPECT_THAT(refusal([](ArrayTree& s) {
+                s.find("/rolling/displaced")->values = std::vector<float>{};
+                s.find("/rolling/displaced")->shape = {0};
+              }),
+              HasSubstr("/rolling/displaced"));
+}
+
+}  // namespace
+}  // namespace squat
