@@ -35,14 +35,15 @@ Arguments readArguments() {
   const QCommandLineOption caseFile("case", "Case to open (path or shipped name).", "CASE");
   const QCommandLineOption resultFile("result", "Result to open.", "RESULT.h5");
   const QCommandLineOption tab("tab", "Tab to show: " + MainWindow::tabNames().join(", ") + ".", "NAME");
-  parser.addOptions({screenshot, caseFile, resultFile, tab});
+  const QCommandLineOption dark("dark", "Dark colours.");
+  parser.addOptions({screenshot, caseFile, resultFile, tab, dark});
   parser.addPositionalArgument("file", "Case or result to open.", "[CASE|RESULT.h5]");
   if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
   if (parser.isSet(help)) parser.showHelp(0);
   if (parser.isSet(version)) parser.showVersion();
   const QStringList files = parser.positionalArguments() + parser.values(caseFile) + parser.values(resultFile);
   if (files.size() > 1) refuse("one case or one result at a time; found " + files.join(", "));
-  Arguments arguments{files.value(0), parser.value(screenshot), parser.value(tab)};
+  const Arguments arguments{files.value(0), parser.value(screenshot), parser.value(tab), parser.isSet(dark)};
   if (!arguments.tab.isEmpty() && !MainWindow::tabNames().contains(arguments.tab))
     refuse(QStringLiteral("no tab “%1”; there are %2").arg(arguments.tab, MainWindow::tabNames().join(", ")));
   if (parser.isSet(screenshot) && arguments.screenshot.isEmpty()) refuse("--screenshot needs the name of a PNG");

@@ -9,6 +9,7 @@ struct Arguments {
   QString file;        // case, result or name of a shipped case
   QString screenshot;  // PNG to write; empty: open the window
   QString tab;
+  bool dark = false;
 };
 
 // Ends the program for --help and --version (0) and for a call that is wrong (2), with one line on what is wrong.

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
     services.recoveryFolder =
         QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)).filePath("recovery");
   squat::studio::MainWindow window(services);
+  if (arguments.dark) window.setDark(true);
   const bool opened = arguments.file.isEmpty() || window.openAny(arguments.file);
   if (!arguments.tab.isEmpty()) window.showTab(arguments.tab);
   if (pictureOnly) {

@@ -85,7 +85,7 @@ TEST(Signals, everythingIsExportedInEveryFormat) {
   panel.resize(600, 400);
   store.add({synthetic(), "run", {}, false, false});
   const QStringList files = panel.exportAll(folder.path());
-  EXPECT_EQ(files.size(), 6 * 4);
+  EXPECT_EQ(files.size(), 7 * 4);
   for (const QString& path : files)
     EXPECT_GT(QFileInfo(path).size(), path.endsWith(".csv") ? 20 : 2000) << path.toStdString();
 }

@@ -76,7 +76,7 @@ TEST(WorkingDay, fromOpeningToReopening) {
   const auto& measured = *window.store().overlays()[0].result;
   EXPECT_NEAR(measured.position.front(), tests::syntheticResult().position.front(), 2e-3);  // a sample is 1.2 mm
 
-  EXPECT_EQ(window.signalsPanel()->exportAll(folder.path()).size(), 24);
+  EXPECT_EQ(window.signalsPanel()->exportAll(folder.path()).size(), 28);
   ASSERT_TRUE(window.saveCaseTo(folder.filePath("day.toml")));
   const cases::CaseDescription saved = window.document().description();
   ASSERT_TRUE(window.close());

@@ -4,11 +4,16 @@
 #include <vtkPointData.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
+#include "core/Errors.h"
+#include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "render/SyntheticSurface.h"
 #include "scene/ModelPicture.h"
 #include "scene/SurfaceData.h"
+#include "scene/VtkExport.h"
 
 namespace squat {
 namespace {
@@ -96,6 +101,19 @@ TEST(ModelPicture, withoutASurfaceItSaysWhy) {
   std::string reason;
   EXPECT_TRUE(scene::modelPicture({}, "viridis", reason).empty());
   EXPECT_EQ(reason, "the result has no surface of the model");
+}
+
+TEST(VtkExport, writesOneFileASnapshotAndTheirTimes) {
+  const std::string folder = tests::freshFolder("vtk");
+  auto result = tests::syntheticResult();
+  result.snapshots.push_back(result.snapshots.front());
+  const auto written = scene::writeVtkSeries(result, folder);
+  ASSERT_EQ(written.size(), 3u);
+  for (const auto& path : written) EXPECT_GT(std::filesystem::file_size(path), 150u) << path;
+  std::ifstream collection(written.back());
+  const std::string text((std::istreambuf_iterator<char>(collection)), {});
+  EXPECT_NE(text.find("light-defect_001.vtu"), std::string::npos);
+  EXPECT_THROW(scene::writeVtkSeries({}, folder), FileError);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ std::unique_ptr<Figure> psdFigure(const results::RunResult& result, const Style&
 std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style);
 // Short-time Fourier transform of aba_filtered under Hann windows of `segment` samples.
 std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment = 128);
+// Contact pressure and slip at the impact.
+std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, const Style& style);
 
 }  // namespace squat::plots

@@ -94,13 +94,38 @@ std::array<double, 3> wheelCentre(const results::SurfaceMesh& surface) {
   return {0.5 * (low[0] + high[0]), 0, 0.5 * (low[2] + high[2])};
 }
 
+std::vector<float> placesOf(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot,
+                            double displacementScale) {
+  const std::size_t count = surface.points.size() / 3;
+  const Point centre = wheelCentre(surface);
+  std::vector<bool> rolling(count, false);
+  for (std::size_t quad = 0; quad < surface.part.size() && 4 * quad + 3 < surface.quads.size(); ++quad) {
+    const std::size_t part = surface.part[quad];
+    if (part >= surface.partNames.size() || !rolls(surface.partNames[part])) continue;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      const auto index = static_cast<std::size_t>(surface.quads[4 * quad + corner]);
+      if (index < count) rolling[index] = true;
+    }
+  }
+  std::vector<float> places;
+  places.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Point place = pointAt(surface.points, i);
+    if (rolling[i]) place = rolled(place, centre, snapshot.wheelRotation, snapshot.wheelTravel);
+    const bool moved = 3 * i + 2 < snapshot.displacement.size();
+    const Point u = moved ? pointAt(snapshot.displacement, i) : Point{0, 0, 0};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      places.push_back(static_cast<float>(place[axis] + displacementScale * u[axis]));
+  }
+  return places;
+}
+
 std::vector<PartData> partData(const results::SurfaceMesh& surface, const results::SurfaceSnapshot* snapshot,
                                Field field, double displacementScale) {
   const std::size_t pointCount = surface.points.size() / 3;
-  const Point centre = wheelCentre(surface);
+  const std::vector<float> places = snapshot ? placesOf(surface, *snapshot, displacementScale) : surface.points;
   std::vector<PartData> parts;
   for (std::size_t part = 0; part < surface.partNames.size(); ++part) {
-    const bool rolling = rolls(surface.partNames[part]);
     PartBuilder builder;
     builder.pointOf.assign(pointCount, -1);
     builder.values->SetName("field");
@@ -114,13 +139,8 @@ std::vector<PartData> partData(const results::SurfaceMesh& surface, const result
         if (!valid) break;
         vtkIdType& own = builder.pointOf[index];
         if (own < 0) {
-          Point place = pointAt(surface.points, index);
+          const Point place = pointAt(places, index);
           if (snapshot) {
-            if (rolling) place = rolled(place, centre, snapshot->wheelRotation, snapshot->wheelTravel);
-            if (3 * index + 2 < snapshot->displacement.size()) {
-              const Point u = pointAt(snapshot->displacement, index);
-              for (std::size_t axis = 0; axis < 3; ++axis) place[axis] += displacementScale * u[axis];
-            }
             builder.values->InsertNextValue(fieldAt(*snapshot, field, index));
           }
           own = builder.points->InsertNextPoint(place.data());

@@ -26,6 +26,10 @@ struct PartData {
   vtkSmartPointer<vtkPolyData> faces;  // point scalars: the field in the unit of fieldName(), if any
 };
 
+// Where every point is at the instant of the snapshot [m]: rolled, and displaced times `displacementScale`; 3 a point.
+std::vector<float> placesOf(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot,
+                            double displacementScale);
+
 // One entry a part that has faces. `snapshot` may be null: configuration at the start, no field.
 // Displacements are multiplied by `displacementScale`. Broken indices are left out.
 std::vector<PartData> partData(const results::SurfaceMesh& surface, const results::SurfaceSnapshot* snapshot,

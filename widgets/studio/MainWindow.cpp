@@ -154,7 +154,7 @@ void MainWindow::setDark(bool dark) {
 
 QStringList MainWindow::tabNames() {
   return {"profile", "3d",   "paper",     "run",           "runs",          "aba",
-          "psd",     "stft", "scalogram", "contact_force", "defect_profile"};
+          "psd",     "stft", "scalogram", "contact_force", "contact_patch", "defect_profile"};
 }
 
 bool MainWindow::showTab(const QString& name) {

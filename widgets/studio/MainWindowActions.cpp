@@ -103,7 +103,7 @@ void MainWindow::makeRunMenu() {
 void MainWindow::makeViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
   const char* keys[] = {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4", "Ctrl+5", "Ctrl+6",
-                        "Ctrl+7", "Ctrl+8", "Ctrl+9", "",       ""};
+                        "Ctrl+7", "Ctrl+8", "Ctrl+9", "",       "",       ""};
   int index = 0;
   for (const QString& name : tabNames()) {
     QAction* action =

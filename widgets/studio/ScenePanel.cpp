@@ -10,6 +10,8 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include "core/Errors.h"
+#include "scene/VtkExport.h"
 #include "studio/SceneWidget.h"
 
 namespace squat::studio {
@@ -72,6 +74,10 @@ QWidget* ScenePanel::makeControls() {
   }
   auto* picture = new QPushButton(tr("Picture…"), bar);
   second->addWidget(picture);
+  auto* series = new QPushButton(tr("VTK…"), bar);
+  series->setToolTip(tr("Write the frames for ParaView (.pvd, .vtu)"));
+  second->addWidget(series);
+  connect(series, &QPushButton::clicked, this, &ScenePanel::saveSeries);
   second->addStretch();
   layout->addStretch();
   connect(picture, &QPushButton::clicked, this, &ScenePanel::savePicture);
@@ -141,6 +147,17 @@ void ScenePanel::apply() {
 void ScenePanel::setDark(bool dark) {
   choices_.dark = dark;
   apply();
+}
+
+void ScenePanel::saveSeries() {
+  const ResultPointer result = store_.currentResult();
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the frames"));
+  if (folder.isEmpty() || !result) return;
+  try {
+    scene::writeVtkSeries(*result, folder.toStdString());
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
 }
 
 void ScenePanel::savePicture() {

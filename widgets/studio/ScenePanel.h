@@ -35,6 +35,7 @@ class ScenePanel : public QWidget {
   void showResult();
   void apply();
   void savePicture();
+  void saveSeries();
 
   RunStore& store_;
   SceneWidget* scene_;

@@ -27,6 +27,7 @@ const QList<QPair<QString, QString>>& tabTitles() {
                                                      {"stft", QObject::tr("STFT")},
                                                      {"scalogram", QObject::tr("Scalogram")},
                                                      {"contact_force", QObject::tr("Force")},
+                                                     {"contact_patch", QObject::tr("Patch")},
                                                      {"defect_profile", QObject::tr("Defect")}};
   return titles;
 }
@@ -188,11 +189,11 @@ void SignalsPanel::update() {
 void SignalsPanel::rebuild(const QString& name) {
   if (!stale_[name] || !shown_) return;
   stale_[name] = false;
+  const bool noTime = name == "psd" || name == "defect_profile" || name == "contact_patch";
   const bool inMillimetres = name != "psd" && !(name == "aba" && settings_.againstTime);
   const double speed = shown_->speed > 0 ? shown_->speed : 0;
-  const double secondsPerUnit = name == "psd" || name == "defect_profile" ? 0
-                                : inMillimetres                           ? (speed > 0 ? 1e-3 / speed : 0)
-                                                                          : 1e-3;
+  const double secondsPerMillimetre = speed > 0 ? 1e-3 / speed : 0;
+  const double secondsPerUnit = noTime ? 0 : inMillimetres ? secondsPerMillimetre : 1e-3;
   views_[name]->show(makeFigure(name), secondsPerUnit, name == "psd" ? "Hz" : inMillimetres ? "mm" : "ms");
 }
 
@@ -208,6 +209,8 @@ std::unique_ptr<plots::Figure> SignalsPanel::makeFigure(const QString& name) con
     figure = plots::scalogramFigure(*shown_, style_);
   else if (name == "contact_force")
     figure = plots::contactForceFigure(*shown_, style_);
+  else if (name == "contact_patch")
+    figure = plots::patchFigure(*shown_, style_);
   else
     figure = plots::defectProfileFigure(*shown_, style_);
   overlay(*figure, name);

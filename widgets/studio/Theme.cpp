@@ -9,7 +9,7 @@ namespace squat::studio {
 namespace {
 
 QPalette darkPalette() {
-  const QColor ground(45, 46, 50), base(32, 33, 36), text(232, 234, 237), muted(140, 142, 146), accent(86, 180, 233);
+  const QColor ground(40, 41, 44), base(56, 58, 62), text(232, 234, 237), muted(140, 142, 146), accent(86, 180, 233);
   QPalette palette(text, ground);
   palette.setColor(QPalette::Window, ground);
   palette.setColor(QPalette::WindowText, text);
@@ -19,7 +19,7 @@ QPalette darkPalette() {
   palette.setColor(QPalette::ToolTipText, text);
   palette.setColor(QPalette::Text, text);
   palette.setColor(QPalette::PlaceholderText, muted);
-  palette.setColor(QPalette::Button, QColor(60, 62, 66));
+  palette.setColor(QPalette::Button, QColor(70, 72, 76));
   palette.setColor(QPalette::ButtonText, text);
   palette.setColor(QPalette::Link, accent);
   palette.setColor(QPalette::Highlight, QColor(0, 114, 178));
