@@ -55,7 +55,7 @@ void transfer(const Joined& j, AlignedVector& values, AlignedVector& workspace) 
   transferForces(
       tie, j.blocks[0], 1.0, [&](int i, int c) { return values.data() + j.blocks[0].index(tie.slaveNodes[i], c, 0); },
       [&](int node, int c) { return values.data() + j.blocks[1].index(node, c, 0); }, workspace.data(), 0,
-      static_cast<int>(tie.columns.size()));
+      j.blocks[1].stationCount, {{0, j.blocks[0].stationCount}});
 }
 
 // Sends a pulse of the given width (standard deviation) down from the upper block and returns the largest displacement
