@@ -14,5 +14,6 @@ void addDescribeCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addRunCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
+void addValidateCommand(CLI::App& program, Action& action);
 
 }  // namespace squat::commands

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "commands/TextTable.h"
-#include "signals/Features.h"
+#include "laboratory/RunFeatures.h"
 #include "signals/SignalError.h"
 
 namespace squat::commands {
@@ -71,19 +71,11 @@ void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
 }
 
 void addWavelength(std::vector<PaperRow>& rows, const RunResult& result) {
-  PaperRow row{"mean wavelength after the impact", kNone, "", ""};
-  if (startsWith(result.stem, "light-defect")) row.paper = "29 mm";
-  if (startsWith(result.stem, "class-c-squat")) row.paper = "28 mm";
-  const auto* values = result.signal("aba_filtered");
-  if (values && values->size() > 2 && result.time.size() == values->size() && result.speed > 0) {
-    try {
-      signals::TimeSeries series{result.time[0], result.time[1] - result.time[0], *values, "aba_filtered", "m/s2"};
-      signals::FeatureOptions options;
-      options.speed = result.speed;
-      const double length = signals::features(series, options).wavelengthByRidge;
-      if (length > 0) row.ours = number(1e3 * length, "mm");
-    } catch (const signals::SignalError&) {  // too short for a spectrum: stays "not available"
-    }
+  PaperRow row{"mean wavelength after the impact", kNone, startsWith(result.stem, "light-defect") ? "29 mm" : "", ""};
+  try {
+    const double length = laboratory::runFeatures(result).wavelengthByRidge;
+    if (length > 0) row.ours = number(1e3 * length, "mm");
+  } catch (const signals::SignalError&) {  // too short for a spectrum: stays "not available"
   }
   rows.push_back(row);
 }
