@@ -17,6 +17,9 @@ QImage toImage(Figure& figure, double resolution = printResolution, QSize units 
 QByteArray toSvg(Figure& figure, QSize units = {});  // text stays text
 QByteArray toPdf(Figure& figure, QSize units = {});  // text stays text, fonts embedded
 
+// The figure at `units`, at the painter's place.
+void drawFigure(Figure& figure, QCPPainter& painter, QSize units);
+
 // Writes `path` whole or not at all; the format ("png", "svg" or "pdf") by its name. Throws FileError.
 void writeFigure(Figure& figure, const std::string& format, const std::string& path, QSize units = {});
 

@@ -1,0 +1,144 @@
+#include "plots/AnalysisFigures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "laboratory/AnalysisFiles.h"
+#include "plots/FigureBuilders.h"
+#include "plots/LineFigure.h"
+#include "plots/UnitText.h"
+#include "signals/Resample.h"
+
+namespace squat::plots {
+namespace {
+
+constexpr double shownBefore = 0.1, shownAfter = 0.28;  // [m] around the impact, as runs are judged
+constexpr double windowSeconds = 0.01;                  // of the short-time transform, as the analysis takes it
+
+QString titleOf(const laboratory::SignalAnalysis& signal) {
+  const auto stem = std::filesystem::path(signal.file).stem().string();
+  return QString::fromStdString(signal.run.empty() || signal.run == stem ? stem : stem + ": " + signal.run);
+}
+
+// The signal in the shape of a run, so that it is drawn by the same builders: only the stretch around the impact, as
+// records may be long.
+results::RunResult asRun(const laboratory::SignalAnalysis& signal) {
+  results::RunResult run;
+  run.title = titleOf(signal).toStdString();
+  run.complete = true;
+  run.speed = signal.features.speed;
+  run.frequency = signal.spectrum.frequency;
+  run.psd = signal.spectrum.density;
+  run.scalogramFrequency = signal.scalogram.frequency;
+  run.scalogramTime = signal.scalogram.time;
+  run.scalogramPosition = signal.scalogramPosition;
+  run.scalogramPower = signal.scalogram.power;
+  run.coneOfInfluence = signal.scalogram.coneOfInfluence;
+  const auto& series = signal.filtered;
+  const auto& position = signal.passage.position;
+  const double impactSample = (signal.features.impactTime - series.start) / series.step;
+  const auto nearest =
+      static_cast<std::size_t>(std::clamp(std::round(impactSample), 0.0, static_cast<double>(position.size() - 1)));
+  const double margin = 0.5 * windowSeconds * run.speed;
+  results::Channel aba{"aba_filtered", series.unit, "", {}};
+  for (std::size_t i = 0; i < std::min(position.size(), series.values.size()); ++i) {
+    const double place = position[i] - position[nearest];
+    if (place < -shownBefore - margin || place > shownAfter + margin) continue;
+    run.time.push_back(series.timeAt(i));
+    run.position.push_back(place);
+    aba.values.push_back(series.values[i]);
+  }
+  if (!run.position.empty()) {
+    run.psdFrom = std::max(-shownBefore, run.position.front());
+    run.psdTo = std::min(shownAfter, run.position.back());
+  }
+  run.signals.push_back(std::move(aba));
+  return run;
+}
+
+std::string distinct(std::string name, std::set<std::string>& taken) {
+  const std::string wanted = name;
+  for (int number = 2; !taken.insert(name).second; ++number) name = wanted + "_" + std::to_string(number);
+  return name;
+}
+
+QString placeLabel() { return "Position from the impact [mm]"; }
+
+}  // namespace
+
+std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, const Style& style) {
+  auto figure = std::make_unique<Figure>("history", style);
+  const auto& series = signal.filtered;
+  const double end = series.timeAt(series.values.size() - 1);
+  // Short records in ms, as the paper's; long ones in s.
+  const bool isShort = end - series.start < 2;
+  std::vector<double> time(series.values.size());
+  for (std::size_t i = 0; i < time.size(); ++i) time[i] = (isShort ? 1e3 : 1.0) * series.timeAt(i);
+  figure->xAxis->setLabel(isShort ? "Time [ms]" : "Time [s]");
+  figure->yAxis->setLabel(QStringLiteral("Acceleration [%1]").arg(unitText(series.unit)));
+  figure->xAxis->setRange(time.front(), std::max(time.back(), time.front() + 1e-9));
+  addCurve(*figure, {time, series.values, QString(), 0, 0.9});
+  fitValues(*figure);
+  figure->setCaption(titleOf(signal),
+                     QStringLiteral("peak %1 %2").arg(signal.features.peak, 0, 'g', 4).arg(unitText(series.unit)));
+  return figure;
+}
+
+std::unique_ptr<Figure> scatterFigure(const signals::AlignedRuns& runs, const std::string& unit, const Style& style) {
+  auto figure = std::make_unique<Figure>("scatter", style);
+  const auto axis = scaled(runs.axis, 1e3);
+  figure->xAxis->setLabel(runs.inPosition ? placeLabel() : QString("Time from the impact [ms]"));
+  figure->yAxis->setLabel(QStringLiteral("Acceleration [%1]").arg(unitText(unit)));
+  const double speed = runs.speed.empty() || runs.inPosition ? 1.0 : std::max(1e-3, runs.speed.front());
+  if (!axis.empty())
+    figure->xAxis->setRange(std::max(axis.front(), -1e3 * shownBefore / speed),
+                            std::min(axis.back(), 1e3 * shownAfter / speed));
+  QCPGraph* low = addCurve(*figure, {axis, runs.lowest, QString()});
+  low->setPen(Qt::NoPen);
+  QCPGraph* high = addCurve(*figure, {axis, runs.highest, "lowest to highest"});
+  QColor fill = style.curve(0);
+  fill.setAlpha(60);
+  high->setPen(QPen(fill, 0.5));
+  high->setBrush(fill);
+  high->setChannelFillGraph(low);
+  for (std::size_t run = 0; run < runs.values.size(); ++run)
+    addCurve(*figure, {axis, runs.values[run], QString(), 1 + run, 0.5});
+  addCurve(*figure,
+           {axis, runs.mean, QStringLiteral("mean of %1 runs").arg(runs.values.size()), 0, 1.3, Qt::SolidLine, true});
+  fitValues(*figure);
+  return figure;
+}
+
+std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, const Style& style) {
+  std::vector<FigureSheet> sheets;
+  std::set<std::string> taken;
+  for (const auto& signal : analysis.signals) {
+    const std::string stem =
+        distinct(laboratory::safeFileName(signal.run.empty() ? std::string("signal") : signal.run), taken);
+    const auto run = asRun(signal);
+    sheets.push_back(sheetOf(stem + "_history", historyFigure(signal, style)));
+    sheets.push_back(sheetOf(stem + "_psd", psdFigure(run, style)));
+    const auto segment = static_cast<std::size_t>(std::max(16.0, windowSeconds * signal.filtered.rate()));
+    sheets.push_back(sheetOf(stem + "_stft", stftFigure(run, style, segment)));
+    sheets.push_back(sheetOf(stem + "_scalogram", scalogramFigure(run, style)));
+    for (std::size_t back = 1; back <= 2; ++back)
+      sheets[sheets.size() - back].panels.front()->xAxis->setLabel(placeLabel());
+  }
+  for (const auto* runs : {&analysis.inTime, &analysis.inPosition}) {
+    if (!*runs) continue;
+    const auto& unit = analysis.signals.front().filtered.unit;
+    auto figure = scatterFigure(**runs, unit, style);
+    QString right;
+    if (analysis.dispersion)
+      right = QStringLiteral("first peak scatters by %1 %, wavelength by %2 %")
+                  .arg(100 * analysis.dispersion->firstPeak.range, 0, 'f', 0)
+                  .arg(100 * analysis.dispersion->wavelength.range, 0, 'f', 0);
+    figure->setCaption("repeated runs, aligned on the impact", right);
+    sheets.push_back(sheetOf((*runs)->inPosition ? "scatter_position" : "scatter_time", std::move(figure)));
+  }
+  return sheets;
+}
+
+}  // namespace squat::plots

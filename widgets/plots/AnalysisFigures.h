@@ -1,0 +1,19 @@
+// widgets/plots/AnalysisFigures.h - figures of signals of any origin, and of repeated runs over one defect.
+#pragma once
+
+#include <vector>
+
+#include "laboratory/Analysis.h"
+#include "plots/FigureSheet.h"
+
+namespace squat::plots {
+
+// Of each signal RUN_history (whole record), RUN_psd (whole record, peaks named), RUN_stft and RUN_scalogram (0.1 m
+// before to 0.28 m behind the impact); of repeated runs scatter_time and scatter_position: every run, their mean and
+// the band between lowest and highest.
+std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, const Style& style);
+
+std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, const Style& style);
+std::unique_ptr<Figure> scatterFigure(const signals::AlignedRuns& runs, const std::string& unit, const Style& style);
+
+}  // namespace squat::plots

@@ -1,0 +1,246 @@
+#include "plots/PaperFigures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plots/FigureBuilders.h"
+#include "plots/LineFigure.h"
+
+namespace squat::plots {
+namespace {
+
+// Ranges as the text states them: the peaks of section 3.2 lie up to 5 ms behind the excitation; section 4.2 speaks of
+// -30 to beyond 100 mm; spectra end at the filter's 2 kHz, the responses of figure 5 at 2.5 kHz.
+constexpr double timeFrom = -2, timeTo = 8;              // [ms]
+constexpr double positionFrom = -100, positionTo = 280;  // [mm]
+constexpr double spectrumTo = 2000;                      // [Hz]
+
+void addNote(Figure& figure, const QString& text, double share) {
+  auto* label = new QCPItemText(&figure);
+  label->position->setType(QCPItemPosition::ptAxisRectRatio);
+  label->position->setCoords(0.98, share);
+  label->setPositionAlignment(Qt::AlignRight | Qt::AlignTop);
+  label->setTextAlignment(Qt::AlignRight);
+  label->setFont(figure.style().captionFont());
+  label->setColor(figure.style().muted);
+  label->setBrush(figure.style().background);
+  label->setPadding(QMargins(2, 1, 2, 1));
+  label->setText(text);
+  label->setSelectable(false);
+}
+
+QString runName(const results::RunResult& run) { return QString::fromStdString(run.stem + "  " + run.caseHash); }
+
+// A panel that the paper fills with measurements: its axes, what its text says of them, and no curve.
+std::unique_ptr<Figure> measuredPanel(const QString& caption, const QString& statement, const Style& style) {
+  auto figure = std::make_unique<Figure>("measured", style);
+  figure->setCaption(caption, "no measured data");
+  addNotice(*figure,
+            "The paper shows its measurements as a picture\nwithout numbers; none are invented here.\n\n" + statement);
+  return figure;
+}
+
+void leaveEmpty(Figure& figure, const char* caseName) {
+  addNotice(figure, QStringLiteral("no result of the case %1").arg(caseName));
+}
+
+const std::vector<double>* acceleration(const results::RunResult* run) {
+  const auto* values = run ? run->signal("aba_filtered") : nullptr;
+  return values && values->size() == run->position.size() && values->size() == run->time.size() ? values : nullptr;
+}
+
+// Instant at which the wheel stands over the deepest point [s].
+double timeAtDefect(const results::RunResult& run) {
+  const auto at = std::lower_bound(run.position.begin(), run.position.end(), 0.0);
+  return at == run.position.end() ? 0.0 : run.time[static_cast<std::size_t>(at - run.position.begin())];
+}
+
+void setTimeAxis(Figure& figure) {
+  figure.xAxis->setLabel("Time from the deepest point of the defect [ms]");
+  figure.xAxis->setRange(timeFrom, timeTo);
+  figure.yAxis->setLabel("ABA [m/s²]");
+}
+
+void addStated(Figure& figure, double value, const QString& label) {
+  const QCPRange range = figure.xAxis->range();
+  addCurve(figure, {{range.lower, range.upper}, {value, value}, label, 6, 0.7, Qt::DashLine});
+}
+
+std::unique_ptr<Figure> timeHistory(const results::RunResult* run, const Style& style) {
+  auto figure = std::make_unique<Figure>("time", style);
+  setTimeAxis(*figure);
+  const auto* values = acceleration(run);
+  if (!values) {
+    leaveEmpty(*figure, "light-defect");
+    return figure;
+  }
+  auto time = run->time;
+  const double zero = timeAtDefect(*run);
+  for (double& t : time) t = 1e3 * (t - zero);
+  addCurve(*figure, {time, *values, "calculated here", 0, 1.2, Qt::SolidLine, true});
+  addStated(*figure, 100, "largest measured in the paper, 100 m/s²");
+  fitValues(*figure, 0.1);
+  figure->setCaption("(b) calculated", runName(*run));
+  return figure;
+}
+
+FigureSheet figure4(const PaperRuns& runs, const Style& style) {
+  FigureSheet sheet{"paper_figure_04", {}, 2};
+  auto measured = measuredPanel("Fig. 4 (a) four measured runs",
+                                "Stated: first peaks scatter by about 28 %; further peaks at\n1.4 to 2, 3.5 and 5 ms; "
+                                "largest 100 m/s².",
+                                style);
+  auto calculated = timeHistory(runs.light, style);
+  setTimeAxis(*measured);
+  measured->yAxis->setRange(calculated->yAxis->range());
+  sheet.panels.push_back(std::move(measured));
+  sheet.panels.push_back(std::move(calculated));
+  return sheet;
+}
+
+void addBox(Figure& figure, double frequencyFrom, double frequencyTo, double from, double to) {
+  auto* box = new QCPItemRect(&figure);
+  box->topLeft->setCoords(from, frequencyTo);
+  box->bottomRight->setCoords(to, frequencyFrom);
+  box->setPen(QPen(Qt::white, 0.9));
+  box->setBrush(Qt::NoBrush);
+}
+
+FigureSheet scalograms(const std::string& name, const QString& title, const results::RunResult* run,
+                       const char* caseName, const QString& statement, const Style& style) {
+  FigureSheet sheet{name, {}, 2};
+  auto measured = measuredPanel(title + " (a) measured", statement, style);
+  measured->xAxis->setLabel("Position of the wheel [mm]");
+  measured->yAxis->setLabel("Frequency [Hz]");
+  measured->xAxis->setRange(positionFrom, positionTo);
+  std::unique_ptr<Figure> calculated;
+  if (run) {
+    calculated = scalogramFigure(*run, style);
+    calculated->setCaption("(b) calculated", runName(*run));
+    // The paper frames the two free vibrations, at about 300 and 1000 Hz.
+    const QCPRange shown = calculated->xAxis->range();
+    if (shown.size() > 100) {
+      addBox(*calculated, 230, 390, 10, shown.upper - 10);
+      addBox(*calculated, 850, 1180, 10, shown.upper - 10);
+    }
+    measured->xAxis->setRange(shown);
+    for (QCPAxis* axis : {measured->yAxis, measured->yAxis2}) {
+      axis->setScaleType(QCPAxis::stLogarithmic);
+      axis->setTicker(calculated->yAxis->ticker());
+      axis->setRange(calculated->yAxis->range());
+    }
+  } else {
+    calculated = std::make_unique<Figure>("calculated", style);
+    leaveEmpty(*calculated, caseName);
+  }
+  measured->setPrintedSize(calculated->printedSize());
+  sheet.panels.push_back(std::move(measured));
+  sheet.panels.push_back(std::move(calculated));
+  return sheet;
+}
+
+struct StatedBand {
+  double from, to;
+};
+
+std::unique_ptr<Figure> density(const results::RunResult* run, const char* caseName, const QString& caption,
+                                const std::vector<StatedBand>& bands, const Style& style) {
+  if (!run) {
+    auto empty = std::make_unique<Figure>("psd", style);
+    leaveEmpty(*empty, caseName);
+    return empty;
+  }
+  auto bare = *run;
+  bare.psdWheel.clear();
+  auto figure = psdFigure(bare, style);
+  figure->xAxis->setRange(0, spectrumTo);
+  for (const auto& band : bands) addBand(*figure, band.from, band.to);
+  figure->setCaption(caption, runName(*run));
+  return figure;
+}
+
+FigureSheet figure6(const PaperRuns& runs, const Style& style) {
+  // "About 300 Hz" and "about 1000 Hz" as bands of a tenth to each side.
+  auto figure = density(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}}, style);
+  addNote(*figure,
+          "shaded: the two most important peaks of the paper, about 300 and 1000 Hz\nthe paper's measured and "
+          "calculated curves are pictures without numbers",
+          0.02);
+  figure->yAxis->setRangeUpper(1.2 * figure->yAxis->range().upper);
+  return sheetOf("paper_figure_06", std::move(figure));
+}
+
+FigureSheet squatFigure(const std::string& name, const QString& title, const results::RunResult* run,
+                        const char* caseName, const QString& statement, const Style& style) {
+  FigureSheet sheet{name, {}, 2};
+  auto history = std::make_unique<Figure>("aba", style);
+  history->xAxis->setLabel("Position of the wheel from the deepest point [mm]");
+  history->yAxis->setLabel("ABA [m/s²]");
+  history->xAxis->setRange(positionFrom, positionTo);
+  history->setCaption(title + " (a) ABA", run ? runName(*run) : QString());
+  if (const auto* values = acceleration(run)) {
+    const Window window = judgedWindow(*run);
+    history->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
+    addCurve(*history, {scaled(run->position, 1e3), *values, "calculated here", 0, 1.2});
+    fitValues(*history);
+    history->yAxis->setRangeUpper(history->yAxis->range().upper + 0.25 * history->yAxis->range().size());
+    addNote(*history, "measured curve of the paper: a picture without numbers, not drawn\n" + statement, 0.02);
+  } else {
+    leaveEmpty(*history, caseName);
+  }
+  auto spectrum = density(run, caseName, "(b) PSD", {{130, 320}, {1030, 1130}}, style);
+  if (run) {
+    addNote(*spectrum, "shaded: the two main frequencies of the measurement, 130–320 and 1030–1130 Hz", 0.02);
+    spectrum->yAxis->setRangeUpper(1.15 * spectrum->yAxis->range().upper);
+  }
+  sheet.panels.push_back(std::move(history));
+  sheet.panels.push_back(std::move(spectrum));
+  return sheet;
+}
+
+FigureSheet figure9(const PaperRuns& runs, const Style& style) {
+  auto figure = std::make_unique<Figure>("profiles", style);
+  figure->xAxis->setLabel("Position along the rail [mm]");
+  figure->yAxis->setLabel("Height [mm]");
+  figure->setCaption("Fig. 9, profiles of the class C squat", QString());
+  double from = -0.06, to = 0.12;
+  bool any = false;
+  const auto add = [&](const results::RunResult* run, const QString& label, std::size_t colour, Qt::PenStyle line) {
+    if (!run || run->profilePosition.empty()) return;
+    const Extent extent = defectExtent(*run);
+    if (!extent.empty()) from = std::min(from, extent.from - 0.02), to = std::max(to, extent.to + 0.02);
+    addCurve(*figure, {scaled(run->profilePosition, 1e3), scaled(run->profileHeight, 1e3), label, colour, 1.2, line});
+    any = true;
+  };
+  add(runs.squat, "as measured (length the paper's, depth assumed)", 0, Qt::SolidLine);
+  add(runs.modified, "modification (assumed)", 1, Qt::DashLine);
+  figure->xAxis->setRange(1e3 * from, 1e3 * to);
+  fitValues(*figure, 0.1);
+  if (!any) leaveEmpty(*figure, "class-c-squat");
+  figure->setPrintedSize({120, 60});
+  return sheetOf("paper_figure_09", std::move(figure));
+}
+
+}  // namespace
+
+std::vector<FigureSheet> paperFigures(const PaperRuns& runs, const Style& style) {
+  std::vector<FigureSheet> sheets;
+  sheets.push_back(figure4(runs, style));
+  sheets.push_back(scalograms("paper_figure_05", "Fig. 5", runs.light, "light-defect",
+                              "Stated: up to 1700 Hz at the impact (calculated: 2500 Hz);\nfree vibrations about 300 "
+                              "and 1000 Hz, framed in (b).",
+                              style));
+  sheets.push_back(figure6(runs, style));
+  sheets.push_back(squatFigure("paper_figure_08", "Fig. 8", runs.squat, "class-c-squat",
+                               "stated: the paper's calculated peak is about 60 % of the measured one", style));
+  sheets.push_back(figure9(runs, style));
+  sheets.push_back(squatFigure("paper_figure_10", "Fig. 10", runs.modified, "class-c-squat-modified",
+                               "stated: the peaks still differ by about 60 %; the power near 300 Hz agrees", style));
+  sheets.push_back(scalograms("paper_figure_11", "Fig. 11", runs.modified, "class-c-squat-modified",
+                              "Stated: up to 1500 Hz at the impact; most of the energy\nbelow 550 Hz, a weaker part "
+                              "near 1000 Hz.",
+                              style));
+  return sheets;
+}
+
+}  // namespace squat::plots

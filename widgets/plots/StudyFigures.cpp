@@ -1,0 +1,156 @@
+#include "plots/StudyFigures.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "case/ParameterTable.h"
+#include "laboratory/AnalysisFiles.h"
+#include "plots/AxisTicker.h"
+#include "plots/LineFigure.h"
+#include "plots/UnitText.h"
+
+namespace squat::plots {
+namespace {
+
+constexpr std::size_t mostCurves = 12, mostPanels = 9;
+
+// Beginnings of the names of features, in the order of the panels.
+const std::vector<std::string>& shownFeatures() {
+  static const std::vector<std::string> names{
+      "peak [",       "largest moving rms",  "largest contact force", "power 130-320",      "power 200-400",
+      "power 1000-1", "wavelength by ridge", "peak 1 frequency",      "free vibration 1000"};
+  return names;
+}
+
+std::optional<double> numberOf(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// Places of a key's values on the axis: the numbers themselves, or 0, 1, 2 ... where one of them is none.
+std::vector<double> placesOf(const studies::Variation& variation, bool& numeric) {
+  std::vector<double> places;
+  numeric = true;
+  for (const auto& text : variation.values) {
+    const auto value = numberOf(text);
+    numeric = numeric && value.has_value();
+    places.push_back(value.value_or(0));
+  }
+  if (!numeric)
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<double>(i);
+  return places;
+}
+
+std::optional<double> featureOf(const studies::StudyRow& row, const std::string& name) {
+  for (const auto& [key, value] : row.features)
+    if (key == name) return value;
+  return std::nullopt;
+}
+
+// The features that there are: those of the list, or the first ones of the table where none is known.
+std::vector<std::string> featuresIn(const studies::StudyTable& table) {
+  std::vector<std::string> all, shown;
+  for (const auto& row : table.rows)
+    if (row.state == studies::RowState::done && all.empty())
+      for (const auto& [name, value] : row.features) all.push_back(name);
+  for (const auto& beginning : shownFeatures())
+    for (const auto& name : all)
+      if (name.rfind(beginning, 0) == 0 && std::find(shown.begin(), shown.end(), name) == shown.end()) {
+        shown.push_back(name);
+        break;
+      }
+  if (shown.empty()) shown = all;
+  if (shown.size() > mostPanels) shown.resize(mostPanels);
+  return shown;
+}
+
+QString axisLabel(const std::string& key) {
+  const auto* parameter = cases::findParameter(key);
+  const std::string unit = parameter ? parameter->unit : std::string();
+  return QString::fromStdString(key) + (unit.empty() || unit == "-" ? QString() : " [" + unitText(unit) + "]");
+}
+
+// Values of the other keys, as the label of a curve.
+std::string othersOf(const studies::StudyDefinition& definition, const studies::StudyPoint& point, std::size_t key) {
+  std::string text;
+  for (std::size_t v = 0; v < point.values.size(); ++v) {
+    if (v == key) continue;
+    const auto& name = definition.variations[v].key;
+    text += (text.empty() ? "" : ", ") + name.substr(name.rfind('.') + 1) + " " + point.values[v];
+  }
+  return text;
+}
+
+std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key, const std::string& feature,
+                              bool labelled, const Style& style) {
+  auto figure = std::make_unique<Figure>(QString::fromStdString(feature), style);
+  const auto& variation = table.definition.variations[key];
+  bool numeric = true;
+  const auto places = placesOf(variation, numeric);
+  figure->xAxis->setLabel(axisLabel(variation.key));
+  figure->yAxis->setLabel(unitText(feature));
+  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  const double margin = *high > *low ? 0.06 * (*high - *low) : std::max(0.5, 0.1 * std::abs(*high));
+  figure->xAxis->setRange(*low - margin, *high + margin);
+  if (!numeric) {
+    auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+    for (std::size_t i = 0; i < places.size(); ++i)
+      ticker->addTick(places[i], QString::fromStdString(variation.values[i]));
+    figure->xAxis->setTicker(ticker);
+    figure->xAxis2->setTicker(ticker);
+  }
+  std::map<std::string, std::size_t> colours;
+  std::vector<Curve> curves;
+  for (const auto& row : table.rows) {
+    const auto others = othersOf(table.definition, row.point, key);
+    const auto [found, isNew] = colours.try_emplace(others, curves.size());
+    if (isNew) curves.push_back({{}, {}, labelled ? QString::fromStdString(others) : QString(), curves.size(), 1.1});
+    const auto at = std::find(variation.values.begin(), variation.values.end(), row.point.values[key]);
+    const auto value = row.state == studies::RowState::done ? featureOf(row, feature) : std::nullopt;
+    curves[found->second].x.push_back(places[static_cast<std::size_t>(at - variation.values.begin())]);
+    curves[found->second].y.push_back(value.value_or(NAN));
+  }
+  for (std::size_t i = 0; i < std::min(curves.size(), mostCurves); ++i) {
+    QCPGraph* graph = addCurve(*figure, curves[i]);
+    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, style.curve(i), style.curve(i), 4));
+  }
+  fitValues(*figure, 0.1);
+  return figure;
+}
+
+}  // namespace
+
+std::vector<FigureSheet> studyFigures(const studies::StudyTable& table, const Style& style) {
+  std::vector<FigureSheet> sheets;
+  const auto features = featuresIn(table);
+  if (features.empty()) return sheets;
+  for (std::size_t key = 0; key < table.definition.variations.size(); ++key) {
+    FigureSheet sheet{"study_" + laboratory::safeFileName(table.definition.variations[key].key), {}, 3};
+    std::size_t curves = 1;
+    for (std::size_t v = 0; v < table.definition.variations.size(); ++v)
+      if (v != key) curves *= table.definition.variations[v].values.size();
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      // One legend a sheet, where it stays readable.
+      auto figure = panel(table, key, features[i], i == 0 && curves > 1 && curves <= 3, style);
+      const QString note = curves > 1
+                               ? QStringLiteral("%1 curves, one a combination of the other keys%2")
+                                     .arg(std::min(curves, mostCurves))
+                                     .arg(curves > mostCurves ? QStringLiteral(" (of %1)").arg(curves) : QString())
+                               : QString();
+      figure->setCaption(i == 0 ? QString::fromStdString(table.definition.caseName) : QString(),
+                         i == 1   ? note
+                         : i == 2 ? QString::fromStdString(table.definition.caseHash)
+                                  : QString());
+      sheet.panels.push_back(std::move(figure));
+    }
+    sheets.push_back(std::move(sheet));
+  }
+  return sheets;
+}
+
+}  // namespace squat::plots
