@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/DurableFile.h"
+#include "results/Checkpoint.h"
 #include "results/Hdf5.h"
 #include "results/ResultTree.h"
 #include "results/SampleResult.h"
@@ -22,6 +23,11 @@ int main(int argc, char** argv) {
   writeDurably(folder + "/stream/empty", results::encodeTree(empty));
   writeDurably(folder + "/result/full.h5", results::encodeHdf5(full, "full.h5"));
   writeDurably(folder + "/result/empty.h5", results::encodeHdf5(empty, "empty.h5"));
+
+  results::ArrayTree state;
+  setAttribute(state.attributes, "isa", std::string("avx2"));
+  state.add("/displacement", std::vector<double>{0.5, 0.25}, "m");
+  results::writeCheckpoint(folder + "/stream/checkpoint", state);
 
   const auto hostile = folder + "/result/external.h5";
   writeDurably(hostile, results::encodeHdf5(empty, hostile));

@@ -1,0 +1,41 @@
+// Files of every released schema version, frozen in the tree (made by tests/fuzz/MakeCorpus.cpp when the version was
+// current): each must go on being read, with the same numbers.
+#include <gtest/gtest.h>
+
+#include "results/Checkpoint.h"
+#include "results/ResultFile.h"
+
+namespace squat::results {
+namespace {
+
+TEST(Compatibility, ResultOfSchema1) {
+  const auto result = readResult(SQUAT_SOURCE_DIR "/tests/results/frozen/squat-result-1.h5");
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.stem, "sample");
+  EXPECT_EQ(result.caseHash, "0123abcd");
+  EXPECT_EQ(result.caseToml, "schema = 1\n");
+  EXPECT_EQ(result.threads, 2);
+  ASSERT_EQ(result.time.size(), 5U);
+  EXPECT_EQ(result.time[4], 4 / 25000.0);
+  ASSERT_EQ(result.signals.size(), 3U);
+  EXPECT_EQ(result.signals[1].name, "aba");
+  EXPECT_EQ(result.signals[1].unit, "m/s2");
+  EXPECT_EQ(result.scalogramPower.size(), 6U);
+  EXPECT_EQ(result.energy.at(0).values.at(1), 2);
+  EXPECT_EQ(result.equilibrium.at(0).value, 87759.5);
+  EXPECT_EQ(result.modes.at(1).frequency, 500);
+  EXPECT_EQ(result.surface.partNames.at(1), "sleepers");
+  EXPECT_EQ(result.snapshots.at(1).plasticStrain.at(2), 1.F);
+  EXPECT_EQ(result.patches.at(0).slipping.at(1), 1);
+  EXPECT_EQ(result.warnings.at(1), "second warning");
+}
+
+TEST(Compatibility, CheckpointOfSchema1) {
+  const auto state = readCheckpoint(SQUAT_SOURCE_DIR "/tests/results/frozen/squat-checkpoint-1");
+  ASSERT_TRUE(state.has_value());
+  EXPECT_EQ(textAttribute(state->attributes, "isa"), "avx2");
+  EXPECT_EQ(std::get<std::vector<double>>(state->find("/displacement")->values).at(1), 0.25);
+}
+
+}  // namespace
+}  // namespace squat::results
