@@ -196,4 +196,12 @@ std::string modesTable(const RunResult& result) {
   return table.text();
 }
 
+std::string phasesTable(const RunResult& result) {
+  const std::string prefix = "seconds_";
+  TextTable table({"phase", "wall time [s]"});
+  for (const auto& scalar : result.performance)
+    if (scalar.name.rfind(prefix, 0) == 0) table.add({scalar.name.substr(prefix.size()), number(scalar.value)});
+  return table.empty() ? std::string() : table.text();
+}
+
 }  // namespace squat::commands

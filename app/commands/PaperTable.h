@@ -22,6 +22,9 @@ std::string paperTable(const results::RunResult& result);
 // Natural modes of the half wheelset: frequency, shares at box, wheel centre, contact.
 std::string modesTable(const results::RunResult& result);
 
+// Wall time of each phase of the run; empty where the result does not hold it.
+std::string phasesTable(const results::RunResult& result);
+
 // The number under `name` in a list of scalars.
 std::optional<double> scalarNamed(const std::vector<results::Scalar>& list, const std::string& name);
 

@@ -103,7 +103,7 @@ int run(const RunCommandOptions& options) {
   result.stem = files.stem;
   auto written = writeRunFiles(files, result);
   for (auto& path : drawFigures(options, result)) written.push_back(std::move(path));
-  if (options.verbose && !result.modes.empty()) std::printf("%s\n", modesTable(result).c_str());
+  if (options.verbose) std::printf("%s\n%s\n", modesTable(result).c_str(), phasesTable(result).c_str());
   std::printf("%s", paperTable(result).c_str());
   printWritten(written);
   if (result.complete) return kDone;
@@ -136,7 +136,8 @@ void addRunCommand(CLI::App& program, Action& action) {
       ->delimiter(',')
       ->type_name("FORMAT,...");
   command->add_flag("--no-figures", options->noFigures, "Draws no figures");
-  command->add_flag("--verbose", options->verbose, "Prints the natural modes of the half wheelset as well");
+  command->add_flag("--verbose", options->verbose,
+                    "Prints the natural modes of the half wheelset and the time of each phase as well");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

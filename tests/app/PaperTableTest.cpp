@@ -74,6 +74,13 @@ TEST(PaperTable, PeakWavelengthEnergyAndHertz) {
   EXPECT_EQ(row(result, "quiet before the defect (0.20 m)").verdict, "met");
 }
 
+TEST(PaperTable, PhasesAreListedWithTheirTime) {
+  results::RunResult result;
+  result.performance = {{"steps", "1", "", 8000}, {"seconds_mesh", "s", "", 0.5}, {"seconds_rolling", "s", "", 12}};
+  EXPECT_THAT(phasesTable(result), HasSubstr("mesh     0.5\nrolling  12"));
+  EXPECT_THAT(phasesTable(result), Not(HasSubstr("steps")));
+}
+
 TEST(PaperTable, AnEmptyResultGivesATableAllTheSame) {
   EXPECT_THAT(paperTable(results::RunResult{}), HasSubstr("not available"));
 }
