@@ -5,6 +5,7 @@
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
+#include "commands/LaboratoryFigures.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
@@ -22,6 +23,7 @@ struct AnalyseOptions {
   std::string folder, window = "hann", detrend = "constant";
   SignalOptions signal;
   laboratory::AnalysisOptions analysis;
+  FigureChoice figures;
   bool noAlignment = false, json = false;
 };
 
@@ -77,6 +79,8 @@ int analyse(const AnalyseOptions& given) {
   std::FILE* const list = given.json ? stderr : stdout;
   std::fprintf(list, "\nwritten:\n");
   for (const auto& path : laboratory::writeAnalysis(analysis, given.folder)) std::fprintf(list, "  %s\n", path.c_str());
+  for (const auto& path : writeAnalysisFigures(analysis, given.folder, given.figures))
+    std::fprintf(list, "  %s\n", path.c_str());
   return kDone;
 }
 
@@ -86,7 +90,8 @@ void addAnalyseCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("analyse", "Spectra and features of measured or computed signals");
   auto options = std::make_shared<AnalyseOptions>();
   command->add_option("signals", options->files, "CSV or HDF5 files")->required()->type_name("SIGNAL...");
-  command->add_option("-o,--output", options->folder, "Folder for tables (default: only printed)")->type_name("DIR");
+  command->add_option("-o,--output", options->folder, "Folder for tables and figures (default: only printed)")
+      ->type_name("DIR");
   addSignalOptions(*command, options->signal);
   auto& analysis = options->analysis;
   command
@@ -108,6 +113,7 @@ void addAnalyseCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(0.0, 0.99))
       ->type_name("SHARE");
   command->add_flag("--no-alignment", options->noAlignment, "Takes repeated runs as they are");
+  addFigureOptions(*command, options->figures);
   command->add_flag("--json", options->json, "Prints the features as JSON");
   command->callback([options, &action] { action = [options] { return analyse(*options); }; });
 }

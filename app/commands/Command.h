@@ -11,6 +11,7 @@ using Action = std::function<int()>;  // returns the exit code; throws CaseError
 void addAnalyseCommand(CLI::App& program, Action& action);
 void addCompareCommand(CLI::App& program, Action& action);
 void addDescribeCommand(CLI::App& program, Action& action);
+void addFiguresCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addRunCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);

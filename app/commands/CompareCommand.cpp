@@ -5,6 +5,7 @@
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
+#include "commands/LaboratoryFigures.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
@@ -21,6 +22,7 @@ struct CompareOptions {
   std::vector<std::string> measured;
   SignalOptions signal;
   laboratory::FileComparisonOptions comparison;
+  FigureChoice figures;
 };
 
 void printTable(const laboratory::FileComparison& pair) {
@@ -51,6 +53,8 @@ int compare(const CompareOptions& given) {
   makeFolder(given.folder);
   std::printf("written:\n");
   for (const auto& path : laboratory::writeComparisons(pairs, given.folder)) std::printf("  %s\n", path.c_str());
+  for (const auto& path : writeComparisonFigures(pairs, options.smooth, given.folder, given.figures))
+    std::printf("  %s\n", path.c_str());
   return kDone;
 }
 
@@ -61,13 +65,15 @@ void addCompareCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<CompareOptions>();
   command->add_option("result", options->result, "Result file (or any signal)")->required()->type_name("RESULT.h5");
   command->add_option("measured", options->measured, "CSV or HDF5 files")->required()->type_name("MEASURED...");
-  command->add_option("-o,--output", options->folder, "Folder for tables (default: only printed)")->type_name("DIR");
+  command->add_option("-o,--output", options->folder, "Folder for tables and figures (default: only printed)")
+      ->type_name("DIR");
   command->add_option("--result-column", options->resultColumn, "Signal of the result (default: aba)")
       ->type_name("NAME");
   addSignalOptions(*command, options->signal);
   command->add_option("--low-pass", options->comparison.lowPass, "Zero-phase low-pass of both; 0: none (default: 2000)")
       ->check(CLI::Range(0.0, 1e7))
       ->type_name("HZ");
+  addFigureOptions(*command, options->figures);
   command->add_flag("--by-position", options->comparison.comparison.inPosition, "Aligns over position instead of time");
   command->add_flag("--smooth", options->comparison.smooth,
                     "The others are the same track without the defect: nothing is shifted");

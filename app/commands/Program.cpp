@@ -48,6 +48,7 @@ int runProgram(int argc, char** argv) {
   addRunCommand(program, action);
   addRenderCommand(program, action);
   addDescribeCommand(program, action);
+  addFiguresCommand(program, action);
   addAnalyseCommand(program, action);
   addCompareCommand(program, action);
   addStudyCommand(program, action);

@@ -8,6 +8,7 @@
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
+#include "commands/LaboratoryFigures.h"
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
 #include "results/ResultFile.h"
@@ -24,6 +25,7 @@ struct StudyCommandOptions {
   std::vector<std::string> variations;
   studies::StudyOptions study;
   simulation::RunOptions run;
+  FigureChoice figures;
   int jobs = 0;
   bool keepResults = false, resume = false;
 };
@@ -68,6 +70,8 @@ int study(StudyCommandOptions options) {
     std::fprintf(stderr, "cancelled: the same call goes on from here\n");
     return kCancelled;
   }
+  for (const auto& path : writeStudyFigures(table, options.study.folder, options.figures))
+    std::printf("%s\n", path.c_str());
   return table.count(studies::RowState::failed) > 0 ? kRunFailed : kDone;
 }
 
@@ -83,7 +87,8 @@ void addStudyCommand(CLI::App& program, Action& action) {
       ->required()
       ->allow_extra_args(false)
       ->type_name("KEY=...");
-  command->add_option("-o,--output", options->study.folder, "Folder of the table (default: here)")->type_name("DIR");
+  command->add_option("-o,--output", options->study.folder, "Folder of the table and figures (default: here)")
+      ->type_name("DIR");
   command->add_option("--jobs", options->jobs, "Runs at once (default: as cores and memory allow)")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
@@ -93,6 +98,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
   command->add_option("--isa", options->run.isa, "Instruction set: sse2, avx2 or avx512")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
       ->type_name("NAME");
+  addFigureOptions(*command, options->figures);
   command->add_flag("--keep-results", options->keepResults, "Keeps the result file of each run as well");
   command->add_flag("--retry-failed", options->study.retryFailed, "Runs those again that failed before");
   command->add_flag("--resume", options->resume, "Goes on with what the folder's table lacks: what is done anyway");

@@ -1,0 +1,110 @@
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "case/CaseFile.h"
+#include "commands/Command.h"
+#include "commands/ExitCodes.h"
+#include "commands/FigureOutput.h"
+#include "commands/Interrupt.h"
+#include "commands/LaboratoryFigures.h"
+#include "commands/RunFiles.h"
+#include "commands/TerminalMonitor.h"
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "results/ResultFile.h"
+#include "simulation/RunCase.h"
+
+namespace squat::commands {
+
+namespace {
+
+constexpr std::array<const char*, 3> kCases{"light-defect", "class-c-squat", "class-c-squat-modified"};
+
+struct PaperFigureOptions {
+  std::string folder = ".", mesh;
+  simulation::RunOptions run;
+  FigureChoice figures;
+};
+
+// The finished result in the folder. With --mesh it must be this very case on that mesh; without, whatever mesh stands
+// there will do. Throws CaseError for a result of another case, which is not to be overwritten.
+std::optional<results::RunResult> finished(const RunFiles& files, const std::string& hash, bool exactly) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(files.result(), ignored)) return std::nullopt;
+  auto result = results::readResult(files.result());
+  if (!result.complete) return std::nullopt;
+  if (exactly && result.caseHash != hash)
+    throw CaseError({{"-o", files.result() + " (case " + result.caseHash + ")", "the same case (" + hash + ")",
+                      "It was made from another case or mesh: leave --mesh out to draw it, or choose another folder"}});
+  return result;
+}
+
+std::optional<results::RunResult> resultOf(const std::string& name, const PaperFigureOptions& options,
+                                           TerminalMonitor& monitor) {
+  cases::CaseOverrides overrides;
+  overrides.preset = options.mesh;
+  const auto description = cases::loadCase(name, overrides);
+  const RunFiles files{options.folder, name};
+  if (auto result = finished(files, cases::caseHash(description), !options.mesh.empty())) {
+    std::printf("%s stands already\n", files.result().c_str());
+    return result;
+  }
+  monitor.message("run " + name);
+  auto run = options.run;
+  run.checkpointPath = files.checkpoint();
+  run.resume = std::filesystem::exists(files.checkpoint());
+  auto result = simulation::runCase(description, run, monitor);
+  monitor.clearLine();
+  result.stem = name;
+  for (const auto& path : writeRunFiles(files, result)) std::printf("%s\n", path.c_str());
+  if (!result.complete) return std::nullopt;
+  return result;
+}
+
+int paper(const PaperFigureOptions& options) {
+  if (!figuresAvailable())
+    throw CaseError({{"figures", "headless build", "a build with SQUAT_GRAPHICS=ON",
+                      "Figures need the full build: cmake --preset release"}});
+  makeFolder(options.folder);
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  std::array<std::optional<results::RunResult>, kCases.size()> found;
+  for (std::size_t i = 0; i < kCases.size(); ++i) {
+    found[i] = resultOf(kCases[i], options, monitor);
+    if (!found[i]) {
+      std::fprintf(stderr, "cancelled: the same call goes on from here\n");
+      return kCancelled;
+    }
+  }
+  for (const auto& path : writePaperFigures({&*found[0], &*found[1], &*found[2]}, options.folder, options.figures))
+    std::printf("%s\n", path.c_str());
+  return kDone;
+}
+
+}  // namespace
+
+void addFiguresCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("figures", "Sets of figures");
+  command->require_subcommand(1);
+  auto* figures = command->add_subcommand(
+      "paper", "Counterparts of the paper's figures 4, 5, 6, 8, 9, 10 and 11; runs the shipped cases that are missing");
+  auto options = std::make_shared<PaperFigureOptions>();
+  figures
+      ->add_option("-o,--output", options->folder,
+                   "Folder of the results (those that stand there are drawn) and of the figures (default: here)")
+      ->type_name("DIR");
+  figures->add_option("--mesh", options->mesh, "Mesh of the runs: tiny, draft, standard or paper (default: the cases')")
+      ->check(CLI::IsMember({"tiny", "draft", "standard", "paper"}))
+      ->type_name("PRESET");
+  figures->add_option("--threads", options->run.threads, "Threads (default: all cores)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  addFigureOptions(*figures, options->figures, false);
+  figures->callback([options, &action] { action = [options] { return paper(*options); }; });
+}
+
+}  // namespace squat::commands

@@ -1,0 +1,16 @@
+#include "commands/LaboratoryFigures.h"
+
+namespace squat::commands {
+
+void addFigureOptions(CLI::App& command, FigureChoice& choice, bool mayBeNone) {
+  command.add_option("--format", choice.formats, "png, svg, pdf (default: all)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"png", "svg", "pdf"}))
+      ->type_name("FORMAT,...");
+  command.add_option("--colours", choice.colours, "Colours of scalograms: viridis, cividis or jet (default: viridis)")
+      ->check(CLI::IsMember({"viridis", "cividis", "jet"}))
+      ->type_name("NAME");
+  if (mayBeNone) command.add_flag("--no-figures", choice.none, "Draws no figures");
+}
+
+}  // namespace squat::commands

@@ -1,0 +1,40 @@
+// app/commands/LaboratoryFigures.h - figures of the signal laboratory as files; a headless build writes none.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "laboratory/Analysis.h"
+#include "laboratory/FileComparison.h"
+#include "results/RunResult.h"
+#include "studies/StudyTable.h"
+
+namespace squat::commands {
+
+struct FigureChoice {
+  std::vector<std::string> formats;  // empty: png, svg, pdf
+  std::string colours = "viridis";
+  bool none = false;  // --no-figures
+};
+
+// --format, --colours and, where asked for, --no-figures.
+void addFigureOptions(CLI::App& command, FigureChoice& choice, bool mayBeNone = true);
+
+// Each writes into the folder and returns the paths; nothing where none are wanted or the build has no figures (then
+// one line on stderr says so). Throw FileError.
+std::vector<std::string> writeAnalysisFigures(const laboratory::Analysis& analysis, const std::string& folder,
+                                              const FigureChoice& choice);
+std::vector<std::string> writeComparisonFigures(const std::vector<laboratory::FileComparison>& comparisons, bool smooth,
+                                                const std::string& folder, const FigureChoice& choice);
+std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, const std::string& folder,
+                                           const FigureChoice& choice);
+
+struct PaperResults {
+  const results::RunResult *light = nullptr, *squat = nullptr, *modified = nullptr;
+};
+// Counterparts of the figures of the paper.
+std::vector<std::string> writePaperFigures(const PaperResults& results, const std::string& folder,
+                                           const FigureChoice& choice);
+
+}  // namespace squat::commands

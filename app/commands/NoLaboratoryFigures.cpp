@@ -1,0 +1,37 @@
+// The headless build: tables, no figures.
+#include <cstdio>
+
+#include "commands/LaboratoryFigures.h"
+
+namespace squat::commands {
+
+namespace {
+
+std::vector<std::string> none(const FigureChoice& choice) {
+  if (!choice.none)
+    std::fprintf(stderr,
+                 "No figures: this is the headless build. Figures need the full build (cmake --preset release).\n");
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> writeAnalysisFigures(const laboratory::Analysis&, const std::string&,
+                                              const FigureChoice& choice) {
+  return none(choice);
+}
+
+std::vector<std::string> writeComparisonFigures(const std::vector<laboratory::FileComparison>&, bool,
+                                                const std::string&, const FigureChoice& choice) {
+  return none(choice);
+}
+
+std::vector<std::string> writeStudyFigures(const studies::StudyTable&, const std::string&, const FigureChoice& choice) {
+  return none(choice);
+}
+
+std::vector<std::string> writePaperFigures(const PaperResults&, const std::string&, const FigureChoice& choice) {
+  return none(choice);
+}
+
+}  // namespace squat::commands
