@@ -12,19 +12,21 @@ void StepBarrier::wait() {
   if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_) {
     arrived_.store(0, std::memory_order_relaxed);
     round_.store(round + 1, std::memory_order_release);
+    round_.notify_all();
     return;
   }
-  int spins = 0;
-  while (round_.load(std::memory_order_acquire) == round) {
-    if (++spins < 20000) {
+  for (int spins = 0; spins < spins_; ++spins) {
+    if (round_.load(std::memory_order_acquire) != round) return;
 #if defined(__x86_64__)
-      __builtin_ia32_pause();
+    __builtin_ia32_pause();
 #endif
-    } else {
-      std::this_thread::yield();
-    }
   }
+  while (round_.load(std::memory_order_acquire) == round) round_.wait(round, std::memory_order_acquire);
 }
+
+// Threads that have a core each meet within microseconds; where they share cores, spinning only keeps the others away.
+StepBarrier::StepBarrier(int threads)
+    : threads_(threads), spins_(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 3000 : 20) {}
 
 ThreadTeam::ThreadTeam(int threads) : size_(std::max(1, threads)), barrier_(size_) {
   for (int i = 1; i < size_; ++i) threads_.emplace_back([this, i] { work(i); });

@@ -72,7 +72,15 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   }
   std::size_t most = 0;
   for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie, model.blocks[tie.slaveBlock]));
-  tieWorkspace_.assign(most, 0.0), slaveWorkspace_.assign(most, 0.0);
+  slaveWorkspace_.assign(most, 0.0);
+  for (const auto& segments : bodyWork_) {
+    tieWorkspaces_.emplace_back(most, 0.0);
+    tieShares_.emplace_back();
+    for (const auto& tie : model.ties)
+      for (const auto& segment : segments)
+        tieShares_.back().push_back({segment.first, segment.first + segment.count,
+                                     slaveSpans(tie, segment.first, segment.first + segment.count)});
+  }
 }
 
 void Rolling::start(const AlignedVector& displacement, const AlignedVector& velocity, double spinRate) {
@@ -103,9 +111,9 @@ double Rolling::torqueAt(double time) const {
   return full * 0.5 * (1 - std::cos(std::acos(-1.0) * time / m.torqueRamp));
 }
 
-contact::WheelRolling Rolling::wheelRolling() const {
+contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
   const auto& d = model_.description;
-  const auto hub = ringMean(model_, model_.centre, turned_, state_.displaced.data());
+  const auto hub = ringMean(model_, model_.centre, turned_, displaced);
   contact::WheelRolling wheel;
   wheel.placement = {model_.startX + d.motion.speed * state_.time, model_.wheelset.centreHeight, state_.rotation, hub.x,
                      hub.z};
@@ -114,23 +122,23 @@ contact::WheelRolling Rolling::wheelRolling() const {
   return wheel;
 }
 
-void Rolling::touch() {
-  const auto wheel = wheelRolling();
+void Rolling::touch(const double* displaced) {
+  const auto wheel = wheelRolling(displaced);
   hub_ = {wheel.placement.hubX, wheel.placement.hubZ};
   view_.step = state_.step;
   view_.time = state_.time;
   view_.position = wheel.placement.centreX + hub_.x;
   view_.patch = rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel,
-                            state_.displaced.data(), state_.velocity.data(), step_, state_.friction,
+                            displaced, state_.velocity.data(), step_, state_.friction,
                             forceLines(model_, model_.rail, forces_), forceLines(model_, model_.rim, forces_));
 }
 
 // Suspension and torque; the sprung mass is advanced with its own two unknowns in finishStep().
-void Rolling::pushVehicle() {
+void Rolling::pushVehicle(const double* displaced) {
   const auto& d = model_.description;
-  const auto at = ringMean(model_, model_.bearing, turned_, state_.displaced.data());
+  const auto at = ringMean(model_, model_.bearing, turned_, displaced);
   const auto rate = ringMean(model_, model_.bearing, turned_, state_.velocity.data());
-  const double* u = state_.displaced.data();
+  const double* u = displaced;
   const double* v = state_.velocity.data();
   const double relativeZ = v[model_.sprungZ] - rate.z, relativeX = v[model_.sprungX] - rate.x;
   const double forceZ = d.suspension.stiffness * (u[model_.sprungZ] - at.z) + d.suspension.damping * relativeZ;
@@ -140,7 +148,7 @@ void Rolling::pushVehicle() {
   double* small = forces_.data() + model_.forceSize - 8;
   small[model_.sprungX - model_.smallUnknowns] -= forceX;
   small[model_.sprungZ - model_.smallUnknowns] -= forceZ;
-  damperPower_[2] =
+  vehicleDamperPower_ =
       d.suspension.damping * relativeZ * relativeZ + d.suspension.longitudinalDamping * relativeX * relativeX;
 
   // The torque acts evenly on the hub, against alpha.
@@ -163,67 +171,76 @@ void Rolling::pushVehicle() {
   vehicleMoment_ = at.z * forceX - at.x * forceZ - hub_.z * mass * a.x + hub_.x * mass * (d.motion.gravity + a.z);
 }
 
-void Rolling::collectForces(int index) {
-  const int other = team_.size() > 1 ? 1 : 0;
-  if (index == 0) {
-    turnStations(model_.blocks[model_.body], state_.rotation, turned_);
-    turnStations(model_.blocks[model_.rim], state_.rotation, turnedRim_);
-    const double g = model_.description.motion.gravity;
-    fillGravity(model_.blocks[model_.body], g, &turned_, acceleration_[model_.body]);
-    fillGravity(model_.blocks[model_.rim], g, &turnedRim_, acceleration_[model_.rim]);
-    touch();
-    pushVehicle();
-    referenceAcceleration_ = (torque_ + view_.patch.spinMoment) / model_.wheelset.inertia;
-    spinAcceleration_ = (torque_ + view_.patch.fullMoment + vehicleMoment_) / model_.wheelset.inertia;
-    const double rate = state_.spinRate + step_ * spinAcceleration_;
-    for (const int b : {model_.rim, model_.body}) {
-      blockSteps_[b].spinAcceleration = referenceAcceleration_;
-      blockSteps_[b].cosine = std::cos(rate * step_);
-      blockSteps_[b].sine = std::sin(rate * step_);
-    }
-  }
-  if (index == other) {
-    const double* u = state_.displaced.data();
-    const double* v = state_.velocity.data();
-    elasticity::addIrregularForces(model_.movedElements, u, forces_.data());
-    damperPower_[0] = addSpringForces(model_.ballast, u, v, forces_.data());
-    damperPower_[1] =
-        addSpringForces(model_.pads, u, v, forces_.data()) + addSpringForces(model_.ends, u, v, forces_.data());
-    for (const auto& tie : model_.ties)
-      interpolateSlaves(tie, model_.blocks, state_.displaced.data(), slaveWorkspace_.data());
+void Rolling::pushWheelset(long k) {
+  turnStations(model_.blocks[model_.body], state_.rotation, turned_);
+  turnStations(model_.blocks[model_.rim], state_.rotation, turnedRim_);
+  const double g = model_.description.motion.gravity;
+  fillGravity(model_.blocks[model_.body], g, &turned_, acceleration_[model_.body]);
+  fillGravity(model_.blocks[model_.rim], g, &turnedRim_, acceleration_[model_.rim]);
+  touch(now(k));
+  elasticity::addIrregularForces(model_.movedElements, now(k), forces_.data());  // on the contact's own lines
+  pushVehicle(now(k));
+  referenceAcceleration_ = (torque_ + view_.patch.spinMoment) / model_.wheelset.inertia;
+  spinAcceleration_ = (torque_ + view_.patch.fullMoment + vehicleMoment_) / model_.wheelset.inertia;
+  const double rate = state_.spinRate + step_ * spinAcceleration_;
+  for (const int b : {model_.rim, model_.body}) {
+    blockSteps_[b].spinAcceleration = referenceAcceleration_;
+    blockSteps_[b].cosine = std::cos(rate * step_);
+    blockSteps_[b].sine = std::sin(rate * step_);
   }
 }
 
-void Rolling::advanceTrackAndRim(int index) {
-  elasticity::advanceSegments(trackWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
-                              target_.data(), state_.velocity.data(), *scratch_[index]);
+void Rolling::holdStill(double* displaced) {
+  for (const auto index : model_.held) state_.velocity[index] = 0, displaced[index] = 0;
 }
 
+void Rolling::pushTrack(long k) {
+  double* u = now(k);
+  const double* v = state_.velocity.data();
+  holdStill(u);
+  double power = addSpringForces(model_.ballast, u, v, forces_.data());
+  power += addSpringForces(model_.pads, u, v, forces_.data());
+  power += addSpringForces(model_.ends, u, v, forces_.data());
+  trackDamperPower_[k % 2] = power;
+  for (const auto& tie : model_.ties) interpolateSlaves(tie, model_.blocks, u, slaveWorkspace_.data());
+}
+
+void Rolling::advanceTrackAndRim(int index, long k) {
+  elasticity::advanceSegments(trackWork_[index], model_.blocks, kernels_, blockSteps_, step_, now(k), next(k),
+                              state_.velocity.data(), *scratch_[index]);
+}
+
+// Each thread serves the stations of the body that it will advance.
 void Rolling::passTieForces(int index) {
+  std::size_t share = 0;
   for (const auto& tie : model_.ties) {
     const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
-    const auto from = model_.loaded[tie.slaveBlock], to = model_.loaded[tie.masterBlock];
-    const int columns = static_cast<int>(tie.columns.size());
-    // Inner forces of slaves pull their masters the other way round than outer ones: negative share.
-    elasticity::transferForces(
-        tie, slave, -1.0,
-        [&](int i, int c) {
-          return forces_.data() + from.offset +
-                 (static_cast<std::size_t>(from.lineOfNode[tie.slaveNodes[i]]) * 3 + c) * slave.stride;
-        },
-        [&](int node, int c) {
-          return forces_.data() + to.offset + (static_cast<std::size_t>(to.lineOfNode[node]) * 3 + c) * master.stride;
-        },
-        tieWorkspace_.data(), columns * index / team_.size(), columns * (index + 1) / team_.size());
+    const auto &from = model_.loaded[tie.slaveBlock], &to = model_.loaded[tie.masterBlock];
+    for (std::size_t s = 0; s < bodyWork_[index].size(); ++s, ++share) {
+      const auto& part = tieShares_[index][share];
+      // Inner forces of slaves pull their masters the other way round than outer ones: negative share.
+      elasticity::transferForces(
+          tie, slave, -1.0,
+          [&](int i, int c) {
+            return forces_.data() + from.offset +
+                   (static_cast<std::size_t>(from.lineOfNode[tie.slaveNodes[i]]) * 3 + c) * slave.stride;
+          },
+          [&](int node, int c) {
+            return forces_.data() + to.offset + (static_cast<std::size_t>(to.lineOfNode[node]) * 3 + c) * master.stride;
+          },
+          tieWorkspaces_[index].data(), part.first, part.last, part.spans);
+    }
   }
 }
 
-void Rolling::advanceBody(int index) {
-  elasticity::advanceSegments(bodyWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
-                              target_.data(), state_.velocity.data(), *scratch_[index]);
+void Rolling::advanceBody(int index, long k) {
+  elasticity::advanceSegments(bodyWork_[index], model_.blocks, kernels_, blockSteps_, step_, now(k), next(k),
+                              state_.velocity.data(), *scratch_[index]);
 }
 
-void Rolling::finishStep() {
+void Rolling::finishStep(long k) {
+  const double* source = now(k);
+  double* target = next(k);
   const auto& d = model_.description;
   double* v = state_.velocity.data();
   // Sprung mass: two plain unknowns.
@@ -233,11 +250,9 @@ void Rolling::finishStep() {
     const double acceleration = force / d.suspension.sprungMass - (index == model_.sprungZ ? d.motion.gravity : 0.0);
     const double old = v[index];
     v[index] = old + step_ * acceleration;
-    target_[index] = state_.displaced[index] - beta_ * old + (step_ + beta_) * v[index];
+    target[index] = source[index] - beta_ * old + (step_ + beta_) * v[index];
     small[index - model_.smallUnknowns] = 0;
   }
-  for (const auto index : model_.held) v[index] = 0, target_[index] = 0;
-  state_.displaced.swap(target_);
 
   const double oldRate = state_.spinRate;
   state_.spinRate += step_ * spinAcceleration_;
@@ -245,7 +260,7 @@ void Rolling::finishStep() {
   ++state_.step;
   state_.time = static_cast<double>(state_.step) * step_;
   state_.sums.friction += step_ * view_.patch.frictionPower;
-  state_.sums.damping += step_ * (damperPower_[0] + damperPower_[1] + damperPower_[2]);
+  state_.sums.damping += step_ * (trackDamperPower_[k % 2] + vehicleDamperPower_);
   state_.sums.torqueWork += step_ * torque_ * (0.5 * (oldRate + state_.spinRate) + hubSpinRate_);
 
   // The new velocities stand in the basis of the new rotation.
@@ -263,7 +278,7 @@ AlignedVector Rolling::displacement() const {
   AlignedVector u = state_.displaced;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] -= beta_ * state_.velocity[i];
   elasticity::refreshGhosts(model_.blocks, u.data());
-  AlignedVector workspace(tieWorkspace_.size(), 0.0);
+  AlignedVector workspace(slaveWorkspace_.size(), 0.0);
   for (const auto& tie : model_.ties) interpolateSlaves(tie, model_.blocks, u.data(), workspace.data());
   return u;
 }
@@ -272,9 +287,9 @@ std::vector<contact::PatchPoint> Rolling::patchPoints() const {
   AlignedVector forces(model_.forceSize, 0.0);
   auto history = state_.friction;
   std::vector<contact::PatchPoint> points;
-  rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheelRolling(),
-              state_.displaced.data(), state_.velocity.data(), step_, history, forceLines(model_, model_.rail, forces),
-              forceLines(model_, model_.rim, forces), &points);
+  rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_,
+              wheelRolling(state_.displaced.data()), state_.displaced.data(), state_.velocity.data(), step_, history,
+              forceLines(model_, model_.rail, forces), forceLines(model_, model_.rim, forces), &points);
   return points;
 }
 

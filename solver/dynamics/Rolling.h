@@ -1,8 +1,9 @@
 // solver/dynamics/Rolling.h - central difference of the rolling wheel on the track.
 //
-// One step, everything local in memory: contact, springs and torque collect forces on surface nodes; then each stretch
-// of stations computes its inner forces and is advanced at once. The rim's tied nodes pass their inner forces to the
-// wheel body, which follows. Fixed partition, ordered sums: the same bits for any number of threads.
+// One step, everything local in memory, three meetings of the threads: contact, springs and torque collect forces on
+// surface nodes; then each stretch of stations computes its inner forces and is advanced at once. The rim's tied nodes
+// pass their inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any number
+// of threads.
 //
 // Spin of the wheelset: the reference turns with rate w, I w' = torque + moment of all outer forces with displaced
 // arms; in the turning reference every mass feels +a' r along alpha, I a' = torque + moment with undisplaced arms, so
@@ -41,21 +42,26 @@ class Rolling {
   void advance(long steps, const Observe& observe) {
     team_.run([&](int index) {
       for (long k = 0; k < steps; ++k) {
-        collectForces(index);
+        if (index == 0) {
+          if (k > 0) {
+            finishStep(k - 1);
+            observe(view_);
+          }
+          pushWheelset(k);
+        }
+        if (index == team_.size() - 1) pushTrack(k);
         team_.barrier();
-        advanceTrackAndRim(index);
+        advanceTrackAndRim(index, k);
         team_.barrier();
         passTieForces(index);
-        team_.barrier();
-        advanceBody(index);
-        team_.barrier();
-        if (index == 0) {
-          finishStep();
-          observe(view_);
-        }
+        advanceBody(index, k);
         team_.barrier();
       }
     });
+    finishStep(steps - 1);
+    holdStill(next(steps - 1));
+    if (steps % 2) state_.displaced.swap(target_);
+    observe(view_);
   }
 
   const RollingState& state() const { return state_; }
@@ -75,14 +81,19 @@ class Rolling {
   std::vector<contact::PatchPoint> patchPoints() const;
 
  private:
-  void collectForces(int index);
-  void advanceTrackAndRim(int index);
+  // Within one advance() the two displacement buffers take turns: steps of even number read the first.
+  double* now(long k) { return k % 2 ? target_.data() : state_.displaced.data(); }
+  double* next(long k) { return k % 2 ? state_.displaced.data() : target_.data(); }
+  void pushWheelset(long k);  // contact, irregular elements, suspension, torque, spin
+  void pushTrack(long k);     // pads, ballast; places of tied nodes
+  void advanceTrackAndRim(int index, long k);
   void passTieForces(int index);
-  void advanceBody(int index);
-  void finishStep();
-  void touch();
-  void pushVehicle();
-  contact::WheelRolling wheelRolling() const;
+  void advanceBody(int index, long k);
+  void finishStep(long k);
+  void holdStill(double* displaced);
+  void touch(const double* displaced);
+  void pushVehicle(const double* displaced);
+  contact::WheelRolling wheelRolling(const double* displaced) const;
 
   const model::Model& model_;
   elasticity::KernelSet kernels_;
@@ -97,12 +108,19 @@ class Rolling {
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
   std::vector<std::vector<double>> radii_;   // per block: of section nodes, around the axis
   model::TurnedStations turned_, turnedRim_;
-  AlignedVector tieWorkspace_, slaveWorkspace_;
+  AlignedVector slaveWorkspace_;
   StepView view_;
   model::PlaneVector boxVelocity_, wheelVelocity_, hub_;
   double spinAcceleration_ = 0, referenceAcceleration_ = 0;
-  double damperPower_[3] = {0, 0, 0};  // ballast, pads and ends; suspension
-  double vehicleMoment_ = 0;           // of outer forces besides the contact, displaced arms
+  double trackDamperPower_[2] = {0, 0};  // [W] of even and odd steps: one is read while the other is made
+  double vehicleDamperPower_ = 0;        // [W]
+  struct TieShare {
+    int first = 0, last = 0;  // master stations
+    std::vector<elasticity::StationSpan> spans;
+  };
+  std::vector<std::vector<TieShare>> tieShares_;  // per thread: per tie and segment of the body
+  std::vector<AlignedVector> tieWorkspaces_;      // per thread
+  double vehicleMoment_ = 0;                      // of outer forces besides the contact, displaced arms
   double torque_ = 0, hubSpinRate_ = 0;
 };
 

@@ -99,6 +99,20 @@ SweptTie makeTie(const std::vector<SweptBlock>& blocks, int slaveBlock, int mast
 
 std::size_t tieWorkspace(const SweptTie& tie, const SweptBlock& slave) { return tie.columns.size() * 3 * slave.stride; }
 
+std::vector<StationSpan> slaveSpans(const SweptTie& tie, int firstMaster, int lastMaster) {
+  std::vector<StationSpan> spans;
+  for (int s = 0; s < static_cast<int>(tie.stations.size()); ++s) {
+    const auto& at = tie.stations[s];
+    if (!((at.left >= firstMaster && at.left < lastMaster) || (at.right >= firstMaster && at.right < lastMaster)))
+      continue;
+    if (!spans.empty() && spans.back().last == s)
+      ++spans.back().last;
+    else
+      spans.push_back({s, s + 1});
+  }
+  return spans;
+}
+
 void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace) {
   const auto &slave = blocks[tie.slaveBlock], &master = blocks[tie.masterBlock];
   const int stations = slave.stationCount;

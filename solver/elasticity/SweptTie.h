@@ -48,12 +48,19 @@ std::size_t tieWorkspace(const SweptTie& tie, const SweptBlock& slave);
 // slave := interpolation of master, in a state vector (whole layout).
 void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace);
 
-// The transpose: forces of the slaves, times `sign`, are added to the masters. `slaveLine(i, c)` gives the line of component
-// c of slave node i, `masterLine(node, c)` that of a master's section node. Only columns [firstColumn, lastColumn) are served:
-// columns share no master, so threads may take ranges of them.
+// Stretches of slave stations that reach master stations [first, last).
+struct StationSpan {
+  int first = 0, last = 0;
+};
+std::vector<StationSpan> slaveSpans(const SweptTie& tie, int firstMaster, int lastMaster);
+
+// The transpose: forces of the slaves, times `sign`, are added to master stations [firstMaster, lastMaster), whose
+// spans are given. `slaveLine(i, c)` gives the line of component c of slave node i, `masterLine(node, c)` that of a
+// master's section node. Threads may take ranges of master stations; sums are in the same order for any ranges.
 template <typename SlaveLine, typename MasterLine>
 void transferForces(const SweptTie& tie, const SweptBlock& slave, double sign, const SlaveLine& slaveLine,
-                    const MasterLine& masterLine, double* workspace, int firstColumn, int lastColumn);
+                    const MasterLine& masterLine, double* workspace, int firstMaster, int lastMaster,
+                    const std::vector<StationSpan>& spans);
 
 }  // namespace squat::elasticity
 

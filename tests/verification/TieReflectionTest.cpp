@@ -50,12 +50,9 @@ Joined join(double slaveSize, double masterSize) {
   return j;
 }
 
-void transfer(const Joined& j, AlignedVector& values, AlignedVector& workspace) {
-  const auto& tie = j.ties[0];
-  transferForces(
-      tie, j.blocks[0], 1.0, [&](int i, int c) { return values.data() + j.blocks[0].index(tie.slaveNodes[i], c, 0); },
-      [&](int node, int c) { return values.data() + j.blocks[1].index(node, c, 0); }, workspace.data(), 0,
-      j.blocks[1].stationCount, {{0, j.blocks[0].stationCount}});
+void transfer(const Joined& j, AlignedVector& values) {
+  const AlignedVector from = values;
+  passToMasters(j.ties[0], j.blocks, from, values);
 }
 
 // Sends a pulse of the given width (standard deviation) down from the upper block and returns the largest displacement
@@ -63,7 +60,7 @@ void transfer(const Joined& j, AlignedVector& values, AlignedVector& workspace) 
 double reflected(double slaveSize, double masterSize, double width) {
   Joined j = join(slaveSize, masterSize);
   AlignedVector workspace(tieWorkspace(j.ties[0], j.blocks[0]));
-  transfer(j, j.mass, workspace);
+  transfer(j, j.mass);
   const double nu = steel.poisson;
   const double speed = std::sqrt(steel.young * (1 - nu) / ((1 + nu) * (1 - 2 * nu) * steel.density));
   const double centre = 0.4, step = 0.5 * std::min(slaveSize, masterSize) / speed;
@@ -85,7 +82,7 @@ double reflected(double slaveSize, double masterSize, double width) {
   for (int k = 0; k < steps; ++k) {
     interpolateSlaves(j.ties[0], j.blocks, u.data(), workspace.data());
     AlignedVector force = applySwept(j.blocks, u, "");
-    transfer(j, force, workspace);
+    transfer(j, force);
     for (const auto& block : j.blocks)
       for (int n = 0; n < block.nodes; ++n)
         for (int s = 0; s < block.stationCount; ++s) {
