@@ -70,6 +70,22 @@ AlignedVector applySwept(const std::vector<SweptBlock>& blocks, const AlignedVec
   return result;
 }
 
+void passToMasters(const SweptTie& tie, const std::vector<SweptBlock>& blocks, const AlignedVector& from,
+                   AlignedVector& to, const std::vector<int>& cuts) {
+  const auto &slave = blocks[tie.slaveBlock], &master = blocks[tie.masterBlock];
+  AlignedVector workspace(tieWorkspace(tie, slave));
+  std::vector<int> ends = cuts;
+  ends.push_back(master.stationCount);
+  int first = 0;
+  for (const int last : ends) {
+    transferForces(
+        tie, slave, 1.0, [&](int i, int c) { return from.data() + slave.index(tie.slaveNodes[i], c, 0); },
+        [&](int node, int c) { return to.data() + master.index(node, c, 0); }, workspace.data(), first, last,
+        slaveSpans(tie, first, last));
+    first = last;
+  }
+}
+
 Eigen::SparseMatrix<double> plainMatrix(const std::vector<SweptBlock>& blocks, std::size_t size) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto& block : blocks)

@@ -9,6 +9,7 @@
 
 #include "core/AlignedVector.h"
 #include "elasticity/SweptBlock.h"
+#include "elasticity/SweptTie.h"
 
 namespace squat::elasticity {
 
@@ -34,6 +35,11 @@ Eigen::Vector3d displacementAt(const SweptBlock& block, int node, int station, c
 // K u by the swept kernels, cut into `parts` stretches that are worked off one after the other.
 AlignedVector applySwept(const std::vector<SweptBlock>& blocks, const AlignedVector& u, const std::string& isa,
                          int parts = 1);
+
+// Adds what the slaves feel in `from` to the masters in `to` (both state layout), by the given cuts between ranges of
+// master stations; none: in one go.
+void passToMasters(const SweptTie& tie, const std::vector<SweptBlock>& blocks, const AlignedVector& from,
+                   AlignedVector& to, const std::vector<int>& cuts = {});
 
 // The sum of the elements' matrices, each made from its eight corners in global axes and turned node by node into the
 // local components: nothing of the sweep is used but the nodes' places. Unknowns numbered as in the state.

@@ -65,11 +65,8 @@ void fillSlaves(const Tied& t, AlignedVector& u) {
 }
 
 AlignedVector passedOn(const Tied& t, const AlignedVector& forces) {
-  AlignedVector result = forces, workspace(tieWorkspace(t.tie, t.blocks[0]));
-  transferForces(
-      t.tie, t.blocks[0], 1.0, [&](int i, int c) { return forces.data() + t.blocks[0].index(t.slaves[i], c, 0); },
-      [&](int node, int c) { return result.data() + t.blocks[1].index(node, c, 0); }, workspace.data(), 0,
-      static_cast<int>(t.tie.columns.size()));
+  AlignedVector result = forces;
+  passToMasters(t.tie, t.blocks, forces, result);
   for (const int node : t.slaves)
     for (int c = 0; c < 3; ++c)
       for (int s = 0; s < t.blocks[0].stationCount; ++s) result[t.blocks[0].index(node, c, s)] = 0;
@@ -131,24 +128,23 @@ TEST(SweptTie, TransferIsTheTransposeOfTheInterpolation) {
   }
 }
 
-// The transfer may be cut into ranges of columns for threads.
-TEST(SweptTie, TransferInRangesOfColumnsGivesTheSameBits) {
-  const Tied t = arc();
-  std::mt19937 generator(4);
-  std::uniform_real_distribution<double> value(-1, 1);
-  AlignedVector f(t.size, 0.0);
-  for (const int node : t.slaves)
-    for (int c = 0; c < 3; ++c)
-      for (int s = 0; s < t.blocks[0].stationCount; ++s) f[t.blocks[0].index(node, c, s)] = value(generator);
-  const AlignedVector whole = passedOn(t, f);
-  AlignedVector parts = f, workspace(tieWorkspace(t.tie, t.blocks[0]));
-  const int columns = static_cast<int>(t.tie.columns.size());
-  ASSERT_GE(columns, 3);
-  for (const auto& [from, to] : {std::pair{columns / 2, columns}, std::pair{0, columns / 2}})
-    transferForces(
-        t.tie, t.blocks[0], 1.0, [&](int i, int c) { return f.data() + t.blocks[0].index(t.slaves[i], c, 0); },
-        [&](int node, int c) { return parts.data() + t.blocks[1].index(node, c, 0); }, workspace.data(), from, to);
-  for (const std::size_t i : unknownsOf(t.blocks[1])) ASSERT_EQ(parts[i], whole[i]);
+// The transfer may be cut into ranges of master stations for threads.
+TEST(SweptTie, TransferInRangesOfMastersGivesTheSameBits) {
+  for (const Tied& t : {arc(), nested()}) {
+    std::mt19937 generator(4);
+    std::uniform_real_distribution<double> value(-1, 1);
+    AlignedVector f(t.size, 0.0);
+    for (const int node : t.slaves)
+      for (int c = 0; c < 3; ++c)
+        for (int s = 0; s < t.blocks[0].stationCount; ++s) f[t.blocks[0].index(node, c, s)] = value(generator);
+    AlignedVector whole = f, parts = f;
+    passToMasters(t.tie, t.blocks, f, whole);
+    for (const auto& cuts : {std::vector<int>{7}, std::vector<int>{1, 3, 11}}) {
+      parts = f;
+      passToMasters(t.tie, t.blocks, f, parts, cuts);
+      for (const std::size_t i : unknownsOf(t.blocks[1])) ASSERT_EQ(parts[i], whole[i]);
+    }
+  }
 }
 
 // Solves the tied blocks with the given nodes held at a field; the rest is free of load. Plain sparse solution: the
