@@ -19,7 +19,9 @@ constexpr double windowSeconds = 0.01;                  // of the short-time tra
 
 QString titleOf(const laboratory::SignalAnalysis& signal) {
   const auto stem = std::filesystem::path(signal.file).stem().string();
-  return QString::fromStdString(signal.run.empty() || signal.run == stem ? stem : stem + ": " + signal.run);
+  return QString::fromStdString(signal.run.empty()               ? stem
+                                : signal.run.rfind(stem, 0) == 0 ? signal.run
+                                                                 : stem + ": " + signal.run);
 }
 
 // The signal in the shape of a run, so that it is drawn by the same builders: only the stretch around the impact, as
@@ -120,7 +122,9 @@ std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, c
     const auto run = asRun(signal);
     sheets.push_back(sheetOf(stem + "_history", historyFigure(signal, style)));
     sheets.push_back(sheetOf(stem + "_psd", psdFigure(run, style)));
-    const auto segment = static_cast<std::size_t>(std::max(16.0, windowSeconds * signal.filtered.rate()));
+    // A stretch that is short for the window gets half of itself: poor in frequency, but a picture.
+    const auto segment = std::min(static_cast<std::size_t>(std::max(16.0, windowSeconds * signal.filtered.rate())),
+                                  std::max<std::size_t>(16, run.time.size() / 2));
     sheets.push_back(sheetOf(stem + "_stft", stftFigure(run, style, segment)));
     sheets.push_back(sheetOf(stem + "_scalogram", scalogramFigure(run, style)));
     for (std::size_t back = 1; back <= 2; ++back)

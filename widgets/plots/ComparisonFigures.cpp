@@ -24,6 +24,14 @@ void setPlaceAxis(Figure& figure, const signals::Comparison& c) {
                            std::min(1e3 * c.axis.back(), shownAfter * perMetre));
 }
 
+void setDecades(Figure& figure) {
+  for (QCPAxis* axis : {figure.yAxis, figure.yAxis2}) {
+    axis->setScaleType(QCPAxis::stLogarithmic);
+    axis->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+    axis->setNumberPrecision(0);
+  }
+}
+
 std::unique_ptr<Figure> overlay(const signals::Comparison& c, const Style& style) {
   auto figure = std::make_unique<Figure>("overlay", style);
   setPlaceAxis(*figure, c);
@@ -49,7 +57,7 @@ std::unique_ptr<Figure> difference(const signals::Comparison& c, bool smooth, co
   return figure;
 }
 
-std::unique_ptr<Figure> densities(const signals::Comparison& c, const Style& style) {
+std::unique_ptr<Figure> densities(const signals::Comparison& c, bool smooth, const Style& style) {
   auto figure = std::make_unique<Figure>("densities", style);
   figure->xAxis->setLabel("Frequency [Hz]");
   figure->yAxis->setLabel(QStringLiteral("PSD [(%1)²/Hz]").arg(unitText(c.unit)));
@@ -59,7 +67,13 @@ std::unique_ptr<Figure> densities(const signals::Comparison& c, const Style& sty
   addCurve(*figure, {c.firstSpectrum.frequency, c.firstSpectrum.density, QString::fromStdString(c.firstName), 0, 1.2,
                      Qt::SolidLine, true});
   fitValues(*figure);
-  figure->yAxis->setRange(0, figure->yAxis->range().upper);
+  const double top = figure->yAxis->range().upper;
+  figure->yAxis->setRange(0, top);
+  if (smooth && top > 0) {  // smooth track has a thousandth of the power: it would lie on the axis
+    setDecades(*figure);
+    figure->yAxis->setRange(1e-6 * top, 2 * top);
+    figure->yAxis2->setRange(figure->yAxis->range());
+  }
   figure->setCaption("(c) power spectral densities", QString());
   return figure;
 }
@@ -85,12 +99,7 @@ std::unique_ptr<Figure> ratio(const signals::Comparison& c, bool smooth, const S
     addNotice(*figure, "the second signal has no power to compare with");
     return figure;
   }
-  for (QCPAxis* axis : {figure->yAxis, figure->yAxis2}) {
-    axis->setScaleType(QCPAxis::stLogarithmic);
-    auto ticker = QSharedPointer<QCPAxisTickerLog>::create();
-    axis->setTicker(ticker);
-    axis->setNumberPrecision(0);
-  }
+  setDecades(*figure);
   const double span = std::max(1.0, std::log10(high / low));
   figure->yAxis->setRange(low * std::pow(10, -0.06 * span), high * std::pow(10, 0.06 * span));
   figure->yAxis2->setRange(figure->yAxis->range());
@@ -106,7 +115,7 @@ FigureSheet comparisonFigure(const signals::Comparison& comparison, const std::s
   FigureSheet sheet{name, {}, 2};
   sheet.panels.push_back(overlay(comparison, style));
   sheet.panels.push_back(difference(comparison, smooth, style));
-  sheet.panels.push_back(densities(comparison, style));
+  sheet.panels.push_back(densities(comparison, smooth, style));
   sheet.panels.push_back(ratio(comparison, smooth, style));
   return sheet;
 }

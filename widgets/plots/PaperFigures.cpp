@@ -86,10 +86,9 @@ std::unique_ptr<Figure> timeHistory(const results::RunResult* run, const Style& 
 
 FigureSheet figure4(const PaperRuns& runs, const Style& style) {
   FigureSheet sheet{"paper_figure_04", {}, 2};
-  auto measured = measuredPanel("Fig. 4 (a) four measured runs",
-                                "Stated: first peaks scatter by about 28 %; further peaks at\n1.4 to 2, 3.5 and 5 ms; "
-                                "largest 100 m/s².",
-                                style);
+  auto measured = measuredPanel(
+      "Fig. 4 (a) four measured runs",
+      "Stated: largest 100 m/s²; the first peak scatters by\nabout 28 %; others at 1.4 to 2, 3.5 and 5 ms.", style);
   auto calculated = timeHistory(runs.light, style);
   setTimeAxis(*measured);
   measured->yAxis->setRange(calculated->yAxis->range());
@@ -163,8 +162,8 @@ FigureSheet figure6(const PaperRuns& runs, const Style& style) {
   // "About 300 Hz" and "about 1000 Hz" as bands of a tenth to each side.
   auto figure = density(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}}, style);
   addNote(*figure,
-          "shaded: the two most important peaks of the paper, about 300 and 1000 Hz\nthe paper's measured and "
-          "calculated curves are pictures without numbers",
+          "shaded: the paper's two main peaks, about 300 and 1000 Hz\nits measured curves: a picture without numbers, "
+          "not drawn",
           0.02);
   figure->yAxis->setRangeUpper(1.2 * figure->yAxis->range().upper);
   return sheetOf("paper_figure_06", std::move(figure));
@@ -174,7 +173,7 @@ FigureSheet squatFigure(const std::string& name, const QString& title, const res
                         const char* caseName, const QString& statement, const Style& style) {
   FigureSheet sheet{name, {}, 2};
   auto history = std::make_unique<Figure>("aba", style);
-  history->xAxis->setLabel("Position of the wheel from the deepest point [mm]");
+  history->xAxis->setLabel("Position from the deepest point [mm]");
   history->yAxis->setLabel("ABA [m/s²]");
   history->xAxis->setRange(positionFrom, positionTo);
   history->setCaption(title + " (a) ABA", run ? runName(*run) : QString());
@@ -184,14 +183,14 @@ FigureSheet squatFigure(const std::string& name, const QString& title, const res
     addCurve(*history, {scaled(run->position, 1e3), *values, "calculated here", 0, 1.2});
     fitValues(*history);
     history->yAxis->setRangeUpper(history->yAxis->range().upper + 0.25 * history->yAxis->range().size());
-    addNote(*history, "measured curve of the paper: a picture without numbers, not drawn\n" + statement, 0.02);
+    addNote(*history, "the paper's measured curve: a picture without numbers\n" + statement, 0.02);
   } else {
     leaveEmpty(*history, caseName);
   }
   auto spectrum = density(run, caseName, "(b) PSD", {{130, 320}, {1030, 1130}}, style);
   if (run) {
-    addNote(*spectrum, "shaded: the two main frequencies of the measurement, 130–320 and 1030–1130 Hz", 0.02);
-    spectrum->yAxis->setRangeUpper(1.15 * spectrum->yAxis->range().upper);
+    addNote(*spectrum, "shaded: the two main frequencies measured,\n130–320 and 1030–1130 Hz", 0.02);
+    spectrum->yAxis->setRangeUpper(1.2 * spectrum->yAxis->range().upper);
   }
   sheet.panels.push_back(std::move(history));
   sheet.panels.push_back(std::move(spectrum));
@@ -226,20 +225,20 @@ FigureSheet figure9(const PaperRuns& runs, const Style& style) {
 std::vector<FigureSheet> paperFigures(const PaperRuns& runs, const Style& style) {
   std::vector<FigureSheet> sheets;
   sheets.push_back(figure4(runs, style));
-  sheets.push_back(scalograms("paper_figure_05", "Fig. 5", runs.light, "light-defect",
-                              "Stated: up to 1700 Hz at the impact (calculated: 2500 Hz);\nfree vibrations about 300 "
-                              "and 1000 Hz, framed in (b).",
-                              style));
+  sheets.push_back(
+      scalograms("paper_figure_05", "Fig. 5", runs.light, "light-defect",
+                 "Stated: up to 1700 Hz at the impact (calculated:\n2500 Hz); free vibrations near 300 and 1000 Hz,\n"
+                 "framed in (b).",
+                 style));
   sheets.push_back(figure6(runs, style));
   sheets.push_back(squatFigure("paper_figure_08", "Fig. 8", runs.squat, "class-c-squat",
-                               "stated: the paper's calculated peak is about 60 % of the measured one", style));
+                               "stated: its calculated peak is about 60 % of the measured", style));
   sheets.push_back(figure9(runs, style));
   sheets.push_back(squatFigure("paper_figure_10", "Fig. 10", runs.modified, "class-c-squat-modified",
-                               "stated: the peaks still differ by about 60 %; the power near 300 Hz agrees", style));
-  sheets.push_back(scalograms("paper_figure_11", "Fig. 11", runs.modified, "class-c-squat-modified",
-                              "Stated: up to 1500 Hz at the impact; most of the energy\nbelow 550 Hz, a weaker part "
-                              "near 1000 Hz.",
-                              style));
+                               "stated: peaks still differ by about 60 %, 300 Hz agrees", style));
+  sheets.push_back(
+      scalograms("paper_figure_11", "Fig. 11", runs.modified, "class-c-squat-modified",
+                 "Stated: up to 1500 Hz at the impact; most energy\nbelow 550 Hz, a weaker part near 1000 Hz.", style));
   return sheets;
 }
 
