@@ -121,7 +121,7 @@ TEST(RunCase, StrainEnergiesOfTheSolidsAreInTheLedger) {
 }
 
 TEST(RunCase, SameBitsForAnyNumberOfThreads) {
-  const Overrides brief{{"motion.run_up", "0.06"}, {"motion.beyond", "0.01"}};
+  const Overrides brief{{"motion.run_up", "0.08"}, {"motion.beyond", "0.05"}};
   const auto one = run(tinyCase("light-defect", brief));
   for (const int threads : {2, 3}) {
     const auto other = run(tinyCase("light-defect", brief), plain(threads));
