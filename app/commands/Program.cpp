@@ -52,6 +52,7 @@ int runProgram(int argc, char** argv) {
   addAnalyseCommand(program, action);
   addCompareCommand(program, action);
   addStudyCommand(program, action);
+  addReceptanceCommand(program, action);
   addValidateCommand(program, action);
   program.footer(
       "Exit codes: 0 done, 2 the case or the call is wrong, 3 the run failed, 4 a file is wrong, 130 cancelled");

@@ -1,0 +1,94 @@
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "commands/CaseOptions.h"
+#include "commands/Command.h"
+#include "commands/ExitCodes.h"
+#include "commands/Interrupt.h"
+#include "commands/TerminalMonitor.h"
+#include "commands/TextTable.h"
+#include "core/DurableFile.h"
+#include "receptance/ReceptanceFiles.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct ReceptanceCommandOptions {
+  CaseOptions caseOptions;
+  std::string folder = ".";
+  receptance::ReceptanceOptions receptance;
+};
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+void print(const receptance::TrackReceptance& result) {
+  std::vector<std::string> head{"frequency"};
+  for (const auto& point : result.points) head.push_back(point.name), head.push_back("phase");
+  TextTable table(head);
+  for (const double f : {50.0, 82.0, 100.0, 300.0, 500.0, 1000.0, 1500.0, 2000.0}) {
+    const double step = result.frequency.size() > 1 ? result.frequency[1] - result.frequency[0] : 1;
+    const auto i = std::lround((f - result.frequency.front()) / step);
+    if (i < 0 || i >= static_cast<long>(result.frequency.size())) continue;
+    std::vector<std::string> row{format("%.0f Hz", result.frequency[i])};
+    for (const auto& point : result.points) {
+      row.push_back(format("%.3e m/N", std::abs(point.receptance[i])));
+      row.push_back(format("%.0f deg", std::arg(point.receptance[i]) * 180 / std::numbers::pi));
+    }
+    table.add(row);
+  }
+  std::printf("%s\n", table.text().c_str());
+  for (const auto& point : result.points) {
+    std::printf("resonances %s [Hz]:", point.name.c_str());
+    for (const double f : receptance::resonances(result.frequency, point.receptance)) std::printf(" %.0f", f);
+    std::printf("\n");
+  }
+  for (const auto& note : result.notes) std::printf("note: %s\n", note.c_str());
+}
+
+int run(const ReceptanceCommandOptions& options) {
+  const auto description = readCase(options.caseOptions);
+  makeFolder(options.folder);
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  const auto result = receptance::trackReceptance(description, options.receptance, monitor);
+  monitor.clearLine();
+  if (!result.complete) return kCancelled;
+  print(result);
+  const auto stem = options.folder + "/" + cases::caseStem(options.caseOptions.name);
+  receptance::writeReceptance(stem + "-receptance.h5", result, cases::writeCase(description));
+  writeDurably(stem + "-receptance.csv", receptance::receptanceCsv(result));
+  writeDurably(stem + "-wheelset-modes.csv", receptance::modesCsv(result));
+  std::printf("\nwritten:\n");
+  for (const char* end : {"-receptance.h5", "-receptance.csv", "-wheelset-modes.csv"})
+    std::printf("  %s%s\n", stem.c_str(), end);
+  return kDone;
+}
+
+}  // namespace
+
+void addReceptanceCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("receptance", "Track receptance and natural modes of the half wheelset");
+  auto options = std::make_shared<ReceptanceCommandOptions>();
+  addCaseOptions(*command, options->caseOptions);
+  command->add_option("-o,--output", options->folder, "Folder for all files (default: here)")->type_name("DIR");
+  command->add_option("--duration", options->receptance.duration, "Seconds of the struck track at most (default: 0.4)")
+      ->check(CLI::Range(0.01, 10.0))
+      ->type_name("SECONDS");
+  command->add_option("--threads", options->receptance.threads, "Threads (default: all cores)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  command->add_option("--isa", options->receptance.isa, "Instruction set: sse2, avx2 or avx512")
+      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
+      ->type_name("NAME");
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+}  // namespace squat::commands

@@ -1,0 +1,105 @@
+#include "receptance/ReceptanceFiles.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/DurableFile.h"
+#include "laboratory/NumberTable.h"
+#include "results/Hdf5.h"
+
+namespace squat::receptance {
+
+namespace {
+
+struct Parts {
+  std::vector<double> real, imaginary, magnitude, phase;
+};
+
+Parts partsOf(const PointReceptance& point) {
+  Parts parts;
+  for (const auto& value : point.receptance) {
+    parts.real.push_back(value.real());
+    parts.imaginary.push_back(value.imag());
+    parts.magnitude.push_back(std::abs(value));
+    parts.phase.push_back(std::arg(value) * 180 / std::numbers::pi);
+  }
+  return parts;
+}
+
+struct ModeColumns {
+  std::vector<double> frequency, harmonic, box, wheel, contact;
+};
+
+ModeColumns columnsOf(const std::vector<model::HarmonicMode>& modes) {
+  ModeColumns columns;
+  for (const auto& mode : modes) {
+    columns.frequency.push_back(mode.frequency);
+    columns.harmonic.push_back(mode.harmonic);
+    columns.box.push_back(mode.boxShare);
+    columns.wheel.push_back(mode.wheelShare);
+    columns.contact.push_back(mode.contactShare);
+  }
+  return columns;
+}
+
+std::string groupName(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return "/" + name;
+}
+
+}  // namespace
+
+void writeReceptance(const std::string& path, const TrackReceptance& receptance, const std::string& caseToml) {
+  results::ArrayTree tree;
+  results::setAttribute(tree.attributes, "schema", std::string("squat-receptance"));
+  results::setAttribute(tree.attributes, "schema_version", std::int64_t{1});
+  results::setAttribute(tree.attributes, "case", caseToml);
+  results::setAttribute(tree.attributes, "how",
+                        std::string("track without wheelset, struck by a pulse sin^2 of 0.4 ms over 10 x 10 mm of the "
+                                    "running surface; section-mean displacement; ratio of the Fourier integrals over "
+                                    "the whole record, no window"));
+  results::setAttribute(tree.attributes, "time_step", receptance.step);
+  results::setAttribute(tree.attributes, "duration", receptance.duration);
+  results::setAttribute(tree.attributes, "elements", static_cast<std::int64_t>(receptance.elements));
+  tree.add("/frequency", receptance.frequency, "Hz");
+  for (const auto& point : receptance.points) {
+    const auto parts = partsOf(point);
+    const auto name = groupName(point.name);
+    auto& group = tree.addGroup(name);
+    results::setAttribute(group.attributes, "position", point.position);
+    results::setAttribute(group.attributes, "left", point.left);
+    tree.add(name + "/real", parts.real, "m/N");
+    tree.add(name + "/imaginary", parts.imaginary, "m/N");
+  }
+  const auto modes = columnsOf(receptance.modes);
+  tree.add("/wheelset/frequency", modes.frequency, "Hz");
+  tree.add("/wheelset/harmonic", modes.harmonic, "1");
+  tree.add("/wheelset/box", modes.box, "1/sqrt(kg)");
+  tree.add("/wheelset/wheel", modes.wheel, "1/sqrt(kg)");
+  tree.add("/wheelset/contact", modes.contact, "1/sqrt(kg)");
+  writeDurably(path, results::encodeHdf5(tree, path));
+}
+
+std::string receptanceCsv(const TrackReceptance& receptance) {
+  std::vector<std::string> names{"frequency [Hz]"};
+  std::vector<const std::vector<double>*> columns{&receptance.frequency};
+  std::vector<Parts> all;
+  for (const auto& point : receptance.points) all.push_back(partsOf(point));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& name = receptance.points[i].name;
+    for (const char* what : {" real [m/N]", " imaginary [m/N]", " magnitude [m/N]", " phase [deg]"})
+      names.push_back(name + what);
+    for (const auto* column : {&all[i].real, &all[i].imaginary, &all[i].magnitude, &all[i].phase})
+      columns.push_back(column);
+  }
+  return laboratory::csvColumns(names, columns);
+}
+
+std::string modesCsv(const TrackReceptance& receptance) {
+  const auto c = columnsOf(receptance.modes);
+  return laboratory::csvColumns(
+      {"frequency [Hz]", "harmonic", "box [1/sqrt(kg)]", "wheel centre [1/sqrt(kg)]", "contact [1/sqrt(kg)]"},
+      {&c.frequency, &c.harmonic, &c.box, &c.wheel, &c.contact});
+}
+
+}  // namespace squat::receptance

@@ -1,0 +1,20 @@
+// solver/receptance/ReceptanceFiles.h - receptance and modes as HDF5 and CSV.
+#pragma once
+
+#include <string>
+
+#include "receptance/Receptance.h"
+
+namespace squat::receptance {
+
+// HDF5: /frequency, /over_a_sleeper/{real,imaginary}, /midspan/..., /wheelset/{frequency,harmonic,box,wheel,contact};
+// attributes say how it was made. `caseToml` is the case as it was asked for. Throws FileError.
+void writeReceptance(const std::string& path, const TrackReceptance& receptance, const std::string& caseToml);
+
+// frequency [Hz], then real part, imaginary part, magnitude [m/N] and phase [deg] of each point.
+std::string receptanceCsv(const TrackReceptance& receptance);
+
+// frequency [Hz], harmonic, shares at box, wheel centre and contact [1/sqrt(kg)].
+std::string modesCsv(const TrackReceptance& receptance);
+
+}  // namespace squat::receptance
