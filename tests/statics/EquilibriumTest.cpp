@@ -21,13 +21,14 @@ struct Solved {
   Equilibrium equilibrium;
 };
 
-Solved solve(const std::string& preset, int threads, const std::string& isa = "") {
+Solved solve(const std::string& preset, int threads, const std::string& isa = "", double tolerance = 1e-7) {
   Solved s;
   s.model = model::buildModel(cases::loadCase("smooth-rail", {preset, {}}));
   ThreadTeam team(threads);
   Monitor quiet;
-  s.equilibrium =
-      findEquilibrium(s.model, elasticity::kernelsFor(isa), team, s.model.startX, 0, EquilibriumOptions{}, quiet);
+  EquilibriumOptions options;
+  options.tolerance = tolerance;
+  s.equilibrium = findEquilibrium(s.model, elasticity::kernelsFor(isa), team, s.model.startX, 0, options, quiet);
   return s;
 }
 
@@ -120,10 +121,12 @@ TEST(Equilibrium, StrainEnergyIsHalfTheWorkOfTheLoad) {
   EXPECT_NEAR(e.strainEnergy, 0.5 * work, 0.005 * work);
 }
 
+// Loosely solved: threads that meet in every iteration crawl where other programs hold the cores.
 TEST(Equilibrium, DoesNotDependOnThreads) {
-  const auto two = solve("tiny", 2);
-  EXPECT_EQ(two.equilibrium.displacement, tiny().equilibrium.displacement);
-  EXPECT_EQ(two.equilibrium.iterations, tiny().equilibrium.iterations);
+  const auto one = solve("tiny", 1, "", 0.1), two = solve("tiny", 2, "", 0.1);
+  EXPECT_EQ(two.equilibrium.displacement, one.equilibrium.displacement);
+  EXPECT_EQ(two.equilibrium.iterations, one.equilibrium.iterations);
+  EXPECT_GT(one.equilibrium.iterations, 10);
 }
 
 TEST(Equilibrium, AgreesBetweenInstructionSets) {
