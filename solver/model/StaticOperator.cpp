@@ -66,7 +66,8 @@ void StaticOperator::reduceForces(double* r) {
     const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
     elasticity::transferForces(
         tie, slave, 1.0, [&](int i, int c) { return r + slave.index(tie.slaveNodes[i], c, 0); },
-        [&](int node, int c) { return r + master.index(node, c, 0); }, tieWorkspace_.data(), 0, master.stationCount, {{0, slave.stationCount}});
+        [&](int node, int c) { return r + master.index(node, c, 0); }, tieWorkspace_.data(), 0, master.stationCount,
+        {{0, slave.stationCount}});
   }
   for (std::size_t i = 0; i < free_.size(); ++i)
     if (!free_[i]) r[i] = 0;

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/Errors.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "results/TreeStream.h"
 
 namespace squat::results {

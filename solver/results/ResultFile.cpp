@@ -1,7 +1,7 @@
 #include "results/ResultFile.h"
 
-#include "core/Errors.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "results/Hdf5.h"
 #include "results/ResultTree.h"
 

@@ -21,11 +21,12 @@ struct Scalar {
 
 // Outer surface of all solids, for pictures. Quads are four point indices each.
 struct SurfaceMesh {
-  std::vector<float> points;           // x, y, z per point [m], in the configuration at the start, wheel included
-  std::vector<std::int32_t> quads;     // 4 per quad
-  std::vector<std::uint8_t> part;      // per quad: index into partNames
+  std::vector<float> points;        // x, y, z per point [m], in the configuration at the start, wheel included
+  std::vector<std::int32_t> quads;  // 4 per quad
+  std::vector<std::uint8_t> part;   // per quad: index into partNames
   // "rail", "sleepers", "wheel rim", "wheel body and axle"; names beginning with "wheel" roll. Names ending with " cut"
-  // ("rail cut", "wheel cut") are inner faces on the plane y = 0 near the contact, shown only where a picture cuts there.
+  // ("rail cut", "wheel cut") are inner faces on the plane y = 0 near the contact, shown only where a picture cuts
+  // there.
   std::vector<std::string> partNames;
   // Line segments that stand for springs and dampers (pads, ballast, suspension): 6 floats each.
   std::vector<float> springs;

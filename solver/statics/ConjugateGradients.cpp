@@ -28,7 +28,8 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
     });
     solution.residual = std::sqrt(norm2);
     if (solution.residual < target || solution.iterations >= mostIterations) {
-      // A last coarse correction leaves no resultant force on any coarse field, rigid motions of the wheelset among them.
+      // A last coarse correction leaves no resultant force on any coarse field, rigid motions of the wheelset among
+      // them.
       coarse.addCorrection(team, r.data(), x.data());
       return solution;
     }

@@ -2,7 +2,7 @@
 // them may be refused, none may crash, hang or throw anything but the errors of a user.
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <random>
 
 #include "case/CaseFile.h"
@@ -70,9 +70,10 @@ TEST(HostileCase, FlippedBytes) {
   EXPECT_GT(refused, 100);
 }
 
-// Limits of the project for any one hostile file: a second. Ten are allowed here, for busy and instrumented machines.
+// Limits of the project for any one hostile file: a second. Ten of processor time are allowed here, for instrumented
+// builds; the wall clock would tell of the machine's other work.
 TEST(HostileCase, BombsAreRefusedInTime) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   EXPECT_EQ(readAsCase(repeated("[", 3'000'000)), Outcome::refused);
   EXPECT_EQ(readAsCase("a = " + repeated("[", 100'000) + repeated("]", 100'000)), Outcome::refused);
   EXPECT_EQ(readAsCase("a = " + repeated("{a=", 100'000)), Outcome::refused);
@@ -87,8 +88,7 @@ TEST(HostileCase, BombsAreRefusedInTime) {
   EXPECT_EQ(readAsCase(std::string(5'000'000, ' ')), Outcome::refused);
   EXPECT_EQ(readAsCase("title = \"" + std::string(3'000'000, 'x') + "\""), Outcome::refused);
   EXPECT_EQ(readAsCase("[motion]\nspeed = " + std::string(3'000'000, '9')), Outcome::refused);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(seconds.count(), 10 * 10.0);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10 * 10.0);
 }
 
 // U+FB44 outside quotes reaches __builtin_unreachable in toml++ 3.3 (found by the fuzzer).

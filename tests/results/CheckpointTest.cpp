@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/Errors.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "results/SampleResult.h"
 #include "results/TreeStream.h"
 

