@@ -107,7 +107,7 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
     beta.push_back(b);
     for (std::size_t i = 0; i < n; ++i) previous[i] = now[i], now[i] = next[i] / b;
   }
-  // A few power steps from the last vector show where the highest mode sits.
+  // The last Lanczos vector is rich in the highest modes: its largest entry shows about where they sit.
   std::size_t at = 0;
   for (std::size_t i = 0; i < n; ++i)
     if (std::abs(now[i]) * rootInverse[i] > std::abs(now[at]) * rootInverse[at]) at = i;

@@ -243,7 +243,7 @@ class RollingPhase {
     if (x >= 0 && !has("impact")) picture("impact");
     const int frame = static_cast<int>(std::floor((x - frameFrom) / (frameTo - frameFrom) * frames));
     if (x < frameFrom || frame >= frames) return;
-    char name[16];
+    char name[24];
     std::snprintf(name, sizeof name, "frame %02d", frame);
     if (!has(name)) picture(name);
   }

@@ -75,8 +75,8 @@ class CancelAt : public Monitor {
 TEST(RunCase, ContactCarriesTheWeight) {
   const auto& r = lightDefect();
   ASSERT_TRUE(r.complete);
-  // Statics: what the wheelset and the sprung mass weigh, 9.81 m/s2 times 8950 kg; the issue of tolerance is the solver's
-  // residual, 1e-6 of the load.
+  // Statics: what the wheelset and the sprung mass weigh, 9.81 m/s2 times 8950 kg; the issue of tolerance is the
+  // solver's residual, 1e-6 of the load.
   const double weight = 9.81 * (8000 + 950);
   EXPECT_NEAR(scalar(r.equilibrium, "contact_force") / weight, 1, 1e-6);
 }
@@ -100,11 +100,12 @@ TEST(RunCase, SmoothRailIsQuiet) {
   EXPECT_LT(most, 5.0);
 }
 
-// Every solid is one: a stiffer solid must be felt at the axle box. A spring or a rigid body in its place would not change.
-class EverySolidIsOne : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+// Every solid is one: a stiffer solid must be felt at the axle box. A spring or a rigid body in its place would not
+// change.
+class EverySolidIsOne : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(EverySolidIsOne, FourTimesTheModulusChangesTheAxleBoxAcceleration) {
-  const auto [key, value] = GetParam();
+  const auto& [key, value] = GetParam();
   const auto stiff = run(tinyCase("light-defect", {{key, value}}));
   const auto &before = *lightDefect().signal("aba_filtered"), &after = *stiff.signal("aba_filtered");
   // Far above what rounding or another time step does to the signal (1e-6).
@@ -112,8 +113,10 @@ TEST_P(EverySolidIsOne, FourTimesTheModulusChangesTheAxleBoxAcceleration) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, EverySolidIsOne,
-                         testing::Values(std::pair{"rail.young_modulus", "840"}, std::pair{"wheelset.young_modulus", "840"},
-                                         std::pair{"sleeper.young_modulus", "153.6"}));
+                         testing::Values(std::pair<std::string, std::string>{"rail.young_modulus", "840"},
+                                         std::pair<std::string, std::string>{"wheelset.young_modulus", "840"},
+                                         std::pair<std::string, std::string>{"sleeper.young_modulus", "153.6"}),
+                         [](const auto& info) { return info.param.first.substr(0, info.param.first.find('.')); });
 
 TEST(RunCase, StrainEnergiesOfTheSolidsAreInTheLedger) {
   for (const char* name : {"strain_energy_rail", "strain_energy_wheelset", "strain_energy_sleepers"})
