@@ -6,10 +6,10 @@
 namespace squat::contact {
 
 double railValue(const elasticity::SweptBlock& rail, const TouchPoint& t, const double* state, int component) {
-  const double* first = state + rail.index(t.railNode[0], component, t.railStation);
-  const double* second = state + rail.index(t.railNode[1], component, t.railStation);
-  return t.railWeight[0] * first[0] + t.railWeight[1] * first[1] + t.railWeight[2] * second[0] +
-         t.railWeight[3] * second[1];
+  const auto first = rail.line(state, t.railNode[0], component), second = rail.line(state, t.railNode[1], component);
+  const int left = t.railStation, right = t.railStation + 1;
+  return t.railWeight[0] * first[left] + t.railWeight[1] * first[right] + t.railWeight[2] * second[left] +
+         t.railWeight[3] * second[right];
 }
 
 namespace {
@@ -19,8 +19,7 @@ struct Sides {
   double left, right;
 };
 Sides treadSides(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state, int component) {
-  const double* first = state + rim.index(t.treadNode[0], component, 0);
-  const double* second = state + rim.index(t.treadNode[1], component, 0);
+  const auto first = rim.line(state, t.treadNode[0], component), second = rim.line(state, t.treadNode[1], component);
   return {t.treadWeight[0] * first[t.treadStation[0]] + t.treadWeight[2] * second[t.treadStation[0]],
           t.treadWeight[1] * first[t.treadStation[1]] + t.treadWeight[3] * second[t.treadStation[1]]};
 }

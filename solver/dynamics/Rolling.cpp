@@ -60,7 +60,8 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   }
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     elasticity::BlockStep with;
-    with.inverseMass = model.inverseMass[b].data();
+    inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
+    with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();
     with.lineOfNode = model.loaded[b].lineOfNode.data();
     with.slave = model.slave[b].data();
@@ -160,7 +161,7 @@ void Rolling::pushVehicle(const double* displaced) {
     const int node = model_.hub.nodes[i];
     const double radius = body.section.nodes[node][0], share = model_.hub.weight[i] / body.stationCount;
     double* a = forces_.data() + loaded.offset + static_cast<std::size_t>(loaded.lineOfNode[node]) * 3 * body.stride;
-    const double* va = v + body.index(node, 0, 0);
+    const auto va = body.line(v, node, 0);
     for (int s = 0; s < body.stationCount; ++s)
       a[s] -= torque_ * share / radius, hubSpinRate_ -= share * va[s] / radius;
   }

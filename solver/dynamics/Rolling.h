@@ -106,6 +106,7 @@ class Rolling {
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
+  std::vector<AlignedVector> inverseMass_;   // per block, in chunks
   std::vector<std::vector<double>> radii_;   // per block: of section nodes, around the axis
   model::TurnedStations turned_, turnedRim_;
   AlignedVector slaveWorkspace_;

@@ -68,7 +68,9 @@ void prepareBlock(SweptBlock& block) {
   block.positions = block.stations.positions();
   block.stride = (static_cast<std::size_t>(block.intervals) + 1 + 7) / 8 * 8;
   findPairs(block);
+  block.order = sectionOrder(block.rowStart, block.columns);
   block.coefficients.clear();
+  block.rowCoefficients.clear();
   block.runIntervals.clear();
   int first = 0;
   for (const auto& run : block.stations.runs) {
@@ -76,6 +78,9 @@ void prepareBlock(SweptBlock& block) {
     std::vector<double> matrix(18 * block.columns.size(), 0.0);
     for (int q = 0; q < static_cast<int>(block.section.quads.size()); ++q)
       addElement(block, block.section.quads[q], elementStiffness(block, q, run.length), matrix);
+    std::vector<double>& rows = block.rowCoefficients.emplace_back();
+    for (const int pair : block.order.pairs)
+      rows.insert(rows.end(), matrix.begin() + 18 * pair, matrix.begin() + 18 * (pair + 1));
     block.coefficients.push_back(std::move(matrix));
     block.runIntervals.push_back({first, first + run.count});
     first += run.count;
@@ -168,7 +173,7 @@ std::vector<double> stiffnessDiagonal(const SweptBlock& block) {
       const double* pair = block.coefficients[r].data() + 18 * pairIndex(block, n, n);
       for (int c = 0; c < 3; ++c) {
         const double value = pair[4 * c] + pair[9 + 4 * c];
-        double* line = diagonal.data() + (static_cast<std::size_t>(n) * 3 + c) * block.stride;
+        const StateLine<double> line{diagonal.data() + block.index(n, c, 0) - block.offset, block.chunkSize()};
         for (int s = block.runIntervals[r][0]; s < block.runIntervals[r][1]; ++s) {
           line[s] += value;
           line[block.closed && s + 1 == block.intervals ? 0 : s + 1] += value;

@@ -10,6 +10,10 @@
 //   force on the right: b, c: S + T, a: T + S;   on the left: b, c: S - T, a: T - S.
 // Both are assembled over the quads of the section: one 3x3 block of each for every pair of section nodes that share a
 // quad, 18 numbers and 18 multiply-adds a pair instead of 288 an element.
+//
+// State vectors keep 32 stations of all lines together, [chunk][node][component][station in chunk]: a kernel works on
+// one chunk at a time, whose memory is then one piece. Arrays with one line a node (mass, forces, accelerations) keep
+// whole lines of `stride` stations.
 #pragma once
 
 #include <array>
@@ -19,6 +23,7 @@
 
 #include "case/CaseDescription.h"
 #include "elasticity/Hexahedron.h"
+#include "elasticity/SectionOrder.h"
 #include "geometry/SectionMesh.h"
 #include "geometry/Stations.h"
 
@@ -31,7 +36,16 @@ enum class SweepKind {
               // 0 is the lowest point, growing towards +x. Rolling in +x turns material points towards smaller alpha.
 };
 
+// One component of one section node along all stations of a state vector.
+template <typename Number>
+struct StateLine {
+  Number* first = nullptr;
+  std::size_t jump = 0;  // from a chunk to the next
+  Number& operator[](int station) const { return first[(station >> 5) * jump + (station & 31)]; }
+};
+
 struct SweptBlock {
+  static constexpr int chunk = 32;  // stations
   std::string name;
   SweepKind kind = SweepKind::alongX;
   geometry::SectionMesh section;
@@ -42,17 +56,33 @@ struct SweptBlock {
   // Filled by prepareBlock().
   int nodes = 0, intervals = 0, stationCount = 0;
   bool closed = false;
-  std::size_t stride = 0;              // doubles between two component lines, multiple of 8, ghost station included
-  std::size_t offset = 0;              // of the block's first line in a state vector
-  std::vector<double> positions;       // intervals + 1 station positions
-  std::vector<int> rowStart, columns;  // pairs of section nodes: nodes + 1, pairs
-  std::vector<std::vector<double>> coefficients;  // per run: 18 per pair: S row-major, then T
-  std::vector<std::array<int, 2>> runIntervals;   // per run: first interval and one past the last
+  std::size_t stride = 0;                            // stations of a whole line, multiple of 8, ghost station included
+  std::size_t offset = 0;                            // of the block in a state vector
+  std::vector<double> positions;                     // intervals + 1 station positions
+  std::vector<int> rowStart, columns;                // pairs of section nodes: nodes + 1, pairs
+  std::vector<std::vector<double>> coefficients;     // per run: 18 per pair: S row-major, then T
+  SectionOrder order;                                // of the kernels
+  std::vector<std::vector<double>> rowCoefficients;  // the same numbers in the order of the kernels
+  std::vector<std::array<int, 2>> runIntervals;      // per run: first interval and one past the last
 
   std::size_t lines() const { return static_cast<std::size_t>(nodes) * 3; }
-  std::size_t size() const { return lines() * stride; }
+  std::size_t chunkSize() const { return lines() * chunk; }
+  std::size_t size() const { return (stride + chunk - 1) / chunk * chunkSize(); }
   std::size_t index(int node, int component, int station) const {
-    return offset + (static_cast<std::size_t>(node) * 3 + component) * stride + station;
+    const auto s = static_cast<std::size_t>(station);
+    return offset + s / chunk * chunkSize() + (static_cast<std::size_t>(node) * 3 + component) * chunk + s % chunk;
+  }
+  struct Unknown {
+    int node = 0, component = 0, station = 0;
+  };
+  Unknown unknownAt(std::size_t index) const {  // the inverse of index()
+    const std::size_t at = index - offset, line = at % chunkSize() / chunk;
+    return {static_cast<int>(line / 3), static_cast<int>(line % 3),
+            static_cast<int>(at / chunkSize() * chunk + at % chunk)};
+  }
+  template <typename Number>
+  StateLine<Number> line(Number* state, int node, int component) const {
+    return {state + index(node, component, 0), chunkSize()};
   }
   std::size_t elements() const { return section.quads.size() * static_cast<std::size_t>(intervals); }
   int runOf(int interval) const;

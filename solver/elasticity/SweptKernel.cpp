@@ -29,7 +29,7 @@ KernelSet kernelsFor(const std::string& isa) {
   throw std::invalid_argument("instruction set '" + wanted + "' is not available here; this processor has " + names);
 }
 
-// The widest group is 4 vectors of 8 doubles, 6 per node.
-std::size_t kernelWorkspace(int nodes) { return static_cast<std::size_t>(nodes) * 6 * 32; }
+// Six values of each station of a group per node.
+std::size_t kernelWorkspace(int window) { return static_cast<std::size_t>(window) * 6 * 32; }
 
 }  // namespace squat::elasticity

@@ -7,24 +7,30 @@
 
 namespace squat::elasticity {
 
-// One run's stretch of intervals [first, first + count), count a multiple of 8. All lines as in SweptBlock: component
-// lines of `stride` doubles; pointers are to the first line of the block.
+constexpr int rowBundle = 8;  // rows that share their coefficients in the first-level cache
+
+// One run's stretch of intervals [first, first + count), count a multiple of 8. Memory as told in
+// SweptBlock.h; pointers are to the first value of the block.
 struct KernelCall {
   int nodes = 0;
+  const int* order = nullptr;  // SectionOrder, as are the next five
   const int* rowStart = nullptr;
-  const int* columns = nullptr;
-  const double* coefficients = nullptr;  // of the run
-  std::size_t stride = 0;
+  const int* slots = nullptr;
+  const int* gatherUpTo = nullptr;
+  int window = 0;
+  const double* coefficients = nullptr;  // of the run, in the order of the rows
+  std::size_t stride = 0;                // of the lines of masses, forces and accelerations
+  std::size_t chunkSize = 0;             // doubles of a chunk of the state vectors
   int first = 0, count = 0;
   const double* source = nullptr;  // displacement that the elasticity acts on, u + beta v
   double* carry = nullptr;         // nodes x 3: what the interval before adds to station `first`; left for the next
-  double* workspace = nullptr;     // kernelWorkspace(nodes) doubles, 64-byte aligned
+  double* workspace = nullptr;     // kernelWorkspace(window) doubles, 64-byte aligned
 
   // applyStiffness: K times source, stations first .. first + count - 1 written.
   double* force = nullptr;
 
   // advanceStep: one step of the central difference for the same stations.
-  const double* inverseMass = nullptr;   // nodes lines (one per node)
+  const double* inverseMass = nullptr;   // one value for each node and station, in chunks
   const double* fixedMask = nullptr;     // nodes x 3: 1 free, 0 held
   const int* externalLine = nullptr;     // per node: line triple in `external`, or -1
   const unsigned char* slave = nullptr;  // per node: 1: not advanced, its inner force is left in `external` instead
@@ -51,6 +57,6 @@ struct KernelSet {
 KernelSet kernelsFor(const std::string& isa);
 std::vector<std::string> availableInstructionSets();
 
-std::size_t kernelWorkspace(int nodes);  // doubles
+std::size_t kernelWorkspace(int window);  // doubles
 
 }  // namespace squat::elasticity

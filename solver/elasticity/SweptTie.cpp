@@ -122,7 +122,7 @@ void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& block
     for (int layer = 0; layer < 2; ++layer) {
       const int node = layer ? tie.columns[j].inner : tie.columns[j].outer;
       if (layer && node < 0) continue;
-      const double *a = state + master.index(node, 0, 0), *b = a + master.stride, *c = b + master.stride;
+      const auto a = master.line(state, node, 0), b = master.line(state, node, 1), c = master.line(state, node, 2);
       for (int s = 0; s < stations; ++s) {
         const auto& at = tie.stations[s];
         const double share = layer ? -at.extrapolation : 1 + at.extrapolation;
@@ -136,7 +136,7 @@ void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& block
   }
   for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
     for (int c = 0; c < 3; ++c) {
-      double* line = state + slave.index(tie.slaveNodes[i], c, 0);
+      const auto line = slave.line(state, tie.slaveNodes[i], c);
       const int first = tie.entryStart[i], last = tie.entryStart[i + 1];
       for (int s = 0; s < stations; ++s) line[s] = 0;
       for (int e = first; e < last; ++e) {

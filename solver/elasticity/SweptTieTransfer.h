@@ -16,7 +16,7 @@ void transferForces(const SweptTie& tie, const SweptBlock& slave, double sign, c
   for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
     for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e)
       for (int c = 0; c < 3; ++c) {
-        const double* force = slaveLine(static_cast<int>(i), c);
+        const auto force = slaveLine(static_cast<int>(i), c);
         double* column = workspace + (static_cast<std::size_t>(tie.entryColumn[e]) * 3 + c) * stride;
         const double weight = sign * tie.entryWeight[e];
         for (const auto& span : spans)
@@ -27,7 +27,7 @@ void transferForces(const SweptTie& tie, const SweptBlock& slave, double sign, c
     for (int layer = 0; layer < 2; ++layer) {
       const int node = layer ? tie.columns[j].inner : tie.columns[j].outer;
       if (layer && node < 0) continue;
-      double *a = masterLine(node, 0), *b = masterLine(node, 1), *c = masterLine(node, 2);
+      const auto a = masterLine(node, 0), b = masterLine(node, 1), c = masterLine(node, 2);
       for (const auto& span : spans)
         for (int s = span.first; s < span.last; ++s) {
           const auto& at = tie.stations[s];

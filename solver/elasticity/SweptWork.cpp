@@ -11,10 +11,14 @@ KernelCall callFor(const SweptBlock& block, int run, int first, int count, const
                    KernelScratch& scratch) {
   KernelCall call;
   call.nodes = block.nodes;
-  call.rowStart = block.rowStart.data();
-  call.columns = block.columns.data();
-  call.coefficients = block.coefficients[run].data();
+  call.order = block.order.nodes.data();
+  call.rowStart = block.order.rowStart.data();
+  call.slots = block.order.slots.data();
+  call.gatherUpTo = block.order.gatherUpTo.data();
+  call.window = block.order.window;
+  call.coefficients = block.rowCoefficients[run].data();
   call.stride = block.stride;
+  call.chunkSize = block.chunkSize();
   call.first = first, call.count = count;
   call.source = source + block.offset;
   call.carry = scratch.carry.data();
@@ -43,6 +47,11 @@ void overRuns(const SweptBlock& block, const Segment& segment, const double* sou
   }
 }
 
+void refreshGhost(const SweptBlock& block, double* state) {
+  for (int n = 0; n < block.nodes; ++n)
+    for (int c = 0; c < 3; ++c) state[block.index(n, c, block.intervals)] = state[block.index(n, c, 0)];
+}
+
 // The last station of an open block has only its left interval: the carry.
 void advanceLastStation(const SweptBlock& block, const BlockStep& with, double step, const double* source,
                         double* target, double* velocity, const AlignedVector& carry) {
@@ -58,7 +67,9 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
       double total = -carry[3 * n + c];
       if (outer) total += outer[c * block.stride], outer[c * block.stride] = 0;
       const double acceleration =
-          total * with.inverseMass[n * block.stride + s] + with.acceleration[c * block.stride + s];
+          total *
+              with.inverseMass[(s / SweptBlock::chunk * block.nodes + n) * SweptBlock::chunk + s % SweptBlock::chunk] +
+          with.acceleration[c * block.stride + s];
       const std::size_t here = block.index(n, c, s);
       const double old = velocity[here];
       velocity[here] = (old + step * acceleration) * with.freeMask[3 * n + c];
@@ -96,9 +107,9 @@ std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& block
 }
 
 KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
-  int most = 0;
-  for (const auto& block : blocks) most = std::max(most, block.nodes);
-  workspace.assign(kernelWorkspace(most), 0.0);
+  int most = 0, window = 0;
+  for (const auto& block : blocks) most = std::max(most, block.nodes), window = std::max(window, block.order.window);
+  workspace.assign(kernelWorkspace(window), 0.0);
   carry.assign(static_cast<std::size_t>(most) * 3 + 8, 0.0);
 }
 
@@ -135,21 +146,22 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     });
     if (!block.closed && segment.first + segment.count == block.intervals)
       advanceLastStation(block, with, step, source, target, velocity, scratch.carry);
-    if (block.closed && segment.first == 0)
-      for (std::size_t line = 0; line < block.lines(); ++line) {
-        double* values = target + block.offset + line * block.stride;
-        values[block.intervals] = values[0];
-      }
+    if (block.closed && segment.first == 0) refreshGhost(block, target);
   }
+}
+
+AlignedVector inChunks(const SweptBlock& block, const double* lines) {
+  AlignedVector values(block.size() / 3, 0.0);
+  for (int n = 0; n < block.nodes; ++n)
+    for (int s = 0; s < static_cast<int>(block.stride); ++s)
+      values[(s / SweptBlock::chunk * block.nodes + n) * SweptBlock::chunk + s % SweptBlock::chunk] =
+          lines[n * block.stride + s];
+  return values;
 }
 
 void refreshGhosts(const std::vector<SweptBlock>& blocks, double* state) {
   for (const auto& block : blocks)
-    if (block.closed)
-      for (std::size_t line = 0; line < block.lines(); ++line) {
-        double* values = state + block.offset + line * block.stride;
-        values[block.intervals] = values[0];
-      }
+    if (block.closed) refreshGhost(block, state);
 }
 
 }  // namespace squat::elasticity

@@ -33,7 +33,7 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
 
 // What one block needs for a step besides source, target and velocity (state layout).
 struct BlockStep {
-  const double* inverseMass = nullptr;  // nodes lines
+  const double* inverseMass = nullptr;  // as from inChunks()
   const double* freeMask = nullptr;     // nodes x 3
   const int* lineOfNode = nullptr;      // into the force lines
   const unsigned char* slave = nullptr;
@@ -46,6 +46,9 @@ struct BlockStep {
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
                      const KernelSet& kernels, const std::vector<BlockStep>& steps, double step, const double* source,
                      double* target, double* velocity, KernelScratch& scratch);
+
+// One value for each node and station, from lines of `stride` to the chunks of the state layout.
+AlignedVector inChunks(const SweptBlock& block, const double* lines);
 
 // Copies station 0 of closed blocks to their ghost station.
 void refreshGhosts(const std::vector<SweptBlock>& blocks, double* state);

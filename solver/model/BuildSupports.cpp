@@ -143,8 +143,7 @@ void layOutForces(Model& model) {
   if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing))
     std::fill(wanted[model.rail].begin(), wanted[model.rail].end(), 1);
   for (const auto& unknown : model.movedElements.unknown)
-    for (const auto index : unknown)
-      wanted[model.rail][(index - model.blocks[model.rail].offset) / model.blocks[model.rail].stride / 3] = 1;
+    for (const auto index : unknown) wanted[model.rail][model.blocks[model.rail].unknownAt(index).node] = 1;
   for (int i = 0; i < model.sleepers; ++i) {
     const int block = model.firstSleeper + i;
     mark(block, sleeperFace(model.blocks[block], 0));
@@ -167,10 +166,10 @@ std::size_t forceSlot(const Model& model, std::size_t index) {
   std::size_t b = 0;
   while (b + 1 < model.blocks.size() && model.blocks[b + 1].offset <= index) ++b;
   const auto& block = model.blocks[b];
-  const std::size_t line = (index - block.offset) / block.stride, station = (index - block.offset) % block.stride;
-  const int triple = model.loaded[b].lineOfNode[line / 3];
+  const auto at = block.unknownAt(index);
+  const int triple = model.loaded[b].lineOfNode[at.node];
   if (triple < 0) throw std::logic_error("a spring acts on a node without a force line");
-  return model.loaded[b].offset + (static_cast<std::size_t>(triple) * 3 + line % 3) * block.stride + station;
+  return model.loaded[b].offset + (static_cast<std::size_t>(triple) * 3 + at.component) * block.stride + at.station;
 }
 
 void addSupports(Model& model) {

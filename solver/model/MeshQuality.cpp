@@ -46,12 +46,11 @@ MeshQuality meshQuality(const Model& model) {
 std::string placeName(const Model& model, std::size_t index) {
   for (const auto& block : model.blocks) {
     if (index < block.offset || index >= block.offset + block.size()) continue;
-    const std::size_t line = (index - block.offset) / block.stride;
-    const int s = static_cast<int>((index - block.offset) % block.stride);
-    const Eigen::Vector3d p = elasticity::nodePosition(block, static_cast<int>(line / 3), std::min(s, block.intervals));
+    const auto [node, component, s] = block.unknownAt(index);
+    const Eigen::Vector3d p = elasticity::nodePosition(block, node, std::min(s, block.intervals));
     char text[160];
-    std::snprintf(text, sizeof text, "%s, node %d of station %d at x %.4f, y %.4f, z %.4f m", block.name.c_str(),
-                  static_cast<int>(line / 3), s, p[0], p[1], p[2]);
+    std::snprintf(text, sizeof text, "%s, node %d of station %d at x %.4f, y %.4f, z %.4f m", block.name.c_str(), node,
+                  s, p[0], p[1], p[2]);
     return text;
   }
   return "sprung mass";

@@ -14,7 +14,7 @@ std::vector<unsigned char> findFree(const Model& model, bool holdSprungMassAlong
     for (int n = 0; n < block.nodes; ++n)
       for (int c = 0; c < 3; ++c)
         if (!model.slave[b][n] && model.freeMask[b][3 * n + c] != 0)
-          std::fill_n(free.begin() + static_cast<std::ptrdiff_t>(block.index(n, c, 0)), block.stationCount, 1);
+          for (int s = 0; s < block.stationCount; ++s) free[block.index(n, c, s)] = 1;
   }
   for (const auto index : model.held) free[index] = 0;
   free[model.sprungZ] = 1;
@@ -65,8 +65,8 @@ void StaticOperator::reduceForces(double* r) {
   for (const auto& tie : model_.ties) {
     const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
     elasticity::transferForces(
-        tie, slave, 1.0, [&](int i, int c) { return r + slave.index(tie.slaveNodes[i], c, 0); },
-        [&](int node, int c) { return r + master.index(node, c, 0); }, tieWorkspace_.data(), 0, master.stationCount,
+        tie, slave, 1.0, [&](int i, int c) { return slave.line(r, tie.slaveNodes[i], c); },
+        [&](int node, int c) { return master.line(r, node, c); }, tieWorkspace_.data(), 0, master.stationCount,
         {{0, slave.stationCount}});
   }
   for (std::size_t i = 0; i < free_.size(); ++i)

@@ -18,7 +18,7 @@ PlaneVector ringMean(const Model& model, const Ring& ring, const TurnedStations&
   const auto& block = model.blocks[ring.block];
   PlaneVector mean;
   for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
-    const double *a = state + block.index(ring.nodes[i], 0, 0), *b = a + block.stride;
+    const auto a = block.line(state, ring.nodes[i], 0), b = block.line(state, ring.nodes[i], 1);
     double x = 0, z = 0;
     for (int s = 0; s < block.stationCount; ++s) {
       x += turned.cosine[s] * a[s] + turned.sine[s] * b[s];

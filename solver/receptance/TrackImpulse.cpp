@@ -80,7 +80,8 @@ class Track {
     for (const auto& block : model.blocks) acceleration_.emplace_back(3 * block.stride, 0.0);
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
       elasticity::BlockStep with;
-      with.inverseMass = model.inverseMass[b].data();
+      inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
+      with.inverseMass = inverseMass_.back().data();
       with.freeMask = model.freeMask[b].data();
       with.lineOfNode = model.loaded[b].lineOfNode.data();
       with.slave = model.slave[b].data();
@@ -122,6 +123,7 @@ class Track {
   std::vector<std::vector<elasticity::Segment>> work_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> steps_;
+  std::vector<AlignedVector> inverseMass_;
   std::vector<AlignedVector> acceleration_;  // none: weight leaves small vibrations as they are
   AlignedVector now_, next_, velocity_, forces_;
 };

@@ -37,12 +37,13 @@ SolidEnergies quadratic(const dynamics::Rolling& rolling, AlignedVector x) {
   for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
     const auto& block = model.blocks[b];
     double sum = 0;
-    for (std::size_t line = 0; line < block.lines(); ++line) {
-      const std::size_t at = block.offset + line * block.stride;
-      double own = 0;
-      for (int s = 0; s < block.stationCount; ++s) own += x[at + s] * force[at + s];
-      sum += own;
-    }
+    for (int n = 0; n < block.nodes; ++n)
+      for (int c = 0; c < 3; ++c) {
+        const auto u = block.line(x.data(), n, c), f = block.line(force.data(), n, c);
+        double own = 0;
+        for (int s = 0; s < block.stationCount; ++s) own += u[s] * f[s];
+        sum += own;
+      }
     (b == model.rail                     ? energies.rail
      : b == model.rim || b == model.body ? energies.wheelset
                                          : energies.sleepers) += sum;
@@ -80,7 +81,8 @@ double EnergyLedger::kineticEnergy(const dynamics::Rolling& rolling) const {
     if (turns) turnStations(block, state.rotation, turned);
     for (int n = 0; n < block.nodes; ++n) {
       const double* m = model.mass[b].data() + n * block.stride;
-      const double *va = state.velocity.data() + block.index(n, 0, 0), *vb = va + block.stride, *vc = vb + block.stride;
+      const double* v = state.velocity.data();
+      const auto va = block.line(v, n, 0), vb = block.line(v, n, 1), vc = block.line(v, n, 2);
       double own = 0, along = 0;
       for (int s = 0; s < block.stationCount; ++s) {
         own += m[s] * (va[s] * va[s] + vb[s] * vb[s] + vc[s] * vc[s]);

@@ -95,11 +95,16 @@ void CoarseSpace::projectLine(const LineGroup& group, const double* r, int part,
   std::vector<double> sums(6 * static_cast<std::size_t>(count), 0.0);
   double *fa = sums.data(), *fb = fa + count, *fc = fb + count, *ma = fc + count, *mb = ma + count, *mc = mb + count;
   for (int n = 0; n < block.nodes; ++n) {
-    const double *a = r + block.index(n, 0, first), *b = a + block.stride, *c = b + block.stride;
     const double lb = block.section.nodes[n][0] - group.middleB, lc = block.section.nodes[n][1] - group.middleC;
-    for (int s = 0; s < count; ++s) {
-      fa[s] += a[s], fb[s] += b[s], fc[s] += c[s];
-      ma[s] += lb * c[s] - lc * b[s], mb[s] += lc * a[s], mc[s] -= lb * a[s];
+    for (int from = first; from < last;) {
+      const int to = std::min(last, (from / block.chunk + 1) * block.chunk);
+      const double *a = r + block.index(n, 0, from), *b = a + block.chunk, *c = b + block.chunk;
+      const int at = from - first, length = to - from;
+      for (int s = 0; s < length; ++s) {
+        fa[at + s] += a[s], fb[at + s] += b[s], fc[at + s] += c[s];
+        ma[at + s] += lb * c[s] - lc * b[s], mb[at + s] += lc * a[s], mc[at + s] -= lb * a[s];
+      }
+      from = to;
     }
   }
   for (int s = 0; s < count; ++s) {
@@ -136,12 +141,17 @@ void CoarseSpace::prolongLine(const LineGroup& group, const double* coarse, int 
     }
   }
   for (int n = 0; n < block.nodes; ++n) {
-    double *a = z + block.index(n, 0, first), *b = a + block.stride, *c = b + block.stride;
     const double lb = block.section.nodes[n][0] - group.middleB, lc = block.section.nodes[n][1] - group.middleC;
-    for (int s = 0; s < count; ++s) {
-      a[s] += ta[s] + lc * rb[s] - lb * rc[s];
-      b[s] += tb[s] - lc * ra[s];
-      c[s] += tc[s] + lb * ra[s];
+    for (int from = first; from < last;) {
+      const int to = std::min(last, (from / block.chunk + 1) * block.chunk);
+      double *a = z + block.index(n, 0, from), *b = a + block.chunk, *c = b + block.chunk;
+      const int at = from - first, length = to - from;
+      for (int s = 0; s < length; ++s) {
+        a[s] += ta[at + s] + lc * rb[at + s] - lb * rc[at + s];
+        b[s] += tb[at + s] - lc * ra[at + s];
+        c[s] += tc[at + s] + lb * ra[at + s];
+      }
+      from = to;
     }
   }
 }
@@ -157,7 +167,7 @@ void CoarseSpace::projectWheel(int b, const double* r, double* coarse) const {
   std::vector<double> rim(3 * static_cast<std::size_t>(count), 0.0);
   for (int n = 0; n < block.nodes; ++n) {
     if (model_.slave[b][n]) continue;
-    const double *fa = r + block.index(n, 0, 0), *fb = fa + block.stride, *fc = fb + block.stride;
+    const auto fa = block.line(r, n, 0), fb = block.line(r, n, 1), fc = block.line(r, n, 2);
     const double radius = block.section.nodes[n][0], y = block.section.nodes[n][1], share = rimShare_[b][n];
     double x = 0, z = 0, lateral = 0, spin = 0, cosLateral = 0, sinLateral = 0;
     for (int s = 0; s < count; ++s) {
@@ -205,7 +215,7 @@ void CoarseSpace::prolongWheel(int b, const double* coarse, int part, int parts,
     }
     const double radius = block.section.nodes[n][0], y = block.section.nodes[n][1], share = rimShare_[b][n];
     const double mask = model_.freeMask[b][3 * n + 2];
-    double *a = z + block.index(n, 0, 0), *radial = a + block.stride, *c = radial + block.stride;
+    const auto a = block.line(z, n, 0), radial = block.line(z, n, 1), c = block.line(z, n, 2);
     for (int s = 0; s < count; ++s) {
       const double x = t[0] - y * w[2] + share * rim[s], up = t[2] + y * w[0] + share * rim[2 * count + s];
       a[s] += cosine[s] * x + sine[s] * up - radius * w[1];
@@ -288,10 +298,9 @@ Eigen::VectorXd CoarseSpace::projectSparse(const supports::SpringSet& springs, s
     const std::size_t index = springs.unknown[t];
     const int b = index >= rail.offset + rail.size() ? model_.rim : model_.rail;
     const auto& block = model_.blocks[b];
-    const std::size_t line = (index - block.offset) / block.stride;
-    const int s = static_cast<int>((index - block.offset) % block.stride), n = static_cast<int>(line / 3);
+    const auto [n, component, s] = block.unknownAt(index);
     Eigen::Vector3d f = Eigen::Vector3d::Zero();
-    f[static_cast<int>(line % 3)] = springs.weight[t];
+    f[component] = springs.weight[t];
     const auto& p = block.section.nodes[n];
     if (b == model_.rail) {
       const Hats hats = hatsAt(group.knots, block.positions[s]);

@@ -79,8 +79,8 @@ void passToMasters(const SweptTie& tie, const std::vector<SweptBlock>& blocks, c
   int first = 0;
   for (const int last : ends) {
     transferForces(
-        tie, slave, 1.0, [&](int i, int c) { return from.data() + slave.index(tie.slaveNodes[i], c, 0); },
-        [&](int node, int c) { return to.data() + master.index(node, c, 0); }, workspace.data(), first, last,
+        tie, slave, 1.0, [&](int i, int c) { return slave.line(from.data(), tie.slaveNodes[i], c); },
+        [&](int node, int c) { return master.line(to.data(), node, c); }, workspace.data(), first, last,
         slaveSpans(tie, first, last));
     first = last;
   }

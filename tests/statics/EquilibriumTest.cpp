@@ -75,9 +75,9 @@ TEST(Equilibrium, SupportsCarryTheWholeWeight) {
         const bool inRail = at < rail.offset + rail.size();
         if (inRail != onRail) continue;
         const auto& first = model.blocks[model.firstSleeper];
-        const std::size_t line =
-            inRail ? (at - rail.offset) / rail.stride : (at - first.offset) % first.size() / first.stride;
-        if (line % 3 == (inRail ? 2u : 1u)) lift -= set.weight[t] * set.stiffness[i] * q;
+        const int component = inRail ? rail.unknownAt(at).component
+                                     : first.unknownAt(first.offset + (at - first.offset) % first.size()).component;
+        if (component == (inRail ? 2 : 1)) lift -= set.weight[t] * set.stiffness[i] * q;
       }
       sum += lift;
     }

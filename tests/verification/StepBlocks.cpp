@@ -24,10 +24,12 @@ void FreeBlocks::advance(double step, int steps, int parts, const std::string& i
   const auto kernels = kernelsFor(isa);
   std::vector<int> all;
   std::vector<BlockStep> with;
+  std::vector<AlignedVector> inverse;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     all.push_back(static_cast<int>(b));
     BlockStep own;
-    own.inverseMass = inverseMass_[b].data(), own.freeMask = freeMask_[b].data();
+    inverse.push_back(inChunks(blocks_[b], inverseMass_[b].data()));
+    own.inverseMass = inverse.back().data(), own.freeMask = freeMask_[b].data();
     own.lineOfNode = lineOfNode_[b].data(), own.slave = slave_[b].data();
     own.acceleration = acceleration_[b].data(), own.beta = beta_;
     with.push_back(own);
