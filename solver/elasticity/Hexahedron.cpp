@@ -42,6 +42,46 @@ Eigen::Matrix<double, 6, 3 * Modes> strainOperator(const Eigen::Matrix<double, 3
   return b;
 }
 
+// Strain operators of corners and incompatible modes at the integration points.
+struct BarePoints {
+  Strain24 strain[8];
+  Inner9 inner[8];
+  double weight[8];
+};
+
+BarePoints barePoints(const Corners& corners) {
+  const Eigen::Matrix3d centre = jacobian(corners, referenceGradients(0, 0, 0));
+  const Eigen::Matrix3d centreInverse = centre.inverse();
+  const double centreDeterminant = centre.determinant(), gauss = 1 / std::sqrt(3.0);
+  BarePoints points;
+  for (int p = 0; p < 8; ++p) {
+    const Eigen::Vector3d at(gauss * cornerXi[p], gauss * cornerEta[p], gauss * cornerZeta[p]);
+    double& determinant = points.weight[p];
+    const auto gradients = shapeGradients(corners, at[0], at[1], at[2], determinant);
+    if (!(determinant > 0)) throw std::invalid_argument("hexahedron with a Jacobian that is not positive");
+    points.strain[p] = strainOperator<8>(gradients);
+    // Modes 1 - xi^2, 1 - eta^2, 1 - zeta^2 with the Jacobian of the centre: their strains integrate to zero.
+    const Eigen::Matrix3d bubble = (centreDeterminant / determinant) * centreInverse * (-2 * at).asDiagonal();
+    points.inner[p] = strainOperator<3>(bubble);
+  }
+  return points;
+}
+
+struct InnerMatrices {
+  Eigen::Matrix<double, 9, 9> inner = Eigen::Matrix<double, 9, 9>::Zero();
+  Eigen::Matrix<double, 24, 9> coupling = Eigen::Matrix<double, 24, 9>::Zero();
+};
+
+InnerMatrices innerMatrices(const BarePoints& points, const Matrix6& d) {
+  InnerMatrices sums;
+  for (int p = 0; p < 8; ++p) {
+    const Eigen::Matrix<double, 6, 9> stress = d * points.inner[p] * points.weight[p];
+    sums.coupling += points.strain[p].transpose() * stress;
+    sums.inner += points.inner[p].transpose() * stress;
+  }
+  return sums;
+}
+
 }  // namespace
 
 Matrix6 elasticityMatrix(const cases::Material& material) {
@@ -63,28 +103,28 @@ Eigen::Matrix<double, 3, 8> shapeGradients(const Corners& corners, double xi, do
 
 Matrix24 hexahedronStiffness(const Corners& corners, const cases::Material& material) {
   const Matrix6 d = elasticityMatrix(material);
-  const Eigen::Matrix3d centre = jacobian(corners, referenceGradients(0, 0, 0));
-  const Eigen::Matrix3d centreInverse = centre.inverse();
-  const double centreDeterminant = centre.determinant();
+  const BarePoints bare = barePoints(corners);
   Matrix24 k = Matrix24::Zero();
-  Eigen::Matrix<double, 24, 9> coupling = Eigen::Matrix<double, 24, 9>::Zero();
-  Eigen::Matrix<double, 9, 9> inner = Eigen::Matrix<double, 9, 9>::Zero();
-  const double gauss = 1 / std::sqrt(3.0);
-  for (int p = 0; p < 8; ++p) {
-    const Eigen::Vector3d at(gauss * cornerXi[p], gauss * cornerEta[p], gauss * cornerZeta[p]);
-    double determinant = 0;
-    const auto gradients = shapeGradients(corners, at[0], at[1], at[2], determinant);
-    if (!(determinant > 0)) throw std::invalid_argument("hexahedron with a Jacobian that is not positive");
-    const auto b = strainOperator<8>(gradients);
-    // Modes 1 - xi^2, 1 - eta^2, 1 - zeta^2 with the Jacobian of the centre: their strains integrate to zero.
-    const Eigen::Matrix3d bubble = (centreDeterminant / determinant) * centreInverse * (-2 * at).asDiagonal();
-    const auto bi = strainOperator<3>(bubble);
-    k += b.transpose() * d * b * determinant;
-    coupling += b.transpose() * d * bi * determinant;
-    inner += bi.transpose() * d * bi * determinant;
-  }
+  for (int p = 0; p < 8; ++p) k += bare.strain[p].transpose() * d * bare.strain[p] * bare.weight[p];
+  const auto [inner, coupling] = innerMatrices(bare, d);
   k -= coupling * inner.ldlt().solve(coupling.transpose());
   return 0.5 * (k + k.transpose());
+}
+
+HexahedronPoints hexahedronPoints(const Corners& corners, const cases::Material& material) {
+  const Matrix6 d = elasticityMatrix(material);
+  const BarePoints bare = barePoints(corners);
+  const auto [inner, coupling] = innerMatrices(bare, d);
+  const auto factor = inner.ldlt();
+  const Eigen::Matrix<double, 9, 24> condensed = factor.solve(coupling.transpose());
+  HexahedronPoints points;
+  for (int p = 0; p < 8; ++p) {
+    points.strain[p] = bare.strain[p] - bare.inner[p] * condensed;
+    points.inner[p] = bare.inner[p];
+    points.amplitude[p] = factor.solve(bare.inner[p].transpose()) * bare.weight[p];
+    points.weight[p] = bare.weight[p];
+  }
+  return points;
 }
 
 std::array<double, 8> hexahedronMass(const Corners& corners, double density) {

@@ -23,6 +23,21 @@ Matrix6 elasticityMatrix(const cases::Material& material);
 // point.
 Matrix24 hexahedronStiffness(const Corners& corners, const cases::Material& material);
 
+// The same element point by point, for laws that act on the strain at the 2x2x2 integration points. With the modes
+// condensed, the strain at point p is
+//   strain[p] u + inner[p] sum_q amplitude[q] sigma_q
+// for corner displacements u and initial stresses sigma_q = D eps_q; the sum is what eps_q adds to the amplitudes of
+// the incompatible modes, alpha = -Kaa^-1 (Kau u - f_a). eps_q then pushes the corners with sum_q weight[q] strain[q]^T
+// sigma_q, and hexahedronStiffness() is sum_q weight[q] strain[q]^T D strain[q] with the strains of u alone.
+using Inner9 = Eigen::Matrix<double, 6, 9>;
+struct HexahedronPoints {
+  std::array<Strain24, 8> strain;
+  std::array<Inner9, 8> inner;
+  std::array<Eigen::Matrix<double, 9, 6>, 8> amplitude;
+  std::array<double, 8> weight;  // [m3]
+};
+HexahedronPoints hexahedronPoints(const Corners& corners, const cases::Material& material);
+
 // Mass of each corner, row sums of the consistent matrix [kg].
 std::array<double, 8> hexahedronMass(const Corners& corners, double density);
 

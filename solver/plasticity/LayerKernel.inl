@@ -1,0 +1,236 @@
+// Body of the kernels; included once per instruction set with LANES (doubles a vector) set.
+//
+// Return (J. C. Simo, T. J. R. Hughes, Computational Inelasticity, 1998, box 3.2), strains in place of stresses (over
+// 2 mu): eta = dev eps - (1 + kinematicShare) eps_p, yield where |eta| > r(p), then
+//   dgamma = (|eta| - r) / (1 + share),  eps_p += dgamma eta / |eta|,  p += sqrt(2/3) dgamma.
+// The incompatible modes give way to the plastic strain: their amplitudes a solve a = sum_q amplitude_q eps_p,q(a).
+// That is the gradient of a convex energy whose curvature, measured by the elastic one, lies between share / (1 +
+// share) and 1: Chebyshev's iteration between these bounds (G. H. Golub, C. F. Van Loan, 10.1.5) converges in few steps
+// from the amplitudes of the step before.
+#include <cmath>
+
+#include "plasticity/LayerKernel.h"
+
+namespace squat::plasticity {
+namespace {
+
+using Vector = double __attribute__((vector_size(LANES * sizeof(double)), may_alias));
+using Loose = double __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
+
+constexpr int groupLanes = 8, stateRows = 6;
+constexpr double tolerance = 1e-5;   // of the yield radius, what is left of the amplitudes' change in strain
+constexpr int mostIterations = 40;   // reached only without hardening
+constexpr double leastShare = 0.02;  // bound of the curvature without hardening
+
+inline Vector loadLoose(const double* p) { return *reinterpret_cast<const Loose*>(p); }
+inline Vector load(const double* p) { return *reinterpret_cast<const Vector*>(p); }
+inline void store(double* p, Vector v) { *reinterpret_cast<Vector*>(p) = v; }
+inline Vector splat(double value) { return value - Vector{}; }
+inline Vector root(Vector v) {
+  for (int i = 0; i < LANES; ++i) v[i] = std::sqrt(v[i]);
+  return v;
+}
+inline Vector positive(Vector v) { return v > 0 ? v : Vector{}; }
+inline bool anyPositive(Vector v) {
+  for (int i = 0; i < LANES; ++i)
+    if (v[i] > 0) return true;
+  return false;
+}
+inline double largest(Vector v) {
+  double most = 0;
+  for (int i = 0; i < LANES; ++i) most = std::max(most, v[i]);
+  return most;
+}
+
+// Coefficient i of the lanes at `at`: shared by all, or of each lane its own.
+template <bool Own>
+inline Vector coefficientAt(const LayerCall& call, int i, int at) {
+  if constexpr (Own)
+    return load(call.coefficients + static_cast<std::size_t>(i) * groupLanes + at);
+  else
+    return splat(call.coefficients[i]);
+}
+
+inline Vector squaredNorm(const Vector (&e)[5]) {
+  const Vector zz = e[0] + e[1];
+  return e[0] * e[0] + e[1] * e[1] + zz * zz + 0.5 * (e[2] * e[2] + e[3] * e[3] + e[4] * e[4]);
+}
+
+// Weights of a traceless strain in the work of 2 mu eps with a deviatoric strain in the same rows.
+inline void workRows(const Vector (&e)[5], Vector (&m)[5]) {
+  m[0] = 2 * e[0] + e[1], m[1] = e[0] + 2 * e[1];
+  for (int r = 2; r < 5; ++r) m[r] = 0.5 * e[r];
+}
+
+struct Point {
+  Vector strain[5];  // of the corners' displacements
+  Vector base[5];    // plastic strain before the step
+  Vector flow[5];    // and now
+  Vector before, equivalent;
+};
+
+template <bool Own>
+inline void addAmplitudes(const LayerCall& call, int at, const Point* points, Vector (&a)[9]) {
+  for (auto& value : a) value = Vector{};
+  for (int p = 0; p < 8; ++p) {
+    Vector m[5];
+    workRows(points[p].flow, m);
+    const int first = coefficient::amplitude + p * 45;
+    for (int r = 0; r < 5; ++r)
+#pragma GCC unroll 9
+      for (int i = 0; i < 9; ++i) a[i] += coefficientAt<Own>(call, first + 9 * r + i, at) * m[r];
+  }
+}
+
+template <bool Own>
+inline void totalStrain(const LayerCall& call, int at, int p, const Point& point, const Vector (&a)[9],
+                        Vector (&strain)[5]) {
+  for (int r = 0; r < 5; ++r) strain[r] = point.strain[r];
+  const int first = coefficient::inner + p * 45;
+  for (int i = 0; i < 9; ++i)
+#pragma GCC unroll 5
+    for (int r = 0; r < 5; ++r) strain[r] += coefficientAt<Own>(call, first + 5 * i + r, at) * a[i];
+}
+
+// How far the trial lies beyond the yield surface, squared norms.
+inline Vector beyond(const LayerCall& call, const Point& point, const Vector (&strain)[5]) {
+  Vector eta[5];
+  for (int r = 0; r < 5; ++r) eta[r] = strain[r] - (1 + call.kinematicShare) * point.base[r];
+  const Vector radius = call.radius + call.growth * point.before;
+  return squaredNorm(eta) - radius * radius;
+}
+
+inline void returnPoint(const LayerCall& call, const Vector (&strain)[5], Point& point) {
+  Vector eta[5];
+  for (int r = 0; r < 5; ++r) eta[r] = strain[r] - (1 + call.kinematicShare) * point.base[r];
+  const Vector size = root(squaredNorm(eta)), radius = call.radius + call.growth * point.before;
+  const double give = 1 / (1 + call.kinematicShare + call.isotropicShare);
+  const Vector amount = positive(size - radius) * give;
+  const Vector along = amount / (size + 1e-300);
+  for (int r = 0; r < 5; ++r) point.flow[r] = point.base[r] + along * eta[r];
+  point.equivalent = point.before + std::sqrt(2.0 / 3) * amount;
+}
+
+template <bool Own>
+inline void returnAll(const LayerCall& call, int at, Point* points, const Vector (&a)[9]) {
+  for (int p = 0; p < 8; ++p) {
+    Vector strain[5];
+    totalStrain<Own>(call, at, p, points[p], a, strain);
+    returnPoint(call, strain, points[p]);
+  }
+}
+
+template <bool Own>
+void settle(const LayerCall& call, int at, Point* points, Vector (&a)[9]) {
+  const double share = call.kinematicShare + call.isotropicShare;
+  const double low = std::max(share / (1 + share), leastShare);
+  const double middle = 0.5 * (1 + low), half = 0.5 * (1 - low), sigma = middle / half;
+  double rho = 1 / sigma;
+  const Vector steepest = coefficientAt<Own>(call, coefficient::steepest, at);
+  Vector step[9] = {};
+  for (int k = 0; k < mostIterations; ++k) {
+    returnAll<Own>(call, at, points, a);
+    Vector wanted[9], most{};
+    addAmplitudes<Own>(call, at, points, wanted);
+    for (int i = 0; i < 9; ++i) {
+      wanted[i] -= a[i];
+      const Vector size = wanted[i] > 0 ? wanted[i] : -wanted[i];
+      most = size > most ? size : most;
+    }
+    if (largest(most * steepest) < tolerance * call.radius) return;
+    const double next = k == 0 ? rho : 1 / (2 * sigma - rho);
+    for (int i = 0; i < 9; ++i) {
+      step[i] = k == 0 ? wanted[i] / middle : next * rho * step[i] + (2 * next / half) * wanted[i];
+      a[i] += step[i];
+    }
+    rho = next;
+  }
+  returnAll<Own>(call, at, points, a);
+}
+
+template <bool Own>
+void gatherStrain(const LayerCall& call, int at, Point* points) {
+  Vector u[24];
+  for (int i = 0; i < 4; ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double* line = call.corner[i] + c * call.stride + at;
+      u[3 * i + c] = load(line), u[12 + 3 * i + c] = loadLoose(line + 1);
+    }
+  for (int p = 0; p < 8; ++p) {
+    Vector e[5] = {};
+    const int first = coefficient::strain + p * 120;
+#pragma GCC unroll 24
+    for (int j = 0; j < 24; ++j)
+#pragma GCC unroll 5
+      for (int r = 0; r < 5; ++r) e[r] += coefficientAt<Own>(call, first + 5 * j + r, at) * u[j];
+    for (int r = 0; r < 5; ++r) points[p].strain[r] = e[r];
+  }
+}
+
+inline void loadState(const LayerCall& call, int at, Point* points) {
+  for (int p = 0; p < 8; ++p) {
+    const double* state = call.state + p * stateRows * groupLanes + at;
+    for (int r = 0; r < 5; ++r) points[p].base[r] = points[p].flow[r] = load(state + r * groupLanes);
+    points[p].before = points[p].equivalent = load(state + 5 * groupLanes);
+  }
+}
+
+template <bool Own>
+[[gnu::noinline]] void forceOf(const LayerCall& call, int at) {
+  Point points[8];
+  loadState(call, at, points);
+  Vector force[24] = {};
+  for (int p = 0; p < 8; ++p) {
+    Vector m[5];
+    workRows(points[p].base, m);
+    const Vector weight = coefficientAt<Own>(call, coefficient::weight + p, at);
+    for (int r = 0; r < 5; ++r) m[r] = m[r] * weight;
+    const int first = coefficient::strain + p * 120;
+    for (int j = 0; j < 24; ++j)
+#pragma GCC unroll 5
+      for (int r = 0; r < 5; ++r) force[j] += coefficientAt<Own>(call, first + 5 * j + r, at) * m[r];
+  }
+  for (int j = 0; j < 24; ++j) store(call.force + j * groupLanes + at, force[j]);
+}
+
+template <bool Own>
+bool returnLanes(const LayerCall& call, int at) {
+  Point points[8];
+  gatherStrain<Own>(call, at, points);
+  loadState(call, at, points);
+  Vector a[9] = {};
+  if (call.flowed) addAmplitudes<Own>(call, at, points, a);
+  bool yields = false;
+  for (int p = 0; p < 8 && !yields; ++p) {
+    Vector strain[5];
+    if (call.flowed) {
+      totalStrain<Own>(call, at, p, points[p], a, strain);
+      yields = anyPositive(beyond(call, points[p], strain));
+    } else {
+      yields = anyPositive(beyond(call, points[p], points[p].strain));
+    }
+  }
+  if (!yields) return false;
+  settle<Own>(call, at, points, a);
+  for (int p = 0; p < 8; ++p) {
+    double* state = call.state + p * stateRows * groupLanes + at;
+    for (int r = 0; r < 5; ++r) store(state + r * groupLanes, points[p].flow[r]);
+    store(state + 5 * groupLanes, points[p].equivalent);
+  }
+  forceOf<Own>(call, at);
+  return true;
+}
+
+bool returnToYield(const LayerCall& call) {
+  bool changed = false;
+  for (int at = 0; at < groupLanes; at += LANES)
+    changed = (call.own ? returnLanes<true>(call, at) : returnLanes<false>(call, at)) || changed;
+  return changed;
+}
+
+void plasticForce(const LayerCall& call) {
+  for (int at = 0; at < groupLanes; at += LANES) call.own ? forceOf<true>(call, at) : forceOf<false>(call, at);
+}
+
+}  // namespace
+}  // namespace squat::plasticity
