@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "commands/Command.h"
@@ -24,8 +25,14 @@ struct AnalyseOptions {
   SignalOptions signal;
   laboratory::AnalysisOptions analysis;
   FigureChoice figures;
-  bool noAlignment = false, json = false;
+  bool noAlignment = false, json = false, amplitude = false;
 };
+
+void printSpectrum(const char* name, const signals::PowerSpectrum& spectrum) {
+  std::printf("  density of the %s: integral %s, mean square %s (%s)2; %s\n", name, number(spectrum.integral).c_str(),
+              number(spectrum.meanSquare).c_str(), spectrum.unit.empty() ? "unit" : spectrum.unit.c_str(),
+              spectrum.window.c_str());
+}
 
 void printTable(const laboratory::Analysis& analysis) {
   std::vector<std::string> head{"feature"};
@@ -38,22 +45,27 @@ void printTable(const laboratory::Analysis& analysis) {
   TextTable table(head);
   for (std::size_t row = 0; row < columns.front().size(); ++row) {
     std::vector<std::string> cells{columns.front()[row].first};
-    for (const auto& column : columns) cells.push_back(number(column[row].second));
+    for (const auto& column : columns)
+      cells.push_back(std::isnan(column[row].second) ? "-" : number(column[row].second));
     table.add(cells);
   }
   for (const auto& signal : analysis.signals) {
-    std::printf("%s, %s: integral of the density %s, mean square %s %s (%s)\n", signal.file.c_str(), signal.run.c_str(),
-                number(signal.spectrum.integral).c_str(), number(signal.spectrum.meanSquare).c_str(),
-                ("(" + signal.spectrum.unit + ")2").c_str(), signal.spectrum.window.c_str());
+    std::printf("%s, %s\n", signal.file.c_str(), signal.run.c_str());
+    printSpectrum("whole record", signal.spectrum);
+    printSpectrum("record around the impact", signal.features.spectrum);
     for (const auto& note : signal.notes) std::printf("  note: %s\n", note.c_str());
   }
   std::printf("\n%s", table.text().c_str());
-  if (analysis.dispersion)
-    std::printf("\n%zu runs aligned: first peak %s, scatter %s of its mean; wavelength %s, scatter %s\n",
-                analysis.signals.size(), number(analysis.dispersion->firstPeak.mean).c_str(),
-                number(100 * analysis.dispersion->firstPeak.range, "%").c_str(),
-                number(1e3 * analysis.dispersion->wavelength.mean, "mm").c_str(),
-                number(100 * analysis.dispersion->wavelength.range, "%").c_str());
+  if (analysis.dispersion) {
+    const auto& [peak, wave] = *analysis.dispersion;
+    std::printf("\n%zu runs aligned: first peak %s, scatter %s of its mean", analysis.signals.size(),
+                number(peak.mean, analysis.signals.front().features.unit).c_str(),
+                number(100 * peak.range, "%").c_str());
+    if (!std::isnan(wave.mean))
+      std::printf("; wavelength %s, scatter %s", number(1e3 * wave.mean, "mm").c_str(),
+                  number(100 * wave.range, "%").c_str());
+    std::printf("\n");
+  }
   for (const auto& note : analysis.notes) std::printf("note: %s\n", note.c_str());
 }
 
@@ -61,6 +73,7 @@ int analyse(const AnalyseOptions& given) {
   auto options = given.analysis;
   options.file = fileOptions(given.signal);
   options.align = !given.noAlignment;
+  if (given.amplitude) options.wavelet.normalisation = signals::WaveletNormalisation::amplitude;
   laboratory::setWindow(options.spectrum, given.window);
   laboratory::setDetrend(options.spectrum, given.detrend);
   for (const auto& band : given.bands) options.features.bands.push_back(laboratory::bandFromText(band));
@@ -112,6 +125,27 @@ void addAnalyseCommand(CLI::App& program, Action& action) {
   command->add_option("--overlap", analysis.spectrum.overlap, "Share of a segment (default: 0.5)")
       ->check(CLI::Range(0.0, 0.99))
       ->type_name("SHARE");
+  command
+      ->add_option("--stft-segment", analysis.stft.segment,
+                   "Samples under the window of the short-time transform (default: 10 ms)")
+      ->check(CLI::Range(2, 1 << 24))
+      ->type_name("N");
+  command
+      ->add_option("--stft-hop", analysis.stft.hop,
+                   "Samples from one window to the next (default: 2000 columns at most)")
+      ->check(CLI::Range(1, 1 << 24))
+      ->type_name("N");
+  command->add_option("--voices", analysis.wavelet.voicesPerOctave, "Voices per octave of the scalogram (default: 16)")
+      ->check(CLI::Range(1.0, 200.0))
+      ->type_name("N");
+  command->add_option("--lowest", analysis.wavelet.lowest, "Lowest frequency of the scalogram (default: 50)")
+      ->check(CLI::Range(1e-3, 1e7))
+      ->type_name("HZ");
+  command->add_option("--highest", analysis.wavelet.highest, "Highest frequency of the scalogram (default: 2500)")
+      ->check(CLI::Range(1e-3, 1e7))
+      ->type_name("HZ");
+  command->add_flag("--amplitude", options->amplitude,
+                    "Scalogram of amplitudes: a tone of amplitude 1 gives 1 (default: equation 1 of the paper)");
   command->add_flag("--no-alignment", options->noAlignment, "Takes repeated runs as they are");
   addFigureOptions(*command, options->figures);
   command->add_flag("--json", options->json, "Prints the features as JSON");

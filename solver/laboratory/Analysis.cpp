@@ -54,6 +54,31 @@ signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::Wavel
   return signals::scalogram(series, options);
 }
 
+// What nobody asked for by name and the sampling rate cannot show is left out, and said.
+void noteUnseenBands(double rate, const signals::FeatureOptions& options, std::vector<std::string>& notes) {
+  std::string names;
+  const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
+  for (const auto& band : options.bands)
+    if (!band.required && !signals::shows(rate, band)) add(band.name);
+  const auto& waves = options.waveBand;
+  if (!waves.required && !signals::shows(rate, waves))
+    add("the wavelength (" + hertz(waves.low) + " to " + hertz(waves.high) + ")");
+  if (!names.empty()) notes.push_back("left out, because the sampling rate is " + hertz(rate) + ": " + names);
+}
+
+// A window weighs the samples of a record that is not stationary differently; then the density's integral is another
+// mean square than the record's.
+void noteUnevenWindow(const signals::PowerSpectrum& spectrum, std::vector<std::string>& notes) {
+  const double ratio = spectrum.meanSquare > 0 ? spectrum.integral / spectrum.meanSquare : 1.0;
+  if (std::abs(ratio - 1) <= 0.02) return;
+  std::ostringstream text;
+  text.precision(3);
+  text << "the integral of the density is " << ratio
+       << " of the mean square: the window weighs the middle of each segment more, and the record is not stationary; "
+          "a boxcar window gives 1";
+  notes.push_back(text.str());
+}
+
 // The message of a signal with its place in a file.
 FileError inFile(const measured::MeasuredSignal& signal, const signals::SignalError& error) {
   std::string place = signal.run;
@@ -102,6 +127,7 @@ SignalAnalysis analyseSignal(const measured::MeasuredSignal& signal, const Analy
   if (!signal.run.empty()) result.filtered.name = signal.run;
 
   signals::FeatureOptions features = options.features;
+  noteUnseenBands(signal.series.rate(), features, result.notes);
   if (!features.impactTime) features.impactTime = result.filtered.timeAt(largestSample(result.filtered.values));
   features.speed = signals::speedAt(result.passage, *features.impactTime);
   result.features = signals::features(result.filtered, features);
@@ -109,7 +135,9 @@ SignalAnalysis analyseSignal(const measured::MeasuredSignal& signal, const Analy
   signals::PowerSpectrumOptions spectrum = options.spectrum;
   if (spectrum.segment == 0 && result.filtered.values.size() > longestPeriodogram) spectrum.segment = usualSegment;
   result.spectrum = signals::powerSpectrum(result.filtered, spectrum);
+  noteUnevenWindow(result.spectrum, result.notes);
   result.stft = stftOf(result.filtered, options.stft, result.notes);
+  result.scalogramByAmplitude = options.wavelet.normalisation == signals::WaveletNormalisation::amplitude;
   result.scalogram = scalogramOf(result.filtered, options.wavelet, result.notes);
 
   std::vector<double> times(result.passage.position.size());

@@ -36,6 +36,7 @@ struct SignalAnalysis {
   signals::PowerSpectrum spectrum;    // of the whole record
   std::optional<signals::Stft> stft;  // none where the record is shorter than the window found by itself
   signals::Scalogram scalogram;
+  bool scalogramByAmplitude = false;      // normalised so that a tone of amplitude 1 gives 1
   std::vector<double> scalogramPosition;  // [m] at the columns, zero at the impact
 };
 

@@ -18,6 +18,10 @@ Json jsonOf(const signals::Dispersion& dispersion) {
           {"range_by_mean", dispersion.range}};
 }
 
+Json jsonOf(const signals::PowerSpectrum& spectrum) {
+  return {{"window", spectrum.window}, {"integral", spectrum.integral}, {"mean_square", spectrum.meanSquare}};
+}
+
 Json jsonOf(const SignalAnalysis& signal) {
   const auto& f = signal.features;
   Json features, bands = Json::array(), peaks = Json::array();
@@ -42,10 +46,8 @@ Json jsonOf(const SignalAnalysis& signal) {
           {"features", features},
           {"bands", bands},
           {"peaks", peaks},
-          {"spectrum",
-           {{"window", signal.spectrum.window},
-            {"integral", signal.spectrum.integral},
-            {"mean_square", signal.spectrum.meanSquare}}},
+          {"spectrum", jsonOf(signal.spectrum)},
+          {"spectrum_around_impact", jsonOf(f.spectrum)},
           {"notes", signal.notes}};
 }
 

@@ -191,7 +191,9 @@ RunDispersion runDispersion(const AlignedRuns& runs, double peakSpan, double wav
     const double perSecond = runs.inPosition ? 1.0 / speed : 1.0;
     TimeSeries series{runs.axis.front() * perSecond, (runs.axis[1] - runs.axis[0]) * perSecond, runs.values[r],
                       runs.names[r], ""};
-    wavelengths.push_back(wavelengthByCrossings(series, 0, waveSpan / speed, speed, waveBand));
+    wavelengths.push_back(shows(series.rate(), waveBand)
+                              ? wavelengthByCrossings(series, 0, waveSpan / speed, speed, waveBand)
+                              : std::nan(""));
   }
   return {dispersionOf(peaks), dispersionOf(wavelengths)};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "signals/FourierTransform.h"
@@ -27,7 +28,7 @@ void requireOptions(const TimeSeries& series, const FeatureOptions& options) {
     if (!text.str().empty()) break;
     if (!(band.low > 0 && band.high > band.low))
       text << "the band " << band.low << " to " << band.high << " Hz is not a rising pair of positive frequencies";
-    else if (band.high >= series.rate() / 2)
+    else if (band.required && !shows(series.rate(), band))
       text << "the band " << band.low << " to " << band.high << " Hz needs a sampling rate above " << 2 * band.high
            << " Hz; signal '" << series.name << "' has " << series.rate() << " Hz";
   }
@@ -43,8 +44,10 @@ std::size_t largestSample(const std::vector<double>& values) {
 }  // namespace
 
 std::vector<Band> squatBands() {
-  return {{"130-320 Hz", 130, 320}, {"200-400 Hz", 200, 400}, {"1000-1200 Hz", 1000, 1200}};
+  return {{"130-320 Hz", 130, 320, false}, {"200-400 Hz", 200, 400, false}, {"1000-1200 Hz", 1000, 1200, false}};
 }
+
+bool shows(double rate, const Band& band) { return band.high < rate / 2; }
 
 std::vector<double> movingRms(const std::vector<double>& values, std::size_t n) {
   const std::size_t size = values.size();
@@ -91,11 +94,16 @@ Features features(const TimeSeries& series, const FeatureOptions& options) {
 
   const double impact = result.impactTime, speed = options.speed;
   result.spectrum = localSpectrum(series, impact - options.before / speed, impact + options.after / speed);
-  result.wavelengthByCrossings =
-      wavelengthByCrossings(series, impact, impact + options.waveSpan / speed, speed, options.waveBand);
-  result.wavelengthByRidge =
-      wavelengthByRidge(series, impact, impact + options.waveSpan / speed, speed, options.waveBand);
+  constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
+  const bool waves = shows(series.rate(), options.waveBand);
+  const double until = impact + options.waveSpan / speed;
+  result.wavelengthByCrossings = waves ? wavelengthByCrossings(series, impact, until, speed, options.waveBand) : unseen;
+  result.wavelengthByRidge = waves ? wavelengthByRidge(series, impact, until, speed, options.waveBand) : unseen;
   for (const Band& band : options.bands) {
+    if (!shows(series.rate(), band)) {
+      result.bands.push_back({band, unseen, unseen, unseen});
+      continue;
+    }
     const double power = bandPower(result.spectrum, band.low, band.high);
     result.bands.push_back(
         {band, power, power / result.spectrum.integral, freeVibration(series, impact, band, options.decayLevel)});
@@ -105,7 +113,8 @@ Features features(const TimeSeries& series, const FeatureOptions& options) {
 }
 
 std::vector<std::pair<std::string, double>> featureRow(const Features& f, std::size_t peakCount) {
-  const std::string unit = " [" + f.unit + "]", square = " [(" + f.unit + ")2]";
+  const std::string name = f.unit.empty() ? "unit" : f.unit;
+  const std::string unit = " [" + name + "]", square = " [(" + name + ")2]";
   std::vector<std::pair<std::string, double>> row{{"speed [m/s]", f.speed},
                                                   {"impact time [s]", f.impactTime},
                                                   {"peak" + unit, f.peak},
@@ -120,10 +129,10 @@ std::vector<std::pair<std::string, double>> featureRow(const Features& f, std::s
   for (const auto& band : f.bands) row.emplace_back("free vibration " + band.band.name + " [s]", band.freeVibration);
   for (std::size_t i = 0; i < peakCount; ++i) {
     const SpectralPeak peak = i < f.peaks.size() ? f.peaks[i] : SpectralPeak{};
-    const std::string name = "peak " + std::to_string(i + 1);
-    row.emplace_back(name + " frequency [Hz]", peak.frequency);
-    row.emplace_back(name + " width [Hz]", peak.width);
-    row.emplace_back(name + " prominence [(" + f.unit + ")2/Hz]", peak.prominence);
+    const std::string which = "peak " + std::to_string(i + 1);
+    row.emplace_back(which + " frequency [Hz]", peak.frequency);
+    row.emplace_back(which + " width [Hz]", peak.width);
+    row.emplace_back(which + " prominence [(" + name + ")2/Hz]", peak.prominence);
   }
   row.emplace_back("spectrum integral" + square, f.spectrum.integral);
   row.emplace_back("spectrum mean square" + square, f.spectrum.meanSquare);

@@ -42,6 +42,7 @@ Stft shortTimeTransform(const TimeSeries& series, const StftOptions& options) {
           (unpaired ? 1.0 : 2.0) * std::norm(bins[row]) / (series.rate() * squares);
     }
   }
+  result.segment = options.segment;
   result.window =
       toText(options.window) + ", " + std::to_string(options.segment) + " samples, hop " + std::to_string(options.hop);
   return result;

@@ -26,6 +26,7 @@ struct Stft {
   std::vector<std::complex<double>> coefficients;  // row by row, one row a frequency
   std::vector<double> density;  // the same layout: one-sided power density [unit^2/Hz] of each window
   std::string window;           // in words
+  std::size_t segment = 0;      // samples under the window
 
   std::size_t place(std::size_t row, std::size_t column) const { return row * time.size() + column; }
 };

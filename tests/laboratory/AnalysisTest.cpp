@@ -63,7 +63,7 @@ TEST(Analysis, repeatedRunsAreAligned) {
   EXPECT_EQ(Folder().files(), 0u);
 }
 
-TEST(Analysis, slowRatesAreNotedAndBandsRefused) {
+TEST(Analysis, slowRatesAreNotedAndAskedBandsRefused) {
   const Folder folder;
   std::ostringstream text;
   text << "t,aba\n";
@@ -73,17 +73,28 @@ TEST(Analysis, slowRatesAreNotedAndBandsRefused) {
   AnalysisOptions options;
   options.file.speed = 30;
   Monitor monitor;
+  // What nobody asked for is left out and told.
+  const auto usual = analyse({file}, options, monitor);
+  EXPECT_THAT(
+      usual.signals[0].notes,
+      ::testing::Contains(HasSubstr("sampling rate is 1000 Hz: 1000-1200 Hz, the wavelength (600 Hz to 2000 Hz)")));
+  const auto csv = featureCsv(usual);
+  EXPECT_THAT(csv, HasSubstr(",,"));
+  EXPECT_EQ(csv.find("nan"), std::string::npos);
+  options.features.bands.push_back({"own", 700, 900});
   try {
     analyse({file}, options, monitor);
-    FAIL() << "bands above half the rate were accepted";
+    FAIL() << "a band above half the rate was accepted";
   } catch (const FileError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("needs a sampling rate above 2400 Hz"));
+    EXPECT_THAT(error.what(), HasSubstr("the band 700 to 900 Hz needs a sampling rate above 1800 Hz"));
   }
   options.features.bands = {{"low", 20, 200}};
   options.features.waveBand = {"wave", 100, 400};
   options.wavelet.lowest = 10;
   const auto analysis = analyse({file}, options, monitor);
-  EXPECT_EQ(analysis.signals[0].notes.size(), 2u);  // no low-pass, scalogram to 500 Hz
+  // no low-pass, scalogram to 500 Hz, and the uneven window
+  EXPECT_THAT(analysis.signals[0].notes, ::testing::ElementsAre(HasSubstr("not low-passed"), HasSubstr("window weighs"),
+                                                                HasSubstr("ends at 500 Hz")));
   EXPECT_LE(analysis.signals[0].scalogram.frequency.back(), 500);
 }
 

@@ -98,6 +98,27 @@ TEST(Features, rowHasNamesAndNumbers) {
   for (const auto& [name, value] : row) EXPECT_TRUE(std::isfinite(value)) << name;
 }
 
+// Bands that nobody asked for by name are left out of a slow record, with their places in the row kept.
+TEST(Features, bandsAboveHalfTheRateAreNotANumber) {
+  const auto series =
+      sampled(2000, 1000, [](double t) { return t < 1 ? 0.0 : std::exp(-20 * (t - 1)) * std::sin(2 * pi * 200 * t); });
+  const auto all = features(series);
+  ASSERT_EQ(all.bands.size(), 3u);
+  EXPECT_GT(all.bands[0].power, 0);
+  EXPECT_TRUE(std::isnan(all.bands[2].power) && std::isnan(all.bands[2].freeVibration));
+  EXPECT_TRUE(std::isnan(all.wavelengthByRidge) && std::isnan(all.wavelengthByCrossings));
+  EXPECT_EQ(featureRow(all).size(),
+            featureRow(features(sampled(3000, rate, [](double t) { return std::sin(2 * pi * 300 * t); }))).size());
+}
+
+TEST(Features, aSignalWithoutUnitSaysUnit) {
+  auto series = sampled(3000, rate, [](double t) { return std::sin(2 * pi * 300 * t); });
+  series.unit.clear();
+  const auto row = featureRow(features(series), 1);
+  EXPECT_EQ(row[2].first, "peak [unit]");
+  EXPECT_EQ(row[10].first, "power 130-320 Hz [(unit)2]");
+}
+
 TEST(Features, refusesBadInput) {
   const auto series = sampled(3000, rate, [](double t) { return std::sin(2 * pi * 300 * t); });
   FeatureOptions options;
