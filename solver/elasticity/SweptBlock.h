@@ -24,6 +24,7 @@
 #include "case/CaseDescription.h"
 #include "elasticity/Hexahedron.h"
 #include "elasticity/SectionOrder.h"
+#include "elasticity/SweptKernel.h"
 #include "geometry/SectionMesh.h"
 #include "geometry/Stations.h"
 
@@ -45,7 +46,7 @@ struct StateLine {
 };
 
 struct SweptBlock {
-  static constexpr int chunk = 32;  // stations
+  static constexpr int chunk = stationChunk;
   std::string name;
   SweepKind kind = SweepKind::alongX;
   geometry::SectionMesh section;

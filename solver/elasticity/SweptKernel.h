@@ -1,4 +1,7 @@
 // solver/elasticity/SweptKernel.h - the inner loop of the whole program, once for each instruction set.
+//
+// The kernels' sources may include nothing but this header and what it includes: inline functions of other headers
+// would be compiled for their instruction set, and the linker might choose those for the whole program.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +10,8 @@
 
 namespace squat::elasticity {
 
-constexpr int rowBundle = 8;  // rows that share their coefficients in the first-level cache
+constexpr int stationChunk = 32;  // stations that state vectors keep together (SweptBlock.h)
+constexpr int rowBundle = 8;      // rows that share their coefficients in the first-level cache
 
 // One run's stretch of intervals [first, first + count), count a multiple of 8. Memory as told in
 // SweptBlock.h; pointers are to the first value of the block.

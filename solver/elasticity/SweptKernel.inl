@@ -3,7 +3,6 @@
 // depend on how stations are grouped.
 #include <chrono>
 
-#include "elasticity/SweptBlock.h"
 #include "elasticity/SweptKernel.h"
 
 namespace squat::elasticity {
@@ -39,7 +38,7 @@ inline Vector advanced(Vector now, Vector after) {
 #endif
 }
 
-constexpr int chunk = SweptBlock::chunk;
+constexpr int chunk = stationChunk;
 
 // The stations that are worked on at a time: within one chunk, `parts` parts of V vectors. Rows go in bundles: within a
 // bundle the coefficients of its rows stay in the first-level cache while all parts pass.

@@ -38,6 +38,11 @@ std::vector<std::pair<std::size_t, double>> hubTurn(const Model& model) {
 StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                                double rotation, double spinStiffness, bool holdSprungMassAlong)
     : model_(model), kernels_(kernels), team_(team), free_(findFree(model, holdSprungMassAlong)) {
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    if (free_[i]) continue;
+    if (notFree_.empty() || notFree_.back()[1] != i) notFree_.push_back({i, i});
+    ++notFree_.back()[1];
+  }
   std::vector<int> all;
   for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) all.push_back(b);
   work_ = elasticity::partition(model.blocks, all, team.size());
@@ -69,8 +74,7 @@ void StaticOperator::reduceForces(double* r) {
         [&](int node, int c) { return master.line(r, node, c); }, tieWorkspace_.data(), 0, master.stationCount,
         {{0, slave.stationCount}});
   }
-  for (std::size_t i = 0; i < free_.size(); ++i)
-    if (!free_[i]) r[i] = 0;
+  for (const auto [first, last] : notFree_) std::fill(r + first, r + last, 0.0);
 }
 
 void StaticOperator::apply(double* u, double* result) {

@@ -2,6 +2,7 @@
 // suspension.
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "core/ThreadTeam.h"
@@ -42,6 +43,7 @@ class StaticOperator {
   TurnedStations turned_;
   supports::SpringSet vehicle_, contact_;
   std::vector<unsigned char> free_;
+  std::vector<std::array<std::size_t, 2>> notFree_;  // stretches of the state: first and one past the last
   AlignedVector tieWorkspace_;
 };
 

@@ -60,6 +60,22 @@ std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const 
   return terms;
 }
 
+void turnBases(const Model& model, double rotation, AlignedVector& state) {
+  const double c = std::cos(rotation), s = std::sin(rotation);
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int n = 0; n < block.nodes; ++n) {
+      const auto along = block.line(state.data(), n, 0), radial = block.line(state.data(), n, 1);
+      for (int k = 0; k < block.stationCount; ++k) {
+        const double a = along[k], r = radial[k];
+        along[k] = c * a + s * r;
+        radial[k] = c * r - s * a;
+      }
+    }
+  }
+  elasticity::refreshGhosts(model.blocks, state.data());
+}
+
 double meanSpin(const Model& model, const double* state) {
   double sum = 0;
   for (const int b : {model.rim, model.body}) {

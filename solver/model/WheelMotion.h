@@ -30,6 +30,9 @@ void addRingForce(const Model& model, const Ring& ring, const TurnedStations& tu
 std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const Ring& ring,
                                                       const TurnedStations& turned, PlaneVector direction);
 
+// Turns the wheelset's displacements or forces from bases of rotation zero into those turned by `rotation`.
+void turnBases(const Model& model, double rotation, AlignedVector& state);
+
 // Mean turn of the wheelset about its axis in a state, sum of m r u_alpha over the inertia [rad]; of velocities
 // [rad/s].
 double meanSpin(const Model& model, const double* state);

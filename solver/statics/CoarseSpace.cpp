@@ -8,7 +8,7 @@ namespace squat::statics {
 
 namespace {
 
-constexpr int rimHats = 24;
+constexpr int rimHats = 24, rimModes = 4;  // three translations, roll of the rim about its own centre line
 constexpr double full = 6.283185307179586;
 
 // The two hats that cover a place on a line of equally spaced knots.
@@ -49,11 +49,12 @@ CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator&
   axleKnots_ = {
       -w.trackCentre, -0.6 * w.trackCentre, -0.25 * w.trackCentre, 0, 0.5 * (w.hubWidth / 2 + w.bearingCentre),
       w.journalEnd};
+  rimMiddle_ = 0.5 * (w.rimInnerRadius + w.radius);
   int colour = 100;
   axleFirst_ = unknowns_;
   unknowns_ += 6 * static_cast<int>(axleKnots_.size());
   rimFirst_ = unknowns_;
-  unknowns_ += 3 * rimHats;
+  unknowns_ += rimModes * rimHats;
   sprungFirst_ = unknowns_;
   for (const std::size_t index : {model.sprungX, model.sprungZ})
     if (free_[index]) sprung_.push_back(index), ++unknowns_;
@@ -164,7 +165,7 @@ void CoarseSpace::projectWheel(int b, const double* r, double* coarse) const {
   const auto& block = model_.blocks[b];
   const int count = block.stationCount;
   const auto &cosine = cosine_[b], &sine = sine_[b];
-  std::vector<double> rim(3 * static_cast<std::size_t>(count), 0.0);
+  std::vector<double> rim(rimModes * static_cast<std::size_t>(count), 0.0);
   for (int n = 0; n < block.nodes; ++n) {
     if (model_.slave[b][n]) continue;
     const auto fa = block.line(r, n, 0), fb = block.line(r, n, 1), fc = block.line(r, n, 2);
@@ -175,6 +176,7 @@ void CoarseSpace::projectWheel(int b, const double* r, double* coarse) const {
       x += atX, z += atZ, lateral += fc[s], spin += fa[s];
       cosLateral += cosine[s] * fc[s], sinLateral += sine[s] * fc[s];
       rim[s] += share * atX, rim[count + s] += share * fc[s], rim[2 * count + s] += share * atZ;
+      rim[3 * count + s] += share * ((radius - rimMiddle_) * fc[s] - y * fb[s]);
     }
     for (int k = 0; k < static_cast<int>(axleKnots_.size()); ++k) {
       const double h = axleHat(b, n, k);
@@ -187,9 +189,9 @@ void CoarseSpace::projectWheel(int b, const double* r, double* coarse) const {
   }
   for (int s = 0; s < count; ++s) {
     const Hats hats = rimHatsAt(block.positions[s]);
-    for (int m = 0; m < 3; ++m) {
-      coarse[rimFirst_ + 3 * hats.left + m] += hats.leftShare * rim[m * count + s];
-      coarse[rimFirst_ + 3 * ((hats.left + 1) % rimHats) + m] += hats.rightShare * rim[m * count + s];
+    for (int m = 0; m < rimModes; ++m) {
+      coarse[rimFirst_ + rimModes * hats.left + m] += hats.leftShare * rim[m * count + s];
+      coarse[rimFirst_ + rimModes * ((hats.left + 1) % rimHats) + m] += hats.rightShare * rim[m * count + s];
     }
   }
 }
@@ -198,12 +200,12 @@ void CoarseSpace::prolongWheel(int b, const double* coarse, int part, int parts,
   const auto& block = model_.blocks[b];
   const int count = block.stationCount;
   const auto &cosine = cosine_[b], &sine = sine_[b];
-  std::vector<double> rim(3 * static_cast<std::size_t>(count), 0.0);
+  std::vector<double> rim(rimModes * static_cast<std::size_t>(count), 0.0);
   for (int s = 0; s < count; ++s) {
     const Hats hats = rimHatsAt(block.positions[s]);
-    for (int m = 0; m < 3; ++m)
-      rim[m * count + s] = hats.leftShare * coarse[rimFirst_ + 3 * hats.left + m] +
-                           hats.rightShare * coarse[rimFirst_ + 3 * ((hats.left + 1) % rimHats) + m];
+    for (int m = 0; m < rimModes; ++m)
+      rim[m * count + s] = hats.leftShare * coarse[rimFirst_ + rimModes * hats.left + m] +
+                           hats.rightShare * coarse[rimFirst_ + rimModes * ((hats.left + 1) % rimHats) + m];
   }
   for (int n = block.nodes * part / parts; n < block.nodes * (part + 1) / parts; ++n) {
     if (model_.slave[b][n]) continue;
@@ -219,8 +221,9 @@ void CoarseSpace::prolongWheel(int b, const double* coarse, int part, int parts,
     for (int s = 0; s < count; ++s) {
       const double x = t[0] - y * w[2] + share * rim[s], up = t[2] + y * w[0] + share * rim[2 * count + s];
       a[s] += cosine[s] * x + sine[s] * up - radius * w[1];
-      radial[s] += sine[s] * x - cosine[s] * up;
-      c[s] += mask * (t[1] + radius * (cosine[s] * w[0] + sine[s] * w[2]) + share * rim[count + s]);
+      radial[s] += sine[s] * x - cosine[s] * up - share * y * rim[3 * count + s];
+      c[s] += mask * (t[1] + radius * (cosine[s] * w[0] + sine[s] * w[2]) +
+                      share * (rim[count + s] + (radius - rimMiddle_) * rim[3 * count + s]));
     }
   }
 }
@@ -321,10 +324,10 @@ Eigen::VectorXd CoarseSpace::projectSparse(const supports::SpringSet& springs, s
       for (int m = 0; m < 6; ++m) g[axleFirst_ + 6 * k + m] += h * values[m];
     }
     const Hats hats = rimHatsAt(block.positions[s]);
-    const double values[3] = {x, f[2], z};
-    for (int m = 0; m < 3; ++m) {
-      g[rimFirst_ + 3 * hats.left + m] += rimShare_[b][n] * hats.leftShare * values[m];
-      g[rimFirst_ + 3 * ((hats.left + 1) % rimHats) + m] += rimShare_[b][n] * hats.rightShare * values[m];
+    const double values[rimModes] = {x, f[2], z, (p[0] - rimMiddle_) * f[2] - p[1] * f[1]};
+    for (int m = 0; m < rimModes; ++m) {
+      g[rimFirst_ + rimModes * hats.left + m] += rimShare_[b][n] * hats.leftShare * values[m];
+      g[rimFirst_ + rimModes * ((hats.left + 1) % rimHats) + m] += rimShare_[b][n] * hats.rightShare * values[m];
     }
   }
   return g;

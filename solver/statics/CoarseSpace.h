@@ -2,9 +2,9 @@
 //
 // Rail: hats every 0.1 m along the track times the six rigid motions of a section. Sleepers: hats along the length
 // times three translations. Wheelset: hats along the axle times six rigid motions, hats around the rim times three
-// translations. Sprung mass: itself. Fields are products, so projecting a force and adding a field cost little more
-// than reading it: forces are first summed to resultants of stations (or of section nodes around the axle), then to
-// coarse unknowns.
+// translations and roll. Sprung mass: itself. Fields are products, so projecting a force and adding a field cost little
+// more than reading it: forces are first summed to resultants of stations (or of section nodes around the axle), then
+// to coarse unknowns.
 #pragma once
 
 #include <Eigen/Dense>
@@ -54,6 +54,7 @@ class CoarseSpace {
   std::vector<LineGroup> lines_;
   std::vector<Placed> placed_;
   std::vector<double> axleKnots_;
+  double rimMiddle_ = 0;  // [m] radius
   int axleFirst_ = 0, rimFirst_ = 0, sprungFirst_ = 0, unknowns_ = 0;
   std::vector<std::size_t> sprung_;
   std::vector<std::vector<double>> cosine_, sine_;  // per block around the axis: of the stations as placed

@@ -124,6 +124,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
 
   AlignedVector r(n, 0.0), change(n, 0.0);
   double startNorm = 0;
+  std::size_t closedBefore = 0;
   while (true) {
     op.contactSprings() = {};
     op.apply(e.displacement.data(), r.data());
@@ -154,8 +155,10 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
                      0, 0, "equilibrium");
     op.contactSprings() = closed.springs;
     coarse.factorise(closed.springs);
-    // Inexact Newton: coarse at first, then tight enough to end in few steps.
-    const double goal = std::max(0.3 * options.tolerance * load, norm * (e.newtonSteps < 2 ? 1e-2 : 1e-4));
+    // Inexact Newton: coarse while points of contact still open and close, to the end once their number stays.
+    const bool settled = closed.springs.size() == closedBefore;
+    closedBefore = closed.springs.size();
+    const double goal = std::max(0.3 * options.tolerance * load, norm * (settled ? 1e-5 : 1e-2));
     const auto solution = conjugateGradients(
         op, coarse, r, change, goal, options.mostIterations - e.iterations, [&](int, double residual) {
           Progress progress;
@@ -184,6 +187,58 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   const auto hub = ringMean(model, model.centre, op.turned(), e.displacement.data());
   e.approach = railDeflection(model, e.displacement, wheelX) - hub.z;
   return e;
+}
+
+namespace {
+
+// Weight less inner and contact forces of displacements given in the bases of rotation zero, in those bases.
+AlignedVector residualAt(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                         AlignedVector u, double wheelX, double rotation) {
+  model::StaticOperator op(model, kernels, team, rotation, 1e8, true);
+  model::turnBases(model, rotation, u);
+  AlignedVector r(u.size(), 0.0);
+  op.apply(u.data(), r.data());
+  const auto closed =
+      evaluateContact(model, op.turned(), u.data(), wheelX, rotation, model::normalPenalty(model.description));
+  const AlignedVector weight = gravityForces(model, rotation);
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = weight[i] - r[i];
+  addContactForces(closed, r.data());
+  op.reduceForces(r.data());
+  model::turnBases(model, -rotation, r);
+  return r;
+}
+
+}  // namespace
+
+AlignedVector equilibriumRate(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                              const Equilibrium& e, Monitor& monitor) {
+  // Small against an element, large against round-off: the residual changes by some kN a millimetre.
+  const double distance = 1e-2 * model.description.mesh.contactSize;
+  const double turn = distance / model.surfaces.radius;
+  AlignedVector change = residualAt(model, kernels, team, e.displacement, e.wheelX + distance, turn);
+  const AlignedVector behind = residualAt(model, kernels, team, e.displacement, e.wheelX - distance, -turn);
+  for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - behind[i]) / (2 * distance);
+
+  model::StaticOperator op(model, kernels, team, 0, 1e8, true);
+  CoarseSpace coarse(model, op);
+  coarse.assemble(op);
+  op.contactSprings() =
+      evaluateContact(model, op.turned(), e.displacement.data(), e.wheelX, 0, model::normalPenalty(model.description))
+          .springs;
+  coarse.factorise(op.contactSprings());
+  op.reduceForces(change.data());
+  double norm2 = 0;
+  for (const double value : change) norm2 += value * value;
+  AlignedVector rate(change.size(), 0.0);
+  conjugateGradients(op, coarse, change, rate, 1e-5 * std::sqrt(norm2), 20000, [&](int, double residual) {
+    Progress progress;
+    progress.phase = "rate of the equilibrium";
+    progress.fraction = std::clamp(std::log(std::sqrt(norm2) / std::max(residual, 1e-300)) / std::log(1e5), 0.0, 1.0);
+    monitor.report(progress);
+    return !monitor.cancelled();
+  });
+  op.fillSlaves(rate.data());
+  return rate;
 }
 
 }  // namespace squat::statics

@@ -37,4 +37,10 @@ struct Equilibrium {
 Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                             double wheelX, double rotation, const EquilibriumOptions& options, Monitor& monitor);
 
+// How the equilibrium changes as the wheel rolls on: du/dx per metre [1], state layout, wheelset in the bases of
+// rotation zero; `e` must stand at rotation zero. One linear system with the closed contact of `e`:
+// K_T du/dx = dR/dx, R the residual with the material held and the wheel moved and turned.
+AlignedVector equilibriumRate(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
+                              const Equilibrium& e, Monitor& monitor);
+
 }  // namespace squat::statics

@@ -1,7 +1,7 @@
 // solver/statics/QuietStart.h - displacements and the velocities that steady rolling through them implies.
 //
-// The wheel is brought to equilibrium one element before, at, and one element behind the start; half the difference of
-// the outer two, in space, times speed over distance is the velocity of every node. Rolling then starts quietly.
+// The equilibrium at the start and its rate as the wheel rolls on: rate times speed is the velocity of every node.
+// Rolling then starts quietly.
 #pragma once
 
 #include "statics/Equilibrium.h"
