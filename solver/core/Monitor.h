@@ -16,6 +16,8 @@ struct Progress {
   double contactForce = 0.0;         // [N] vertical
   double axleBoxAcceleration = 0.0;  // [m/s2] vertical, anti-aliased
   double energyResidual = 0.0;       // of the ledger, relative
+  double step = 0.0;                 // [s] that the run takes; known once the stable step is
+  std::string limitedBy;             // what sets the stable step: block and place
 };
 
 // The seam to whoever watches: terminal, studio, tests. Called from the computing thread, several times a second.

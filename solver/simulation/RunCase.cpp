@@ -57,6 +57,15 @@ struct Run {
     phases.push_back({std::string("seconds_") + name, "s", "wall time", secondsSince(start)});
     return value;
   }
+
+  void tellStep(double step, const std::string& place) {
+    Progress progress;
+    progress.phase = "stable step";
+    progress.fraction = 1;
+    progress.step = step;
+    progress.limitedBy = place;
+    monitor.report(progress);
+  }
 };
 
 void refuseOrWarn(Run& run) {
@@ -331,6 +340,7 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
   const long perSample = stepsPerSample(description, stable);
   const double step = 1 / description.output.rate / static_cast<double>(perSample);
   describeMesh(model, stable, step, run.result);
+  run.tellStep(step, stable.place);
 
   std::unique_ptr<SurfaceFields> fields;
   if (options.snapshots) {

@@ -40,6 +40,7 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   state_->setObjectName("runState");
   figures_ = new QLabel(this);
   figures_->setObjectName("runFigures");
+  figures_->setWordWrap(true);
   why_ = new QLabel(this);
   why_->setObjectName("blockers");
   why_->setWordWrap(true);
@@ -49,7 +50,7 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   log_->setReadOnly(true);
   log_->setMaximumBlockCount(500);
   log_->setAccessibleName(tr("Messages of the run"));
-  log_->setMaximumHeight(90);
+  log_->setMaximumHeight(64);
   auto* top = new QHBoxLayout;
   for (QPushButton* each : {run_, pause_, cancel_}) top->addWidget(each);
   top->addWidget(progress_, 1);
@@ -116,16 +117,19 @@ void RunPanel::showState() {
 void RunPanel::showNews(const WorkerMonitor::News& news) {
   const Progress& now = news.progress;
   progress_->setValue(static_cast<int>(1000 * now.fraction));
-  if (!controller_.isPaused() && !now.phase.empty())
-    state_->setText(tr("%1 %2 %, %3 left")
-                        .arg(QString::fromStdString(now.phase))
-                        .arg(100 * now.fraction, 0, 'f', 0)
-                        .arg(durationText(now.remainingSeconds)));
+  if (!controller_.isPaused() && !now.phase.empty()) {
+    QString text =
+        tr("%1 %2 %").arg(QString::fromStdString(now.phase).replace('_', ' ')).arg(100 * now.fraction, 0, 'f', 0);
+    if (now.remainingSeconds >= 0) text += tr(", %1 left").arg(durationText(now.remainingSeconds));
+    state_->setText(text);
+  }
   QStringList parts;
   if (now.simulatedTime > 0) parts << tr("%1 ms simulated").arg(now.simulatedTime * 1e3, 0, 'f', 2);
   if (now.elementUpdatesPerSecond > 0)
     parts << tr("%1 million element updates a second").arg(now.elementUpdatesPerSecond * 1e-6, 0, 'f', 1);
   if (now.energyResidual != 0) parts << tr("energy residual %1 %").arg(now.energyResidual * 100, 0, 'f', 3);
+  if (now.step > 0)
+    parts << tr("step %1 µs, set by %2").arg(now.step * 1e6, 0, 'f', 3).arg(QString::fromStdString(now.limitedBy));
   figures_->setText(parts.join(QStringLiteral("  ·  ")));
   for (const QString& line : news.messages) say(line);
   live_->add(news.samples);

@@ -6,7 +6,12 @@ namespace squat::studio {
 
 void WorkerMonitor::report(const Progress& progress) {
   const std::lock_guard lock(mutex_);
-  news_.progress = progress;
+  Progress latest = progress;
+  if (!(latest.step > 0)) {  // told once: later phases do not repeat it
+    latest.step = news_.progress.step;
+    latest.limitedBy = news_.progress.limitedBy;
+  }
+  news_.progress = std::move(latest);
   if (progress.phase != "rolling") return;
   // Every report until the curves are long, then every second, fourth ...
   const std::size_t stride = std::size_t{1} << (taken_ / mostSamples);
@@ -19,6 +24,12 @@ void WorkerMonitor::report(const Progress& progress) {
 void WorkerMonitor::message(const std::string& text) {
   const std::lock_guard lock(mutex_);
   news_.messages << QString::fromStdString(text);
+}
+
+// Phases before the rolling ask only this: a pause holds them here.
+bool WorkerMonitor::cancelled() {
+  while (paused()) continue;
+  return cancel_;
 }
 
 bool WorkerMonitor::paused() {

@@ -27,8 +27,8 @@ class WorkerMonitor : public Monitor {
 
   void report(const Progress& progress) override;
   void message(const std::string& text) override;
-  bool cancelled() override { return cancel_; }
-  bool paused() override;  // sleeps up to 20 ms while paused, so that the asking thread does not spin
+  bool cancelled() override;  // waits while paused
+  bool paused() override;     // sleeps up to 20 ms while paused, so that the asking thread does not spin
 
   void cancel();
   void setPaused(bool paused);
