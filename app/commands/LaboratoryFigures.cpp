@@ -7,6 +7,7 @@
 #include "plots/ComparisonFigures.h"
 #include "plots/PaperFigures.h"
 #include "plots/StudyFigures.h"
+#include "plots/ValidationFigure.h"
 
 namespace squat::commands {
 
@@ -45,6 +46,14 @@ std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, con
                                            const FigureChoice& choice) {
   if (choice.none) return {};
   return write(plots::studyFigures(table, styleOf(choice)), folder, choice);
+}
+
+std::vector<std::string> writeValidationFigure(const std::vector<validation::Judged>& judged, const std::string& note,
+                                               const std::string& folder, const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::validationFigure(judged, note, styleOf(choice)));
+  return write(sheets, folder, choice);
 }
 
 std::vector<std::string> writePaperFigures(const PaperResults& results, const std::string& folder,

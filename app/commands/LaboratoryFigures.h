@@ -9,6 +9,7 @@
 #include "laboratory/FileComparison.h"
 #include "results/RunResult.h"
 #include "studies/StudyTable.h"
+#include "validation/Judge.h"
 
 namespace squat::commands {
 
@@ -29,6 +30,10 @@ std::vector<std::string> writeComparisonFigures(const std::vector<laboratory::Fi
                                                 const std::string& folder, const FigureChoice& choice);
 std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, const std::string& folder,
                                            const FigureChoice& choice);
+
+// The judged statements as a figure; `note` stands beside its title.
+std::vector<std::string> writeValidationFigure(const std::vector<validation::Judged>& judged, const std::string& note,
+                                               const std::string& folder, const FigureChoice& choice);
 
 struct PaperResults {
   const results::RunResult *light = nullptr, *squat = nullptr, *modified = nullptr;

@@ -30,6 +30,11 @@ std::vector<std::string> writeStudyFigures(const studies::StudyTable&, const std
   return none(choice);
 }
 
+std::vector<std::string> writeValidationFigure(const std::vector<validation::Judged>&, const std::string&,
+                                               const std::string&, const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writePaperFigures(const PaperResults&, const std::string&, const FigureChoice& choice) {
   return none(choice);
 }

@@ -1,32 +1,48 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <optional>
 
 #include "case/CaseFile.h"
+#include "case/ParameterTable.h"
+#include "case/ParameterValue.h"
 #include "case/ShippedCases.h"
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
+#include "commands/LaboratoryFigures.h"
 #include "commands/RunFiles.h"
 #include "commands/TerminalMonitor.h"
-#include "commands/TextTable.h"
+#include "commands/ValidationText.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
 #include "validation/Judge.h"
+#include "validation/Sensitivity.h"
 
 namespace squat::commands {
 
 namespace {
 
 struct ValidateOptions {
-  std::string folder = ".", mesh = "draft", reference;
+  std::string folder = ".", mesh = "draft", reference, from;
   simulation::RunOptions run;
+  FigureChoice figures;
+  bool sensitivity = false;
 };
+
+using Results = std::map<std::string, results::RunResult>;
+
+cases::CaseDescription caseOf(const ValidateOptions& options, const validation::ReferenceRun& run) {
+  cases::CaseOverrides overrides;
+  overrides.preset = options.mesh;
+  overrides.values = run.sets;
+  return cases::loadCase(run.caseName, overrides);
+}
 
 // The finished result of this very case by this version of the program, where it stands already.
 std::optional<results::RunResult> finished(const RunFiles& files, const std::string& hash) {
@@ -42,10 +58,7 @@ std::optional<results::RunResult> finished(const RunFiles& files, const std::str
 
 std::optional<results::RunResult> make(const ValidateOptions& options, const validation::ReferenceRun& run,
                                        TerminalMonitor& monitor) {
-  cases::CaseOverrides overrides;
-  overrides.preset = options.mesh;
-  overrides.values = run.sets;
-  const auto description = cases::loadCase(run.caseName, overrides);
+  const auto description = caseOf(options, run);
   const RunFiles files{options.folder, run.name};
   if (auto result = finished(files, cases::caseHash(description))) {
     monitor.message(files.result() + " stands already");
@@ -62,52 +75,134 @@ std::optional<results::RunResult> make(const ValidateOptions& options, const val
   return result;
 }
 
-std::string rangeText(const validation::Statement& statement) {
-  if (statement.measure == "none") return "";
-  return number(statement.low) + " to " + number(statement.high, statement.unit);
+// Makes the runs that do not stand there yet. False where one of them failed.
+bool makeAll(const ValidateOptions& options, const validation::Reference& reference, Results& results,
+             TerminalMonitor& monitor) {
+  bool well = true;
+  for (const auto& run : reference.runs) {
+    try {
+      if (auto result = make(options, run, monitor)) results.emplace(run.name, std::move(*result));
+    } catch (const RunError& error) {
+      monitor.message("run " + run.name + " failed: " + error.what());
+      well = false;
+    }
+    if (InterruptGuard::asked()) break;
+  }
+  return well;
 }
 
-void print(const std::vector<validation::Judged>& judged) {
-  TextTable table({"section", "the paper states", "ours", "counts as met", "", "run"});
-  std::map<validation::Verdict, int> counts;
-  for (const auto& one : judged) {
-    ++counts[one.verdict];
-    const auto& s = one.statement;
-    table.add({s.section, s.text, one.value ? number(*one.value, s.unit) : one.why, rangeText(s),
-               validation::toText(one.verdict), s.run + (s.against.empty() ? "" : " / " + s.against)});
+std::string meshOf(const results::RunResult& result) {
+  return cases::valueText(cases::parseCase(result.caseToml, result.stem), *cases::findParameter("mesh.preset"));
+}
+
+// What stands in a folder, whatever mesh or version made it; says where it is not what the reference asks for. Returns
+// the mesh preset of the results.
+std::string readAll(const ValidateOptions& options, const validation::Reference& reference, Results& results,
+                    TerminalMonitor& monitor) {
+  std::string mesh;
+  for (const auto& run : reference.runs) {
+    const RunFiles files{options.from, run.name};
+    std::error_code ignored;
+    if (!std::filesystem::exists(files.result(), ignored)) {
+      monitor.message(files.result() + " is not there: its statements are not judged");
+      continue;
+    }
+    auto result = results::readResult(files.result());
+    if (!result.complete) {
+      monitor.message(files.result() + " is not complete (" + result.stopReason + "): its statements are not judged");
+      continue;
+    }
+    const auto own = meshOf(result);
+    if (mesh.empty()) mesh = own;
+    auto asked = options;
+    asked.mesh = own;
+    if (own != mesh) monitor.message(files.result() + " was made on the mesh " + own + ", others on " + mesh);
+    if (cases::caseHash(caseOf(asked, run)) != result.caseHash)
+      monitor.message(files.result() + " was made from another case than the reference's: judged as it is");
+    results.emplace(run.name, std::move(result));
   }
-  std::printf("%s\n%d met, %d not met, %d not judged\n", table.text().c_str(), counts[validation::Verdict::met],
-              counts[validation::Verdict::notMet], counts[validation::Verdict::notJudged]);
+  if (results.empty())
+    throw FileError(options.from, "", "holds none of the results that the statements are about",
+                    "Name the folder that squat validate -o wrote, or leave --from out to make the runs");
+  return mesh;
+}
+
+int judgeAndWrite(const ValidateOptions& options, const validation::Reference& reference, const Results& results,
+                  const std::string& mesh) {
+  const auto judged = validation::judge(reference, results, mesh);
+  std::string text = "Mesh " + mesh + ". " + countsText(judged) +
+                     ".\nJudged at the axle box, where the paper measures; the same number at the wheel centre stands "
+                     "beside it and does not count.\n\n" +
+                     statementsText(judged) + "\n";
+  std::vector<std::string> written;
+  const auto write = [&](const std::string& name, const std::string& content) {
+    written.push_back(options.folder + "/" + name);
+    writeDurably(written.back(), std::string_view(content));
+  };
+  makeFolder(options.folder);
+  if (const auto light = results.find(reference.runs.front().name); light != results.end()) {
+    const auto parameters = validation::compareParameters(reference, light->second);
+    text += parametersText(parameters) + "\n";
+    write("validation_parameters.csv", validation::parametersCsv(parameters));
+  }
+  std::printf("%s%s\n", text.c_str(), countsText(judged).c_str());
+  write("validation.txt", text + numbersText(reference));
+  write("validation.csv", validation::judgedCsv(judged));
+  for (auto& path : writeValidationFigure(judged, "mesh " + mesh, options.folder, options.figures))
+    written.push_back(std::move(path));
+  std::printf("\nwritten:\n");
+  for (const auto& path : written) std::printf("  %s\n", path.c_str());
+  return kDone;
+}
+
+int showSensitivity(const ValidateOptions& options, const validation::Reference& reference, TerminalMonitor& monitor) {
+  cases::CaseOverrides overrides;
+  overrides.preset = options.mesh;
+  auto runOptions = options.run;
+  runOptions.wheelsetModes = runOptions.snapshots = false;
+  const studies::CaseRunner run = [&](const cases::CaseDescription& description, const studies::StudyPoint&,
+                                      Monitor& own) { return simulation::runCase(description, runOptions, own); };
+  const auto table =
+      validation::sensitivity(reference, overrides, run, {options.folder + "/sensitivity", 1, false}, monitor);
+  monitor.clearLine();
+  const std::string text =
+      "Mesh " + options.mesh + ", run " + reference.sensitivityRun + "\n\n" + sensitivityText(table);
+  std::printf("%s", text.c_str());
+  writeDurably(options.folder + "/sensitivity.txt", std::string_view(text));
+  writeDurably(options.folder + "/sensitivity.csv", std::string_view(validation::sensitivityCsv(table)));
+  std::printf("\nwritten:\n  %s/sensitivity.txt\n  %s/sensitivity.csv\n", options.folder.c_str(),
+              options.folder.c_str());
+  const bool failed = std::any_of(table.rows.begin(), table.rows.end(),
+                                  [](const auto& row) { return !row.message.empty() && row.message != "not run"; });
+  return failed ? kRunFailed : kDone;
+}
+
+int cancelled() {
+  std::fprintf(stderr, "cancelled: the same call goes on from here\n");
+  return kCancelled;
 }
 
 int validate(const ValidateOptions& options) {
   const auto path =
       options.reference.empty() ? (cases::resourcesFolder() / "reference/paper.json").string() : options.reference;
   const auto reference = validation::readReference(path);
-  const RunFiles table{options.folder, "validation"};
-  prepareFolder(table);
+  makeFolder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
-  std::map<std::string, results::RunResult> results;
-  bool failed = false;
-  for (const auto& run : reference.runs) {
-    try {
-      if (auto result = make(options, run, monitor)) results.emplace(run.name, std::move(*result));
-    } catch (const RunError& error) {
-      monitor.message("run " + run.name + " failed: " + error.what());
-      failed = true;
-    }
-    if (InterruptGuard::asked()) {
-      monitor.message("cancelled: the same call goes on from here");
-      return kCancelled;
-    }
+  if (options.sensitivity) {
+    const int code = showSensitivity(options, reference, monitor);
+    return InterruptGuard::asked() ? cancelled() : code;
   }
+  Results results;
+  if (!options.from.empty()) {
+    const auto mesh = readAll(options, reference, results, monitor);
+    return judgeAndWrite(options, reference, results, mesh);
+  }
+  const bool well = makeAll(options, reference, results, monitor);
   monitor.clearLine();
-  const auto judged = validation::judge(reference, results, options.mesh);
-  print(judged);
-  writeDurably(table.signals(), validation::judgedCsv(judged));
-  std::printf("\nwritten:\n  %s\n", table.signals().c_str());
-  return failed ? kRunFailed : kDone;
+  if (InterruptGuard::asked()) return cancelled();
+  const int code = judgeAndWrite(options, reference, results, options.mesh);
+  return well ? code : kRunFailed;
 }
 
 }  // namespace
@@ -115,10 +210,19 @@ int validate(const ValidateOptions& options) {
 void addValidateCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("validate", "Makes the paper's runs and judges its statements one by one");
   auto options = std::make_shared<ValidateOptions>();
-  command->add_option("-o,--output", options->folder, "Folder for results and table (default: here)")->type_name("DIR");
-  command->add_option("--mesh", options->mesh, "Mesh preset (default: draft)")
-      ->check(CLI::IsMember({"tiny", "draft", "standard", "paper"}))
-      ->type_name("PRESET");
+  command->add_option("-o,--output", options->folder, "Folder for results, tables and figure (default: here)")
+      ->type_name("DIR");
+  auto* mesh = command->add_option("--mesh", options->mesh, "Mesh preset (default: draft)")
+                   ->check(CLI::IsMember({"tiny", "draft", "standard", "paper"}))
+                   ->type_name("PRESET");
+  auto* from =
+      command->add_option("--from", options->from, "Judges the results that stand in this folder, and makes none")
+          ->type_name("DIR")
+          ->excludes(mesh);
+  command
+      ->add_flag("--sensitivity", options->sensitivity,
+                 "Instead: the numbers of the light defect with one input changed at a time (more runs)")
+      ->excludes(from);
   command->add_option("--reference", options->reference, "Other statements (default: those of the paper)")
       ->type_name("FILE.json");
   command->add_option("--threads", options->run.threads, "Threads (default: all cores)")
@@ -127,6 +231,7 @@ void addValidateCommand(CLI::App& program, Action& action) {
   command->add_option("--isa", options->run.isa, "Instruction set: sse2, avx2 or avx512")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
       ->type_name("NAME");
+  addFigureOptions(*command, options->figures);
   command->callback([options, &action] { action = [options] { return validate(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "laboratory/RunFeatures.h"
+#include "signals/BandDecay.h"
 #include "signals/SignalError.h"
 
 namespace squat::validation {
@@ -15,16 +16,32 @@ namespace {
 using results::RunResult;
 using Measure = std::function<std::optional<double>(const RunResult&, const Statement&)>;
 
-signals::Features featuresOf(const RunResult& result, const Statement& statement) {
+std::string channelOf(const Statement& statement) {
+  return statement.point == wheelCentre ? "wheel_acceleration_filtered" : "aba_filtered";
+}
+
+bool judgesLowLines(const Statement& statement) {
+  constexpr double low = 320;  // [Hz]
+  return (statement.near > 0 && statement.near <= low) || (statement.band.second > 0 && statement.band.second <= low);
+}
+
+signals::FeatureOptions optionsFor(const RunResult& result, const Statement& statement) {
+  constexpr double longWay = 0.58, margin = 0.02;  // [m]
   signals::FeatureOptions options;
   if (statement.band.second > 0) options.bands = {{"band", statement.band.first, statement.band.second}};
-  return laboratory::runFeatures(result, options);
+  if (judgesLowLines(statement) && !result.position.empty())
+    options.after = std::clamp(result.position.back() - margin, options.after, longWay);
+  return options;
+}
+
+signals::Features featuresOf(const RunResult& result, const Statement& statement) {
+  return laboratory::runFeatures(result, optionsFor(result, statement), channelOf(statement));
 }
 
 std::optional<double> positive(double value) { return value > 0 ? std::optional(value) : std::nullopt; }
 
-std::optional<double> maximum(const RunResult& result, const Statement&) {
-  const auto* aba = result.signal("aba_filtered");
+std::optional<double> maximum(const RunResult& result, const Statement& statement) {
+  const auto* aba = result.signal(channelOf(statement));
   if (!aba || aba->empty()) return std::nullopt;
   return *std::max_element(aba->begin(), aba->end());
 }
@@ -45,11 +62,13 @@ std::optional<double> waveFrequency(const RunResult& result, const Statement& st
 }
 
 std::optional<double> line(const RunResult& result, const Statement& statement) {
-  const auto lines = signals::spectralPeaks(featuresOf(result, statement).spectrum, 50, 2000, 0.05);
-  const auto distance = [&](const auto& peak) { return std::abs(std::log(peak.frequency / statement.near)); };
-  const auto nearest = std::min_element(lines.begin(), lines.end(),
-                                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  return nearest == lines.end() ? std::nullopt : std::optional(nearest->frequency);
+  const auto lines = strongLines(result, statement);
+  if (!lines) return std::nullopt;
+  const auto distance = [&](double frequency) { return std::abs(std::log(frequency / statement.near)); };
+  const auto& all = lines->frequencies;
+  const auto nearest =
+      std::min_element(all.begin(), all.end(), [&](double a, double b) { return distance(a) < distance(b); });
+  return nearest == all.end() ? std::nullopt : std::optional(*nearest);
 }
 
 std::optional<double> linesWithin(const RunResult& result, const Statement& statement) {
@@ -66,12 +85,24 @@ std::optional<double> bandShare(const RunResult& result, const Statement& statem
   return featuresOf(result, statement).bands.at(0).share;
 }
 std::optional<double> freeVibration(const RunResult& result, const Statement& statement) {
-  return 1e3 * featuresOf(result, statement).bands.at(0).freeVibration;
+  const auto* values = result.signal(channelOf(statement));
+  if (!values || values->size() != result.time.size() || values->size() < 2) return std::nullopt;
+  const signals::TimeSeries series{result.time.front(),
+                                   (result.time.back() - result.time.front()) / static_cast<double>(values->size() - 1),
+                                   *values, statement.point, "m/s2"};
+  const double impact = featuresOf(result, statement).impactTime;
+  const signals::Band band{"band", statement.band.first, statement.band.second};
+  // Half the filter's own ringing before the impact belongs to it.
+  const double ahead = 0.5 / (band.high - band.low);
+  const auto decay = signals::bandDecay(series, impact - ahead, result.time.back(), band);
+  return decay.ratio();
 }
 
-std::optional<double> impactTop(const RunResult& result, const Statement&) {
+// The result's own scalogram is that of the axle box.
+std::optional<double> impactTop(const RunResult& result, const Statement& statement) {
   const auto columns = result.scalogramTime.size();
   const auto& power = result.scalogramPower;
+  if (statement.point != axleBox) return std::nullopt;
   if (columns == 0 || power.size() != result.scalogramFrequency.size() * columns) return std::nullopt;
   if (result.scalogramPosition.size() != columns) return std::nullopt;
   const double least = 0.05 * *std::max_element(power.begin(), power.end());
@@ -83,8 +114,8 @@ std::optional<double> impactTop(const RunResult& result, const Statement&) {
   return positive(top);
 }
 
-std::optional<double> quiet(const RunResult& result, const Statement&) {
-  const auto* aba = result.signal("aba_filtered");
+std::optional<double> quiet(const RunResult& result, const Statement& statement) {
+  const auto* aba = result.signal(channelOf(statement));
   if (!aba || aba->size() != result.position.size()) return std::nullopt;
   std::vector<double> window;
   for (std::size_t i = 0; i < aba->size(); ++i)
@@ -111,6 +142,21 @@ std::vector<std::string> measureNames() {
   std::vector<std::string> names;
   for (const auto& [name, function] : measures()) names.push_back(name);
   return names;
+}
+
+std::optional<Lines> strongLines(const RunResult& result, const Statement& statement) {
+  constexpr double lowest = 50, highest = 2000, share = 0.05;
+  try {
+    const auto features = featuresOf(result, statement);
+    Lines lines;
+    for (const auto& peak : signals::spectralPeaks(features.spectrum, lowest, highest, share))
+      lines.frequencies.push_back(peak.frequency);
+    const auto rate = static_cast<double>(result.time.size() - 1) / (result.time.back() - result.time.front());
+    lines.resolution = rate / static_cast<double>(features.spectrum.segmentLength);
+    return lines;
+  } catch (const signals::SignalError&) {  // too short, constant
+    return std::nullopt;
+  }
 }
 
 std::optional<double> measure(const RunResult& result, const Statement& statement) {

@@ -1,4 +1,5 @@
-// solver/validation/Measures.h - numbers that statements are judged by, each from the result of one run.
+// solver/validation/Measures.h - numbers that statements are judged by, each from the result of one run, at the
+// statement's point of the vehicle.
 #pragma once
 
 #include <optional>
@@ -11,16 +12,27 @@
 namespace squat::validation {
 
 // Names that a statement may use:
-//   maximum         [m/s2] largest filtered ABA               elements        number of the mesh
+//   maximum         [m/s2] largest filtered acceleration      elements        number of the mesh
 //   wavelength      [mm] mean after the impact, by the ridge  wave_frequency  [Hz] speed over wavelength
-//   line            [Hz] the strong line (5 % of the highest's prominence) nearest to `near`, by ratio
+//   line            [Hz] the strong line (5 % of the highest's prominence) nearest to `near`, by ratio; the judge gives
+//                   a line to one statement only
 //   lines_within    number of peaks (1 %) in the band         band_power      [(m/s2)2] integral over the band
-//   band_share      of the integral of the whole spectrum     free_vibration  [ms] in the band, after the impact
+//   band_share      of the integral of the whole spectrum
+//   free_vibration  how many times longer the band rings after the impact than its filter after a kick; 1: a kick
 //   impact_top      [Hz] highest frequency within 10 mm of the impact with 5 % of the scalogram's largest power
 //   quiet           [m/s2] largest deviation from the mean over 0.2 m before the defect (-0.24 to -0.04 m)
+// Spectra reach from 0.1 m before the impact to 0.28 m behind it; those for lines or bands at or below 320 Hz, a period
+// of which takes 0.1 m, to 0.58 m where the run goes that far.
 std::vector<std::string> measureNames();
 
 // No value where the result does not hold what is needed (too short, no impact).
 std::optional<double> measure(const results::RunResult& result, const Statement& statement);
+
+// What "line" chooses from, and how near two frequencies may be before the spectrum's window cannot part them [Hz].
+struct Lines {
+  std::vector<double> frequencies;  // most prominent first
+  double resolution = 0;
+};
+std::optional<Lines> strongLines(const results::RunResult& result, const Statement& statement);
 
 }  // namespace squat::validation

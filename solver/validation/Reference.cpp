@@ -1,8 +1,10 @@
 #include "validation/Reference.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "case/ParameterTable.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "validation/Measures.h"
@@ -13,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;  // 2: expected with tolerance, trends, parameters, numbers, sensitivity
 
 ReferenceRun runFrom(const json& entry) {
   ReferenceRun run{entry.at("name"), entry.at("case"), {}};
@@ -25,29 +27,78 @@ ReferenceRun runFrom(const json& entry) {
   return run;
 }
 
+void readRange(const json& entry, Statement& s) {
+  if (entry.contains("expected")) s.expected = entry["expected"].get<double>();
+  if (entry.contains("tolerance")) {
+    const double width = std::abs(s.expected.value_or(NAN)) * entry["tolerance"].get<double>();
+    if (!(width > 0)) throw std::invalid_argument("a tolerance needs an expected value, and both a size");
+    s.low = *s.expected - width;
+    s.high = *s.expected + width;
+  }
+  if (entry.contains("low")) s.low = entry["low"];
+  if (entry.contains("high")) s.high = entry["high"];
+  if (std::isinf(s.low) && std::isinf(s.high)) throw std::invalid_argument("has no range: low, high or tolerance");
+  if (!(s.low < s.high)) throw std::invalid_argument("its range is upside down");
+}
+
 Statement statementFrom(const json& entry) {
   Statement s;
   s.section = entry.at("section");
   s.text = entry.at("statement");
+  s.name = entry.value("name", s.text);
   s.run = entry.at("run");
   s.against = entry.value("against", "");
   s.measure = entry.at("measure");
   s.mesh = entry.value("mesh", "");
+  s.point = entry.value("point", axleBox);
+  if (s.point != axleBox && s.point != wheelCentre) throw std::invalid_argument("point '" + s.point + "' is not known");
   if (entry.contains("band")) s.band = {entry["band"].at(0), entry["band"].at(1)};
   s.near = entry.value("near", 0.0);
   s.unit = entry.at("unit");
   s.reason = entry.at("reason");
   if (s.measure == "none") return s;
-  s.low = entry.at("low");
-  s.high = entry.at("high");
-  if (!(s.low < s.high)) throw std::invalid_argument("its range is upside down");
+  readRange(entry, s);
   const auto known = measureNames();
   if (std::find(known.begin(), known.end(), s.measure) == known.end())
     throw std::invalid_argument("measure '" + s.measure + "' is not known");
   return s;
 }
 
+const std::string& knownKey(const std::string& key) {
+  if (!cases::findParameter(key)) throw std::invalid_argument("key '" + key + "' is not known");
+  return key;
+}
+
+// Each entry of an array that may be missing, with its place for messages.
+template <typename Take>
+void forEach(const json& all, const char* array, const std::string& what, std::string& place, Take take) {
+  if (!all.contains(array)) return;
+  std::size_t number = 0;
+  for (const auto& entry : all.at(array)) {
+    place = what + " " + std::to_string(++number);
+    take(entry);
+  }
+}
+
+void readSensitivity(const json& all, Reference& reference, std::string& place) {
+  if (!all.contains("sensitivity")) return;
+  place = "sensitivity";
+  reference.sensitivityRun = all["sensitivity"].at("run");
+  if (!reference.run(reference.sensitivityRun))
+    throw std::invalid_argument("run '" + reference.sensitivityRun + "' is not listed");
+  forEach(all["sensitivity"], "keys", "sensitivity", place, [&](const json& entry) {
+    SensitivityKey key{knownKey(entry.at("key")), entry.at("text"), entry.at("values")};
+    if (key.values.empty()) throw std::invalid_argument("has no values");
+    reference.sensitivity.push_back(std::move(key));
+  });
+}
+
 }  // namespace
+
+const ReferenceRun* Reference::run(const std::string& name) const {
+  const auto found = std::find_if(runs.begin(), runs.end(), [&](const auto& run) { return run.name == name; });
+  return found == runs.end() ? nullptr : &*found;
+}
 
 Reference readReference(const std::string& path) {
   constexpr std::size_t largest = 10000000;
@@ -60,21 +111,23 @@ Reference readReference(const std::string& path) {
       throw std::invalid_argument("is of a newer version; install the newer program");
     Reference reference;
     reference.source = all.at("source");
-    for (const auto& entry : all.at("runs")) {
-      place = "run " + std::to_string(reference.runs.size() + 1);
-      reference.runs.push_back(runFrom(entry));
-    }
-    const auto isRun = [&](const std::string& name) {
-      return std::any_of(reference.runs.begin(), reference.runs.end(),
-                         [&](const auto& run) { return run.name == name; });
-    };
-    for (const auto& entry : all.at("statements")) {
-      place = "statement " + std::to_string(reference.statements.size() + 1);
+    all.at("runs");
+    forEach(all, "runs", "run", place, [&](const json& entry) { reference.runs.push_back(runFrom(entry)); });
+    all.at("statements");
+    forEach(all, "statements", "statement", place, [&](const json& entry) {
       auto statement = statementFrom(entry);
       for (const auto& name : {statement.run, statement.against})
-        if (!name.empty() && !isRun(name)) throw std::invalid_argument("run '" + name + "' is not listed");
+        if (!name.empty() && !reference.run(name)) throw std::invalid_argument("run '" + name + "' is not listed");
       reference.statements.push_back(std::move(statement));
-    }
+    });
+    forEach(all, "parameters", "parameter", place, [&](const json& entry) {
+      reference.parameters.push_back(
+          {entry.at("section"), entry.at("statement"), knownKey(entry.at("key")), entry.at("value")});
+    });
+    forEach(all, "numbers", "number", place, [&](const json& entry) {
+      reference.numbers.push_back({entry.at("section"), entry.at("statement"), entry.at("value"), entry.at("unit")});
+    });
+    readSensitivity(all, reference, place);
     return reference;
   } catch (const json::exception& error) {
     throw FileError(path, place, error.what());

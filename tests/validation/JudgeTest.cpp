@@ -3,8 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "case/CaseFile.h"
+#include "case/ParameterTable.h"
+#include "case/ParameterValue.h"
+#include "signals/BandDecay.h"
 #include "validation/Measures.h"
 
 namespace squat::validation {
@@ -37,8 +42,14 @@ Statement statement(const std::string& name, double low, double high) {
   return s;
 }
 
+Reference referenceOf(const std::vector<Statement>& statements) {
+  Reference reference;
+  reference.statements = statements;
+  return reference;
+}
+
 Judged judgedOf(const Statement& s, const std::map<std::string, results::RunResult>& results) {
-  return judge({"", {}, {s}}, results, "draft").at(0);
+  return judge(referenceOf({s}), results, "draft").at(0);
 }
 
 TEST(Measures, OfAWaveOfKnownFrequency) {
@@ -57,6 +68,31 @@ TEST(Measures, OfAWaveOfKnownFrequency) {
   EXPECT_GT(measure(result, share).value(), 0.87);
   EXPECT_LT(measure(result, share).value(), 0.99);
   EXPECT_LT(measure(result, statement("quiet", 0, 1)).value(), 0.01);
+}
+
+// exp(-t/4 ms) falls to a tenth in 9.2 ms; a band of 300 Hz rings about 5 ms by itself (BandDecayTest).
+TEST(Measures, FreeVibrationTellsARingFromAKick) {
+  auto ring = statement("free_vibration", 0, 1);
+  ring.band = {850, 1150};
+  const auto own = signals::bandDecay({0, 4e-5, std::vector<double>(made(1000).signals[0].values), "", ""}, 0.01, 0.05,
+                                      {"", 850, 1150})
+                       .own;
+  EXPECT_NEAR(measure(made(1000), ring).value(), 0.004 * std::log(10) / own, 0.4);
+  auto kick = made(1000);
+  for (double& value : kick.signals[0].values) value = 0;
+  kick.signals[0].values[500] = 80;
+  // The time of the impact and of the filter's answer agree to a sample; the least length is one sample.
+  EXPECT_NEAR(measure(kick, ring).value(), 1, 0.05);
+}
+
+// A run of 0.6 m shows a line at or below 320 Hz with the longer window: 0.68 m in place of 0.38 m.
+TEST(Measures, LowLinesAreSeenThroughALongerWindow) {
+  auto low = statement("line", 0, 1), high = low;
+  low.near = 300;
+  high.near = 1000;
+  EXPECT_NEAR(strongLines(made(300), low)->resolution, 30 / 0.68, 1);
+  EXPECT_NEAR(strongLines(made(300), high)->resolution, 30 / 0.38, 1);
+  EXPECT_NEAR(measure(made(300), low).value(), 300, 22);  // half of the resolution
 }
 
 TEST(Judge, WithinTheRangeIsMetOutsideIsNot) {
@@ -89,10 +125,73 @@ TEST(Judge, TheTableHoldsEveryStatement) {
   auto none = statement("none", 0, 0);
   none.text = "one, with a comma";
   none.reason = "not published";
-  const auto csv = judgedCsv(judge({"", {}, {none, statement("maximum", 70, 90)}}, {{"a", made(1000)}}, "draft"));
+  const auto csv = judgedCsv(judge(referenceOf({none, statement("maximum", 70, 90)}), {{"a", made(1000)}}, "draft"));
   EXPECT_EQ(csv,
-            "section,statement,run,against,value,low,high,unit,verdict,reason\n"
-            ",\"one, with a comma\",a,,,,,,not judged,not published\n,,a,,80,70,90,,met,\n");
+            "section,statement,run,against,at,expected,low,high,value,unit,verdict,at the wheel centre,reason\n"
+            ",\"one, with a comma\",a,,axle box,,,,,,not judged,,not published\n"
+            ",,a,,axle box,,70,90,80,,met,,\n");
+}
+
+// Two decaying waves: lines near 300 and 1000 Hz and no others.
+results::RunResult twoLines() {
+  auto result = made(1000);
+  const auto low = made(300);
+  for (std::size_t i = 0; i < result.time.size(); ++i) result.signals[0].values[i] += 0.7 * low.signals[0].values[i];
+  return result;
+}
+
+TEST(Judge, ALineServesOneStatementOnly) {
+  auto first = statement("line", 900, 1100), second = statement("line", 450, 780), third = statement("line", 250, 400);
+  first.near = 1034;
+  second.near = 700;
+  third.near = 300;
+  const auto judged = judge(referenceOf({second, first, third}), {{"a", twoLines()}}, "draft");
+  EXPECT_EQ(judged[1].verdict, Verdict::met);
+  EXPECT_EQ(judged[2].verdict, Verdict::met);
+  // Alone, the statement about 700 Hz would take the line at 1000 Hz and print it.
+  EXPECT_EQ(judged[0].verdict, Verdict::notMet);
+  EXPECT_FALSE(judged[0].value);
+  EXPECT_THAT(judged[0].why, HasSubstr("no line of its own"));
+}
+
+TEST(Judge, TheWheelCentreStandsBesideAndDoesNotCount) {
+  auto result = made(1000, 60);
+  auto wheel = result.signals[0];
+  wheel.name = "wheel_acceleration_filtered";
+  for (double& value : wheel.values) value *= 1.5;
+  result.signals.push_back(wheel);
+  const auto judged = judgedOf(statement("maximum", 50, 70), {{"a", result}});
+  EXPECT_EQ(judged.verdict, Verdict::met);
+  EXPECT_DOUBLE_EQ(judged.elsewhere.value(), 90);
+  auto there = statement("maximum", 50, 70);
+  there.point = wheelCentre;
+  EXPECT_EQ(judgedOf(there, {{"a", result}}).verdict, Verdict::notMet);
+}
+
+TEST(Judge, TrendsHaveOneBound) {
+  auto trend = statement("maximum", 70, 0);
+  trend.high = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(judgedOf(trend, {{"a", made(1000)}}).verdict, Verdict::met);
+  trend.unit = "m/s2";
+  EXPECT_EQ(rangeText(trend), "at least 70 m/s2");
+  trend.low = 81;
+  EXPECT_EQ(judgedOf(trend, {{"a", made(1000)}}).verdict, Verdict::notMet);
+}
+
+TEST(Judge, ParametersAreComparedAsValues) {
+  results::RunResult result;
+  auto description = cases::defaultCase();
+  cases::setValue(description, "pad.stiffness", "1300.0");
+  cases::setValue(description, "track.length", "12");
+  result.caseToml = cases::writeCase(description);
+  Reference reference;
+  reference.parameters = {{"Table 1", "K2", "pad.stiffness", "1300"}, {"2", "length", "track.length", "10"}};
+  const auto compared = compareParameters(reference, result);
+  ASSERT_EQ(compared.size(), 2u);
+  EXPECT_TRUE(compared[0].same);
+  EXPECT_FALSE(compared[1].same);
+  EXPECT_EQ(compared[1].ours, "12");
+  EXPECT_THAT(parametersCsv(compared), HasSubstr("2,length,track.length,10,12,m,no\n"));
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+#include "plots/ValidationFigure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plots/LineFigure.h"
+#include "plots/UnitText.h"
+
+namespace squat::plots {
+namespace {
+
+using validation::Judged;
+using validation::Verdict;
+
+constexpr double outside = 0.5;  // of a range, shown on either side of it
+
+// 0 at the lower bound, 1 at the upper one.
+double placeOf(const Judged& one) {
+  const auto& s = one.statement;
+  double place = 0;
+  if (std::isinf(s.high))
+    place = *one.value / s.low - 1;
+  else if (std::isinf(s.low))
+    place = *one.value / s.high;
+  else
+    place = (*one.value - s.low) / (s.high - s.low);
+  return std::clamp(place, -outside, 1 + outside);
+}
+
+QString numberText(double value) { return QString::number(value, 'g', 3); }
+
+QString oursText(const Judged& one) {
+  if (!one.value) return one.verdict == Verdict::notJudged ? "not judged" : "none";
+  const auto& unit = one.statement.unit;
+  return numberText(*one.value) + (unit.empty() || unit == "1" ? QString() : " " + unitText(unit)) + "   (" +
+         unitText(validation::rangeText(one.statement)) + ")";
+}
+
+QSharedPointer<QCPAxisTickerText> ticksOf(const std::vector<Judged>& judged, bool names) {
+  auto ticker = QSharedPointer<QCPAxisTickerText>::create();
+  for (std::size_t row = 0; row < judged.size(); ++row)
+    ticker->addTick(static_cast<double>(row),
+                    names ? QString::fromStdString(judged[row].statement.name) : oursText(judged[row]));
+  return ticker;
+}
+
+void addMarks(Figure& figure, const std::vector<Judged>& judged, Verdict verdict, const QString& label,
+              std::size_t colour, QCPScatterStyle::ScatterShape shape) {
+  Curve curve{{}, {}, label + QStringLiteral(" (%1)").arg(countOf(judged, verdict)), colour, 1.4};
+  for (std::size_t row = 0; row < judged.size(); ++row)
+    if (judged[row].verdict == verdict && judged[row].value) {
+      curve.x.push_back(placeOf(judged[row]));
+      curve.y.push_back(static_cast<double>(row));
+    }
+  QCPGraph* graph = addCurve(figure, curve);
+  graph->setLineStyle(QCPGraph::lsNone);
+  const QColor ink = figure.style().curve(colour);
+  graph->setScatterStyle(QCPScatterStyle(shape, QPen(ink, 1.4), ink, 6));
+}
+
+}  // namespace
+
+FigureSheet validationFigure(const std::vector<Judged>& judged, const std::string& note, const Style& style) {
+  auto figure = std::make_unique<Figure>("validation", style);
+  const auto rows = static_cast<double>(judged.size());
+  figure->setPrintedSize({180, 22 + 5.2 * std::max(1.0, rows)});
+  figure->setCaption("the paper's statements, judged at the axle box", QString::fromStdString(note));
+  figure->xAxis->setLabel("Place in the range that counts as met (0: lower bound, 1: upper bound)");
+  figure->xAxis->setRange(-outside - 0.1, 1 + outside + 0.1);
+  figure->yAxis->setLabel(QString());
+  addBand(*figure, 0, 1);
+  addMarks(*figure, judged, Verdict::met, "met", 0, QCPScatterStyle::ssDisc);
+  addMarks(*figure, judged, Verdict::notMet, "not met", 1, QCPScatterStyle::ssCross);
+  for (QCPAxis* axis : {figure->yAxis, figure->yAxis2}) {
+    axis->setTicker(ticksOf(judged, axis == figure->yAxis));
+    axis->setTickLabels(true);
+    axis->setSubTicks(false);
+    axis->setRange(-0.7, std::max(0.7, rows - 0.3));
+    axis->setRangeReversed(true);
+  }
+  return sheetOf("validation", std::move(figure));
+}
+
+}  // namespace squat::plots
