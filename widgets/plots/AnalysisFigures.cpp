@@ -121,12 +121,16 @@ std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, c
         distinct(laboratory::safeFileName(signal.run.empty() ? std::string("signal") : signal.run), taken);
     const auto run = asRun(signal);
     sheets.push_back(sheetOf(stem + "_history", historyFigure(signal, style)));
-    sheets.push_back(sheetOf(stem + "_psd", psdFigure(run, style)));
+    auto density = psdFigure(run, style);
+    density->setCaption(titleOf(signal), QString::fromStdString(signal.spectrum.window));
+    sheets.push_back(sheetOf(stem + "_psd", std::move(density)));
     // A stretch that is short for the window gets half of itself: poor in frequency, but a picture.
-    const auto segment = std::min(static_cast<std::size_t>(std::max(16.0, windowSeconds * signal.filtered.rate())),
-                                  std::max<std::size_t>(16, run.time.size() / 2));
+    const double wanted = signal.stft ? static_cast<double>(signal.stft->segment)
+                                      : std::max(16.0, windowSeconds * signal.filtered.rate());
+    const auto segment = std::min(static_cast<std::size_t>(wanted), std::max<std::size_t>(16, run.time.size() / 2));
     sheets.push_back(sheetOf(stem + "_stft", stftFigure(run, style, segment)));
-    sheets.push_back(sheetOf(stem + "_scalogram", scalogramFigure(run, style)));
+    sheets.push_back(sheetOf(stem + "_scalogram", signal.scalogramByAmplitude ? amplitudeScalogramFigure(run, style)
+                                                                              : scalogramFigure(run, style)));
     for (std::size_t back = 1; back <= 2; ++back)
       sheets[sheets.size() - back].panels.front()->xAxis->setLabel(placeLabel());
   }

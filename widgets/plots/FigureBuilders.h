@@ -14,6 +14,8 @@ std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, cons
 std::unique_ptr<Figure> abaTimeFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> psdFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style);
+// The same of an amplitude-normalised transform: a tone of amplitude 1 m/s2 gives 1 (m/s2)2.
+std::unique_ptr<Figure> amplitudeScalogramFigure(const results::RunResult& result, const Style& style);
 // Short-time Fourier transform of aba_filtered under Hann windows of `segment` samples.
 std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment = 128);
 // Contact pressure and slip at the impact.

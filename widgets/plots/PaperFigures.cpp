@@ -23,7 +23,6 @@ void addNote(Figure& figure, const QString& text, double share) {
   label->setTextAlignment(Qt::AlignRight);
   label->setFont(figure.style().captionFont());
   label->setColor(figure.style().muted);
-  label->setBrush(figure.style().background);
   label->setPadding(QMargins(2, 1, 2, 1));
   label->setText(text);
   label->setSelectable(false);
@@ -35,6 +34,7 @@ QString runName(const results::RunResult& run) { return QString::fromStdString(r
 std::unique_ptr<Figure> measuredPanel(const QString& caption, const QString& statement, const Style& style) {
   auto figure = std::make_unique<Figure>("measured", style);
   figure->setCaption(caption, "no measured data");
+  for (QCPAxis* axis : {figure->xAxis, figure->yAxis}) axis->grid()->setVisible(false);  // nothing to read off
   addNotice(*figure,
             "The paper shows its measurements as a picture\nwithout numbers; none are invented here.\n\n" + statement);
   return figure;
@@ -97,16 +97,25 @@ FigureSheet figure4(const PaperRuns& runs, const Style& style) {
   return sheet;
 }
 
-void addBox(Figure& figure, double frequencyFrom, double frequencyTo, double from, double to) {
+// A frame that says what it is; white, on the dark ground of a scalogram.
+void addBox(Figure& figure, double frequencyFrom, double frequencyTo, double from, double to, const QString& text) {
   auto* box = new QCPItemRect(&figure);
   box->topLeft->setCoords(from, frequencyTo);
   box->bottomRight->setCoords(to, frequencyFrom);
   box->setPen(QPen(Qt::white, 0.9));
   box->setBrush(Qt::NoBrush);
+  auto* label = new QCPItemText(&figure);
+  label->position->setCoords(from, frequencyTo);
+  label->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
+  label->setPadding(QMargins(0, 0, 0, 1));
+  label->setFont(figure.style().captionFont());
+  label->setColor(Qt::white);
+  label->setText(text);
+  label->setSelectable(false);
 }
 
 FigureSheet scalograms(const std::string& name, const QString& title, const results::RunResult* run,
-                       const char* caseName, const QString& statement, const Style& style) {
+                       const char* caseName, const QString& statement, bool framed, const Style& style) {
   FigureSheet sheet{name, {}, 2};
   auto measured = measuredPanel(title + " (a) measured", statement, style);
   measured->xAxis->setLabel("Position of the wheel [mm]");
@@ -116,11 +125,10 @@ FigureSheet scalograms(const std::string& name, const QString& title, const resu
   if (run) {
     calculated = scalogramFigure(*run, style);
     calculated->setCaption("(b) calculated", runName(*run));
-    // The paper frames the two free vibrations, at about 300 and 1000 Hz.
     const QCPRange shown = calculated->xAxis->range();
-    if (shown.size() > 100) {
-      addBox(*calculated, 230, 390, 10, shown.upper - 10);
-      addBox(*calculated, 850, 1180, 10, shown.upper - 10);
+    if (framed && shown.size() > 100) {
+      addBox(*calculated, 230, 390, 10, shown.upper - 10, "framed in the paper: about 300 Hz");
+      addBox(*calculated, 850, 1180, 10, shown.upper - 10, "framed in the paper: about 1000 Hz");
     }
     measured->xAxis->setRange(shown);
     for (QCPAxis* axis : {measured->yAxis, measured->yAxis2}) {
@@ -229,16 +237,16 @@ std::vector<FigureSheet> paperFigures(const PaperRuns& runs, const Style& style)
       scalograms("paper_figure_05", "Fig. 5", runs.light, "light-defect",
                  "Stated: up to 1700 Hz at the impact (calculated:\n2500 Hz); free vibrations near 300 and 1000 Hz,\n"
                  "framed in (b).",
-                 style));
+                 true, style));
   sheets.push_back(figure6(runs, style));
   sheets.push_back(squatFigure("paper_figure_08", "Fig. 8", runs.squat, "class-c-squat",
                                "stated: its calculated peak is about 60 % of the measured", style));
   sheets.push_back(figure9(runs, style));
   sheets.push_back(squatFigure("paper_figure_10", "Fig. 10", runs.modified, "class-c-squat-modified",
                                "stated: peaks still differ by about 60 %, 300 Hz agrees", style));
-  sheets.push_back(
-      scalograms("paper_figure_11", "Fig. 11", runs.modified, "class-c-squat-modified",
-                 "Stated: up to 1500 Hz at the impact; most energy\nbelow 550 Hz, a weaker part near 1000 Hz.", style));
+  sheets.push_back(scalograms(
+      "paper_figure_11", "Fig. 11", runs.modified, "class-c-squat-modified",
+      "Stated: up to 1500 Hz at the impact; most energy\nbelow 550 Hz, a weaker part near 1000 Hz.", false, style));
   return sheets;
 }
 

@@ -120,6 +120,10 @@ std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const 
   return mapFigure(result, style, "scalogram", "Wavelet power [(m/s²)² s]");
 }
 
+std::unique_ptr<Figure> amplitudeScalogramFigure(const results::RunResult& result, const Style& style) {
+  return mapFigure(result, style, "scalogram", "Wavelet power [(m/s²)²]");
+}
+
 std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment) {
   results::RunResult local;
   local.stem = result.stem;

@@ -15,7 +15,8 @@
 namespace squat::plots {
 namespace {
 
-constexpr std::size_t mostCurves = 12, mostPanels = 9;
+constexpr std::size_t mostCurves = 12, mostPanels = 9, columns = 3;
+constexpr std::size_t mostNamed = 3 * columns;  // curves in the legends of the first row of panels
 
 // Beginnings of the names of features, in the order of the panels.
 const std::vector<std::string>& shownFeatures() {
@@ -81,13 +82,30 @@ std::string othersOf(const studies::StudyDefinition& definition, const studies::
   for (std::size_t v = 0; v < point.values.size(); ++v) {
     if (v == key) continue;
     const auto& name = definition.variations[v].key;
-    text += (text.empty() ? "" : ", ") + name.substr(name.rfind('.') + 1) + " " + point.values[v];
+    const auto* parameter = cases::findParameter(name);
+    const bool hasUnit = parameter && !parameter->unit.empty() && parameter->unit != "-";
+    text += (text.empty() ? "" : ", ") + name.substr(name.rfind('.') + 1) + " " + point.values[v] +
+            (hasUnit ? " " + parameter->unit : std::string());
   }
   return text;
 }
 
+// Which curves a panel's legend names: `from` up to, not including, `to`.
+struct Named {
+  std::size_t from = 0, to = 0;
+};
+
+// Three or fewer curves in the first panel; more are shared out over the panels of the first row, so that a legend
+// stays one line; too many are not named.
+Named namedIn(std::size_t panel, std::size_t curves) {
+  if (curves < 2 || curves > mostNamed || panel >= columns) return {};
+  if (curves <= columns) return panel == 0 ? Named{0, curves} : Named{};
+  const std::size_t share = (curves + columns - 1) / columns;
+  return {panel * share, (panel + 1) * share};
+}
+
 std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key, const std::string& feature,
-                              bool labelled, const Style& style) {
+                              Named named, const Style& style) {
   auto figure = std::make_unique<Figure>(QString::fromStdString(feature), style);
   const auto& variation = table.definition.variations[key];
   bool numeric = true;
@@ -109,7 +127,8 @@ std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key,
   for (const auto& row : table.rows) {
     const auto others = othersOf(table.definition, row.point, key);
     const auto [found, isNew] = colours.try_emplace(others, curves.size());
-    if (isNew) curves.push_back({{}, {}, labelled ? QString::fromStdString(others) : QString(), curves.size(), 1.1});
+    const bool isNamed = curves.size() >= named.from && curves.size() < named.to;
+    if (isNew) curves.push_back({{}, {}, isNamed ? QString::fromStdString(others) : QString(), curves.size(), 1.1});
     const auto at = std::find(variation.values.begin(), variation.values.end(), row.point.values[key]);
     const auto value = row.state == studies::RowState::done ? featureOf(row, feature) : std::nullopt;
     curves[found->second].x.push_back(places[static_cast<std::size_t>(at - variation.values.begin())]);
@@ -130,14 +149,14 @@ std::vector<FigureSheet> studyFigures(const studies::StudyTable& table, const St
   const auto features = featuresIn(table);
   if (features.empty()) return sheets;
   for (std::size_t key = 0; key < table.definition.variations.size(); ++key) {
-    FigureSheet sheet{"study_" + laboratory::safeFileName(table.definition.variations[key].key), {}, 3};
+    FigureSheet sheet{
+        "study_" + laboratory::safeFileName(table.definition.variations[key].key), {}, static_cast<int>(columns)};
     std::size_t curves = 1;
     for (std::size_t v = 0; v < table.definition.variations.size(); ++v)
       if (v != key) curves *= table.definition.variations[v].values.size();
     for (std::size_t i = 0; i < features.size(); ++i) {
-      // One legend a sheet, where it stays readable.
-      auto figure = panel(table, key, features[i], i == 0 && curves > 1 && curves <= 3, style);
-      const QString note = curves > 1
+      auto figure = panel(table, key, features[i], namedIn(i, curves), style);
+      const QString note = curves > mostNamed
                                ? QStringLiteral("%1 curves, one a combination of the other keys%2")
                                      .arg(std::min(curves, mostCurves))
                                      .arg(curves > mostCurves ? QStringLiteral(" (of %1)").arg(curves) : QString())

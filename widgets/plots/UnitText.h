@@ -6,9 +6,11 @@
 
 namespace squat::plots {
 
-// "m/s2" as m/s².
+// "m/s2" as m/s², "(m/s2)2/Hz" as (m/s²)²/Hz; a unit that nobody named says so.
 inline QString unitText(const std::string& unit) {
-  return QString::fromStdString(unit).replace("s2", QString("s") + QChar(0x00B2));
+  if (unit.empty()) return QStringLiteral("unit not named");
+  const QString two(QChar(0x00B2));
+  return QString::fromStdString(unit).replace("s2", "s" + two).replace(")2", ")" + two);
 }
 
 }  // namespace squat::plots
