@@ -95,6 +95,8 @@ std::optional<double> freeVibration(const RunResult& result, const Statement& st
   // Half the filter's own ringing before the impact belongs to it.
   const double ahead = 0.5 / (band.high - band.low);
   const auto decay = signals::bandDecay(series, impact - ahead, result.time.back(), band);
+  // A record that ends while the band still rings can show that it rings long, not that it does not.
+  if (!decay.ended && decay.ratio() < statement.low) return std::nullopt;
   return decay.ratio();
 }
 
