@@ -1,0 +1,125 @@
+// The figures of the signal laboratory as files, with no display: every format, text that is text, nothing cut, and
+// beside their baselines in tests/render/baselines (see BaselineTest.cpp for how to renew one).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QXmlStreamReader>
+#include <filesystem>
+
+#include "plots/Application.h"
+#include "plots/FigureFiles.h"
+#include "render/PictureComparison.h"
+#include "render/SyntheticLaboratory.h"
+
+namespace squat {
+namespace {
+
+using testing::Contains;
+
+class LaboratoryFigures : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    qunsetenv("DISPLAY");
+    qunsetenv("WAYLAND_DISPLAY");
+    plots::ensureApplication();
+    sheets_ = new std::vector<plots::FigureSheet>(tests::laboratorySheets());
+  }
+  static void TearDownTestSuite() { delete sheets_; }
+  static QByteArray contents(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path;
+    return file.readAll();
+  }
+  // All character data of <text> elements; fails where the document is not well-formed.
+  static std::vector<std::string> textsOf(const QByteArray& svg) {
+    QXmlStreamReader reader(svg);
+    std::vector<std::string> texts;
+    while (!reader.atEnd())
+      if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == QLatin1String("text"))
+        texts.push_back(reader.readElementText().toStdString());
+    EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
+    return texts;
+  }
+  static void expectEmptyBorder(const QImage& image, const std::string& name) {
+    const QRgb background = image.pixel(0, 0);
+    for (int x = 0; x < image.width(); ++x) {
+      ASSERT_EQ(image.pixel(x, 0), background) << name << " top, column " << x;
+      ASSERT_EQ(image.pixel(x, image.height() - 1), background) << name << " bottom, column " << x;
+    }
+    for (int y = 0; y < image.height(); ++y) {
+      ASSERT_EQ(image.pixel(0, y), background) << name << " left, line " << y;
+      ASSERT_EQ(image.pixel(image.width() - 1, y), background) << name << " right, line " << y;
+    }
+  }
+  static inline std::vector<plots::FigureSheet>* sheets_ = nullptr;
+};
+
+TEST_F(LaboratoryFigures, allKindsAreThere) {
+  std::vector<std::string> names;
+  for (const auto& sheet : *sheets_) names.push_back(sheet.name);
+  EXPECT_THAT(names,
+              testing::ElementsAre("run_1_history", "run_1_psd", "run_1_stft", "run_1_scalogram", "run_2_history",
+                                   "run_2_psd", "run_2_stft", "run_2_scalogram", "scatter_time", "scatter_position",
+                                   "measured_comparison", "smooth_comparison", "study_defect_length",
+                                   "study_defect_depth", "paper_figure_04", "paper_figure_05", "paper_figure_06",
+                                   "paper_figure_08", "paper_figure_09", "paper_figure_10", "paper_figure_11"));
+}
+
+TEST_F(LaboratoryFigures, eachInEveryFormatWithTextAsText) {
+  const std::string folder = tests::freshFolder("laboratory");
+  for (const auto& sheet : *sheets_) {
+    const auto paths = plots::writeSheet(sheet, folder, {});
+    ASSERT_EQ(paths.size(), 3u) << sheet.name;
+    for (const auto& path : paths) EXPECT_GT(std::filesystem::file_size(path), 5000u) << path;
+    EXPECT_GT(tests::inkShare(QImage(QString::fromStdString(paths[0]))), 0.03) << paths[0] << " is nearly empty";
+    const auto texts = textsOf(contents(paths[1]));
+    for (const auto& panel : sheet.panels)
+      for (const QCPAxis* axis : {panel->xAxis, panel->yAxis})
+        EXPECT_THAT(texts, Contains(axis->label().toStdString())) << paths[1];
+    const QByteArray pdf = contents(paths[2]);
+    EXPECT_TRUE(pdf.startsWith("%PDF-")) << paths[2];
+    EXPECT_TRUE(pdf.contains("/FontFile2")) << paths[2];
+  }
+}
+
+TEST_F(LaboratoryFigures, everyAxisHasALabelAndSquaresAreRaised) {
+  for (const auto& sheet : *sheets_)
+    for (const auto& panel : sheet.panels)
+      for (const QCPAxis* axis : {panel->xAxis, panel->yAxis}) {
+        EXPECT_FALSE(axis->label().isEmpty()) << sheet.name << " " << panel->name().toStdString();
+        EXPECT_FALSE(axis->label().contains("s2") || axis->label().contains(")2")) << axis->label().toStdString();
+      }
+}
+
+// Panels one by one: a label that a panel cuts would not show at the border of the sheet.
+TEST_F(LaboratoryFigures, nothingIsCut) {
+  for (const auto& sheet : *sheets_)
+    for (const auto& panel : sheet.panels) {
+      const std::string name = sheet.name + " " + panel->name().toStdString();
+      expectEmptyBorder(plots::toImage(*panel, 150), name);
+      const QRectF axes = panel->axisRect()->rect().adjusted(-1, -1, 1, 1);
+      for (int i = 0; i < panel->itemCount(); ++i)
+        if (const auto* text = qobject_cast<QCPItemText*>(panel->item(i)); text && text->visible()) {
+          const QPointF from = text->topLeft->pixelPosition(), to = text->bottomRight->pixelPosition();
+          EXPECT_TRUE(axes.contains(from) && axes.contains(to))
+              << name << ": \"" << text->text().toStdString() << "\" from " << from.x() << ", " << from.y() << " to "
+              << to.x() << ", " << to.y() << " leaves the axes";
+        }
+    }
+}
+
+TEST_F(LaboratoryFigures, lookAsTheyDid) {
+  const std::string folder = tests::freshFolder("laboratory-baseline");
+  const QString kept = QStringLiteral(SQUAT_SOURCE_DIR "/tests/render/baselines/%1.png");
+  for (const auto& sheet : *sheets_) {
+    const QString name = QString::fromStdString(sheet.name), now = QString::fromStdString(folder) + "/" + name + ".png";
+    const QImage small = tests::thumbnail(plots::toImage(sheet, 200), sheet.panels.size() > 1 ? 420 : 251);
+    small.save(now);
+    // As in BaselineTest: letters that move by a pixel make 0.01 to 0.02, something that is missing 0.05 and more.
+    EXPECT_LT(tests::difference(small, QImage(kept.arg(name))), 0.035) << "now: " << now.toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace squat

@@ -1,0 +1,106 @@
+#include "render/SyntheticLaboratory.h"
+
+#include <cmath>
+
+#include "laboratory/Analysis.h"
+#include "laboratory/FileComparison.h"
+#include "plots/AnalysisFigures.h"
+#include "plots/ComparisonFigures.h"
+#include "plots/PaperFigures.h"
+#include "plots/StudyFigures.h"
+#include "render/SyntheticResult.h"
+
+namespace squat::tests {
+namespace {
+
+constexpr double rate = 25000;
+
+// A kick at `impact` [s] that rings at 300 and `high` Hz; a little hum, so that nothing is constant.
+measured::MeasuredSignal passing(const std::string& name, double impact, double speed, double size, double high) {
+  measured::MeasuredSignal signal;
+  signal.file = name + ".csv";
+  signal.run = name;
+  signal.series = {0, 1 / rate, {}, name, "m/s2"};
+  for (int i = 0; i < 2000; ++i) {
+    const double t = i / rate, since = t - impact, late = std::max(since, 0.0);
+    const double smooth = 1 / (1 + std::exp(-since / 1.5e-4));
+    const double tones = 70 * std::exp(-late / 0.006) * std::sin(2 * M_PI * 300 * since) +
+                         60 * std::exp(-late / 0.003) * std::sin(2 * M_PI * high * since);
+    signal.series.values.push_back(size * smooth * tones + 1.5 * std::sin(2 * M_PI * 420 * t));
+    signal.position.push_back(speed * t);
+  }
+  return signal;
+}
+
+laboratory::Analysis twoRuns() {
+  laboratory::Analysis analysis;
+  std::vector<signals::Passage> passages;
+  for (const auto& signal : {passing("run 1", 0.030, 30, 1.0, 1000), passing("run 2", 0.034, 28, 1.2, 1020)}) {
+    analysis.signals.push_back(laboratory::analyseSignal(signal, {}));
+    passages.push_back({analysis.signals.back().filtered, signal.position});
+    passages.back().series.name = signal.run;
+  }
+  analysis.inTime = signals::alignInTime(passages);
+  analysis.inPosition = signals::alignInPosition(passages);
+  analysis.dispersion = signals::runDispersion(*analysis.inTime);
+  return analysis;
+}
+
+laboratory::FileComparison pairOf(const measured::MeasuredSignal& first, const measured::MeasuredSignal& second,
+                                  bool smooth) {
+  signals::ComparisonOptions options;
+  options.align = !smooth;
+  options.inPosition = smooth;
+  return {first.file, second.file, signals::compare(first.passage(), second.passage(), options), {}};
+}
+
+studies::StudyTable severity() {
+  auto table = studies::emptyTable(
+      {"class-c-squat",
+       "12345678",
+       {studies::variationFromText("defect.length=20:80:4"), studies::variationFromText("defect.depth=0.05:0.3:4")}});
+  for (auto& row : table.rows) {
+    const double length = std::stod(row.point.values[0]), depth = std::stod(row.point.values[1]);
+    row.state = studies::RowState::done;
+    if (row.point.index == 5) {
+      row.state = studies::RowState::failed;  // a hole in the curves
+      row.message = "contact lost";
+      continue;
+    }
+    const double peak = 1000 * depth * length / (20 + length);
+    row.features = {{"peak [m/s2]", peak},
+                    {"largest moving rms [m/s2]", 0.4 * peak},
+                    {"wavelength by ridge [m]", 0.03 + 1e-4 * length},
+                    {"power 130-320 Hz [(m/s2)2]", 0.2 * peak * peak},
+                    {"power 200-400 Hz [(m/s2)2]", 0.3 * peak * peak},
+                    {"power 1000-1200 Hz [(m/s2)2]", 0.01 * peak * peak},
+                    {"free vibration 1000-1200 Hz [s]", 0.004},
+                    {"peak 1 frequency [Hz]", 330 - length},
+                    {"largest contact force [N]", 9e4 + 300 * peak}};
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<plots::FigureSheet> laboratorySheets() {
+  const auto style = plots::lightStyle();
+  std::vector<plots::FigureSheet> all;
+  const auto add = [&](std::vector<plots::FigureSheet> sheets) {
+    for (auto& sheet : sheets) all.push_back(std::move(sheet));
+  };
+  add(plots::analysisFigures(twoRuns(), style));
+  const auto computed = passing("computed", 0.030, 30, 1.0, 1000);
+  add(plots::comparisonFigures({pairOf(computed, passing("measured", 0.033, 29, 1.2, 1020), false)}, false, style));
+  add(plots::comparisonFigures({pairOf(computed, passing("smooth", 0.030, 30, 0.02, 1000), true)}, true, style));
+  add(plots::studyFigures(severity(), style));
+  const auto light = syntheticResult();
+  auto squat = light, modified = light;
+  squat.stem = "class-c-squat";
+  modified.stem = "class-c-squat-modified";
+  for (double& height : modified.profileHeight) height *= 1.5;
+  add(plots::paperFigures({&light, &squat, &modified}, style));
+  return all;
+}
+
+}  // namespace squat::tests
