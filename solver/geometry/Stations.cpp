@@ -23,22 +23,24 @@ std::vector<double> Stations::positions() const {
 
 namespace {
 
-// Lengths of intermediate runs between two lengths, both excluded, in steps of at most `growth`.
-std::vector<double> between(double from, double to, double growth) {
-  std::vector<double> lengths;
-  const double ratio = to / from;
-  const int steps = static_cast<int>(std::ceil(std::abs(std::log(ratio)) / std::log(growth) - 1e-9));
-  for (int i = 1; i < steps; ++i) lengths.push_back(from * std::pow(ratio, static_cast<double>(i) / steps));
-  return lengths;
-}
-
 int roundedUp(double intervals, int multiple) {
   return std::max(1, static_cast<int>(std::ceil(intervals / multiple - 1e-6))) * multiple;
 }
 
-double lengthOf(const std::vector<StationRun>& runs) {
+// Lengths of `count` blocks that grow by `ratio` from the finer neighbours (0: none) up to `length`.
+std::vector<double> ladder(int count, double length, double finerBefore, double finerAfter, double ratio) {
+  std::vector<double> lengths(static_cast<std::size_t>(count), length);
+  double fromBefore = finerBefore, fromAfter = finerAfter;
+  for (int i = 0; i < count; ++i) {
+    if (finerBefore > 0) lengths[i] = std::min(lengths[i], fromBefore *= ratio);
+    if (finerAfter > 0) lengths[count - 1 - i] = std::min(lengths[count - 1 - i], fromAfter *= ratio);
+  }
+  return lengths;
+}
+
+double sumOf(const std::vector<double>& values) {
   double sum = 0;
-  for (const auto& run : runs) sum += run.count * run.length;
+  for (const double value : values) sum += value;
   return sum;
 }
 
@@ -46,23 +48,25 @@ double lengthOf(const std::vector<StationRun>& runs) {
 
 std::vector<StationRun> fillGap(double gap, double length, double finerBefore, double finerAfter, double growth,
                                 int multiple) {
-  std::vector<StationRun> before, after;
-  if (finerBefore > 0)
-    for (const double l : between(finerBefore, length, growth)) before.push_back({multiple, l});
-  if (finerAfter > 0)
-    for (const double l : between(length, finerAfter, growth)) after.push_back({multiple, l});
-  double rest = gap - lengthOf(before) - lengthOf(after);
-  while (rest <= 0 && (!before.empty() || !after.empty())) {  // no room: drop the coarsest steps
-    if (before.size() >= after.size())
-      before.pop_back();
-    else
-      after.erase(after.begin());
-    rest = gap - lengthOf(before) - lengthOf(after);
+  // The fewest blocks of `multiple` intervals that can fill the gap; then the longest are cut, so that they just do.
+  const double wanted = gap / multiple;
+  int count = 1;
+  while (sumOf(ladder(count, length, finerBefore, finerAfter, growth)) < wanted * (1 - 1e-9)) ++count;
+  double low = 0, high = length;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (sumOf(ladder(count, middle, finerBefore, finerAfter, growth)) < wanted ? low : high) = middle;
   }
-  const int count = roundedUp(rest / length, multiple);
-  before.push_back({count, rest / count});
-  before.insert(before.end(), after.begin(), after.end());
-  return before;
+  auto lengths = ladder(count, high, finerBefore, finerAfter, growth);
+  const double rest = wanted / sumOf(lengths);  // 1 but for round-off
+  std::vector<StationRun> runs;
+  for (const double l : lengths) {
+    if (!runs.empty() && std::abs(l * rest - runs.back().length) < 1e-9 * l)
+      runs.back().count += multiple;
+    else
+      runs.push_back({multiple, l * rest});
+  }
+  return runs;
 }
 
 Stations stationsOver(double start, const std::vector<Zone>& zones, double growth, int multiple) {
@@ -85,8 +89,11 @@ Stations stationsOver(double start, const std::vector<Zone>& zones, double growt
       if (coarserBefore) from[i] -= coarserAfter ? extra / 2 : extra, to[i - 1] = from[i];
       if (coarserAfter) to[i] = from[i] + count * length, from[i + 1] = to[i];
     }
-    const double finerBefore = i > 0 && zones[i - 1].length < length ? zones[i - 1].length : 0;
-    const double finerAfter = i + 1 < n && zones[i + 1].length < length ? zones[i + 1].length : 0;
+    // Finer neighbours are laid already: what counts is how long their intervals came out.
+    const double finerBefore =
+        i > 0 && zones[i - 1].length < length && !runs[i - 1].empty() ? runs[i - 1].back().length : 0;
+    const double finerAfter =
+        i + 1 < n && zones[i + 1].length < length && !runs[i + 1].empty() ? runs[i + 1].front().length : 0;
     runs[i] = fillGap(to[i] - from[i], length, finerBefore, finerAfter, growth, multiple);
   }
   Stations stations;

@@ -28,8 +28,8 @@ struct Zone {
   double length = 0;  // [m] wished interval length
 };
 
-// Runs that fill exactly `gap` with intervals of about `length`, stepping down towards finer neighbours (their interval
-// length, or 0 where there is none) by at most a factor `growth` a run.
+// Runs that fill exactly `gap` with the fewest intervals of at most `length` that step down towards finer neighbours
+// (their interval length as laid, or 0 where there is none) by at most a factor `growth` a run.
 std::vector<StationRun> fillGap(double gap, double length, double finerBefore, double finerAfter, double growth,
                                 int multiple);
 

@@ -38,13 +38,24 @@ TEST(Stations, GapIsFilledExactlyInWholeVectors) {
       for (const auto& run : runs) {
         EXPECT_EQ(run.count % 8, 0);
         EXPECT_LE(run.length, 0.075 + 1e-12);
+        EXPECT_LE(std::max(run.length / before, before / run.length), 2 * (1 + 1e-9));
         before = run.length;
       }
       if (finerAfter > 0) {
         EXPECT_LE(before, 2 * finerAfter * (1 + 1e-9));
       }
-      EXPECT_LE(runs.front().length, 2 * 0.0013 * (1 + 1e-9));
     }
+}
+
+// The fewest vectors that can fill the gap: with lengths of 1.3 mm 2, 4, 8, 16, 32 times and 75 mm, 8 of each, 0.9 m
+// are reached by 8 (2.6 + 5.2 + 10.4 + 20.8 + 41.6 + 75) = 1.24 m and not by 0.64 m without the last.
+TEST(Stations, GapTakesNoMoreVectorsThanItNeeds) {
+  int count = 0;
+  for (const auto& run : fillGap(0.9, 0.075, 0.0013, 0, 2.0, 8)) count += run.count;
+  EXPECT_EQ(count, 48);
+  count = 0;
+  for (const auto& run : fillGap(0.64, 0.075, 0.0013, 0, 2.0, 8)) count += run.count;
+  EXPECT_EQ(count, 40);
 }
 
 TEST(Stations, ZonesKeepTheirEndsAndLengths) {
@@ -58,8 +69,7 @@ TEST(Stations, ZonesKeepTheirEndsAndLengths) {
   for (const auto& run : stations.runs) EXPECT_EQ(run.count % 8, 0);
   for (std::size_t r = 1; r < stations.runs.size(); ++r) {
     const double ratio = stations.runs[r].length / stations.runs[r - 1].length;
-    // The growth limit holds for the wished lengths; rounding to whole vectors shortens a run by up to a seventh.
-    EXPECT_LE(std::max(ratio, 1 / ratio), 2.0 * 7 / 6) << "run " << r;
+    EXPECT_LE(std::max(ratio, 1 / ratio), 2.0 * (1 + 1e-9)) << "run " << r;
   }
   // Within each fine zone no interval is longer than wished.
   for (std::size_t i = 0; i + 1 < at.size(); ++i) {
