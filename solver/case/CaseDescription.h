@@ -24,6 +24,7 @@ enum class RailEnds { free, clamped, absorbing };
 
 struct Rail {
   Material material;
+  double inclination = 0;  // [-] slope of the foot: the head leans towards the track centre
   double yieldStress = 0, tangentModulus = 0, plasticDepth = 0;  // [Pa], [Pa], [m]
   int hardening = 0;                                             // index of Hardening
   bool plastic = false;
@@ -49,6 +50,7 @@ struct Sleeper {
 struct Wheelset {
   Material material;
   double radius = 0, rimWidth = 0, rimInnerRadius = 0;    // [m]
+  double cone = 0;                                        // [-] slope of the tread, its radius falls outwards
   double webThickness = 0, hubRadius = 0, hubWidth = 0;   // [m]
   double seatRadius = 0, axleRadius = 0, boreRadius = 0;  // [m] wheel seat, axle body, bore
   double shoulderRadius = 0, shoulderEnd = 0;             // [m] step outside the hub, its outer end
@@ -72,6 +74,7 @@ struct Motion {
   double torqueRamp = 0;           // [s]
   double runUp = 0;                // [m] from start to the deepest point of the defect
   double beyond = 0;               // [m] rolled beyond it
+  double lateralOffset = 0;        // [m] along the crown from its middle to where the wheel's running circle touches
   double gravity = 0;              // [m/s2]
 };
 
@@ -109,6 +112,12 @@ struct ProfilePoint {
   double height = 0;    // [m] up positive: a dip is negative
 };
 
+// One of several profiles side by side.
+struct ProfileLine {
+  double lateral = 0;  // [m] on the rail's crown, from its middle outwards
+  std::vector<ProfilePoint> points;
+};
+
 struct Defect {
   int shape = 0;                     // index of DefectShape
   double length = 0;                 // [m] of the dip
@@ -122,6 +131,8 @@ struct Defect {
   double halfWidth = 0;              // [m] parabolic: half width where the defect fades out
   std::string file;                  // path of the profile as the case names it
   std::vector<ProfilePoint> points;  // the profile as read, shape == profile
+  std::vector<ProfileLine> lines;    // several profiles side by side; they count before points
+  double lateralCentre = 0;          // [m] sideways shift of the whole defect on the crown
   double heightScale = 0;            // [-] profile: factor on all heights
   bool level = false;                // profile: the line through its first and last point is the undisturbed surface
   bool moveNodes = false;            // surface nodes moved (true) or the profile as a term of the gap function (false)

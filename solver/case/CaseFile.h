@@ -23,7 +23,7 @@ struct CaseOverrides {
 // Order of precedence: --set, keys stated in the file, mesh preset (--mesh, --set mesh.preset, the file's, draft),
 // defaults. A mesh key that the file states with just the value that its own preset gives (as every written case does)
 // counts as not stated, so that --mesh acts on written cases too.
-// A profile named by defect.file is read, relative to the file's folder, unless the case has defect.points.
+// A profile named by defect.file is read, relative to the file's folder, unless the case has defect.points or lines.
 // Throws CaseError with every mistake in keys, types, ranges and relations (Validation.h); FileError where the file or
 // the profile cannot be read, is no TOML (with line), is larger than 4 MB or of a newer schema.
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides = {});
@@ -39,7 +39,7 @@ CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& ove
 std::string caseStem(const std::string& nameOrPath);
 
 // Every key with its value, grouped in tables, units and documentation as comments. parseCase gives back the same
-// description, bit for bit: profiles are written as defect.points.
+// description, bit for bit: profiles are written as defect.points or lines.
 std::string writeCase(const CaseDescription& description);
 
 // Written beside, read back, renamed: the earlier file stays until the new one is whole. Throws FileError, and

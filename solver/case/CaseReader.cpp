@@ -100,6 +100,20 @@ std::optional<std::string> pointsText(const toml::node& node, const Source& sour
   return text + "]";
 }
 
+std::optional<std::string> linesText(const toml::node& node, const Source& source) {
+  const auto* array = node.as_array();
+  if (!array) return std::nullopt;
+  std::string text = "[";
+  for (const auto& element : *array) {
+    const auto* line = element.as_array();
+    if (!line || line->size() != 2) return std::nullopt;
+    const auto lateral = numberText((*line)[0], source), points = pointsText((*line)[1], source);
+    if (!lateral || !points) return std::nullopt;
+    text += (text.size() > 1 ? ",[" : "[") + *lateral + "," + *points + "]";
+  }
+  return text + "]";
+}
+
 std::optional<std::string> textFor(const toml::node& node, Kind kind, const Source& source) {
   switch (kind) {
     case Kind::number:
@@ -113,6 +127,8 @@ std::optional<std::string> textFor(const toml::node& node, Kind kind, const Sour
       return std::nullopt;
     case Kind::points:
       return pointsText(node, source);
+    case Kind::lines:
+      return linesText(node, source);
   }
   return std::nullopt;
 }
@@ -273,12 +289,18 @@ void readProfile(CaseDescription& description, const CaseOverrides& overrides, c
   Defect& defect = description.defect;
   if (defect.shape != static_cast<int>(DefectShape::profile) || defect.file.empty()) return;
   const bool fileSet = overrideOf(overrides, "defect.file") != nullptr;
-  if (!defect.points.empty() && !(fileSet && !overrideOf(overrides, "defect.points"))) return;
+  const bool sampledSet = overrideOf(overrides, "defect.points") || overrideOf(overrides, "defect.lines");
+  if (!(defect.points.empty() && defect.lines.empty()) && !(fileSet && !sampledSet)) return;
   const std::filesystem::path named = defect.file;
   // What is typed on the command line is relative to where it is typed.
   const auto path = named.is_absolute() || fileSet ? named : folder / named;
   try {
-    defect.points = readProfileFile(path);
+    auto profile = readProfileLines(path);
+    defect.points.clear(), defect.lines.clear();
+    if (profile.size() == 1)
+      defect.points = std::move(profile.front().points);
+    else
+      defect.lines = std::move(profile);
   } catch (const FileError&) {
     if (problems.empty()) throw;
     problems.throwIfAny();  // mistakes of the case first: the file may be one of them

@@ -39,8 +39,7 @@ std::string limitText(const std::string& key, const char* relation, double limit
 void add(std::vector<Finding>& findings, const Case& description, Severity severity, Keys keys, std::string allowed,
          std::string advice) {
   const Parameter& parameter = *findParameter(keys.front());
-  const std::string value =
-      parameter.kind == Kind::points ? "the profile" : withUnit(valueText(description, parameter), parameter);
+  const std::string value = isList(parameter) ? "the profile" : withUnit(valueText(description, parameter), parameter);
   findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});
 }
 
@@ -142,7 +141,8 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
         "The wheel would start on the defect; lengthen the run-up");
   if (c.motion.beyond < surface.last())
     add(findings, c, Severity::warning, {"motion.beyond", "defect.length", "defect.points", "defect.file"},
-        limitText("motion.beyond", "at least", surface.last()), "The run ends before the end of the defect");
+        limitText("motion.beyond", "at least", surface.last()),
+        "The run, and the fine mesh with it, ends before the end of the defect");
   if (c.track.length < 5 * c.track.sleeperSpacing)
     add(findings, c, Severity::problem, {"track.length", "track.sleeper_spacing"},
         limitText("track.length", "at least five sleeper spacings:", 5 * c.track.sleeperSpacing), "Lengthen the track");
@@ -167,16 +167,20 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   const auto& d = c.defect;
   const auto shape = static_cast<DefectShape>(d.shape);
   const bool sampled = shape == DefectShape::profile;
-  if (sampled && d.points.size() < 2)
-    add(findings, c, Severity::problem, {"defect.points", "defect.file", "defect.shape"}, "at least two points",
-        "Name a CSV file as defect.file or write the points");
+  if (sampled && d.points.size() < 2 && d.lines.empty())
+    add(findings, c, Severity::problem, {"defect.points", "defect.lines", "defect.file", "defect.shape"},
+        "at least two points", "Name a CSV file as defect.file or write the points");
+  if (sampled && !d.lines.empty() && static_cast<LateralShape>(d.lateral) != LateralShape::uniform)
+    add(findings, c, Severity::problem, {"defect.lateral", "defect.lines"}, "uniform where defect.lines are given",
+        "The lines say what the defect is like across the rail");
   if (shape == DefectShape::cut && 2 * d.ramp > d.length)
     add(findings, c, Severity::problem, {"defect.ramp", "defect.length"},
         limitText("defect.ramp", "at most half of defect.length:", 0.5 * d.length),
         "Both ramps lie within the length of the cut");
   const DefectSurface surface(d);
   if (surface.first() == surface.last()) return;
-  const std::string depthKey = sampled ? "defect.points" : "defect.depth";
+  const std::string pointsKey = d.lines.empty() ? "defect.points" : "defect.lines";
+  const std::string depthKey = sampled ? pointsKey : "defect.depth";
   // A face that drops more than half its length would fold the elements below it.
   constexpr double steepestPossible = 0.5, steepestSensible = 0.1;
   const std::string found = "; this one has " + rounded(surface.steepest());
@@ -196,16 +200,54 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
         "The defect is deeper than the fine layer whose nodes are moved; set defect.move_nodes = false or make it "
         "shallower");
   if (sampled && surface.profileSpacing() > surface.dipLength() / 8)
-    add(findings, c, Severity::warning, {"defect.points", "defect.file"},
+    add(findings, c, Severity::warning, {pointsKey, "defect.file"},
         "points at most " + rounded(surface.dipLength() * 1e3 / 8) + " mm apart",
         "Points of the profile are " + rounded(surface.profileSpacing() * 1e3) +
             " mm apart, more than an eighth of the dip: its shape is guessed between them (monotone cubic)");
   if (sampled && surface.depth() == 0)
-    add(findings, c, Severity::warning, {"defect.points", "defect.file"}, "a dip below the surface",
+    add(findings, c, Severity::warning, {pointsKey, "defect.file"}, "a dip below the surface",
         "The profile has no point below the surface: heights count up positive");
-  if (sampled && !d.level && (d.points.front().height != 0 || d.points.back().height != 0))
-    add(findings, c, Severity::warning, {"defect.level", "defect.points", "defect.file"}, "ends at height zero",
+  const auto endsAway = [](const std::vector<ProfilePoint>& points) {
+    return points.size() > 1 && (points.front().height != 0 || points.back().height != 0);
+  };
+  const bool away = d.lines.empty() ? endsAway(d.points)
+                                    : std::any_of(d.lines.begin(), d.lines.end(),
+                                                  [&](const ProfileLine& line) { return endsAway(line.points); });
+  if (sampled && !d.level && away)
+    add(findings, c, Severity::warning, {"defect.level", pointsKey, "defect.file"}, "ends at height zero",
         "The profile does not end on the undisturbed surface; it runs out over 20 mm");
+}
+
+// Where a straight tread touches the crown: where the slopes agree. Both arcs of the crown are known to the solver;
+// here the middle one, R300, must hold the touching point, and the fine band of the mesh the patch about it.
+void checkSeat(const Case& c, std::vector<Finding>& findings) {
+  constexpr double crownRadius = 0.300, crownEnd = 0.010;                          // [m]
+  constexpr double patchHalfWidth = 0.00516, patchLoad = 87.8e3;                   // [m] Hertz at this load [N]
+  const double tilt = std::atan(c.rail.inclination) - std::atan(c.wheelset.cone);  // [rad]
+  const double touch = c.motion.lateralOffset + crownRadius * tilt;
+  if (touch == 0) return;
+  const std::string key = c.motion.lateralOffset != 0 ? "motion.lateral_offset" : "wheelset.cone";
+  const std::string found = "The wheel touches the crown at " + rounded(touch * 1e3) + " mm";
+  const auto between = [&](double most) {
+    if (key == "motion.lateral_offset")
+      return rounded(1e3 * (-most - crownRadius * tilt)) + " to " + rounded(1e3 * (most - crownRadius * tilt)) + " mm";
+    const double inclination = std::atan(c.rail.inclination);
+    return rounded(std::tan(inclination - most / crownRadius)) + " to " +
+           rounded(std::tan(inclination + most / crownRadius));
+  };
+  const Keys keys{key, "rail.inclination", "wheelset.cone", "motion.lateral_offset"};
+  if (std::abs(touch) > crownEnd) {
+    add(findings, c, Severity::problem, keys, between(crownEnd), found + ", beyond its middle arc R300");
+    return;
+  }
+  const double load = (c.wheelset.totalMass + c.suspension.sprungMass) * c.motion.gravity;
+  const double half = patchHalfWidth * std::cbrt(load / patchLoad);
+  Keys withBand = keys;
+  withBand.push_back("mesh.band_half_width");
+  if (std::abs(touch) + half > c.mesh.bandHalfWidth)
+    add(findings, c, Severity::problem, withBand, between(std::max(0.0, c.mesh.bandHalfWidth - half)),
+        found + " and its patch reaches " + rounded(1e3 * (std::abs(touch) + half)) +
+            " mm, beyond the fine band: raise mesh.band_half_width = " + rounded(1e3 * c.mesh.bandHalfWidth) + " mm");
 }
 
 void checkMesh(const Case& c, std::vector<Finding>& findings) {

@@ -24,6 +24,10 @@ std::string shortValue(const CaseDescription& description, const Parameter& para
     const auto count = std::count(text.begin(), text.end(), '[') - 1;
     return std::to_string(count) + " points";
   }
+  if (parameter.kind == Kind::lines) {
+    const auto lines = parseLines(text, 0);
+    return std::to_string(lines ? lines->size() : 0) + " lines";
+  }
   if (parameter.kind == Kind::text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     return "\"" + text + "\"";
@@ -32,7 +36,7 @@ std::string shortValue(const CaseDescription& description, const Parameter& para
 }
 
 bool isDefault(const CaseDescription& description, const Parameter& parameter) {
-  const std::string standard = parameter.kind == Kind::points ? "[]" : parameter.standardText;
+  const std::string standard = isList(parameter) ? "[]" : parameter.standardText;
   return valueText(description, parameter) == standard;
 }
 
@@ -50,6 +54,12 @@ Json numberJson(const std::string& text, bool integer) {
   return integer ? Json(static_cast<long>(*value)) : Json(*value);
 }
 
+Json pointsJson(const std::vector<ProfilePoint>& points) {
+  Json array = Json::array();
+  for (const auto& point : points) array.push_back({point.position, point.height});
+  return array;
+}
+
 Json valueJson(const Parameter& parameter, const std::string& text) {
   switch (parameter.kind) {
     case Kind::number:
@@ -57,10 +67,13 @@ Json valueJson(const Parameter& parameter, const std::string& text) {
     case Kind::boolean:
       return text == "true";
     case Kind::points: {
-      Json array = Json::array();
       const auto points = parsePoints(text, 0);
-      if (points)
-        for (const auto& point : *points) array.push_back({point.position, point.height});
+      return points ? pointsJson(*points) : Json::array();
+    }
+    case Kind::lines: {
+      Json array = Json::array();
+      if (const auto lines = parseLines(text, 0))
+        for (const auto& line : *lines) array.push_back(Json::array({line.lateral, pointsJson(line.points)}));
       return array;
     }
     default:
@@ -89,8 +102,8 @@ std::string describeJson(const CaseDescription& description) {
   Json all = Json::array();
   for (const auto& parameter : parameterTable()) {
     const bool isNumber = parameter.kind == Kind::number;
-    constexpr const char* kinds[] = {"number", "choice", "text", "boolean", "points"};
-    const std::string standard = parameter.kind == Kind::points ? "[]" : parameter.standardText;
+    constexpr const char* kinds[] = {"number", "choice", "text", "boolean", "points", "lines"};
+    const std::string standard = isList(parameter) ? "[]" : parameter.standardText;
     Json row;
     row["key"] = parameter.key;
     row["value"] = valueJson(parameter, valueText(description, parameter));

@@ -27,12 +27,15 @@ std::string tomlString(const std::string& text) {
   return result + "\"";
 }
 
-// One pair of position and height a line.
+// One pair of position and height a line, indented by the depth of the brackets.
 std::string manyLines(const std::string& points) {
   std::string result;
+  std::size_t depth = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool opens = points[i] == '[' && i > 0, closes = points[i] == ']' && i + 1 == points.size();
-    if ((opens || closes) && points.size() > 2) result += "\n" + std::string(opens ? "  " : "");
+    if ((opens || closes) && points.size() > 2) result += "\n" + std::string(opens ? 2 * depth : 0, ' ');
+    if (points[i] == '[') ++depth;
+    if (points[i] == ']') --depth;
     if (points[i] == ' ' && i > 0 && points[i - 1] == ',' && i + 1 < points.size() && points[i + 1] == '[') continue;
     result += points[i];
   }
@@ -46,6 +49,7 @@ std::string tomlValue(const CaseDescription& description, const Parameter& param
     case Kind::text:
       return tomlString(text);
     case Kind::points:
+    case Kind::lines:
       return manyLines(text);
     default:
       return text;

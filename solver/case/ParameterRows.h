@@ -33,6 +33,8 @@ Parameter boolean(const char* key, bool standard, bool& (*access)(CaseDescriptio
 Parameter text(const char* key, std::string& (*access)(CaseDescription&), const char* doc, const char* source);
 Parameter points(const char* key, std::vector<ProfilePoint>& (*access)(CaseDescription&), const char* doc,
                  const char* source);
+Parameter lines(const char* key, std::vector<ProfileLine>& (*access)(CaseDescription&), const char* doc,
+                const char* source);
 
 using Rows = std::vector<Parameter>;
 Rows trackRows();    // track, rail, pad, sleeper, ballast

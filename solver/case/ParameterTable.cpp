@@ -80,6 +80,14 @@ Parameter points(const char* key, std::vector<ProfilePoint>& (*access)(CaseDescr
   return parameter;
 }
 
+Parameter lines(const char* key, std::vector<ProfileLine>& (*access)(CaseDescription&), const char* doc,
+                const char* source) {
+  Parameter parameter = row(key, Kind::lines, access, doc, source);
+  parameter.unit = millimetre.name;
+  parameter.powerOfTen = millimetre.power;
+  return parameter;
+}
+
 }  // namespace rows
 
 namespace {

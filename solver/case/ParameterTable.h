@@ -11,12 +11,14 @@
 
 namespace squat::cases {
 
-enum class Kind { number, choice, text, boolean, points };
+enum class Kind { number, choice, text, boolean, points, lines };
 
 // Where in the description a parameter lives; which alternative goes with which kind: number -> double or int,
-// choice -> int (index into `choices`), boolean -> bool, text -> string, points -> vector of profile points.
+// choice -> int (index into `choices`), boolean -> bool, text -> string, points -> vector of profile points, lines ->
+// vector of profile lines.
 using Access = std::variant<double& (*)(CaseDescription&), int& (*)(CaseDescription&), bool& (*)(CaseDescription&),
-                            std::string& (*)(CaseDescription&), std::vector<ProfilePoint>& (*)(CaseDescription&)>;
+                            std::string& (*)(CaseDescription&), std::vector<ProfilePoint>& (*)(CaseDescription&),
+                            std::vector<ProfileLine>& (*)(CaseDescription&)>;
 
 struct Parameter {
   std::string key;   // path in the case file, e.g. "pad.stiffness"
@@ -32,6 +34,11 @@ struct Parameter {
   std::string source;        // evidence of the default: "paper, Table 1", "literature: ...", "assumed: ..."
   Access access;
 };
+
+// Points and lines: texts of many numbers, empty by default.
+inline bool isList(const Parameter& parameter) {
+  return parameter.kind == Kind::points || parameter.kind == Kind::lines;
+}
 
 // Every parameter, in the order of the case file: parameters of one group stand together.
 const std::vector<Parameter>& parameterTable();

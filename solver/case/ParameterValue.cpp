@@ -111,6 +111,17 @@ std::optional<CaseProblem> setPoints(CaseDescription& description, const Paramet
   return std::nullopt;
 }
 
+std::optional<CaseProblem> setLines(CaseDescription& description, const Parameter& parameter, std::string_view text) {
+  auto lines = parseLines(text, parameter.powerOfTen);
+  if (!lines)
+    return problem(parameter, text,
+                   "Write lateral position and points of each line like [[-10, [[0, 0], [5, -0.1], [10, 0]]], ...]");
+  const std::string wrong = linesMistake(*lines);
+  if (!wrong.empty()) return problem(parameter, text, wrong);
+  *member<std::vector<ProfileLine>>(description, parameter) = std::move(*lines);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string allowedText(const Parameter& parameter) {
@@ -129,6 +140,8 @@ std::string allowedText(const Parameter& parameter) {
       return "a text";
     case Kind::points:
       return "pairs of position and height in " + parameter.unit + ", positions ascending";
+    case Kind::lines:
+      return "lateral position and points of each line in " + parameter.unit + ", both ascending";
   }
   return {};
 }
@@ -150,6 +163,8 @@ std::string valueText(const CaseDescription& description, const Parameter& param
       return *member<std::string>(description, parameter);
     case Kind::points:
       return formatPoints(*member<std::vector<ProfilePoint>>(description, parameter), parameter.powerOfTen);
+    case Kind::lines:
+      return formatLines(*member<std::vector<ProfileLine>>(description, parameter), parameter.powerOfTen);
   }
   return {};
 }
@@ -167,6 +182,8 @@ std::optional<CaseProblem> trySetValue(CaseDescription& description, const Param
       return setText(description, parameter, text);
     case Kind::points:
       return setPoints(description, parameter, text);
+    case Kind::lines:
+      return setLines(description, parameter, text);
   }
   return std::nullopt;
 }
@@ -178,7 +195,7 @@ void setValue(CaseDescription& description, std::string_view key, std::string_vi
 }
 
 void setToDefault(CaseDescription& description, const Parameter& parameter) {
-  trySetValue(description, parameter, parameter.kind == Kind::points ? "[]" : parameter.standardText);
+  trySetValue(description, parameter, isList(parameter) ? "[]" : parameter.standardText);
 }
 
 double numberInUnit(const CaseDescription& description, const Parameter& parameter) {

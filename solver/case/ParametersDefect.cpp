@@ -45,10 +45,14 @@ Rows defectRows() {
   rows.push_back(number(
       "defect.half_width", millimetre, 20, {2, 36}, [](Case& c) -> double& { return c.defect.halfWidth; },
       "parabolic: lateral distance at which the defect has faded out", shape));
+  rows.push_back(number(
+      "defect.lateral_centre", millimetre, 0, {-35, 35}, [](Case& c) -> double& { return c.defect.lateralCentre; },
+      "sideways shift of the defect on the crown, outwards positive: a squat beside the middle of the rail",
+      "paper, section 4.2: the class C squat lay on the side of the rail; by how much is not given"));
   rows.push_back(text(
       "defect.file", [](Case& c) -> std::string& { return c.defect.file; },
-      "CSV file with position and height of the profile, relative to the case file; only named, not read, "
-      "where defect.points stand in the case",
+      "CSV file with position and height of the profile, or heights at several lateral positions, relative to the case "
+      "file; only named, not read, where defect.points or defect.lines stand in the case",
       shape));
   rows.push_back(boolean(
       "defect.level", true, [](Case& c) -> bool& { return c.defect.level; },
@@ -59,6 +63,9 @@ Rows defectRows() {
   rows.push_back(points(
       "defect.points", [](Case& c) -> std::vector<ProfilePoint>& { return c.defect.points; },
       "profile: pairs of position and height, heights below the surface negative", shape));
+  rows.push_back(lines(
+      "defect.lines", [](Case& c) -> std::vector<ProfileLine>& { return c.defect.lines; },
+      "profile: several profiles side by side, each its lateral position and its points; before defect.points", shape));
   rows.push_back(boolean(
       "defect.move_nodes", false, [](Case& c) -> bool& { return c.defect.moveNodes; },
       "move the surface nodes of the rail as the paper does, or put the profile into the gap of the contact",

@@ -37,6 +37,11 @@ void addMotion(Rows& rows) {
       "rolled beyond the deepest point; 0.6 m where lines below 300 Hz are judged",
       "assumed: holds the signal that the paper shows"));
   rows.push_back(number(
+      "motion.lateral_offset", millimetre, 0, {-10, 10}, [](Case& c) -> double& { return c.motion.lateralOffset; },
+      "where on the crown the wheel runs, outwards from its middle (hunting): the running circle stands there and the "
+      "tread is tangent, as a worn one is",
+      "paper, section 3: the wheel may run beside the middle"));
+  rows.push_back(number(
       "motion.gravity", acceleration, 9.81, {0.1, 100}, [](Case& c) -> double& { return c.motion.gravity; },
       "acceleration of gravity", "assumed: standard value"));
 }

@@ -36,6 +36,10 @@ void addRail(Rows& rows) {
   rows.push_back(number(
       "rail.density", density, 7800, {1000, 20000}, [](Case& c) -> double& { return c.rail.material.density; },
       "mass density of the rail", table1));
+  rows.push_back(number(
+      "rail.inclination", none, 0, {0, 0.1}, [](Case& c) -> double& { return c.rail.inclination; },
+      "slope of the rail's foot, its head leaning towards the track centre; the paper: 0.025",
+      "assumed: upright; with the tread's cone the same, all but the lateral load is"));
   rows.push_back(boolean(
       "rail.plastic", false, [](Case& c) -> bool& { return c.rail.plastic; },
       "surface layer of the rail head may yield (bilinear) or stays elastic",

@@ -24,6 +24,10 @@ void addWheel(Rows& rows) {
       "wheelset.radius", metre, 0.46, {0.25, 0.7}, [](Case& c) -> double& { return c.wheelset.radius; },
       "nominal rolling radius", "paper, section 2"));
   rows.push_back(number(
+      "wheelset.cone", none, 0, {-0.05, 0.15}, [](Case& c) -> double& { return c.wheelset.cone; },
+      "slope of the tread, its radius falling outwards; the paper: 0.025. It touches the rail where the slopes agree",
+      "assumed: as rail.inclination"));
+  rows.push_back(number(
       "wheelset.rim_width", millimetre, 135, {60, 200}, [](Case& c) -> double& { return c.wheelset.rimWidth; },
       "width of the rim", steps));
   rows.push_back(number(

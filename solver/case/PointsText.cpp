@@ -41,10 +41,7 @@ class Cursor {
   std::size_t at_ = 0;
 };
 
-}  // namespace
-
-std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen) {
-  Cursor cursor(text);
+std::optional<std::vector<ProfilePoint>> readPoints(Cursor& cursor, int powerOfTen) {
   std::vector<ProfilePoint> points;
   if (!cursor.take('[')) return std::nullopt;
   while (!cursor.take(']')) {
@@ -58,8 +55,59 @@ std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int 
     if (!cursor.take(']')) return std::nullopt;
     break;
   }
-  if (!cursor.atEnd()) return std::nullopt;
   return points;
+}
+
+}  // namespace
+
+std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen) {
+  Cursor cursor(text);
+  auto points = readPoints(cursor, powerOfTen);
+  return cursor.atEnd() ? points : std::nullopt;
+}
+
+std::optional<std::vector<ProfileLine>> parseLines(std::string_view text, int powerOfTen) {
+  Cursor cursor(text);
+  std::vector<ProfileLine> lines;
+  if (!cursor.take('[')) return std::nullopt;
+  while (!cursor.take(']')) {
+    if (!cursor.take('[') || lines.size() >= mostLines) return std::nullopt;
+    const auto lateral = cursor.number(powerOfTen);
+    if (!lateral || !cursor.take(',')) return std::nullopt;
+    auto points = readPoints(cursor, powerOfTen);
+    if (!points || !cursor.take(']')) return std::nullopt;
+    lines.push_back({*lateral, std::move(*points)});
+    if (cursor.take(',')) continue;
+    if (!cursor.take(']')) return std::nullopt;
+    break;
+  }
+  if (!cursor.atEnd()) return std::nullopt;
+  return lines;
+}
+
+std::string formatLines(const std::vector<ProfileLine>& lines, int powerOfTen) {
+  std::string text = "[";
+  for (const auto& line : lines) {
+    if (text.size() > 1) text += ", ";
+    text += "[" + formatDecimal(line.lateral, powerOfTen) + ", " + formatPoints(line.points, powerOfTen) + "]";
+  }
+  return text + "]";
+}
+
+std::string linesMistake(const std::vector<ProfileLine>& lines) {
+  constexpr double edge = 0.036;  // [m] half the width of the head
+  if (lines.size() == 1) return "Give at least two lines; a single profile goes into defect.points";
+  if (lines.size() > mostLines) return "Give at most " + std::to_string(mostLines) + " lines";
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string which = "Line " + std::to_string(i + 1) + ": ";
+    if (!(std::abs(lines[i].lateral) <= edge)) return which + "lateral positions go from -36 to 36 mm";
+    if (i > 0 && !(lines[i].lateral > lines[i - 1].lateral)) return which + "lateral positions must ascend";
+    if (lines[i].points.empty()) return which + "Give at least two points";
+    if (const std::string wrong = pointsMistake(lines[i].points); !wrong.empty()) return which + wrong;
+    all += lines[i].points.size();
+  }
+  return all > mostPoints ? "Give at most " + std::to_string(mostPoints) + " points" : std::string();
 }
 
 std::string formatPoints(const std::vector<ProfilePoint>& points, int powerOfTen) {

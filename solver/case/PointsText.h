@@ -16,6 +16,14 @@ inline constexpr std::size_t mostPoints = 100000;  // of a profile
 std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen);
 std::string formatPoints(const std::vector<ProfilePoint>& points, int powerOfTen);
 
+inline constexpr std::size_t mostLines = 64;  // of profiles side by side
+
+// Several profiles side by side, "[[-10, [[0, -0.1], [5, 0]]], [10, [[0, -0.2], [5, 0]]]]".
+std::optional<std::vector<ProfileLine>> parseLines(std::string_view text, int powerOfTen);
+std::string formatLines(const std::vector<ProfileLine>& lines, int powerOfTen);
+// What is wrong with them: one line alone, lateral positions not ascending or off the crown, a mistake in a profile.
+std::string linesMistake(const std::vector<ProfileLine>& lines);
+
 // What is wrong with a profile: a single point, positions not ascending, absurd values. Empty: nothing. No points at
 // all are no mistake here.
 std::string pointsMistake(const std::vector<ProfilePoint>& points);

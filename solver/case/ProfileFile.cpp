@@ -43,7 +43,7 @@ std::vector<std::string_view> fieldsOf(std::string_view line, char delimiter) {
   std::vector<std::string_view> fields;
   for (std::size_t from = 0; from <= line.size();) {
     const std::size_t end = std::min(line.find(delimiter, from), line.size());
-    if (fields.size() == 16) break;  // more than anybody needs to see that it is too many
+    if (fields.size() == mostLines + 2) break;  // enough to see that it is too many
     std::string_view field = trimmed(line.substr(from, end - from));
     if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
       field = trimmed(field.substr(1, field.size() - 2));
@@ -90,6 +90,20 @@ Column columnOf(std::string_view field) {
           unitPower(trimmed(std::string_view(text).substr(gap + 1)))};
 }
 
+// "y = -10 mm" at the end of a column's name [m].
+std::optional<double> lateralOf(const std::string& name) {
+  const std::size_t equals = name.rfind('=');
+  if (equals == std::string::npos) return std::nullopt;
+  const std::string_view before = trimmed(std::string_view(name).substr(0, equals));
+  if (before != "y" && !before.ends_with(" y")) return std::nullopt;
+  const std::string_view behind = trimmed(std::string_view(name).substr(equals + 1));
+  const std::size_t end = std::min(behind.find_first_not_of("+-.,0123456789"), behind.size());
+  std::string number(behind.substr(0, end));
+  std::replace(number.begin(), number.end(), ',', '.');
+  const auto power = unitPower(trimmed(behind.substr(end)));
+  return power ? parseDecimal(number, *power) : std::nullopt;
+}
+
 bool namesHeight(const std::string& name) {
   constexpr std::array<std::string_view, 6> words{"height", "z", "level", "deviation", "elevation", "profile"};
   return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
@@ -101,13 +115,16 @@ class ProfileParser {
  public:
   ProfileParser(std::string_view text, std::string origin) : rest_(text), origin_(std::move(origin)) {}
 
-  std::vector<ProfilePoint> parse() {
+  std::vector<ProfileLine> parse() {
     checkEncoding();
     readHeader();
     std::string_view line;
     while (nextLine(line)) addRow(line);
-    if (points_.size() < 2) fail("has fewer than two points", "Give at least two lines of position and height");
-    return std::move(points_);
+    if (lines_.front().points.size() < 2)
+      fail("has fewer than two points", "Give at least two lines of position and height");
+    if (lines_.size() > 1)
+      if (const std::string wrong = linesMistake(lines_); !wrong.empty()) fail("cannot be used", wrong);
+    return std::move(lines_);
   }
 
  private:
@@ -151,21 +168,27 @@ class ProfileParser {
     else
       for (const auto field : fields) columns.push_back(columnOf(field));
     checkColumns(fields, columns);
-    swapped_ = namesHeight(columns[0].name) && !namesHeight(columns[1].name);
+    swapped_ = columns.size() == 2 && namesHeight(columns[0].name) && !namesHeight(columns[1].name);
     if (swapped_) std::swap(columns[0], columns[1]);
-    positionPower_ = *columns[0].power;
-    heightPower_ = *columns[1].power;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      powers_.push_back(*columns[i].power);
+      if (i > 0) lines_.push_back({columns.size() > 2 ? *lateralOf(columns[i].name) : 0.0, {}});
+    }
   }
 
   void checkColumns(const std::vector<std::string_view>& fields, const std::vector<Column>& columns) const {
     const std::string example = "Write a header like: position [mm]; height [mm]";
     if (std::any_of(fields.begin(), fields.end(), [](auto field) { return parseDecimal(field).has_value(); }))
       fail("has no header with units", example);
-    if (columns.size() != 2)
+    const bool sideBySide = columns.size() > 2 && columns.size() <= mostLines + 1 &&
+                            std::all_of(columns.begin() + 1, columns.end(),
+                                        [](const Column& column) { return lateralOf(column.name).has_value(); });
+    if (columns.size() != 2 && !sideBySide)
       fail("has " + std::to_string(columns.size()) + (columns.size() == 1 ? " column" : " columns") +
                " where two are expected",
-           "Keep position and height, divided by a comma, a semicolon or a tab");
-    for (std::size_t i = 0; i < 2; ++i)
+           "Keep position and height, divided by a comma, a semicolon or a tab; several columns of heights name their "
+           "lateral positions: y = -10 mm [mm]");
+    for (std::size_t i = 0; i < columns.size(); ++i)
       if (!columns[i].power) fail("header " + shown(fields[i]) + " names no unit m, mm or um", example);
     for (const auto& column : columns)
       if (column.name.find("depth") != std::string::npos)
@@ -173,28 +196,33 @@ class ProfileParser {
   }
 
   void addRow(std::string_view line) {
-    if (points_.size() >= mostPoints) fail("has more than " + std::to_string(mostPoints) + " points", "Thin it out");
+    auto& first = lines_.front().points;
+    if (first.size() * lines_.size() >= mostPoints)
+      fail("has more than " + std::to_string(mostPoints) + " points", "Thin it out");
     auto fields = fieldsOf(withoutLineEnd(line), delimiter_);
-    if (fields.size() != 2) failForColumns(fields.size());
+    if (fields.size() != powers_.size()) failForColumns(fields.size());
     if (swapped_) std::swap(fields[0], fields[1]);
-    const ProfilePoint point{numberIn(fields[0], positionPower_), numberIn(fields[1], heightPower_)};
-    if (std::abs(point.position) > farthest)
-      fail("position " + shown(fields[0]) + " is beyond 1000 km", "Check the unit");
-    if (std::abs(point.height) > highest)
-      fail("height " + shown(fields[1]) + " is beyond 50 mm", "Check the unit in the header");
-    if (!points_.empty() && point.position == points_.back().position)
+    const double position = numberIn(fields[0], powers_[0]);
+    if (std::abs(position) > farthest) fail("position " + shown(fields[0]) + " is beyond 1000 km", "Check the unit");
+    if (!first.empty() && position == first.back().position)
       fail("position " + shown(fields[0]) + " stands there twice", "Keep one height for each position");
-    if (!points_.empty() && point.position < points_.back().position)
+    if (!first.empty() && position < first.back().position)
       fail("position " + shown(fields[0]) + " is smaller than the one before", "Sort the lines by position");
-    points_.push_back(point);
+    for (std::size_t i = 1; i < fields.size(); ++i) {
+      const double height = numberIn(fields[i], powers_[i]);
+      if (std::abs(height) > highest)
+        fail("height " + shown(fields[i]) + " is beyond 50 mm", "Check the unit in the header");
+      lines_[i - 1].points.push_back({position, height});
+    }
   }
 
   [[noreturn]] void failForColumns(std::size_t count) const {
+    const std::string expected = powers_.size() == 2 ? "two" : std::to_string(powers_.size());
     const std::string what =
-        "has " + std::to_string(count) + (count == 1 ? " column" : " columns") + " where two are expected";
-    if (count > 2 && delimiter_ == ',')
+        "has " + std::to_string(count) + (count == 1 ? " column" : " columns") + " where " + expected + " are expected";
+    if (count > powers_.size() && delimiter_ == ',')
       fail(what, "With a decimal comma, use a semicolon or a tab between the columns");
-    fail(what, "Keep position and height");
+    fail(what, powers_.size() == 2 ? "Keep position and height" : "Give each line as many numbers as the header names");
   }
 
   // One decimal mark for the whole file: a second one would be a thousands separator.
@@ -219,14 +247,26 @@ class ProfileParser {
   char delimiter_ = ',';
   char decimalMark_ = 0;
   bool swapped_ = false;
-  int positionPower_ = 0, heightPower_ = 0;
-  std::vector<ProfilePoint> points_;
+  std::vector<int> powers_;  // of the columns, position first
+  std::vector<ProfileLine> lines_;
 };
 
 }  // namespace
 
-std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin) {
+std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin) {
   return ProfileParser(text, origin).parse();
+}
+
+std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path) {
+  return parseProfileLines(readWholeFile(path.string(), largestFile), path.string());
+}
+
+std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin) {
+  auto lines = parseProfileLines(text, origin);
+  if (lines.size() > 1)
+    throw FileError(origin, "", "has " + std::to_string(lines.size()) + " profiles side by side where one is expected",
+                    "Name it as defect.file of a case, or keep one column of heights");
+  return std::move(lines.front().points);
 }
 
 std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path) {

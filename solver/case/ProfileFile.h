@@ -22,4 +22,10 @@ std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path);
 // The same for text that stands in memory; `origin` names it in messages.
 std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin);
 
+// As above, or several profiles side by side: a column of positions first, then one of heights for each lateral
+// position, which its header names: "position [mm]; y = -10 mm [um]; y = 0 mm [um]". Lateral positions ascend, on the
+// crown from its middle outwards. One line with lateral position zero where the file holds a single profile.
+std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path);
+std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin);
+
 }  // namespace squat::cases

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/DefectSurface.h"
+#include "core/Errors.h"
 #include "geometry/RailSection.h"
 #include "geometry/SectionMesh.h"
 
@@ -11,7 +12,7 @@ namespace squat::contact {
 
 namespace {
 
-// Beyond this |y| the crown lies so far below the tread that no load presses it on [m].
+// At this distance from where it touches the crown lies so far below the tread that no load presses it on [m].
 constexpr double reach = 0.017;
 
 std::vector<double> lateralPositions(const elasticity::SweptBlock& block, const std::vector<int>& line, int axis) {
@@ -20,13 +21,47 @@ std::vector<double> lateralPositions(const elasticity::SweptBlock& block, const 
   return y;
 }
 
+struct CrownArc {
+  double height = 0, angle = 0;  // [m], [rad] of its slope
+};
+CrownArc crownAt(double y) { return {geometry::crownHeight54E1(y), std::atan(geometry::crownSlope54E1(y))}; }
+
 }  // namespace
+
+Seat seatOf(const cases::CaseDescription& d) {
+  constexpr double edge = 0.0248;  // [m] end of the R80 arc
+  Seat seat;
+  seat.lean = std::atan(d.rail.inclination);
+  const double offset = d.motion.lateralOffset;
+  const double tread = std::atan(d.wheelset.cone) + crownAt(offset).angle, wanted = tread - seat.lean;
+  if (wanted > crownAt(-edge).angle || wanted < crownAt(edge).angle)
+    throw CaseError({{"wheelset.cone", std::to_string(d.wheelset.cone), "a slope that the crown has somewhere",
+                      "Choose wheelset.cone near rail.inclination, and motion.lateral_offset smaller"}});
+  double low = -edge, high = edge;  // the slope falls with y
+  for (int i = 0; i < 60 && wanted != crownAt(offset).angle; ++i) {
+    const double middle = 0.5 * (low + high);
+    (crownAt(middle).angle > wanted ? low : high) = middle;
+  }
+  seat.touchY = wanted == crownAt(offset).angle ? offset : 0.5 * (low + high);
+  seat.crownRadius = std::abs(seat.touchY) <= 0.010012 ? 0.300 : 0.080;
+  seat.treadSlope = std::tan(tread);
+  const double c = std::cos(seat.lean), s = std::sin(seat.lean);
+  const CrownArc under = crownAt(offset), touch = crownAt(seat.touchY);
+  seat.wheelY = offset * c - under.height * s;
+  seat.radius = d.wheelset.radius - seat.treadSlope * (seat.touchY * c - touch.height * s - seat.wheelY);
+  seat.centreHeight = seat.touchY * s + touch.height * c + seat.radius;
+  return seat;
+}
 
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
                       int rimBlock, const cases::CaseDescription& description, double from, double to) {
   Surfaces s;
   s.railBlock = railBlock, s.rimBlock = rimBlock;
-  s.radius = description.wheelset.radius;
+  const Seat seat = seatOf(description);
+  s.radius = seat.radius, s.crownRadius = seat.crownRadius, s.touchY = seat.touchY;
+  s.railCosine = std::cos(seat.lean), s.railSine = std::sin(seat.lean);
+  s.treadCosine = 1 / std::hypot(1.0, seat.treadSlope), s.treadSine = seat.treadSlope * s.treadCosine;
+  const auto treadRadius = [&](double y) { return description.wheelset.radius - seat.treadSlope * y; };
   s.railLine = geometry::nodesWhere(
       rail.section,
       [](const geometry::Point2& p) {
@@ -34,13 +69,14 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
       },
       0);
   s.treadLine = geometry::nodesWhere(
-      rim.section, [&](const geometry::Point2& p) { return std::abs(p[0] - s.radius) < 1e-9; }, 1);
+      rim.section, [&](const geometry::Point2& p) { return std::abs(p[0] - treadRadius(p[1])) < 1e-9; }, 1);
   s.railY = lateralPositions(rail, s.railLine, 0);
   s.treadY = lateralPositions(rim, s.treadLine, 1);
   int lastColumn = -1;
   s.firstColumn = static_cast<int>(s.railLine.size());
   for (int j = 0; j + 1 < static_cast<int>(s.railLine.size()); ++j)
-    if (s.railY[j + 1] > -reach && s.railY[j] < reach) s.firstColumn = std::min(s.firstColumn, j), lastColumn = j;
+    if (s.railY[j + 1] > s.touchY - reach && s.railY[j] < s.touchY + reach)
+      s.firstColumn = std::min(s.firstColumn, j), lastColumn = j;
   s.columns = lastColumn - s.firstColumn + 1;
   s.firstInterval = 0;
   while (rail.positions[s.firstInterval + 1] <= from) ++s.firstInterval;
@@ -53,7 +89,10 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
   for (int j = 0; j < s.columns; ++j)
     for (int lateral = 0; lateral < 2; ++lateral) {
       const double y0 = s.railY[s.firstColumn + j], y1 = s.railY[s.firstColumn + j + 1];
-      const double y = 0.5 * (y0 + y1) + (lateral ? gauss : -gauss) * 0.5 * (y1 - y0);
+      const double onCrown = 0.5 * (y0 + y1) + (lateral ? gauss : -gauss) * 0.5 * (y1 - y0);
+      const double y =
+          onCrown * s.railCosine - geometry::crownHeight54E1(onCrown) * s.railSine - seat.wheelY;  // on the wheel
+      s.treadRadius.push_back(treadRadius(y));
       int column = static_cast<int>(std::upper_bound(s.treadY.begin(), s.treadY.end(), y) - s.treadY.begin()) - 1;
       column = std::clamp(column, 0, static_cast<int>(s.treadY.size()) - 2);
       s.treadColumn.push_back(column);
@@ -67,8 +106,9 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
         const double y0 = s.railY[s.firstColumn + j], y1 = s.railY[s.firstColumn + j + 1];
         const double x = 0.5 * (x0 + x1) + (point % 2 ? gauss : -gauss) * 0.5 * (x1 - x0);
         const double y = 0.5 * (y0 + y1) + (point / 2 ? gauss : -gauss) * 0.5 * (y1 - y0);
-        s.pointX.push_back(x), s.pointY.push_back(y);
-        s.height.push_back(geometry::crownHeight54E1(y) + defect.height(x, y));
+        const double z = geometry::crownHeight54E1(y) + defect.height(x, y);
+        s.pointX.push_back(x), s.pointY.push_back(y * s.railCosine - z * s.railSine);
+        s.height.push_back(y * s.railSine + z * s.railCosine);
         s.area.push_back((x1 - x0) * (y1 - y0) * std::hypot(1.0, geometry::crownSlope54E1(y)) / 4);
       }
   return s;

@@ -15,23 +15,43 @@ namespace squat::contact {
 // added to the interpolated nodal displacement.
 struct Surfaces {
   int railBlock = -1, rimBlock = -1;
-  std::vector<int> railLine, treadLine;  // section nodes
-  std::vector<double> railY, treadY;     // [m]
-  int firstColumn = 0, columns = 0;      // rail columns (faces between railLine[j], railLine[j + 1]) that can touch
-  int firstInterval = 0, intervals = 0;  // rail intervals that can be rolled over
-  int rolledInterval = 0;                // rail interval that the rim's interval 0 rolls on
-  double radius = 0;                     // [m] of the wheel at the tread
+  std::vector<int> railLine, treadLine;   // section nodes
+  std::vector<double> railY, treadY;      // [m]
+  int firstColumn = 0, columns = 0;       // rail columns (faces between railLine[j], railLine[j + 1]) that can touch
+  int firstInterval = 0, intervals = 0;   // rail intervals that can be rolled over
+  int rolledInterval = 0;                 // rail interval that the rim's interval 0 rolls on
+  double radius = 0;                      // [m] of the wheel where it touches
+  double crownRadius = 0;                 // [m] of the rail across, there
+  double touchY = 0;                      // [m] where the wheel touches, along the crown from its middle outwards
+  double railCosine = 1, railSine = 0;    // of the rail's lean: its b is (0, cosine, sine), its c (0, -sine, cosine)
+  double treadCosine = 1, treadSine = 0;  // of the tread's slope: its normal is cosine e_r + sine e_y
 
-  // Per contact point, ordered [interval][column][point 0..3]: reference height of the rail with the defect, area.
+  // Per contact point, ordered [interval][column][point 0..3]: reference height of the rail with the defect, area,
+  // place, all in global axes.
   std::vector<double> height, area, pointX, pointY;
   std::vector<int> treadColumn;  // per column and lateral Gauss point
-  std::vector<double> treadFraction;
+  std::vector<double> treadFraction, treadRadius;
 
   std::size_t pointIndex(int interval, int column, int point) const {
     return (static_cast<std::size_t>(interval - firstInterval) * columns + (column - firstColumn)) * 4 + point;
   }
   std::size_t points() const { return height.size(); }
 };
+
+// How the wheel stands on the rail. A crown and a straight tread touch where their slopes agree, so the tread's slope
+// at its running circle decides; that circle stands over motion.lateral_offset of the crown, and the slope there is the
+// cone's plus what the crown's own changes from its middle: a tread that is worn to the rail.
+struct Seat {
+  double lean = 0;          // [rad] of the rail, its head towards -y
+  double treadSlope = 0;    // [-]
+  double touchY = 0;        // [m] along the crown, from its middle outwards
+  double wheelY = 0;        // [m] global y of the running circle
+  double centreHeight = 0;  // [m] of the axis above the middle of the running surface
+  double radius = 0;        // [m] of the wheel where it touches
+  double crownRadius = 0;   // [m] of the rail across, there
+};
+// Throws CaseError where they touch beyond the arcs of the crown.
+Seat seatOf(const cases::CaseDescription& description);
 
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
                       int rimBlock, const cases::CaseDescription& description, double from, double to);

@@ -39,10 +39,16 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         TouchPoint t;
         if (!evaluatePoint(s, rail, rim, displaced, place, i, j, point, nearGap, t) || t.penetration <= 0) continue;
         const double pressure = law.normalPenalty * t.penetration, area = s.area[t.point];
-        const double railX = railValue(rail, t, velocity, 0), railZ = railValue(rail, t, velocity, 2);
-        const double slipAlong = wheel.speed * t.cosine - wheel.spinRate * s.radius + treadAlong(rim, t, velocity) -
+        const double railX = railValue(rail, t, velocity, 0);
+        const auto [railY, railZ] = railAcross(s, rail, t, velocity);
+        const double radius = s.treadRadius[2 * (j - s.firstColumn) + point / 2];
+        const double slipAlong = wheel.speed * t.cosine - wheel.spinRate * radius + treadAlong(rim, t, velocity) -
                                  (t.cosine * railX + t.sine * railZ);
-        const double slipAcross = treadLateral(rim, t, velocity) - railValue(rail, t, velocity, 1);
+        // Along the tread's own lateral tangent, cos e_y - sin e_r: with the cone the wheel spins on the patch.
+        double slipAcross = s.treadCosine * (treadLateral(rim, t, velocity) - railY);
+        if (s.treadSine != 0)
+          slipAcross -= s.treadSine *
+                        (wheel.speed * t.sine + treadRadial(rim, t, velocity) - (t.sine * railX - t.cosine * railZ));
         double* traction = &history.traction[2 * t.point];
         double along = traction[0] + law.tangentialPenalty * step * slipAlong;
         double across = traction[1] + law.tangentialPenalty * step * slipAcross;
@@ -62,32 +68,36 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         patch.storedEnergy +=
             0.5 * area * (pressure * t.penetration + (along * along + across * across) / law.tangentialPenalty);
 
-        // On the rail: pressure along e_r = (sine, -cosine), traction along e_alpha = (cosine, sine) and y.
-        const double forceX = area * (pressure * t.sine + along * t.cosine);
-        const double forceZ = area * (along * t.sine - pressure * t.cosine), forceY = area * across;
+        // On the rail, along e_r = (sine, -cosine), e_alpha = (cosine, sine) and y.
+        const double outwards = s.treadCosine * pressure - s.treadSine * across;
+        const double forceX = area * (outwards * t.sine + along * t.cosine);
+        const double forceZ = area * (along * t.sine - outwards * t.cosine);
+        const double forceY = area * (s.treadCosine * across + s.treadSine * pressure);
+        const double forceB = s.railCosine * forceY + s.railSine * forceZ,
+                     forceC = s.railCosine * forceZ - s.railSine * forceY;
         for (int a = 0; a < 2; ++a) {
           const double w0 = t.railWeight[2 * a], w1 = t.railWeight[2 * a + 1];
           const int station = t.railStation;
           addForce(rail, railForces, t.railNode[a], 0, station, station + 1, w0 * forceX, w1 * forceX);
-          addForce(rail, railForces, t.railNode[a], 1, station, station + 1, w0 * forceY, w1 * forceY);
-          addForce(rail, railForces, t.railNode[a], 2, station, station + 1, w0 * forceZ, w1 * forceZ);
+          addForce(rail, railForces, t.railNode[a], 1, station, station + 1, w0 * forceB, w1 * forceB);
+          addForce(rail, railForces, t.railNode[a], 2, station, station + 1, w0 * forceC, w1 * forceC);
           const double v0 = t.treadWeight[2 * a], v1 = t.treadWeight[2 * a + 1];
           const int left = t.treadStation[0], right = t.treadStation[1];
-          double forceAlong[2], forceRadial[2];  // -t along e_alpha and -p along e_r in the stations' bases
+          double forceAlong[2], forceRadial[2];  // against those on the rail, in the stations' bases
           for (int side = 0; side < 2; ++side) {
-            forceAlong[side] = area * (t.turnSine[side] * pressure - t.turnCosine[side] * along);
-            forceRadial[side] = -area * (t.turnSine[side] * along + t.turnCosine[side] * pressure);
+            forceAlong[side] = area * (t.turnSine[side] * outwards - t.turnCosine[side] * along);
+            forceRadial[side] = -area * (t.turnSine[side] * along + t.turnCosine[side] * outwards);
           }
           addForce(rim, rimForces, t.treadNode[a], 0, left, right, v0 * forceAlong[0], v1 * forceAlong[1]);
           addForce(rim, rimForces, t.treadNode[a], 1, left, right, v0 * forceRadial[0], v1 * forceRadial[1]);
           addForce(rim, rimForces, t.treadNode[a], 2, left, right, -v0 * forceY, -v1 * forceY);
         }
         patch.vertical -= forceZ, patch.longitudinal += forceX, patch.lateral += forceY;
-        patch.spinMoment += s.radius * area * along;
-        // (X + u) x F about y: -(R + u_r) F_a + u_a F_r with F_a = -t A, F_r = -p A. The pressure points at the wheel's
-        // centre, so its arm is that of the hub.
+        patch.spinMoment += radius * area * along;
+        // (X + u) x F about y: -(R + u_r) F_a + u_a F_r with F_a = -t A, F_r = -p A. The radial force points at the
+        // wheel's centre, so its arm is that of the hub.
         const double hubAlong = place.hubX * t.cosine + place.hubZ * t.sine;
-        patch.fullMoment += area * ((s.radius + treadRadial(rim, t, displaced)) * along - hubAlong * pressure);
+        patch.fullMoment += area * ((radius + treadRadial(rim, t, displaced)) * along - hubAlong * outwards);
         const double x = s.pointX[t.point] - place.centreX - place.hubX, y = s.pointY[t.point], n = pressure * area;
         sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
         if (points) points->push_back({x, y, pressure, along, across, area, slips});

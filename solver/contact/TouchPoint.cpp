@@ -41,6 +41,32 @@ double treadLateral(const elasticity::SweptBlock& rim, const TouchPoint& t, cons
   return y.left + y.right;
 }
 
+RailMotion railAcross(const Surfaces& s, const elasticity::SweptBlock& rail, const TouchPoint& t, const double* state) {
+  const double b = railValue(rail, t, state, 1), c = railValue(rail, t, state, 2);
+  return {s.railCosine * b - s.railSine * c, s.railSine * b + s.railCosine * c};
+}
+
+std::vector<std::pair<std::size_t, double>> penetrationTerms(const Surfaces& s, const elasticity::SweptBlock& rail,
+                                                             const elasticity::SweptBlock& rim, const TouchPoint& t) {
+  // The wheel's normal in global axes, then in those of the rail.
+  const double x = s.treadCosine * t.sine, y = s.treadSine, z = -s.treadCosine * t.cosine;
+  const double railWeights[3] = {x, s.railCosine * y + s.railSine * z, s.railCosine * z - s.railSine * y};
+  std::vector<std::pair<std::size_t, double>> terms;
+  const auto add = [&](std::size_t index, double weight) {
+    if (weight != 0) terms.push_back({index, weight});
+  };
+  for (int a = 0; a < 2; ++a)
+    for (int b = 0; b < 2; ++b) {
+      for (int c = 0; c < 3; ++c)
+        add(rail.index(t.railNode[a], c, t.railStation + b), -railWeights[c] * t.railWeight[2 * a + b]);
+      const double weight = t.treadWeight[2 * a + b];
+      add(rim.index(t.treadNode[a], 0, t.treadStation[b]), -t.turnSine[b] * s.treadCosine * weight);
+      add(rim.index(t.treadNode[a], 1, t.treadStation[b]), t.turnCosine[b] * s.treadCosine * weight);
+      add(rim.index(t.treadNode[a], 2, t.treadStation[b]), s.treadSine * weight);
+    }
+  return terms;
+}
+
 std::pair<int, int> reachableIntervals(const Surfaces& s, const elasticity::SweptBlock& rail, double x, double reach) {
   const auto begin = rail.positions.begin() + s.firstInterval, end = begin + s.intervals + 1;
   int first = static_cast<int>(std::upper_bound(begin, end, x - reach) - rail.positions.begin()) - 1;
@@ -55,15 +81,18 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
                    TouchPoint& t) {
   t.point = s.pointIndex(interval, column, point);
   const double x0 = s.pointX[t.point] - wheel.centreX - wheel.hubX, z0 = s.height[t.point] - wheel.centreZ - wheel.hubZ;
+  const int lateral = 2 * (column - s.firstColumn) + point / 2;
+  const double radius = s.treadRadius[lateral];
   // (R^2 - x^2 - z^2) / 2R is the penetration but for terms of its square over 2R.
-  if (s.radius * s.radius - x0 * x0 - z0 * z0 < -near * 2 * s.radius) return false;
+  if (radius * radius - x0 * x0 - z0 * z0 < -near * 2 * radius) return false;
   constexpr double gauss = 0.57735026918962576;
   const double along = 0.5 * (1 + (point % 2 ? gauss : -gauss)), across = 0.5 * (1 + (point / 2 ? gauss : -gauss));
   t.railNode[0] = s.railLine[column], t.railNode[1] = s.railLine[column + 1];
   t.railStation = interval;
   t.railWeight[0] = (1 - across) * (1 - along), t.railWeight[1] = (1 - across) * along;
   t.railWeight[2] = across * (1 - along), t.railWeight[3] = across * along;
-  const double dx = x0 + railValue(rail, t, state, 0), dz = z0 + railValue(rail, t, state, 2);
+  const RailMotion moved = railAcross(s, rail, t, state);
+  const double dx = x0 + railValue(rail, t, state, 0), dz = z0 + moved.z;
   const double distance = std::sqrt(dx * dx + dz * dz);
   t.sine = dx / distance, t.cosine = -dz / distance;
 
@@ -85,7 +114,6 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
       angle -= full, k = 0;
     }
   const double u = (angle - rim.positions[k]) / (rim.positions[k + 1] - rim.positions[k]);
-  const int lateral = 2 * (column - s.firstColumn) + point / 2;
   const int tread = s.treadColumn[lateral];
   const double v = s.treadFraction[lateral];
   t.treadNode[0] = s.treadLine[tread], t.treadNode[1] = s.treadLine[tread + 1];
@@ -99,7 +127,8 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   }
 
   const double radial = treadRadial(rim, t, state) - (wheel.hubX * t.sine - wheel.hubZ * t.cosine);
-  t.penetration = s.radius - distance + radial;
+  t.penetration = s.treadCosine * (radius - distance + radial);
+  if (s.treadSine != 0) t.penetration += s.treadSine * (treadLateral(rim, t, state) - moved.y);
   return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
 #include "contact/ContactSurfaces.h"
 #include "elasticity/SweptBlock.h"
@@ -17,7 +18,9 @@ struct WheelPlacement {
 };
 
 // Penetration (positive: overlap) after
-//   gap = R - |d - u_hub| + (u_wheel - u_hub) . e_r,   d: rail point seen from the reference of the wheel's axis.
+//   gap = R - |d - u_hub| + (u_wheel - u_hub) . e_r,   d: rail point seen from the reference of the wheel's axis,
+// R the tread's radius there; along the normal n = cos e_r + sin e_y of a conical tread
+//   gap_n = cos gap + sin (u_wheel - u_rail) . e_y.
 // A mere spin of the wheel's displacement field does not move the patch, rigid translations are exact.
 struct TouchPoint {
   std::size_t point = 0;
@@ -40,6 +43,19 @@ bool evaluatePoint(const Surfaces& surfaces, const elasticity::SweptBlock& rail,
 // Rail intervals [first, second) within reach of a wheel at x.
 std::pair<int, int> reachableIntervals(const Surfaces& surfaces, const elasticity::SweptBlock& rail, double x,
                                        double reach);
+
+// Displacement of the rail's point along y and z, its local components turned by the rail's lean.
+struct RailMotion {
+  double y = 0, z = 0;
+};
+RailMotion railAcross(const Surfaces& surfaces, const elasticity::SweptBlock& rail, const TouchPoint& touch,
+                      const double* state);
+
+// The penetration's derivative as terms (state index, weight): what a spring between the two surfaces acts on.
+std::vector<std::pair<std::size_t, double>> penetrationTerms(const Surfaces& surfaces,
+                                                             const elasticity::SweptBlock& rail,
+                                                             const elasticity::SweptBlock& rim,
+                                                             const TouchPoint& touch);
 
 // Interpolated state at the touch point: a component of the rail, and the tread's along e_alpha, e_r and y.
 double railValue(const elasticity::SweptBlock& rail, const TouchPoint& touch, const double* state, int component);

@@ -19,7 +19,8 @@ void fillGravity(const elasticity::SweptBlock& block, double gravity, const mode
   for (int s = 0; s < block.stationCount; ++s) {
     switch (block.kind) {
       case elasticity::SweepKind::alongX:
-        lines[2 * block.stride + s] = -gravity;
+        lines[block.stride + s] = -gravity * std::sin(block.lean);
+        lines[2 * block.stride + s] = -gravity * std::cos(block.lean);
         break;
       case elasticity::SweepKind::alongY:
         lines[block.stride + s] = -gravity;

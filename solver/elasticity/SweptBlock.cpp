@@ -91,7 +91,7 @@ Eigen::Matrix3d localBasis(const SweptBlock& block, double position) {
   Eigen::Matrix3d basis;
   switch (block.kind) {
     case SweepKind::alongX:
-      basis = Eigen::Matrix3d::Identity();
+      basis << 1, 0, 0, 0, std::cos(block.lean), -std::sin(block.lean), 0, std::sin(block.lean), std::cos(block.lean);
       break;
     case SweepKind::alongY:
       basis << 0, 0, 1, 1, 0, 0, 0, 1, 0;

@@ -52,6 +52,7 @@ struct SweptBlock {
   geometry::SectionMesh section;
   geometry::Stations stations;  // every run a multiple of 8 intervals
   cases::Material material;
+  double lean = 0;  // [rad] alongX: the section, and b and c with it, turned about x, its top towards -y
   Eigen::Vector3d origin{0, 0, 0};  // [m] added to the swept position; around the axis: the axis at y = 0
 
   // Filled by prepareBlock().

@@ -48,15 +48,16 @@ SectionMesh rimSectionMesh(const cases::Wheelset& wheelset, const WheelSectionSi
   y.insert(y.end(), side.begin() + 1, side.end());
 
   const int rows = intervalsFor(sizes.rimDepth, h, growth, sizes.sectionSize);
-  std::vector<double> radius;
-  for (const double s : gradedSpacing(rows, h / sizes.rimDepth)) radius.push_back(wheelset.radius - s * sizes.rimDepth);
-  std::reverse(radius.begin(), radius.end());
+  auto depth = gradedSpacing(rows, h / sizes.rimDepth);
+  std::reverse(depth.begin(), depth.end());
 
   SectionMesh mesh;
   const int n = static_cast<int>(y.size());
-  for (const double r : radius)
-    for (const double at : y) mesh.nodes.push_back({r, at});
-  for (int j = 0; j + 1 < static_cast<int>(radius.size()); ++j)
+  // Conical at the tread, cylindrical where the rim meets the wheel body.
+  for (const double s : depth)
+    for (const double at : y)
+      mesh.nodes.push_back({wheelset.radius - s * sizes.rimDepth - (1 - s) * sizes.treadSlope * at, at});
+  for (int j = 0; j + 1 < static_cast<int>(depth.size()); ++j)
     for (int i = 0; i + 1 < n; ++i)
       mesh.quads.push_back({j * n + i, (j + 1) * n + i, (j + 1) * n + i + 1, j * n + i + 1});
   return mesh;

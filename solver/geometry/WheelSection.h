@@ -10,6 +10,7 @@ namespace squat::geometry {
 struct WheelSectionSizes {
   double contactSize = 0, bandHalfWidth = 0, sectionSize = 0, growth = 0;  // as in the rail
   double rimDepth = 0;                                                     // [m]
+  double treadSlope = 0;  // [-] by which the tread's radius falls outwards
 };
 
 // The finely meshed outer rim: radius - rimDepth .. radius.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/DefectSurface.h"
+#include "contact/ContactSurfaces.h"
 #include "core/Errors.h"
 #include "geometry/RailSection.h"
 #include "geometry/WheelSection.h"
@@ -76,7 +77,8 @@ void addSleepers(Model& model) {
         rectangleMesh(evenly(-d.sleeper.height, 0, 2), evenly(-d.sleeper.width / 2, d.sleeper.width / 2, tiny ? 2 : 3));
     sleeper.stations = {-d.wheelset.trackCentre, false, {{lengthwise, d.sleeper.halfLength / lengthwise}}};
     sleeper.material = d.sleeper.material;
-    sleeper.origin = {model.sleeperPositions[i], 0, -geometry::outline54E1().height};
+    sleeper.origin = {model.sleeperPositions[i], 0,
+                      -geometry::outline54E1().height * std::cos(model.blocks[model.rail].lean)};
     append(model, std::move(sleeper));
   }
 }
@@ -134,18 +136,20 @@ RollingStretch addBlocks(Model& model) {
       geometry::railSectionMesh({d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize, d.mesh.sectionGrowth});
   rail.stations = stretch.rail;
   rail.material = d.rail.material;
+  const contact::Seat seat = contact::seatOf(d);
+  rail.lean = seat.lean;
   model.rail = 0;
   append(model, std::move(rail));
 
-  const geometry::WheelSectionSizes sizes{d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize,
-                                          d.mesh.sectionGrowth, d.mesh.rimDepth};
+  const geometry::WheelSectionSizes sizes{d.mesh.contactSize,   d.mesh.bandHalfWidth, d.mesh.sectionSize,
+                                          d.mesh.sectionGrowth, d.mesh.rimDepth,      seat.treadSlope};
   elasticity::SweptBlock rim;
   rim.name = "wheel rim";
   rim.kind = elasticity::SweepKind::aroundAxis;
   rim.section = geometry::rimSectionMesh(d.wheelset, sizes);
   rim.stations = rimStations(d, stretch, model.startX);
   rim.material = d.wheelset.material;
-  rim.origin = {model.startX, 0, d.wheelset.radius};
+  rim.origin = {model.startX, seat.wheelY, seat.centreHeight};
   model.rim = 1;
   append(model, std::move(rim));
 
@@ -156,7 +160,7 @@ RollingStretch addBlocks(Model& model) {
   const int sectors = (d.mesh.wheelSectors + 7) / 8 * 8;
   body.stations = {0, true, {{sectors, 2 * std::acos(-1.0) / sectors}}};
   body.material = d.wheelset.material;
-  body.origin = {model.startX, 0, d.wheelset.radius};
+  body.origin = {model.startX, seat.wheelY, seat.centreHeight};
   model.body = 2;
   append(model, std::move(body));
   addSleepers(model);

@@ -180,7 +180,7 @@ Model buildModel(const cases::CaseDescription& description) {
   model.description = description;
   const RollingStretch stretch = addBlocks(model);
   const auto& w = description.wheelset;
-  model.wheelset.centreHeight = w.radius;
+  model.wheelset.centreHeight = contact::seatOf(description).centreHeight;
   model.bearing =
       makeRing(model, w.journalRadius, w.bearingCentre - w.bearingWidth / 2, w.bearingCentre + w.bearingWidth / 2);
   model.hub = makeRing(model, w.hubRadius, -w.hubWidth / 2, w.hubWidth / 2);

@@ -56,6 +56,8 @@ void addPads(Model& model) {
   const auto& pad = model.description.pad;
   const auto& rail = model.blocks[model.rail];
   const auto base = railBase(rail);
+  const Eigen::Matrix3d basis = elasticity::localBasis(rail, 0);
+  const double lowest = rail.section.nodes[base.front()][1];
   const double stiffness[3] = {pad.longitudinalStiffness, pad.lateralStiffness, pad.stiffness};
   const double damping[3] = {pad.longitudinalDamping, pad.lateralDamping, pad.damping};
   for (int i = 0; i < model.sleepers; ++i) {
@@ -64,10 +66,14 @@ void addPads(Model& model) {
     for (int p = 0; p < alongRail; ++p)
       for (int q = 0; q < acrossRail; ++q) {
         const double dx = ((p + 0.5) / alongRail - 0.5) * pad.length, y = ((q + 0.5) / acrossRail - 0.5) * pad.width;
+        // Pads lie under the foot and lean with the rail: the sleeper's seat is cut to its inclination.
+        const double across = (basis * Eigen::Vector3d(0, y, lowest))[1];
         for (int axis = 0; axis < 3; ++axis) {
           Terms terms;
           interpolate(rail, base, 0, y, model.sleeperPositions[i] + dx, axis, 1, terms);
-          interpolate(sleeper, top, 1, dx, y, component(sleeper.kind, axis), -1, terms);
+          for (int global = 0; global < 3; ++global)
+            if (basis(global, axis) != 0)
+              interpolate(sleeper, top, 1, dx, across, component(sleeper.kind, global), -basis(global, axis), terms);
           const double share = 1.0 / (alongRail * acrossRail);
           model.pads.add(terms, share * stiffness[axis], share * damping[axis]);
         }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "case/DefectSurface.h"
+#include "contact/ContactSurfaces.h"
 #include "contact/Hertz.h"
 #include "model/ContactPenalty.h"
 #include "model/WheelsetModes.h"
@@ -14,18 +15,22 @@ namespace squat::simulation {
 void describeEquilibrium(const model::Model& model, const statics::Equilibrium& e, results::RunResult& result) {
   const auto& d = model.description;
   const double weight = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
-  const auto hertz =
-      contact::hertzContact(d.wheelset.radius, 0.300, d.rail.material.young, d.rail.material.poisson, weight);
+  const auto& s = model.surfaces;
+  const auto hertz = contact::hertzContact(s.radius, s.crownRadius, d.rail.material.young, d.rail.material.poisson,
+                                           weight / s.treadCosine);
   const double peak = e.peakPressure;
   result.equilibrium = {
       {"contact_force", "N", "vertical", e.contactForce},
+      {"lateral_force", "N", "of the wheel on the rail, outwards positive", e.lateralForce},
+      {"touch_lateral", "m", "where wheel and rail touch before they deform, y on the crown", s.touchY},
+      {"patch_centre_lateral", "m", "y of the pressure's centre", e.centreLateral},
       {"weight", "N", "of wheelset and sprung mass", weight},
       {"residual", "1", "2-norm of the unbalanced forces over the weight", e.residual},
       {"half_axis_rolling", "m", "sqrt(5 <x2>) of the pressure", e.halfAxisRolling},
       {"half_axis_lateral", "m", "sqrt(5 <y2>) of the pressure", e.halfAxisLateral},
       {"peak_pressure", "Pa", "3 N / (2 pi a b)", peak},
       {"approach", "m", "of wheel centre and rail section", e.approach},
-      {"hertz_half_axis_rolling", "m", "Hertz, R300 crown and cylindrical tread", hertz.halfAxisX},
+      {"hertz_half_axis_rolling", "m", "Hertz, crown and straight tread", hertz.halfAxisX},
       {"hertz_half_axis_lateral", "m", "Hertz", hertz.halfAxisY},
       {"hertz_peak_pressure", "Pa", "Hertz", hertz.peakPressure},
       {"hertz_approach", "m", "Hertz", hertz.approach},
@@ -62,11 +67,12 @@ void describeModes(const cases::CaseDescription& description, results::RunResult
 
 void describeProfile(const cases::CaseDescription& d, results::RunResult& result) {
   const cases::DefectSurface surface(d.defect);
+  const double y = contact::seatOf(d).touchY;  // along the line on which the wheel runs
   const double from = std::max(-d.motion.runUp, std::min(-0.1, surface.first() - 0.03));
   const double to = std::min(d.motion.beyond, std::max(0.15, surface.last() + 0.03)), step = 0.5e-3;
-  for (const auto& point : cases::rigidWheelPath(surface, d.wheelset.radius, from, to, step)) {
+  for (const auto& point : cases::rigidWheelPath(surface, d.wheelset.radius, from, to, step, y)) {
     result.profilePosition.push_back(point.position);
-    result.profileHeight.push_back(surface.height(point.position));
+    result.profileHeight.push_back(surface.height(point.position, y));
     result.wheelPath.push_back(point.height);
   }
 }

@@ -305,6 +305,25 @@ std::optional<results::ArrayTree> readMatchingCheckpoint(Run& run) {
   return tree;
 }
 
+// Beyond this creepage friction is exhausted everywhere in a patch of this size, many times over.
+constexpr double spinning = 0.01;
+
+void markSpin(Run& run, double radius) {
+  auto& r = run.result;
+  const auto* spin = r.signal("wheel_speed");
+  if (!spin) return;
+  double most = 0;
+  for (const double rate : *spin)
+    if (std::abs(rate * radius / r.speed - 1) > std::abs(most)) most = rate * radius / r.speed - 1;
+  r.equilibrium.push_back({"largest_creepage", "1", "spin times radius over speed, less one", most});
+  if (std::abs(most) < spinning) return;
+  char text[160];
+  std::snprintf(text, sizeof text, "the wheel spins: its rim runs %.1f %% %s than the train; lower the torque",
+                100 * std::abs(most), most > 0 ? "faster" : "slower");
+  r.warnings.push_back(text);
+  run.monitor.message(std::string("warning: ") + text);
+}
+
 void finish(Run& run, Clock::time_point start) {
   auto& r = run.result;
   addSpectra(run.description, r);
@@ -354,7 +373,7 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
   if (quiet.equilibrium.cancelled) return run.result;
   const auto& motion = description.motion;
   rolling.start(quiet.equilibrium.displacement, quiet.velocity,
-                motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / description.wheelset.radius);
+                motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
   if (fields) run.result.snapshots.push_back(fields->snapshot("equilibrium", quiet.equilibrium.displacement, 0, 0, 0));
 
   RollingPhase phase(run, rolling, fields.get(), perSample, quiet.equilibrium.strainEnergy);
@@ -362,6 +381,7 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
   try {
     const bool complete = run.timed("rolling", [&] { return phase.go(); });
     phase.store();
+    markSpin(run, model.surfaces.radius);
     run.result.complete = complete;
     run.result.stopReason = complete ? "done" : "cancelled";
     run.timed("spectra", [&] { return finish(run, start), 0; });

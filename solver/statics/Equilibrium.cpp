@@ -19,7 +19,7 @@ struct ClosedContact {
   supports::SpringSet springs;               // tangent of the closed points
   std::vector<double> penetration;           // of each spring
   std::vector<std::array<double, 2>> place;  // x relative to the wheel, y
-  double vertical = 0;                       // [N] on the rail, downwards positive
+  double vertical = 0, lateral = 0;          // [N] on the rail, downwards and outwards positive
 };
 
 ClosedContact evaluateContact(const model::Model& model, const model::TurnedStations& turned, const double* u,
@@ -35,19 +35,12 @@ ClosedContact evaluateContact(const model::Model& model, const model::TurnedStat
       for (int point = 0; point < 4; ++point) {
         contact::TouchPoint t;
         if (!evaluatePoint(s, rail, rim, u, wheel, i, j, point, nearGap, t) || t.penetration <= 0) continue;
-        std::vector<std::pair<std::size_t, double>> terms;
-        for (int a = 0; a < 2; ++a)
-          for (int b = 0; b < 2; ++b) {
-            terms.push_back({rail.index(t.railNode[a], 0, t.railStation + b), -t.sine * t.railWeight[2 * a + b]});
-            terms.push_back({rail.index(t.railNode[a], 2, t.railStation + b), t.cosine * t.railWeight[2 * a + b]});
-            const double weight = t.treadWeight[2 * a + b];
-            terms.push_back({rim.index(t.treadNode[a], 0, t.treadStation[b]), -t.turnSine[b] * weight});
-            terms.push_back({rim.index(t.treadNode[a], 1, t.treadStation[b]), t.turnCosine[b] * weight});
-          }
-        closed.springs.add(terms, penalty * s.area[t.point], 0);
+        closed.springs.add(contact::penetrationTerms(s, rail, rim, t), penalty * s.area[t.point], 0);
         closed.penetration.push_back(t.penetration);
         closed.place.push_back({s.pointX[t.point] - wheelX, s.pointY[t.point]});
-        closed.vertical += penalty * s.area[t.point] * t.penetration * t.cosine;
+        const double force = penalty * s.area[t.point] * t.penetration;
+        closed.vertical += force * s.treadCosine * t.cosine;
+        closed.lateral += force * s.treadSine;
       }
   return closed;
 }
@@ -70,6 +63,7 @@ void describePatch(const ClosedContact& closed, Equilibrium& e) {
   }
   e.halfAxisRolling = std::sqrt(5 * (x2 / n - x1 * x1 / n / n));
   e.halfAxisLateral = std::sqrt(5 * (y2 / n - y1 * y1 / n / n));
+  e.centreLateral = y1 / n;
   e.peakPressure = 3 * n / (2 * std::acos(-1.0) * e.halfAxisRolling * e.halfAxisLateral);
 }
 
@@ -96,7 +90,7 @@ double railDeflection(const model::Model& model, const AlignedVector& u, double 
   double sum = 0, mass = 0;
   for (int n = 0; n < rail.nodes; ++n) {
     const double m = model.mass[model.rail][n * rail.stride + s];
-    sum += m * u[rail.index(n, 2, s)], mass += m;
+    sum += m * (std::sin(rail.lean) * u[rail.index(n, 1, s)] + std::cos(rail.lean) * u[rail.index(n, 2, s)]), mass += m;
   }
   return sum / mass;
 }
@@ -139,7 +133,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
       return sum;
     }));
     e.residual = norm / load;
-    e.contactForce = closed.vertical;
+    e.contactForce = closed.vertical, e.lateralForce = closed.lateral;
     if (e.newtonSteps == 0) startNorm = norm;
     if (e.residual < options.tolerance) {
       describePatch(closed, e);

@@ -24,6 +24,8 @@ struct Equilibrium {
   AlignedVector displacement;       // state layout
   double wheelX = 0, rotation = 0;  // where the wheel stands
   double contactForce = 0;          // [N] vertical
+  double lateralForce = 0;          // [N] of the wheel on the rail, outwards
+  double centreLateral = 0;         // [m] y of the pressure's centre
   double residual = 0;              // 2-norm relative to the wheel load
   double approach = 0;  // [m] largest penetration of the undeformed surfaces: hub to far rail minus body motion
   double halfAxisRolling = 0, halfAxisLateral = 0;  // [m] sqrt(5 <x^2>), sqrt(5 <y^2>) of the pressure

@@ -244,5 +244,22 @@ TEST(CaseFile, StemIsTheNameWithoutEnding) {
   EXPECT_EQ(caseStem("squat.v2.toml"), "squat.v2");
 }
 
+// A file with several columns of heights becomes lines; they are written with the case and read back as they are.
+TEST_F(CaseFolder, ProfilesSideBySide) {
+  write("p.csv", "position [mm],y=-8 mm [mm],y=8 mm [mm]\n-10,0,0\n0,-0.1,-0.2\n10,0,0\n");
+  const auto path = write("c.toml", "[defect]\nshape = \"profile\"\nfile = \"p.csv\"\n");
+  const auto read = readCase(path);
+  ASSERT_EQ(read.defect.lines.size(), 2u);
+  EXPECT_TRUE(read.defect.points.empty());
+  EXPECT_EQ(read.defect.lines[1].lateral, 0.008);
+  EXPECT_EQ(read.defect.lines[1].points[1].height, -0.0002);
+  const std::string text = writeCase(read);
+  const auto again = parseCase(text, "again.toml", folder / "elsewhere");
+  EXPECT_EQ(writeCase(again), text);
+  EXPECT_EQ(caseHash(again), caseHash(read));
+  ASSERT_EQ(again.defect.lines.size(), 2u);
+  EXPECT_EQ(again.defect.lines[0].points[1].height, -0.0001);
+}
+
 }  // namespace
 }  // namespace squat::cases

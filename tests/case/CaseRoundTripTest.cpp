@@ -50,6 +50,17 @@ void randomise(CaseDescription& description, const Parameter& parameter, std::mt
       text += "]";
       break;
     }
+    case Kind::lines: {
+      double lateral = -20;
+      text = "[";
+      for (int i = 0; i < 4; ++i) {
+        lateral += 0.1 + 5 * share(random);
+        text += (i ? ",[" : "[") + formatDecimal(lateral) + ",[[-" + formatDecimal(share(random) + 0.1) + ",0],[0," +
+                formatDecimal(share(random) - 0.5) + "],[7,0]]]";
+      }
+      text += "]";
+      break;
+    }
   }
   const auto problem = trySetValue(description, parameter, text);
   ASSERT_FALSE(problem) << toText(*problem);

@@ -278,5 +278,52 @@ TEST(RigidWheelPath, SmoothRailGivesAPlanePath) {
   EXPECT_TRUE(rigidWheelPath(DefectSurface(defectOf(DefectShape::cosine)), 0.46, 0, 1, 0).empty());
 }
 
+// Several lines: on each line its own profile, in between the monotone cubic across, beyond the outermost as they are;
+// the deepest point of all stands at x = 0.
+TEST(DefectSurface, LinesSideBySide) {
+  const std::vector<ProfilePoint> shallow{{1.00, 0}, {1.01, -2e-5}, {1.02, -6e-5}, {1.03, -1e-5}, {1.04, 0}};
+  const std::vector<ProfilePoint> deep{{1.01, 0}, {1.02, -1e-4}, {1.03, -3e-4}, {1.04, -1e-4}, {1.05, 0}};
+  Defect defect = defectOf(DefectShape::profile);
+  defect.lines = {{-0.010, shallow}, {0.0, deep}, {0.012, shallow}};
+  const DefectSurface surface(defect), alone(profileOf(deep)), other(profileOf(shallow));
+  EXPECT_EQ(surface.depth(), 3e-4);
+  EXPECT_EQ(surface.deepestLateral(), 0);
+  EXPECT_NEAR(surface.first(), -0.03, 1e-12);
+  EXPECT_NEAR(surface.last(), 0.02, 1e-12);
+  for (double x = -0.035; x < 0.025; x += 0.0007) {
+    EXPECT_NEAR(surface.height(x, 0), alone.height(x), roundOff) << x;
+    const double shifted = x + 0.01;  // the shallow line's own deepest point stands 10 mm before
+    EXPECT_NEAR(surface.height(x, -0.010), other.height(shifted), 1e-15) << x;
+    EXPECT_NEAR(surface.height(x, 0.012), other.height(shifted), 1e-15) << x;
+    EXPECT_EQ(surface.height(x, -0.02), surface.height(x, -0.010));
+    EXPECT_EQ(surface.height(x, 0.02), surface.height(x, 0.012));
+    const double a = surface.height(x, 0), b = surface.height(x, 0.012), between = surface.height(x, 0.005);
+    EXPECT_GE(between, std::min(a, b) - roundOff);
+    EXPECT_LE(between, std::max(a, b) + roundOff);
+  }
+  // Halfway between two lines whose slopes across are zero there: 3 t^2 - 2 t^3 at t = 1/2 is their mean.
+  EXPECT_NEAR(surface.height(0, 0.006), 0.5 * (surface.height(0, 0) + surface.height(0, 0.012)), roundOff);
+  defect.heightScale = 2;
+  EXPECT_EQ(DefectSurface(defect).depth(), 6e-4);
+}
+
+// Equal lines are a uniform defect, and a shift moves it sideways.
+TEST(DefectSurface, EqualLinesAreUniformAndShiftsMoveThem) {
+  const std::vector<ProfilePoint> dip{{0, 0}, {0.01, -1e-4}, {0.02, 0}};
+  Defect defect = defectOf(DefectShape::profile);
+  defect.lines = {{-0.005, dip}, {0.005, dip}};
+  const DefectSurface surface(defect), one(profileOf(dip));
+  for (const double y : {-0.02, -0.005, 0.0, 0.003, 0.01})
+    for (double x = -0.012; x < 0.012; x += 0.0005) EXPECT_NEAR(surface.height(x, y), one.height(x), roundOff);
+  Defect parabolic = defectOf(DefectShape::cosine);
+  parabolic.lateral = static_cast<int>(LateralShape::parabolic);
+  parabolic.halfWidth = 0.010, parabolic.lateralCentre = 0.004;
+  const DefectSurface moved(parabolic);
+  EXPECT_DOUBLE_EQ(moved.height(0, 0.004), -parabolic.depth);
+  EXPECT_DOUBLE_EQ(moved.height(0, 0.009), -0.75 * parabolic.depth);
+  EXPECT_EQ(moved.height(0, -0.0061), 0);
+  EXPECT_EQ(moved.depth(), parabolic.depth);
+}
+
 }  // namespace
 }  // namespace squat::cases

@@ -70,6 +70,9 @@ TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
       case Kind::points:
         text = "[[0, 0], [1, -0.5]]";
         break;
+      case Kind::lines:
+        text = "[[-5, [[0, 0], [1, -0.5]]], [5, [[0, 0], [1, -0.4]]]]";
+        break;
     }
     setValue(changed, parameter.key, text);
     for (const auto& other : parameterTable()) {

@@ -120,5 +120,40 @@ TEST(ProfileFile, RefusesOtherEncodings) {
   EXPECT_THAT(refusal(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("no text"));
 }
 
+// Several profiles side by side: the headers name their lateral positions.
+TEST(ProfileFile, LinesSideBySide) {
+  for (const char* text : {"position [mm],y = -10 mm [mm],height at y=5.5 mm [um]\n-5.5,0,0\n0,-0.15,-200\n5,0,0\n",
+                           "position [mm];y=-10 mm [mm];y = 5,5 mm [um]\n-5,5;0;0\n0;-0,15;-200\n5;0;0\n"}) {
+    const auto lines = parseProfileLines(text, "p.csv");
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0].lateral, -0.010);
+    EXPECT_EQ(lines[1].lateral, 0.0055);
+    ASSERT_EQ(lines[1].points.size(), 3u);
+    EXPECT_EQ(lines[0].points[1].height, -0.00015);
+    EXPECT_EQ(lines[1].points[0].position, -0.0055);
+    EXPECT_EQ(lines[1].points[1].height, -0.0002);
+  }
+  const auto one = parseProfileLines("position [mm],height [mm]\n0,0\n5,-0.1\n", "p.csv");
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(one[0].lateral, 0);
+}
+
+TEST(ProfileFile, MistakesInLinesSideBySide) {
+  const auto refused = [](const std::string& text) -> std::string {
+    try {
+      parseProfileLines(text, "p.csv");
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "taken";
+  };
+  EXPECT_THAT(refused("position [mm],y=-10 mm [mm],height [mm]\n0,0,0\n1,0,0\n"), HasSubstr("two are expected"));
+  EXPECT_THAT(refused("position [mm],y=10 mm [mm],y=-10 mm [mm]\n0,0,0\n1,0,0\n"), HasSubstr("must ascend"));
+  EXPECT_THAT(refused("position [mm],y=0 mm [mm],y=90 mm [mm]\n0,0,0\n1,0,0\n"), HasSubstr("-36 to 36 mm"));
+  EXPECT_THAT(refused("position [mm],y=0 mm [mm],y=9 mm [mm]\n0,0,0\n1,0\n"), HasSubstr("3 are expected"));
+  EXPECT_THAT(refused("position [mm],y=0 mm [mm],y=9 mm [mm]\n0,0,0\n1,0,70\n"), HasSubstr("beyond 50 mm"));
+  EXPECT_THAT(refusal("position [mm],y=0 mm [mm],y=9 mm [mm]\n0,0,0\n1,0,0\n"), HasSubstr("side by side"));
+}
+
 }  // namespace
 }  // namespace squat::cases

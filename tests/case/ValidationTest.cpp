@@ -120,6 +120,82 @@ TEST(Validation, DefectLongerThanTheTrack) {
                 "track.length");
 }
 
+// Each says the key, the value and the limit.
+void expectSaid(const Settings& settings, const std::string& key, const std::string& value, const std::string& limit) {
+  const Validation validation = validate(caseWith(settings));
+  for (const auto* list : {&validation.problems, &validation.warnings})
+    for (const auto& problem : *list)
+      if (problem.key == key && problem.value.find(value) != std::string::npos &&
+          (problem.allowed + " " + problem.advice).find(limit) != std::string::npos)
+        return;
+  ADD_FAILURE() << key << ", " << value << ", " << limit << " is not said";
+  for (const auto* list : {&validation.problems, &validation.warnings})
+    for (const auto& problem : *list) ADD_FAILURE() << "but: " << toText(problem);
+}
+
+// Out of a key's own range: refused where it is set.
+void expectRefused(const char* key, const char* value, const char* limit) {
+  CaseDescription description = defaultCase();
+  const auto problem = trySetValue(description, *findParameter(key), value);
+  ASSERT_TRUE(problem) << key << " = " << value;
+  EXPECT_EQ(problem->key, key);
+  EXPECT_EQ(problem->value, value);
+  EXPECT_THAT(problem->allowed, HasSubstr(limit));
+}
+
+TEST(Validation, BadInputSaysKeyValueAndLimit) {
+  expectRefused("rail.yield_stress", "0", "0.05 to 10 GPa");
+  expectRefused("rail.yield_stress", "-0.8", "0.05 to 10 GPa");
+  expectRefused("contact.friction", "-0.1", "0 to 1");
+  expectSaid({{"rail.tangent_modulus", "210"}}, "rail.tangent_modulus", "210 GPa",
+             "below rail.young_modulus = 210 GPa");
+  expectSaid({{"rail.tangent_modulus", "250"}}, "rail.tangent_modulus", "250 GPa",
+             "below rail.young_modulus = 210 GPa");
+  // 50 mm dip, 30 mm rolled beyond its middle are 5 mm beyond its end; 20 mm are not.
+  expectSaid({{"motion.beyond", "0.02"}}, "motion.beyond", "0.02 m", "at least 0.025 m");
+  expectSaid({{"rail.plastic", "true"}, {"rail.plastic_depth", "0.5"}, {"defect.depth", "0.6"}}, "defect.depth",
+             "0.6 mm", "at most rail.plastic_depth = 0.5 mm");
+  expectSaid(
+      {{"defect.move_nodes", "true"}, {"mesh.contact_size", "1.3"}, {"defect.depth", "3"}, {"defect.length", "400"}},
+      "defect.depth", "3 mm", "at most twice mesh.contact_size = 2.6 mm");
+  // A cosine of 4 mm depth over 20 mm drops by pi times 4 / 20.
+  expectSaid({{"defect.depth", "4"}, {"defect.length", "20"}}, "defect.depth", "4 mm", "slopes up to 0.5");
+  expectSaid({{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [15, -0.1], [30, -0.2], [45, -0.1], [60, 0]]"}},
+             "defect.points", "the profile", "15 mm apart, more than an eighth of the dip");
+  expectSaid({{"track.length", "3"},
+              {"motion.run_up", "0.6"},
+              {"defect.shape", "profile"},
+              {"defect.points", "[[0, 0], [500, -0.1], [2500, -0.1], [2600, 0]]"}},
+             "track.length", "3 m", "at least 4.2 m");
+  expectSaid({{"motion.traction_coefficient", "0.35"}}, "motion.traction_coefficient", "0.35",
+             "at most contact.friction = 0.3");
+}
+
+// Crown R300, patch 5.2 mm half wide under 87.8 kN, fine band 7.8 mm (draft): the middle of the patch up to 2.6 mm off.
+TEST(Validation, TheFineBandHoldsThePatch) {
+  EXPECT_TRUE(validate(caseWith({{"motion.lateral_offset", "2.5"}})).problems.empty());
+  expectSaid({{"motion.lateral_offset", "4"}}, "motion.lateral_offset", "4 mm", "-2.64 to 2.64 mm");
+  expectSaid({{"motion.lateral_offset", "4"}}, "motion.lateral_offset", "4 mm", "mesh.band_half_width = 7.8 mm");
+  EXPECT_TRUE(validate(caseWith({{"motion.lateral_offset", "4"}, {"mesh.band_half_width", "10.4"}})).problems.empty());
+  // Slopes that differ by 0.04 would meet 12 mm beside the middle, on R80.
+  expectProblem({{"wheelset.cone", "0.04"}, {"mesh.band_half_width", "20.8"}}, "wheelset.cone");
+  EXPECT_TRUE(validate(caseWith({{"wheelset.cone", "0.025"}, {"rail.inclination", "0.025"}})).problems.empty());
+}
+
+TEST(Validation, LinesSideBySide) {
+  const char* lines =
+      "[[-10, [[0, 0], [5, -0.1], [10, -0.2], [15, -0.1], [20, 0]]], [10, [[0, 0], [5, -0.05], [10, -0.1], [20, 0]]]]";
+  const auto good = validate(caseWith({{"defect.shape", "profile"}, {"defect.lines", lines}}));
+  EXPECT_TRUE(good.problems.empty());
+  expectProblem({{"defect.shape", "profile"}, {"defect.lines", lines}, {"defect.lateral", "parabolic"}},
+                "defect.lateral");
+  expectRefused("defect.lines", "[[0, [[0, 0], [1, 0]]]]", "lateral position");
+  expectRefused("defect.lines", "[[5, [[0, 0], [1, 0]]], [5, [[0, 0], [1, 0]]]]", "ascending");
+  expectRefused("defect.lines", "[[5, [[0, 0], [1, 0]]], [50, [[0, 0], [1, 0]]]]", "lateral position");
+  expectRefused("defect.lines", "[[5, [[0, 0], [0, 1]]], [8, [[0, 0], [1, 0]]]]", "lateral position");
+  expectRefused("defect.lines", "[[5, []], [8, [[0, 0], [1, 0]]]]", "lateral position");
+}
+
 // 60 mm dip: an eighth is 7.5 mm of the whole, less of the part below 5 % of the depth.
 TEST(Validation, CoarseProfiles) {
   expectWarning(

@@ -33,6 +33,8 @@ void changeSomething(CaseDocument& document, std::mt19937& random) {
       text = share() < 0.5 ? "true" : "false";
     } else if (parameter.kind == cases::Kind::points) {
       text = "[[0, 0], [10, -0.1], [20, 0]]";
+    } else if (parameter.kind == cases::Kind::lines) {
+      text = "[[-5, [[0, 0], [10, -0.1], [20, 0]]], [5, [[0, 0], [12, -0.2], [20, 0]]]]";
     }
     document.setParameter(parameter.key, text);
   } else if (kind < 7) {

@@ -217,5 +217,34 @@ TEST(RunCase, MovedNodesChangeLittle) {
   EXPECT_LT(difference, 0.02 * largest(gap));
 }
 
+// A torque far beyond friction spins the wheel: the run goes on to its end, says so and marks it in the result.
+TEST(RunCase, AWheelThatSpinsIsSaidAndMarked) {
+  const auto result = run(tinyCase("smooth-rail", {{"contact.friction", "0.05"},
+                                                   {"motion.traction_coefficient", "1"},
+                                                   {"motion.torque_ramp", "1"},
+                                                   {"motion.run_up", "0.06"}}));
+  EXPECT_TRUE(result.complete);
+  const auto says = [&](const char* words) {
+    return std::any_of(result.warnings.begin(), result.warnings.end(),
+                       [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("motion.traction_coefficient"));  // before the run
+  EXPECT_TRUE(says("the wheel spins"));              // after it
+  EXPECT_GT(scalar(result.equilibrium, "largest_creepage"), 0.01);
+  EXPECT_LT(scalar(lightDefect().equilibrium, "largest_creepage"), 0.01);
+}
+
+// Rail and tread at 1:40: as quiet as upright on a smooth rail, and the same signal to a few per cent at the defect.
+TEST(RunCase, InclinedAtOneInForty) {
+  const Overrides inclined{{"rail.inclination", "0.025"}, {"wheelset.cone", "0.025"}};
+  const auto smooth = run(tinyCase("smooth-rail", inclined));
+  const auto* aba = smooth.signal("aba_filtered");
+  ASSERT_NE(aba, nullptr);
+  double loudest = 0;
+  for (std::size_t i = 0; i < aba->size(); ++i)
+    if (smooth.position[i] < -0.03) loudest = std::max(loudest, std::abs((*aba)[i]));
+  EXPECT_LT(loudest, 5);  // m/s2, as asked of a smooth rail
+}
+
 }  // namespace
 }  // namespace squat

@@ -132,8 +132,7 @@ geometry::SectionMesh plate(std::pair<double, double> b, std::pair<double, doubl
   geometry::SectionMesh mesh;
   for (int j = 0; j <= alongC; ++j)
     for (int i = 0; i <= alongB; ++i)
-      mesh.nodes.push_back(
-          {b.first + (b.second - b.first) * i / alongB, c.first + (c.second - c.first) * j / alongC});
+      mesh.nodes.push_back({b.first + (b.second - b.first) * i / alongB, c.first + (c.second - c.first) * j / alongC});
   const int row = alongB + 1;
   for (int j = 0; j < alongC; ++j)
     for (int i = 0; i < alongB; ++i)

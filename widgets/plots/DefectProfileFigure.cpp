@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/CaseFile.h"
+#include "case/DefectSurface.h"
+#include "core/Errors.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "plots/SleeperSpans.h"
@@ -34,6 +37,27 @@ void addSleeper(Figure& figure, const Span& span, double from, double to) {
   label->setText("sleeper");
 }
 
+// A defect of several lines is shown line by line; they stand in the case that the result carries.
+void addLines(Figure& figure, const results::RunResult& result) {
+  try {
+    // Without the profile's file: a result may come from a stranger, and its case has the points.
+    const auto description = cases::parseCase(result.caseToml, "case of the result", {}, {{}, {{"defect.file", ""}}});
+    const cases::DefectSurface surface(description.defect);
+    std::size_t colour = 2;
+    for (const double lateral : surface.lateralLines()) {
+      Curve curve;
+      for (const double x : result.profilePosition) curve.y.push_back(surface.height(x, lateral) * 1e6);
+      curve.x = scaled(result.profilePosition, 1e3);
+      curve.label = QString("line at %1 mm").arg(lateral * 1e3, 0, 'g', 3);
+      curve.colour = colour++;
+      curve.width = 0.9;
+      addCurve(figure, curve);
+    }
+  } catch (const CaseError&) {  // a case that this version does not take any more: the running line alone
+  } catch (const FileError&) {
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style) {
@@ -53,6 +77,7 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   if (!x.empty()) addCurve(*figure, {x, scaled(result.profileHeight, 1e6), "rail surface", 0, 1.3});
   if (result.wheelPath.size() == x.size() && !x.empty())
     addCurve(*figure, {x, scaled(result.wheelPath, 1e6), "path of a rigid wheel", 1, 1.0, Qt::DashLine});
+  addLines(*figure, result);
   fitValues(*figure, 0.1);
   const QCPRange range = figure->yAxis->range();
   figure->yAxis->setRange(range.lower - stripHeight * range.size(), range.upper);

@@ -72,7 +72,7 @@ void ParameterRow::makeEditor() {
     connect(check_, &QCheckBox::clicked, this, [this](bool on) { commit(on ? "true" : "false"); });
   } else {
     editor_ = line_ = new QLineEdit(this);
-    line_->setReadOnly(parameter_.kind == cases::Kind::points);
+    line_->setReadOnly(cases::isList(parameter_));
     connect(line_, &QLineEdit::textEdited, this, &ParameterRow::tryText);
     connect(line_, &QLineEdit::editingFinished, this, [this] {
       if (line_->isModified()) commit(line_->text());
@@ -93,17 +93,21 @@ void ParameterRow::showValue() {
       auto copy = document_.description();
       shown = tr("%n points", nullptr, points ? static_cast<int>((*points)(copy).size()) : 0);
     }
+    if (const auto* lines = std::get_if<5>(&parameter_.access)) {
+      auto copy = document_.description();
+      shown = tr("%n lines", nullptr, static_cast<int>((*lines)(copy).size()));
+    }
     if (line_->text() != shown) line_->setText(shown);
     line_->setModified(false);
   }
   if (choice_) choice_->setCurrentText(QString::fromStdString(text));
   if (check_) check_->setChecked(text == "true");
-  const bool noPoints = parameter_.kind == cases::Kind::points && text == "[]";
+  const bool noPoints = cases::isList(parameter_) && text == "[]";
   changed_ = text != parameter_.standardText && !noPoints;
   QFont font = name_->font();
   font.setBold(changed_);
   name_->setFont(font);
-  reset_->setVisible(changed_ && parameter_.kind != cases::Kind::points);
+  reset_->setVisible(changed_ && !cases::isList(parameter_));
   const bool wasWrong = !wrongText_.isEmpty();
   wrongText_.clear();
   showReason();

@@ -116,6 +116,7 @@ void ProfileEditor::importFile(const QString& path) {
       cases::CaseDescription after = document_.description();
       after.defect.shape = static_cast<int>(cases::DefectShape::profile);
       after.defect.points = dialog->points();
+      after.defect.lines.clear();
       after.defect.file.clear();
       after.defect.level = true;
       after.defect.heightScale = 1;

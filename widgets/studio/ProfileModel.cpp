@@ -12,7 +12,9 @@ constexpr double around = 0.04;           // [m] shown beyond the defect
 constexpr double smoothHalfLength = 0.1;  // [m] shown of a smooth rail
 
 bool sampled(const cases::Defect& defect) {
-  return defect.shape == static_cast<int>(cases::DefectShape::profile) && defect.points.size() >= 2;
+  // Several lines side by side are shown along the middle, not edited point by point.
+  return defect.shape == static_cast<int>(cases::DefectShape::profile) && defect.lines.empty() &&
+         defect.points.size() >= 2;
 }
 
 }  // namespace
@@ -76,6 +78,7 @@ cases::CaseDescription asPoints(const cases::CaseDescription& description) {
   }
   result.defect.shape = static_cast<int>(cases::DefectShape::profile);
   result.defect.points = points;
+  result.defect.lines.clear();
   result.defect.file.clear();
   result.defect.heightScale = 1;
   result.defect.level = true;

@@ -40,7 +40,8 @@ QComboBox* choiceBox(const std::string& key, CaseDocument& document, QWidget* pa
   QObject::connect(box, &QComboBox::activated, box, [&document, key, box] {
     const std::string chosen = box->currentText().toStdString();
     // A sampled profile needs points: those of the shape seen so far.
-    if (key == "defect.shape" && chosen == "profile" && document.description().defect.points.empty())
+    if (key == "defect.shape" && chosen == "profile" && document.description().defect.points.empty() &&
+        document.description().defect.lines.empty())
       document.edit(QObject::tr("Turn the shape into points"), asPoints(document.description()));
     else
       document.setParameter(key, chosen);

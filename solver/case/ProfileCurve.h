@@ -1,0 +1,48 @@
+// solver/case/ProfileCurve.h - a smooth curve through sampled heights, as defects are made of.
+//
+// Piecewise cubic that is monotone between the points (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980; slopes after
+// Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5, 1984): continuous slope, no overshoot, so the deepest point is a
+// measured one.
+#pragma once
+
+#include <vector>
+
+#include "case/CaseDescription.h"
+
+namespace squat::cases {
+
+struct HeightAndSlope {
+  double height = 0, slope = 0;
+};
+
+class ProfileCurve {
+ public:
+  // Heights times `scale`. With `level` the line through first and last point is taken off; without it ends that are
+  // not at zero run out over 20 mm. Positions ascend; fewer than two points: no curve.
+  ProfileCurve(const std::vector<ProfilePoint>& points, double scale, bool level);
+
+  // The lowest point; of several equal ones the first. {0, 0} where there is no curve.
+  ProfilePoint deepest() const;
+  // Shifts the curve by -origin and trims flat lead-in and run-out, which are no part of the defect.
+  void finish(double origin);
+
+  bool empty() const { return nodes_.empty(); }
+  double first() const { return nodes_.front().position; }
+  double last() const { return nodes_.back().position; }
+  HeightAndSlope at(double x) const;  // zero outside first() to last()
+  std::vector<ProfilePoint> points() const;
+
+ private:
+  struct Node {
+    double position, height, slope;
+  };
+  void level(bool ends);
+  void trim();
+  void findSlopes();
+  std::vector<Node> nodes_;
+};
+
+// The same cubic across the rail: value at y from values at ascending places; constant beyond the outermost.
+double monotoneBetween(const std::vector<double>& places, const std::vector<double>& values, double y);
+
+}  // namespace squat::cases
