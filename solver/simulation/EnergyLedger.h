@@ -30,6 +30,7 @@ class EnergyLedger {
     double rail = 0, wheelset = 0, sleepers = 0, springs = 0;
   };
   Shares shares() const { return shares_; }
+  void setShares(const Shares& shares) { shares_ = shares; }
 
   // For checkpoints: everything as rows of numbers.
   std::vector<double> pack() const;

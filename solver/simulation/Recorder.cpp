@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/Errors.h"
+#include "model/InvertedElement.h"
 #include "signals/Butterworth.h"
 #include "signals/SignalError.h"
 #include "simulation/RunParts.h"
@@ -136,22 +137,36 @@ dynamics::RollingState loadRolling(const results::ArrayTree& tree) {
   return s;
 }
 
+void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling) {
+  constexpr double absurd = 1e4;  // [m], [m/s] beyond the speed of sound in steel; a not-a-number is not below it
+  const auto& state = rolling.state();
+  for (const auto* values : {&state.displaced, &state.velocity})
+    for (std::size_t i = 0; i < values->size(); ++i)
+      if (!(std::abs((*values)[i]) < absurd))
+        throw RunError("the run diverges: a displacement or velocity is not a number or grows without bound",
+                       state.step, state.time, model::placeName(rolling.model(), i));
+  if (const auto place = model::invertedElement(rolling.model(), rolling.displacement()); !place.empty())
+    throw RunError("an element is turned inside out", state.step, state.time, place);
+}
+
 void DivergenceGuard::check(const dynamics::Rolling& rolling, const EnergyLedger& ledger) {
   const auto& view = rolling.view();
   const auto& state = rolling.state();
   const auto fail = [&](const std::string& what, const std::string& place) {
     throw RunError(what, state.step, state.time, place);
   };
-  if (!std::isfinite(view.patch.vertical) || !std::isfinite(view.boxAcceleration.z) || !std::isfinite(state.spinRate) ||
-      std::abs(view.patch.vertical) > 1e3 * rolling.wheelLoad()) {
+  const auto diverges = [&] {
     std::size_t worst = 0;
     for (std::size_t i = 0; i < state.velocity.size(); ++i)
       if (!(std::abs(state.velocity[i]) <= std::abs(state.velocity[worst]))) worst = i;
     fail("the run diverges: a velocity is not a number or grows without bound",
          model::placeName(rolling.model(), worst));
-  }
+  };
+  if (!std::isfinite(view.patch.vertical) || !std::isfinite(view.boxAcceleration.z) || !std::isfinite(state.spinRate))
+    diverges();
   if (view.patch.deepest > 2e-3)
     fail("runaway penetration of " + std::to_string(view.patch.deepest * 1e3) + " mm", "contact");
+  if (std::abs(view.patch.vertical) > 1e3 * rolling.wheelLoad()) diverges();
   if (view.patch.points > 0) lastContact_ = state.time;
   if (state.time - lastContact_ > 0.010) fail("the wheel has lost contact for 10 ms", "contact");
   if (std::abs(ledger.relativeResidual()) > 0.005)

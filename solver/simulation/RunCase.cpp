@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "case/CaseFile.h"
 #include "case/Validation.h"
@@ -68,14 +69,18 @@ struct Run {
   }
 };
 
+void warn(Run& run, const std::string& text) {
+  run.result.warnings.push_back(text);
+  run.monitor.message("warning: " + text);
+}
+
 void refuseOrWarn(Run& run) {
   const auto validation = cases::validate(run.description);
   if (!validation.problems.empty()) throw CaseError(validation.problems);
   if (run.description.rail.plastic)
     throw CaseError({{"rail.plastic", "true", "false: plastic flow of the rail is not in the solver yet",
                       "Leave it false; the rail then stays linear elastic"}});
-  for (const auto& warning : validation.warnings) run.result.warnings.push_back(toText(warning));
-  for (const auto& warning : run.result.warnings) run.monitor.message("warning: " + warning);
+  for (const auto& warning : validation.warnings) warn(run, toText(warning));
 }
 
 void identify(Run& run, const elasticity::KernelSet& kernels, int threads) {
@@ -105,12 +110,14 @@ long stepsPerSample(const cases::CaseDescription& d, const dynamics::StableStep&
 // The rolling phase: the loop, its observers and its checkpoints.
 class RollingPhase {
  public:
-  RollingPhase(Run& run, dynamics::Rolling& rolling, const SurfaceFields* fields, long perSample, double startStrain)
+  RollingPhase(Run& run, dynamics::Rolling& rolling, const SurfaceFields* fields, const RunStart& start,
+               double startStrain)
       : run_(run),
         rolling_(rolling),
         fields_(fields),
-        perSample_(perSample),
-        recorder_(rolling.stepSize(), static_cast<std::size_t>(perSample)),
+        start_(start),
+        perSample_(start.stepsPerSample),
+        recorder_(rolling.stepSize(), static_cast<std::size_t>(start.stepsPerSample)),
         ledger_(rolling, startStrain) {
     const auto& m = run.description.motion;
     const double duration = (m.runUp + m.beyond) / m.speed;
@@ -121,17 +128,23 @@ class RollingPhase {
   // True when it ran to its end, false when cancelled.
   bool go() {
     started_ = Clock::now(), lastCheckpoint_ = started_, firstStep_ = rolling_.state().step;
+    guard_.goOnFrom(rolling_.state().time);
+    DivergenceGuard::checkEverything(rolling_);
+    if (firstStep_ == 0) checkpoint();
     const auto observe = [this](const dynamics::StepView& view) { recorder_.observe(view); };
+    long atOnce = 1;  // the first step alone: a state from a file is judged before it can fly apart
     while (rolling_.state().step < total_) {
       const long done = rolling_.state().step;
       if (done % (samplesPerLedger * perSample_) == 0) {
         ledger_.before(rolling_);
         rolling_.advance(1, observe);
         ledger_.after(rolling_);
+        DivergenceGuard::checkEverything(rolling_);
       } else {
         const long toSample = perSample_ - done % perSample_;
-        rolling_.advance(std::min({mostStepsAtOnce, toSample, total_ - done}), observe);
+        rolling_.advance(std::min({atOnce, toSample, total_ - done}), observe);
       }
+      atOnce = mostStepsAtOnce;
       guard_.check(rolling_, ledger_);
       takePictures();
       tell();
@@ -169,36 +182,28 @@ class RollingPhase {
                              ledger_.largestRelativeResidual()});
   }
 
+  // A state that has gone astray never replaces a good checkpoint (RunError). One that cannot be written is no reason
+  // to lose the run: that is told, the earlier one stays, and the run goes on.
   void checkpoint() {
     if (run_.options.checkpointPath.empty()) return;
+    DivergenceGuard::checkEverything(rolling_);
     results::ArrayTree tree;
     setAttribute(tree.attributes, "case_hash", run_.result.caseHash);
     setAttribute(tree.attributes, "code_version", run_.result.codeVersion);
     setAttribute(tree.attributes, "isa", run_.result.isa);
     saveRolling(rolling_, tree);
     recorder_.save(tree);
+    const auto shares = ledger_.shares();
     tree.add("/ledger", ledger_.pack(), "1");
-    tree.add("/steps", std::vector<double>{static_cast<double>(perSample_), rolling_.stepSize(), rolling_.beta()}, "1");
-    for (const auto& shot : run_.result.snapshots) {
-      const std::string path = "/snapshots/" + shot.name;
-      tree.add(path + "/numbers", std::vector<double>{shot.time, shot.position, shot.wheelTravel, shot.wheelRotation},
-               "1");
-      tree.add(path + "/displacement", shot.displacement, "m");
-      tree.add(path + "/von_mises", shot.vonMises, "Pa");
+    tree.add("/ledger_shares", std::vector<double>{shares.rail, shares.wheelset, shares.sleepers, shares.springs}, "J");
+    saveStart(start_, run_.result, tree);
+    savePictures(run_.result, tree);
+    try {
+      results::writeCheckpoint(run_.options.checkpointPath, tree);
+    } catch (const FileError& error) {
+      if (!std::exchange(toldOfCheckpoint_, true))
+        warn(run_, std::string("the run goes on without this checkpoint: ") + error.what());
     }
-    for (const auto& shot : run_.result.patches) {
-      const std::string path = "/patches/" + shot.name;
-      tree.add(path + "/numbers", std::vector<double>{shot.time, shot.position}, "1");
-      const std::pair<const char*, const std::vector<float>*> fields[] = {{"/x", &shot.x},
-                                                                          {"/y", &shot.y},
-                                                                          {"/pressure", &shot.pressure},
-                                                                          {"/traction_x", &shot.tractionX},
-                                                                          {"/traction_y", &shot.tractionY},
-                                                                          {"/area", &shot.area}};
-      for (const auto& [name, values] : fields) tree.add(path + name, *values, "1");
-      tree.add(path + "/slipping", shot.slipping, "1");
-    }
-    results::writeCheckpoint(run_.options.checkpointPath, tree);
     lastCheckpoint_ = Clock::now();
   }
 
@@ -209,25 +214,12 @@ class RollingPhase {
     rolling_.restore(loadRolling(tree));
     recorder_.load(tree, file);
     ledger_.unpack(results::valuesOf<double>(tree, "/ledger", file));
-    run_.result.snapshots.clear(), run_.result.patches.clear();
-    const auto floats = [&](const std::string& path) { return results::valuesOf<float>(tree, path, file); };
-    for (const auto& array : tree.arrays) {
-      if (!array.path.ends_with("/numbers")) continue;
-      const std::string path = array.path.substr(0, array.path.size() - 8), name = path.substr(path.rfind('/') + 1);
-      const auto& n = results::valuesOf<double>(tree, array.path, file);
-      const bool isSnapshot = path.starts_with("/snapshots/");
-      if (n.size() != (isSnapshot ? 4U : 2U)) throw FileError(file, array.path, "has a wrong length");
-      if (isSnapshot)
-        run_.result.snapshots.push_back(
-            {name, n[0], n[1], n[2], n[3], floats(path + "/displacement"), floats(path + "/von_mises"), {}});
-      else
-        run_.result.patches.push_back(
-            {name, n[0], n[1], floats(path + "/x"), floats(path + "/y"), floats(path + "/pressure"),
-             floats(path + "/traction_x"), floats(path + "/traction_y"),
-             results::valuesOf<std::uint8_t>(tree, path + "/slipping", file), floats(path + "/area")});
+    if (tree.find("/ledger_shares")) {
+      const auto& shares = results::valuesOf<double>(tree, "/ledger_shares", file);
+      if (shares.size() != 4) throw FileError(file, "/ledger_shares", "has a wrong length");
+      ledger_.setShares({shares[0], shares[1], shares[2], shares[3]});
     }
-    std::sort(run_.result.snapshots.begin(), run_.result.snapshots.end(),
-              [](const auto& a, const auto& b) { return a.time < b.time; });
+    loadPictures(tree, file, run_.result);
   }
 
  private:
@@ -282,6 +274,8 @@ class RollingPhase {
   Run& run_;
   dynamics::Rolling& rolling_;
   const SurfaceFields* fields_;
+  RunStart start_;
+  bool toldOfCheckpoint_ = false;
   long perSample_, samples_ = 0, total_ = 0, firstStep_ = 0;
   Recorder recorder_;
   EnergyLedger ledger_;
@@ -292,7 +286,8 @@ class RollingPhase {
 
 std::optional<results::ArrayTree> readMatchingCheckpoint(Run& run) {
   if (!run.options.resume || run.options.checkpointPath.empty()) return {};
-  auto tree = results::readCheckpoint(run.options.checkpointPath);
+  bool usedPrevious = false;
+  auto tree = results::readCheckpoint(run.options.checkpointPath, &usedPrevious);
   if (!tree) return {};
   const auto hash = results::textAttribute(tree->attributes, "case_hash");
   if (hash != run.result.caseHash)
@@ -300,8 +295,9 @@ std::optional<results::ArrayTree> readMatchingCheckpoint(Run& run) {
                       "It belongs to case " + hash + ": give another output folder or run without --resume"}});
   const auto isa = results::textAttribute(tree->attributes, "isa");
   if (isa != run.result.isa)
-    run.result.warnings.push_back("resumed on " + run.result.isa + " a run that was begun on " + isa +
-                                  ": results may differ in the last digits from an uninterrupted run");
+    warn(run, "resumed on " + run.result.isa + " a run that was begun on " + isa +
+                  ": results may differ in the last digits from an uninterrupted run");
+  if (usedPrevious) run.monitor.message("warning: the newest checkpoint is not whole; going on from the one before");
   return tree;
 }
 
@@ -322,6 +318,30 @@ void markSpin(Run& run, double radius) {
                 100 * std::abs(most), most > 0 ? "faster" : "slower");
   r.warnings.push_back(text);
   run.monitor.message(std::string("warning: ") + text);
+}
+
+// Everything ahead of the rolling. A checkpoint holds what comes of it, so a resumed run has `steps` alone.
+struct Beginning {
+  RunStart steps;
+  statics::QuietStart quiet;
+  bool cancelled = false;
+};
+
+Beginning begin(Run& run, const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team) {
+  const auto& d = run.description;
+  if (run.options.wheelsetModes) run.timed("modes", [&] { return describeModes(d, run.result), 0; });
+  const auto stable = run.timed("stable_step", [&] { return dynamics::stableStep(model, kernels, team, run.monitor); });
+  if (run.monitor.cancelled()) return {{}, {}, true};
+  Beginning beginning;
+  const long perSample = stepsPerSample(d, stable);
+  beginning.steps = {perSample, 1 / d.output.rate / static_cast<double>(perSample), stable.beta};
+  describeMesh(model, stable, beginning.steps.step, run.result);
+  run.tellStep(beginning.steps.step, stable.place);
+  beginning.quiet =
+      run.timed("equilibrium", [&] { return statics::prepareQuietStart(model, kernels, team, run.monitor); });
+  describeEquilibrium(model, beginning.quiet.equilibrium, run.result);
+  beginning.cancelled = beginning.quiet.equilibrium.cancelled;
+  return beginning;
 }
 
 void finish(Run& run, Clock::time_point start) {
@@ -353,30 +373,29 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
 
   const model::Model model = run.timed("mesh", [&] { return model::buildModel(description); });
   describeProfile(description, run.result);
-  if (options.wheelsetModes) run.timed("modes", [&] { return describeModes(description, run.result), 0; });
-  const auto stable = run.timed("stable_step", [&] { return dynamics::stableStep(model, kernels, team, monitor); });
-  if (monitor.cancelled()) return run.result;
-  const long perSample = stepsPerSample(description, stable);
-  const double step = 1 / description.output.rate / static_cast<double>(perSample);
-  describeMesh(model, stable, step, run.result);
-  run.tellStep(step, stable.place);
+  Beginning beginning;
+  if (checkpoint)
+    beginning.steps = loadStart(*checkpoint, options.checkpointPath, description.output.rate, run.result);
+  else
+    beginning = begin(run, model, kernels, team);
+  if (beginning.cancelled) return run.result;
 
   std::unique_ptr<SurfaceFields> fields;
   if (options.snapshots) {
     fields = std::make_unique<SurfaceFields>(model);
     run.result.surface = fields->mesh();
   }
-  dynamics::Rolling rolling(model, kernels, team, step, stable.beta);
-  const auto quiet =
-      run.timed("equilibrium", [&] { return statics::prepareQuietStart(model, kernels, team, monitor); });
-  describeEquilibrium(model, quiet.equilibrium, run.result);
-  if (quiet.equilibrium.cancelled) return run.result;
+  dynamics::Rolling rolling(model, kernels, team, beginning.steps.step, beginning.steps.beta);
   const auto& motion = description.motion;
-  rolling.start(quiet.equilibrium.displacement, quiet.velocity,
-                motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
-  if (fields) run.result.snapshots.push_back(fields->snapshot("equilibrium", quiet.equilibrium.displacement, 0, 0, 0));
+  const auto& displacement = beginning.quiet.equilibrium.displacement;
+  if (checkpoint)
+    rolling.start(AlignedVector(model.stateSize, 0.0), AlignedVector(model.stateSize, 0.0), 0);
+  else
+    rolling.start(displacement, beginning.quiet.velocity,
+                  motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
+  if (fields && !checkpoint) run.result.snapshots.push_back(fields->snapshot("equilibrium", displacement, 0, 0, 0));
 
-  RollingPhase phase(run, rolling, fields.get(), perSample, quiet.equilibrium.strainEnergy);
+  RollingPhase phase(run, rolling, fields.get(), beginning.steps, beginning.quiet.equilibrium.strainEnergy);
   if (checkpoint) phase.load(*checkpoint);
   try {
     const bool complete = run.timed("rolling", [&] { return phase.go(); });

@@ -32,10 +32,17 @@ class Recorder {
   signals::DecimatingFilter filter_;
 };
 
-// Throws RunError when the run has gone astray: not a number, runaway penetration, contact lost for good, books open.
+// Throws RunError when the run has gone astray: not a number, runaway penetration, contact lost for good, books open,
+// an element turned inside out.
 class DivergenceGuard {
  public:
+  // What a few numbers tell; after every few steps.
   void check(const dynamics::Rolling& rolling, const EnergyLedger& ledger);
+  // What only all numbers and all elements tell; with each entry of the ledger, before each checkpoint, and for a state
+  // that comes from a file.
+  static void checkEverything(const dynamics::Rolling& rolling);
+  // A run that goes on in the middle of a flight has not lost contact since the beginning of time.
+  void goOnFrom(double time) { lastContact_ = time; }
 
  private:
   double lastContact_ = 0;  // [s]
@@ -51,6 +58,22 @@ void describeProfile(const cases::CaseDescription& description, results::RunResu
 
 // PSD and scalogram of what has been recorded; leaves them empty where the record is too short.
 void addSpectra(const cases::CaseDescription& description, results::RunResult& result);
+
+// How a run was begun: found ahead of the rolling, kept in its checkpoints, so that nothing of it is done twice and the
+// steps stay the same on another instruction set.
+struct RunStart {
+  long stepsPerSample = 0;
+  double step = 0, beta = 0;  // [s]
+};
+
+// With the figures of mesh, equilibrium and modes. Loading throws FileError where they are missing or damaged, do not
+// fit the output rate [Hz], or the checkpoint keeps its state in the order of another version.
+void saveStart(const RunStart& start, const results::RunResult& result, results::ArrayTree& tree);
+RunStart loadStart(const results::ArrayTree& tree, const std::string& file, double rate, results::RunResult& result);
+
+// Snapshots and patches taken so far. Throws FileError where an array is missing or of a wrong type.
+void savePictures(const results::RunResult& result, results::ArrayTree& tree);
+void loadPictures(const results::ArrayTree& tree, const std::string& file, results::RunResult& result);
 
 // The whole state of a rolling run as arrays, and back.
 void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree);

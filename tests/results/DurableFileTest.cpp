@@ -9,6 +9,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "case/CaseFile.h"
+#include "case/ParameterTable.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
 #include "results/ResultFile.h"
@@ -116,6 +118,21 @@ TEST(DurableFile, AFullDiskKeepsTheEarlierCheckpoint) {
   const auto back = readCheckpoint(folder / "run.checkpoint");
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(valueCount(back->find("/state/displacement")->values), 1000U);
+}
+
+TEST(DurableFile, AFullDiskKeepsTheEarlierCase) {
+  const TemporaryFolder folder;
+  const auto path = folder / "case.toml";
+  cases::saveCase(cases::defaultCase(), path);
+  const auto before = contents(path);
+  const auto text = inChild([&] {
+    limitFileSize(1000);
+    cases::saveCase(cases::defaultCase(), path);
+  });
+  EXPECT_THAT(text, HasSubstr("case.toml: cannot be written"));
+  EXPECT_THAT(text, HasSubstr("bytes needed"));
+  EXPECT_EQ(contents(path), before);
+  EXPECT_EQ(filesIn(folder.path()), 1);
 }
 
 TEST(DurableFile, AReadOnlyFolderIsTold) {

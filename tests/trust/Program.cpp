@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 
@@ -62,7 +63,7 @@ void Program::collect() {
 }
 
 bool Program::running() {
-  if (!ended_ && ::waitpid(process_, &status_, WNOHANG) == process_) ended_ = true;
+  if (!ended_ && ::wait4(process_, &status_, WNOHANG, &used_) == process_) ended_ = true;
   collect();
   return !ended_;
 }
@@ -76,6 +77,21 @@ bool Program::waitForOutput(const std::string& text, std::chrono::seconds atMost
     std::this_thread::sleep_for(kPoll);
   }
   return true;
+}
+
+double Program::processorSeconds() const {
+  if (ended_) {
+    const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * t.tv_usec; };
+    return seconds(used_.ru_utime) + seconds(used_.ru_stime);
+  }
+  // proc(5): fields 14 and 15 of stat, counted behind the name in brackets, are clock ticks in user and kernel mode.
+  std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
+  std::string word;
+  std::getline(file, word, ')');
+  for (int field = 3; field < 14; ++field) file >> word;
+  double user = 0, kernel = 0;
+  file >> user >> kernel;
+  return (user + kernel) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 void Program::signal(int number) const { ::kill(process_, number); }

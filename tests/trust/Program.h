@@ -1,6 +1,7 @@
 // The program `squat` as a child process: started, watched, signalled, waited for.
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -24,6 +25,7 @@ class Program {
   int wait(std::chrono::seconds atMost = std::chrono::seconds(300));
   const std::string& output() const { return output_; }
   pid_t process() const { return process_; }
+  double processorSeconds() const;  // used so far, also after the end
   bool running();
 
  private:
@@ -32,6 +34,7 @@ class Program {
   int pipe_ = -1;
   int status_ = 0;
   bool ended_ = false;
+  rusage used_{};  // in all, once it has ended
   std::string output_;
 };
 

@@ -2,11 +2,15 @@
 // number of threads. What tells of the machine and the clock (performance, threads, time of writing) is left out.
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "case/CaseFile.h"
+#include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
 #include "results/ResultTree.h"
 #include "results/SampleResult.h"
+#include "results/TreeStream.h"
 #include "simulation/RunCase.h"
 #include "trust/ShortCase.h"
 
@@ -15,6 +19,9 @@ namespace {
 
 using results::ArrayTree;
 using results::RunResult;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::TemporaryFolder;
 
 cases::CaseDescription shortCase() {
@@ -75,6 +82,48 @@ TEST(Resume, StoppedAndResumedIsTheSameToTheBit) {
   ASSERT_FALSE(again.complete);
   const auto resumed = run(options);
   ASSERT_TRUE(resumed.complete);
+  EXPECT_EQ(results::firstDifference(comparable(uninterrupted()), comparable(resumed)), "");
+}
+
+// Cancels like StopAt and keeps what it was told.
+class Listener : public StopAt {
+ public:
+  using StopAt::StopAt;
+  void report(const Progress& progress) override {
+    StopAt::report(progress);
+    phases.insert(progress.phase);
+  }
+  void message(const std::string& text) override { messages += text + "\n"; }
+  std::set<std::string> phases;
+  std::string messages;
+};
+
+// The first checkpoint is written before the first step. The run is stopped early, its newest checkpoint damaged, the
+// one before taken for one of another instruction set: all of it is told, the equilibrium is not computed again, and
+// the numbers are the same.
+TEST(Resume, GoesOnFromTheCheckpointAfterEquilibrium) {
+  const TemporaryFolder folder;
+  simulation::RunOptions options;
+  options.threads = 1;
+  options.checkpointPath = folder / "run.checkpoint";
+  options.checkpointSeconds = 1e6;
+  ASSERT_FALSE(run(options, 0.05).complete);
+  const auto previous = options.checkpointPath + ".previous";
+  auto first = results::readCheckpoint(previous).value();
+  EXPECT_EQ(std::get<std::vector<double>>(first.find("/rolling/small")->values)[0], 0) << "the step";
+  setAttribute(first.attributes, "isa", std::string("abacus"));
+  writeDurably(previous, results::encodeTree(first));
+  writeDurably(options.checkpointPath, "half writ");
+
+  options.resume = true;
+  Listener listener(2);
+  auto resumed = simulation::runCase(shortCase(), options, listener);
+  EXPECT_THAT(listener.messages, HasSubstr("the newest checkpoint is not whole"));
+  EXPECT_THAT(listener.messages, HasSubstr("begun on abacus"));
+  EXPECT_THAT(listener.phases, Not(Contains("equilibrium")));
+  ASSERT_FALSE(resumed.warnings.empty());
+  EXPECT_THAT(resumed.warnings.back(), HasSubstr("begun on abacus"));
+  resumed.warnings.pop_back();
   EXPECT_EQ(results::firstDifference(comparable(uninterrupted()), comparable(resumed)), "");
 }
 
