@@ -1,13 +1,18 @@
 // Signals of the current run, with others overlaid.
 #include <gtest/gtest.h>
 
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFileInfo>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "render/SyntheticResult.h"
 #include "studio/CursorPair.h"
+#include "studio/FigureTable.h"
 #include "studio/FigureView.h"
 #include "studio/RunStore.h"
 #include "studio/SignalSettings.h"
@@ -88,6 +93,111 @@ TEST(Signals, everythingIsExportedInEveryFormat) {
   EXPECT_EQ(files.size(), 7 * 4);
   for (const QString& path : files)
     EXPECT_GT(QFileInfo(path).size(), path.endsWith(".csv") ? 20 : 2000) << path.toStdString();
+}
+
+// As `synthetic()`, begun some time earlier: the same passage at another time.
+ResultPointer earlier(double seconds) {
+  auto moved = std::make_shared<results::RunResult>(tests::syntheticResult());
+  for (double& time : moved->time) time += seconds;
+  return moved;
+}
+
+TEST(Signals, zoomIsLinkedThroughTheSpeed) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({synthetic(), "run", {}, false, false});
+  for (const char* name : {"scalogram", "stft", "aba"}) panel.showTab(name);
+  panel.view("aba")->figure()->xAxis->setRange(-30, 30);
+  EXPECT_DOUBLE_EQ(panel.view("scalogram")->figure()->xAxis->range().upper, 30);
+  EXPECT_DOUBLE_EQ(panel.view("stft")->figure()->xAxis->range().lower, -30);
+  panel.findChild<QComboBox*>("abaAxis")->setCurrentIndex(1);  // against time: 60 mm at 30 m/s are 2 ms
+  const auto run = synthetic();
+  const QCPRange seen = panel.view("aba")->figure()->xAxis->range();
+  EXPECT_NEAR(seen.size(), 2.0, 1e-9);
+  EXPECT_NEAR(seen.center(), 1e3 * (run->time.front() - run->position.front() / run->speed), 1e-9);
+}
+
+TEST(Signals, overlaidRunsPassTheDefectAtTheSameMoment) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({earlier(0.5), "earlier", {}, false, false});
+  store.add({synthetic(), "run", {}, false, false});
+  panel.findChild<QComboBox*>("abaAxis")->setCurrentIndex(1);
+  store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
+  const auto* figure = panel.view("aba")->figure();
+  const auto* own = figure->graph(0);
+  const auto* other = figure->graph(figure->graphCount() - 1);
+  ASSERT_EQ(own->dataCount(), other->dataCount());
+  for (const int i : {0, own->dataCount() / 2, own->dataCount() - 1})
+    EXPECT_NEAR(own->data()->at(i)->key, other->data()->at(i)->key, 1e-9);  // ms
+}
+
+TEST(Signals, theScalogramFollowsTheCutoff) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({synthetic(), "run", {}, false, false});
+  panel.showTab("scalogram");
+  // Largest power between 800 and 1200 Hz, where the made-up run has a line.
+  const auto highLine = [&] {
+    plots::Figure* figure = panel.view("scalogram")->figure();
+    double largest = 0;
+    for (int i = 0; i < figure->plottableCount(); ++i)
+      if (const auto* map = qobject_cast<const QCPColorMap*>(figure->plottable(i)))
+        for (int row = 0; row < map->data()->valueSize(); ++row)
+          for (int column = 0; column < map->data()->keySize(); ++column) {
+            const double frequency = cellPlace(*map, column, row).y();
+            if (frequency > 800 && frequency < 1200) largest = std::max(largest, map->data()->cell(column, row));
+          }
+    return largest;
+  };
+  const double before = highLine();
+  auto* cutoff = panel.findChild<QDoubleSpinBox*>("cutoff");
+  cutoff->setValue(400);
+  EXPECT_LT(highLine(), 0.05 * before);  // an octave above order 4 forward and back: 2^-16, room for the line at 300
+}
+
+TEST(Signals, theShortTimeTransformHasItsWindow) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({synthetic(), "run", {}, false, false});
+  panel.showTab("stft");
+  panel.findChild<QSpinBox*>("stftSegment")->setValue(256);
+  panel.findChild<QSpinBox*>("stftHop")->setValue(16);
+  EXPECT_EQ(panel.settings().segment, 256u);
+  EXPECT_EQ(panel.settings().hop, 16u);
+}
+
+int marksOn(const plots::Figure& figure) {
+  int marks = 0;
+  for (int i = 0; i < figure.itemCount(); ++i) marks += qobject_cast<QCPItemTracer*>(figure.item(i)) != nullptr;
+  return marks;
+}
+
+TEST(Signals, peaksAreMarked) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({synthetic(), "run", {}, false, false});
+  for (const auto& name : panel.names()) panel.showTab(name);
+  EXPECT_EQ(marksOn(*panel.view("aba")->figure()), 2);
+  EXPECT_EQ(marksOn(*panel.view("contact_force")->figure()), 2);
+  for (const char* name : {"stft", "scalogram"}) {
+    EXPECT_GE(marksOn(*panel.view(name)->figure()), 1) << name;
+    EXPECT_LE(marksOn(*panel.view(name)->figure()), 3) << name;
+  }
+}
+
+// The made-up run rings at 300 Hz and 1000 Hz: a wavelet spreads a line over some percent.
+TEST(Signals, markedLinesAreWhereTheLinesAre) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({synthetic(), "run", {}, false, false});
+  panel.showTab("scalogram");
+  plots::Figure& figure = *panel.view("scalogram")->figure();
+  double nearest = 1e9;
+  for (int i = 0; i < figure.itemCount(); ++i)
+    if (const auto* ring = qobject_cast<QCPItemTracer*>(figure.item(i)))
+      nearest = std::min(nearest, std::abs(ring->position->value() / 300 - 1));
+  EXPECT_LT(nearest, 0.2);
 }
 
 TEST(RunStore, removingKeepsACurrentRun) {

@@ -9,6 +9,7 @@
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);  // dialogs that can be typed into on every machine
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setApplicationName("squat-studio-tests");

@@ -16,10 +16,14 @@ std::unique_ptr<Figure> psdFigure(const results::RunResult& result, const Style&
 std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style);
 // The same of an amplitude-normalised transform: a tone of amplitude 1 m/s2 gives 1 (m/s2)2.
 std::unique_ptr<Figure> amplitudeScalogramFigure(const results::RunResult& result, const Style& style);
-// Short-time Fourier transform of aba_filtered under Hann windows of `segment` samples.
-std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment = 128);
+// Short-time Fourier transform of aba_filtered under Hann windows of `segment` samples, one every `hop` samples (0: a
+// 32nd of the segment).
+std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment = 128,
+                                   std::size_t hop = 0);
 // Contact pressure and slip at the impact.
 std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style);
+// The moment that it draws: the impact, else the last one that has pressures; null where there is none.
+const results::PatchSnapshot* shownPatch(const results::RunResult& result);
 std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, const Style& style);
 
 }  // namespace squat::plots

@@ -10,17 +10,6 @@ namespace {
 
 constexpr int levels = 24;  // of pressure that are told apart
 
-const results::PatchSnapshot* chosenPatch(const results::RunResult& result) {
-  const results::PatchSnapshot* chosen = nullptr;
-  for (const auto& patch : result.patches) {
-    if (patch.pressure.empty() || patch.x.size() != patch.pressure.size() || patch.y.size() != patch.pressure.size())
-      continue;
-    chosen = &patch;
-    if (patch.name == "impact") break;
-  }
-  return chosen;
-}
-
 QColor colourOf(const std::string& map, double share) {
   const colours::Rgb colour = colours::colourAt(map, share);
   return QColor::fromRgbF(colour.red, colour.green, colour.blue);
@@ -86,6 +75,17 @@ void addSlip(Figure& figure, const results::PatchSnapshot& patch) {
 
 }  // namespace
 
+const results::PatchSnapshot* shownPatch(const results::RunResult& result) {
+  const results::PatchSnapshot* chosen = nullptr;
+  for (const auto& patch : result.patches) {
+    if (patch.pressure.empty() || patch.x.size() != patch.pressure.size() || patch.y.size() != patch.pressure.size())
+      continue;
+    chosen = &patch;
+    if (patch.name == "impact") break;
+  }
+  return chosen;
+}
+
 std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style) {
   auto figure = std::make_unique<Figure>("contact_patch", style);
   figure->setPrintedSize({85, 66});
@@ -94,7 +94,7 @@ std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Styl
   figure->xAxis->setRange(-12, 12);
   figure->yAxis->setRange(-12, 12);
   setCaption(*figure, result);
-  const results::PatchSnapshot* patch = chosenPatch(result);
+  const results::PatchSnapshot* patch = shownPatch(result);
   if (!patch) {
     addNotice(*figure, "no contact patch in this result");
     return figure;

@@ -73,6 +73,7 @@ void addCone(Figure& figure, const ScalogramGrid& grid) {
   QCPGraph* edge = addCurve(figure, {position, clipped, QString()});
   edge->setPen(QPen(Qt::white, 0.9, Qt::DashLine));
   edge->setBrush(QColor(255, 255, 255, 90));
+  edge->setName("cone of influence");
   edge->setChannelFillGraph(floor);
 }
 
@@ -124,7 +125,8 @@ std::unique_ptr<Figure> amplitudeScalogramFigure(const results::RunResult& resul
   return mapFigure(result, style, "scalogram", "Wavelet power [(m/s²)²]");
 }
 
-std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment) {
+std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment,
+                                   std::size_t hop) {
   results::RunResult local;
   local.stem = result.stem;
   local.title = result.title;
@@ -139,7 +141,7 @@ std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style
     signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, "aba_filtered", "m/s2"};
     signals::StftOptions options;
     options.segment = segment;
-    options.hop = std::max<std::size_t>(1, segment / 32);
+    options.hop = hop > 0 ? hop : std::max<std::size_t>(1, segment / 32);
     options.transformLength = 8 * segment;
     const signals::Stft stft = signals::shortTimeTransform(series, options);
     // Row 0 is the mean, which has no place on a logarithmic axis.

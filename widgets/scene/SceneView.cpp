@@ -2,10 +2,13 @@
 
 #include <vtkCamera.h>
 #include <vtkProperty.h>
+#include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "scene/PatchActor.h"
 #include "scene/SceneParts.h"
 #include "scene/SurfacelessWindow.h"
 
@@ -13,7 +16,9 @@ namespace squat::scene {
 
 namespace {
 constexpr double barLeft = 0.88;  // share of the width where the colour bar begins
-}
+constexpr int letters = 12;       // [pixels] high where a pixel of the screen is one of the picture
+constexpr double faint = 0.12;    // opacity of a wheel that stands over the patch
+}  // namespace
 
 struct SceneView::Parts {
   vtkSmartPointer<SurfacelessWindow> window;
@@ -22,7 +27,8 @@ struct SceneView::Parts {
   SceneChoices choices;
   std::vector<vtkSmartPointer<vtkActor>> surfaces;
   bool stale = true, placed = false;
-  double highest = 0, contactAt = 0;
+  double highest = 0, contactAt = 0, pixelRatio = 1;
+  Look look;
 };
 
 SceneView::SceneView(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -76,7 +82,9 @@ void SceneView::rebuild() {
   look.blend = true;
   look.dark = my.choices.dark;
   const auto parts = partData(my.result->surface, snapshot, look.field, my.choices.displacementScale);
-  my.highest = look.field == Field::none ? 0 : largestNear(parts, my.contactAt, 0.1);
+  const results::PatchSnapshot* patch =
+      snapshot && isOfPatch(look.field) ? patchOf(*my.result, snapshot->name) : nullptr;
+  my.highest = patch ? largestPressure(*patch) : look.field == Field::none ? 0 : largestNear(parts, my.contactAt, 0.1);
   look.high = roundUp(my.highest > 0 ? my.highest : 1);
   if (my.choices.cut) {
     look.cuts.push_back(vtkSmartPointer<vtkPlane>::New());
@@ -85,15 +93,17 @@ void SceneView::rebuild() {
   for (const auto& part : parts) {
     if (isCutFace(part.name) && !my.choices.cut) continue;
     my.surfaces.push_back(partActor(part, look));
+    const bool hidesPatch = isOfPatch(look.field) && rolls(part.name);
+    if (hidesPatch) my.surfaces.back()->GetProperty()->SetOpacity(faint);
     my.renderer->AddActor(my.surfaces.back());
   }
+  if (patch) my.renderer->AddActor(patchActor(*patch, parts, my.contactAt, look));
   if (my.choices.springs)
     my.renderer->AddActor(springActor(springLines(my.result->surface, snapshot ? snapshot->wheelTravel : 0), 1.5));
-  my.bar->RemoveAllViewProps();
-  my.bar->SetBackground(my.renderer->GetBackground());
-  my.renderer->SetViewport(0, 0, look.field == Field::none ? 1.0 : barLeft, 1);
-  my.bar->SetViewport(look.field == Field::none ? 1.0 : barLeft, 0, 1, 1);
-  if (look.field != Field::none) my.bar->AddActor2D(colourBar(look, {0.12, 0.06, 0.8, 0.86}, 12));
+  if (isOfPatch(look.field) && snapshot && !patch)
+    my.renderer->AddActor2D(textActor("no contact patch is kept for this moment", 0.5, 0.94, letters, look.dark, 0.5));
+  my.look = look;
+  showLegend();
   if (!my.placed) {
     my.placed = true;
     lookFrom(StandardView::overview);
@@ -109,8 +119,38 @@ void SceneView::rebuild() {
   }
 }
 
-Picture SceneView::render(int width, int height, bool moving) {
-  if (parts_->stale) rebuild();
+// Right of the model: the scale of the colours, or what sticks and what slips.
+void SceneView::showLegend() {
+  Parts& my = *parts_;
+  const Look& look = my.look;
+  const int high = std::max(1, static_cast<int>(std::lround(letters * my.pixelRatio)));
+  const bool none = look.field == Field::none;
+  my.bar->RemoveAllViewProps();
+  my.bar->SetBackground(my.renderer->GetBackground());
+  my.renderer->SetViewport(0, 0, none ? 1.0 : barLeft, 1);
+  my.bar->SetViewport(none ? 1.0 : barLeft, 0, 1, 1);
+  if (none) return;
+  if (look.field != Field::stickSlip) {
+    my.bar->AddActor2D(colourBar(look, {0.12, 0.06, 0.8, 0.86}, high));
+    return;
+  }
+  const std::pair<const char*, std::array<double, 3>> names[] = {{"sticks", stickColour}, {"slips", slipColour}};
+  double height = 0.86;
+  for (const auto& [name, colour] : names) {
+    auto text = textActor(name, 0.12, height, high, look.dark);
+    text->GetTextProperty()->SetColor(colour[0], colour[1], colour[2]);
+    text->GetTextProperty()->SetBold(true);
+    my.bar->AddActor2D(text);
+    height -= 0.06;
+  }
+}
+
+Picture SceneView::render(int width, int height, bool moving, double pixelRatio) {
+  const bool otherLetters = std::exchange(parts_->pixelRatio, pixelRatio) != pixelRatio;
+  if (parts_->stale)
+    rebuild();
+  else if (otherLetters)
+    showLegend();
   for (const auto& surface : parts_->surfaces)
     surface->GetProperty()->SetEdgeVisibility(parts_->choices.edges && !moving);
   parts_->window->SetMultiSamples(moving ? 0 : 4);
@@ -162,6 +202,7 @@ void SceneView::lookFrom(StandardView view) {
     case StandardView::overview:
       return aim(*parts_->renderer, {x, -0.1, 0.22}, {0.55, 0.75, 0.42}, 0.75);
     case StandardView::contact:
+      if (isOfPatch(parts_->choices.field)) return aim(*parts_->renderer, {x, 0, 0}, {0.3, 0.5, 0.8}, 0.018);
       return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.12, 0.97, 0.14}, 0.035)
                                  : aim(*parts_->renderer, {x, 0, 0}, {0.5, 0.75, 0.3}, 0.08);
     case StandardView::side:

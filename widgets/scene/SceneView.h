@@ -32,8 +32,9 @@ class SceneView {
   void setChoices(const SceneChoices& choices);
   const SceneChoices& choices() const;
 
-  // `moving`: coarser and without the lines of the mesh, for a smooth motion.
-  Picture render(int width, int height, bool moving = false);
+  // `moving`: coarser and without the lines of the mesh, for a smooth motion. `pixelRatio`: pixels of the picture for
+  // one of a plain screen, so that letters keep their size.
+  Picture render(int width, int height, bool moving = false, double pixelRatio = 1);
 
   void rotate(double right, double up);           // [degrees] of the eye around the focal point
   void pan(double right, double up, int height);  // [pixels] of a picture of that height
@@ -46,6 +47,7 @@ class SceneView {
   struct Parts;
   explicit SceneView(std::unique_ptr<Parts> parts);
   void rebuild();
+  void showLegend();
   std::unique_ptr<Parts> parts_;
 };
 

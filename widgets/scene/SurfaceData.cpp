@@ -37,6 +37,8 @@ float fieldAt(const results::SurfaceSnapshot& snapshot, Field field, std::size_t
       const Point u = pointAt(snapshot.displacement, point);
       return static_cast<float>(1e6 * std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]));
     }
+    case Field::contactPressure:
+    case Field::stickSlip:
     case Field::none:
       break;
   }
@@ -60,6 +62,10 @@ std::string fieldName(Field field) {
       return "Plastic strain [-]";
     case Field::displacement:
       return "Displacement [um]";
+    case Field::contactPressure:
+      return "Contact pressure [MPa]";
+    case Field::stickSlip:
+      return "Stick and slip";
     case Field::none:
       break;
   }
@@ -153,7 +159,7 @@ std::vector<PartData> partData(const results::SurfaceMesh& surface, const result
     PartData data{surface.partNames[part], vtkSmartPointer<vtkPolyData>::New()};
     data.faces->SetPoints(builder.points);
     data.faces->SetPolys(builder.faces);
-    if (snapshot && field != Field::none) data.faces->GetPointData()->SetScalars(builder.values);
+    if (snapshot && field != Field::none && !isOfPatch(field)) data.faces->GetPointData()->SetScalars(builder.values);
     parts.push_back(std::move(data));
   }
   return parts;

@@ -4,6 +4,20 @@
 #include <cmath>
 
 namespace squat::studio {
+namespace {
+
+// Not-a-number outside the first curve.
+double valueOn(const plots::Figure& figure, double place) {
+  if (figure.graphCount() == 0) return NAN;
+  const auto data = figure.graph(0)->data();
+  const auto after = data->findBegin(place, false);
+  if (after == data->constEnd() || after == data->constBegin()) return NAN;
+  const auto before = after - 1;
+  const double span = after->key - before->key;
+  return span > 0 ? before->value + (after->value - before->value) * (place - before->key) / span : after->value;
+}
+
+}  // namespace
 
 CursorPair::CursorPair(plots::Figure& figure, double secondsPerUnit, const QString& unit)
     : QObject(&figure), figure_(figure), secondsPerUnit_(secondsPerUnit), unit_(unit) {
@@ -55,7 +69,18 @@ QString CursorPair::text() const {
                      .arg(distance, 0, 'f', 2)
                      .arg(unit_);
   if (secondsPerUnit_ > 0 && distance > 0) text += tr(", 1/dt %1 Hz").arg(1 / (distance * secondsPerUnit_), 0, 'f', 1);
-  return text;
+  return text + valuesText();
+}
+
+QString CursorPair::valuesText() const {
+  for (int i = 0; i < figure_.plottableCount(); ++i)
+    if (qobject_cast<const QCPColorMap*>(figure_.plottable(i))) return {};
+  const double first = valueOn(figure_, places_[0]), second = valueOn(figure_, places_[1]);
+  if (!std::isfinite(first) || !std::isfinite(second)) return {};
+  return tr("\nvalues %1 and %2, difference %3")
+      .arg(first, 0, 'g', 4)
+      .arg(second, 0, 'g', 4)
+      .arg(second - first, 0, 'g', 4);
 }
 
 void CursorPair::show() {

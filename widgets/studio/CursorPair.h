@@ -7,7 +7,8 @@
 
 namespace squat::studio {
 
-// Lines are dragged with the mouse. `perSecond` turns a distance on the axis into seconds (0: no frequency shown):
+// Lines are dragged with the mouse. Shows the places, the values of the first curve there (not for coloured maps), both
+// differences and 1/dt. `secondsPerUnit` turns a distance on the axis into seconds (0: no frequency shown):
 // 1e-3 for an axis in ms, 1e-3/speed for one in mm.
 class CursorPair : public QObject {
   Q_OBJECT
@@ -17,6 +18,8 @@ class CursorPair : public QObject {
   void setVisible(bool visible);
   bool isVisible() const { return visible_; }
   void setPlaces(double first, double second);
+  double place(int cursor) const { return places_[cursor]; }
+  bool isPlaced() const { return placed_; }
   QString text() const;
 
  private:
@@ -24,6 +27,7 @@ class CursorPair : public QObject {
   void move(QMouseEvent* event);
   void release();
   void show();
+  QString valuesText() const;
 
   plots::Figure& figure_;
   double secondsPerUnit_;

@@ -5,10 +5,12 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMimeData>
 
 #include "core/Errors.h"
 #include "plots/FigureFiles.h"
 #include "studio/CursorPair.h"
+#include "studio/FigureTable.h"
 
 namespace squat::studio {
 
@@ -19,9 +21,14 @@ FigureView::FigureView(const QString& name, QWidget* parent) : QWidget(parent), 
   setMinimumSize(200, 140);
 }
 
-void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUnit, const QString& unit) {
-  const bool keep = figure_ && figure_->xAxis->label() == figure->xAxis->label() && figure_->xAxis->range() != fullX_;
+void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUnit, const QString& unit,
+                      const QByteArray& table) {
+  const bool sameAxis = figure_ && figure_->xAxis->label() == figure->xAxis->label();
+  const bool keep = sameAxis && isZoomed();
   const QCPRange kept = keep ? figure_->xAxis->range() : QCPRange();
+  const bool keepCursors = sameAxis && cursors_->isPlaced();
+  const double places[] = {keepCursors ? cursors_->place(0) : 0, keepCursors ? cursors_->place(1) : 0};
+  table_ = table;
   delete figure_;
   figure_ = figure.release();
   figure_->setParent(this);
@@ -31,13 +38,14 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   figure_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   figure_->setContextMenuPolicy(Qt::CustomContextMenu);
   figure_->setAccessibleName(tr("Figure %1").arg(name_));
-  figure_->setFocusPolicy(Qt::ClickFocus);
+  figure_->setFocusPolicy(Qt::StrongFocus);
   // Opposite axes follow, so that zooming moves all four.
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), figure_->xAxis2,
           qOverload<const QCPRange&>(&QCPAxis::setRange));
   connect(figure_->yAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), figure_->yAxis2,
           qOverload<const QCPRange&>(&QCPAxis::setRange));
   cursors_ = new CursorPair(*figure_, secondsPerUnit, unit);
+  if (keepCursors) cursors_->setPlaces(places[0], places[1]);
   cursors_->setVisible(cursorsVisible_);
   if (keep) figure_->xAxis->setRange(kept);
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::rangeChanged);
@@ -64,21 +72,31 @@ void FigureView::resetZoom() {
   figure_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+bool FigureView::isZoomed() const { return figure_ && figure_->xAxis->range() != fullX_; }
+
+void FigureView::copy() {
+  if (!figure_) return;
+  auto* both = new QMimeData;
+  both->setImageData(plots::toImage(*figure_, plots::printResolution, figure_->size()));
+  both->setText(QString::fromUtf8(table_.isEmpty() ? figureTable(*figure_) : table_));
+  QApplication::clipboard()->setMimeData(both);
+}
+
 void FigureView::openMenu(const QPoint& place) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction(tr("&Copy picture"), this, [this] {
-    QApplication::clipboard()->setImage(plots::toImage(*figure_, plots::printResolution, figure_->size()));
-  });
+  menu->addAction(tr("&Copy"), this, &FigureView::copy);
   menu->addAction(tr("&Export…"), this, &FigureView::askForFile);
   menu->addAction(tr("&Reset zoom"), this, &FigureView::resetZoom);
   menu->popup(figure_->mapToGlobal(place));
 }
 
 void FigureView::askForFile() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Export the figure"), name_ + ".png",
-                                                    tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf);;CSV (*.csv)"));
+  QString kind;
+  QString path = QFileDialog::getSaveFileName(this, tr("Export the figure"), name_ + ".png",
+                                              tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf);;CSV (*.csv)"), &kind);
   if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += '.' + kind.left(3).toLower();
   try {
     writeFile(path);
   } catch (const FileError& error) {
@@ -89,21 +107,11 @@ void FigureView::askForFile() {
 void FigureView::writeFile(const QString& path) {
   if (!figure_) return;
   const QString ending = QFileInfo(path).suffix().toLower();
-  if (ending == "csv") return plots::writeWhole(curvesAsTable(), path.toStdString());
+  if (ending == "csv") return plots::writeWhole(table_.isEmpty() ? figureTable(*figure_) : table_, path.toStdString());
+  if (ending != "png" && ending != "svg" && ending != "pdf")
+    throw FileError(path.toStdString(), "", "is of a kind that figures are not written in",
+                    "end its name with .png, .svg, .pdf or .csv");
   plots::writeFigure(*figure_, ending.toStdString(), path.toStdString(), figure_->size());
-}
-
-// Curves one below the other: name, x, y. They need not share their x.
-QByteArray FigureView::curvesAsTable() const {
-  QByteArray text = "curve," + figure_->xAxis->label().toUtf8() + "," + figure_->yAxis->label().toUtf8() + "\n";
-  for (int i = 0; i < figure_->graphCount(); ++i) {
-    QString name = figure_->graph(i)->name();
-    name.replace('"', '\'');
-    for (const QCPGraphData& point : *figure_->graph(i)->data())
-      text += '"' + name.toUtf8() + "\"," + QByteArray::number(point.key, 'g', 12) + ',' +
-              QByteArray::number(point.value, 'g', 12) + '\n';
-  }
-  return text;
 }
 
 }  // namespace squat::studio

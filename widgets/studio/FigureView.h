@@ -16,13 +16,18 @@ class FigureView : public QWidget {
  public:
   explicit FigureView(const QString& name, QWidget* parent = nullptr);
 
-  // Takes the figure; a view that the user has zoomed keeps its range where the axis label is the same.
-  void show(std::unique_ptr<plots::Figure> figure, double secondsPerUnit, const QString& unit);
+  // Takes the figure; a view that the user has zoomed keeps its range, and its cursors their places, where the axis
+  // label is the same. `table`: its numbers as CSV where its curves do not tell them all; empty: figureTable().
+  void show(std::unique_ptr<plots::Figure> figure, double secondsPerUnit, const QString& unit,
+            const QByteArray& table = {});
   plots::Figure* figure() const { return figure_; }
   void setCursors(bool visible);
   CursorPair* cursors() const { return cursors_; }
   void setRange(const QCPRange& range);  // of x, from a linked view
   void resetZoom();
+  bool isZoomed() const;
+  void copy();        // picture and numbers
+  void askForFile();  // exports to what the user names
   // Format by the file's ending: png, svg, pdf, or csv for the curves. Throws FileError.
   void writeFile(const QString& path);
 
@@ -32,12 +37,11 @@ class FigureView : public QWidget {
 
  private:
   void openMenu(const QPoint& place);
-  void askForFile();
-  QByteArray curvesAsTable() const;
 
   QString name_;
   plots::Figure* figure_ = nullptr;
   CursorPair* cursors_ = nullptr;
+  QByteArray table_;
   QCPRange fullX_, fullY_;
   bool cursorsVisible_ = false;
 };

@@ -37,6 +37,7 @@ void choose(QComboBox* combo, const QVariant& value) {
 
 ImportDialog::ImportDialog(const QString& path, const plots::Style& style, QWidget* parent)
     : QDialog(parent), path_(path), plot_(new plots::Figure("import", style, this)) {
+  setObjectName("importDialog");
   setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
@@ -92,6 +93,7 @@ void ImportDialog::makeControls() {
   form->addRow(QString(), reverse_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   take_ = buttons->addButton(tr("&Import"), QDialogButtonBox::AcceptRole);
+  take_->setObjectName("takeProfile");
   auto* seen = new QVBoxLayout;
   seen->addWidget(table_, 2);
   seen->addWidget(plot_, 3);

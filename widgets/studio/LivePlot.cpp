@@ -18,6 +18,8 @@ void LivePlot::makePlots(const plots::Style& style) {
     plot->setAccessibleName(label);
     plot->xAxis->setLabel(tr("Position of the wheel [mm]"));
     plot->yAxis->setLabel(label);
+    plot->xAxis->setRange(-100, 200);  // until there is a curve: about what a run will show
+    plot->yAxis->setRange(colour == 0 ? -100 : 0, 100);
     plot->addGraph();
     plot->graph(0)->setPen(QPen(style.curve(colour), 1.2));
     plot->setMinimumSize(180, 120);

@@ -46,6 +46,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
   makeFileMenu();
   makeEditMenu();
   makeRunMenu();
+  makeFigureMenu();
   makeViewMenu();
   makeHelpMenu();
   connectParts();
@@ -70,6 +71,7 @@ void MainWindow::makeParts() {
   messages_ = new MessageBar(centre);
   middle_ = new QTabWidget(centre);
   middle_->setDocumentMode(true);
+  middle_->setAccessibleName(tr("Profile, model and paper"));
   profile_ = new ProfileEditor(document_, style, middle_);
   scene_ = new ScenePanel(store_, dark, middle_);
   paper_ = new PaperPanel(store_, services_.comparison, middle_);
@@ -115,6 +117,7 @@ void MainWindow::connectParts() {
   run_->setBlockers(form_->blockers());
   connect(run_, &RunPanel::runWished, this, &MainWindow::startRun);
   connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
+    if (ending_) return;
     const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(store_.rowCount() + 1);
     store_.add({result, label, QString(), false, false});
   });
@@ -182,16 +185,30 @@ void MainWindow::offerRecovery() {
       tr("Unsaved changes of “%1” were recovered: save them, or open another case to let them go.").arg(found->name));
 }
 
+// Cancels and waits; what the run had so far goes, as the question said.
+void MainWindow::endRun() {
+  ending_ = true;
+  controller_.setPaused(false);
+  controller_.cancel();
+  constexpr int patience = 20000;  // [ms]: a run asks whether it is cancelled many times a second
+  controller_.waitFor(patience);
+  ending_ = false;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (controller_.isRunning()) {
-    if (services_.asker(this, tr("A run is going on."), tr("Stop it and close")) == Answer::cancel)
-      return event->ignore();
-    controller_.setPaused(false);
-    controller_.cancel();
-    constexpr int patience = 20000;  // [ms]: a run asks whether it is cancelled many times a second
-    controller_.waitFor(patience);
-  }
-  if (!mayLeaveCase()) return event->ignore();
+  event->ignore();
+  if (closing_) return;  // events go on passing while a question stands or a run ends
+  closing_ = true;
+  const bool leave = [this] {
+    if (controller_.isRunning() && services_.asker(this, tr("A run is going on; what it has so far is not kept."),
+                                                   tr("Stop it and close")) == Answer::cancel)
+      return false;
+    if (!mayLeaveCase() || !mayLeaveResults(store_.unsaved())) return false;
+    if (controller_.isRunning()) endRun();
+    return true;
+  }();
+  closing_ = false;
+  if (!leave) return;
   QSettings settings;
   settings.setValue("geometry", saveGeometry());
   settings.setValue("state", saveState());

@@ -59,7 +59,9 @@ class MainWindow : public QMainWindow {
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);
-  bool saveResultTo(const QString& path);
+  bool saveResult(int row);  // asks for a place
+  bool saveResultTo(const QString& path) { return saveResultTo(store_.current(), path); }
+  bool saveResultTo(int row, const QString& path);
   void startRun();
   void setDark(bool dark);
   // "profile", "3d", "paper", "run", "runs", or one of the signals panel's; false for another name.
@@ -79,10 +81,14 @@ class MainWindow : public QMainWindow {
   void makeEditMenu();
   void makeRunMenu();
   void makeViewMenu();
+  void makeFigureMenu();
   void makeHelpMenu();
   void fillRecentMenu();
   void showTitle();
   bool mayLeaveCase();  // saves, or the user lets the changes go
+  bool mayLeaveResults(const std::vector<int>& rows);
+  void removeRun(int row);
+  void endRun();
   void offerRecovery();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
 
@@ -103,6 +109,7 @@ class MainWindow : public QMainWindow {
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
   QMenu* recent_ = nullptr;
   QAction* darkAction_ = nullptr;
+  bool closing_ = false, ending_ = false;
 };
 
 }  // namespace squat::studio

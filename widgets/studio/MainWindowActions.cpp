@@ -10,11 +10,14 @@
 #include <QStyle>
 
 #include "case/ShippedCases.h"
+#include "studio/FigureView.h"
 #include "studio/MainWindow.h"
 #include "studio/ProfileEditor.h"
 #include "studio/ProfilePlot.h"
 #include "studio/RecentFiles.h"
 #include "studio/RunsPanel.h"
+#include "studio/ScenePanel.h"
+#include "studio/SignalsPanel.h"
 
 namespace squat::studio {
 namespace {
@@ -42,28 +45,29 @@ void MainWindow::makeFileMenu() {
     if (!path.isEmpty()) openAny(path);
   });
   QMenu* shipped = menu->addMenu(tr("S&hipped cases"));
+  int number = 0;
   for (const auto& name : cases::shippedCases()) {
     const QString text = QString::fromStdString(name);
-    shipped->addAction(text, this, [this, text] { openCase(text); })->setObjectName("shipped " + text);
+    const QString keys = ++number < 10 ? QStringLiteral("Alt+Shift+%1").arg(number) : QString();
+    add(shipped, text, QKeySequence(keys), "", this, [this, text] {
+      openCase(text);
+    })->setObjectName("shipped " + text);
   }
   recent_ = menu->addMenu(tr("&Recent"));
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
   menu->addSeparator();
   add(menu, tr("&Save case"), QKeySequence::Save, "save", this, [this] { saveCase(); });
   add(menu, tr("Save case &as…"), QKeySequence("Ctrl+Shift+S"), "saveAs", this, [this] { saveCaseAs(); });
-  QAction* saveResult = add(menu, tr("Save r&esult…"), QKeySequence("Ctrl+E"), "saveResult", this, [this] {
-    if (!store_.currentResult()) return;
-    const QString stem = QString::fromStdString(store_.currentResult()->stem);
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the result"), stem + ".h5", tr("Results (*.h5)"));
-    if (!path.isEmpty()) saveResultTo(path);
-  });
+  QAction* saving = add(menu, tr("Save r&esult…"), QKeySequence("Ctrl+E"), "saveResult", this,
+                        [this] { saveResult(store_.current()); });
   QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
     const QString path = QFileDialog::getOpenFileName(this, tr("Overlay a measured signal"), QString(),
                                                       tr("Signals (*.csv *.txt *.h5 *.mat);;All files (*)"));
     if (!path.isEmpty()) openMeasured(path);
   });
-  connect(runs_, &RunsPanel::saveWished, saveResult, &QAction::trigger);
+  connect(runs_, &RunsPanel::saveWished, saving, &QAction::trigger);
   connect(runs_, &RunsPanel::measuredWished, measured, &QAction::trigger);
+  connect(runs_, &RunsPanel::removeWished, this, &MainWindow::removeRun);
   connect(runs_, &RunsPanel::openWished, this, [this] {
     const QString path = QFileDialog::getOpenFileName(this, tr("Open a result"), QString(), tr("Results (*.h5)"));
     if (!path.isEmpty()) openResult(path);
@@ -100,10 +104,27 @@ void MainWindow::makeRunMenu() {
   add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] { controller_.cancel(); });
 }
 
+void MainWindow::makeFigureMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("F&igure"));
+  add(menu, tr("&Copy picture and numbers"), QKeySequence("Ctrl+Shift+C"), "copyFigure", this,
+      [this] { signals_->currentView()->copy(); });
+  add(menu, tr("&Export…"), QKeySequence("Ctrl+Shift+E"), "exportFigure", this,
+      [this] { signals_->currentView()->askForFile(); });
+  add(menu, tr("Export &all…"), QKeySequence("Ctrl+Alt+E"), "exportAll", this, [this] { signals_->askForFolder(); });
+  add(menu, tr("&Reset zoom"), QKeySequence("Ctrl+Shift+0"), "resetZoom", this,
+      [this] { signals_->currentView()->resetZoom(); });
+  add(menu, tr("C&ursors"), QKeySequence("Ctrl+Shift+U"), "toggleCursors", this, [this] { signals_->toggleCursors(); });
+  menu->addSeparator();
+  add(menu, tr("&Picture of the model…"), QKeySequence("Ctrl+Alt+P"), "modelPicture", this,
+      [this] { scene_->savePicture(); });
+  add(menu, tr("&Frames for ParaView…"), QKeySequence("Ctrl+Alt+V"), "vtkSeries", this,
+      [this] { scene_->saveSeries(); });
+}
+
 void MainWindow::makeViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
-  const char* keys[] = {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4", "Ctrl+5", "Ctrl+6",
-                        "Ctrl+7", "Ctrl+8", "Ctrl+9", "",       "",       ""};
+  const char* keys[] = {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4",     "Ctrl+5",     "Ctrl+6",
+                        "Ctrl+7", "Ctrl+8", "Ctrl+9", "Ctrl+Alt+1", "Ctrl+Alt+2", "Ctrl+Alt+3"};
   int index = 0;
   for (const QString& name : tabNames()) {
     QAction* action =
@@ -112,7 +133,13 @@ void MainWindow::makeViewMenu() {
     action->setObjectName("show " + name);
   }
   menu->addSeparator();
-  for (QDockWidget* dock : {formDock_, signalsDock_, runDock_, runsDock_}) menu->addAction(dock->toggleViewAction());
+  int dockNumber = 0;
+  for (QDockWidget* dock : {formDock_, signalsDock_, runDock_, runsDock_}) {
+    QAction* action = dock->toggleViewAction();
+    action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+%1").arg(++dockNumber)));
+    action->setObjectName("toggle " + dock->objectName());
+    menu->addAction(action);
+  }
   menu->addSeparator();
   darkAction_ = menu->addAction(tr("&Dark"), this, [this](bool on) { setDark(on); });
   darkAction_->setCheckable(true);
@@ -123,7 +150,7 @@ void MainWindow::makeViewMenu() {
 
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  menu->addAction(tr("&About Squat Studio"), this, [this] {
+  add(menu, tr("&About Squat Studio"), QKeySequence("F1"), "about", this, [this] {
     auto* box =
         new QMessageBox(QMessageBox::NoIcon, tr("About Squat Studio"),
                         tr("<b>Squat Studio %1</b><br>Draw a squat, roll a wheel over it, see what the axle box "

@@ -1,6 +1,7 @@
 // Files of the main window: opening, saving, asking.
 #include <QFileDialog>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "case/CaseFile.h"
 #include "core/Errors.h"
@@ -108,16 +109,23 @@ bool MainWindow::saveCaseAs() {
   return !path.isEmpty() && saveCaseTo(path);
 }
 
-bool MainWindow::saveResultTo(const QString& path) {
-  const ResultPointer result = store_.currentResult();
-  if (!result) return false;
+bool MainWindow::saveResult(int row) {
+  if (row < 0 || row >= store_.rowCount()) return false;
+  const QString stem = QString::fromStdString(store_.at(row).result->stem);
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save the result “%1”").arg(store_.at(row).label),
+                                                    stem + ".h5", tr("Results (*.h5)"));
+  return !path.isEmpty() && saveResultTo(row, path);
+}
+
+bool MainWindow::saveResultTo(int row, const QString& path) {
+  if (row < 0 || row >= store_.rowCount()) return false;
   try {
-    results::writeResult(path.toStdString(), *result);
+    results::writeResult(path.toStdString(), *store_.at(row).result);
   } catch (const FileError& error) {
     messages_->warn(QString::fromStdString(error.what()));
     return false;
   }
-  store_.setPath(store_.current(), QFileInfo(path).absoluteFilePath());
+  store_.setPath(row, QFileInfo(path).absoluteFilePath());
   addRecentFile(path);
   return true;
 }
@@ -133,6 +141,28 @@ bool MainWindow::mayLeaveCase() {
       break;
   }
   return false;
+}
+
+// Saves those results, or the user lets them go.
+bool MainWindow::mayLeaveResults(const std::vector<int>& rows) {
+  if (rows.empty()) return true;
+  const QString question = rows.size() == 1 ? tr("The result “%1” is not saved.").arg(store_.at(rows.front()).label)
+                                            : tr("%n results are not saved.", nullptr, static_cast<int>(rows.size()));
+  switch (services_.asker(this, question, tr("Discard"))) {
+    case Answer::save:
+      return std::all_of(rows.begin(), rows.end(), [this](int row) { return saveResult(row); });
+    case Answer::discard:
+      return true;
+    case Answer::cancel:
+      break;
+  }
+  return false;
+}
+
+void MainWindow::removeRun(int row) {
+  const auto unsaved = store_.unsaved();
+  const bool lost = std::find(unsaved.begin(), unsaved.end(), row) != unsaved.end();
+  if (!lost || mayLeaveResults({row})) store_.remove(row);
 }
 
 }  // namespace squat::studio

@@ -12,6 +12,7 @@ namespace squat::studio {
 namespace {
 
 constexpr double alignmentCutoff = 2000;  // [Hz] peaks are compared below it
+constexpr double kept = 5;                // [m] on both sides of the impact: records may be kilometres long
 
 // Index of the largest absolute value; 0 for an empty list.
 std::size_t largest(const std::vector<double>& values) {
@@ -56,7 +57,17 @@ std::shared_ptr<const results::RunResult> measuredRun(const QString& path, doubl
   }
   const double shift = (reference ? impactOf(*reference) : 0.0) - result->position[largest(filtered)];
   for (double& position : result->position) position += shift;
-  result->signals.push_back({"aba", "m/s2", "measured", signal.series.values});
+  // Positions rise: what lies near the impact is one stretch.
+  const double middle = reference ? impactOf(*reference) : 0.0;
+  const auto& places = result->position;
+  const auto first = std::lower_bound(places.begin(), places.end(), middle - kept) - places.begin();
+  const auto last = std::upper_bound(places.begin(), places.end(), middle + kept) - places.begin();
+  std::vector<double> raw = signal.series.values;
+  for (std::vector<double>* values : {&result->time, &result->position, &raw, &filtered}) {
+    values->erase(values->begin() + last, values->end());
+    values->erase(values->begin(), values->begin() + first);
+  }
+  result->signals.push_back({"aba", "m/s2", "measured", std::move(raw)});
   result->signals.push_back({"aba_filtered", "m/s2", "measured, low-passed", filtered});
   return result;
 }

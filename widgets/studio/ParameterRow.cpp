@@ -50,7 +50,7 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   grid->addWidget(why_, 1, 0, 1, 4);
   grid->setColumnStretch(0, wide ? 1 : 5);
   grid->setColumnStretch(1, wide ? 6 : 4);
-  name_->setMinimumWidth(wide ? 40 : 125);
+  name_->setMinimumWidth(wide ? 40 : 135);
   setToolTip(toolTipText());
   connect(reset_, &QToolButton::clicked, this, [this] { document_.resetParameter(parameter_.key); });
   showValue();
@@ -81,7 +81,7 @@ void ParameterRow::makeEditor() {
   editor_->setObjectName(key);
   editor_->setAccessibleName(key);
   editor_->setAccessibleDescription(QString::fromStdString(parameter_.doc));
-  editor_->setMinimumWidth(90);
+  editor_->setMinimumWidth(choice_ ? 116 : 90);
 }
 
 void ParameterRow::showValue() {
@@ -98,6 +98,7 @@ void ParameterRow::showValue() {
       shown = tr("%n lines", nullptr, static_cast<int>((*lines)(copy).size()));
     }
     if (line_->text() != shown) line_->setText(shown);
+    if (!line_->hasFocus()) line_->setCursorPosition(0);  // long texts are seen from their beginning
     line_->setModified(false);
   }
   if (choice_) choice_->setCurrentText(QString::fromStdString(text));

@@ -24,7 +24,8 @@ namespace squat::studio {
 ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, QWidget* parent)
     : QWidget(parent), document_(document), style_(style) {
   table_ = new QTableView(this);
-  table_->setModel(new ProfileTable(document_, table_));
+  points_ = new ProfileTable(document_, table_);
+  table_->setModel(points_);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->verticalHeader()->setDefaultSectionSize(22);
   table_->setAccessibleName(tr("Points of the profile"));
@@ -59,8 +60,11 @@ QWidget* ProfileEditor::makeToolBar() {
     made->setAccessibleName(tip);
     layout->addWidget(made);
     connect(made, &QPushButton::clicked, this, action);
+    return made;
   };
-  button(tr("Import…"), tr("Import a measured profile from a table"), [this] { askForFile(); });
+  button(tr("Import…"), tr("Import a measured profile from a table"), [this] {
+    askForFile();
+  })->setObjectName("importProfile");
   button(tr("Export…"), tr("Write the profile as CSV"), [this] { exportFile(); });
   button(tr("To points"), tr("Turn the shape into points that can be dragged"),
          [this] { document_.edit(tr("Turn the shape into points"), asPoints(document_.description())); });
@@ -77,6 +81,15 @@ QWidget* ProfileEditor::makeToolBar() {
     plot_->setSnap(steps.x(), steps.y());
   });
   layout->addWidget(snap_);
+  unitChoice_ = new QComboBox(bar);
+  unitChoice_->addItems({tr("heights in µm"), tr("heights in mm")});
+  unitChoice_->setAccessibleName(tr("Unit of heights"));
+  unitChoice_->setObjectName("heightUnit");
+  connect(unitChoice_, &QComboBox::currentIndexChanged, this, [this] {
+    plot_->setUnit(unit());
+    points_->setUnit(unit());
+  });
+  layout->addWidget(unitChoice_);
   layout->addStretch();
   layout->addWidget(place_);
   return bar;
@@ -90,8 +103,12 @@ void ProfileEditor::makePlot(const plots::Style& style) {
   plot_->show();
   const QPointF steps = snap_->currentData().toPointF();
   plot_->setSnap(steps.x(), steps.y());
+  plot_->setUnit(unit());
   connect(plot_, &ProfilePlot::cursorMoved, this, [this](double position, double height) {
-    place_->setText(tr("%1 mm, %2 µm").arg(position * 1e3, 0, 'f', 1).arg(height * 1e6, 0, 'f', 1));
+    place_->setText(tr("%1 mm, %2 %3")
+                        .arg(position * 1e3, 0, 'f', 1)
+                        .arg(height * unit().perMetre, 0, 'f', unit().digits)
+                        .arg(unit().name));
   });
   connect(plot_, &ProfilePlot::chosenChanged, this, [this] {
     if (const auto chosen = plot_->chosen()) table_->selectRow(static_cast<int>(*chosen));
@@ -99,6 +116,8 @@ void ProfileEditor::makePlot(const plots::Style& style) {
   connect(table_, &QTableView::clicked, plot_,
           [this](const QModelIndex& index) { plot_->choose(static_cast<std::size_t>(index.row())); });
 }
+
+HeightUnit ProfileEditor::unit() const { return unitChoice_->currentIndex() == 1 ? millimetres() : micrometres(); }
 
 void ProfileEditor::setStyle(const plots::Style& style) { makePlot(style); }
 

@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "plots/Style.h"
+#include "studio/HeightUnit.h"
 
 class QComboBox;
 class QLabel;
@@ -14,6 +15,7 @@ namespace squat::studio {
 
 class CaseDocument;
 class ProfilePlot;
+class ProfileTable;
 
 class ProfileEditor : public QWidget {
   Q_OBJECT
@@ -33,13 +35,15 @@ class ProfileEditor : public QWidget {
   void askForFile();
   void exportFile();
   QWidget* makeToolBar();
+  HeightUnit unit() const;
 
   CaseDocument& document_;
   plots::Style style_;
   ProfilePlot* plot_ = nullptr;
   QTableView* table_;
   QSplitter* splitter_;
-  QComboBox* snap_;
+  QComboBox *snap_, *unitChoice_;
+  ProfileTable* points_;
   QLabel* place_;
 };
 

@@ -9,7 +9,7 @@
 namespace squat::studio {
 namespace {
 
-constexpr double toMillimetres = 1e3, toMicrometres = 1e6;
+constexpr double toMillimetres = 1e3;
 constexpr double catchRadius = 9;     // [pixels]
 constexpr double stripHeight = 0.06;  // share of the axes' height for the sleepers
 constexpr double highest = 5e-3;      // [m] of a point that is dragged
@@ -20,9 +20,9 @@ QVector<double> positions(const std::vector<cases::ProfilePoint>& points) {
   return values;
 }
 
-QVector<double> heights(const std::vector<cases::ProfilePoint>& points) {
+QVector<double> heights(const std::vector<cases::ProfilePoint>& points, double perMetre) {
   QVector<double> values;
-  for (const auto& point : points) values.push_back(point.height * toMicrometres);
+  for (const auto& point : points) values.push_back(point.height * perMetre);
   return values;
 }
 
@@ -34,7 +34,7 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(260, 180);
   xAxis->setLabel(tr("Position along the rail [mm]"));
-  yAxis->setLabel(tr("Height [µm]"));
+  yAxis->setLabel(tr("Height [%1]").arg(unit_.name));
   path_ = addGraph();
   path_->setPen(QPen(style.curve(1), 1.4, Qt::DashLine));
   path_->setName(tr("path of a rigid wheel"));
@@ -55,6 +55,15 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
   update();
 }
 
+void ProfilePlot::setUnit(const HeightUnit& unit) {
+  const double factor = unit.perMetre / unit_.perMetre;
+  const QCPRange seen = yAxis->range();
+  unit_ = unit;
+  yAxis->setLabel(tr("Height [%1]").arg(unit_.name));
+  yAxis->setRange(seen.lower * factor, seen.upper * factor);
+  update();
+}
+
 void ProfilePlot::setSnap(double position, double height) {
   snapPosition_ = position;
   snapHeight_ = height;
@@ -62,9 +71,9 @@ void ProfilePlot::setSnap(double position, double height) {
 
 void ProfilePlot::update() {
   view_ = profileView(document_.description());
-  surface_->setData(positions(view_.surface), heights(view_.surface), true);
-  path_->setData(positions(view_.wheelPath), heights(view_.wheelPath), true);
-  handles_->setData(positions(view_.handles), heights(view_.handles), true);
+  surface_->setData(positions(view_.surface), heights(view_.surface, unit_.perMetre), true);
+  path_->setData(positions(view_.wheelPath), heights(view_.wheelPath, unit_.perMetre), true);
+  handles_->setData(positions(view_.handles), heights(view_.handles, unit_.perMetre), true);
   if (chosen_ && *chosen_ >= view_.handles.size()) choose(std::nullopt);
   choose(chosen_);
   drawSleepers();
@@ -106,7 +115,7 @@ void ProfilePlot::fit() {
   const QCPRange keys = surface_->getKeyRange(found);
   if (found) xAxis->setRange(keys);
   QCPRange values = surface_->getValueRange(found);
-  if (!found || values.size() < 1) values = QCPRange(-100, 20);
+  if (!found || values.size() < 1e-6 * unit_.perMetre) values = QCPRange(-1e-4 * unit_.perMetre, 2e-5 * unit_.perMetre);
   yAxis->setRange(values.lower - 0.2 * values.size(), values.upper + 0.15 * values.size());
   replot(QCustomPlot::rpQueuedReplot);
 }
@@ -116,7 +125,7 @@ void ProfilePlot::choose(std::optional<std::size_t> index) {
   chosen_ = index;
   if (chosen_ && *chosen_ < view_.handles.size()) {
     const auto& point = view_.handles[*chosen_];
-    mark_->setData({point.position * toMillimetres}, {point.height * toMicrometres});
+    mark_->setData({point.position * toMillimetres}, {point.height * unit_.perMetre});
   } else {
     mark_->setData(QVector<double>(), QVector<double>());
   }
@@ -127,7 +136,7 @@ void ProfilePlot::choose(std::optional<std::size_t> index) {
 QPointF ProfilePlot::placeOf(std::size_t index) const {
   if (index >= view_.handles.size()) return {};
   const auto& point = view_.handles[index];
-  return {xAxis->coordToPixel(point.position * toMillimetres), yAxis->coordToPixel(point.height * toMicrometres)};
+  return {xAxis->coordToPixel(point.position * toMillimetres), yAxis->coordToPixel(point.height * unit_.perMetre)};
 }
 
 std::optional<std::size_t> ProfilePlot::pointAt(const QPointF& place) const {
@@ -143,7 +152,7 @@ std::optional<std::size_t> ProfilePlot::pointAt(const QPointF& place) const {
 
 cases::ProfilePoint ProfilePlot::profileAt(const QPointF& place) const {
   const double position = xAxis->pixelToCoord(place.x()) / toMillimetres;
-  const double height = yAxis->pixelToCoord(place.y()) / toMicrometres;
+  const double height = yAxis->pixelToCoord(place.y()) / unit_.perMetre;
   return {snapped(position, snapPosition_), std::clamp(snapped(height, snapHeight_), -highest, highest)};
 }
 
@@ -169,7 +178,7 @@ void ProfilePlot::mousePressEvent(QMouseEvent* event) {
 
 void ProfilePlot::mouseMoveEvent(QMouseEvent* event) {
   const cases::ProfilePoint under{xAxis->pixelToCoord(event->position().x()) / toMillimetres,
-                                  yAxis->pixelToCoord(event->position().y()) / toMicrometres};
+                                  yAxis->pixelToCoord(event->position().y()) / unit_.perMetre};
   Q_EMIT cursorMoved(under.position, under.height);
   if (dragging_ && chosen_) {
     putPoint(*chosen_, profileAt(event->position()), gesture_);
@@ -195,6 +204,12 @@ void ProfilePlot::mouseDoubleClickEvent(QMouseEvent* event) {
   after.defect.file.clear();
   document_.edit(tr("Insert point"), after);
   choose(pointAt(event->position()));
+}
+
+void ProfilePlot::wheelEvent(QWheelEvent* event) {
+  const bool heightsOnly = event->modifiers() & Qt::ControlModifier;
+  axisRect()->setRangeZoom(heightsOnly ? Qt::Vertical : Qt::Horizontal | Qt::Vertical);
+  Figure::wheelEvent(event);
 }
 
 void ProfilePlot::keyPressEvent(QKeyEvent* event) {

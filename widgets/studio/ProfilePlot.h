@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "plots/Figure.h"
+#include "studio/HeightUnit.h"
 #include "studio/ProfileModel.h"
 
 namespace squat::studio {
@@ -12,12 +13,13 @@ namespace squat::studio {
 class CaseDocument;
 
 // Drag a point; double-click inserts one; Delete removes the chosen one; arrow keys move it by a snap step; wheel zooms
-// (with Ctrl the heights only), dragging the ground moves the view, F fits. Positions in mm, heights in um.
+// (with Ctrl the heights only), dragging the ground moves the view, F fits. Positions in mm, heights in um or mm.
 class ProfilePlot : public plots::Figure {
   Q_OBJECT
  public:
   ProfilePlot(CaseDocument& document, const plots::Style& style, QWidget* parent = nullptr);
 
+  void setUnit(const HeightUnit& unit);
   void setSnap(double position, double height);  // [m]; zero: free
   void fit();
   std::optional<std::size_t> chosen() const { return chosen_; }
@@ -33,6 +35,7 @@ class ProfilePlot : public plots::Figure {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -43,6 +46,7 @@ class ProfilePlot : public plots::Figure {
   void putPoint(std::size_t index, cases::ProfilePoint to, int gesture);
 
   CaseDocument& document_;
+  HeightUnit unit_;
   ProfileView view_;
   QCPGraph *surface_, *path_, *handles_, *mark_;
   std::vector<QCPAbstractItem*> sleepers_;

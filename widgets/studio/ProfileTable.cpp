@@ -27,6 +27,12 @@ void ProfileTable::update() {
   endResetModel();
 }
 
+void ProfileTable::setUnit(const HeightUnit& unit) {
+  unit_ = unit;
+  Q_EMIT headerDataChanged(Qt::Horizontal, 1, 1);
+  if (!points_.empty()) Q_EMIT dataChanged(index(0, 1), index(static_cast<int>(points_.size()) - 1, 1));
+}
+
 int ProfileTable::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(points_.size());
 }
@@ -39,13 +45,13 @@ QVariant ProfileTable::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
   const auto& point = points_[static_cast<std::size_t>(index.row())];
   return index.column() == 0 ? QString::number(point.position * 1e3, 'g', 8)
-                             : QString::number(point.height * 1e6, 'g', 8);
+                             : QString::number(point.height * unit_.perMetre, 'g', 8);
 }
 
 QVariant ProfileTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (role != Qt::DisplayRole) return {};
   if (orientation == Qt::Vertical) return section + 1;
-  return section == 0 ? tr("Position [mm]") : tr("Height [µm]");
+  return section == 0 ? tr("Position [mm]") : tr("Height [%1]").arg(unit_.name);
 }
 
 Qt::ItemFlags ProfileTable::flags(const QModelIndex& index) const {
@@ -60,7 +66,7 @@ bool ProfileTable::setData(const QModelIndex& index, const QVariant& value, int 
   if (!valid || !std::isfinite(number)) return false;
   const auto row = static_cast<std::size_t>(index.row());
   cases::ProfilePoint to = points_[row];
-  (index.column() == 0 ? to.position : to.height) = number * (index.column() == 0 ? 1e-3 : 1e-6);
+  (index.column() == 0 ? to.position : to.height) = number / (index.column() == 0 ? 1e3 : unit_.perMetre);
   if (std::abs(to.height) > 0.05) return false;
   cases::CaseDescription after = document_.description();
   after.defect.points = movedPoint(after.defect.points, row, to);

@@ -6,16 +6,20 @@
 
 #include "case/CaseDescription.h"
 
+#include "studio/HeightUnit.h"
+
 namespace squat::studio {
 
 class CaseDocument;
 
-// Two columns: position [mm], height [um]. Read-only for analytic shapes (their handles are no points of the case).
+// Two columns: position [mm], height [um or mm]. Read-only for analytic shapes (their handles are no points of the
+// case).
 class ProfileTable : public QAbstractTableModel {
   Q_OBJECT
  public:
   explicit ProfileTable(CaseDocument& document, QObject* parent = nullptr);
 
+  void setUnit(const HeightUnit& unit);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
@@ -26,6 +30,7 @@ class ProfileTable : public QAbstractTableModel {
  private:
   void update();
   CaseDocument& document_;
+  HeightUnit unit_;
   std::vector<cases::ProfilePoint> points_;
 };
 

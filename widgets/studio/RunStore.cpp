@@ -80,6 +80,13 @@ void RunStore::setPath(int row, const QString& path) {
   Q_EMIT dataChanged(index(row), index(row));
 }
 
+std::vector<int> RunStore::unsaved() const {
+  std::vector<int> rows;
+  for (int row = 0; row < rowCount(); ++row)
+    if (!at(row).measured && at(row).path.isEmpty()) rows.push_back(row);
+  return rows;
+}
+
 std::vector<StoredRun> RunStore::overlays() const {
   std::vector<StoredRun> chosen;
   for (int row = 0; row < rowCount(); ++row)

@@ -36,6 +36,7 @@ class RunStore : public QAbstractListModel {
   ResultPointer currentResult() const;
   const StoredRun& at(int row) const { return runs_.at(static_cast<std::size_t>(row)); }
   void setPath(int row, const QString& path);
+  std::vector<int> unsaved() const;         // rows of computed results that are in no file
   std::vector<StoredRun> overlays() const;  // checked ones other than the current
 
  Q_SIGNALS:

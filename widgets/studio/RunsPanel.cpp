@@ -26,14 +26,18 @@ RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_
   button(tr("Open…"), tr("Open a result"), &RunsPanel::openWished);
   button(tr("Save…"), tr("Save the shown result"), &RunsPanel::saveWished);
   button(tr("Measured…"), tr("Overlay a measured signal"), &RunsPanel::measuredWished);
-  button(tr("Remove"), tr("Take the shown run off the list"), [this] { store_.remove(list_->currentIndex().row()); });
+  button(tr("Remove"), tr("Take the chosen run off the list"), [this] {
+    if (list_->currentIndex().isValid()) Q_EMIT removeWished(list_->currentIndex().row());
+  });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(list_, 1);
   layout->addLayout(buttons);
-  connect(list_, &QListView::clicked, this, [this](const QModelIndex& index) {
-    if (!store_.at(index.row()).measured) store_.setCurrent(index.row());
-  });
+  const auto show = [this](const QModelIndex& index) {
+    if (index.isValid() && !store_.at(index.row()).measured) store_.setCurrent(index.row());
+  };
+  connect(list_, &QListView::clicked, this, show);
+  connect(list_, &QListView::activated, this, show);  // by keyboard
   connect(&store_, &RunStore::currentChanged, this,
           [this] { list_->setCurrentIndex(store_.index(store_.current(), 0)); });
 }

@@ -19,6 +19,7 @@ class RunsPanel : public QWidget {
   void openWished();
   void saveWished();
   void measuredWished();
+  void removeWished(int row);
 
  private:
   RunStore& store_;

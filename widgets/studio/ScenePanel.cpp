@@ -41,7 +41,8 @@ QWidget* ScenePanel::makeControls() {
   rows->addLayout(layout);
   rows->addLayout(second);
   field_ = new QComboBox(bar);
-  for (const auto field : {scene::Field::vonMises, scene::Field::plasticStrain, scene::Field::displacement})
+  for (const auto field : {scene::Field::vonMises, scene::Field::plasticStrain, scene::Field::displacement,
+                           scene::Field::contactPressure, scene::Field::stickSlip})
     field_->addItem(QString::fromStdString(scene::fieldName(field)).replace("[um]", "[µm]"), static_cast<int>(field));
   field_->addItem(tr("parts"), static_cast<int>(scene::Field::none));
   field_->setAccessibleName(tr("Colours show"));
@@ -141,7 +142,8 @@ void ScenePanel::apply() {
                          .arg(snapshot.position * 1e3, 0, 'f', 1)
                          .arg(snapshot.time * 1e3, 0, 'f', 2));
   }
-  scene_->setChoices(choices_);
+  // One frame after the other is drawn as a motion, the last one in full.
+  scene_->setChoices(choices_, animation_.isActive() || time_->isSliderDown());
 }
 
 void ScenePanel::setDark(bool dark) {

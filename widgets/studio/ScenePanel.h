@@ -25,6 +25,8 @@ class ScenePanel : public QWidget {
 
   SceneWidget* scene() const { return scene_; }
   void setDark(bool dark);
+  void savePicture();  // ask for a place
+  void saveSeries();
 
  Q_SIGNALS:
   void failed(const QString& message);
@@ -34,8 +36,6 @@ class ScenePanel : public QWidget {
   QWidget* makeTime();
   void showResult();
   void apply();
-  void savePicture();
-  void saveSeries();
 
   RunStore& store_;
   SceneWidget* scene_;

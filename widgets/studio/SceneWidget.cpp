@@ -45,10 +45,10 @@ void SceneWidget::setResult(std::shared_ptr<const results::RunResult> result) {
   refresh(false);
 }
 
-void SceneWidget::setChoices(const scene::SceneChoices& choices) {
+void SceneWidget::setChoices(const scene::SceneChoices& choices, bool moving) {
   choices_ = choices;
   if (view_) view_->setChoices(choices);
-  refresh(false);
+  refresh(moving);
 }
 
 void SceneWidget::lookFrom(scene::StandardView view) {
@@ -59,7 +59,7 @@ void SceneWidget::lookFrom(scene::StandardView view) {
 }
 
 QImage SceneWidget::picture(int width, int height) {
-  return ensureView() && result_ ? asImage(view_->render(width, height)) : QImage();
+  return ensureView() && result_ ? asImage(view_->render(width, height, false, 2)) : QImage();
 }
 
 void SceneWidget::refresh(bool moving) {
@@ -84,7 +84,7 @@ void SceneWidget::paintEvent(QPaintEvent*) {
     clock.start();
     const double ratio = moving_ ? 0.5 : devicePixelRatioF();
     image_ = asImage(view_->render(static_cast<int>(std::lround(width() * ratio)),
-                                   static_cast<int>(std::lround(height() * ratio)), moving_));
+                                   static_cast<int>(std::lround(height() * ratio)), moving_, ratio));
     lastFrame_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     stale_ = false;
   }

@@ -19,7 +19,7 @@ class SceneWidget : public QWidget {
   ~SceneWidget() override;
 
   void setResult(std::shared_ptr<const results::RunResult> result);
-  void setChoices(const scene::SceneChoices& choices);
+  void setChoices(const scene::SceneChoices& choices, bool moving = false);
   void lookFrom(scene::StandardView view);
   bool isAvailable() const { return view_ != nullptr || !tried_; }
   QString reason() const { return reason_; }

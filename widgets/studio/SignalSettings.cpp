@@ -1,6 +1,9 @@
 #include "studio/SignalSettings.h"
 
+#include <algorithm>
+
 #include "signals/Butterworth.h"
+#include "signals/ContinuousWavelet.h"
 #include "signals/PowerSpectrum.h"
 #include "signals/Resample.h"
 #include "signals/SignalError.h"
@@ -59,6 +62,32 @@ std::shared_ptr<const results::RunResult> analysed(const results::RunResult& res
   } catch (const signals::SignalError& error) {
     problem = error.what();
     return std::make_shared<const results::RunResult>(result);
+  }
+  return changed;
+}
+
+std::shared_ptr<const results::RunResult> withScalogram(const results::RunResult& result) {
+  auto changed = std::make_shared<results::RunResult>(result);
+  const auto* values = changed->signal("aba_filtered");
+  if (!values || values->size() != changed->time.size() || changed->position.size() != changed->time.size() ||
+      values->size() < 64)
+    return changed;
+  const signals::TimeSeries series{changed->time.front(), changed->time[1] - changed->time[0], *values, "", "m/s2"};
+  signals::WaveletOptions options;  // as runs have it: up to 2500 Hz, 16 voices an octave
+  options.highest = std::min(options.highest, 0.45 * series.rate());
+  constexpr std::size_t mostColumns = 2000;  // more than a screen has
+  options.cell = 1 + values->size() / mostColumns;
+  try {
+    signals::Scalogram anew = signals::scalogram(series, options);
+    changed->scalogramFrequency = std::move(anew.frequency);
+    changed->scalogramTime = std::move(anew.time);
+    changed->scalogramPower = std::move(anew.power);
+    changed->coneOfInfluence = std::move(anew.coneOfInfluence);
+    changed->scalogramPosition.clear();
+    for (const double time : changed->scalogramTime)
+      changed->scalogramPosition.push_back(signals::interpolateLinear(changed->time, changed->position, time));
+  } catch (const signals::SignalError&) {
+    // What was there stays.
   }
   return changed;
 }

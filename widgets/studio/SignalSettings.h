@@ -13,11 +13,15 @@ struct SignalSettings {
   std::string window = "hann";    // of the spectrum
   double from = -0.1, to = 0.28;  // [m] stretch of the spectrum
   bool againstTime = false;
+  std::size_t segment = 128, hop = 4;  // [samples] of the short-time Fourier transform
 };
 
 // The result with aba_filtered, wheel_acceleration_filtered and both spectra computed anew. Where that cannot be done
 // (no raw signal, cut-off above half the rate, empty stretch) these stay as they are and `problem` says why.
 std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
                                                    std::string& problem);
+
+// Its scalogram computed anew from aba_filtered as it stands; unchanged where the record is too short.
+std::shared_ptr<const results::RunResult> withScalogram(const results::RunResult& result);
 
 }  // namespace squat::studio

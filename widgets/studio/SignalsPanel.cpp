@@ -9,14 +9,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
-#include "plots/FigureBuilders.h"
-#include "plots/LineFigure.h"
 #include "studio/FigureView.h"
+#include "studio/SignalFigures.h"
 
 namespace squat::studio {
 namespace {
@@ -45,6 +45,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     : QWidget(parent), store_(store), style_(style) {
   tabs_ = new QTabWidget(this);
   tabs_->setDocumentMode(true);
+  tabs_->setAccessibleName(tr("Figures of the signals"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 2);
   layout->setSpacing(2);
@@ -55,16 +56,14 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     views_[name] = view;
     tabs_->addTab(view, title);
     connect(view, &FigureView::failed, this, &SignalsPanel::failed);
-    if (name != "aba" && name != "contact_force") continue;
-    // Views against position (or time) move together.
-    const QString other = name == "aba" ? "contact_force" : "aba";
-    connect(view, &FigureView::rangeChanged, this, [this, other](const QCPRange& range) {
-      if (!settings_.againstTime) views_[other]->setRange(range);
-    });
+    if (!isLinked(name)) continue;
+    const QString from = name;
+    connect(view, &FigureView::rangeChanged, this, [this, from](const QCPRange& range) { link(from, range); });
   }
   connect(tabs_, &QTabWidget::currentChanged, this,
           [this] { rebuild(tabTitles().value(tabs_->currentIndex()).first); });
   connect(&store_, &RunStore::currentChanged, this, [this] {
+    linked_.reset();
     takeWindow();
     update();
   });
@@ -79,8 +78,8 @@ QWidget* SignalsPanel::makeControls() {
   rows->setSpacing(2);
   auto* layout = new QHBoxLayout;
   auto* second = new QHBoxLayout;
-  rows->addLayout(layout);
-  rows->addLayout(second);
+  auto* third = new QHBoxLayout;
+  for (QHBoxLayout* row : {layout, second, third}) rows->addLayout(row);
   const auto number = [&](QHBoxLayout* row, const QString& label, const QString& unit, double low, double high,
                           double value) {
     auto* box = new QDoubleSpinBox(bar);
@@ -115,22 +114,46 @@ QWidget* SignalsPanel::makeControls() {
   connect(window_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
   from_ = number(second, tr("Stretch of the spectrum, from"), "mm", -5000, 5000, settings_.from * 1e3);
   to_ = number(second, tr("Stretch of the spectrum, to"), "mm", -5000, 5000, settings_.to * 1e3);
+  const auto samples = [&](const QString& label, const QString& prefix, std::size_t value, int most) {
+    auto* box = new QSpinBox(bar);
+    box->setRange(1, most);
+    box->setValue(static_cast<int>(value));
+    box->setPrefix(prefix);
+    box->setSuffix(tr(" samples"));
+    box->setKeyboardTracking(false);
+    box->setAccessibleName(label);
+    box->setToolTip(label);
+    third->addWidget(box);
+    connect(box, &QSpinBox::valueChanged, this, &SignalsPanel::update);
+    return box;
+  };
+  third->addWidget(new QLabel(tr("STFT"), bar));
+  segment_ =
+      samples(tr("Samples under the window of the short-time transform"), tr("window "), settings_.segment, 8192);
+  segment_->setMinimum(16);
+  segment_->setSingleStep(16);
+  segment_->setObjectName("stftSegment");
+  hop_ =
+      samples(tr("Samples from one window of the short-time transform to the next"), tr("hop "), settings_.hop, 1024);
+  hop_->setObjectName("stftHop");
   QStringList maps;
   for (const auto& name : colours::mapNames()) maps << QString::fromStdString(name);
   map_ = choice(layout, tr("Colour map"), maps);
   connect(map_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
-  auto* cursors = new QCheckBox(tr("Cursors"), bar);
-  cursors->setObjectName("cursors");
-  connect(cursors, &QCheckBox::toggled, this, [this](bool on) {
+  cursors_ = new QCheckBox(tr("Cursors"), bar);
+  cursors_->setObjectName("cursors");
+  connect(cursors_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& [name, view] : views_) view->setCursors(on);
   });
-  layout->addWidget(cursors);
+  layout->addWidget(cursors_);
   layout->addStretch();
   auto* all = new QPushButton(tr("Export all…"), bar);
+  all->setObjectName("exportAllButton");
   all->setToolTip(tr("Every figure as seen, as PNG, SVG, PDF and CSV"));
   connect(all, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
   second->addStretch();
-  second->addWidget(all);
+  third->addStretch();
+  third->addWidget(all);
   problem_ = new QLabel(bar);
   problem_->setStyleSheet("color: #c0392b;");
   problem_->setWordWrap(true);
@@ -171,6 +194,8 @@ void SignalsPanel::takeWindow() {
 
 void SignalsPanel::update() {
   settings_.againstTime = axis_->currentIndex() == 1;
+  settings_.segment = static_cast<std::size_t>(segment_->value());
+  settings_.hop = static_cast<std::size_t>(hop_->value());
   settings_.cutoff = cutoff_->value();
   settings_.window = window_->currentText().toStdString();
   settings_.from = from_->value() * 1e-3;
@@ -189,53 +214,48 @@ void SignalsPanel::update() {
 void SignalsPanel::rebuild(const QString& name) {
   if (!stale_[name] || !shown_) return;
   stale_[name] = false;
-  const bool noTime = name == "psd" || name == "defect_profile" || name == "contact_patch";
-  const bool inMillimetres = name != "psd" && !(name == "aba" && settings_.againstTime);
-  const double speed = shown_->speed > 0 ? shown_->speed : 0;
-  const double secondsPerMillimetre = speed > 0 ? 1e-3 / speed : 0;
-  const double secondsPerUnit = noTime ? 0 : inMillimetres ? secondsPerMillimetre : 1e-3;
-  views_[name]->show(makeFigure(name), secondsPerUnit, name == "psd" ? "Hz" : inMillimetres ? "mm" : "ms");
+  const bool alongTrack = isLinked(name);
+  const QString unit = isInMilliseconds(name) ? "ms" : name == "psd" ? "Hz" : "mm";
+  const double secondsPerMillimetre = shown_->speed > 0 ? 1e-3 / shown_->speed : 0;
+  const double secondsPerUnit = !alongTrack ? 0 : unit == "ms" ? 1e-3 : secondsPerMillimetre;
+  linking_ = true;
+  views_[name]->show(signalFigure(name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
+                     name == "contact_patch" ? patchTable(*shown_) : QByteArray());
+  linking_ = false;
+  applyLink(name);
 }
 
-std::unique_ptr<plots::Figure> SignalsPanel::makeFigure(const QString& name) const {
-  std::unique_ptr<plots::Figure> figure;
-  if (name == "aba")
-    figure = settings_.againstTime ? plots::abaTimeFigure(*shown_, style_) : plots::abaPositionFigure(*shown_, style_);
-  else if (name == "psd")
-    figure = plots::psdFigure(*shown_, style_);
-  else if (name == "stft")
-    figure = plots::stftFigure(*shown_, style_);
-  else if (name == "scalogram")
-    figure = plots::scalogramFigure(*shown_, style_);
-  else if (name == "contact_force")
-    figure = plots::contactForceFigure(*shown_, style_);
-  else if (name == "contact_patch")
-    figure = plots::patchFigure(*shown_, style_);
-  else
-    figure = plots::defectProfileFigure(*shown_, style_);
-  overlay(*figure, name);
-  return figure;
+// Views along the track zoom together, whatever their unit: the speed links time and position.
+bool SignalsPanel::isLinked(const QString& name) const {
+  return name == "aba" || name == "contact_force" || name == "stft" || name == "scalogram";
 }
 
-// Runs share the axis: positions count from the defect, times from the moment over it.
-void SignalsPanel::overlay(plots::Figure& figure, const QString& name) const {
-  if (name != "aba" && name != "psd" && name != "contact_force") return;
-  std::size_t colour = 2;
-  for (const StoredRun& run : store_.overlays()) {
-    std::string ignored;
-    const ResultPointer other = analysed(*run.result, settings_, ignored);
-    if (name == "psd") {
-      plots::addCurve(figure, {other->frequency, other->psd, run.label, colour++, 0.9});
-      continue;
-    }
-    const auto* values = other->signal(name == "aba" ? "aba_filtered" : "contact_force");
-    if (!values) continue;
-    const auto x = name == "aba" && settings_.againstTime ? other->time : other->position;
-    plots::addCurve(
-        figure, {plots::scaled(x, 1e3), plots::scaled(*values, name == "aba" ? 1 : 1e-3), run.label, colour++, 0.9});
-  }
-  if (colour > 2 && name == "aba") plots::fitValues(figure);
+bool SignalsPanel::isInMilliseconds(const QString& name) const { return name == "aba" && settings_.againstTime; }
+
+void SignalsPanel::link(const QString& from, const QCPRange& range) {
+  if (linking_ || !shown_ || !(shown_->speed > 0)) return;
+  const double passage = 1e3 * passageTime(*shown_);
+  linked_ = isInMilliseconds(from)
+                ? QCPRange((range.lower - passage) * shown_->speed, (range.upper - passage) * shown_->speed)
+                : range;
+  for (const auto& [name, view] : views_)
+    if (name != from) applyLink(name);
 }
+
+void SignalsPanel::applyLink(const QString& name) {
+  if (!linked_ || !isLinked(name) || stale_[name]) return;
+  const double passage = 1e3 * passageTime(*shown_);
+  const bool already = linking_;
+  linking_ = true;
+  views_[name]->setRange(isInMilliseconds(name) ? QCPRange(passage + linked_->lower / shown_->speed,
+                                                           passage + linked_->upper / shown_->speed)
+                                                : *linked_);
+  linking_ = already;
+}
+
+FigureView* SignalsPanel::currentView() const { return view(tabTitles().value(tabs_->currentIndex()).first); }
+
+void SignalsPanel::toggleCursors() { cursors_->toggle(); }
 
 void SignalsPanel::askForFolder() {
   const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the figures"));

@@ -3,9 +3,9 @@
 
 #include <QWidget>
 #include <map>
-#include <memory>
+#include <optional>
 
-#include "plots/Style.h"
+#include "plots/Figure.h"
 #include "studio/RunStore.h"
 #include "studio/SignalSettings.h"
 
@@ -13,11 +13,8 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QSpinBox;
 class QTabWidget;
-
-namespace squat::plots {
-class Figure;
-}
 
 namespace squat::studio {
 
@@ -33,9 +30,12 @@ class SignalsPanel : public QWidget {
   void showTab(const QString& name);
   FigureView* view(const QString& name) const;
   QStringList names() const;
+  FigureView* currentView() const;
   const SignalSettings& settings() const { return settings_; }
   // Every figure as seen, in every format, and the curves as CSV. Returns the files. Throws FileError.
   QStringList exportAll(const QString& folder);
+  void askForFolder();
+  void toggleCursors();
 
  Q_SIGNALS:
   void failed(const QString& message);
@@ -45,9 +45,10 @@ class SignalsPanel : public QWidget {
   void takeWindow();
   void update();
   void rebuild(const QString& name);
-  std::unique_ptr<plots::Figure> makeFigure(const QString& name) const;
-  void overlay(plots::Figure& figure, const QString& name) const;
-  void askForFolder();
+  bool isLinked(const QString& name) const;
+  bool isInMilliseconds(const QString& name) const;
+  void link(const QString& from, const QCPRange& range);
+  void applyLink(const QString& name);
 
   RunStore& store_;
   plots::Style style_;
@@ -56,8 +57,12 @@ class SignalsPanel : public QWidget {
   QTabWidget* tabs_;
   std::map<QString, FigureView*> views_;
   std::map<QString, bool> stale_;
+  std::optional<QCPRange> linked_;  // [mm] what all views along the track show, once the user has zoomed
+  bool linking_ = false;
   QDoubleSpinBox *cutoff_, *from_, *to_;
+  QSpinBox *segment_, *hop_;
   QComboBox *axis_, *window_, *map_;
+  QCheckBox* cursors_;
   QLabel* problem_;
 };
 

@@ -1,0 +1,136 @@
+// Habits of a desktop program: shortcuts, names for screen readers, files dropped, questions before work is lost.
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QApplication>
+#include <QDropEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+#include <set>
+
+#include "case/CaseFile.h"
+#include "case/ParameterTable.h"
+#include "gui/MadeUpRun.h"
+#include "render/SyntheticResult.h"
+
+namespace squat::studio {
+namespace {
+
+StoredRun madeUp(const QString& label, const QString& path = {}) {
+  return {std::make_shared<const results::RunResult>(tests::syntheticResult()), label, path, false, false};
+}
+
+// Every entry of the menus; those of "Recent" come and go.
+void collect(const QList<QAction*>& actions, std::vector<QAction*>& all) {
+  for (QAction* action : actions) {
+    if (action->menu()) {
+      if (!action->text().contains("Recent")) collect(action->menu()->actions(), all);
+    } else if (!action->isSeparator()) {
+      all.push_back(action);
+    }
+  }
+}
+
+TEST(Habits, everyActionHasAShortcutOfItsOwn) {
+  MainWindow window(tests::services());
+  std::vector<QAction*> all;
+  collect(window.menuBar()->actions(), all);
+  EXPECT_GT(all.size(), 40u);
+  std::set<QString> taken;
+  for (const QAction* action : all) {
+    ASSERT_FALSE(action->shortcuts().isEmpty()) << action->text().toStdString();
+    for (const QKeySequence& keys : action->shortcuts()) {
+      EXPECT_FALSE(keys.isEmpty()) << action->text().toStdString();
+      EXPECT_TRUE(taken.insert(keys.toString()).second) << keys.toString().toStdString();
+    }
+  }
+}
+
+TEST(Habits, everyControlHasANameForScreenReaders) {
+  MainWindow window(tests::services());
+  window.store().add(madeUp("run"));
+  window.show();
+  int seen = 0;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    const bool own = !widget->objectName().startsWith("qt_") && !widget->inherits("QScrollArea");
+    if (!own || !(widget->focusPolicy() & Qt::TabFocus) || !widget->isEnabled() || widget->inherits("QTabBar")) continue;
+    QAccessibleInterface* told = QAccessible::queryAccessibleInterface(widget);
+    ASSERT_NE(told, nullptr);
+    EXPECT_FALSE(told->text(QAccessible::Name).isEmpty())
+        << widget->metaObject()->className() << ' ' << widget->objectName().toStdString() << " in "
+        << widget->parentWidget()->metaObject()->className();
+    ++seen;
+  }
+  EXPECT_GT(seen, static_cast<int>(cases::parameterTable().size()));
+}
+
+TEST(Habits, tabWalksThroughTheForm) {
+  MainWindow window(tests::services());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  QApplication::setActiveWindow(&window);
+  auto* search = window.findChild<QLineEdit*>("parameterSearch");
+  search->setFocus();
+  std::vector<QString> visited;
+  for (int i = 0; i < 8; ++i) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    visited.push_back(QApplication::focusWidget()->objectName());
+  }
+  // The keys of the table come in its order, none is left out.
+  std::size_t at = 0;
+  for (const QString& name : visited)
+    for (std::size_t i = 0; i < 6; ++i)
+      if (name.toStdString() == cases::parameterTable()[i].key) {
+        EXPECT_GE(i, at);
+        at = i;
+      }
+  EXPECT_GE(at, 3u);
+}
+
+TEST(Habits, aDroppedCaseIsOpened) {
+  const QTemporaryDir folder;
+  cases::CaseDescription description = cases::defaultCase();
+  description.motion.speed = 21;
+  cases::saveCase(description, folder.filePath("dropped.toml").toStdString());
+  MainWindow window(tests::services());
+  window.show();
+  QMimeData files;
+  files.setUrls({QUrl::fromLocalFile(folder.filePath("dropped.toml"))});
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &drop);
+  EXPECT_EQ(window.document().name(), "dropped");
+  EXPECT_DOUBLE_EQ(window.document().description().motion.speed, 21);
+}
+
+TEST(Habits, unsavedResultsAreAskedAboutOnClosing) {
+  std::vector<QString> questions;
+  Answer answer = Answer::cancel;
+  StudioServices services = tests::services();
+  services.asker = [&](QWidget*, const QString& question, const QString&) {
+    questions.push_back(question);
+    return answer;
+  };
+  MainWindow window(services);
+  window.show();
+  window.store().add(madeUp("kept", "/somewhere/kept.h5"));
+  EXPECT_TRUE(window.close());
+  EXPECT_TRUE(questions.empty());  // it is in a file
+  window.show();
+  window.store().add(madeUp("fresh"));
+  EXPECT_FALSE(window.close());
+  ASSERT_EQ(questions.size(), 1u);
+  EXPECT_TRUE(questions[0].contains("fresh")) << questions[0].toStdString();
+  answer = Answer::discard;
+  EXPECT_TRUE(window.close());
+}
+
+}  // namespace
+}  // namespace squat::studio

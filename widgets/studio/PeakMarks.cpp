@@ -1,0 +1,99 @@
+#include "studio/PeakMarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "signals/Peaks.h"
+#include "studio/FigureTable.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr int mostMarks = 3;
+constexpr double leastShare = 0.1;  // of the strongest
+
+void addMark(plots::Figure& figure, double x, double y, const QString& text, bool above, const QColor& ground) {
+  auto* ring = new QCPItemTracer(&figure);
+  ring->setStyle(QCPItemTracer::tsCircle);
+  ring->setSize(7);
+  ring->setPen(QPen(figure.style().curve(3), 1.4));
+  ring->setBrush(Qt::NoBrush);
+  ring->position->setCoords(x, y);
+  ring->setSelectable(false);
+  auto* label = new QCPItemText(&figure);
+  const QCPRange across = figure.xAxis->range();
+  // Near the right edge the text stands left of the mark, so that it is not cut off.
+  const bool left = x > across.lower + 0.75 * across.size();
+  label->setPositionAlignment((left ? Qt::AlignRight : Qt::AlignLeft) | (above ? Qt::AlignBottom : Qt::AlignTop));
+  label->position->setCoords(x, y);
+  label->setFont(figure.style().tickFont());
+  label->setColor(figure.style().text);
+  label->setBrush(ground);
+  label->setPadding(QMargins(5, 1, 5, 1));
+  label->setText(text);
+  label->setSelectable(false);
+  for (QCPAbstractItem* item : {static_cast<QCPAbstractItem*>(ring), static_cast<QCPAbstractItem*>(label)})
+    item->setLayer("overlay");
+}
+
+QString signedText(double value, int digits) {
+  return QString::number(value, 'f', digits).replace('-', QChar(0x2212));
+}
+
+// "94 at 12.3 mm"
+QString placeText(double value, double place, const QString& unit) {
+  return QObject::tr("%1 at %2 %3").arg(signedText(value, 0), signedText(place, 1), unit);
+}
+
+const QCPColorMap* mapOf(plots::Figure& figure) {
+  for (int i = 0; i < figure.plottableCount(); ++i)
+    if (const auto* map = qobject_cast<const QCPColorMap*>(figure.plottable(i))) return map;
+  return nullptr;
+}
+
+}  // namespace
+
+void markExtremes(plots::Figure& figure, const QString& unit) {
+  if (figure.graphCount() == 0) return;
+  const QCPRange seen = figure.xAxis->range();
+  const QCPGraphData *highest = nullptr, *lowest = nullptr;
+  for (const QCPGraphData& point : *figure.graph(0)->data()) {
+    if (!seen.contains(point.key) || !std::isfinite(point.value)) continue;
+    if (!highest || point.value > highest->value) highest = &point;
+    if (!lowest || point.value < lowest->value) lowest = &point;
+  }
+  if (!highest || highest->value == lowest->value) return;
+  const QCPRange values = figure.yAxis->range();
+  constexpr double room = 0.08;  // for the texts
+  figure.yAxis->setRange(values.lower - room * values.size(), values.upper + room * values.size());
+  addMark(figure, highest->key, highest->value, placeText(highest->value, highest->key, unit), true, Qt::transparent);
+  addMark(figure, lowest->key, lowest->value, placeText(lowest->value, lowest->key, unit), false, Qt::transparent);
+}
+
+void markLines(plots::Figure& figure, const QString& unit) {
+  const QCPColorMap* map = mapOf(figure);
+  if (!map) return;
+  QCPColorMapData& cells = *map->data();
+  std::vector<double> largest(static_cast<std::size_t>(cells.valueSize()), 0.0);
+  std::vector<int> columnOf(largest.size(), 0);
+  for (int row = 0; row < cells.valueSize(); ++row)
+    for (int column = 0; column < cells.keySize(); ++column)
+      if (cells.cell(column, row) > largest[static_cast<std::size_t>(row)]) {
+        largest[static_cast<std::size_t>(row)] = cells.cell(column, row);
+        columnOf[static_cast<std::size_t>(row)] = column;
+      }
+  const double strongest = *std::max_element(largest.begin(), largest.end());
+  if (!(strongest > 0)) return;
+  auto peaks = signals::findPeaks(largest, leastShare * strongest);
+  std::sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.height > b.height; });
+  QColor ground = figure.style().background;
+  ground.setAlpha(200);
+  for (std::size_t i = 0; i < std::min<std::size_t>(peaks.size(), mostMarks); ++i) {
+    const QPointF at = cellPlace(*map, columnOf[peaks[i].index], static_cast<int>(peaks[i].index));
+    const QString text = QObject::tr("%1 Hz at %2 %3").arg(at.y(), 0, 'f', 0).arg(signedText(at.x(), 0), unit);
+    addMark(figure, at.x(), at.y(), text, true, ground);
+  }
+}
+
+}  // namespace squat::studio
