@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "verification/PressedSphere.h"
 
@@ -28,10 +29,15 @@ TEST(Hertz, SphereOnBlock) {
     EXPECT_NEAR(found.peak, peak, tolerance[i] * peak) << sizes[i];
     EXPECT_NEAR(found.approach, approach, tolerance[i] * approach) << sizes[i];
     error[i] = std::abs(found.approach / approach - 1);
+    std::printf("  %.2f mm  a %+.2f %%  b %+.2f %%  p0 %+.2f %%  approach %+.2f %%\n", 1e3 * sizes[i],
+                100 * (found.a / a - 1), 100 * (found.b / a - 1), 100 * (found.peak / peak - 1),
+                100 * (found.approach / approach - 1));
     RecordProperty("peak_pressure_error_" + std::to_string(i), std::to_string(found.peak / peak - 1));
   }
   // Order of convergence, seen in the approach, an energy-like mean: second order is usual for it, first is asked for.
-  EXPECT_GT(std::log2(error[0] / error[2]) / 2, 1);
+  const double order = std::log2(error[0] / error[2]) / 2;
+  std::printf("  order of convergence %.2f\n", order);
+  EXPECT_GT(order, 1);
 }
 
 // What the penalty adds to the approach, from two penalties on one mesh: p0 / 2k each. Tolerance 10 %.
@@ -41,6 +47,7 @@ TEST(Hertz, PenaltyAddsHalfThePeakPressureOverItself) {
   const auto one = PressedSphere(soft).press(), two = PressedSphere(hard).press();
   const double expected = one.penaltyShare - two.penaltyShare;
   const double found = one.approach + one.penaltyShare - two.approach - two.penaltyShare;
+  std::printf("  penalty adds %.3f um, p0 / 2 k gives %.3f um\n", 1e6 * found, 1e6 * expected);
   EXPECT_NEAR(found, expected, 0.1 * expected);
   // Below 4 % of the approach with the shipped penalty at 1.3 mm.
   EXPECT_LT(one.penaltyShare, 0.04 * soft.halfAxis * soft.halfAxis / soft.radius);
