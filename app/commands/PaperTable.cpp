@@ -140,6 +140,14 @@ void addEnergy(std::vector<PaperRow>& rows, const RunResult& result) {
                   std::abs(*residual) < 0.002 ? "met" : "not met"});
 }
 
+// Only where the rail may yield.
+void addPlasticity(std::vector<PaperRow>& rows, const RunResult& result) {
+  if (const auto strain = scalarNamed(result.plasticity, "largest_equivalent_strain"))
+    rows.push_back({"plastic strain, largest", number(100 * *strain, "%"), "", ""});
+  if (const auto deepest = scalarNamed(result.plasticity, "deepest_change"))
+    rows.push_back({"permanent change of the surface, deepest", number(1e6 * *deepest, "um"), "", ""});
+}
+
 void addCost(std::vector<PaperRow>& rows, const RunResult& result) {
   const auto add = [&](const std::vector<results::Scalar>& list, const char* name, const char* what, double factor,
                        const char* unit) {
@@ -170,6 +178,7 @@ std::vector<PaperRow> paperRows(const RunResult& result) {
   addWavelength(rows, result);
   addContact(rows, result);
   addQuietness(rows, result);
+  addPlasticity(rows, result);
   addEnergy(rows, result);
   addCost(rows, result);
   return rows;

@@ -43,7 +43,8 @@ void addRail(Rows& rows) {
   rows.push_back(boolean(
       "rail.plastic", false, [](Case& c) -> bool& { return c.rail.plastic; },
       "surface layer of the rail head may yield (bilinear) or stays elastic",
-      "assumed: off; the contact stays elastic at rest, but may yield where it slips under full traction"));
+      "assumed: off; the contact stays elastic at rest, but may yield where it slips under full traction and at a "
+      "defect"));
   rows.push_back(number(
       "rail.yield_stress", gigapascal, 0.8, {0.05, 10}, [](Case& c) -> double& { return c.rail.yieldStress; },
       "yield stress of the surface layer", table1));

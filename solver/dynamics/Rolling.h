@@ -5,6 +5,10 @@
 // pass their inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any number
 // of threads.
 //
+// Plastic flow of the rail's surface layer (plasticity/): elements around the patch are returned to yield while contact
+// and springs collect forces; each thread adds the forces of plastic strain to the stations that it advances. The start
+// is elastic: what yields under the wheel at rest flows in the first step.
+//
 // Spin of the wheelset: the reference turns with rate w, I w' = torque + moment of all outer forces with displaced
 // arms; in the turning reference every mass feels +a' r along alpha, I a' = torque + moment with undisplaced arms, so
 // that no mean spin gathers in the displacements (false power otherwise).
@@ -18,6 +22,7 @@
 #include "dynamics/RollingState.h"
 #include "elasticity/SweptWork.h"
 #include "model/WheelMotion.h"
+#include "plasticity/LayerWork.h"
 
 namespace squat::dynamics {
 
@@ -40,6 +45,7 @@ class Rolling {
   // Advances `steps` steps; `observe(view)` is called on the calling thread for every step.
   template <typename Observe>
   void advance(long steps, const Observe& observe) {
+    const long first = state_.step;
     team_.run([&](int index) {
       for (long k = 0; k < steps; ++k) {
         if (index == 0) {
@@ -50,6 +56,7 @@ class Rolling {
           pushWheelset(k);
         }
         if (index == team_.size() - 1) pushTrack(k);
+        yieldLayer(index, first + k, now(k));
         team_.barrier();
         advanceTrackAndRim(index, k);
         team_.barrier();
@@ -70,6 +77,7 @@ class Rolling {
   const model::Model& model() const { return model_; }
   double stepSize() const { return step_; }
   double beta() const { return beta_; }
+  const plasticity::LayerForces& layerForces() const { return layerForces_; }
   double wheelLoad() const { return load_; }
   double torqueAt(double time) const;
   ThreadTeam& team() { return team_; }
@@ -86,6 +94,7 @@ class Rolling {
   double* next(long k) { return k % 2 ? state_.displaced.data() : target_.data(); }
   void pushWheelset(long k);  // contact, irregular elements, suspension, torque, spin
   void pushTrack(long k);     // pads, ballast; places of tied nodes
+  void yieldLayer(int index, long step, const double* displaced);
   void advanceTrackAndRim(int index, long k);
   void passTieForces(int index);
   void advanceBody(int index, long k);
@@ -110,6 +119,8 @@ class Rolling {
   std::vector<std::vector<double>> radii_;   // per block: of section nodes, around the axis
   model::TurnedStations turned_, turnedRim_;
   AlignedVector slaveWorkspace_;
+  plasticity::LayerKernels layerKernels_;
+  plasticity::LayerForces layerForces_;
   StepView view_;
   model::PlaneVector boxVelocity_, wheelVelocity_, hub_;
   double spinAcceleration_ = 0, referenceAcceleration_ = 0;

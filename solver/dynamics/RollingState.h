@@ -4,6 +4,7 @@
 #include "contact/RollingContact.h"
 #include "core/AlignedVector.h"
 #include "model/WheelMotion.h"
+#include "plasticity/SurfaceLayer.h"
 
 namespace squat::dynamics {
 
@@ -19,6 +20,7 @@ struct RollingState {
   double rotation = 0;  // [rad]
   double spinRate = 0;  // [rad/s] half a step behind
   contact::FrictionHistory friction;
+  plasticity::LayerState plastic;  // empty where nothing may yield
   EnergySums sums;
   model::PlaneVector wheelAcceleration;  // [m/s2] of the last step
 };

@@ -137,18 +137,28 @@ void holdSymmetry(Model& model) {
 }
 
 // The surface nodes take the shape of the defect; nodes below follow, less with depth, down to four element sizes.
-void moveDefectNodes(Model& model) {
+elasticity::NodeShift defectShift(const Model& model) {
   const auto& d = model.description;
-  if (!d.defect.moveNodes) return;
-  const cases::DefectSurface defect(d.defect);
-  const auto& rail = model.blocks[model.rail];
-  const double blended = 4 * d.mesh.contactSize;
-  model.movedElements = elasticity::irregularElements(rail, [&](int node, int station) -> Eigen::Vector3d {
-    const auto& p = rail.section.nodes[node];
+  if (!d.defect.moveNodes) return {};
+  const auto* rail = &model.blocks[model.rail];
+  return [defect = cases::DefectSurface(d.defect), rail, blended = 4 * d.mesh.contactSize](
+             int node, int station) -> Eigen::Vector3d {
+    const auto& p = rail->section.nodes[node];
     const double depth = geometry::crownHeight54E1(p[0]) - p[1];
     if (depth >= blended) return {0, 0, 0};
-    return {0, 0, defect.height(rail.positions[station], p[0]) * (1 - std::max(0.0, depth) / blended)};
-  });
+    return {0, 0, defect.height(rail->positions[station], p[0]) * (1 - std::max(0.0, depth) / blended)};
+  };
+}
+
+// The surface layer that may yield: below all columns that the wheel can touch, where it can roll.
+void addLayer(Model& model, const elasticity::NodeShift& shift) {
+  const auto& rail = model.description.rail;
+  if (!rail.plastic) return;
+  const auto& s = model.surfaces;
+  const auto first = s.railLine.begin() + s.firstColumn;
+  model.layer =
+      plasticity::makeLayer(model.blocks[model.rail], plasticity::bilinearLaw(rail), {first, first + s.columns + 1},
+                            rail.plasticDepth, s.firstInterval, s.intervals, shift);
 }
 
 void fillIrregularSlots(Model& model) {
@@ -191,7 +201,9 @@ Model buildModel(const cases::CaseDescription& description) {
   model.smallUnknowns = model.stateSize;
   model.sprungX = model.stateSize, model.sprungZ = model.stateSize + 1;
   model.stateSize += 8;
-  moveDefectNodes(model);
+  const auto shift = defectShift(model);
+  if (shift) model.movedElements = elasticity::irregularElements(model.blocks[model.rail], shift);
+  addLayer(model, shift);
   layOutForces(model);
   fillIrregularSlots(model);
   addSupports(model);

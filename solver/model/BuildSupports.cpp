@@ -150,6 +150,7 @@ void layOutForces(Model& model) {
     std::fill(wanted[model.rail].begin(), wanted[model.rail].end(), 1);
   for (const auto& unknown : model.movedElements.unknown)
     for (const auto index : unknown) wanted[model.rail][model.blocks[model.rail].unknownAt(index).node] = 1;
+  mark(model.rail, plasticity::layerNodes(model.layer));
   for (int i = 0; i < model.sleepers; ++i) {
     const int block = model.firstSleeper + i;
     mark(block, sleeperFace(model.blocks[block], 0));

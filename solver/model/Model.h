@@ -14,6 +14,7 @@
 #include "elasticity/IrregularElements.h"
 #include "elasticity/SweptBlock.h"
 #include "elasticity/SweptTie.h"
+#include "plasticity/SurfaceLayer.h"
 #include "supports/Springs.h"
 
 namespace squat::model {
@@ -46,6 +47,7 @@ struct Model {
   std::vector<double> sleeperPositions;  // [m] along x
   std::vector<elasticity::SweptTie> ties;
   elasticity::IrregularElements movedElements;    // of the rail, under a defect whose nodes are moved
+  plasticity::SurfaceLayer layer;                 // of the rail head; empty where nothing may yield
   std::vector<std::vector<unsigned char>> slave;  // per block and section node
   std::vector<std::vector<double>> freeMask;      // per block: nodes x 3, 0 where a whole line is held
   std::vector<std::size_t> held;                  // single unknowns that are held

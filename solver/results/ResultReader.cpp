@@ -153,6 +153,21 @@ void readModes(const Mapper& from, RunResult& result) {
     result.modes.push_back({frequency[i], box[i], wheel[i], contact[i]});
 }
 
+void readPermanent(const Mapper& from, PermanentChange& change) {
+  change.position = from.take<double>("/permanent/position");
+  if (change.empty()) return;
+  change.lateral = from.take<double>("/permanent/lateral");
+  change.depth = from.take<double>("/permanent/depth");
+  const std::size_t across = change.position.size() * change.lateral.size();
+  const std::size_t down = change.position.size() * change.depth.size();
+  change.height = from.take<double>("/permanent/height", across);
+  change.equivalentStrain = from.take<double>("/permanent/equivalent_strain", down);
+  change.stressAlong = from.take<double>("/permanent/stress_along", down);
+  change.stressAcross = from.take<double>("/permanent/stress_across", down);
+  change.stressVertical = from.take<double>("/permanent/stress_vertical", down);
+  change.vonMises = from.take<double>("/permanent/von_mises", down);
+}
+
 void readSurface(const Mapper& from, SurfaceMesh& surface) {
   surface.points = from.take<float>("/mesh/surface/points");
   surface.quads = from.take<std::int32_t>("/mesh/surface/quads");
@@ -221,6 +236,8 @@ RunResult fromTree(ArrayTree tree, const std::string& path) {
   result.meshFigures = from.scalars("/mesh");
   result.performance = from.scalars("/performance");
   readModes(from, result);
+  result.plasticity = from.scalars("/plasticity");
+  readPermanent(from, result.permanent);
   result.profilePosition = from.take<double>("/profile/position");
   result.profileHeight = from.take<double>("/profile/height", result.profilePosition.size());
   result.wheelPath = from.take<double>("/profile/wheel_path", result.profilePosition.size(), false);

@@ -8,6 +8,8 @@
 //   /mesh        one number each; surface/points [n][3], quads [m][4], part, part_names, springs [k][6]
 //   /modes       frequency, box_share, wheel_share, contact_share
 //   /profile     position, height, wheel_path
+//   /plasticity  one number each               /permanent   position, lateral, depth, height [position][lateral],
+//                equivalent_strain, stress_along, stress_across, stress_vertical, von_mises [position][depth]
 //   /fields/NNN  displacement [n][3], von_mises, plastic_strain; attributes name, time, position, wheel_travel,
 //                wheel_rotation                        /patch/NNN x, y, pressure, traction_x, ...
 #pragma once

@@ -91,6 +91,20 @@ void addModes(ArrayTree& tree, const RunResult& result) {
   tree.add("/modes/contact_share", contact, "1/sqrt(kg)");
 }
 
+void addPermanent(ArrayTree& tree, const PermanentChange& change) {
+  if (change.empty()) return;
+  tree.add("/permanent/position", change.position, "m");
+  tree.add("/permanent/lateral", change.lateral, "m");
+  tree.add("/permanent/depth", change.depth, "m");
+  addRows(tree, "/permanent/height", change.height, change.lateral.size(), "m");
+  const std::size_t width = change.depth.size();
+  addRows(tree, "/permanent/equivalent_strain", change.equivalentStrain, width, "1");
+  addRows(tree, "/permanent/stress_along", change.stressAlong, width, "Pa");
+  addRows(tree, "/permanent/stress_across", change.stressAcross, width, "Pa");
+  addRows(tree, "/permanent/stress_vertical", change.stressVertical, width, "Pa");
+  addRows(tree, "/permanent/von_mises", change.vonMises, width, "Pa");
+}
+
 void addSurface(ArrayTree& tree, const SurfaceMesh& surface) {
   if (surface.points.empty()) return;
   addRows(tree, "/mesh/surface/points", surface.points, 3, "m");
@@ -147,6 +161,8 @@ ArrayTree toTree(const RunResult& result) {
   addScalars(tree, "/mesh", result.meshFigures);
   addScalars(tree, "/performance", result.performance);
   addModes(tree, result);
+  addScalars(tree, "/plasticity", result.plasticity);
+  addPermanent(tree, result.permanent);
   if (!result.profilePosition.empty()) {
     tree.add("/profile/position", result.profilePosition, "m");
     tree.add("/profile/height", result.profileHeight, "m");

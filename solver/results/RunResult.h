@@ -54,6 +54,18 @@ struct PatchSnapshot {
   std::vector<float> area;                  // [m2]
 };
 
+// What plastic flow leaves behind in the unloaded rail; empty where the rail is elastic. Fields of position x depth lie
+// on the plane y = 0.
+struct PermanentChange {
+  std::vector<double> position, lateral;  // [m] along and across the rail
+  std::vector<double> height;             // position x lateral: change of the running surface [m], down negative
+  std::vector<double> depth;              // [m] below the running surface
+  std::vector<double> equivalentStrain;   // position x depth: equivalent plastic strain
+  std::vector<double> stressAlong, stressAcross, stressVertical, vonMises;  // position x depth: residual stress [Pa]
+
+  bool empty() const { return position.empty(); }
+};
+
 struct WheelsetMode {
   double frequency = 0;     // [Hz]
   double boxShare = 0;      // vertical mass-normalised amplitude at the axle box [1/sqrt(kg)]
@@ -96,6 +108,8 @@ struct RunResult {
   std::vector<Scalar> equilibrium;  // contact_force, half_axis_rolling, half_axis_lateral, peak_pressure, approach, ...
   std::vector<Scalar> meshFigures;  // elements, nodes, smallest_jacobian, largest_aspect, stable_step, ...
   std::vector<Scalar> performance;  // steps, seconds, element_updates_per_second, peak_memory, phases ...
+  std::vector<Scalar> plasticity;   // largest_equivalent_strain, yielded_elements, ...; empty where the rail is elastic
+  PermanentChange permanent;
   std::vector<WheelsetMode> modes;
   std::vector<std::string> warnings;
 

@@ -119,6 +119,11 @@ void EnergyLedger::before(const dynamics::Rolling& rolling) {
   pending_.friction = sums.friction;
   pending_.damping = sums.damping + materialDamping_;
   pending_.external = sums.torqueWork + fall;
+  // Plastic strain: the solids' energy is that of the elastic strain alone, hardening stores a part of what flow takes.
+  const auto flow = plasticity::layerEnergy(model.layer, rolling.state().plastic, rolling.layerForces(), u.data());
+  shares_.rail += flow.elastic + flow.hardening;
+  pending_.strain += flow.elastic + flow.hardening;
+  pending_.plastic = flow.dissipated;
 }
 
 void EnergyLedger::after(const dynamics::Rolling& rolling) {
@@ -133,9 +138,9 @@ double EnergyLedger::relativeResidual() const {
   if (samples_.empty()) return 0;
   const auto& s = samples_.back();
   const double residual = (s.kinetic + s.strain + s.contact) - (first_.kinetic + first_.strain + first_.contact) +
-                          (s.friction + s.damping) - (first_.friction + first_.damping) -
+                          (s.friction + s.damping + s.plastic) - (first_.friction + first_.damping + first_.plastic) -
                           (s.external - first_.external);
-  return residual / (reference_ + s.friction + s.damping);
+  return residual / (reference_ + s.friction + s.damping + s.plastic);
 }
 
 double EnergyLedger::largestRelativeResidual() const {
@@ -151,7 +156,7 @@ double EnergyLedger::largestRelativeResidual() const {
 
 std::vector<results::Channel> EnergyLedger::channels() const {
   std::vector<results::Channel> list{{"kinetic", "J", "beyond that of the reference motion", {}},
-                                     {"strain", "J", "solids and springs", {}},
+                                     {"strain", "J", "elastic, solids and springs, and stored by hardening", {}},
                                      {"contact", "J", "stored in the penalties", {}},
                                      {"friction", "J", "dissipated by slip so far", {}},
                                      {"damping", "J", "dissipated by dashpots and material so far", {}},
@@ -160,9 +165,9 @@ std::vector<results::Channel> EnergyLedger::channels() const {
                                      {"residual", "J", "what the books do not explain", {}}};
   for (const auto& s : samples_) {
     const double residual = (s.kinetic + s.strain + s.contact) - (first_.kinetic + first_.strain + first_.contact) +
-                            (s.friction + s.damping) - (s.external - first_.external);
-    const double values[8] = {s.kinetic, s.strain, s.contact, s.friction, s.damping, 0, s.external - first_.external,
-                              residual};
+                            (s.friction + s.damping + s.plastic) - (s.external - first_.external);
+    const double values[8] = {
+        s.kinetic, s.strain, s.contact, s.friction, s.damping, s.plastic, s.external - first_.external, residual};
     for (int i = 0; i < 8; ++i) list[i].values.push_back(values[i]);
   }
   return list;
@@ -172,7 +177,7 @@ std::vector<double> EnergyLedger::pack() const {
   std::vector<double> numbers{reference_,        firstSpin_, materialDamping_,
                               lastDampingPower_, lastTime_,  started_ ? 1.0 : 0.0};
   const auto put = [&](const Sample& s) {
-    numbers.insert(numbers.end(), {s.kinetic, s.strain, s.contact, s.friction, s.damping, s.external});
+    numbers.insert(numbers.end(), {s.kinetic, s.strain, s.contact, s.friction, s.damping, s.external, s.plastic});
   };
   put(first_);
   for (std::size_t i = 0; i < samples_.size(); ++i) numbers.push_back(time_[i]), put(samples_[i]);
@@ -183,11 +188,12 @@ void EnergyLedger::unpack(const std::vector<double>& numbers) {
   reference_ = numbers[0], firstSpin_ = numbers[1], materialDamping_ = numbers[2];
   lastDampingPower_ = numbers[3], lastTime_ = numbers[4], started_ = numbers[5] != 0;
   const auto get = [&](std::size_t at) {
-    return Sample{numbers[at], numbers[at + 1], numbers[at + 2], numbers[at + 3], numbers[at + 4], numbers[at + 5]};
+    return Sample{numbers[at],     numbers[at + 1], numbers[at + 2], numbers[at + 3],
+                  numbers[at + 4], numbers[at + 5], numbers[at + 6]};
   };
   first_ = get(6);
   time_.clear(), samples_.clear();
-  for (std::size_t at = 12; at + 7 <= numbers.size(); at += 7)
+  for (std::size_t at = 13; at + 8 <= numbers.size(); at += 8)
     time_.push_back(numbers[at]), samples_.push_back(get(at + 1));
 }
 

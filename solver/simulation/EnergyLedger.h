@@ -38,7 +38,7 @@ class EnergyLedger {
 
  private:
   struct Sample {
-    double kinetic = 0, strain = 0, contact = 0, friction = 0, damping = 0, external = 0;
+    double kinetic = 0, strain = 0, contact = 0, friction = 0, damping = 0, external = 0, plastic = 0;
   };
   double kineticEnergy(const dynamics::Rolling& rolling) const;
   double reference_ = 0;  // [J] strain energy at the start

@@ -92,6 +92,7 @@ void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
   tree.add("/rolling/displaced", plain(s.displaced), "m");
   tree.add("/rolling/velocity", plain(s.velocity), "m/s");
   tree.add("/rolling/traction", s.friction.traction, "Pa");
+  if (!s.plastic.values.empty()) tree.add("/rolling/plastic", plain(s.plastic.values), "1");
   tree.add("/rolling/closed", std::vector<std::int64_t>(s.friction.closed.begin(), s.friction.closed.end()), "1");
   tree.add(
       "/rolling/small",
@@ -104,7 +105,9 @@ void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling
                          const std::string& file) {
   results::ArrayTree own;
   saveRolling(rolling, own);
-  for (const char* path : {"/rolling/displaced", "/rolling/velocity", "/rolling/traction", "/rolling/small"})
+  std::vector<std::string> needed{"/rolling/displaced", "/rolling/velocity", "/rolling/traction", "/rolling/small"};
+  if (own.find("/rolling/plastic")) needed.push_back("/rolling/plastic");
+  for (const auto& path : needed)
     if (results::valuesOf<double>(tree, path, file).size() != results::valuesOf<double>(own, path, file).size())
       throw FileError(file, path, "has another length than this case and mesh need", "Start anew without --resume");
   const auto points = static_cast<std::int64_t>(results::valuesOf<double>(own, "/rolling/traction", file).size() / 2);
@@ -118,7 +121,7 @@ void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling
   if (!(step >= 0 && step <= static_cast<double>(lastStep)))
     throw FileError(file, "/rolling/small", "names a step beyond the end of the run");
   const auto ledger = results::valuesOf<double>(tree, "/ledger", file).size();
-  if (ledger < 12 || (ledger - 12) % 7 != 0) throw FileError(file, "/ledger", "has a wrong length");
+  if (ledger < 13 || (ledger - 13) % 8 != 0) throw FileError(file, "/ledger", "has a wrong length");
 }
 
 dynamics::RollingState loadRolling(const results::ArrayTree& tree) {
@@ -127,6 +130,10 @@ dynamics::RollingState loadRolling(const results::ArrayTree& tree) {
   const auto& v = results::valuesOf<double>(tree, "/rolling/velocity", "checkpoint");
   s.displaced.assign(u.begin(), u.end()), s.velocity.assign(v.begin(), v.end());
   s.friction.traction = results::valuesOf<double>(tree, "/rolling/traction", "checkpoint");
+  if (tree.find("/rolling/plastic")) {
+    const auto& flow = results::valuesOf<double>(tree, "/rolling/plastic", "checkpoint");
+    s.plastic.values.assign(flow.begin(), flow.end());
+  }
   const auto* closed = tree.find("/rolling/closed");
   if (const auto* list = closed ? std::get_if<std::vector<std::int64_t>>(&closed->values) : nullptr)
     s.friction.closed.assign(list->begin(), list->end());

@@ -18,6 +18,7 @@
 #include "simulation/RunParts.h"
 #include "simulation/SurfaceFields.h"
 #include "statics/QuietStart.h"
+#include "statics/UnloadedShape.h"
 
 #ifndef SQUAT_VERSION
 #define SQUAT_VERSION "unknown"
@@ -77,9 +78,6 @@ void warn(Run& run, const std::string& text) {
 void refuseOrWarn(Run& run) {
   const auto validation = cases::validate(run.description);
   if (!validation.problems.empty()) throw CaseError(validation.problems);
-  if (run.description.rail.plastic)
-    throw CaseError({{"rail.plastic", "true", "false: plastic flow of the rail is not in the solver yet",
-                      "Leave it false; the rail then stays linear elastic"}});
   for (const auto& warning : validation.warnings) warn(run, toText(warning));
 }
 
@@ -236,8 +234,8 @@ class RollingPhase {
 
   void picture(const std::string& name) {
     const double travel = rolling_.view().position - rolling_.model().startX;
-    run_.result.snapshots.push_back(
-        fields_->snapshot(name, rolling_.displacement(), rolling_.state().time, travel, rolling_.state().rotation));
+    run_.result.snapshots.push_back(fields_->snapshot(name, rolling_.displacement(), rolling_.state().time, travel,
+                                                      rolling_.state().rotation, rolling_.state().plastic));
     run_.result.patches.push_back(patchSnapshot(name, rolling_));
   }
 
@@ -344,6 +342,19 @@ Beginning begin(Run& run, const model::Model& model, const elasticity::KernelSet
   return beginning;
 }
 
+// The rail without the wheel: what plastic flow has left. False where it was cancelled.
+bool unload(Run& run, const dynamics::Rolling& rolling, ThreadTeam& team, const SurfaceFields* fields) {
+  const auto shape =
+      statics::findUnloadedShape(rolling.model(), rolling.kernels(), team, rolling.layerForces(), run.monitor);
+  if (shape.cancelled) return false;
+  describePermanentChange(rolling, shape.displacement, run.result);
+  if (fields)
+    run.result.snapshots.push_back(fields->snapshot("unloaded", shape.displacement, rolling.state().time,
+                                                    rolling.view().position - rolling.model().startX,
+                                                    rolling.state().rotation, rolling.state().plastic, true));
+  return true;
+}
+
 void finish(Run& run, Clock::time_point start) {
   auto& r = run.result;
   addSpectra(run.description, r);
@@ -393,14 +404,17 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
   else
     rolling.start(displacement, beginning.quiet.velocity,
                   motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
-  if (fields && !checkpoint) run.result.snapshots.push_back(fields->snapshot("equilibrium", displacement, 0, 0, 0));
+  if (fields && !checkpoint)
+    run.result.snapshots.push_back(fields->snapshot("equilibrium", displacement, 0, 0, 0, rolling.state().plastic));
 
   RollingPhase phase(run, rolling, fields.get(), beginning.steps, beginning.quiet.equilibrium.strainEnergy);
   if (checkpoint) phase.load(*checkpoint);
   try {
-    const bool complete = run.timed("rolling", [&] { return phase.go(); });
+    bool complete = run.timed("rolling", [&] { return phase.go(); });
     phase.store();
     markSpin(run, model.surfaces.radius);
+    if (complete && !model.layer.empty())
+      complete = run.timed("unloading", [&] { return unload(run, rolling, team, fields.get()); });
     run.result.complete = complete;
     run.result.stopReason = complete ? "done" : "cancelled";
     run.timed("spectra", [&] { return finish(run, start), 0; });

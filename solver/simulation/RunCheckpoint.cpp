@@ -64,6 +64,7 @@ void savePictures(const results::RunResult& result, results::ArrayTree& tree) {
              "1");
     tree.add(path + "/displacement", shot.displacement, "m");
     tree.add(path + "/von_mises", shot.vonMises, "Pa");
+    if (!shot.plasticStrain.empty()) tree.add(path + "/plastic_strain", shot.plasticStrain, "1");
   }
   for (const auto& shot : result.patches) {
     const std::string path = "/patches/" + shot.name;
@@ -90,7 +91,8 @@ void loadPictures(const results::ArrayTree& tree, const std::string& file, resul
     if (n.size() != (isSnapshot ? 4U : 2U)) throw FileError(file, array.path, "has a wrong length");
     if (isSnapshot)
       result.snapshots.push_back(
-          {name, n[0], n[1], n[2], n[3], floats(path + "/displacement"), floats(path + "/von_mises"), {}});
+          {name, n[0], n[1], n[2], n[3], floats(path + "/displacement"), floats(path + "/von_mises"),
+           tree.find(path + "/plastic_strain") ? floats(path + "/plastic_strain") : std::vector<float>{}});
     else
       result.patches.push_back({name, n[0], n[1], floats(path + "/x"), floats(path + "/y"), floats(path + "/pressure"),
                                 floats(path + "/traction_x"), floats(path + "/traction_y"),

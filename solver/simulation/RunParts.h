@@ -56,6 +56,10 @@ void describeMesh(const model::Model& model, const dynamics::StableStep& stable,
 void describeModes(const cases::CaseDescription& description, results::RunResult& result);
 void describeProfile(const cases::CaseDescription& description, results::RunResult& result);
 
+// What plastic flow leaves behind: fields of the unloaded rail and their largest values. `unloaded`: state layout.
+void describePermanentChange(const dynamics::Rolling& rolling, const AlignedVector& unloaded,
+                             results::RunResult& result);
+
 // PSD and scalogram of what has been recorded; leaves them empty where the record is too short.
 void addSpectra(const cases::CaseDescription& description, results::RunResult& result);
 

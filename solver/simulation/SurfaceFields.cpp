@@ -98,7 +98,8 @@ void SurfaceFields::addSprings() {
 }
 
 results::SurfaceSnapshot SurfaceFields::snapshot(const std::string& name, const AlignedVector& u, double time,
-                                                 double travel, double rotation) const {
+                                                 double travel, double rotation, const plasticity::LayerState& flow,
+                                                 bool stressEverywhere) const {
   results::SurfaceSnapshot shot;
   shot.name = name, shot.time = time, shot.wheelTravel = travel, shot.wheelRotation = rotation;
   shot.position = model_.startX + travel;
@@ -131,12 +132,18 @@ results::SurfaceSnapshot SurfaceFields::snapshot(const std::string& name, const 
           const double away = b == model_.rail
                                   ? at - shot.position
                                   : std::remainder(at - rotation, full) * model_.description.wheelset.radius;
-          if (std::abs(away) > stressReach) continue;
+          if (!stressEverywhere && std::abs(away) > stressReach) continue;
           Eigen::Matrix<double, 24, 1> nodal;
           for (int side = 0; side < 2; ++side)
             for (int i = 0; i < 4; ++i)
               for (int c = 0; c < 3; ++c) nodal[12 * side + 3 * i + c] = u[block.index(quad[i], c, s + side)];
-          const auto value = static_cast<float>(vonMises(stress * nodal));
+          Eigen::Matrix<double, 6, 1> at6 = stress * nodal;
+          if (b == model_.rail) {
+            const auto plastic =
+                elementFlow(model_.layer, flow, static_cast<int>(&quad - block.section.quads.data()), s).strain;
+            at6 -= hooke * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(plastic.data());
+          }
+          const auto value = static_cast<float>(vonMises(at6));
           for (int side = 0; side < 2; ++side)
             for (int i = 0; i < 4; ++i) {
               const int station = block.closed && s + side == block.intervals ? 0 : s + side;
@@ -149,7 +156,27 @@ results::SurfaceSnapshot SurfaceFields::snapshot(const std::string& name, const 
   }
   for (std::size_t i = 0; i < count.size(); ++i)
     if (count[i] > 0) shot.vonMises[i] /= count[i];
+  addPlasticStrain(flow, shot);
   return shot;
+}
+
+void SurfaceFields::addPlasticStrain(const plasticity::LayerState& flow, results::SurfaceSnapshot& shot) const {
+  const auto& layer = model_.layer;
+  if (layer.empty()) return;
+  const int intervals = model_.blocks[model_.rail].intervals, first = layer.firstInterval;
+  shot.plasticStrain.assign(places_.size(), 0.0f);
+  std::vector<float> count(places_.size(), 0.0f);
+  for (int interval = first; interval < first + layer.groups * plasticity::lanes; ++interval)
+    for (std::size_t q = 0; q < layer.quads.size(); ++q) {
+      const auto mean = static_cast<float>(elementFlow(layer, flow, layer.quads[q], interval).equivalent);
+      for (int side = 0; side < 2; ++side)
+        for (const int node : layer.corners[q]) {
+          const int p = pointOf_[model_.rail][static_cast<std::size_t>(node) * (intervals + 1) + interval + side];
+          if (p >= 0) shot.plasticStrain[p] += mean, count[p] += 1;
+        }
+    }
+  for (std::size_t i = 0; i < count.size(); ++i)
+    if (count[i] > 0) shot.plasticStrain[i] /= count[i];
 }
 
 }  // namespace squat::simulation

@@ -17,9 +17,11 @@ class SurfaceFields {
   const results::SurfaceMesh& mesh() const { return mesh_; }
 
   // Displacement (state layout, slaves and ghosts filled) with the wheel at `travel` and turned by `rotation`. Stress:
-  // von Mises at element centres, averaged to nodes; only within 0.2 m of the contact, zero elsewhere.
+  // von Mises at element centres, averaged to nodes; only within 0.2 m of the contact, zero elsewhere, or all over.
+  // Plastic strain: equivalent, mean of the integration points, averaged to nodes; empty where nothing may yield.
   results::SurfaceSnapshot snapshot(const std::string& name, const AlignedVector& u, double time, double travel,
-                                    double rotation) const;
+                                    double rotation, const plasticity::LayerState& flow,
+                                    bool stressEverywhere = false) const;
 
  private:
   struct Place {
@@ -29,6 +31,7 @@ class SurfaceFields {
   void addFace(int part, const int (&points)[4]);
   void addBlock(int block, int part, int cutPart);
   void addSprings();
+  void addPlasticStrain(const plasticity::LayerState& flow, results::SurfaceSnapshot& shot) const;
 
   const model::Model& model_;
   results::SurfaceMesh mesh_;

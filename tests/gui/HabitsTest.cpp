@@ -58,7 +58,8 @@ TEST(Habits, everyControlHasANameForScreenReaders) {
   int seen = 0;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
     const bool own = !widget->objectName().startsWith("qt_") && !widget->inherits("QScrollArea");
-    if (!own || !(widget->focusPolicy() & Qt::TabFocus) || !widget->isEnabled() || widget->inherits("QTabBar")) continue;
+    if (!own || !(widget->focusPolicy() & Qt::TabFocus) || !widget->isEnabled() || widget->inherits("QTabBar"))
+      continue;
     QAccessibleInterface* told = QAccessible::queryAccessibleInterface(widget);
     ASSERT_NE(told, nullptr);
     EXPECT_FALSE(told->text(QAccessible::Name).isEmpty())

@@ -60,6 +60,27 @@ TEST_F(FigureContent, contactForceShowsZero) {
   EXPECT_GT(figure->yAxis->range().upper, 87.8);  // kN
 }
 
+TEST_F(FigureContent, permanentChangeShowsTheGrooveInMicrometres) {
+  const auto figure = plots::permanentChangeFigure(result_, plots::lightStyle());
+  // The made-up groove: 2 um along the rail, 3 um behind the dip.
+  EXPECT_LT(figure->yAxis->range().lower, -2.9);
+  EXPECT_GT(figure->yAxis->range().lower, -4);
+  EXPECT_EQ(figure->graphCount(), 2);
+}
+
+TEST_F(FigureContent, residualStressRunsDownwards) {
+  const auto figure = plots::residualStressFigure(result_, plots::lightStyle());
+  EXPECT_TRUE(figure->yAxis->rangeReversed());
+  EXPECT_LT(figure->xAxis->range().lower, -290);  // MPa, at the surface
+}
+
+TEST_F(FigureContent, anElasticRailHasNoMark) {
+  result_.permanent = {};
+  for (const auto& figure : {plots::permanentChangeFigure(result_, plots::lightStyle()),
+                             plots::residualStressFigure(result_, plots::lightStyle())})
+    EXPECT_TRUE(plots::toSvg(*figure).contains("no plastic flow"));
+}
+
 TEST_F(FigureContent, sleepersAreFoundFromTheSurface) {
   const auto spans = plots::sleeperSpans(result_.surface);
   ASSERT_EQ(spans.size(), 5u);

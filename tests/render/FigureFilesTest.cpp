@@ -48,7 +48,7 @@ TEST_F(FigureFiles, everyFigureComesInEveryFormat) {
   std::vector<std::string> messages;
   const auto written = plots::renderFigures(tests::syntheticResult(), folder, {}, &messages);
   EXPECT_TRUE(messages.empty()) << messages.front();
-  EXPECT_EQ(written.size(), 6u * 3u + 1u);
+  EXPECT_EQ(written.size(), 8u * 3u + 1u);
   for (const auto& path : written) EXPECT_GT(std::filesystem::file_size(path), 5000u) << path;
   // Nothing half-written is left beside.
   std::size_t files = 0;

@@ -90,6 +90,28 @@ void addProfile(results::RunResult& result) {
   }
 }
 
+// A groove of 2 um, 3 um deep behind the dip, with compression below it.
+void addPermanent(results::RunResult& result) {
+  auto& change = result.permanent;
+  for (int i = -8; i <= 8; ++i) change.lateral.push_back(1.3e-3 * i);
+  for (int i = 0; i <= 16; ++i) change.depth.push_back(1.25e-3 * i);
+  for (int i = 0; i <= 120; ++i) {
+    const double x = -0.1 + 0.2 * i / 120, bump = std::exp(-std::pow((x - 0.03) / 0.008, 2));
+    change.position.push_back(x);
+    for (const double y : change.lateral)
+      change.height.push_back(-1e-6 * (2 + bump) * std::exp(-y * y / 2e-5) +
+                              0.3e-6 * std::exp(-std::pow(std::abs(y) - 7e-3, 2) / 5e-6));
+    for (const double z : change.depth) {
+      change.equivalentStrain.push_back(1e-3 * (1 + bump) * std::exp(-std::pow((z - 3e-3) / 2e-3, 2)));
+      change.stressAlong.push_back(-3e8 * std::exp(-std::pow(z / 5e-3, 2)) +
+                                   4e7 * std::exp(-std::pow((z - 9e-3) / 4e-3, 2)));
+      change.stressAcross.push_back(0.6 * change.stressAlong.back());
+      change.stressVertical.push_back(0);
+      change.vonMises.push_back(std::abs(change.stressAlong.back()));
+    }
+  }
+}
+
 }  // namespace
 
 results::RunResult syntheticResult() {
@@ -105,6 +127,7 @@ results::RunResult syntheticResult() {
   addSignals(result);
   addSpectra(result);
   addProfile(result);
+  addPermanent(result);
   result.equilibrium.push_back({"contact_force", "N", "vertical", 87.8e3});
   result.surface = syntheticSurface(-runUp);
   result.snapshots.push_back(syntheticSnapshot(result.surface, -runUp, runUp + 0.004));

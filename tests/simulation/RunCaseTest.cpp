@@ -196,15 +196,6 @@ TEST(RunCase, StepAboveTheStableOneIsRefused) {
   }
 }
 
-TEST(RunCase, PlasticityIsRefusedAsLongAsItIsNotThere) {
-  try {
-    run(tinyCase("light-defect", {{"rail.plastic", "true"}}));
-    FAIL() << "an elastic run was passed off as a plastic one";
-  } catch (const CaseError& error) {
-    EXPECT_EQ(error.problems().at(0).key, "rail.plastic");
-  }
-}
-
 TEST(RunCase, MovedNodesChangeLittle) {
   // The defect as a term of the gap alone against surface nodes moved as in the paper: 0.15 mm over an element layer of
   // 20 mm changes its stiffness by less than a percent, hence 2 % of the peak.

@@ -71,7 +71,8 @@ TEST(Equilibrium, InclinedAtOneInForty) {
   EXPECT_NEAR(e.contactForce, weight(solved.model), 1e-6 * weight(solved.model));
   // Vertical is cos(angle) of the radial force; angles within the patch reach 9 mm / 460 mm, squared 4e-4, mean 1e-4.
   EXPECT_NEAR(e.lateralForce, 0.025 * e.contactForce, 2e-4 * 0.025 * e.contactForce);
-  // The wheel's tilt moves the patch upright as well (0.62 mm here); the rail leans a little more under the lateral load.
+  // The wheel's tilt moves the patch upright as well (0.62 mm here); the rail leans a little more under the lateral
+  // load.
   EXPECT_NEAR(e.centreLateral, upright.centreLateral, 0.03 * upright.halfAxisLateral);
   EXPECT_NEAR(e.halfAxisRolling, upright.halfAxisRolling, 0.01 * upright.halfAxisRolling);
   EXPECT_NEAR(e.halfAxisLateral, upright.halfAxisLateral, 0.01 * upright.halfAxisLateral);

@@ -24,6 +24,9 @@ std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style
 std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style);
 // The moment that it draws: the impact, else the last one that has pressures; null where there is none.
 const results::PatchSnapshot* shownPatch(const results::RunResult& result);
+// What plastic flow leaves in the unloaded rail: change of the running surface; stress against depth where most flowed.
+std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, const Style& style);
+std::unique_ptr<Figure> residualStressFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, const Style& style);
 
 }  // namespace squat::plots

@@ -21,7 +21,9 @@ const std::vector<std::pair<std::string, Builder>>& builders() {
                                                                   {"aba_time", abaTimeFigure},
                                                                   {"psd", psdFigure},
                                                                   {"scalogram", scalogramFigure},
-                                                                  {"contact_force", contactForceFigure}};
+                                                                  {"contact_force", contactForceFigure},
+                                                                  {"permanent_change", permanentChangeFigure},
+                                                                  {"residual_stress", residualStressFigure}};
   return table;
 }
 
@@ -36,6 +38,14 @@ void checkAll(const std::string& key, const std::vector<std::string>& found, con
   for (const auto& name : found)
     if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
       problems.push_back({key, name, listed(allowed), "name one or several of the allowed ones, with commas"});
+}
+
+// All figures, but for those of plastic flow where the rail is elastic.
+std::vector<std::string> figuresFor(const results::RunResult& result) {
+  auto names = figureNames();
+  if (result.permanent.empty())
+    std::erase_if(names, [](const auto& name) { return name == "permanent_change" || name == "residual_stress"; });
+  return names;
 }
 
 void check(const FigureRequest& request) {
@@ -70,7 +80,7 @@ std::vector<std::string> renderFigures(const results::RunResult& result, const s
   Style style = lightStyle();
   style.colourMap = request.colourMap;
   std::vector<std::string> written;
-  for (const auto& name : request.figures.empty() ? figureNames() : request.figures) {
+  for (const auto& name : request.figures.empty() ? figuresFor(result) : request.figures) {
     const std::string stem = (std::filesystem::path(folder) / name).string();
     if (name == "model") {
       const scene::ModelPictureOutcome outcome = scene::writeModelPicture(result, request.colourMap, stem + ".png");

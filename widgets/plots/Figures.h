@@ -13,12 +13,13 @@ class Figure;
 struct Style;
 
 struct FigureRequest {
-  std::vector<std::string> figures;                       // empty: all of figureNames()
+  std::vector<std::string> figures;                       // empty: all that the result has something for
   std::vector<std::string> formats{"png", "svg", "pdf"};  // the 3-D picture comes as png whatever stands here
   std::string colourMap = "viridis";                      // or "cividis", "jet"
 };
 
-// "defect_profile", "aba_position", "aba_time", "psd", "scalogram", "contact_force", "model" (the 3-D picture).
+// "defect_profile", "aba_position", "aba_time", "psd", "scalogram", "contact_force", "permanent_change",
+// "residual_stress" (the last two: where the rail may yield), "model" (the 3-D picture).
 std::vector<std::string> figureNames();
 
 // The named figure as an object, for screen or file. Null for "model" and unknown names.

@@ -27,7 +27,8 @@ std::vector<std::array<double, 3>> runningSurface(const std::vector<PartData>& p
     if (part.name != "rail") continue;
     for (vtkIdType i = 0; i < part.faces->GetNumberOfPoints(); ++i) {
       const double* p = part.faces->GetPoint(i);
-      if (std::abs(p[0] - contactAt) < reach && std::abs(p[1]) < reach && p[2] > topOf) near.push_back({p[0], p[1], p[2]});
+      if (std::abs(p[0] - contactAt) < reach && std::abs(p[1]) < reach && p[2] > topOf)
+        near.push_back({p[0], p[1], p[2]});
     }
   }
   return near;

@@ -37,9 +37,7 @@ void addMark(plots::Figure& figure, double x, double y, const QString& text, boo
     item->setLayer("overlay");
 }
 
-QString signedText(double value, int digits) {
-  return QString::number(value, 'f', digits).replace('-', QChar(0x2212));
-}
+QString signedText(double value, int digits) { return QString::number(value, 'f', digits).replace('-', QChar(0x2212)); }
 
 // "94 at 12.3 mm"
 QString placeText(double value, double place, const QString& unit) {

@@ -5,8 +5,8 @@
 
 namespace squat::studio {
 
-// A ring at the largest and at the smallest value of the first curve within the x axis, each with value and place in the
-// unit of the axis ("94 at 12.3 mm").
+// A ring at the largest and at the smallest value of the first curve within the x axis, each with value and place in
+// the unit of the axis ("94 at 12.3 mm").
 void markExtremes(plots::Figure& figure, const QString& unit);
 
 // Rings at the strongest lines of the figure's coloured map (at most three, each at least a tenth of the strongest),

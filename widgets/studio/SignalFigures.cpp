@@ -56,8 +56,7 @@ std::unique_ptr<plots::Figure> signalFigure(const QString& name, const results::
                                             const std::vector<StoredRun>& overlays, const SignalSettings& settings,
                                             const plots::Style& style) {
   auto figure = bareFigure(name, shown, settings, style);
-  if (name == "aba" || name == "psd" || name == "contact_force")
-    addOverlays(*figure, name, shown, overlays, settings);
+  if (name == "aba" || name == "psd" || name == "contact_force") addOverlays(*figure, name, shown, overlays, settings);
   if (name == "aba" && shown.signal("aba_filtered")) markExtremes(*figure, settings.againstTime ? "ms" : "mm");
   if (name == "contact_force" && shown.signal("contact_force")) markExtremes(*figure, "mm");
   if (name == "stft" || name == "scalogram") markLines(*figure, "mm");
