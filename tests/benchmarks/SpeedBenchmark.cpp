@@ -1,0 +1,123 @@
+// Speed of the element work, on each mesh and with one thread and two. Besides times, each row tells what does not
+// depend on the machine: the share of the multiply-add peak that the same program measures, element updates a second.
+// .ci/benchmarks turns the rows into ratios.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "case/CaseFile.h"
+#include "dynamics/Rolling.h"
+#include "dynamics/StableStep.h"
+#include "model/Model.h"
+
+namespace squat {
+namespace {
+
+const char* const meshes[] = {"tiny", "draft", "standard", "paper"};
+
+const model::Model& modelOf(int mesh) {
+  static std::map<int, model::Model> models;
+  const auto [it, isNew] = models.try_emplace(mesh);
+  if (isNew) it->second = model::buildModel(cases::loadCase("light-defect", {meshes[mesh], {}}));
+  return it->second;
+}
+
+// The paper's mesh with more and more track: cost per element and step should not change.
+const model::Model& longTrack(int metres) {
+  static std::map<int, model::Model> models;
+  const auto [it, isNew] = models.try_emplace(metres);
+  if (isNew)
+    it->second = model::buildModel(
+        cases::loadCase("light-defect", {"paper", {{"track.length", std::to_string(metres)}}}));
+  return it->second;
+}
+
+double multiplyAdds(const model::Model& model) {
+  double sum = 0;
+  for (const auto& block : model.blocks) sum += 18.0 * static_cast<double>(block.columns.size()) * block.intervals;
+  return sum;
+}
+
+std::vector<std::vector<elasticity::Segment>> shares(const model::Model& model, int threads) {
+  std::vector<int> all;
+  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) all.push_back(b);
+  return elasticity::partition(model.blocks, all, threads);
+}
+
+// Best of the rounds: what the machine does when nothing else disturbs it.
+template <typename Round>
+void measure(benchmark::State& state, const model::Model& model, int steps, double peakShare, const Round& round) {
+  double best = 1e9;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    round();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
+    state.SetIterationTime(seconds);
+    best = std::min(best, seconds);
+  }
+  state.counters["elements"] = static_cast<double>(model.elements());
+  state.counters["best_ms"] = 1e3 * best;
+  state.counters["Mupdates"] = 1e-6 * static_cast<double>(model.elements()) / best;
+  if (peakShare > 0) state.counters["peak_share"] = peakShare / best;
+}
+
+void bareOperator(benchmark::State& state, const model::Model& model, int threads) {
+  ThreadTeam team(threads);
+  const auto kernels = elasticity::kernelsFor("");
+  state.SetLabel(kernels.name);
+  const auto work = shares(model, threads);
+  std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch;
+  for (int i = 0; i < threads; ++i) scratch.push_back(std::make_unique<elasticity::KernelScratch>(model.blocks));
+  AlignedVector u(model.stateSize, 1e-6), f(model.stateSize, 0.0);
+  double peak = 0;
+  for (int i = 0; i < 5; ++i) peak = std::max(peak, kernels.multiplyAddPeak(0.02));
+  measure(state, model, 1, 2 * multiplyAdds(model) / (peak * threads), [&] {
+    team.run([&](int index) {
+      elasticity::applySegments(work[index], model.blocks, kernels, u.data(), f.data(), *scratch[index]);
+    });
+  });
+}
+
+void wholeStep(benchmark::State& state, const model::Model& model, int threads) {
+  constexpr int steps = 5;
+  ThreadTeam team(threads);
+  const auto kernels = elasticity::kernelsFor("");
+  state.SetLabel(kernels.name);
+  // Any stable step will do: the work is the same. Weight pulls the wheel onto the rail.
+  const double step = 0.3 * model.description.mesh.contactSize / 6020;
+  dynamics::Rolling rolling(model, kernels, team, step, 0.05 * step);
+  const AlignedVector still(model.stateSize, 0.0);
+  rolling.start(still, still, model.description.motion.speed / model.surfaces.radius);
+  rolling.advance(20, [](const dynamics::StepView&) {});
+  measure(state, model, steps, 0, [&] { rolling.advance(steps, [](const dynamics::StepView&) {}); });
+}
+
+void addRow(const std::string& name, int rounds, const std::function<void(benchmark::State&)>& body) {
+  benchmark::RegisterBenchmark(name.c_str(), body)->Iterations(rounds)->UseManualTime()->Unit(benchmark::kMillisecond);
+}
+
+}  // namespace
+}  // namespace squat
+
+int main(int argc, char** argv) {
+  using namespace squat;
+  benchmark::Initialize(&argc, argv);
+  for (int mesh = 0; mesh < 4; ++mesh)
+    for (const int threads : {1, 2}) {
+      const std::string tail = std::string("/") + meshes[mesh] + "/threads:" + std::to_string(threads);
+      const int rounds = mesh < 2 ? 400 : 120;
+      addRow("operator" + tail, rounds,
+             [=](benchmark::State& state) { bareOperator(state, modelOf(mesh), threads); });
+      addRow("step" + tail, rounds / 4, [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads); });
+    }
+  for (const int metres : {10, 20, 40})
+    addRow("long_track/metres:" + std::to_string(metres), 30,
+           [=](benchmark::State& state) { wholeStep(state, longTrack(metres), 2); });
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}
