@@ -139,12 +139,12 @@ class RollingPhase {
         ledger_.after(rolling_);
         DivergenceGuard::checkEverything(rolling_);
       } else {
-        const long toSample = perSample_ - done % perSample_;
-        rolling_.advance(std::min({atOnce, toSample, total_ - done}), observe);
+        rolling_.advance(std::min({atOnce, toNextLook(done), total_ - done}), observe);
       }
       atOnce = mostStepsAtOnce;
       guard_.check(rolling_, ledger_);
-      takePictures();
+      // Pictures are taken at the same steps however often the run was stopped.
+      if (rolling_.state().step % perSample_ % mostStepsAtOnce == 0) takePictures();
       tell();
       while (run_.monitor.paused() && !run_.monitor.cancelled()) wait();
       if (run_.monitor.cancelled()) {
@@ -237,6 +237,12 @@ class RollingPhase {
     run_.result.snapshots.push_back(fields_->snapshot(name, rolling_.displacement(), rolling_.state().time, travel,
                                                       rolling_.state().rotation, rolling_.state().plastic));
     run_.result.patches.push_back(patchSnapshot(name, rolling_));
+  }
+
+  // Steps to the next place of a fixed grid, laid anew in every sample.
+  long toNextLook(long done) const {
+    const long offset = done % perSample_;
+    return std::min(perSample_ - offset, mostStepsAtOnce - offset % mostStepsAtOnce);
   }
 
   void takePictures() {

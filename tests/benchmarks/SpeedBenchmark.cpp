@@ -32,8 +32,8 @@ const model::Model& longTrack(int metres) {
   static std::map<int, model::Model> models;
   const auto [it, isNew] = models.try_emplace(metres);
   if (isNew)
-    it->second = model::buildModel(
-        cases::loadCase("light-defect", {"paper", {{"track.length", std::to_string(metres)}}}));
+    it->second =
+        model::buildModel(cases::loadCase("light-defect", {"paper", {{"track.length", std::to_string(metres)}}}));
   return it->second;
 }
 
@@ -111,8 +111,7 @@ int main(int argc, char** argv) {
     for (const int threads : {1, 2}) {
       const std::string tail = std::string("/") + meshes[mesh] + "/threads:" + std::to_string(threads);
       const int rounds = mesh < 2 ? 400 : 120;
-      addRow("operator" + tail, rounds,
-             [=](benchmark::State& state) { bareOperator(state, modelOf(mesh), threads); });
+      addRow("operator" + tail, rounds, [=](benchmark::State& state) { bareOperator(state, modelOf(mesh), threads); });
       addRow("step" + tail, rounds / 4, [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads); });
     }
   for (const int metres : {10, 20, 40})

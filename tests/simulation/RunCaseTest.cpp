@@ -225,17 +225,5 @@ TEST(RunCase, AWheelThatSpinsIsSaidAndMarked) {
   EXPECT_LT(scalar(lightDefect().equilibrium, "largest_creepage"), 0.01);
 }
 
-// Rail and tread at 1:40: as quiet as upright on a smooth rail, and the same signal to a few per cent at the defect.
-TEST(RunCase, InclinedAtOneInForty) {
-  const Overrides inclined{{"rail.inclination", "0.025"}, {"wheelset.cone", "0.025"}};
-  const auto smooth = run(tinyCase("smooth-rail", inclined));
-  const auto* aba = smooth.signal("aba_filtered");
-  ASSERT_NE(aba, nullptr);
-  double loudest = 0;
-  for (std::size_t i = 0; i < aba->size(); ++i)
-    if (smooth.position[i] < -0.03) loudest = std::max(loudest, std::abs((*aba)[i]));
-  EXPECT_LT(loudest, 5);  // m/s2, as asked of a smooth rail
-}
-
 }  // namespace
 }  // namespace squat

@@ -174,7 +174,7 @@ TEST(RailModes, LateralBendingAndTorsionAfterVlasov) {
 // b^4 / 12 a^4)) (Roark), 0.5 %; a thin T (flange w x t, web h x t), whose shear centre lies where the middle lines
 // cross, 5 % of the height: walls a tenth of their width.
 TEST(RailModes, SectionConstantsOfKnownSections) {
-  const auto rectangle = verification::sectionTorsion(verification::plate({0, 0.02}, {0, 0.01}, 40, 20));
+  const auto rectangle = verification::sectionTorsion(verification::plate({-0.01, 0.01}, {0, 0.01}, 40, 20));
   EXPECT_NEAR(rectangle.torsion, 0.02 * std::pow(0.01, 3) * (1.0 / 3 - 0.21 * 0.5 * (1 - std::pow(0.5, 4) / 12)),
               0.005 * rectangle.torsion);
   EXPECT_NEAR(rectangle.shearCentre, 0.005, 1e-6);
