@@ -37,7 +37,7 @@ std::vector<double> lowest(const std::vector<double>& field, std::size_t width) 
 std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, const Style& style) {
   auto figure = std::make_unique<Figure>("permanent_change", style);
   figure->xAxis->setLabel("Position along the rail [mm]");
-  figure->yAxis->setLabel("Permanent change of height [µm]");
+  figure->yAxis->setLabel("Change of height [µm]");
   setCaption(*figure, result);
   const auto& change = result.permanent;
   if (!fits(change)) {
@@ -61,7 +61,7 @@ std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, 
 std::unique_ptr<Figure> residualStressFigure(const results::RunResult& result, const Style& style) {
   auto figure = std::make_unique<Figure>("residual_stress", style);
   figure->xAxis->setLabel("Residual stress [MPa]");
-  figure->yAxis->setLabel("Depth below the running surface [mm]");
+  figure->yAxis->setLabel("Depth [mm]");
   figure->yAxis->setRangeReversed(true);
   setCaption(*figure, result);
   const auto& change = result.permanent;
