@@ -127,8 +127,8 @@ FigureSheet scalograms(const std::string& name, const QString& title, const resu
     calculated->setCaption("(b) calculated", runName(*run));
     const QCPRange shown = calculated->xAxis->range();
     if (framed && shown.size() > 100) {
-      addBox(*calculated, 230, 390, 10, shown.upper - 10, "framed in the paper: about 300 Hz");
-      addBox(*calculated, 850, 1180, 10, shown.upper - 10, "framed in the paper: about 1000 Hz");
+      addBox(*calculated, 230, 390, 10, shown.upper - 10, "in the paper: 300 Hz");
+      addBox(*calculated, 850, 1180, 10, shown.upper - 10, "in the paper: 1000 Hz");
     }
     measured->xAxis->setRange(shown);
     for (QCPAxis* axis : {measured->yAxis, measured->yAxis2}) {
