@@ -299,6 +299,10 @@ Eigen::VectorXd CoarseSpace::projectSparse(const supports::SpringSet& springs, s
   const auto& group = lines_[0];
   for (std::size_t t = springs.start[i]; t < springs.start[i + 1]; ++t) {
     const std::size_t index = springs.unknown[t];
+    if (const auto mass = std::find(sprung_.begin(), sprung_.end(), index); mass != sprung_.end()) {
+      g[sprungFirst_ + static_cast<int>(mass - sprung_.begin())] += springs.weight[t];
+      continue;
+    }
     const int b = index >= rail.offset + rail.size() ? model_.rim : model_.rail;
     const auto& block = model_.blocks[b];
     const auto [n, component, s] = block.unknownAt(index);

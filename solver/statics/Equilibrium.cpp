@@ -224,13 +224,18 @@ AlignedVector equilibriumRate(const model::Model& model, const elasticity::Kerne
   double norm2 = 0;
   for (const double value : change) norm2 += value * value;
   AlignedVector rate(change.size(), 0.0);
-  conjugateGradients(op, coarse, change, rate, 1e-5 * std::sqrt(norm2), 20000, [&](int, double residual) {
+  const double target = 1e-5 * std::sqrt(norm2);
+  const auto solution = conjugateGradients(op, coarse, change, rate, target, 20000, [&](int, double residual) {
     Progress progress;
     progress.phase = "rate of the equilibrium";
     progress.fraction = std::clamp(std::log(std::sqrt(norm2) / std::max(residual, 1e-300)) / std::log(1e5), 0.0, 1.0);
     monitor.report(progress);
     return !monitor.cancelled();
   });
+  if (!solution.cancelled && !(solution.residual <= target))
+    throw RunError(
+        "the rate of the equilibrium does not converge after " + std::to_string(solution.iterations) + " iterations", 0,
+        0, "equilibrium");
   op.fillSlaves(rate.data());
   return rate;
 }

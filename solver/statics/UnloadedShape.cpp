@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
+#include "core/Errors.h"
 #include "statics/ConjugateGradients.h"
 
 namespace squat::statics {
@@ -44,6 +46,10 @@ UnloadedShape findUnloadedShape(const model::Model& model, const elasticity::Ker
       });
   shape.iterations = solution.iterations, shape.residual = solution.residual / norm;
   shape.cancelled = solution.cancelled;
+  if (!shape.cancelled && !(solution.residual <= tolerance * norm))
+    throw RunError("the unloaded rail does not converge: residual " + std::to_string(shape.residual) +
+                       " of the plastic forces after " + std::to_string(shape.iterations) + " iterations",
+                   0, 0, "unloading");
   op.fillSlaves(shape.displacement.data());
   return shape;
 }

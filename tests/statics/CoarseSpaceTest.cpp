@@ -1,0 +1,40 @@
+// The coarse fields hold the rigid motions of the vehicle, so they alone find how it stands on a spring.
+#include "statics/CoarseSpace.h"
+
+#include <gtest/gtest.h>
+
+#include "case/CaseFile.h"
+
+namespace squat::statics {
+namespace {
+
+// A force F on the sprung mass, held by one spring k to the ground and by the free wheelset below it: the mass moves by
+// F / k, the wheelset with it and without strain, the rail not at all. Galerkin's projection is exact for a motion that
+// lies in the space; what is left comes of the 1e-10 by which its diagonal is raised.
+TEST(CoarseSpace, SpringOnTheSprungMassCarriesTheVehicle) {
+  const auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+  ThreadTeam team(1);
+  model::StaticOperator op(model, elasticity::kernelsFor(""), team, 0, 1e8, true);
+  CoarseSpace coarse(model, op);
+  coarse.assemble(op);
+  const double stiffness = 1e6, force = 5e3;
+  op.contactSprings().add({{model.sprungZ, 1.0}}, stiffness, 0);
+  coarse.factorise(op.contactSprings());
+  AlignedVector r(model.stateSize, 0.0), z(model.stateSize, 0.0);
+  r[model.sprungZ] = force;
+  coarse.addCorrection(team, r.data(), z.data());
+  const double expected = force / stiffness;
+  EXPECT_NEAR(z[model.sprungZ], expected, 1e-4 * expected);
+  const auto& rim = model.blocks[model.rim];
+  for (int s = 0; s < rim.stationCount; ++s) {
+    const Eigen::Vector3d up = elasticity::localBasis(rim, rim.positions[s]).transpose() * Eigen::Vector3d::UnitZ();
+    for (int n = 0; n < rim.nodes; ++n)
+      if (!model.slave[model.rim][n])
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(z[rim.index(n, c, s)], expected * up[c], 1e-4 * expected);
+  }
+  const auto& rail = model.blocks[model.rail];
+  for (int s = 0; s < rail.stationCount; ++s) ASSERT_NEAR(z[rail.index(0, 2, s)], 0, 1e-4 * expected);
+}
+
+}  // namespace
+}  // namespace squat::statics
