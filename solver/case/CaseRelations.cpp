@@ -89,6 +89,14 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
           limitText(order.smallerKey, (std::string("less than allowed by ") + order.largerKey + ":").c_str(),
                     order.larger * (std::string(order.smallerKey) == "wheelset.hub_width" ? 2 : 1)),
           order.advice);
+  const double hubThickness = w.webHubThickness > 0 ? w.webHubThickness : w.webThickness;
+  const double room = 0.5 * (w.hubWidth - hubThickness) - 0.002;  // [m] elements beside the web need a width
+  if (std::abs(w.webOffset) > room)
+    add(findings, c, Severity::problem, {"wheelset.web_offset", "wheelset.web_hub_thickness", "wheelset.hub_width"},
+        limitText("wheelset.web_offset", "either way at most", room), "The web meets the hub within its width");
+  if (w.bearingStiffness > 0 && w.axleBoxMass < 1)
+    add(findings, c, Severity::problem, {"wheelset.axle_box_mass", "wheelset.bearing_stiffness"},
+        limitText("wheelset.axle_box_mass", "at least", 1), "A box on a bearing spring needs a mass");
   const double inner = w.bearingCentre - 0.5 * w.bearingWidth, outer = w.bearingCentre + 0.5 * w.bearingWidth;
   constexpr double slack = 1e-9;  // [m] against round-off of the sums
   if (inner < w.shoulderEnd - slack || outer > w.journalEnd + slack)
@@ -101,11 +109,15 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
   const auto ring = [](double outerRadius, double innerRadius, double length) {
     return pi * (outerRadius * outerRadius - innerRadius * innerRadius) * length;
   };
-  const double volume =
-      ring(w.radius, w.rimInnerRadius, w.rimWidth) + ring(w.rimInnerRadius, w.hubRadius, w.webThickness) +
-      ring(w.hubRadius, w.boreRadius, w.hubWidth) + ring(w.axleRadius, w.boreRadius, w.trackCentre - 0.5 * w.hubWidth) +
-      ring(w.shoulderRadius, w.boreRadius, w.shoulderEnd - 0.5 * w.hubWidth) +
-      ring(w.journalRadius, w.boreRadius, w.journalEnd - w.shoulderEnd);
+  // Thickness linear in the radius: its mean, by Pappus taken at the middle of the annulus plus the taper's share.
+  const double middle = 0.5 * (w.rimInnerRadius + w.hubRadius), depth = w.rimInnerRadius - w.hubRadius;
+  const double web =
+      2 * pi * depth * (middle * 0.5 * (w.webThickness + hubThickness) + depth * (w.webThickness - hubThickness) / 12);
+  const double volume = ring(w.radius, w.rimInnerRadius, w.rimWidth) + web +
+                        ring(w.hubRadius, w.boreRadius, w.hubWidth) +
+                        ring(w.axleRadius, w.boreRadius, w.trackCentre - 0.5 * w.hubWidth) +
+                        ring(w.shoulderRadius, w.boreRadius, w.shoulderEnd - 0.5 * w.hubWidth) +
+                        ring(w.journalRadius, w.boreRadius, w.journalEnd - w.shoulderEnd);
   const double least = volume * w.material.density + w.axleBoxMass;
   if (w.totalMass < least)
     add(findings, c, Severity::problem,

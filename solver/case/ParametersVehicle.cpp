@@ -35,7 +35,14 @@ void addWheel(Rows& rows) {
       [](Case& c) -> double& { return c.wheelset.rimInnerRadius; }, "inner radius of the rim", steps));
   rows.push_back(number(
       "wheelset.web_thickness", millimetre, 28, {10, 100}, [](Case& c) -> double& { return c.wheelset.webThickness; },
-      "thickness of the web", steps));
+      "thickness of the web, at the rim", steps));
+  rows.push_back(number(
+      "wheelset.web_hub_thickness", millimetre, 0, {0, 100},
+      [](Case& c) -> double& { return c.wheelset.webHubThickness; },
+      "thickness of the web at the hub, straight in between; 0: as at the rim", steps));
+  rows.push_back(number(
+      "wheelset.web_offset", millimetre, 0, {-100, 100}, [](Case& c) -> double& { return c.wheelset.webOffset; },
+      "middle of the web at the hub, outwards from that at the rim: a conical web", steps));
   rows.push_back(number(
       "wheelset.hub_radius", millimetre, 140, {80, 300}, [](Case& c) -> double& { return c.wheelset.hubRadius; },
       "outer radius of the hub", steps));
@@ -74,6 +81,14 @@ void addAxle(Rows& rows) {
       "wheelset.bearing_width", millimetre, 160, {20, 400}, [](Case& c) -> double& { return c.wheelset.bearingWidth; },
       "length of the bearing seat over which the axle box is spread", "assumed: two-row roller bearing"));
   rows.push_back(number(
+      "wheelset.bearing_stiffness", stiffness, 0, {0, 100000},
+      [](Case& c) -> double& { return c.wheelset.bearingStiffness; },
+      "radial stiffness of the bearing between journal and axle box; 0: rigid, the box is spread over the bearing seat",
+      "no evidence for the paper's; roller bearings have about 500 to 2000 MN/m (unverified)"));
+  rows.push_back(number(
+      "wheelset.bearing_damping", damping, 0, {0, 1000}, [](Case& c) -> double& { return c.wheelset.bearingDamping; },
+      "radial damping of the bearing; counts where wheelset.bearing_stiffness is not 0", "no evidence"));
+  rows.push_back(number(
       "wheelset.axle_box_mass", kilogram, 150, {0, 1000}, [](Case& c) -> double& { return c.wheelset.axleBoxMass; },
       "mass of axle box and bearing", "literature: 100 to 150 kg"));
   rows.push_back(number(
@@ -83,6 +98,16 @@ void addAxle(Rows& rows) {
   rows.push_back(number(
       "wheelset.track_centre", metre, 0.75, {0.5, 1.2}, [](Case& c) -> double& { return c.wheelset.trackCentre; },
       "from the wheel plane to the symmetry plane", "literature: contact points 1.5 m apart"));
+}
+
+void addWheelsetDamping(Rows& rows) {
+  rows.push_back(number(
+      "wheelset.damping_ratio", none, 0, {0, 0.2}, [](Case& c) -> double& { return c.wheelset.dampingRatio; },
+      "share of critical damping of every flexible mode of the half wheelset below wheelset.damping_limit",
+      "no evidence; 0 is the undamped steel of the paper's material data"));
+  rows.push_back(number(
+      "wheelset.damping_limit", hertz, 2000, {50, 5000}, [](Case& c) -> double& { return c.wheelset.dampingLimit; },
+      "modes of the half wheelset up to here are damped", "paper, section 3: the band that is looked at"));
 }
 
 void addSuspension(Rows& rows) {
@@ -112,6 +137,7 @@ Rows vehicleRows() {
   Rows rows;
   addWheel(rows);
   addAxle(rows);
+  addWheelsetDamping(rows);
   addSuspension(rows);
   return rows;
 }

@@ -40,7 +40,7 @@ void fillGravity(const elasticity::SweptBlock& block, double gravity, const mode
 
 Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double step,
                  double beta)
-    : model_(model), kernels_(kernels), team_(team), step_(step), beta_(beta) {
+    : model_(model), kernels_(kernels), team_(team), step_(step), beta_(beta), wheelsetDamping_(model, step) {
   const auto& d = model.description;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   law_ = {model::normalPenalty(d), model::tangentialPenalty(d), d.contact.friction};
@@ -108,7 +108,7 @@ void Rolling::restore(RollingState state) {
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
   view_ = {};
   view_.wheelAcceleration = state_.wheelAcceleration;
-  boxVelocity_ = ringMean(model_, model_.bearing, turned_, state_.velocity.data());
+  boxVelocity_ = boxVelocity();
   wheelVelocity_ = ringMean(model_, model_.centre, turned_, state_.velocity.data());
 }
 
@@ -141,23 +141,41 @@ void Rolling::touch(const double* displaced) {
                             forceLines(model_, model_.rail, forces_), forceLines(model_, model_.rim, forces_));
 }
 
-// Suspension and torque; the sprung mass is advanced with its own two unknowns in finishStep().
+model::PlaneVector Rolling::boxVelocity() const {
+  const double* v = state_.velocity.data();
+  if (model_.boxOnSpring()) return {v[model_.boxX], v[model_.boxZ]};
+  return ringMean(model_, model_.bearing, turned_, v);
+}
+
+// Suspension, bearing and torque; sprung mass and axle box are advanced with their own unknowns in finishStep().
 void Rolling::pushVehicle(const double* displaced) {
   const auto& d = model_.description;
   const auto at = ringMean(model_, model_.bearing, turned_, displaced);
   const auto rate = ringMean(model_, model_.bearing, turned_, state_.velocity.data());
   const double* u = displaced;
   const double* v = state_.velocity.data();
-  const double relativeZ = v[model_.sprungZ] - rate.z, relativeX = v[model_.sprungX] - rate.x;
-  const double forceZ = d.suspension.stiffness * (u[model_.sprungZ] - at.z) + d.suspension.damping * relativeZ;
-  const double forceX =
-      d.suspension.longitudinalStiffness * (u[model_.sprungX] - at.x) + d.suspension.longitudinalDamping * relativeX;
-  addRingForce(model_, model_.bearing, turned_, {forceX, forceZ}, forces_.data());
+  const bool onSpring = model_.boxOnSpring();
+  const model::PlaneVector box = onSpring ? model::PlaneVector{u[model_.boxX], u[model_.boxZ]} : at;
+  const model::PlaneVector boxRate = onSpring ? boxVelocity() : rate;
+  const double relativeZ = v[model_.sprungZ] - boxRate.z, relativeX = v[model_.sprungX] - boxRate.x;
+  double forceZ = d.suspension.stiffness * (u[model_.sprungZ] - box.z) + d.suspension.damping * relativeZ;
+  double forceX =
+      d.suspension.longitudinalStiffness * (u[model_.sprungX] - box.x) + d.suspension.longitudinalDamping * relativeX;
   double* small = forces_.data() + model_.forceSize - 8;
   small[model_.sprungX - model_.smallUnknowns] -= forceX;
   small[model_.sprungZ - model_.smallUnknowns] -= forceZ;
   vehicleDamperPower_ =
       d.suspension.damping * relativeZ * relativeZ + d.suspension.longitudinalDamping * relativeX * relativeX;
+  if (onSpring) {
+    const double k = d.wheelset.bearingStiffness, c = d.wheelset.bearingDamping;
+    const double slipX = boxRate.x - rate.x, slipZ = boxRate.z - rate.z;
+    const double bearingX = k * (box.x - at.x) + c * slipX, bearingZ = k * (box.z - at.z) + c * slipZ;
+    small[model_.boxX - model_.smallUnknowns] += forceX - bearingX;
+    small[model_.boxZ - model_.smallUnknowns] += forceZ - bearingZ;
+    forceX = bearingX, forceZ = bearingZ;
+    vehicleDamperPower_ += c * (slipX * slipX + slipZ * slipZ);
+  }
+  addRingForce(model_, model_.bearing, turned_, {forceX, forceZ}, forces_.data());
 
   // The torque acts evenly on the hub, against alpha.
   torque_ = torqueAt(state_.time);
@@ -174,7 +192,7 @@ void Rolling::pushVehicle(const double* displaced) {
   }
   // Moment about y, u_z F_x - u_x F_z, of suspension, weight and inertia with the arms that displacement gives them:
   // minus the moment of the inner forces, whose part of second order is all that the linear elasticity leaves.
-  const double mass = d.wheelset.totalMass;
+  const double mass = model_.wheelset.turningMass;
   const auto& a = view_.wheelAcceleration;
   vehicleMoment_ = at.z * forceX - at.x * forceZ - hub_.z * mass * a.x + hub_.x * mass * (d.motion.gravity + a.z);
 }
@@ -266,15 +284,19 @@ void Rolling::finishStep(long k) {
   double* target = next(k);
   const auto& d = model_.description;
   double* v = state_.velocity.data();
-  // Sprung mass: two plain unknowns.
   double* small = forces_.data() + model_.forceSize - 8;
-  for (const std::size_t index : {model_.sprungX, model_.sprungZ}) {
-    const double force = small[index - model_.smallUnknowns];
-    const double acceleration = force / d.suspension.sprungMass - (index == model_.sprungZ ? d.motion.gravity : 0.0);
+  const auto advance = [&](std::size_t index, double mass, double gravity) {
+    const double acceleration = small[index - model_.smallUnknowns] / mass - gravity;
     const double old = v[index];
     v[index] = old + step_ * acceleration;
     target[index] = source[index] - beta_ * old + (step_ + beta_) * v[index];
     small[index - model_.smallUnknowns] = 0;
+  };
+  advance(model_.sprungX, d.suspension.sprungMass, 0);
+  advance(model_.sprungZ, d.suspension.sprungMass, d.motion.gravity);
+  if (model_.boxOnSpring()) {
+    advance(model_.boxX, d.wheelset.axleBoxMass, 0);
+    advance(model_.boxZ, d.wheelset.axleBoxMass, d.motion.gravity);
   }
 
   const double oldRate = state_.spinRate;
@@ -288,7 +310,8 @@ void Rolling::finishStep(long k) {
 
   // The new velocities stand in the basis of the new rotation.
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
-  const auto box = ringMean(model_, model_.bearing, turned_, v);
+  if (wheelsetDamping_.due(state_.step)) state_.sums.damping += wheelsetDamping_.apply(state_.rotation, v);
+  const auto box = boxVelocity();
   const auto wheel = ringMean(model_, model_.centre, turned_, v);
   view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};
   view_.wheelAcceleration = {(wheel.x - wheelVelocity_.x) / step_, (wheel.z - wheelVelocity_.z) / step_};

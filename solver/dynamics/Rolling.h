@@ -22,6 +22,7 @@
 #include "dynamics/RollingState.h"
 #include "elasticity/SweptWork.h"
 #include "model/WheelMotion.h"
+#include "model/WheelsetDamping.h"
 #include "plasticity/LayerWork.h"
 
 namespace squat::dynamics {
@@ -102,6 +103,7 @@ class Rolling {
   void holdStill(double* displaced);
   void touch(const double* displaced);
   void pushVehicle(const double* displaced);
+  model::PlaneVector boxVelocity() const;
   contact::WheelRolling wheelRolling(const double* displaced) const;
 
   const model::Model& model_;
@@ -114,6 +116,7 @@ class Rolling {
   std::vector<std::vector<elasticity::Segment>> trackWork_, bodyWork_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
+  model::WheelsetDamping wheelsetDamping_;
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
   std::vector<AlignedVector> inverseMass_;   // per block, in chunks
   std::vector<std::vector<double>> radii_;   // per block: of section nodes, around the axis

@@ -31,6 +31,22 @@ struct Rectangle {
   double inner, outer, from, to;  // radius, y
 };
 
+// A conical or tapered web: lines of the grid between both faces of the web run straight from the rim to the hub, those
+// within the hub's width make room for them.
+double shiftedForWeb(const cases::Wheelset& w, double radius, double y) {
+  const double hub = w.hubWidth / 2, web = w.webThickness / 2;
+  const double atHub = w.webHubThickness > 0 ? w.webHubThickness / 2 : web;
+  if (radius > w.rimInnerRadius - 1e-9 || (w.webOffset == 0 && atHub == web)) return y;
+  if (radius < w.hubRadius + 1e-9) {
+    if (std::abs(y) >= hub) return y;
+    if (y > web) return hub - (hub - y) * (hub - w.webOffset - atHub) / (hub - web);
+    if (y < -web) return -hub + (hub + y) * (hub + w.webOffset - atHub) / (hub - web);
+    return w.webOffset + y * atHub / web;
+  }
+  const double share = (w.rimInnerRadius - radius) / (w.rimInnerRadius - w.hubRadius);
+  return share * w.webOffset + y * (1 + share * (atHub / web - 1));
+}
+
 }  // namespace
 
 SectionMesh rimSectionMesh(const cases::Wheelset& wheelset, const WheelSectionSizes& sizes) {
@@ -92,7 +108,7 @@ SectionMesh wheelBodySectionMesh(const cases::Wheelset& w, const WheelSectionSiz
   std::map<std::pair<int, int>, int> ids;
   const auto node = [&](int i, int j) {
     const auto [entry, fresh] = ids.try_emplace({i, j}, static_cast<int>(mesh.nodes.size()));
-    if (fresh) mesh.nodes.push_back({r[i], y[j]});
+    if (fresh) mesh.nodes.push_back({r[i], shiftedForWeb(w, r[i], y[j])});
     return entry->second;
   };
   for (int j = 0; j + 1 < static_cast<int>(y.size()); ++j)

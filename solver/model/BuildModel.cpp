@@ -7,38 +7,14 @@
 #include "model/BuildBlocks.h"
 #include "model/BuildSupports.h"
 #include "model/Model.h"
+#include "model/Rings.h"
 
 namespace squat::model {
 
 namespace {
 
-std::vector<int> ringNodes(const elasticity::SweptBlock& body, double radius, double from, double to) {
-  return geometry::nodesWhere(
-      body.section,
-      [&](const geometry::Point2& p) {
-        return std::abs(p[0] - radius) < 1e-9 && p[1] > from - 1e-9 && p[1] < to + 1e-9;
-      },
-      1);
-}
-
-// Weights of nodes along y by the length that belongs to each, summing to one.
-std::vector<double> lengthShares(const elasticity::SweptBlock& body, const std::vector<int>& nodes) {
-  std::vector<double> share(nodes.size(), nodes.size() == 1 ? 1.0 : 0.0);
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    const double half = 0.5 * (body.section.nodes[nodes[i + 1]][1] - body.section.nodes[nodes[i]][1]);
-    share[i] += half, share[i + 1] += half;
-  }
-  double sum = 0;
-  for (const double s : share) sum += s;
-  for (double& s : share) s /= sum;
-  return share;
-}
-
 Ring makeRing(const Model& model, double radius, double from, double to) {
-  const auto& body = model.blocks[model.body];
-  Ring ring{model.body, ringNodes(body, radius, from, to), {}};
-  ring.weight = lengthShares(body, ring.nodes);
-  return ring;
+  return seatRing(model.blocks[model.body], model.body, radius, from, to);
 }
 
 void tieRim(Model& model) {
@@ -101,12 +77,13 @@ void addMasses(Model& model) {
         {{"wheelset.total_mass", std::to_string(w.totalMass) + " kg",
           "at least " + std::to_string(figures.solidMass + w.axleBoxMass) + " kg: solids as meshed and axle box",
           "Raise wheelset.total_mass or lower wheelset.axle_box_mass"}});
-  addRingMass(model, model.bearing, w.axleBoxMass);
+  if (!model.boxOnSpring()) addRingMass(model, model.bearing, w.axleBoxMass);
   // Brake discs sit on the axle between wheel and symmetry plane.
   Ring discRing = makeRing(model, w.axleRadius, -0.85 * w.trackCentre, -0.25 * w.trackCentre);
   addRingMass(model, discRing, discs);
   for (const auto& tie : model.ties) passSlaveMass(model, tie);
   figures.mass = w.totalMass;
+  figures.turningMass = model.boxOnSpring() ? w.totalMass - w.axleBoxMass : w.totalMass;
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
     for (int n = 0; n < block.nodes; ++n)
@@ -194,12 +171,13 @@ Model buildModel(const cases::CaseDescription& description) {
   model.bearing =
       makeRing(model, w.journalRadius, w.bearingCentre - w.bearingWidth / 2, w.bearingCentre + w.bearingWidth / 2);
   model.hub = makeRing(model, w.hubRadius, -w.hubWidth / 2, w.hubWidth / 2);
-  model.centre = makeRing(model, w.seatRadius, -1e-6, 1e-6);
+  model.centre = sectionRing(model.blocks[model.body], model.body, w.seatRadius, 0);
   tieRim(model);
   model.surfaces = contact::makeSurfaces(model.blocks[model.rail], model.rail, model.blocks[model.rim], model.rim,
                                          description, stretch.from, stretch.to);
   model.smallUnknowns = model.stateSize;
   model.sprungX = model.stateSize, model.sprungZ = model.stateSize + 1;
+  model.boxX = model.stateSize + 2, model.boxZ = model.stateSize + 3;
   model.stateSize += 8;
   const auto shift = defectShift(model);
   if (shift) model.movedElements = elasticity::irregularElements(model.blocks[model.rail], shift);

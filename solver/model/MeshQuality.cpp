@@ -53,7 +53,7 @@ std::string placeName(const Model& model, std::size_t index) {
                   s, p[0], p[1], p[2]);
     return text;
   }
-  return "sprung mass";
+  return index >= model.boxX && index <= model.boxZ ? "axle box" : "sprung mass";
 }
 
 }  // namespace squat::model

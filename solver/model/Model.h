@@ -1,6 +1,7 @@
 // solver/model/Model.h - the assembled system: solids, ties, springs, masses, contact surfaces. No time in it.
 //
-// State layout: the lines of block 0, block 1, ... and at the end the small unknowns (sprung mass along x and z).
+// State layout: the lines of block 0, block 1, ... and at the end the small unknowns (sprung mass along x and z, axle
+// box along x and z where its bearing is a spring; a rigid bearing spreads the box over its seat on the journal).
 // Displacements are relative to a reference that moves with the vehicle's speed and, for the wheelset, turns with its
 // mean spin; components are local to each block (SweptBlock.h).
 #pragma once
@@ -36,6 +37,7 @@ struct Ring {
 struct WheelsetFigures {
   double inertia = 0;       // [kg m2] about the axis, everything that turns
   double mass = 0;          // [kg] solids, axle box and discs
+  double turningMass = 0;   // [kg] of it that turns: without an axle box on a bearing spring
   double solidMass = 0;     // [kg] as meshed
   double centreHeight = 0;  // [m] of the axis above the running surface
 };
@@ -54,7 +56,9 @@ struct Model {
   std::vector<LoadedNodes> loaded;                // per block
   std::size_t stateSize = 0, forceSize = 0;
   std::size_t sprungX = 0, sprungZ = 0;  // state indices of the small unknowns
+  std::size_t boxX = 0, boxZ = 0;        // only where boxOnSpring()
   std::size_t smallUnknowns = 0;         // index of the first
+  bool boxOnSpring() const { return description.wheelset.bearingStiffness > 0; }
 
   std::vector<AlignedVector> mass;         // per block: nodes x stride [kg], ties passed on, boxes and discs added
   std::vector<AlignedVector> inverseMass;  // 0 for slaves and padding

@@ -19,6 +19,7 @@ std::vector<unsigned char> findFree(const Model& model, bool holdSprungMassAlong
   for (const auto index : model.held) free[index] = 0;
   free[model.sprungZ] = 1;
   free[model.sprungX] = holdSprungMassAlong ? 0 : 1;
+  if (model.boxOnSpring()) free[model.boxX] = free[model.boxZ] = 1;
   return free;
 }
 
@@ -50,9 +51,15 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
   turnStations(model.blocks[model.body], rotation, turned_);
   const auto& d = model.description;
   auto vertical = ringTerms(model, model.bearing, turned_, {0, 1});
+  auto along = ringTerms(model, model.bearing, turned_, {1, 0});
+  if (model.boxOnSpring()) {
+    vertical.push_back({model.boxZ, -1}), along.push_back({model.boxX, -1});
+    for (const auto* terms : {&vertical, &along})
+      vehicle_.add(*terms, d.wheelset.bearingStiffness, d.wheelset.bearingDamping);
+    vertical = {{model.boxZ, 1}}, along = {{model.boxX, 1}};
+  }
   vertical.push_back({model.sprungZ, -1});
   vehicle_.add(vertical, d.suspension.stiffness, d.suspension.damping);
-  auto along = ringTerms(model, model.bearing, turned_, {1, 0});
   along.push_back({model.sprungX, -1});
   vehicle_.add(along, d.suspension.longitudinalStiffness, d.suspension.longitudinalDamping);
   if (spinStiffness > 0) vehicle_.add(hubTurn(model), spinStiffness, 0);
@@ -120,6 +127,7 @@ AlignedVector gravityForces(const Model& model, double rotation) {
     }
   }
   force[model.sprungZ] = -g * model.description.suspension.sprungMass;
+  if (model.boxOnSpring()) force[model.boxZ] = -g * model.description.wheelset.axleBoxMass;
   return force;
 }
 

@@ -3,9 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "elasticity/SweptBlock.h"
+#include "elasticity/StandingWave.h"
 #include "geometry/WheelSection.h"
+#include "model/Rings.h"
 
 namespace squat::model {
 
@@ -25,29 +27,70 @@ elasticity::SweptBlock wholeWheelset(const cases::Wheelset& w) {
   return block;
 }
 
-std::vector<int> nodesOn(const elasticity::SweptBlock& block, double radius, double from, double to) {
-  return geometry::nodesWhere(
-      block.section,
-      [&](const geometry::Point2& p) {
-        return std::abs(p[0] - radius) < 1e-9 && p[1] > from - 1e-9 && p[1] < to + 1e-9;
-      },
-      1);
-}
-
-void addMass(std::vector<double>& mass, const std::vector<int>& nodes, double total) {
-  for (const int n : nodes) mass[n] += total / static_cast<double>(nodes.size()) / sectors;
+void addMass(std::vector<double>& mass, const Ring& ring, double total) {
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i) mass[ring.nodes[i]] += total * ring.weight[i] / sectors;
 }
 
 // Vertical mean motion of a ring for u_r = b cos(alpha), u_alpha = a sin(alpha): (a - b) / 2.
-double ringShare(const std::vector<int>& nodes, const Eigen::VectorXd& shape) {
+template <typename Shape>
+double ringShare(const Ring& ring, const Shape& shape) {
   double sum = 0;
-  for (const int n : nodes) sum += 0.5 * (shape[3 * n] - shape[3 * n + 1]);
-  return sum / static_cast<double>(nodes.size());
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i)
+    sum += ring.weight[i] * 0.5 * (shape[3 * ring.nodes[i]] - shape[3 * ring.nodes[i] + 1]);
+  return sum;
+}
+
+// A spring between the ring's mean motion and the box, as a share of each sector.
+void addBearing(Eigen::MatrixXd& matrix, const Ring& bearing, int box, double stiffness) {
+  std::vector<std::pair<int, double>> terms{{box, -1.0}};
+  for (std::size_t i = 0; i < bearing.nodes.size(); ++i) {
+    terms.push_back({3 * bearing.nodes[i], 0.5 * bearing.weight[i]});
+    terms.push_back({3 * bearing.nodes[i] + 1, -0.5 * bearing.weight[i]});
+  }
+  for (const auto& [i, a] : terms)
+    for (const auto& [j, b] : terms) matrix(i, j) += stiffness * a * b;
+}
+
+struct Lowest {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+
+// Eigenpairs of a symmetric matrix below a limit, ascending: subspace iteration with Rayleigh and Ritz, a dozen times
+// quicker than all pairs. The shift takes care of rigid motions; the subspace is far larger than what is asked for.
+Lowest lowestPairs(const Eigen::MatrixXd& matrix, double limit) {
+  const Eigen::Index size = matrix.rows();
+  Eigen::MatrixXd shifted = matrix;
+  shifted.diagonal().array() += 0.05 * limit;
+  const Eigen::LLT<Eigen::MatrixXd> factor(shifted);
+  for (Eigen::Index count = std::min<Eigen::Index>(40, size);; count = std::min(2 * count, size)) {
+    Eigen::MatrixXd basis(size, count);
+    for (Eigen::Index j = 0; j < count; ++j)
+      for (Eigen::Index i = 0; i < size; ++i) basis(i, j) = std::sin(1.0 + static_cast<double>(i * (2 * j + 3)));
+    Lowest found;
+    Eigen::VectorXd before = Eigen::VectorXd::Zero(count);
+    for (int k = 0; k < 60; ++k) {
+      basis = factor.solve(basis);
+      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(basis);
+      const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(size, count);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(q.transpose() * matrix * q);
+      basis = q * ritz.eigenvectors();
+      found.values = ritz.eigenvalues();
+      const Eigen::Index inside = (found.values.array() < limit).count();
+      if (((found.values - before).head(inside).array().abs() < 1e-8 * limit).all()) break;
+      before = found.values;
+    }
+    const Eigen::Index inside = (found.values.array() < limit).count();
+    if (2 * inside > count && count < size) continue;
+    found.values.conservativeResize(inside);
+    found.vectors = basis.leftCols(inside);
+    return found;
+  }
 }
 
 }  // namespace
 
-std::vector<HarmonicMode> wheelsetModes(const cases::CaseDescription& d, double highest, int lastHarmonic) {
+WheelsetShapes wheelsetShapes(const cases::CaseDescription& d, double highest, int lastHarmonic) {
   const auto& w = d.wheelset;
   const auto block = wholeWheelset(w);
   const auto lumped = elasticity::lumpedMass(block);
@@ -55,55 +98,66 @@ std::vector<HarmonicMode> wheelsetModes(const cases::CaseDescription& d, double 
   double solid = 0;
   for (int n = 0; n < block.nodes; ++n) mass[n] = lumped[n * block.stride], solid += sectors * mass[n];
   const auto bearing =
-      nodesOn(block, w.journalRadius, w.bearingCentre - w.bearingWidth / 2, w.bearingCentre + w.bearingWidth / 2);
-  const auto centre = nodesOn(block, w.seatRadius, -1e-6, 1e-6);
-  const auto tread = nodesOn(block, w.radius, -1e-6, 1e-6);
-  addMass(mass, bearing, w.axleBoxMass);
-  addMass(mass, nodesOn(block, w.axleRadius, -0.85 * w.trackCentre, -0.25 * w.trackCentre),
+      seatRing(block, 0, w.journalRadius, w.bearingCentre - w.bearingWidth / 2, w.bearingCentre + w.bearingWidth / 2);
+  const auto centre = sectionRing(block, 0, w.seatRadius, 0);
+  const auto tread = sectionRing(block, 0, w.radius, 0);
+  const bool onSpring = w.bearingStiffness > 0;
+  if (!onSpring) addMass(mass, bearing, w.axleBoxMass);
+  addMass(mass, seatRing(block, 0, w.axleRadius, -0.85 * w.trackCentre, -0.25 * w.trackCentre),
           std::max(0.0, w.totalMass - w.axleBoxMass - solid));
 
-  std::vector<HarmonicMode> modes;
+  const auto interval = elasticity::intervalMatrices(block, 0);
+  WheelsetShapes shapes;
+  shapes.section = block.section;
   for (int harmonic = 0; harmonic <= lastHarmonic; ++harmonic) {
-    const double half = harmonic * std::acos(-1.0) / sectors, c = std::cos(half), s = std::sin(half);
-    // Sums and differences over an interval of u_r, u_y ~ cos(n alpha), u_alpha ~ sin(n alpha).
-    const double forS[3] = {2 * s, 2 * c, 2 * c}, forT[3] = {2 * c, -2 * s, -2 * s};
-    const int size = 3 * block.nodes;
+    // Half the circumference's mean of cos^2 for n > 0; the whole for n = 0.
+    const double whole = (harmonic == 0 ? 1.0 : 0.5) * sectors;
+    const int boxAt = 3 * block.nodes, size = boxAt + 1;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
-    for (int i = 0; i < block.nodes; ++i)
-      for (int p = block.rowStart[i]; p < block.rowStart[i + 1]; ++p) {
-        const double* k = block.coefficients[0].data() + 18 * static_cast<std::size_t>(p);
-        const int j = block.columns[p];
-        for (int row = 0; row < 3; ++row)
-          for (int column = 0; column < 3; ++column)
-            matrix(3 * i + row, 3 * j + column) +=
-                forS[row] * k[3 * row + column] * forS[column] + forT[row] * k[9 + 3 * row + column] * forT[column];
-      }
+    matrix.topLeftCorner(boxAt, boxAt) =
+        elasticity::standingWaveStiffness(interval, harmonic * std::acos(-1.0) / sectors);
+    std::vector<double> inertia(size, w.axleBoxMass / whole);
+    for (int i = 0; i < boxAt; ++i) inertia[i] = mass[i / 3];
     std::vector<int> kept;
     for (int n = 0; n < block.nodes; ++n)
       for (int component = 0; component < 3; ++component)
         if (component != 2 || block.section.nodes[n][1] > -w.trackCentre + 1e-9) kept.push_back(3 * n + component);
+    if (onSpring && harmonic == 1) {
+      addBearing(matrix, bearing, boxAt, w.bearingStiffness / whole);
+      kept.push_back(boxAt);
+    }
     Eigen::MatrixXd scaled(kept.size(), kept.size());
     for (std::size_t i = 0; i < kept.size(); ++i)
       for (std::size_t j = 0; j < kept.size(); ++j)
-        scaled(i, j) = matrix(kept[i], kept[j]) / std::sqrt(mass[kept[i] / 3] * mass[kept[j] / 3]);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-    // Half the circumference's mean of cos^2 for n > 0; the whole for n = 0.
-    const double share = harmonic == 0 ? 1.0 : 0.5;
-    for (int k = 0; k < static_cast<int>(kept.size()); ++k) {
-      const double frequency = std::sqrt(std::max(0.0, eigen.eigenvalues()[k])) / (2 * std::acos(-1.0));
-      if (frequency > highest) break;
+        scaled(i, j) = matrix(kept[i], kept[j]) / std::sqrt(inertia[kept[i]] * inertia[kept[j]]);
+    const auto lowest = lowestPairs(scaled, std::pow(2 * std::acos(-1.0) * highest, 2));
+    for (Eigen::Index k = 0; k < lowest.values.size(); ++k) {
+      const double frequency = std::sqrt(std::max(0.0, lowest.values[k])) / (2 * std::acos(-1.0));
       if (frequency < 1) continue;  // rigid
-      Eigen::VectorXd shape = Eigen::VectorXd::Zero(size);
+      ModeShape found;
+      found.shape.assign(size, 0.0);
       for (std::size_t i = 0; i < kept.size(); ++i)
-        shape[kept[i]] =
-            eigen.eigenvectors()(static_cast<Eigen::Index>(i), k) / std::sqrt(mass[kept[i] / 3] * share * sectors);
-      HarmonicMode mode{frequency, harmonic, 0, 0, 0};
-      if (harmonic == 1) mode.boxShare = ringShare(bearing, shape), mode.wheelShare = ringShare(centre, shape);
-      for (const int n : tread) mode.contactShare -= shape[3 * n + 1] / static_cast<double>(tread.size());
-      modes.push_back(mode);
+        found.shape[kept[i]] = lowest.vectors(static_cast<Eigen::Index>(i), k) / std::sqrt(inertia[kept[i]] * whole);
+      found.box = found.shape[boxAt];
+      found.shape.resize(boxAt);
+      found.mode = {frequency, harmonic, 0, 0, 0};
+      if (harmonic == 1) {
+        found.mode.boxShare = onSpring ? found.box : ringShare(bearing, found.shape);
+        found.mode.wheelShare = ringShare(centre, found.shape);
+      }
+      for (std::size_t i = 0; i < tread.nodes.size(); ++i)
+        found.mode.contactShare -= tread.weight[i] * found.shape[3 * tread.nodes[i] + 1];
+      shapes.modes.push_back(std::move(found));
     }
   }
-  std::sort(modes.begin(), modes.end(), [](const auto& a, const auto& b) { return a.frequency < b.frequency; });
+  std::sort(shapes.modes.begin(), shapes.modes.end(),
+            [](const auto& a, const auto& b) { return a.mode.frequency < b.mode.frequency; });
+  return shapes;
+}
+
+std::vector<HarmonicMode> wheelsetModes(const cases::CaseDescription& d, double highest, int lastHarmonic) {
+  std::vector<HarmonicMode> modes;
+  for (const auto& found : wheelsetShapes(d, highest, lastHarmonic).modes) modes.push_back(found.mode);
   return modes;
 }
 

@@ -1,13 +1,14 @@
 // solver/model/WheelsetModes.h - natural modes of the free half wheelset, by harmonics around the axis.
 //
 // A wheelset swept in equal sectors couples no two harmonics cos(n alpha): each is a problem of the size of one
-// section. Only the first harmonic (bending, translation) moves the axle box up and down. Rail, suspension and spin are
-// left out.
+// section. Only the first harmonic (bending, translation) moves the axle box up and down; an axle box on a bearing
+// spring is one unknown more there. Rail, suspension and spin are left out, bearing damper and other damping as well.
 #pragma once
 
 #include <vector>
 
 #include "case/CaseDescription.h"
+#include "geometry/SectionMesh.h"
 
 namespace squat::model {
 
@@ -16,10 +17,23 @@ struct HarmonicMode {
   int harmonic = 1;
   double boxShare = 0;      // vertical mass-normalised amplitude at the axle box [1/sqrt(kg)]
   double wheelShare = 0;    // at the wheel centre
-  double contactShare = 0;  // at the tread, downwards
+  double contactShare = 0;  // at the tread, upwards
 };
 
 // Modes up to `highest` [Hz] of harmonics 0 to `lastHarmonic`, ascending; rigid motions are left out.
 std::vector<HarmonicMode> wheelsetModes(const cases::CaseDescription& description, double highest, int lastHarmonic);
+
+// A mode with its shape, mass-normalised: u_r and u_y ~ cos(n alpha), u_alpha ~ sin(n alpha) (n = 0: all constant); the
+// other mode of the pair: u_r and u_y ~ sin(n alpha), u_alpha ~ -cos(n alpha).
+struct ModeShape {
+  HarmonicMode mode;
+  std::vector<double> shape;  // per section node: alpha, r, y
+  double box = 0;             // of an axle box on a bearing spring, upwards where alpha = 0 is the lowest point
+};
+struct WheelsetShapes {
+  geometry::SectionMesh section;  // (r, y) of the whole half wheelset
+  std::vector<ModeShape> modes;   // ascending
+};
+WheelsetShapes wheelsetShapes(const cases::CaseDescription& description, double highest, int lastHarmonic);
 
 }  // namespace squat::model

@@ -59,7 +59,12 @@ double springEnergy(const dynamics::Rolling& rolling, const AlignedVector& u) {
     sum += springPower(*set, u.data(), rolling.state().velocity.data()).stored;
   model::TurnedStations turned;
   turnStations(model.blocks[model.body], rolling.state().rotation, turned);
-  const auto at = ringMean(model, model.bearing, turned, u.data());
+  auto at = ringMean(model, model.bearing, turned, u.data());
+  if (model.boxOnSpring()) {
+    const double x = u[model.boxX] - at.x, z = u[model.boxZ] - at.z;
+    sum += 0.5 * model.description.wheelset.bearingStiffness * (x * x + z * z);
+    at = {u[model.boxX], u[model.boxZ]};
+  }
   const double x = u[model.sprungX] - at.x, z = u[model.sprungZ] - at.z;
   return sum + 0.5 * suspension.stiffness * z * z + 0.5 * suspension.longitudinalStiffness * x * x;
 }
@@ -94,6 +99,11 @@ double EnergyLedger::kineticEnergy(const dynamics::Rolling& rolling) const {
   const double vx = state.velocity[model.sprungX], vz = state.velocity[model.sprungZ];
   sum += 0.5 * d.suspension.sprungMass * (vx * vx + vz * vz);
   momentum += d.suspension.sprungMass * vx;
+  if (model.boxOnSpring()) {
+    const double boxX = state.velocity[model.boxX], boxZ = state.velocity[model.boxZ];
+    sum += 0.5 * d.wheelset.axleBoxMass * (boxX * boxX + boxZ * boxZ);
+    momentum += d.wheelset.axleBoxMass * boxX;
+  }
   // Travel at the reference speed and spin at the first rate are taken off, exactly.
   const double spin = 0.5 * model.wheelset.inertia * (state.spinRate - firstSpin_) * (state.spinRate + firstSpin_);
   return sum + momentum * d.motion.speed + spin;

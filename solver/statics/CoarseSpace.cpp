@@ -56,7 +56,7 @@ CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator&
   rimFirst_ = unknowns_;
   unknowns_ += rimModes * rimHats;
   sprungFirst_ = unknowns_;
-  for (const std::size_t index : {model.sprungX, model.sprungZ})
+  for (const std::size_t index : {model.sprungX, model.sprungZ, model.boxX, model.boxZ})
     if (free_[index]) sprung_.push_back(index), ++unknowns_;
   while (static_cast<int>(placed_.size()) < unknowns_) placed_.push_back({colour++, 0});
   cosine_.resize(model.blocks.size()), sine_.resize(model.blocks.size()), rimShare_.resize(model.blocks.size());

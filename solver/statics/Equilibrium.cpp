@@ -80,6 +80,7 @@ void lowerVehicle(const model::Model& model, double rotation, AlignedVector& u) 
     }
   }
   u[model.sprungZ] = -lowered;
+  if (model.boxOnSpring()) u[model.boxZ] = -lowered;
 }
 
 // Vertical displacement of the rail section under the wheel, mean over its nodes' masses.

@@ -82,6 +82,8 @@ TEST(Validation, BearingWithinTheJournal) {
 // Rim, web, hub, axle of the default wheelset weigh about 480 kg as rings, the axle box 150 kg.
 TEST(Validation, MassesOfTheWheelset) {
   expectProblem({{"wheelset.total_mass", "500"}}, "wheelset.total_mass");
+  expectProblem({{"wheelset.web_offset", "80"}}, "wheelset.web_offset");
+  expectProblem({{"wheelset.axle_box_mass", "0"}, {"wheelset.bearing_stiffness", "1000"}}, "wheelset.axle_box_mass");
   EXPECT_TRUE(validate(caseWith({{"wheelset.total_mass", "700"}})).problems.empty());
 }
 

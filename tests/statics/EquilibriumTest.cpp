@@ -140,6 +140,22 @@ TEST(Equilibrium, SuspensionIsCompressedBySprungMass) {
   EXPECT_EQ(e.displacement[model.sprungX], 0);
 }
 
+// An axle box on its bearing: the spring carries box and sprung mass, (m + M) g / k; the contact carries all.
+TEST(Equilibrium, BoxSinksOnItsBearing) {
+  const auto model =
+      model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{"wheelset.bearing_stiffness", "500"}}}));
+  ThreadTeam team(1);
+  Monitor quiet;
+  const auto e = findEquilibrium(model, elasticity::kernelsFor(""), team, model.startX, 0, {}, quiet);
+  EXPECT_NEAR(e.contactForce, weight(model), 1e-6 * weight(model));
+  model::TurnedStations turned;
+  model::turnStations(model.blocks[model.body], 0, turned);
+  const auto& d = model.description;
+  const double journal = ringMean(model, model.bearing, turned, e.displacement.data()).z;
+  const double expected = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.axleBoxMass) / 500e6;
+  EXPECT_NEAR(journal - e.displacement[model.boxZ], expected, 1e-5 * expected);
+}
+
 // Clapeyron: the work of the dead load, applied slowly, is twice the stored energy in a linear structure. Contact makes
 // it a little less than linear, so the energy lies between half and all of the load's work.
 TEST(Equilibrium, StrainEnergyIsHalfTheWorkOfTheLoad) {

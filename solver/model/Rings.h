@@ -1,0 +1,14 @@
+// solver/model/Rings.h - rings of nodes all around the axis of the wheelset: bearing seat, hub, wheel centre.
+#pragma once
+
+#include "model/Model.h"
+
+namespace squat::model {
+
+// Nodes of a seat of the wheel body between two lateral positions, each weighed by the length that belongs to it.
+Ring seatRing(const elasticity::SweptBlock& body, int block, double radius, double from, double to);
+
+// The section of a seat at y: the ring of nodes there, or the two beside it.
+Ring sectionRing(const elasticity::SweptBlock& body, int block, double radius, double y);
+
+}  // namespace squat::model

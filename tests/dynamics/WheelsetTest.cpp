@@ -1,0 +1,179 @@
+// The half wheelset by itself: modes with the axle box on its bearing, damping of modes, energy. The wheel is lifted
+// off the rail and weightless, so that it vibrates freely.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "case/CaseFile.h"
+#include "dynamics/Rolling.h"
+#include "dynamics/StableStep.h"
+#include "model/WheelsetModes.h"
+#include "simulation/EnergyLedger.h"
+
+namespace squat::dynamics {
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+cases::CaseDescription caseWith(Settings settings) {
+  auto d = cases::loadCase("smooth-rail", {"tiny", settings});
+  d.motion.gravity = d.motion.torque = d.motion.tractionCoefficient = 0;
+  d.suspension.stiffness = d.suspension.longitudinalStiffness = 1e3;  // 2 Hz: free
+  d.suspension.damping = d.suspension.longitudinalDamping = 0;
+  return d;
+}
+
+std::vector<model::HarmonicMode> bending(const Settings& settings) {
+  auto modes = model::wheelsetModes(cases::loadCase("smooth-rail", {"tiny", settings}), 2000, 1);
+  std::erase_if(modes, [](const auto& mode) { return mode.harmonic != 1; });
+  return modes;
+}
+
+struct Free {
+  model::Model model;
+  StableStep stable;
+  ThreadTeam team{1};
+  std::unique_ptr<Rolling> rolling;
+  AlignedVector displacement, velocity;
+
+  explicit Free(const Settings& settings) : model(model::buildModel(caseWith(settings))) {
+    Monitor quiet;
+    stable = stableStep(model, elasticity::kernelsFor(""), team, quiet);
+    rolling = std::make_unique<Rolling>(model, elasticity::kernelsFor(""), team, stable.step, stable.beta);
+    displacement.assign(model.stateSize, 0.0), velocity.assign(model.stateSize, 0.0);
+    model::TurnedStations turned;
+    for (const int b : {model.rim, model.body}) {
+      const auto& block = model.blocks[b];
+      model::turnStations(block, 0, turned);
+      constexpr double lifted = 0.002;  // [m]
+      for (int n = 0; n < block.nodes; ++n)
+        for (int s = 0; s < block.stationCount; ++s) {
+          displacement[block.index(n, 0, s)] = lifted * turned.sine[s];
+          displacement[block.index(n, 1, s)] = -lifted * turned.cosine[s];
+        }
+    }
+    if (model.boxOnSpring()) displacement[model.boxZ] = 0.002;
+    displacement[model.sprungZ] = 0.002;
+    elasticity::refreshGhosts(model.blocks, displacement.data());
+  }
+
+  void start() { rolling->start(displacement, velocity, 0); }
+
+  double bearingVelocity(const AlignedVector& v) const {
+    model::TurnedStations turned;
+    model::turnStations(model.blocks[model.body], rolling->state().rotation, turned);
+    return model::ringMean(model, model.bearing, turned, v.data()).z;
+  }
+};
+
+// Two masses on a spring: f = sqrt(k (1/m + 1/M)) / 2 pi, 4.5 Hz. The wheelset bends at 57 Hz first: (4.5/57)^2 = 0.6 %
+// of the shares, less of the frequency.
+TEST(WheelsetModes, SoftBearingMakesTwoMassesOnASpring) {
+  const auto modes = bending({{"wheelset.bearing_stiffness", "0.1"}});
+  const auto w = cases::loadCase("smooth-rail").wheelset;
+  const double rest = w.totalMass - w.axleBoxMass;
+  const double expected = std::sqrt(1e5 * (1 / w.axleBoxMass + 1 / rest)) / (2 * std::numbers::pi);
+  ASSERT_FALSE(modes.empty());
+  EXPECT_NEAR(modes[0].frequency, expected, 0.01 * expected);
+  // Amplitudes are as the masses are the other way round, and of unit modal mass.
+  EXPECT_NEAR(modes[0].wheelShare / modes[0].boxShare, -w.axleBoxMass / rest, 0.02 * w.axleBoxMass / rest);
+  EXPECT_NEAR(std::abs(modes[0].boxShare), std::sqrt(rest / w.axleBoxMass / w.totalMass), 0.01);
+}
+
+// A bearing far stiffer than the axle: the modes of the box spread over its seat. Spread, the box resists tilting as
+// well, 0.3 of 9 kg m2 about the wheel: 3 % of the frequency at most.
+TEST(WheelsetModes, StiffBearingComesToTheRigidOne) {
+  const auto rigid = bending({}), stiff = bending({{"wheelset.bearing_stiffness", "100000"}});
+  ASSERT_GE(rigid.size(), 2u);
+  ASSERT_GE(stiff.size(), 2u);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_NEAR(stiff[k].frequency, rigid[k].frequency, 0.03 * rigid[k].frequency);
+    EXPECT_NEAR(std::abs(stiff[k].boxShare), std::abs(rigid[k].boxShare), 0.1 * std::abs(rigid[k].boxShare));
+  }
+}
+
+double lastOf(const simulation::EnergyLedger& ledger, const std::string& name) {
+  for (const auto& channel : ledger.channels())
+    if (channel.name == name) return channel.values.back();
+  return NAN;
+}
+
+void enter(simulation::EnergyLedger& ledger, Rolling& rolling) {
+  ledger.before(rolling);
+  rolling.advance(1, [](const StepView&) {});
+  ledger.after(rolling);
+}
+
+// Free decay of a mode: its energy falls as exp(-2 zeta omega t), omega from the mode itself, what is left counted from
+// motion and strain. The mode is the one that moves the axle box most between 500 and 1200 Hz; its energy, not its
+// amplitude, because on the coarse mesh it shares it with its neighbours. 3 %: their frequencies differ.
+TEST(WheelsetDamping, ModeDecaysAsItsRatioSays) {
+  constexpr double ratio = 0.03, periods = 3;
+  Free free(Settings{{"wheelset.damping_ratio", "0.03"}});
+  model::WheelsetDamping damping(free.model, free.stable.step);
+  int chosen = -1;
+  double largest = 0;
+  for (int k = 0; k < damping.modes(); ++k) {
+    AlignedVector trial(free.model.stateSize, 0.0);
+    damping.addMode(k, 1, trial.data());
+    const double box = std::abs(free.bearingVelocity(trial));
+    if (damping.frequency(k) > 500 && damping.frequency(k) < 1200 && box > largest) largest = box, chosen = k;
+  }
+  ASSERT_GE(chosen, 0);
+  damping.addMode(chosen, 1, free.velocity.data());
+  free.start();
+  constexpr double given = 0.5;  // [J] of a mode of unit modal mass that moves with 1 m/s
+  simulation::EnergyLedger ledger(*free.rolling, given);
+  enter(ledger, *free.rolling);
+  const double started = lastOf(ledger, "kinetic") + lastOf(ledger, "strain");
+  EXPECT_NEAR(started, given, 0.02 * given);
+  const double time = periods / damping.frequency(chosen);
+  free.rolling->advance(std::lround(time / free.stable.step) - 1, [](const StepView&) {});
+  enter(ledger, *free.rolling);
+  const double left = lastOf(ledger, "kinetic") + lastOf(ledger, "strain");
+  const double expected = std::exp(-2 * ratio * 2 * std::numbers::pi * periods);
+  EXPECT_NEAR(left / started, expected, 0.03);
+  EXPECT_NEAR(lastOf(ledger, "damping"), started - left, 0.01 * given);
+}
+
+// Rigid motion loses nothing: a wheelset thrown upwards keeps its energy to round-off.
+TEST(WheelsetDamping, RigidMotionIsNotDamped) {
+  const auto model = model::buildModel(caseWith({{"wheelset.damping_ratio", "0.05"}}));
+  model::WheelsetDamping damping(model, 5e-7);
+  AlignedVector velocity(model.stateSize, 0.0);
+  model::TurnedStations turned;
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    model::turnStations(block, 0, turned);
+    for (int n = 0; n < block.nodes; ++n)
+      for (int s = 0; s < block.stationCount; ++s) {
+        // Up with 1 m/s, along with 0.5, turning with 2 rad/s.
+        velocity[block.index(n, 0, s)] = turned.sine[s] + 0.5 * turned.cosine[s] + 2 * block.section.nodes[n][0];
+        velocity[block.index(n, 1, s)] = -turned.cosine[s] + 0.5 * turned.sine[s];
+      }
+  }
+  const AlignedVector before = velocity;
+  EXPECT_LT(damping.apply(0, velocity.data()), 1e-12);
+  for (std::size_t i = 0; i < velocity.size(); ++i) ASSERT_NEAR(velocity[i], before[i], 1e-9);
+}
+
+// A box thrown upwards on its bearing: spring, damper and modal damping share the energy out, and the books close.
+// 1 % of what was given: central difference over some hundred steps a period, kinetic energy as a mean of two.
+TEST(WheelsetDamping, BooksCloseWithBearingAndDamping) {
+  Free free(Settings{
+      {"wheelset.damping_ratio", "0.05"}, {"wheelset.bearing_stiffness", "500"}, {"wheelset.bearing_damping", "50"}});
+  const double mass = free.model.description.wheelset.axleBoxMass, given = 0.5 * mass * 0.1 * 0.1;
+  free.velocity[free.model.boxZ] = 0.1;
+  free.start();
+  simulation::EnergyLedger ledger(*free.rolling, given);
+  enter(ledger, *free.rolling);
+  free.rolling->advance(std::lround(0.0025 / free.stable.step), [](const StepView&) {});
+  enter(ledger, *free.rolling);
+  EXPECT_GT(lastOf(ledger, "damping"), 0.3 * given);
+  EXPECT_NEAR(lastOf(ledger, "residual"), 0, 0.01 * given);
+}
+
+}  // namespace
+}  // namespace squat::dynamics
