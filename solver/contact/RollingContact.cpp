@@ -26,9 +26,10 @@ struct Sums {
 PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
                        const ContactLaw& law, const WheelRolling& wheel, const double* displaced,
                        const double* velocity, double step, FrictionHistory& history, const ForceLines& railForces,
-                       const ForceLines& rimForces, std::vector<PatchPoint>* points) {
+                       const ForceLines& rimForces, std::vector<PatchPoint>* points, ClosedArea* closed) {
   PatchState patch;
   Sums sums;
+  if (closed) closed->rail.clear(), closed->rim.clear();
   const auto& place = wheel.placement;
   std::vector<std::size_t> before;
   before.swap(history.closed);
@@ -92,6 +93,11 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
           addForce(rim, rimForces, t.treadNode[a], 1, left, right, v0 * forceRadial[0], v1 * forceRadial[1]);
           addForce(rim, rimForces, t.treadNode[a], 2, left, right, -v0 * forceY, -v1 * forceY);
         }
+        for (int a = 0; closed && a < 2; ++a)
+          for (int side = 0; side < 2; ++side) {
+            closed->rail.push_back({t.railNode[a], t.railStation + side, t.railWeight[2 * a + side] * area});
+            closed->rim.push_back({t.treadNode[a], t.treadStation[side], t.treadWeight[2 * a + side] * area});
+          }
         patch.vertical -= forceZ, patch.longitudinal += forceX, patch.lateral += forceY;
         patch.spinMoment += radius * area * along;
         // (X + u) x F about y: -(R + u_r) F_a + u_a F_r with F_a = -t A, F_r = -p A. The radial force points at the

@@ -49,6 +49,16 @@ struct PatchPoint {
   bool slips = false;
 };
 
+// Shares that surface nodes have in the closed area, one entry for each closed point and node: weights of the
+// interpolation times the point's area.
+struct AreaShare {
+  int node = 0, station = 0;
+  double area = 0;  // [m2]
+};
+struct ClosedArea {
+  std::vector<AreaShare> rail, rim;
+};
+
 // Where forces on surface nodes are collected: triples of lines of a block.
 struct ForceLines {
   double* lines = nullptr;
@@ -56,10 +66,11 @@ struct ForceLines {
 };
 
 // Evaluates the patch for displacements `displaced` and velocities (state layout), updates the friction history over
-// `step` seconds and adds the forces. `points` receives the closed points where it is given.
+// `step` seconds and adds the forces. `points` and `closed` receive the closed points where they are given.
 PatchState rollContact(const Surfaces& surfaces, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
                        const ContactLaw& law, const WheelRolling& wheel, const double* displaced,
                        const double* velocity, double step, FrictionHistory& history, const ForceLines& railForces,
-                       const ForceLines& rimForces, std::vector<PatchPoint>* points = nullptr);
+                       const ForceLines& rimForces, std::vector<PatchPoint>* points = nullptr,
+                       ClosedArea* closed = nullptr);
 
 }  // namespace squat::contact

@@ -40,7 +40,14 @@ void fillGravity(const elasticity::SweptBlock& block, double gravity, const mode
 
 Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double step,
                  double beta)
-    : model_(model), kernels_(kernels), team_(team), step_(step), beta_(beta), wheelsetDamping_(model, step) {
+    : model_(model),
+      kernels_(kernels),
+      team_(team),
+      step_(step),
+      beta_(beta),
+      inertia_(model.blocks[model.rail], model.blocks[model.rim],
+               std::max(model::normalPenalty(model.description), model::tangentialPenalty(model.description)), step,
+               beta) {
   const auto& d = model.description;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   law_ = {model::normalPenalty(d), model::tangentialPenalty(d), d.contact.friction};
@@ -136,9 +143,11 @@ void Rolling::touch(const double* displaced) {
   view_.step = state_.step;
   view_.time = state_.time;
   view_.position = wheel.placement.centreX + hub_.x;
-  view_.patch = rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel,
-                            displaced, state_.velocity.data(), step_, state_.friction,
-                            forceLines(model_, model_.rail, forces_), forceLines(model_, model_.rim, forces_));
+  view_.patch =
+      rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel, displaced,
+                  state_.velocity.data(), step_, state_.friction, forceLines(model_, model_.rail, forces_),
+                  forceLines(model_, model_.rim, forces_), nullptr, &inertia_.closed());
+  inertia_.apply(inverseMass_[model_.rail].data(), inverseMass_[model_.rim].data());
 }
 
 model::PlaneVector Rolling::boxVelocity() const {

@@ -19,6 +19,7 @@
 
 #include "contact/RollingContact.h"
 #include "core/ThreadTeam.h"
+#include "dynamics/ContactInertia.h"
 #include "dynamics/RollingState.h"
 #include "elasticity/SweptWork.h"
 #include "model/WheelMotion.h"
@@ -83,6 +84,7 @@ class Rolling {
   double torqueAt(double time) const;
   ThreadTeam& team() { return team_; }
   const elasticity::KernelSet& kernels() const { return kernels_; }
+  double contactInertia() const { return inertia_.addedMass(); }  // [kg] that closed points add, in the last step
 
   // Displacement u (state layout) with slaves and ghosts filled.
   AlignedVector displacement() const;
@@ -111,6 +113,7 @@ class Rolling {
   ThreadTeam& team_;
   double step_, beta_, load_;
   contact::ContactLaw law_;
+  ContactInertia inertia_;
   RollingState state_;
   AlignedVector target_, forces_;
   std::vector<std::vector<elasticity::Segment>> trackWork_, bodyWork_;

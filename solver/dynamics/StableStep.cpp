@@ -5,52 +5,14 @@
 #include <cstdio>
 #include <utility>
 
-#include "contact/TouchPoint.h"
 #include "core/OrderedSum.h"
-#include "model/ContactPenalty.h"
 #include "model/StaticOperator.h"
 
 namespace squat::dynamics {
 
-namespace {
-
-// Normal and both tangential penalties of every point that the wheel can reach, each closed where the wheel rolls on
-// it.
-void closeAllContact(const model::Model& model, supports::SpringSet& springs) {
-  const auto& s = model.surfaces;
-  const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
-  const double normal = model::normalPenalty(model.description),
-               tangential = model::tangentialPenalty(model.description);
-  const AlignedVector zero(model.stateSize, 0.0);
-  for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
-    for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
-      for (int point = 0; point < 4; ++point) {
-        const double x = s.pointX[s.pointIndex(i, j, point)];
-        const contact::WheelPlacement wheel{x, model.wheelset.centreHeight, (x - model.startX) / s.radius, 0, 0};
-        contact::TouchPoint t;
-        if (!evaluatePoint(s, rail, rim, zero.data(), wheel, i, j, point, 1.0, t)) continue;
-        const int railComponent[3] = {2, 0, 1}, treadComponent[3] = {1, 0, 2};
-        const double treadSign[3] = {1, -1, -1};  // at the lowest point e_r points down, e_alpha along x
-        for (int direction = 0; direction < 3; ++direction) {
-          std::vector<std::pair<std::size_t, double>> terms;
-          for (int a = 0; a < 2; ++a)
-            for (int b = 0; b < 2; ++b) {
-              terms.push_back(
-                  {rail.index(t.railNode[a], railComponent[direction], t.railStation + b), t.railWeight[2 * a + b]});
-              terms.push_back({rim.index(t.treadNode[a], treadComponent[direction], t.treadStation[b]),
-                               treadSign[direction] * t.treadWeight[2 * a + b]});
-            }
-          springs.add(terms, (direction ? tangential : normal) * s.area[t.point], 0);
-        }
-      }
-}
-
-}  // namespace
-
 StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                       Monitor& monitor) {
   model::StaticOperator op(model, kernels, team, 0, 0, false);
-  closeAllContact(model, op.contactSprings());
   const std::size_t n = model.stateSize;
   const auto& free = op.freeUnknowns();
   // Square root of the mass scales to a symmetric problem: A = M^-1/2 K M^-1/2.

@@ -1,4 +1,5 @@
-// solver/dynamics/StableStep.h - the largest stable step of the central difference, from the assembled operator.
+// solver/dynamics/StableStep.h - the largest stable step of the central difference, from the assembled operator:
+// solids, ties, supports, suspension. Contact does not shorten it: see ContactInertia.h.
 #pragma once
 
 #include <string>
@@ -11,7 +12,7 @@
 namespace squat::dynamics {
 
 struct StableStep {
-  double highestFrequency = 0;  // [rad/s] of the undamped model with every possible contact point closed
+  double highestFrequency = 0;  // [rad/s] of the undamped model, contact open
   double beta = 0;              // [s] stiffness-proportional damping that the case asks for
   double step = 0;              // [s] with safety and damping: 0.95 (2/w) (sqrt(1 + z^2) - z), z = beta w / 2
   std::string place;            // block and position that set it

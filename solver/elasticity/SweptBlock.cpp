@@ -8,16 +8,16 @@ namespace squat::elasticity {
 
 namespace {
 
-void findPairs(SweptBlock& block) {
-  std::vector<std::set<int>> neighbours(block.nodes);
-  for (const auto& quad : block.section.quads)
+void findPairs(const geometry::SectionMesh& section, std::vector<int>& rowStart, std::vector<int>& columns) {
+  std::vector<std::set<int>> neighbours(section.nodes.size());
+  for (const auto& quad : section.quads)
     for (const int i : quad)
       for (const int j : quad) neighbours[i].insert(j);
-  block.rowStart.assign(1, 0);
-  block.columns.clear();
+  rowStart.assign(1, 0);
+  columns.clear();
   for (const auto& row : neighbours) {
-    block.columns.insert(block.columns.end(), row.begin(), row.end());
-    block.rowStart.push_back(static_cast<int>(block.columns.size()));
+    columns.insert(columns.end(), row.begin(), row.end());
+    rowStart.push_back(static_cast<int>(columns.size()));
   }
 }
 
@@ -60,6 +60,19 @@ int SweptBlock::runOf(int interval) const {
   return static_cast<int>(runIntervals.size()) - 1;
 }
 
+void numberAsVisited(geometry::SectionMesh& section) {
+  std::vector<int> rowStart, columns;
+  findPairs(section, rowStart, columns);
+  const auto order = sectionOrder(rowStart, columns).nodes;
+  std::vector<int> place(order.size());
+  auto nodes = section.nodes;
+  for (std::size_t i = 0; i < order.size(); ++i)
+    place[order[i]] = static_cast<int>(i), nodes[i] = section.nodes[order[i]];
+  section.nodes = std::move(nodes);
+  for (auto& quad : section.quads)
+    for (int& node : quad) node = place[node];
+}
+
 void prepareBlock(SweptBlock& block) {
   block.nodes = static_cast<int>(block.section.nodes.size());
   block.intervals = block.stations.intervals();
@@ -67,7 +80,7 @@ void prepareBlock(SweptBlock& block) {
   block.closed = block.stations.closed;
   block.positions = block.stations.positions();
   block.stride = (static_cast<std::size_t>(block.intervals) + 1 + 7) / 8 * 8;
-  findPairs(block);
+  findPairs(block.section, block.rowStart, block.columns);
   block.order = sectionOrder(block.rowStart, block.columns);
   block.coefficients.clear();
   block.rowCoefficients.clear();

@@ -90,6 +90,9 @@ struct SweptBlock {
   int runOf(int interval) const;
 };
 
+// Numbers the nodes of a section anew, in the order in which the kernels will go through them.
+void numberAsVisited(geometry::SectionMesh& section);
+
 // Computes everything below the comment; throws std::invalid_argument for a run that is no multiple of 8.
 void prepareBlock(SweptBlock& block);
 

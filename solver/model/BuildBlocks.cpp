@@ -34,7 +34,9 @@ geometry::SectionMesh rectangleMesh(const std::vector<double>& b, const std::vec
   return mesh;
 }
 
+// The kernels go through memory from front to back: section nodes stand in the order in which they are visited.
 void append(Model& model, elasticity::SweptBlock block) {
+  elasticity::numberAsVisited(block.section);
   elasticity::prepareBlock(block);
   block.offset = model.stateSize;
   model.stateSize += block.size();

@@ -1,0 +1,114 @@
+// The added mass keeps the step of the bare mesh stable under closed contact.
+#include "dynamics/ContactInertia.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "case/CaseFile.h"
+#include "contact/TouchPoint.h"
+#include "dynamics/StableStep.h"
+#include "model/ContactPenalty.h"
+#include "model/StaticOperator.h"
+
+namespace squat::dynamics {
+namespace {
+
+// Normal and both tangential penalties of the points within 8 mm of a wheel at rest, all closed.
+void closePatch(const model::Model& model, supports::SpringSet& springs, contact::ClosedArea& closed) {
+  const auto& s = model.surfaces;
+  const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
+  const double normal = model::normalPenalty(model.description),
+               tangential = model::tangentialPenalty(model.description);
+  const AlignedVector zero(model.stateSize, 0.0);
+  const contact::WheelPlacement wheel{model.startX, model.wheelset.centreHeight, 0, 0, 0};
+  for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
+    for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
+      for (int point = 0; point < 4; ++point) {
+        contact::TouchPoint t;
+        if (std::abs(s.pointX[s.pointIndex(i, j, point)] - model.startX) > 8e-3 ||
+            !evaluatePoint(s, rail, rim, zero.data(), wheel, i, j, point, 1.0, t))
+          continue;
+        const double area = s.area[t.point];
+        const int railComponent[3] = {2, 0, 1}, treadComponent[3] = {1, 0, 2};
+        const double treadSign[3] = {1, -1, -1};  // at the lowest point e_r points down, e_alpha along x
+        for (int direction = 0; direction < 3; ++direction) {
+          std::vector<std::pair<std::size_t, double>> terms;
+          for (int a = 0; a < 2; ++a)
+            for (int b = 0; b < 2; ++b) {
+              terms.push_back(
+                  {rail.index(t.railNode[a], railComponent[direction], t.railStation + b), t.railWeight[2 * a + b]});
+              terms.push_back({rim.index(t.treadNode[a], treadComponent[direction], t.treadStation[b]),
+                               treadSign[direction] * t.treadWeight[2 * a + b]});
+            }
+          springs.add(terms, (direction ? tangential : normal) * area, 0);
+        }
+        for (int a = 0; a < 2; ++a)
+          for (int b = 0; b < 2; ++b) {
+            closed.rail.push_back({t.railNode[a], t.railStation + b, t.railWeight[2 * a + b] * area});
+            closed.rim.push_back({t.treadNode[a], t.treadStation[b], t.treadWeight[2 * a + b] * area});
+          }
+      }
+}
+
+// Largest eigenvalue of M^-1 K by power steps (from below).
+double highestEigenvalue(const model::Model& model, model::StaticOperator& op,
+                         const std::vector<AlignedVector>& inverse) {
+  AlignedVector u(model.stateSize, 0.0), f(model.stateSize, 0.0);
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (op.freeUnknowns()[i]) u[i] = static_cast<double>(i * 2654435761U % 1000) / 1000 - 0.5;
+  double value = 0;
+  for (int k = 0; k < 400; ++k) {
+    op.apply(u.data(), f.data());
+    AlignedVector next(model.stateSize, 0.0);
+    double uKu = 0, uMu = 0, norm = 0;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+      const auto& block = model.blocks[b];
+      for (std::size_t at = 0; at < inverse[b].size(); ++at)
+        for (std::size_t c = 0; c < 3; ++c) {
+          const std::size_t chunk = elasticity::SweptBlock::chunk;
+          const std::size_t i = block.offset + (at / chunk * 3 + c) * chunk + at % chunk;
+          if (!op.freeUnknowns()[i] || inverse[b][at] == 0) continue;
+          uKu += u[i] * f[i], uMu += u[i] * u[i] / inverse[b][at];
+          next[i] = f[i] * inverse[b][at], norm += next[i] * next[i];
+        }
+    }
+    value = uKu / uMu;
+    for (double& v : next) v /= std::sqrt(norm);
+    u = next;
+  }
+  return value;
+}
+
+// 4 / (dt^2 + 2 beta dt) is the largest eigenvalue that the central difference with damping on w = u + beta v bears.
+TEST(ContactInertia, TheStepOfTheBareMeshBearsClosedContact) {
+  const auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+  const auto kernels = elasticity::kernelsFor("");
+  ThreadTeam team(2);
+  Monitor quiet;
+  const auto stable = stableStep(model, kernels, team, quiet);
+  const double bound = 4 / (stable.step * stable.step + 2 * stable.beta * stable.step);
+  ContactInertia inertia(model.blocks[model.rail], model.blocks[model.rim], model::normalPenalty(model.description),
+                         stable.step, stable.beta);
+  model::StaticOperator op(model, kernels, team, 0, 0, false);
+  closePatch(model, op.contactSprings(), inertia.closed());
+  std::vector<AlignedVector> bare;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    bare.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
+  auto heavy = bare;
+  inertia.apply(heavy[model.rail].data(), heavy[model.rim].data());
+  // Without the added mass the penalties break the step; with it they do not.
+  EXPECT_GT(highestEigenvalue(model, op, bare), 1.2 * bound);
+  EXPECT_LT(highestEigenvalue(model, op, heavy), bound);
+  // The mass is the closed area's: (dt^2 + 2 beta dt) / 4 times 2 k for either body, by the weights' sum.
+  double area = 0;
+  for (const auto& share : inertia.closed().rail) area += share.area;
+  EXPECT_NEAR(inertia.addedMass(), 2 / bound * model::normalPenalty(model.description) * 2 * area, 1e-9);
+  // An open patch gives every mass back.
+  inertia.closed() = {};
+  inertia.apply(heavy[model.rail].data(), heavy[model.rim].data());
+  EXPECT_EQ(heavy, bare);
+}
+
+}  // namespace
+}  // namespace squat::dynamics
