@@ -108,7 +108,10 @@ struct MeshSizes {
   double fineStart = 0;      // [m] fine zone each side of the starting point
   int wheelSectors = 0;      // sectors of the coarse wheel body
   double rimDepth = 0;       // [m] depth of the finely meshed rim
+  int precision = 0;         // index of ElementPrecision
 };
+
+enum class ElementPrecision { single, full };  // "single", "double"
 
 enum class DefectShape { none, cut, cosine, wshape, dipWithWave, profile };
 enum class LateralShape { uniform, parabolic };

@@ -11,15 +11,15 @@
 
 namespace squat {
 
-// Barrier for threads that meet every few microseconds: spins a while, then sleeps, so that a busy machine only slows
-// it.
+// Barrier for threads that meet every few microseconds: spins a while, then yields, then sleeps, so that a busy machine
+// only slows it.
 class StepBarrier {
  public:
   explicit StepBarrier(int threads);
   void wait();
 
  private:
-  const int threads_, spins_;
+  const int threads_, spins_, yields_;
   std::atomic<int> arrived_{0};
   std::atomic<unsigned> round_{0};
 };

@@ -11,6 +11,24 @@ namespace {
 
 // [m] along the rail from below the axis: beyond it the patch, 7 mm each way, leaves less than a tenth of its stress.
 constexpr double yieldReach = 0.020;
+// Where single precision is asked for, elements up to so many sizes of the contact band are computed in it, and then
+// cost so much of the time. Rounding acts like forces of 6e-8 times stiffness times displacement within a chunk of
+// stations: long elements have much of both and are few.
+constexpr double finest = 4.1, singleCost = 0.65;
+
+elasticity::KernelSet kernelsOfFineRuns(const model::Model& model, const std::string& isa) {
+  const bool single = model.description.mesh.precision == static_cast<int>(cases::ElementPrecision::single);
+  return elasticity::kernelsFor(isa,
+                                single ? elasticity::Precision::singleInside : elasticity::Precision::doubleInside);
+}
+
+// Longest interval, in the unit of the block's stations, that counts as fine.
+double fineLength(const model::Model& model, int b) {
+  const auto& d = model.description;
+  if (b == model.rail) return finest * d.mesh.contactSize;
+  if (b == model.rim) return finest * d.mesh.contactSize / d.wheelset.radius;
+  return 0;
+}
 
 contact::ForceLines forceLines(const model::Model& model, int block, AlignedVector& forces) {
   return {forces.data() + model.loaded[block].offset, model.loaded[block].lineOfNode.data()};
@@ -42,6 +60,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
                  double beta)
     : model_(model),
       kernels_(kernels),
+      fineKernels_(kernelsOfFineRuns(model, kernels.name)),
       team_(team),
       step_(step),
       beta_(beta),
@@ -55,7 +74,12 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   std::vector<int> others;
   for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b)
     if (b != model.body) others.push_back(b);
-  trackWork_ = elasticity::partition(model.blocks, others, team.size());
+  const auto costOf = [&](int b, int run) {
+    const bool single = fineKernels_.precision == elasticity::Precision::singleInside &&
+                        model.blocks[b].stations.runs[run].length <= fineLength(model, b);
+    return single ? singleCost : 1.0;
+  };
+  trackWork_ = elasticity::partition(model.blocks, others, team.size(), costOf);
   bodyWork_ = elasticity::partition(model.blocks, {model.body}, team.size());
   for (int i = 0; i < team.size(); ++i) scratch_.push_back(std::make_unique<elasticity::KernelScratch>(model.blocks));
   forces_.assign(model.forceSize, 0.0);
@@ -72,6 +96,8 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   }
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     elasticity::BlockStep with;
+    with.fineKernels = &fineKernels_;
+    with.fineLength = fineLength(model, static_cast<int>(b));
     inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
     with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();

@@ -79,11 +79,15 @@ void prepareBlock(SweptBlock& block) {
   block.stationCount = block.stations.count();
   block.closed = block.stations.closed;
   block.positions = block.stations.positions();
+  block.cosines.clear(), block.sines.clear();
+  for (const double at : block.positions)
+    if (block.kind == SweepKind::aroundAxis) block.cosines.push_back(std::cos(at)), block.sines.push_back(std::sin(at));
   block.stride = (static_cast<std::size_t>(block.intervals) + 1 + 7) / 8 * 8;
   findPairs(block.section, block.rowStart, block.columns);
   block.order = sectionOrder(block.rowStart, block.columns);
   block.coefficients.clear();
   block.rowCoefficients.clear();
+  block.singleCoefficients.clear();
   block.runIntervals.clear();
   int first = 0;
   for (const auto& run : block.stations.runs) {
@@ -94,6 +98,7 @@ void prepareBlock(SweptBlock& block) {
     std::vector<double>& rows = block.rowCoefficients.emplace_back();
     for (const int pair : block.order.pairs)
       rows.insert(rows.end(), matrix.begin() + 18 * pair, matrix.begin() + 18 * (pair + 1));
+    block.singleCoefficients.emplace_back(rows.begin(), rows.end());
     block.coefficients.push_back(std::move(matrix));
     block.runIntervals.push_back({first, first + run.count});
     first += run.count;

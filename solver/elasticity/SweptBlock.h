@@ -61,11 +61,13 @@ struct SweptBlock {
   std::size_t stride = 0;                            // stations of a whole line, multiple of 8, ghost station included
   std::size_t offset = 0;                            // of the block in a state vector
   std::vector<double> positions;                     // intervals + 1 station positions
+  std::vector<double> cosines, sines;                // around the axis: of them
   std::vector<int> rowStart, columns;                // pairs of section nodes: nodes + 1, pairs
   std::vector<std::vector<double>> coefficients;     // per run: 18 per pair: S row-major, then T
   SectionOrder order;                                // of the kernels
   std::vector<std::vector<double>> rowCoefficients;  // the same numbers in the order of the kernels
-  std::vector<std::array<int, 2>> runIntervals;      // per run: first interval and one past the last
+  std::vector<std::vector<float>> singleCoefficients;  // and rounded
+  std::vector<std::array<int, 2>> runIntervals;        // per run: first interval and one past the last
 
   std::size_t lines() const { return static_cast<std::size_t>(nodes) * 3; }
   std::size_t chunkSize() const { return lines() * chunk; }

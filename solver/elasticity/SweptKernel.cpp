@@ -4,9 +4,9 @@
 
 namespace squat::elasticity {
 
-KernelSet kernelsSse2();
-KernelSet kernelsAvx2();
-KernelSet kernelsAvx512();
+KernelSet kernelsSse2(Precision precision);
+KernelSet kernelsAvx2(Precision precision);
+KernelSet kernelsAvx512(Precision precision);
 
 std::vector<std::string> availableInstructionSets() {
   std::vector<std::string> sets{"sse2"};
@@ -18,12 +18,15 @@ std::vector<std::string> availableInstructionSets() {
   return sets;
 }
 
-KernelSet kernelsFor(const std::string& isa) {
+KernelSet kernelsFor(const std::string& isa, Precision precision) {
   const auto available = availableInstructionSets();
   const std::string wanted = isa.empty() ? available.back() : isa;
   std::string names;
   for (const auto& name : available) {
-    if (name == wanted) return name == "avx512" ? kernelsAvx512() : name == "avx2" ? kernelsAvx2() : kernelsSse2();
+    if (name == wanted)
+      return name == "avx512" ? kernelsAvx512(precision)
+             : name == "avx2" ? kernelsAvx2(precision)
+                              : kernelsSse2(precision);
     names += (names.empty() ? "" : ", ") + name;
   }
   throw std::invalid_argument("instruction set '" + wanted + "' is not available here; this processor has " + names);

@@ -22,13 +22,15 @@ struct KernelCall {
   const int* slots = nullptr;
   const int* gatherUpTo = nullptr;
   int window = 0;
-  const double* coefficients = nullptr;  // of the run, in the order of the rows
-  std::size_t stride = 0;                // of the lines of masses, forces and accelerations
-  std::size_t chunkSize = 0;             // doubles of a chunk of the state vectors
+  const double* coefficients = nullptr;       // of the run, in the order of the rows
+  const float* singleCoefficients = nullptr;  // the same
+  std::size_t stride = 0;                     // of the lines of masses, forces and accelerations
+  std::size_t chunkSize = 0;                  // doubles of a chunk of the state vectors
   int first = 0, count = 0;
-  const double* source = nullptr;  // displacement that the elasticity acts on, u + beta v
-  double* carry = nullptr;         // nodes x 3: what the interval before adds to station `first`; left for the next
-  double* workspace = nullptr;     // kernelWorkspace(window) doubles, 64-byte aligned
+  const double* source = nullptr;                     // displacement that the elasticity acts on, u + beta v
+  const double *cosines = nullptr, *sines = nullptr;  // around an axis: of every station's angle; null along a line
+  double* carry = nullptr;      // nodes x 3: what the interval before adds to station `first`; left for the next
+  double* workspace = nullptr;  // kernelWorkspace(window) doubles, 64-byte aligned
 
   // applyStiffness: K times source, stations first .. first + count - 1 written.
   double* force = nullptr;
@@ -48,8 +50,13 @@ struct KernelCall {
   double cosine = 1, sine = 0;           // of the angle by which the local basis turns in this step
 };
 
+// What the elasticity is computed in. Single inside: sums and differences of neighbouring stations are formed from the
+// double state, then rounded; forces go back to double. State and step are double always.
+enum class Precision { doubleInside, singleInside };
+
 struct KernelSet {
   std::string name;  // "sse2", "avx2", "avx512"
+  Precision precision = Precision::doubleInside;
   void (*applyStiffness)(const KernelCall&) = nullptr;
   void (*carryOver)(const KernelCall&) = nullptr;  // carry of the interval before call.first, nothing else
   void (*advanceStep)(const KernelCall&) = nullptr;
@@ -58,7 +65,7 @@ struct KernelSet {
 
 // Kernels for a named instruction set; empty: the best that this processor has. Throws std::invalid_argument for a name
 // that is not known or that this processor lacks.
-KernelSet kernelsFor(const std::string& isa);
+KernelSet kernelsFor(const std::string& isa, Precision precision = Precision::doubleInside);
 std::vector<std::string> availableInstructionSets();
 
 std::size_t kernelWorkspace(int window);  // doubles

@@ -4,6 +4,6 @@
 
 namespace squat::elasticity {
 
-KernelSet kernelsAvx2() { return {"avx2", applyStiffness, carryOver, advanceStep, multiplyAddPeak}; }
+KernelSet kernelsAvx2(Precision precision) { return kernels("avx2", precision); }
 
 }  // namespace squat::elasticity

@@ -4,6 +4,6 @@
 
 namespace squat::elasticity {
 
-KernelSet kernelsAvx512() { return {"avx512", applyStiffness, carryOver, advanceStep, multiplyAddPeak}; }
+KernelSet kernelsAvx512(Precision precision) { return kernels("avx512", precision); }
 
 }  // namespace squat::elasticity

@@ -4,6 +4,6 @@
 
 namespace squat::elasticity {
 
-KernelSet kernelsSse2() { return {"sse2", applyStiffness, carryOver, advanceStep, multiplyAddPeak}; }
+KernelSet kernelsSse2(Precision precision) { return kernels("sse2", precision); }
 
 }  // namespace squat::elasticity

@@ -7,6 +7,8 @@ namespace squat::elasticity {
 
 namespace {
 
+constexpr int vectorMultiple = 8;  // intervals that stay together
+
 KernelCall callFor(const SweptBlock& block, int run, int first, int count, const double* source,
                    KernelScratch& scratch) {
   KernelCall call;
@@ -17,32 +19,36 @@ KernelCall callFor(const SweptBlock& block, int run, int first, int count, const
   call.gatherUpTo = block.order.gatherUpTo.data();
   call.window = block.order.window;
   call.coefficients = block.rowCoefficients[run].data();
+  call.singleCoefficients = block.singleCoefficients[run].data();
   call.stride = block.stride;
   call.chunkSize = block.chunkSize();
   call.first = first, call.count = count;
   call.source = source + block.offset;
+  if (!block.cosines.empty()) call.cosines = block.cosines.data(), call.sines = block.sines.data();
   call.carry = scratch.carry.data();
   call.workspace = scratch.workspace.data();
   return call;
 }
 
 // What the interval before `first` adds to that station; nothing at the open end of a block.
-void startCarry(const SweptBlock& block, const KernelSet& kernels, int first, const double* source,
+template <typename KernelsOf>
+void startCarry(const SweptBlock& block, const KernelsOf& kernelsOf, int first, const double* source,
                 KernelScratch& scratch) {
   std::fill(scratch.carry.begin(), scratch.carry.end(), 0.0);
   if (first == 0 && !block.closed) return;
   const int before = first == 0 ? block.intervals : first;
-  kernels.carryOver(callFor(block, block.runOf(before - 1), before, 0, source, scratch));
+  const int run = block.runOf(before - 1);
+  kernelsOf(run).carryOver(callFor(block, run, before, 0, source, scratch));
 }
 
-// Runs `body(call)` for the parts of a segment that lie in one run each.
+// Runs `body(call, run)` for the parts of a segment that lie in one run each.
 template <typename Body>
 void overRuns(const SweptBlock& block, const Segment& segment, const double* source, KernelScratch& scratch,
               const Body& body) {
   const int end = segment.first + segment.count;
   for (int at = segment.first; at < end;) {
     const int run = block.runOf(at), stop = std::min(end, block.runIntervals[run][1]);
-    body(callFor(block, run, at, stop - at, source, scratch));
+    body(callFor(block, run, at, stop - at, source, scratch), run);
     at = stop;
   }
 }
@@ -81,28 +87,28 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts) {
+                                            int parts, const std::function<double(int, int)>& costOf) {
+  const auto costAt = [&](int b, int interval) {
+    const double each = costOf ? costOf(b, blocks[b].runOf(interval)) : 1;
+    return each * static_cast<double>(blocks[b].section.quads.size());
+  };
   double total = 0;
-  for (const int b : which) total += static_cast<double>(blocks[b].columns.size()) * blocks[b].intervals;
+  for (const int b : which)
+    for (int at = 0; at < blocks[b].intervals; at += vectorMultiple) total += costAt(b, at);
   std::vector<std::vector<Segment>> lists(parts);
   double done = 0;
-  int part = 0;
-  for (const int b : which) {
-    const double cost = static_cast<double>(blocks[b].columns.size());
-    for (int at = 0; at < blocks[b].intervals;) {
-      const double target = total * (part + 1) / parts;
-      int count = blocks[b].intervals - at;
-      if (part + 1 < parts) {
-        // Up to the target, in whole groups of 32 where that many are left.
-        const int room = static_cast<int>(std::lround((target - done) / cost / 8)) * 8;
-        count = std::clamp(room, 0, count);
-        if (count > 32 && count < blocks[b].intervals - at) count = count / 32 * 32;
-      }
-      if (count > 0) lists[part].push_back({b, at, count});
-      at += count, done += cost * count;
-      if (part + 1 < parts && (count == 0 || done > target - 16 * cost)) ++part;
+  for (const int b : which)
+    for (int at = 0; at < blocks[b].intervals; at += vectorMultiple) {
+      const double cost = costAt(b, at);
+      // To the part in whose share the middle of these intervals lies.
+      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * cost) / total * parts));
+      auto& list = lists[part];
+      if (!list.empty() && list.back().block == b)
+        list.back().count += vectorMultiple;
+      else
+        list.push_back({b, at, vectorMultiple});
+      done += cost;
     }
-  }
   return lists;
 }
 
@@ -117,8 +123,9 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
                    const KernelSet& kernels, const double* source, double* result, KernelScratch& scratch) {
   for (const auto& segment : segments) {
     const auto& block = blocks[segment.block];
-    startCarry(block, kernels, segment.first, source, scratch);
-    overRuns(block, segment, source, scratch, [&](KernelCall call) {
+    startCarry(
+        block, [&](int) -> const KernelSet& { return kernels; }, segment.first, source, scratch);
+    overRuns(block, segment, source, scratch, [&](KernelCall call, int) {
       call.force = result + block.offset;
       kernels.applyStiffness(call);
     });
@@ -129,20 +136,23 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
 }
 
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
-                     const KernelSet& kernels, const std::vector<BlockStep>& steps, double step, const double* source,
+                     const KernelSet& common, const std::vector<BlockStep>& steps, double step, const double* source,
                      double* target, double* velocity, KernelScratch& scratch) {
   for (const auto& segment : segments) {
     const auto& block = blocks[segment.block];
     const auto& with = steps[segment.block];
-    startCarry(block, kernels, segment.first, source, scratch);
-    overRuns(block, segment, source, scratch, [&](KernelCall call) {
+    const auto kernelsOf = [&](int run) -> const KernelSet& {
+      return with.fineKernels && block.stations.runs[run].length <= with.fineLength ? *with.fineKernels : common;
+    };
+    startCarry(block, kernelsOf, segment.first, source, scratch);
+    overRuns(block, segment, source, scratch, [&](KernelCall call, int run) {
       call.inverseMass = with.inverseMass, call.fixedMask = with.freeMask;
       call.externalLine = with.lineOfNode, call.slave = with.slave, call.external = with.force;
       call.velocity = velocity + block.offset, call.target = target + block.offset;
       call.acceleration = with.acceleration, call.radialWeight = with.radialWeight;
       call.spinAcceleration = with.spinAcceleration, call.step = step, call.beta = with.beta;
       call.cosine = with.cosine, call.sine = with.sine;
-      kernels.advanceStep(call);
+      kernelsOf(run).advanceStep(call);
     });
     if (!block.closed && segment.first + segment.count == block.intervals)
       advanceLastStation(block, with, step, source, target, velocity, scratch.carry);

@@ -20,7 +20,7 @@ namespace {
 
 const char* const meshes[] = {"tiny", "draft", "standard", "paper"};
 
-const model::Model& modelOf(int mesh) {
+model::Model& modelOf(int mesh) {
   static std::map<int, model::Model> models;
   const auto [it, isNew] = models.try_emplace(mesh);
   if (isNew) it->second = model::buildModel(cases::loadCase("light-defect", {meshes[mesh], {}}));
@@ -28,7 +28,7 @@ const model::Model& modelOf(int mesh) {
 }
 
 // The paper's mesh with more and more track: cost per element and step should not change.
-const model::Model& longTrack(int metres) {
+model::Model& longTrack(int metres) {
   static std::map<int, model::Model> models;
   const auto [it, isNew] = models.try_emplace(metres);
   if (isNew)
@@ -83,7 +83,8 @@ void bareOperator(benchmark::State& state, const model::Model& model, int thread
   });
 }
 
-void wholeStep(benchmark::State& state, const model::Model& model, int threads) {
+void wholeStep(benchmark::State& state, model::Model& model, int threads, cases::ElementPrecision precision) {
+  model.description.mesh.precision = static_cast<int>(precision);
   constexpr int steps = 5;
   ThreadTeam team(threads);
   const auto kernels = elasticity::kernelsFor("");
@@ -112,11 +113,13 @@ int main(int argc, char** argv) {
       const std::string tail = std::string("/") + meshes[mesh] + "/threads:" + std::to_string(threads);
       const int rounds = mesh < 2 ? 400 : 120;
       addRow("operator" + tail, rounds, [=](benchmark::State& state) { bareOperator(state, modelOf(mesh), threads); });
-      addRow("step" + tail, rounds / 4, [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads); });
+      for (const auto precision : {cases::ElementPrecision::full, cases::ElementPrecision::single})
+        addRow((precision == cases::ElementPrecision::full ? "step" : "single_step") + tail, rounds / 4,
+               [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads, precision); });
     }
   for (const int metres : {10, 20, 40})
     addRow("long_track/metres:" + std::to_string(metres), 30,
-           [=](benchmark::State& state) { wholeStep(state, longTrack(metres), 2); });
+           [=](benchmark::State& state) { wholeStep(state, longTrack(metres), 2, cases::ElementPrecision::full); });
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

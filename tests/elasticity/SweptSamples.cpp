@@ -57,12 +57,12 @@ Eigen::Vector3d displacementAt(const SweptBlock& block, int node, int station, c
 }
 
 AlignedVector applySwept(const std::vector<SweptBlock>& blocks, const AlignedVector& u, const std::string& isa,
-                         int parts) {
+                         int parts, Precision precision) {
   std::vector<int> all;
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b) all.push_back(b);
   AlignedVector source = u, result(u.size(), 0.0);
   refreshGhosts(blocks, source.data());
-  const auto kernels = kernelsFor(isa);
+  const auto kernels = kernelsFor(isa, precision);
   for (const auto& segments : partition(blocks, all, parts)) {
     KernelScratch scratch(blocks);
     applySegments(segments, blocks, kernels, source.data(), result.data(), scratch);

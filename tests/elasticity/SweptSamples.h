@@ -34,7 +34,7 @@ Eigen::Vector3d displacementAt(const SweptBlock& block, int node, int station, c
 
 // K u by the swept kernels, cut into `parts` stretches that are worked off one after the other.
 AlignedVector applySwept(const std::vector<SweptBlock>& blocks, const AlignedVector& u, const std::string& isa,
-                         int parts = 1);
+                         int parts = 1, Precision precision = Precision::doubleInside);
 
 // Adds what the slaves feel in `from` to the masters in `to` (both state layout), by the given cuts between ranges of
 // master stations; none: in one go.

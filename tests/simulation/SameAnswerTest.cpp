@@ -1,0 +1,63 @@
+// What was made faster gives the answer that it gave before: within half a percent of the largest acceleration, at
+// every sample. The answer of before is frozen in frozen/light-defect-tiny.csv.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "case/CaseFile.h"
+#include "simulation/RunCase.h"
+
+namespace squat {
+namespace {
+
+struct Frozen {
+  std::vector<double> time, acceleration;
+};
+
+Frozen readFrozen() {
+  std::ifstream file(FROZEN_FOLDER "/light-defect-tiny.csv");
+  Frozen frozen;
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    const auto comma = line.find(',');
+    frozen.time.push_back(std::stod(line.substr(0, comma)));
+    frozen.acceleration.push_back(std::stod(line.substr(comma + 1)));
+  }
+  return frozen;
+}
+
+class SameAnswer : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SameAnswer, AsBeforeWithinHalfAPercent) {
+  const auto frozen = readFrozen();
+  ASSERT_GT(frozen.time.size(), 150U);
+  simulation::RunOptions options;
+  options.threads = 1;
+  options.wheelsetModes = false;
+  options.snapshots = false;
+  Monitor silent;
+  const auto result =
+      simulation::runCase(cases::loadCase("light-defect", {"tiny", {{"mesh.precision", GetParam()}}}), options, silent);
+  const auto& now = *result.signal("aba_filtered");
+  ASSERT_EQ(now.size(), frozen.acceleration.size());
+  double most = 0, peak = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    ASSERT_NEAR(result.time[i], frozen.time[i], 1e-9);
+    most = std::max(most, std::abs(now[i] - frozen.acceleration[i]));
+    peak = std::max(peak, std::abs(frozen.acceleration[i]));
+  }
+  std::printf("%s: largest difference %.3f %% of the peak\n", GetParam(), 100 * most / peak);
+  EXPECT_GT(peak, 100);
+  EXPECT_LT(most, 5e-3 * peak);
+}
+
+INSTANTIATE_TEST_SUITE_P(Precisions, SameAnswer, ::testing::Values("double", "single"),
+                         [](const auto& info) { return std::string(info.param); });
+
+}  // namespace
+}  // namespace squat
