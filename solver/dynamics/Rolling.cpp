@@ -66,7 +66,8 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
       beta_(beta),
       inertia_(model.blocks[model.rail], model.blocks[model.rim],
                std::max(model::normalPenalty(model.description), model::tangentialPenalty(model.description)), step,
-               beta) {
+               beta),
+      wheelsetDamping_(model, step) {
   const auto& d = model.description;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   law_ = {model::normalPenalty(d), model::tangentialPenalty(d), d.contact.friction};
