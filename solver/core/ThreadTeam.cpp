@@ -6,6 +6,28 @@
 
 namespace squat {
 
+// Threads that have a core each meet within microseconds; where they share cores, spinning only keeps the others away.
+// A core that goes to sleep takes longer to wake than most waits last, on virtual machines above all: so a thread that
+// has spun in vain offers its core to others for about half a millisecond before it sleeps.
+Patience::Patience(int threads)
+    : spins(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 2000 : 20),
+      yields(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 1000 : 0) {}
+
+template <typename Done>
+bool Patience::waitFor(const Done& done) const {
+  for (int i = 0; i < spins; ++i) {
+    if (done()) return true;
+#if defined(__x86_64__)
+    __builtin_ia32_pause();
+#endif
+  }
+  for (int i = 0; i < yields; ++i) {
+    if (done()) return true;
+    std::this_thread::yield();
+  }
+  return false;
+}
+
 void StepBarrier::wait() {
   if (threads_ == 1) return;
   const unsigned round = round_.load(std::memory_order_relaxed);
@@ -15,28 +37,13 @@ void StepBarrier::wait() {
     round_.notify_all();
     return;
   }
-  for (int spins = 0; spins < spins_; ++spins) {
-    if (round_.load(std::memory_order_acquire) != round) return;
-#if defined(__x86_64__)
-    __builtin_ia32_pause();
-#endif
-  }
-  for (int yields = 0; yields < yields_; ++yields) {
-    if (round_.load(std::memory_order_acquire) != round) return;
-    std::this_thread::yield();
-  }
+  if (patience_.waitFor([&] { return round_.load(std::memory_order_acquire) != round; })) return;
   while (round_.load(std::memory_order_acquire) == round) round_.wait(round, std::memory_order_acquire);
 }
 
-// Threads that have a core each meet within microseconds; where they share cores, spinning only keeps the others away.
-// A core that goes to sleep takes longer to wake than most waits last, on virtual machines above all: so a thread that
-// has spun in vain offers its core to others for about half a millisecond before it sleeps.
-StepBarrier::StepBarrier(int threads)
-    : threads_(threads),
-      spins_(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 2000 : 20),
-      yields_(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 1000 : 0) {}
+StepBarrier::StepBarrier(int threads) : threads_(threads), patience_(threads) {}
 
-ThreadTeam::ThreadTeam(int threads) : size_(std::max(1, threads)), barrier_(size_) {
+ThreadTeam::ThreadTeam(int threads) : size_(std::max(1, threads)), patience_(size_), barrier_(size_) {
   for (int i = 1; i < size_; ++i) threads_.emplace_back([this, i] { work(i); });
 }
 
@@ -63,8 +70,10 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
   } catch (...) {
     own = std::current_exception();
   }
+  const auto allDone = [this] { return busy_ == 0; };
+  patience_.waitFor(allDone);
   std::unique_lock lock(mutex_);
-  done_.wait(lock, [this] { return busy_ == 0; });
+  done_.wait(lock, allDone);
   task_ = nullptr;
   const auto failure = own ? own : std::exchange(failure_, nullptr);
   if (failure) std::rethrow_exception(failure);
@@ -72,11 +81,13 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
 
 void ThreadTeam::work(int index) {
   unsigned long seen = 0;
+  const auto called = [&] { return stop_ || round_ != seen; };
   while (true) {
     const std::function<void(int)>* task = nullptr;
+    patience_.waitFor(called);
     {
       std::unique_lock lock(mutex_);
-      start_.wait(lock, [&] { return stop_ || round_ != seen; });
+      start_.wait(lock, called);
       if (stop_) return;
       seen = round_;
       task = task_;

@@ -11,6 +11,15 @@
 
 namespace squat {
 
+// How long a thread waits awake for the others before it sleeps.
+struct Patience {
+  explicit Patience(int threads);
+  // True as soon as `done()` is, false when patience has run out.
+  template <typename Done>
+  bool waitFor(const Done& done) const;
+  int spins, yields;
+};
+
 // Barrier for threads that meet every few microseconds: spins a while, then yields, then sleeps, so that a busy machine
 // only slows it.
 class StepBarrier {
@@ -19,7 +28,8 @@ class StepBarrier {
   void wait();
 
  private:
-  const int threads_, spins_, yields_;
+  const int threads_;
+  const Patience patience_;
   std::atomic<int> arrived_{0};
   std::atomic<unsigned> round_{0};
 };
@@ -41,14 +51,15 @@ class ThreadTeam {
  private:
   void work(int index);
   int size_;
+  Patience patience_;
   StepBarrier barrier_;
   std::vector<std::thread> threads_;
   std::mutex mutex_;
   std::condition_variable start_, done_;
   const std::function<void(int)>* task_ = nullptr;
-  unsigned long round_ = 0;
-  int busy_ = 0;
-  bool stop_ = false;
+  std::atomic<unsigned long> round_{0};  // changed under the mutex, as are the next two; read outside while spinning
+  std::atomic<int> busy_{0};
+  std::atomic<bool> stop_{false};
   std::exception_ptr failure_;
 };
 
