@@ -25,6 +25,13 @@ bool wantsScreenshot(int argc, char** argv) {
   return false;
 }
 
+bool wantsWords(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    for (const char* each : {"-h", "--help", "--help-all", "-v", "--version"})
+      if (std::strcmp(argv[i], each) == 0) return true;
+  return false;
+}
+
 Arguments readArguments() {
   QCommandLineParser parser;
   parser.setApplicationDescription("Draw a squat, roll a wheel over it, see what the axle box feels.");

@@ -18,4 +18,7 @@ Arguments readArguments();
 // True where the arguments ask for a picture only: then no display is needed.
 bool wantsScreenshot(int argc, char** argv);
 
+// The same for what is only printed: help and version.
+bool wantsWords(int argc, char** argv);
+
 }  // namespace squat::studio

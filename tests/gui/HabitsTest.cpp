@@ -4,6 +4,7 @@
 #include <QAccessible>
 #include <QApplication>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
@@ -15,6 +16,7 @@
 
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
+#include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "render/SyntheticResult.h"
 
@@ -131,6 +133,18 @@ TEST(Habits, unsavedResultsAreAskedAboutOnClosing) {
   EXPECT_TRUE(questions[0].contains("fresh")) << questions[0].toStdString();
   answer = Answer::discard;
   EXPECT_TRUE(window.close());
+}
+
+TEST(Habits, savingOnClosingAsksForAPlace) {
+  const QTemporaryDir folder;
+  StudioServices services = tests::services(50, Answer::save);
+  MainWindow window(services);
+  window.show();
+  window.store().add(madeUp("fresh"));
+  tests::FileDialogTyping typing(folder.filePath("fresh.h5"));
+  EXPECT_TRUE(window.close());
+  EXPECT_TRUE(typing.done());
+  EXPECT_TRUE(QFileInfo::exists(folder.filePath("fresh.h5")));
 }
 
 }  // namespace

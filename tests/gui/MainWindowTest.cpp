@@ -1,8 +1,14 @@
 // The window as a whole: files, tabs, closing, dark.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QComboBox>
 #include <QFile>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -28,6 +34,59 @@ TEST(MainWindow, everyTabShowsSomething) {
     EXPECT_GT(tests::inkShare(window.grab().toImage()), 0.1) << name.toStdString();
   }
   EXPECT_FALSE(window.showTab("nowhere"));
+}
+
+// What a text needs is what its widget has: nothing is cut, also in a small window.
+TEST(MainWindow, everyTextHasRoom) {
+  MainWindow window(tests::services());
+  ASSERT_TRUE(window.openCase("light-defect"));
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  for (const QSize size : {QSize(1500, 920), QSize(1440, 900)}) {
+    window.resize(size);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    for (const QString& name : MainWindow::tabNames()) {
+      window.showTab(name);
+      QTest::qWait(30);
+      for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        const auto* label = qobject_cast<const QLabel*>(widget);
+        const auto* button = qobject_cast<const QAbstractButton*>(widget);
+        const bool text = (label && !label->wordWrap()) || (button && !button->text().isEmpty()) ||
+                          qobject_cast<const QComboBox*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget);
+        if (!text || !widget->isVisible() || qobject_cast<QTabBar*>(widget->parentWidget())) continue;
+        EXPECT_GE(widget->width(), widget->minimumSizeHint().width())
+            << name.toStdString() << ": " << widget->metaObject()->className() << ' '
+            << widget->accessibleName().toStdString() << (label ? label->text().toStdString() : std::string());
+      }
+    }
+    EXPECT_EQ(window.size(), size);  // no part forces the window to be larger
+  }
+}
+
+// Cancelled in a phase before the rolling: no empty entry in the list, no question about it on closing.
+TEST(MainWindow, nothingIsKeptOfARunThatNeverRolled) {
+  int questions = 0;
+  StudioServices services = tests::services();
+  services.runner = [](const cases::CaseDescription&, const simulation::RunOptions&, Monitor& monitor,
+                       results::RunResult*) {
+    while (!monitor.cancelled()) QTest::qSleep(1);
+    results::RunResult nothing;
+    nothing.stopReason = "cancelled";
+    return nothing;
+  };
+  services.asker = [&](QWidget*, const QString&, const QString&) {
+    ++questions;
+    return Answer::cancel;
+  };
+  MainWindow window(services);
+  window.show();
+  window.startRun();
+  window.controller().cancel();
+  ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }));
+  EXPECT_EQ(window.store().rowCount(), 0);
+  EXPECT_TRUE(window.findChild<QPlainTextEdit*>()->toPlainText().contains("nothing to keep"));
+  EXPECT_TRUE(window.close());
+  EXPECT_EQ(questions, 0);
 }
 
 TEST(MainWindow, everyActionHasAName) {

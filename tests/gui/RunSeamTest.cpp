@@ -23,21 +23,21 @@ results::RunResult madeUpRun(const cases::CaseDescription& description, const si
                              results::RunResult* partial) {
   results::RunResult result;
   result.title = description.title;
-  for (int step = 0; step < 200; ++step) {
+  for (int step = 0; step < 100; ++step) {
     Progress progress;
-    progress.phase = step < 50 ? "equilibrium" : "rolling";
-    progress.fraction = step / 200.0;
+    progress.phase = step < 30 ? "equilibrium" : "rolling";
+    progress.fraction = step / 100.0;
     progress.position = step;
     if (step == 20) progress.step = 2e-7, progress.limitedBy = "rail";
     monitor.report(progress);
     if (step % 10 == 0) monitor.message("step");
     result.time.push_back(step);
-    while (step >= 50 && monitor.paused() && !monitor.cancelled()) std::this_thread::yield();
+    while (step >= 30 && monitor.paused() && !monitor.cancelled()) std::this_thread::yield();
     if (monitor.cancelled()) {
       result.stopReason = "cancelled";
       return result;
     }
-    if (step == 150 && description.title == "fails") {
+    if (step == 75 && description.title == "fails") {
       *partial = result;
       throw RunError("made to fail", step, 0, "nowhere");
     }
@@ -90,7 +90,7 @@ TEST(AnyMoment, theSeamHoldsTwoHundredDisturbedRuns) {
     description.title = random() % 5 == 0 ? "fails" : "runs";
     controller->start(description, "stem");
     for (int action = 0; action < 4; ++action) {
-      letEventsPass(static_cast<int>(random() % 20));
+      letEventsPass(static_cast<int>(random() % 8));
       const auto chosen = random() % 8;
       if (chosen < 2)
         controller->setPaused(true);

@@ -200,6 +200,33 @@ TEST(Signals, markedLinesAreWhereTheLinesAre) {
   EXPECT_LT(nearest, 0.2);
 }
 
+TEST(Signals, theTableOfAFigureHoldsWhatIsSeen) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  const ResultPointer run = synthetic();
+  store.add({run, "run", {}, false, false});
+  for (const char* name : {"scalogram", "aba"}) panel.showTab(name);
+  plots::Figure* figure = panel.view("aba")->figure();
+  figure->xAxis->setRange(-10, 10);
+  const auto lines = QString::fromUtf8(figureTable(*figure)).split('\n', Qt::SkipEmptyParts);
+  const auto within = std::count_if(run->position.begin(), run->position.end(),
+                                    [](double position) { return std::abs(position) <= 0.01; });
+  EXPECT_NEAR(static_cast<double>(within), 20 / 1.2, 1);  // 20 mm, a sample every 1.2 mm
+  EXPECT_EQ(lines.size(), 1 + within * figure->graphCount());
+  // The rows of the first curve are the samples that were computed.
+  const auto first = std::find_if(run->position.begin(), run->position.end(), [](double x) { return x >= -0.01; });
+  const auto row = lines.value(1).split(',');
+  ASSERT_EQ(row.size(), 3);
+  EXPECT_NEAR(row[1].toDouble(), 1e3 * *first, 1e-9);
+  std::string ignored;
+  const ResultPointer filtered = analysed(*run, panel.settings(), ignored);
+  EXPECT_NEAR(row[2].toDouble(),
+              (*filtered->signal("aba_filtered"))[static_cast<std::size_t>(first - run->position.begin())], 1e-6);
+  const QByteArray map = figureTable(*panel.view("scalogram")->figure());
+  EXPECT_TRUE(map.startsWith("curve,\"Position of the wheel [mm]\",\"Frequency [Hz]\",\"Wavelet power"));
+  EXPECT_GT(map.count("\"map\","), 1000);
+}
+
 TEST(RunStore, removingKeepsACurrentRun) {
   RunStore store;
   for (const char* label : {"a", "b", "c"}) store.add({synthetic(), label, {}, false, false});

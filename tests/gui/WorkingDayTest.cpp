@@ -1,20 +1,27 @@
-// A whole working day by mouse and keys: open, edit, undo, redo, run, watch, cancel, run again, overlay a measured
-// signal, export, save, reopen.
+// A whole working day around the real computation, by mouse and keys alone: open, edit, undo, redo, run, watch, cancel,
+// run again, overlay a measured signal, export, save, reopen.
 #include <gtest/gtest.h>
 
-#include <QAction>
-#include <QApplication>
+#include <QComboBox>
 #include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include "case/CaseFile.h"
+#include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
-#include "render/SyntheticResult.h"
 #include "results/SignalTable.h"
+#include "simulation/RunCase.h"
+#include "studio/FigureView.h"
 #include "studio/LivePlot.h"
 #include "studio/MessageBar.h"
+#include "studio/ParameterForm.h"
+#include "studio/ParameterRow.h"
 #include "studio/ProfileEditor.h"
 #include "studio/ProfilePlot.h"
 #include "studio/RunPanel.h"
@@ -23,67 +30,187 @@
 namespace squat::studio {
 namespace {
 
-TEST(WorkingDay, fromOpeningToReopening) {
-  const QTemporaryDir folder;
-  MainWindow window(tests::services(300));
-  window.resize(1500, 920);
-  window.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-  QApplication::setActiveWindow(&window);  // an X server without a window manager activates nothing by itself
-  window.findChild<QAction*>("shipped light-defect")->trigger();
-  ASSERT_EQ(window.document().name(), "light-defect");
+using tests::BoxAnswer;
+using tests::click;
+using tests::drag;
+using tests::FileDialogTyping;
+using tests::press;
+using tests::type;
 
-  // Edit the profile: the deepest point a little deeper.
-  ProfilePlot* plot = window.profile()->plot();
-  plot->replot(QCustomPlot::rpImmediateRefresh);
-  const auto& points = window.document().description().defect.points;
-  std::size_t deepest = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].height < points[deepest].height) deepest = i;
-  const double before = points[deepest].height;
-  const QPoint from = plot->placeOf(deepest).toPoint();
-  QTest::mousePress(plot, Qt::LeftButton, {}, from);
-  for (int i = 1; i <= 4; ++i) QTest::mouseMove(plot, from + QPoint(0, 3 * i));
-  QTest::mouseRelease(plot, Qt::LeftButton, {}, from + QPoint(0, 12));
-  const double deeper = window.document().description().defect.points[deepest].height;
-  EXPECT_LT(deeper, before);
-  QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(window.document().description().defect.points[deepest].height, before);
-  QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(window.document().description().defect.points[deepest].height, deeper);
+constexpr int patience = 1200000;  // [ms] for busy machines and sanitizers; an idle core needs some seconds
 
-  // Run, watch, cancel, run again.
-  auto* run = window.findChild<QPushButton*>("run");
-  auto* cancel = window.findChild<QPushButton*>("cancel");
-  auto* panel = window.findChild<RunPanel*>();
-  ASSERT_TRUE(run->isEnabled()) << run->toolTip().toStdString();
-  QTest::mouseClick(run, Qt::LeftButton);
-  ASSERT_TRUE(tests::passes([&] { return panel->live()->sampleCount() > 5; }));
-  EXPECT_FALSE(run->isEnabled());
-  QTest::mouseClick(cancel, Qt::LeftButton);
-  ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }));
-  ASSERT_EQ(window.store().rowCount(), 1);
-  EXPECT_FALSE(window.store().currentResult()->complete);
-  QTest::keyClick(&window, Qt::Key_F5);
-  ASSERT_TRUE(tests::passes([&] { return window.store().rowCount() == 2; }, 20000));
-  EXPECT_TRUE(window.store().currentResult()->complete);
+class WorkingDay : public testing::Test {
+ protected:
+  static StudioServices realServices() {
+    StudioServices services;  // real questions in real boxes
+    services.runner = simulation::runCase;
+    services.threads = 1;  // other tests may hold the second core
+    return services;
+  }
+  void open(MainWindow& window) {
+    window.resize(1500, 920);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  }
+  // Finds the parameter by typing its key into the search, then types its value.
+  void enter(const std::string& key, const QString& value) {
+    searchFor(QString::fromStdString(key));
+    QWidget* editor = window_.form()->row(key)->editor();
+    ASSERT_TRUE(editor->isVisible()) << key;
+    click(*editor);
+    if (qobject_cast<QLineEdit*>(editor)) press(window_, Qt::Key_A, Qt::ControlModifier);
+    type(window_, value);
+    press(window_, Qt::Key_Return);
+  }
+  void searchFor(const QString& text) {
+    click(*window_.findChild<QLineEdit*>("parameterSearch"));
+    press(window_, Qt::Key_A, Qt::ControlModifier);
+    press(window_, Qt::Key_Delete);
+    type(window_, text);
+  }
+  void editTheProfile() {
+    ProfilePlot* plot = window_.profile()->plot();
+    plot->replot(QCustomPlot::rpImmediateRefresh);
+    const auto& points = window_.document().description().defect.points;
+    std::size_t deepest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].height < points[deepest].height) deepest = i;
+    const double before = points[deepest].height;
+    const QPoint from = plot->placeOf(deepest).toPoint();
+    drag(*plot, from, from + QPoint(0, 12));
+    const double deeper = window_.document().description().defect.points[deepest].height;
+    EXPECT_LT(deeper, before);
+    press(window_, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(window_.document().description().defect.points[deepest].height, before);
+    press(window_, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(window_.document().description().defect.points[deepest].height, deeper);
+  }
+  // A short stretch on the coarsest mesh.
+  void makeItShort() {
+    ASSERT_NO_FATAL_FAILURE(enter("mesh.preset", "tiny"));
+    ASSERT_NO_FATAL_FAILURE(enter("motion.run_up", "0.06"));
+    ASSERT_NO_FATAL_FAILURE(enter("motion.beyond", "0.07"));
+    searchFor("");
+    const auto& made = window_.document().description();
+    ASSERT_EQ(qobject_cast<QComboBox*>(window_.form()->row("mesh.preset")->editor())->currentText(), "tiny");
+    ASSERT_DOUBLE_EQ(made.motion.runUp, 0.06);
+    ASSERT_DOUBLE_EQ(made.motion.beyond, 0.07);
+    ASSERT_TRUE(window_.form()->blockers().isEmpty()) << window_.form()->blockers().join('\n').toStdString();
+  }
+  void runCancelAndRunAgain() {
+    auto* run = window_.findChild<QPushButton*>("run");
+    auto* panel = window_.findChild<RunPanel*>();
+    auto* figures = window_.findChild<QLabel*>("runFigures");
+    click(*run);
+    ASSERT_TRUE(tests::passes([&] { return panel->live()->sampleCount() > 2; }, patience));
+    EXPECT_FALSE(run->isEnabled());
+    // Step and what sets it, updates a second and the ledger are told while it runs.
+    for (const char* word : {"set by", "element updates a second", "energy residual"})
+      EXPECT_TRUE(tests::passes([&] { return figures->text().contains(word); }, patience))
+          << figures->text().toStdString();
+    click(*window_.findChild<QPushButton*>("cancel"));
+    ASSERT_TRUE(tests::passes([&] { return !window_.controller().isRunning(); }, patience));
+    ASSERT_EQ(window_.store().rowCount(), 1);
+    EXPECT_FALSE(window_.store().currentResult()->complete);
+    press(window_, Qt::Key_F5);
+    ASSERT_TRUE(tests::passes([&] { return window_.store().rowCount() == 2; }, patience));
+    ASSERT_TRUE(window_.store().currentResult()->complete) << window_.messages()->text().toStdString();
+  }
+  void overlayAMeasuredSignal() {
+    const ResultPointer computed = window_.store().currentResult();
+    results::writeSignalTable(folder_.filePath("measured.csv").toStdString(), *computed);
+    FileDialogTyping typing(folder_.filePath("measured.csv"));
+    press(window_, Qt::Key_M, Qt::ControlModifier);
+    ASSERT_TRUE(typing.done());
+    ASSERT_EQ(window_.store().overlays().size(), 1u) << window_.messages()->text().toStdString();
+    // The same signal: its impact lies where the run's does. A sample is 1.2 mm.
+    EXPECT_NEAR(window_.store().overlays()[0].result->position.front(), computed->position.front(), 1.3e-3);
+    EXPECT_GE(window_.signalsPanel()->view("aba")->figure()->graphCount(), 3);
+  }
+  void exportAll() {
+    FileDialogTyping typing(folder_.path());
+    click(*window_.findChild<QPushButton*>("exportAllButton"));
+    ASSERT_TRUE(typing.done());
+    for (const QString& name : window_.signalsPanel()->names())
+      for (const char* ending : {"png", "svg", "pdf", "csv"})
+        EXPECT_GT(QFileInfo(folder_.filePath(name + "." + ending)).size(), 20) << name.toStdString() << ending;
+  }
 
-  // A measured signal over it.
-  results::writeSignalTable(folder.filePath("measured.csv").toStdString(), tests::syntheticResult());
-  ASSERT_TRUE(window.openMeasured(folder.filePath("measured.csv"))) << window.messages()->text().toStdString();
-  EXPECT_EQ(window.store().overlays().size(), 1u);
-  // The same signal: its impact lies where the run's does.
-  const auto& measured = *window.store().overlays()[0].result;
-  EXPECT_NEAR(measured.position.front(), tests::syntheticResult().position.front(), 2e-3);  // a sample is 1.2 mm
+  const QTemporaryDir folder_;
+  MainWindow window_{realServices()};
+};
 
-  EXPECT_EQ(window.signalsPanel()->exportAll(folder.path()).size(), 28);
-  ASSERT_TRUE(window.saveCaseTo(folder.filePath("day.toml")));
-  const cases::CaseDescription saved = window.document().description();
-  ASSERT_TRUE(window.close());
+TEST_F(WorkingDay, fromOpeningToReopening) {
+  ASSERT_NO_FATAL_FAILURE(open(window_));
+  tests::clickMenu(window_, {"File", "Shipped cases", "light-defect"});
+  ASSERT_EQ(window_.document().name(), "light-defect");
+  ASSERT_NO_FATAL_FAILURE(editTheProfile());
+  ASSERT_NO_FATAL_FAILURE(makeItShort());
+  ASSERT_NO_FATAL_FAILURE(runCancelAndRunAgain());
+  ASSERT_NO_FATAL_FAILURE(overlayAMeasuredSignal());
+  ASSERT_NO_FATAL_FAILURE(exportAll());
 
-  MainWindow tomorrow(tests::services());
-  ASSERT_TRUE(tomorrow.openAny(folder.filePath("day.toml")));
-  EXPECT_TRUE(sameCase(tomorrow.document().description(), saved));
+  const cases::CaseDescription edited = window_.document().description();
+  const ResultPointer computed = window_.store().currentResult();
+  {
+    FileDialogTyping typing(folder_.filePath("day.toml"));
+    press(window_, Qt::Key_S, Qt::ControlModifier);
+    ASSERT_TRUE(typing.done());
+    EXPECT_FALSE(window_.document().isModified()) << window_.messages()->text().toStdString();
+  }
+  {
+    FileDialogTyping typing(folder_.filePath("day.h5"));
+    press(window_, Qt::Key_E, Qt::ControlModifier);
+    ASSERT_TRUE(typing.done());
+  }
+  {
+    BoxAnswer answer("Discard");  // the cancelled run is not saved
+    press(window_, Qt::Key_Q, Qt::ControlModifier);
+    ASSERT_TRUE(answer.done());
+    EXPECT_TRUE(answer.question().contains("not saved")) << answer.question().toStdString();
+    EXPECT_FALSE(window_.isVisible());
+  }
+
+  MainWindow tomorrow(realServices());
+  ASSERT_NO_FATAL_FAILURE(open(tomorrow));
+  {
+    FileDialogTyping typing(folder_.filePath("day.toml"));
+    press(tomorrow, Qt::Key_O, Qt::ControlModifier);
+    ASSERT_TRUE(typing.done());
+  }
+  EXPECT_EQ(tomorrow.document().name(), "day");
+  EXPECT_TRUE(sameCase(tomorrow.document().description(), edited));
+  EXPECT_EQ(cases::caseHash(tomorrow.document().description()), cases::caseHash(edited));
+  {
+    FileDialogTyping typing(folder_.filePath("day.h5"));
+    press(tomorrow, Qt::Key_O, Qt::ControlModifier);
+    ASSERT_TRUE(typing.done());
+  }
+  ASSERT_TRUE(tomorrow.store().currentResult()) << tomorrow.messages()->text().toStdString();
+  EXPECT_EQ(*tomorrow.store().currentResult()->signal("aba_filtered"), *computed->signal("aba_filtered"));
+}
+
+TEST_F(WorkingDay, aProfileIsImportedThroughItsPreview) {
+  ASSERT_NO_FATAL_FAILURE(open(window_));
+  QFile file(folder_.filePath("dip.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("position [mm];height [um]\n-20;0\n-10;-50,5\n0;-120\n10;-50,5\n20;0\n");
+  file.close();
+  {
+    FileDialogTyping typing(file.fileName());
+    click(*window_.findChild<QToolButton*>("importProfile"));
+    ASSERT_TRUE(typing.done());
+  }
+  auto* dialog = window_.findChild<QDialog*>("importDialog");
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog));
+  click(*dialog->findChild<QPushButton*>("takeProfile"));
+  const auto& points = window_.document().description().defect.points;
+  ASSERT_EQ(points.size(), 5u);
+  EXPECT_NEAR(points[1].height, -50.5e-6, 1e-12);  // semicolons and decimal commas are found
+  EXPECT_NEAR(points[2].position, 0, 1e-12);
+  press(window_, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NE(window_.document().description().defect.points.size(), 5u);
 }
 
 }  // namespace

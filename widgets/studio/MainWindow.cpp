@@ -117,7 +117,7 @@ void MainWindow::connectParts() {
   run_->setBlockers(form_->blockers());
   connect(run_, &RunPanel::runWished, this, &MainWindow::startRun);
   connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
-    if (ending_) return;
+    if (ending_ || result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
     const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(store_.rowCount() + 1);
     store_.add({result, label, QString(), false, false});
   });

@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPushButton>
 #include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
@@ -55,11 +54,13 @@ QWidget* ProfileEditor::makeToolBar() {
   auto* layout = new QHBoxLayout(bar);
   layout->setContentsMargins(0, 0, 0, 0);
   const auto button = [&](const QString& text, const QString& tip, auto action) {
-    auto* made = new QPushButton(text, bar);
+    auto* made = new QToolButton(bar);
+    made->setText(text);
+    made->setFocusPolicy(Qt::StrongFocus);
     made->setToolTip(tip);
     made->setAccessibleName(tip);
     layout->addWidget(made);
-    connect(made, &QPushButton::clicked, this, action);
+    connect(made, &QToolButton::clicked, this, action);
     return made;
   };
   button(tr("Import…"), tr("Import a measured profile from a table"), [this] {

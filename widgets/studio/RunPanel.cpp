@@ -73,9 +73,10 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   connect(&controller_, &RunController::pausedChanged, this, &RunPanel::showState);
   connect(&controller_, &RunController::news, this, &RunPanel::showNews);
   connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
-    say(result->complete
-            ? tr("Done.")
-            : tr("Stopped: %1. What there is so far is kept.").arg(QString::fromStdString(result->stopReason)));
+    say(result->complete       ? tr("Done.")
+        : result->time.empty() ? tr("Cancelled before the wheel rolled: there is nothing to keep.")
+                               : tr("Stopped: %1. What there is so far is kept, marked as incomplete.")
+                                     .arg(QString::fromStdString(result->stopReason)));
     for (const auto& warning : result->warnings) say(QString::fromStdString(warning));
   });
   connect(&controller_, &RunController::failed, this, [this](const QString& sentence, const QString& details) {

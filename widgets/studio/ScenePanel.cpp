@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/Errors.h"
@@ -30,6 +31,18 @@ ScenePanel::ScenePanel(RunStore& store, bool dark, QWidget* parent)
   connect(&store_, &RunStore::currentChanged, this, &ScenePanel::showResult);
   showResult();
 }
+
+namespace {
+
+// Narrower than a push button: seven of them fit into a small window.
+QToolButton* toolButton(const QString& text, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setText(text);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+}  // namespace
 
 QWidget* ScenePanel::makeControls() {
   auto* bar = new QWidget(this);
@@ -66,22 +79,22 @@ QWidget* ScenePanel::makeControls() {
                                                          {tr("Front"), scene::StandardView::front},
                                                          {tr("Top"), scene::StandardView::top}};
   for (const auto& [text, view] : views) {
-    auto* button = new QPushButton(text, bar);
+    auto* button = toolButton(text, bar);
     button->setAccessibleName(tr("View: %1").arg(text));
     button->setObjectName("view " + text);
     second->addWidget(button);
     const auto chosen = view;
-    connect(button, &QPushButton::clicked, this, [this, chosen] { scene_->lookFrom(chosen); });
+    connect(button, &QToolButton::clicked, this, [this, chosen] { scene_->lookFrom(chosen); });
   }
-  auto* picture = new QPushButton(tr("Picture…"), bar);
+  auto* picture = toolButton(tr("Picture…"), bar);
   second->addWidget(picture);
-  auto* series = new QPushButton(tr("VTK…"), bar);
+  auto* series = toolButton(tr("VTK…"), bar);
   series->setToolTip(tr("Write the frames for ParaView (.pvd, .vtu)"));
   second->addWidget(series);
-  connect(series, &QPushButton::clicked, this, &ScenePanel::saveSeries);
+  connect(series, &QToolButton::clicked, this, &ScenePanel::saveSeries);
   second->addStretch();
   layout->addStretch();
-  connect(picture, &QPushButton::clicked, this, &ScenePanel::savePicture);
+  connect(picture, &QToolButton::clicked, this, &ScenePanel::savePicture);
   connect(field_, &QComboBox::currentIndexChanged, this, &ScenePanel::apply);
   connect(scale_, &QDoubleSpinBox::valueChanged, this, &ScenePanel::apply);
   connect(cut_, &QCheckBox::toggled, this, &ScenePanel::apply);
