@@ -333,7 +333,9 @@ struct Beginning {
 
 Beginning begin(Run& run, const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team) {
   const auto& d = run.description;
+  if (run.monitor.cancelled()) return {{}, {}, true};
   if (run.options.wheelsetModes) run.timed("modes", [&] { return describeModes(d, run.result), 0; });
+  if (run.monitor.cancelled()) return {{}, {}, true};
   const auto stable = run.timed("stable_step", [&] { return dynamics::stableStep(model, kernels, team, run.monitor); });
   if (run.monitor.cancelled()) return {{}, {}, true};
   Beginning beginning;
@@ -343,8 +345,8 @@ Beginning begin(Run& run, const model::Model& model, const elasticity::KernelSet
   run.tellStep(beginning.steps.step, stable.place);
   beginning.quiet =
       run.timed("equilibrium", [&] { return statics::prepareQuietStart(model, kernels, team, run.monitor); });
-  describeEquilibrium(model, beginning.quiet.equilibrium, run.result);
   beginning.cancelled = beginning.quiet.equilibrium.cancelled;
+  if (!beginning.cancelled) describeEquilibrium(model, beginning.quiet.equilibrium, run.result);
   return beginning;
 }
 

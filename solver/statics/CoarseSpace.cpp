@@ -263,7 +263,7 @@ void CoarseSpace::prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, doubl
   for (const auto index : model_.held) z[index] = 0;
 }
 
-void CoarseSpace::assemble(model::StaticOperator& op) {
+bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
   const supports::SpringSet kept = std::exchange(op.contactSprings(), supports::SpringSet{});
   auto& team = op.team();
   std::vector<std::vector<int>> groups;
@@ -276,6 +276,7 @@ void CoarseSpace::assemble(model::StaticOperator& op) {
   Eigen::VectorXd coarse;
   for (const auto& group : groups) {
     if (group.empty()) continue;
+    if (monitor.cancelled()) return false;
     Eigen::VectorXd source = Eigen::VectorXd::Zero(unknowns_);
     for (const int j : group) source[j] = 1;
     std::fill(u.begin(), u.end(), 0.0);
@@ -291,6 +292,7 @@ void CoarseSpace::assemble(model::StaticOperator& op) {
   }
   matrix_ = 0.5 * (matrix_ + matrix_.transpose()).eval();
   op.contactSprings() = kept;
+  return true;
 }
 
 Eigen::VectorXd CoarseSpace::projectSparse(const supports::SpringSet& springs, std::size_t i) const {

@@ -11,6 +11,7 @@
 #include <Eigen/SparseCholesky>
 #include <vector>
 
+#include "core/Monitor.h"
 #include "model/StaticOperator.h"
 
 namespace squat::statics {
@@ -20,8 +21,8 @@ class CoarseSpace {
   CoarseSpace(const model::Model& model, const model::StaticOperator& op);
 
   int size() const { return unknowns_; }
-  // Z^T K Z without contact springs; call once.
-  void assemble(model::StaticOperator& op);
+  // Z^T K Z without contact springs; call once. False when the monitor has cancelled it.
+  bool assemble(model::StaticOperator& op, Monitor& monitor);
   // Adds the contact springs' share and factorises.
   void factorise(const supports::SpringSet& contact);
   // z += Z (Z^T K Z)^-1 Z^T r.

@@ -115,7 +115,10 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   else
     lowerVehicle(model, rotation, e.displacement);
   const AlignedVector weight = gravityForces(model, rotation);
-  coarse.assemble(op);
+  if (!coarse.assemble(op, monitor)) {
+    e.cancelled = true;
+    return e;
+  }
 
   AlignedVector r(n, 0.0), change(n, 0.0);
   double startNorm = 0;
@@ -216,7 +219,7 @@ AlignedVector equilibriumRate(const model::Model& model, const elasticity::Kerne
 
   model::StaticOperator op(model, kernels, team, 0, 1e8, true);
   CoarseSpace coarse(model, op);
-  coarse.assemble(op);
+  if (!coarse.assemble(op, monitor)) return AlignedVector(change.size(), 0.0);
   op.contactSprings() =
       evaluateContact(model, op.turned(), e.displacement.data(), e.wheelX, 0, model::normalPenalty(model.description))
           .springs;

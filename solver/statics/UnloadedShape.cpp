@@ -29,7 +29,10 @@ UnloadedShape findUnloadedShape(const model::Model& model, const elasticity::Ker
 
   model::StaticOperator op(model, kernels, team, 0, 1e8, true);
   CoarseSpace coarse(model, op);
-  coarse.assemble(op);
+  if (!coarse.assemble(op, monitor)) {
+    shape.cancelled = true;
+    return shape;
+  }
   // No contact carries the vehicle: one spring holds the sprung mass, and with it the wheelset. Nothing pushes them.
   op.contactSprings().add({{model.sprungZ, 1.0}}, model.description.suspension.stiffness, 0);
   coarse.factorise(op.contactSprings());

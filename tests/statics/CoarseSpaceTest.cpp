@@ -16,7 +16,8 @@ TEST(CoarseSpace, SpringOnTheSprungMassCarriesTheVehicle) {
   ThreadTeam team(1);
   model::StaticOperator op(model, elasticity::kernelsFor(""), team, 0, 1e8, true);
   CoarseSpace coarse(model, op);
-  coarse.assemble(op);
+  Monitor quiet;
+  ASSERT_TRUE(coarse.assemble(op, quiet));
   const double stiffness = 1e6, force = 5e3;
   op.contactSprings().add({{model.sprungZ, 1.0}}, stiffness, 0);
   coarse.factorise(op.contactSprings());
