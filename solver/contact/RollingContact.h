@@ -55,6 +55,7 @@ struct AreaShare {
   int node = 0, station = 0;
   double area = 0;  // [m2]
 };
+// Of the closed points of one evaluation, in their order.
 struct ClosedArea {
   std::vector<AreaShare> rail, rim;
 };

@@ -7,7 +7,9 @@
 //   D - (dt^2 + 2 beta dt) / 4 K_c >= 0,
 // for then x.(K + K_c) x <= 4 / (dt^2 + 2 beta dt) x.(M + D) x for every x. D is diagonal: by the bound of Gershgorin
 // for 3x3 blocks the largest penalty times the node's share in the closed area, twice because the weights of either
-// body sum to one. That is a gram or two in a patch, against 10 g of bare mass in the same layer of elements.
+// body sum to one. That is one to three grams in a patch, about what the layer of elements under it weighs: nothing to
+// a wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy ledger leaves its motion out
+// (half a millijoule at the 0.4 m/s with which material enters the patch).
 #pragma once
 
 #include <array>
@@ -20,7 +22,7 @@ namespace squat::dynamics {
 
 class ContactInertia {
  public:
-  // `penalty` [Pa/m]: the larger of normal and tangential.
+  // `penalty` [Pa/m]: the larger of normal and tangential. `step`, `beta` [s] of the central difference.
   ContactInertia(const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim, double penalty, double step,
                  double beta);
 

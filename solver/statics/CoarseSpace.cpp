@@ -264,7 +264,7 @@ void CoarseSpace::prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, doubl
 }
 
 bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
-  const supports::SpringSet kept = std::exchange(op.contactSprings(), supports::SpringSet{});
+  supports::SpringSet kept = std::exchange(op.contactSprings(), supports::SpringSet{});
   auto& team = op.team();
   std::vector<std::vector<int>> groups;
   for (int j = 0; j < unknowns_; ++j) {
@@ -276,7 +276,10 @@ bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
   Eigen::VectorXd coarse;
   for (const auto& group : groups) {
     if (group.empty()) continue;
-    if (monitor.cancelled()) return false;
+    if (monitor.cancelled()) {
+      op.contactSprings() = std::move(kept);
+      return false;
+    }
     Eigen::VectorXd source = Eigen::VectorXd::Zero(unknowns_);
     for (const int j : group) source[j] = 1;
     std::fill(u.begin(), u.end(), 0.0);
@@ -291,7 +294,7 @@ bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
     }
   }
   matrix_ = 0.5 * (matrix_ + matrix_.transpose()).eval();
-  op.contactSprings() = kept;
+  op.contactSprings() = std::move(kept);
   return true;
 }
 

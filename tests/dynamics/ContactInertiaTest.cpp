@@ -100,10 +100,6 @@ TEST(ContactInertia, TheStepOfTheBareMeshBearsClosedContact) {
   // Without the added mass the penalties break the step; with it they do not.
   EXPECT_GT(highestEigenvalue(model, op, bare), 1.2 * bound);
   EXPECT_LT(highestEigenvalue(model, op, heavy), bound);
-  // The mass is the closed area's: (dt^2 + 2 beta dt) / 4 times 2 k for either body, by the weights' sum.
-  double area = 0;
-  for (const auto& share : inertia.closed().rail) area += share.area;
-  EXPECT_NEAR(inertia.addedMass(), 2 / bound * model::normalPenalty(model.description) * 2 * area, 1e-9);
   // An open patch gives every mass back.
   inertia.closed() = {};
   inertia.apply(heavy[model.rail].data(), heavy[model.rim].data());

@@ -97,6 +97,9 @@ TEST(Rolling, StartsQuietly) {
   EXPECT_EQ(lost, 0);
   EXPECT_NEAR(first, weight(), 1e-3 * weight());
   EXPECT_NEAR(sum / static_cast<double>(count), weight(), 0.05 * weight());
+  // What closed contact adds to the nodes' masses is felt by nothing: below a hundred-thousandth of the wheelset.
+  EXPECT_GT(rolling.contactInertia(), 0);
+  EXPECT_LT(rolling.contactInertia(), 1e-5 * smooth().model.description.wheelset.totalMass);
   // It has gone on: speed times time, but for the give of the guidance.
   EXPECT_NEAR(rolling.view().position - smooth().model.startX, 30 * rolling.state().time, 1e-4);
   EXPECT_NEAR(rolling.state().spinRate, rollingSpin(), 1e-3 * rollingSpin());

@@ -8,36 +8,18 @@
 #include "results/Checkpoint.h"
 #include "results/ResultTree.h"
 #include "results/SampleResult.h"
+#include "simulation/StoppedRuns.h"
 
 namespace squat {
 namespace {
 
+using testing::CancelAt;
+using testing::comparable;
 using testing::plain;
 using testing::run;
 using testing::scalar;
 using testing::softRail;
 using testing::yielded;
-
-// Everything but what tells of the machine and the clock.
-results::ArrayTree comparable(results::RunResult result) {
-  result.performance.clear();
-  result.threads = 0;
-  result.created.clear();
-  return results::toTree(result);
-}
-
-class CancelAt : public Monitor {
- public:
-  explicit CancelAt(double fraction) : fraction_(fraction) {}
-  void report(const Progress& progress) override {
-    if (progress.phase == "rolling" && progress.fraction >= fraction_) cancelled_ = true;
-  }
-  bool cancelled() override { return cancelled_; }
-
- private:
-  double fraction_;
-  bool cancelled_ = false;
-};
 
 TEST(PlasticRun, LeavesItsMark) {
   const auto& r = yielded();

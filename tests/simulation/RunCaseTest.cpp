@@ -10,9 +10,12 @@
 #include "case/CaseFile.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
+#include "simulation/StoppedRuns.h"
 
 namespace squat {
 namespace {
+
+using testing::CancelAt;
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
@@ -58,20 +61,6 @@ const results::RunResult& lightDefect() {
   return result;
 }
 
-// Cancels when the rolling has come this far.
-class CancelAt : public Monitor {
- public:
-  explicit CancelAt(double fraction) : fraction_(fraction) {}
-  void report(const Progress& progress) override {
-    if (progress.phase == "rolling" && progress.fraction >= fraction_) cancelled_ = true;
-  }
-  bool cancelled() override { return cancelled_; }
-
- private:
-  double fraction_;
-  bool cancelled_ = false;
-};
-
 TEST(RunCase, ContactCarriesTheWeight) {
   const auto& r = lightDefect();
   ASSERT_TRUE(r.complete);
@@ -102,7 +91,7 @@ TEST(RunCase, SmoothRailIsQuiet) {
 
 // Every solid is one: a stiffer solid must be felt at the axle box. A spring or a rigid body in its place would not
 // change.
-class EverySolidIsOne : public testing::TestWithParam<std::pair<std::string, std::string>> {};
+class EverySolidIsOne : public ::testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(EverySolidIsOne, FourTimesTheModulusChangesTheAxleBoxAcceleration) {
   const auto& [key, value] = GetParam();
@@ -113,9 +102,9 @@ TEST_P(EverySolidIsOne, FourTimesTheModulusChangesTheAxleBoxAcceleration) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, EverySolidIsOne,
-                         testing::Values(std::pair<std::string, std::string>{"rail.young_modulus", "840"},
-                                         std::pair<std::string, std::string>{"wheelset.young_modulus", "840"},
-                                         std::pair<std::string, std::string>{"sleeper.young_modulus", "153.6"}),
+                         ::testing::Values(std::pair<std::string, std::string>{"rail.young_modulus", "840"},
+                                           std::pair<std::string, std::string>{"wheelset.young_modulus", "840"},
+                                           std::pair<std::string, std::string>{"sleeper.young_modulus", "153.6"}),
                          [](const auto& info) { return info.param.first.substr(0, info.param.first.find('.')); });
 
 TEST(RunCase, StrainEnergiesOfTheSolidsAreInTheLedger) {

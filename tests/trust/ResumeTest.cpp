@@ -12,6 +12,7 @@
 #include "results/SampleResult.h"
 #include "results/TreeStream.h"
 #include "simulation/RunCase.h"
+#include "simulation/StoppedRuns.h"
 #include "trust/ShortCase.h"
 
 namespace squat {
@@ -19,6 +20,8 @@ namespace {
 
 using results::ArrayTree;
 using results::RunResult;
+using testing::CancelAt;
+using testing::comparable;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -31,29 +34,8 @@ cases::CaseDescription shortCase() {
   return cases::loadCase("light-defect", overrides);
 }
 
-// Cancels at the given share of the rolling.
-class StopAt : public Monitor {
- public:
-  explicit StopAt(double share) : share_(share) {}
-  void report(const Progress& progress) override {
-    if (progress.phase == "rolling" && progress.fraction >= share_) stop_ = true;
-  }
-  bool cancelled() override { return stop_; }
-
- private:
-  double share_;
-  bool stop_ = false;
-};
-
-ArrayTree comparable(RunResult result) {
-  result.performance.clear();
-  result.threads = 0;
-  result.created.clear();
-  return results::toTree(result);
-}
-
 RunResult run(const simulation::RunOptions& options, double stopAt = 2) {
-  StopAt monitor(stopAt);
+  CancelAt monitor(stopAt);
   return simulation::runCase(shortCase(), options, monitor);
 }
 
@@ -85,12 +67,12 @@ TEST(Resume, StoppedAndResumedIsTheSameToTheBit) {
   EXPECT_EQ(results::firstDifference(comparable(uninterrupted()), comparable(resumed)), "");
 }
 
-// Cancels like StopAt and keeps what it was told.
-class Listener : public StopAt {
+// Cancels like CancelAt and keeps what it was told.
+class Listener : public CancelAt {
  public:
-  using StopAt::StopAt;
+  using CancelAt::CancelAt;
   void report(const Progress& progress) override {
-    StopAt::report(progress);
+    CancelAt::report(progress);
     phases.insert(progress.phase);
   }
   void message(const std::string& text) override { messages += text + "\n"; }
