@@ -52,9 +52,11 @@ int main(int argc, char** argv) {
   squat::studio::StudioServices services;
   services.runner = squat::simulation::runCase;
   services.comparison = comparedRows;
-  if (!pictureOnly)
-    services.recoveryFolder =
-        QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)).filePath("recovery");
+  if (!pictureOnly) {
+    const QDir own(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
+    services.recoveryFolder = own.filePath("recovery");
+    services.runsFolder = own.filePath("runs");
+  }
   squat::studio::MainWindow window(services);
   if (arguments.dark) window.setDark(true);
   const bool opened = arguments.file.isEmpty() || window.openAny(arguments.file);

@@ -1,6 +1,7 @@
 #include "gui/MadeUpRun.h"
 
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 #include "case/CaseFile.h"
@@ -10,18 +11,21 @@
 namespace squat::tests {
 
 studio::Runner madeUpRunner(int milliseconds) {
-  return [milliseconds](const cases::CaseDescription& description, const simulation::RunOptions&, Monitor& monitor,
-                        results::RunResult* partial) {
+  return [milliseconds](const cases::CaseDescription& description, const simulation::RunOptions& options,
+                        Monitor& monitor, results::RunResult* partial) {
     results::RunResult result = syntheticResult();
     result.caseToml = cases::writeCase(description);
     result.caseHash = cases::caseHash(description);
     result.title = description.title;
     const std::size_t count = result.time.size();
-    for (int step = 0; step < milliseconds; ++step) {
+    int first = 0;
+    if (options.resume) std::ifstream(options.checkpointPath) >> first;
+    for (int step = first; step < milliseconds; ++step) {
       while (monitor.paused()) std::this_thread::yield();
       if (monitor.cancelled()) {
         result.complete = false;
         result.stopReason = "cancelled";
+        if (!options.checkpointPath.empty()) std::ofstream(options.checkpointPath) << step << '\n';
         return result;
       }
       const std::size_t at = count * static_cast<std::size_t>(step) / static_cast<std::size_t>(milliseconds);
@@ -34,6 +38,7 @@ studio::Runner madeUpRunner(int milliseconds) {
       progress.contactForce = (*result.signal("contact_force"))[at];
       progress.remainingSeconds = (milliseconds - step) * 1e-3;
       progress.elementUpdatesPerSecond = 42e6;
+      if (step == first) monitor.message("begins at step " + std::to_string(first));
       monitor.report(progress);
       if (description.title == "fails" && 2 * step >= milliseconds) {
         result.complete = false;

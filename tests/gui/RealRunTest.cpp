@@ -2,11 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
 #include <iostream>
 
+#include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "simulation/RunCase.h"
 #include "studio/LivePlot.h"
@@ -25,6 +27,7 @@ class RealRun : public testing::Test {
     StudioServices services = tests::services();
     services.runner = simulation::runCase;
     services.threads = 1;  // other tests may hold the second core
+    services.runsFolder = folder_.path();
     window_ = std::make_unique<MainWindow>(services);
     ASSERT_TRUE(window_->openCase("light-defect"));
     window_->document().setParameter("mesh.preset", "tiny");
@@ -34,10 +37,11 @@ class RealRun : public testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
     ASSERT_TRUE(window_->form()->blockers().isEmpty()) << window_->form()->blockers().join('\n').toStdString();
   }
+  QTemporaryDir folder_;
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAlive) {
+TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAliveAndAStoppedOneGoesOnToTheSameBits) {
   std::vector<double> gaps;  // [ms] between turns of a timer of 5 ms
   QElapsedTimer clock;
   QTimer pulse;
@@ -58,19 +62,30 @@ TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAlive) {
   if (!gaps.empty())
     std::cout << "event loop latency: 99th percentile " << gaps[gaps.size() * 99 / 100] << " ms, largest "
               << gaps.back() << " ms, " << gaps.size() << " turns\n";
-}
 
-TEST_F(RealRun, cancelStopsItAndKeepsWhatThereIs) {
   window_->startRun();
   auto* live = window_->findChild<RunPanel*>()->live();
   ASSERT_TRUE(tests::passes([&] { return live->sampleCount() > 1; }, patience));
-  QElapsedTimer clock;
   clock.start();
-  window_->controller().cancel();
+  tests::press(*window_, Qt::Key_F5, Qt::ShiftModifier);
   ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, patience));
   std::cout << "cancelled after " << clock.elapsed() << " ms\n";
-  ASSERT_EQ(window_->store().rowCount(), 1);
+  ASSERT_EQ(window_->store().rowCount(), 2);
   EXPECT_FALSE(window_->store().currentResult()->complete);
+
+  std::vector<std::string> phases;
+  QObject::connect(&window_->controller(), &RunController::news,
+                   [&](const WorkerMonitor::News& news) { phases.push_back(news.progress.phase); });
+  tests::press(*window_, Qt::Key_F5, Qt::ControlModifier);
+  ASSERT_TRUE(window_->controller().isRunning());
+  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, patience));
+  EXPECT_EQ(std::count(phases.begin(), phases.end(), "equilibrium"), 0);  // is in the checkpoint
+  // What there was of it is replaced by the whole.
+  ASSERT_EQ(window_->store().rowCount(), 2) << window_->messages()->text().toStdString();
+  const ResultPointer goneOn = window_->store().currentResult();
+  ASSERT_TRUE(goneOn->complete && goneOn->signal("aba") && result->signal("aba"));
+  EXPECT_EQ(*goneOn->signal("aba"), *result->signal("aba"));
+  EXPECT_EQ(goneOn->snapshots.size(), result->snapshots.size());
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ void Figure::layOut() {
   legend->setTextColor(style_.text);
   legend->setIconSize(14, 8);
   legend->setIconTextPadding(4);
-  legend->setMargins(QMargins(6, 0, 6, 0));
+  // The larger letters of a window would touch the caption above.
+  legend->setMargins(QMargins(6, qRound(12 * (style_.fontScale - 1)), 6, 0));
   legend->setColumnSpacing(8);
   legend->setVisible(false);
   axisRect()->setMinimumMargins(QMargins(4, 3, 10, 4));

@@ -37,7 +37,10 @@ Answer askWithBox(QWidget* parent, const QString& question, const QString& disca
 }  // namespace
 
 MainWindow::MainWindow(StudioServices services, QWidget* parent)
-    : QMainWindow(parent), services_(std::move(services)), controller_(services_.runner) {
+    : QMainWindow(parent),
+      services_(std::move(services)),
+      controller_(services_.runner),
+      stopped_(services_.runsFolder) {
   if (!services_.asker) services_.asker = askWithBox;
   setObjectName("mainWindow");
   setAcceptDrops(true);
@@ -98,17 +101,19 @@ QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWid
   return dock;
 }
 
+// The case at the left in full height, signals at the right, the run and the list of runs side by side below.
 void MainWindow::makeDocks() {
   setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   formDock_ = addDock("caseDock", tr("Case"), form_, Qt::LeftDockWidgetArea);
   signalsDock_ = addDock("signalsDock", tr("Signals"), signals_, Qt::RightDockWidgetArea);
-  runsDock_ = addDock("runsDock", tr("Runs"), runs_, Qt::RightDockWidgetArea);
   runDock_ = addDock("runDock", tr("Run"), run_, Qt::BottomDockWidgetArea);
-  resizeDocks({formDock_, signalsDock_}, {330, 520}, Qt::Horizontal);
-  resizeDocks({signalsDock_, runsDock_}, {620, 160}, Qt::Vertical);
-  resizeDocks({runDock_}, {300}, Qt::Vertical);
+  runsDock_ = addDock("runsDock", tr("Runs"), runs_, Qt::BottomDockWidgetArea);
+  splitDockWidget(runDock_, runsDock_, Qt::Horizontal);
+  resizeDocks({formDock_, signalsDock_}, {320, 520}, Qt::Horizontal);
+  resizeDocks({runDock_, runsDock_}, {760, 360}, Qt::Horizontal);
+  resizeDocks({runDock_}, {250}, Qt::Vertical);
 }
 
 void MainWindow::connectParts() {
@@ -116,11 +121,12 @@ void MainWindow::connectParts() {
   connect(form_, &ParameterForm::blockersChanged, this, [this] { run_->setBlockers(form_->blockers()); });
   run_->setBlockers(form_->blockers());
   connect(run_, &RunPanel::runWished, this, &MainWindow::startRun);
-  connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
-    if (ending_ || result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
-    const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(store_.rowCount() + 1);
-    store_.add({result, label, QString(), false, false});
-  });
+  connect(run_, &RunPanel::goOnWished, this, &MainWindow::goOnWithRun);
+  connect(&document_, &CaseDocument::changed, this, &MainWindow::showStopped);
+  connect(&controller_, &RunController::started, this, &MainWindow::showStopped);
+  connect(&controller_, &RunController::ended, this, &MainWindow::showStopped);
+  showStopped();
+  connect(&controller_, &RunController::finished, this, &MainWindow::keep);
   connect(&controller_, &RunController::failed, this,
           [this](const QString& sentence, const QString& details, const ResultPointer& soFar) {
             messages_->warn(sentence, details);
@@ -138,11 +144,37 @@ void MainWindow::showTitle() {
   setWindowFilePath(document_.path());
 }
 
-void MainWindow::startRun() {
+void MainWindow::beginRun(bool resume) {
   const QStringList reasons = form_->blockers();
   if (!reasons.isEmpty() || controller_.isRunning()) return;
+  if (resume && !stopped_.has(document_.description())) return;
   showTab("run");
-  controller_.start(document_.description(), document_.name().toStdString(), services_.threads);
+  checkpoint_ = stopped_.file(document_.description());
+  resumed_ = resume;
+  simulation::RunOptions options;
+  options.threads = services_.threads;
+  options.checkpointPath = checkpoint_.toStdString();
+  options.resume = resume;
+  controller_.start(document_.description(), document_.name().toStdString(), options);
+}
+
+void MainWindow::keep(const ResultPointer& result) {
+  if (result->complete) StoppedRuns::forget(checkpoint_);
+  if (ending_ || result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
+  // What a run had when it was stopped is a part of what it has now.
+  for (int row = store_.rowCount() - 1; resumed_ && row >= 0; --row) {
+    const StoredRun& run = store_.at(row);
+    if (!run.measured && run.path.isEmpty() && !run.result->complete && run.result->caseHash == result->caseHash)
+      store_.remove(row);
+  }
+  const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(++runsMade_);
+  store_.add({result, label, QString(), false, false});
+}
+
+void MainWindow::showStopped() {
+  const bool can = !controller_.isRunning() && stopped_.has(document_.description());
+  run_->setStopped(can);
+  if (goOnAction_) goOnAction_->setEnabled(can);
 }
 
 void MainWindow::setDark(bool dark) {
@@ -185,7 +217,7 @@ void MainWindow::offerRecovery() {
       tr("Unsaved changes of “%1” were recovered: save them, or open another case to let them go.").arg(found->name));
 }
 
-// Cancels and waits; what the run had so far goes, as the question said.
+// Cancels and waits; no result is kept, as the question said.
 void MainWindow::endRun() {
   ending_ = true;
   controller_.setPaused(false);
@@ -200,8 +232,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (closing_) return;  // events go on passing while a question stands or a run ends
   closing_ = true;
   const bool leave = [this] {
-    if (controller_.isRunning() && services_.asker(this, tr("A run is going on; what it has so far is not kept."),
-                                                   tr("Stop it and close")) == Answer::cancel)
+    const QString fate = StoppedRuns::exists(checkpoint_) ? tr("it can go on when its case is opened again")
+                                                          : tr("what it has so far is not kept");
+    if (controller_.isRunning() &&
+        services_.asker(this, tr("A run is going on; %1.").arg(fate), tr("Stop it and close")) == Answer::cancel)
       return false;
     if (!mayLeaveCase() || !mayLeaveResults(store_.unsaved())) return false;
     if (controller_.isRunning()) endRun();

@@ -8,6 +8,7 @@
 #include "studio/PaperPanel.h"
 #include "studio/RunController.h"
 #include "studio/RunStore.h"
+#include "studio/StoppedRuns.h"
 
 class QDockWidget;
 class QMenu;
@@ -32,7 +33,8 @@ struct StudioServices {
   Runner runner;
   Comparison comparison;
   Asker asker;             // empty: a message box
-  QString recoveryFolder;  // empty: none
+  QString recoveryFolder;  // of unsaved changes; empty: none
+  QString runsFolder;      // of runs that were stopped; empty: none
   int threads = 0;         // of a run; 0: all cores (the window goes first all the same)
 };
 
@@ -62,7 +64,8 @@ class MainWindow : public QMainWindow {
   bool saveResult(int row);  // asks for a place
   bool saveResultTo(const QString& path) { return saveResultTo(store_.current(), path); }
   bool saveResultTo(int row, const QString& path);
-  void startRun();
+  void startRun() { beginRun(false); }
+  void goOnWithRun() { beginRun(true); }  // with the one of this case that was stopped
   void setDark(bool dark);
   // "profile", "3d", "paper", "run", "runs", or one of the signals panel's; false for another name.
   bool showTab(const QString& name);
@@ -88,6 +91,9 @@ class MainWindow : public QMainWindow {
   bool mayLeaveCase();  // saves, or the user lets the changes go
   bool mayLeaveResults(const std::vector<int>& rows);
   void removeRun(int row);
+  void beginRun(bool resume);
+  void keep(const ResultPointer& result);
+  void showStopped();
   void endRun();
   void offerRecovery();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
@@ -96,6 +102,9 @@ class MainWindow : public QMainWindow {
   CaseDocument document_;
   RunStore store_;
   RunController controller_;
+  StoppedRuns stopped_;
+  QString checkpoint_;    // of the run that is going on
+  bool resumed_ = false;  // the run that is going on
   Recovery* recovery_ = nullptr;
   MessageBar* messages_;
   ParameterForm* form_;
@@ -108,8 +117,9 @@ class MainWindow : public QMainWindow {
   QTabWidget* middle_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
   QMenu* recent_ = nullptr;
-  QAction* darkAction_ = nullptr;
+  QAction *darkAction_ = nullptr, *goOnAction_ = nullptr;
   bool closing_ = false, ending_ = false;
+  int runsMade_ = 0;
 };
 
 }  // namespace squat::studio

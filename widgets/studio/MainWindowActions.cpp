@@ -99,6 +99,9 @@ void MainWindow::makeEditMenu() {
 void MainWindow::makeRunMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Run"));
   add(menu, tr("&Run the case"), QKeySequence("F5"), "runAction", this, [this] { startRun(); });
+  goOnAction_ = add(menu, tr("&Go on with the stopped run"), QKeySequence("Ctrl+F5"), "goOnAction", this,
+                    [this] { goOnWithRun(); });
+  goOnAction_->setToolTip(tr("The run of this case that was cancelled, or ended with the program"));
   add(menu, tr("&Pause or resume"), QKeySequence("F6"), "pauseAction", this,
       [this] { controller_.setPaused(!controller_.isPaused()); });
   add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] { controller_.cancel(); });

@@ -50,7 +50,8 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   grid->addWidget(why_, 1, 0, 1, 4);
   grid->setColumnStretch(0, wide ? 1 : 5);
   grid->setColumnStretch(1, wide ? 6 : 4);
-  name_->setMinimumWidth(wide ? 40 : 135);
+  name_->setMinimumWidth(wide ? 40 : 120);
+  name_->setWordWrap(!wide);  // long names take a second line, not the room of the whole form
   setToolTip(toolTipText());
   connect(reset_, &QToolButton::clicked, this, [this] { document_.resetParameter(parameter_.key); });
   showValue();

@@ -7,12 +7,15 @@
 #include <QLabel>
 #include <QSplitter>
 #include <QTableView>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/Errors.h"
 #include "plots/FigureFiles.h"
 #include "studio/CaseDocument.h"
+#include "studio/FlowLayout.h"
 #include "studio/ImportDialog.h"
 #include "studio/ProfilePlot.h"
 #include "studio/ProfileTable.h"
@@ -30,6 +33,10 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   table_->setAccessibleName(tr("Points of the profile"));
   table_->setObjectName("profileTable");
   place_ = new QLabel(this);
+  place_->setObjectName("placeInProfile");
+  hint_ = new QLabel(this);
+  hint_->setWordWrap(true);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
   auto* side = new QWidget(this);
   auto* sideLayout = new QVBoxLayout(side);
   sideLayout->setContentsMargins(0, 0, 0, 0);
@@ -46,13 +53,19 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(makeToolBar());
   layout->addWidget(splitter_, 1);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(hint_, 1);
+  foot->addWidget(place_);
+  layout->addLayout(foot);
   makePlot(style);
+  // Queued: the table lays out its rows first.
+  connect(points_, &QAbstractItemModel::modelReset, this, &ProfileEditor::showPoints, Qt::QueuedConnection);
+  showPoints();
 }
 
 QWidget* ProfileEditor::makeToolBar() {
   auto* bar = new QWidget(this);
-  auto* layout = new QHBoxLayout(bar);
-  layout->setContentsMargins(0, 0, 0, 0);
+  auto* layout = new FlowLayout(bar);
   const auto button = [&](const QString& text, const QString& tip, auto action) {
     auto* made = new QToolButton(bar);
     made->setText(text);
@@ -91,8 +104,6 @@ QWidget* ProfileEditor::makeToolBar() {
     points_->setUnit(unit());
   });
   layout->addWidget(unitChoice_);
-  layout->addStretch();
-  layout->addWidget(place_);
   return bar;
 }
 
@@ -116,6 +127,24 @@ void ProfileEditor::makePlot(const plots::Style& style) {
   });
   connect(table_, &QTableView::clicked, plot_,
           [this](const QModelIndex& index) { plot_->choose(static_cast<std::size_t>(index.row())); });
+}
+
+void ProfileEditor::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QTimer::singleShot(0, this, &ProfileEditor::showPoints);
+}
+
+// The table begins where the defect is deepest, not with the smooth rail before it.
+void ProfileEditor::showPoints() {
+  const bool any = points_->rowCount() > 0;
+  hint_->setText(any ? tr("Drag a point; double-click adds one, Delete takes it away, the wheel zooms, F shows all")
+                     : tr("The sliders shape the curve; “To points” or a double-click makes points of it"));
+  if (!any) return;
+  const auto& points = document_.description().defect.points;
+  const auto deepest =
+      std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.height < b.height; });
+  const int row = static_cast<int>(deepest - points.begin());
+  table_->scrollTo(points_->index(std::min(row, points_->rowCount() - 1), 0), QAbstractItemView::PositionAtCenter);
 }
 
 HeightUnit ProfileEditor::unit() const { return unitChoice_->currentIndex() == 1 ? millimetres() : micrometres(); }

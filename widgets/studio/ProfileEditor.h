@@ -30,12 +30,16 @@ class ProfileEditor : public QWidget {
  Q_SIGNALS:
   void failed(const QString& message);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void makePlot(const plots::Style& style);
   void askForFile();
   void exportFile();
   QWidget* makeToolBar();
   HeightUnit unit() const;
+  void showPoints();
 
   CaseDocument& document_;
   plots::Style style_;
@@ -44,7 +48,7 @@ class ProfileEditor : public QWidget {
   QSplitter* splitter_;
   QComboBox *snap_, *unitChoice_;
   ProfileTable* points_;
-  QLabel* place_;
+  QLabel *place_, *hint_;
 };
 
 }  // namespace squat::studio

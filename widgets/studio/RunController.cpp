@@ -61,13 +61,12 @@ RunController::~RunController() {
   if (thread_.joinable()) thread_.join();
 }
 
-void RunController::start(const cases::CaseDescription& description, const std::string& stem, int threads) {
+void RunController::start(const cases::CaseDescription& description, const std::string& stem,
+                          const simulation::RunOptions& options) {
   if (running_) return;
   running_ = true;
   monitor_ = std::make_unique<WorkerMonitor>();
   outcome_ = std::make_unique<Outcome>();
-  simulation::RunOptions options;
-  options.threads = threads;
   thread_ = std::thread([this, description, stem, options] {
     giveWayToTheWindow();
     try {
@@ -91,7 +90,9 @@ void RunController::setPaused(bool paused) {
 }
 
 void RunController::cancel() {
-  if (running_) monitor_->cancel();
+  if (!running_ || monitor_->isCancelled()) return;
+  monitor_->cancel();
+  Q_EMIT stopping();
 }
 
 void RunController::passNews() {

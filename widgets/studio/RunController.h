@@ -26,15 +26,18 @@ class RunController : public QObject {
   ~RunController() override;  // cancels and waits
 
   // The result carries `stem` and the case's title. Does nothing while a run is going on.
-  void start(const cases::CaseDescription& description, const std::string& stem, int threads = 0);
+  void start(const cases::CaseDescription& description, const std::string& stem,
+             const simulation::RunOptions& options = {});
   bool isRunning() const { return running_; }
   bool isPaused() const { return monitor_ && monitor_->isPaused(); }
+  bool isStopping() const { return running_ && monitor_->isCancelled(); }
   void setPaused(bool paused);
   void cancel();                   // returns at once; finished() follows
   bool waitFor(int milliseconds);  // runs the event loop until the run has ended
 
  Q_SIGNALS:
   void started();
+  void stopping();  // cancelled, not yet over
   void pausedChanged(bool paused);
   void news(const squat::studio::WorkerMonitor::News& news);  // about 20 times a second
   // Complete or cancelled (result->complete tells).

@@ -5,6 +5,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -30,6 +31,8 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
     return made;
   };
   run_ = button(tr("Run"), "run");
+  goOn_ = button(tr("Go on"), "goOn");
+  goOn_->setToolTip(tr("Go on with the run of this case that was stopped (Ctrl+F5)"));
   pause_ = button(tr("Pause"), "pause");
   cancel_ = button(tr("Cancel"), "cancel");
   progress_ = new QProgressBar(this);
@@ -45,14 +48,24 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   why_->setObjectName("blockers");
   why_->setWordWrap(true);
   why_->setStyleSheet("color: #c0392b;");
+  auto* hint = new QLabel(tr("F5 rolls the wheel over this profile. While it rolls, axle box acceleration and contact "
+                             "force are drawn here."),
+                          this);
+  hint->setAlignment(Qt::AlignCenter);
+  hint->setWordWrap(true);
+  hint->setForegroundRole(QPalette::PlaceholderText);
   live_ = new LivePlot(style, this);
+  seen_ = new QStackedWidget(this);
+  seen_->addWidget(hint);
+  seen_->addWidget(live_);
   log_ = new QPlainTextEdit(this);
   log_->setReadOnly(true);
   log_->setMaximumBlockCount(500);
   log_->setAccessibleName(tr("Messages of the run"));
+  log_->setPlaceholderText(tr("Messages of the run"));
   log_->setMaximumHeight(64);
   auto* top = new QHBoxLayout;
-  for (QPushButton* each : {run_, pause_, cancel_}) top->addWidget(each);
+  for (QPushButton* each : {run_, goOn_, pause_, cancel_}) top->addWidget(each);
   top->addWidget(progress_, 1);
   top->addWidget(state_);
   auto* layout = new QVBoxLayout(this);
@@ -60,17 +73,20 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   layout->addLayout(top);
   layout->addWidget(why_);
   layout->addWidget(figures_);
-  layout->addWidget(live_, 1);
+  layout->addWidget(seen_, 1);
   layout->addWidget(log_);
   connect(run_, &QPushButton::clicked, this, &RunPanel::runWished);
+  connect(goOn_, &QPushButton::clicked, this, &RunPanel::goOnWished);
   connect(pause_, &QPushButton::clicked, this, [this] { controller_.setPaused(!controller_.isPaused()); });
   connect(cancel_, &QPushButton::clicked, &controller_, &RunController::cancel);
   connect(&controller_, &RunController::started, this, [this] {
     live_->clear();
+    seen_->setCurrentWidget(live_);
     log_->clear();
     showState();
   });
   connect(&controller_, &RunController::pausedChanged, this, &RunPanel::showState);
+  connect(&controller_, &RunController::stopping, this, &RunPanel::showState);
   connect(&controller_, &RunController::news, this, &RunPanel::showNews);
   connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
     say(result->complete       ? tr("Done.")
@@ -92,6 +108,11 @@ void RunPanel::setBlockers(const QStringList& reasons) {
   showState();
 }
 
+void RunPanel::setStopped(bool canGoOn) {
+  canGoOn_ = canGoOn;
+  showState();
+}
+
 void RunPanel::setStyle(const plots::Style& style) { live_->setStyle(style); }
 
 void RunPanel::say(const QString& line) { log_->appendPlainText(line); }
@@ -100,9 +121,11 @@ void RunPanel::showState() {
   const bool running = controller_.isRunning();
   run_->setEnabled(!running && blockers_.isEmpty());
   run_->setToolTip(blockers_.isEmpty() ? tr("Run the case (F5)") : blockers_.join('\n'));
-  pause_->setEnabled(running);
+  goOn_->setEnabled(!running && canGoOn_ && blockers_.isEmpty());
+  goOn_->setVisible(canGoOn_ && !running);
+  pause_->setEnabled(running && !controller_.isStopping());
   pause_->setText(controller_.isPaused() && running ? tr("Resume") : tr("Pause"));
-  cancel_->setEnabled(running);
+  cancel_->setEnabled(running && !controller_.isStopping());
   why_->setVisible(!blockers_.isEmpty() && !running);
   QString reason = blockers_.value(0);
   if (blockers_.size() > 1) reason += tr(" (and %n more)", nullptr, static_cast<int>(blockers_.size()) - 1);
@@ -110,6 +133,8 @@ void RunPanel::showState() {
   if (!running) {
     state_->setText(tr("Ready"));
     progress_->setValue(0);
+  } else if (controller_.isStopping()) {
+    state_->setText(tr("Stopping…"));
   } else if (controller_.isPaused()) {
     state_->setText(tr("Paused"));
   }
@@ -118,7 +143,7 @@ void RunPanel::showState() {
 void RunPanel::showNews(const WorkerMonitor::News& news) {
   const Progress& now = news.progress;
   progress_->setValue(static_cast<int>(1000 * now.fraction));
-  if (!controller_.isPaused() && !now.phase.empty()) {
+  if (!controller_.isPaused() && !controller_.isStopping() && !now.phase.empty()) {
     QString text =
         tr("%1 %2 %").arg(QString::fromStdString(now.phase).replace('_', ' ')).arg(100 * now.fraction, 0, 'f', 0);
     if (now.remainingSeconds >= 0) text += tr(", %1 left").arg(durationText(now.remainingSeconds));

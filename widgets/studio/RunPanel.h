@@ -10,6 +10,7 @@ class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
+class QStackedWidget;
 
 namespace squat::studio {
 
@@ -23,11 +24,14 @@ class RunPanel : public QWidget {
 
   // Why the case cannot be run, one sentence each; empty: it can.
   void setBlockers(const QStringList& reasons);
+  // True where a run of this case was stopped and can go on.
+  void setStopped(bool canGoOn);
   LivePlot* live() const { return live_; }
   void setStyle(const plots::Style& style);
 
  Q_SIGNALS:
   void runWished();
+  void goOnWished();
 
  private:
   void showNews(const WorkerMonitor::News& news);
@@ -35,12 +39,14 @@ class RunPanel : public QWidget {
   void say(const QString& line);
 
   RunController& controller_;
-  QPushButton *run_, *pause_, *cancel_;
+  QPushButton *run_, *goOn_, *pause_, *cancel_;
   QProgressBar* progress_;
   QLabel *state_, *figures_, *why_;
   LivePlot* live_;
+  QStackedWidget* seen_;  // a hint, then the live curves
   QPlainTextEdit* log_;
   QStringList blockers_;
+  bool canGoOn_ = false;
 };
 
 // "3 min 20 s"; "unknown" below zero.

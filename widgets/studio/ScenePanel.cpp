@@ -13,6 +13,7 @@
 
 #include "core/Errors.h"
 #include "scene/VtkExport.h"
+#include "studio/FlowLayout.h"
 #include "studio/SceneWidget.h"
 
 namespace squat::studio {
@@ -46,13 +47,7 @@ QToolButton* toolButton(const QString& text, QWidget* parent) {
 
 QWidget* ScenePanel::makeControls() {
   auto* bar = new QWidget(this);
-  auto* rows = new QVBoxLayout(bar);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(2);
-  auto* layout = new QHBoxLayout;
-  auto* second = new QHBoxLayout;
-  rows->addLayout(layout);
-  rows->addLayout(second);
+  auto* flow = new FlowLayout(bar);
   field_ = new QComboBox(bar);
   for (const auto field : {scene::Field::vonMises, scene::Field::plasticStrain, scene::Field::displacement,
                            scene::Field::contactPressure, scene::Field::stickSlip})
@@ -69,10 +64,7 @@ QWidget* ScenePanel::makeControls() {
   cut_->setToolTip(tr("Cut at the middle of the running surface, so that the contact is seen"));
   edges_ = new QCheckBox(tr("Mesh"), bar);
   edges_->setChecked(true);
-  layout->addWidget(field_);
-  layout->addWidget(scale_);
-  layout->addWidget(cut_);
-  layout->addWidget(edges_);
+  for (QWidget* each : std::initializer_list<QWidget*>{field_, scale_, cut_, edges_}) flow->addWidget(each);
   const QList<QPair<QString, scene::StandardView>> views{{tr("All"), scene::StandardView::overview},
                                                          {tr("Contact"), scene::StandardView::contact},
                                                          {tr("Side"), scene::StandardView::side},
@@ -82,18 +74,16 @@ QWidget* ScenePanel::makeControls() {
     auto* button = toolButton(text, bar);
     button->setAccessibleName(tr("View: %1").arg(text));
     button->setObjectName("view " + text);
-    second->addWidget(button);
+    flow->addWidget(button);
     const auto chosen = view;
     connect(button, &QToolButton::clicked, this, [this, chosen] { scene_->lookFrom(chosen); });
   }
   auto* picture = toolButton(tr("Picture…"), bar);
-  second->addWidget(picture);
+  flow->addWidget(picture);
   auto* series = toolButton(tr("VTK…"), bar);
   series->setToolTip(tr("Write the frames for ParaView (.pvd, .vtu)"));
-  second->addWidget(series);
+  flow->addWidget(series);
   connect(series, &QToolButton::clicked, this, &ScenePanel::saveSeries);
-  second->addStretch();
-  layout->addStretch();
   connect(picture, &QToolButton::clicked, this, &ScenePanel::savePicture);
   connect(field_, &QComboBox::currentIndexChanged, this, &ScenePanel::apply);
   connect(scale_, &QDoubleSpinBox::valueChanged, this, &ScenePanel::apply);

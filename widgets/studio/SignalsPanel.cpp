@@ -5,7 +5,6 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -16,6 +15,7 @@
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
 #include "studio/FigureView.h"
+#include "studio/FlowLayout.h"
 #include "studio/SignalFigures.h"
 
 namespace squat::studio {
@@ -54,7 +54,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   for (const auto& [name, title] : tabTitles()) {
     auto* view = new FigureView(name, tabs_);
     views_[name] = view;
-    tabs_->addTab(view, title);
+    tabs_->addTab(makePage(name, view), title);
     connect(view, &FigureView::failed, this, &SignalsPanel::failed);
     if (!isLinked(name)) continue;
     const QString from = name;
@@ -71,95 +71,117 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   update();
 }
 
+namespace {
+
+QDoubleSpinBox* number(const QString& label, const QString& unit, double low, double high, double value) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(low, high);
+  box->setDecimals(0);
+  box->setValue(value);
+  box->setSuffix(" " + unit);
+  box->setKeyboardTracking(false);
+  box->setAccessibleName(label);
+  box->setToolTip(label);
+  return box;
+}
+
+QSpinBox* samples(const QString& label, std::size_t value, int most) {
+  auto* box = new QSpinBox;
+  box->setRange(1, most);
+  box->setValue(static_cast<int>(value));
+  box->setSuffix(QObject::tr(" samples"));
+  box->setKeyboardTracking(false);
+  box->setAccessibleName(label);
+  box->setToolTip(label);
+  return box;
+}
+
+QComboBox* choice(const QString& label, const QStringList& entries) {
+  auto* box = new QComboBox;
+  box->addItems(entries);
+  box->setAccessibleName(label);
+  box->setToolTip(label);
+  return box;
+}
+
+}  // namespace
+
+// What holds for every figure.
 QWidget* SignalsPanel::makeControls() {
   auto* bar = new QWidget(this);
   auto* rows = new QVBoxLayout(bar);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(2);
-  auto* layout = new QHBoxLayout;
-  auto* second = new QHBoxLayout;
-  auto* third = new QHBoxLayout;
-  for (QHBoxLayout* row : {layout, second, third}) rows->addLayout(row);
-  const auto number = [&](QHBoxLayout* row, const QString& label, const QString& unit, double low, double high,
-                          double value) {
-    auto* box = new QDoubleSpinBox(bar);
-    box->setRange(low, high);
-    box->setDecimals(0);
-    box->setValue(value);
-    box->setSuffix(" " + unit);
-    box->setKeyboardTracking(false);
-    box->setAccessibleName(label);
-    box->setToolTip(label);
-    row->addWidget(box);
-    connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
-    return box;
-  };
-  const auto choice = [&](QHBoxLayout* row, const QString& label, const QStringList& entries) {
-    auto* box = new QComboBox(bar);
-    box->addItems(entries);
-    box->setAccessibleName(label);
-    box->setToolTip(label);
-    row->addWidget(box);
-    return box;
-  };
-  axis_ = choice(layout, tr("Axis of the ABA"), {tr("against position"), tr("against time")});
-  axis_->setObjectName("abaAxis");
-  connect(axis_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
-  layout->addWidget(new QLabel(tr("Low-pass"), bar));
-  cutoff_ = number(layout, tr("Cut-off of the low-pass"), "Hz", 20, 12000, settings_.cutoff);
+  auto* flow = new FlowLayout;
+  rows->addLayout(flow);
+  cutoff_ = number(tr("Cut-off of the low-pass"), "Hz", 20, 12000, settings_.cutoff);
   cutoff_->setSingleStep(100);
   cutoff_->setObjectName("cutoff");
-  second->addWidget(new QLabel(tr("Spectrum"), bar));
-  window_ = choice(second, tr("Window of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
-  connect(window_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
-  from_ = number(second, tr("Stretch of the spectrum, from"), "mm", -5000, 5000, settings_.from * 1e3);
-  to_ = number(second, tr("Stretch of the spectrum, to"), "mm", -5000, 5000, settings_.to * 1e3);
-  const auto samples = [&](const QString& label, const QString& prefix, std::size_t value, int most) {
-    auto* box = new QSpinBox(bar);
-    box->setRange(1, most);
-    box->setValue(static_cast<int>(value));
-    box->setPrefix(prefix);
-    box->setSuffix(tr(" samples"));
-    box->setKeyboardTracking(false);
-    box->setAccessibleName(label);
-    box->setToolTip(label);
-    third->addWidget(box);
-    connect(box, &QSpinBox::valueChanged, this, &SignalsPanel::update);
-    return box;
-  };
-  third->addWidget(new QLabel(tr("STFT"), bar));
-  segment_ =
-      samples(tr("Samples under the window of the short-time transform"), tr("window "), settings_.segment, 8192);
-  segment_->setMinimum(16);
-  segment_->setSingleStep(16);
-  segment_->setObjectName("stftSegment");
-  hop_ =
-      samples(tr("Samples from one window of the short-time transform to the next"), tr("hop "), settings_.hop, 1024);
-  hop_->setObjectName("stftHop");
+  connect(cutoff_, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
+  flow->addTogether({new QLabel(tr("Low-pass")), cutoff_});
   QStringList maps;
   for (const auto& name : colours::mapNames()) maps << QString::fromStdString(name);
-  map_ = choice(layout, tr("Colour map"), maps);
+  map_ = choice(tr("Colour map"), maps);
   connect(map_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
-  cursors_ = new QCheckBox(tr("Cursors"), bar);
+  flow->addTogether({new QLabel(tr("Colours")), map_});
+  cursors_ = new QCheckBox(tr("Cursors"));
   cursors_->setObjectName("cursors");
+  cursors_->setToolTip(tr("Two lines that can be dragged: differences and 1/dt are told in the figure"));
   connect(cursors_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& [name, view] : views_) view->setCursors(on);
   });
-  layout->addWidget(cursors_);
-  layout->addStretch();
-  auto* all = new QPushButton(tr("Export all…"), bar);
+  flow->addWidget(cursors_);
+  auto* all = new QPushButton(tr("Export all…"));
   all->setObjectName("exportAllButton");
   all->setToolTip(tr("Every figure as seen, as PNG, SVG, PDF and CSV"));
   connect(all, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
-  second->addStretch();
-  third->addStretch();
-  third->addWidget(all);
+  flow->addWidget(all);
   problem_ = new QLabel(bar);
   problem_->setStyleSheet("color: #c0392b;");
   problem_->setWordWrap(true);
   rows->addWidget(problem_);
   problem_->hide();
   return bar;
+}
+
+// What holds for one figure stands above it: its axis, window or stretch.
+QWidget* SignalsPanel::makePage(const QString& name, FigureView* view) {
+  auto* page = new QWidget(tabs_);
+  auto* rows = new QVBoxLayout(page);
+  rows->setContentsMargins(0, 4, 0, 0);
+  rows->setSpacing(2);
+  auto* flow = new FlowLayout;
+  if (name == "aba") {
+    axis_ = choice(tr("Axis of the ABA"), {tr("against position"), tr("against time")});
+    axis_->setObjectName("abaAxis");
+    connect(axis_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
+    flow->addTogether({new QLabel(tr("Drawn")), axis_});
+  } else if (name == "psd") {
+    window_ = choice(tr("Window of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
+    connect(window_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
+    flow->addTogether({new QLabel(tr("Window")), window_});
+    from_ = number(tr("Stretch of the spectrum, from"), "mm", -5000, 5000, settings_.from * 1e3);
+    to_ = number(tr("Stretch of the spectrum, to"), "mm", -5000, 5000, settings_.to * 1e3);
+    for (QDoubleSpinBox* box : {from_, to_}) connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
+    flow->addTogether({new QLabel(tr("from")), from_});
+    flow->addTogether({new QLabel(tr("to")), to_});
+  } else if (name == "stft") {
+    segment_ = samples(tr("Samples under the window of the short-time transform"), settings_.segment, 8192);
+    segment_->setMinimum(16);
+    segment_->setSingleStep(16);
+    segment_->setObjectName("stftSegment");
+    hop_ = samples(tr("Samples from one window of the short-time transform to the next"), settings_.hop, 1024);
+    hop_->setObjectName("stftHop");
+    for (QSpinBox* box : {segment_, hop_}) connect(box, &QSpinBox::valueChanged, this, &SignalsPanel::update);
+    flow->addTogether({new QLabel(tr("Window")), segment_});
+    flow->addTogether({new QLabel(tr("every")), hop_});
+  }
+  if (flow->count() > 0)
+    rows->addLayout(flow);
+  else
+    delete flow;
+  rows->addWidget(view, 1);
+  return page;
 }
 
 void SignalsPanel::setStyle(const plots::Style& style) {

@@ -42,6 +42,7 @@ class SignalsPanel : public QWidget {
 
  private:
   QWidget* makeControls();
+  QWidget* makePage(const QString& name, FigureView* view);
   void takeWindow();
   void update();
   void rebuild(const QString& name);

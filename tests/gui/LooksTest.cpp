@@ -1,0 +1,136 @@
+// How the window looks: nothing cut, nothing on top of something else, nothing empty, in every tab, light and dark, on
+// plain and double resolution, and on the smallest screen that it is made for.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QLayout>
+#include <QTest>
+
+#include "gui/MadeUpRun.h"
+#include "plots/Figure.h"
+#include "render/PictureComparison.h"
+#include "render/SyntheticResult.h"
+#include "studio/SceneWidget.h"
+
+namespace squat::studio {
+namespace {
+
+// A laptop of 1366 x 768 less the frames of a desktop, and the narrowest screen in use on the track.
+constexpr QSize smallest(1280, 700);
+
+class Looks : public testing::Test {
+ protected:
+  void SetUp() override {
+    window_ = std::make_unique<MainWindow>(tests::services());
+    window_->openCase("light-defect");
+    window_->store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "light-defect #1",
+                          QString(), false, false});
+    window_->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  }
+  void TearDown() override {
+    if (window_) window_->setDark(false);
+  }
+  QImage picture(double ratio) const {
+    QImage image((QSizeF(window_->size()) * ratio).toSize(), QImage::Format_RGB32);
+    image.setDevicePixelRatio(ratio);
+    window_->render(&image);
+    return image;
+  }
+  std::unique_ptr<MainWindow> window_;
+};
+
+QString nameOf(const QWidget& widget) {
+  QString text;
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) text = label->text();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) text = button->text();
+  return QStringLiteral("%1 '%2' '%3'").arg(widget.metaObject()->className(), widget.objectName(), text.left(40));
+}
+
+// Width that the text of a label or button takes, its frame left out; 0 for other widgets.
+int widthOfText(const QWidget& widget) {
+  QString text;
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+    if (label->wordWrap()) return 0;
+    text = label->text();
+  } else if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+    text = button->text().remove('&');
+  } else if (const auto* box = qobject_cast<const QComboBox*>(&widget)) {
+    text = box->currentText();
+  }
+  return widget.fontMetrics().horizontalAdvance(text);
+}
+
+// Labels that wrap are as high as their lines ask for.
+bool isCutInHeight(const QWidget& widget) {
+  const auto* label = qobject_cast<const QLabel*>(&widget);
+  return label && label->wordWrap() && !label->text().isEmpty() &&
+         label->heightForWidth(label->width()) > label->height() + 2;
+}
+
+void judgeLayout(const QWidget& window) {
+  int seen = 0;
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisible() || widget->isWindow()) continue;
+    ++seen;
+    EXPECT_LE(widthOfText(*widget), widget->width()) << nameOf(*widget).toStdString() << " is cut";
+    EXPECT_FALSE(isCutInHeight(*widget)) << nameOf(*widget).toStdString() << " is cut";
+    const QWidget* parent = widget->parentWidget();
+    if (!parent->layout() || parent->layout()->indexOf(widget) < 0) continue;
+    EXPECT_TRUE(parent->rect().contains(widget->geometry()))
+        << nameOf(*widget).toStdString() << " leaves " << nameOf(*parent).toStdString();
+    for (const QObject* other : parent->children()) {
+      const auto* sibling = qobject_cast<const QWidget*>(other);
+      if (!sibling || sibling == widget || !sibling->isVisible() || parent->layout()->indexOf(sibling) < 0) continue;
+      EXPECT_FALSE(sibling->geometry().intersects(widget->geometry()))
+          << nameOf(*widget).toStdString() << " lies on " << nameOf(*sibling).toStdString();
+    }
+  }
+  EXPECT_GT(seen, 100);
+}
+
+TEST_F(Looks, fitsTheSmallestScreen) {
+  const QSize least = window_->minimumSizeHint();
+  EXPECT_LE(least.width(), smallest.width());
+  EXPECT_LE(least.height(), smallest.height());
+  window_->resize(smallest);
+  for (const QString& tab : MainWindow::tabNames()) {
+    SCOPED_TRACE(tab.toStdString());
+    window_->showTab(tab);
+    QTest::qWait(20);
+    ASSERT_EQ(window_->size(), smallest);
+    judgeLayout(*window_);
+  }
+}
+
+TEST_F(Looks, everyTabInLightAndDarkAtPlainAndDoubleResolution) {
+  for (const bool dark : {false, true}) {
+    window_->setDark(dark);
+    for (const QString& tab : MainWindow::tabNames()) {
+      SCOPED_TRACE(tab.toStdString() + (dark ? ", dark" : ", light"));
+      window_->showTab(tab);
+      QTest::qWait(30);  // queued drawing
+      judgeLayout(*window_);
+      for (const double ratio : {1.0, 2.0}) {
+        const QImage image = picture(ratio);
+        ASSERT_EQ(image.size(), window_->size() * ratio);
+        EXPECT_EQ(image.pixelColor(3, image.height() / 2).lightness() < 128, dark);
+        for (const QWidget* figure : window_->findChildren<QWidget*>()) {
+          const bool drawn = qobject_cast<const plots::Figure*>(figure) || qobject_cast<const SceneWidget*>(figure);
+          if (!drawn || !figure->isVisible()) continue;
+          const QPoint corner = figure->mapTo(window_.get(), QPoint(1, 1));
+          const QRectF part(corner, figure->size() - QSize(2, 2));
+          const QRect place(part.topLeft().toPoint() * ratio, (part.size() * ratio).toSize());
+          // Lines and letters of a figure take 2 % and more of its area; an empty one has none.
+          EXPECT_GT(tests::inkShare(image.copy(place)), 0.01) << figure->objectName().toStdString();
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace squat::studio

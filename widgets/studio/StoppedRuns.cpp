@@ -1,0 +1,37 @@
+#include "studio/StoppedRuns.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "case/CaseFile.h"
+#include "results/Checkpoint.h"
+
+namespace squat::studio {
+namespace {
+
+const QString ending = QStringLiteral(".checkpoint");
+constexpr int mostKept = 4;
+
+}  // namespace
+
+StoppedRuns::StoppedRuns(const QString& folder) {
+  if (folder.isEmpty() || !QDir().mkpath(folder)) return;
+  folder_ = folder;
+  const auto newestFirst = QDir(folder_).entryInfoList({"*" + ending}, QDir::Files, QDir::Time);
+  for (int i = mostKept; i < newestFirst.size(); ++i) forget(newestFirst[i].filePath());
+}
+
+QString StoppedRuns::file(const cases::CaseDescription& description) const {
+  if (folder_.isEmpty()) return {};
+  return QDir(folder_).filePath(QString::fromStdString(cases::caseHash(description)) + ending);
+}
+
+bool StoppedRuns::exists(const QString& file) {
+  return !file.isEmpty() && (QFileInfo::exists(file) || QFileInfo::exists(file + ".previous"));
+}
+
+void StoppedRuns::forget(const QString& file) {
+  if (!file.isEmpty()) results::removeCheckpoint(file.toStdString());
+}
+
+}  // namespace squat::studio
