@@ -136,8 +136,8 @@ void addQuietness(std::vector<PaperRow>& rows, const RunResult& result) {
 void addEnergy(std::vector<PaperRow>& rows, const RunResult& result) {
   const auto residual = scalarNamed(result.performance, "energy_residual");
   if (!residual) return;
-  rows.push_back({"energy residual, largest", number(100 * *residual, "%"), "below 0.2 % asked",
-                  std::abs(*residual) < 0.002 ? "met" : "not met"});
+  rows.push_back({"energy residual, largest", number(100 * *residual, "%"), "below 0.1 % asked",
+                  std::abs(*residual) < 0.001 ? "met" : "not met"});
 }
 
 // Only where the rail may yield.

@@ -100,10 +100,6 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
           }
         patch.vertical -= forceZ, patch.longitudinal += forceX, patch.lateral += forceY;
         patch.spinMoment += radius * area * along;
-        // (X + u) x F about y: -(R + u_r) F_a + u_a F_r with F_a = -t A, F_r = -p A. The radial force points at the
-        // wheel's centre, so its arm is that of the hub.
-        const double hubAlong = place.hubX * t.cosine + place.hubZ * t.sine;
-        patch.fullMoment += area * ((radius + treadRadial(rim, t, displaced)) * along - hubAlong * outwards);
         const double x = s.pointX[t.point] - place.centreX - place.hubX, y = s.pointY[t.point], n = pressure * area;
         sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
         if (points) points->push_back({x, y, pressure, along, across, area, slips});

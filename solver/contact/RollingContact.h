@@ -35,7 +35,6 @@ struct PatchState {
   double longitudinal = 0;       // [N] of the wheel on the rail, along x
   double lateral = 0;            // [N]
   double spinMoment = 0;         // [N m] on the wheel about y with the reference arms X
-  double fullMoment = 0;         // [N m] with the displaced arms X + u
   double length = 0, width = 0;  // [m] 2 sqrt(5 <x^2>), 2 sqrt(5 <y^2>) of the pressure
   double storedEnergy = 0;       // [J] in the penalties
   double frictionPower = 0;      // [W] dissipated

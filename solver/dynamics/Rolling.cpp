@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/ContactPenalty.h"
 
@@ -110,6 +111,10 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
     with.beta = beta;
     blockSteps_.push_back(with);
   }
+  for (const auto& [index, b] : {std::pair{0, model.rim}, std::pair{1, model.body}}) {
+    turningMoment_[index].assign(model.blocks[b].stride, 0.0);
+    blockSteps_[b].turningMoment = turningMoment_[index].data();
+  }
   std::size_t most = 0;
   for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie, model.blocks[tie.slaveBlock]));
   slaveWorkspace_.assign(most, 0.0);
@@ -141,7 +146,6 @@ void Rolling::restore(RollingState state) {
   layerForces_ = plasticity::layerForces(model_.layer, layerKernels_, state_.plastic);
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
   view_ = {};
-  view_.wheelAcceleration = state_.wheelAcceleration;
   boxVelocity_ = boxVelocity();
   wheelVelocity_ = ringMean(model_, model_.centre, turned_, state_.velocity.data());
 }
@@ -166,10 +170,9 @@ contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
 
 void Rolling::touch(const double* displaced) {
   const auto wheel = wheelRolling(displaced);
-  hub_ = {wheel.placement.hubX, wheel.placement.hubZ};
   view_.step = state_.step;
   view_.time = state_.time;
-  view_.position = wheel.placement.centreX + hub_.x;
+  view_.position = wheel.placement.centreX + wheel.placement.hubX;
   view_.patch =
       rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel, displaced,
                   state_.velocity.data(), step_, state_.friction, forceLines(model_, model_.rail, forces_),
@@ -226,11 +229,6 @@ void Rolling::pushVehicle(const double* displaced) {
     for (int s = 0; s < body.stationCount; ++s)
       a[s] -= torque_ * share / radius, hubSpinRate_ -= share * va[s] / radius;
   }
-  // Moment about y, u_z F_x - u_x F_z, of suspension, weight and inertia with the arms that displacement gives them:
-  // minus the moment of the inner forces, whose part of second order is all that the linear elasticity leaves.
-  const double mass = model_.wheelset.turningMass;
-  const auto& a = view_.wheelAcceleration;
-  vehicleMoment_ = at.z * forceX - at.x * forceZ - hub_.z * mass * a.x + hub_.x * mass * (d.motion.gravity + a.z);
 }
 
 void Rolling::pushWheelset(long k) {
@@ -243,7 +241,7 @@ void Rolling::pushWheelset(long k) {
   elasticity::addIrregularForces(model_.movedElements, now(k), forces_.data());  // on the contact's own lines
   pushVehicle(now(k));
   referenceAcceleration_ = (torque_ + view_.patch.spinMoment) / model_.wheelset.inertia;
-  spinAcceleration_ = (torque_ + view_.patch.fullMoment + vehicleMoment_) / model_.wheelset.inertia;
+  spinAcceleration_ = referenceAcceleration_ + state_.turningMoment / model_.wheelset.inertia;
   const double rate = state_.spinRate + step_ * spinAcceleration_;
   for (const int b : {model_.rim, model_.body}) {
     blockSteps_[b].spinAcceleration = referenceAcceleration_;
@@ -338,6 +336,9 @@ void Rolling::finishStep(long k) {
   const double oldRate = state_.spinRate;
   state_.spinRate += step_ * spinAcceleration_;
   state_.rotation += step_ * state_.spinRate;
+  state_.turningMoment = 0;
+  for (auto& line : turningMoment_)
+    for (double& moment : line) state_.turningMoment += std::exchange(moment, 0.0);
   ++state_.step;
   state_.time = static_cast<double>(state_.step) * step_;
   state_.sums.friction += step_ * view_.patch.frictionPower;
@@ -351,7 +352,6 @@ void Rolling::finishStep(long k) {
   const auto wheel = ringMean(model_, model_.centre, turned_, v);
   view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};
   view_.wheelAcceleration = {(wheel.x - wheelVelocity_.x) / step_, (wheel.z - wheelVelocity_.z) / step_};
-  state_.wheelAcceleration = view_.wheelAcceleration;
   view_.spinRate = 0.5 * (oldRate + state_.spinRate);
   boxVelocity_ = box, wheelVelocity_ = wheel;
 }

@@ -9,11 +9,14 @@
 // and springs collect forces; each thread adds the forces of plastic strain to the stations that it advances. The start
 // is elastic: what yields under the wheel at rest flows in the first step.
 //
-// Spin of the wheelset: the reference turns with rate w, I w' = torque + moment of all outer forces with displaced
-// arms; in the turning reference every mass feels +a' r along alpha, I a' = torque + moment with undisplaced arms, so
-// that no mean spin gathers in the displacements (false power otherwise).
+// Spin of the wheelset: in the turning reference every mass feels +a' r along alpha, I a' = torque + moment of the
+// outer forces with undisplaced arms, so that no mean spin gathers in the displacements. The reference turns with rate
+// w, I w' = I a' - S, S the moment of the inner forces about the displaced places, sum of (e x u) . f: the power w S is
+// what the stored energy, which knows the displacements in the turning basis, misses of the inner forces' work. S is
+// taken from the step before.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -128,7 +131,7 @@ class Rolling {
   plasticity::LayerKernels layerKernels_;
   plasticity::LayerForces layerForces_;
   StepView view_;
-  model::PlaneVector boxVelocity_, wheelVelocity_, hub_;
+  model::PlaneVector boxVelocity_, wheelVelocity_;
   double spinAcceleration_ = 0, referenceAcceleration_ = 0;
   double trackDamperPower_[2] = {0, 0};  // [W] of even and odd steps: one is read while the other is made
   double vehicleDamperPower_ = 0;        // [W]
@@ -138,7 +141,7 @@ class Rolling {
   };
   std::vector<std::vector<TieShare>> tieShares_;  // per thread: per tie and segment of the body
   std::vector<AlignedVector> tieWorkspaces_;      // per thread
-  double vehicleMoment_ = 0;                      // of outer forces besides the contact, displaced arms
+  std::array<AlignedVector, 2> turningMoment_;    // of rim and body: what each station's inner forces add to -S
   double torque_ = 0, hubSpinRate_ = 0;
 };
 

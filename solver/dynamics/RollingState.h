@@ -3,7 +3,6 @@
 
 #include "contact/RollingContact.h"
 #include "core/AlignedVector.h"
-#include "model/WheelMotion.h"
 #include "plasticity/SurfaceLayer.h"
 
 namespace squat::dynamics {
@@ -22,7 +21,7 @@ struct RollingState {
   contact::FrictionHistory friction;
   plasticity::LayerState plastic;  // empty where nothing may yield
   EnergySums sums;
-  model::PlaneVector wheelAcceleration;  // [m/s2] of the last step
+  double turningMoment = 0;  // [N m] of the inner forces about displaced places, in the last step (Rolling.h)
 };
 
 }  // namespace squat::dynamics

@@ -48,6 +48,7 @@ struct KernelCall {
   double spinAcceleration = 0;           // [rad/s2] added times radius to a
   double step = 0, beta = 0;             // [s]
   double cosine = 1, sine = 0;           // of the angle by which the local basis turns in this step
+  double* turningMoment = nullptr;  // one line, or null: per station += sum of u_a f_b - u_b f_a, f the inner force
 };
 
 // What the elasticity is computed in. Single inside: sums and differences of neighbouring stations are formed from the

@@ -233,6 +233,14 @@ inline void applyGroup(const KernelCall& call, const Group& group) {
 template <typename Real>
 inline void advanceNode(const KernelCall& call, const Group& group, int n, int count, const Real (&force)[3][chunk]) {
   const std::size_t stride = call.stride;
+  const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
+  const double* source = call.source + base;
+  if (call.turningMoment)
+    for (int i = 0; i < count; i += LANES) {
+      double* moment = call.turningMoment + group.at + i;
+      store(moment, load(moment) +
+                        (load(source + i) * widened(force[1] + i) - load(source + chunk + i) * widened(force[0] + i)));
+    }
   const int line = call.externalLine[n];
   double* outer = line < 0 ? nullptr : call.external + static_cast<std::size_t>(line) * 3 * stride + group.at;
   if (call.slave[n]) {
@@ -243,8 +251,7 @@ inline void advanceNode(const KernelCall& call, const Group& group, int n, int c
   const double step = call.step, beta = call.beta, both = step + beta, cosine = call.cosine, sine = call.sine;
   const double spin = call.radialWeight ? call.spinAcceleration * call.radialWeight[n] : 0.0;
   const double pushed[3] = {spin, 0, 0};
-  const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
-  const double *inverse = call.inverseMass + placeOfMass(call, n, group.at), *source = call.source + base;
+  const double* inverse = call.inverseMass + placeOfMass(call, n, group.at);
   double *rates = call.velocity + base, *target = call.target + base;
   for (int c = 0; c < 3; ++c) {
     const double mask = call.fixedMask[3 * n + c], push = pushed[c];

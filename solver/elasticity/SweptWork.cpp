@@ -152,6 +152,7 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
       call.acceleration = with.acceleration, call.radialWeight = with.radialWeight;
       call.spinAcceleration = with.spinAcceleration, call.step = step, call.beta = with.beta;
       call.cosine = with.cosine, call.sine = with.sine;
+      call.turningMoment = with.turningMoment;
       kernelsOf(run).advanceStep(call);
     });
     if (!block.closed && segment.first + segment.count == block.intervals)

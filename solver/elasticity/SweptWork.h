@@ -46,6 +46,7 @@ struct BlockStep {
   const double* acceleration = nullptr;  // 3 lines
   const double* radialWeight = nullptr;
   double spinAcceleration = 0, beta = 0, cosine = 1, sine = 0;
+  double* turningMoment = nullptr;  // closed blocks: KernelCall
 };
 
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,

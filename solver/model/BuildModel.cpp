@@ -83,7 +83,6 @@ void addMasses(Model& model) {
   addRingMass(model, discRing, discs);
   for (const auto& tie : model.ties) passSlaveMass(model, tie);
   figures.mass = w.totalMass;
-  figures.turningMass = model.boxOnSpring() ? w.totalMass - w.axleBoxMass : w.totalMass;
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
     for (int n = 0; n < block.nodes; ++n)

@@ -37,7 +37,6 @@ struct Ring {
 struct WheelsetFigures {
   double inertia = 0;       // [kg m2] about the axis, everything that turns
   double mass = 0;          // [kg] solids, axle box and discs
-  double turningMass = 0;   // [kg] of it that turns: without an axle box on a bearing spring
   double solidMass = 0;     // [kg] as meshed
   double centreHeight = 0;  // [m] of the axis above the running surface
 };

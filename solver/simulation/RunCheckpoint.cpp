@@ -12,10 +12,10 @@ namespace {
 
 // Figures of the start are kept in the layout of the result file below this group.
 constexpr const char* kStart = "/start";
-// The order of unknowns in /rolling/displaced and /rolling/velocity (elasticity/SweptBlock.h): raise it with that
-// order.
+// The order of unknowns in /rolling/displaced and /rolling/velocity (elasticity/SweptBlock.h) and of /rolling/small:
+// raise it with them.
 constexpr const char* kLayoutName = "state_layout";
-constexpr int kLayout = 3;
+constexpr int kLayout = 4;
 
 bool belongsToTheStart(const std::string& path) {
   return path.starts_with("/equilibrium/") || path.starts_with("/modes/") ||

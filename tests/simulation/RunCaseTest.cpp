@@ -71,8 +71,8 @@ TEST(RunCase, ContactCarriesTheWeight) {
 }
 
 TEST(RunCase, EnergyIsAccountedFor) {
-  // 0.2 % of the strain energy at the start plus all dissipation.
-  EXPECT_LT(scalar(lightDefect().performance, "energy_residual"), 2e-3);
+  // 0.1 % of the strain energy at the start plus all dissipation.
+  EXPECT_LT(scalar(lightDefect().performance, "energy_residual"), 1e-3);
 }
 
 TEST(RunCase, SmoothRailIsQuiet) {
