@@ -27,7 +27,11 @@ double placeOf(const Judged& one) {
   return std::clamp(place, -outside, 1 + outside);
 }
 
-QString numberText(double value) { return QString::number(value, 'g', 3); }
+// Three digits; whole numbers where those would end before the point.
+QString numberText(double value) {
+  const bool large = std::abs(value) >= 1000 && std::abs(value) < 1e6;
+  return large ? QString::number(value, 'f', 0) : QString::number(value, 'g', 3);
+}
 
 QString oursText(const Judged& one) {
   if (!one.value) return one.verdict == Verdict::notJudged ? "not judged" : "none";
