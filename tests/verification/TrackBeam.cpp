@@ -1,112 +1,165 @@
 #include "verification/TrackBeam.h"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
+#include "verification/SectionTorsion.h"
+
 namespace squat::verification {
 
-TrackBeam::TrackBeam(const cases::CaseDescription& d, const BeamSection& section, double railStart,
+namespace {
+
+constexpr int padsAlong = 6, padsAcross = 4;  // springs of a pad
+constexpr int sleeperParts = 24;
+constexpr double railStep = 0.025;  // [m]
+
+double padPlace(int index, int count, double length) { return ((index + 0.5) / count - 0.5) * length; }
+
+double shearModulus(const cases::Material& m) { return m.young / 2 / (1 + m.poisson); }
+
+// St Venant's constant of a rectangle (Timoshenko and Goodier, Theory of Elasticity, art. 109).
+double rectangleTorsion(double a, double b) {
+  const double longer = std::max(a, b), shorter = std::min(a, b), pi = std::acos(-1.0);
+  double sum = 0;
+  for (int n = 1; n < 20; n += 2) sum += std::tanh(n * pi * longer / (2 * shorter)) / std::pow(n, 5);
+  return longer * std::pow(shorter, 3) / 3 * (1 - 192 / std::pow(pi, 5) * shorter / longer * sum);
+}
+
+void join(Terms& terms, const Terms& others) { terms.insert(terms.end(), others.begin(), others.end()); }
+
+}  // namespace
+
+BeamSection beamSection(const geometry::SectionMesh& section) {
+  const auto integrals = geometry::sectionIntegrals(section);
+  const auto torsion = sectionTorsion(section);
+  double base = 0;
+  for (const auto& p : section.nodes) base = std::min(base, p[1]);
+  BeamSection beam{integrals.area, integrals.momentCC, integrals.centroidC - base};
+  beam.lateralInertia = integrals.momentBB;
+  beam.torsion = torsion.torsion, beam.warping = torsion.warping;
+  beam.shearCentreAboveBase = torsion.shearCentre - base;
+  return beam;
+}
+
+TrackBeam::TrackBeam(const cases::CaseDescription& description, const BeamSection& section, double railStart,
                      const std::vector<double>& sleeperPositions)
-    : gravity_(d.motion.gravity) {
-  constexpr int alongRail = 6, acrossRail = 4;
-  const auto& pad = d.pad;
-  const auto padOffset = [&](int p) { return ((p + 0.5) / alongRail - 0.5) * pad.length; };
-  // Rail nodes: a fine grid and every pad spring.
-  const double end = railStart + d.track.length;
-  for (int i = 0; i <= 400; ++i) railX_.push_back(railStart + d.track.length * i / 400);
+    : case_(description), section_(section), railStart_(railStart) {
+  layRail(sleeperPositions);
+  for (const double x : sleeperPositions) {
+    const int sleeper = addSleeper();
+    addBallast(sleeper);
+    addPad(sleeper, x);
+  }
+}
+
+void TrackBeam::layRail(const std::vector<double>& sleeperPositions) {
+  const double length = case_.track.length, end = railStart_ + length;
+  const int parts = static_cast<int>(std::ceil(length / railStep));
+  for (int i = 0; i <= parts; ++i) railX_.push_back(railStart_ + length * i / parts);
   for (const double x : sleeperPositions)
-    for (int p = 0; p < alongRail; ++p) railX_.push_back(std::clamp(x + padOffset(p), railStart, end));
+    for (int p = 0; p < padsAlong; ++p)
+      railX_.push_back(std::clamp(x + padPlace(p, padsAlong, case_.pad.length), railStart_, end));
   std::sort(railX_.begin(), railX_.end());
   railX_.erase(std::unique(railX_.begin(), railX_.end(), [](double a, double b) { return b - a < 1e-6; }),
                railX_.end());
-  const int nodes = static_cast<int>(railX_.size());
-  unknowns_ = 3 * nodes;  // u, w, slope
-
-  const auto& steel = d.rail.material;
-  const double shearModulus = steel.young / 2 / (1 + steel.poisson);
-  for (int i = 0; i + 1 < nodes; ++i) {
-    const double length = railX_[i + 1] - railX_[i];
-    addBeam(3 * i + 1, 3 * i + 2, 3 * i + 4, 3 * i + 5, length, steel.young * section.inertia,
-            section.shearCoefficient * section.area * shearModulus, steel.density * section.area,
-            steel.density * section.inertia);
-    addSpring({{3 * i, 1}, {3 * i + 3, -1}}, steel.young * section.area / length, 0);
-    for (const int node : {i, i + 1}) {
-      mass_.emplace_back(3 * node, 3 * node, 0.5 * steel.density * section.area * length);
-      addWeight(3 * node + 1, 0.5 * steel.density * section.area * length);
-    }
-  }
-
-  const auto& s = d.sleeper;
-  const double area = s.width * s.height, inertia = s.width * std::pow(s.height, 3) / 12;
-  const double concreteShear = s.material.young / 2 / (1 + s.material.poisson);
-  constexpr int parts = 72;
-  const double step = s.halfLength / parts;
-  for (const double x : sleeperPositions) {
-    const int first = unknowns_, slide = first + 2 * (parts + 1), rock = slide + 1;
-    unknowns_ = rock + 1;
-    const auto w = [&](int j) { return first + 2 * j; };
-    for (int j = 0; j < parts; ++j) {
-      addBeam(w(j), w(j) + 1, w(j + 1), w(j + 1) + 1, step, s.material.young * inertia, 5.0 / 6 * area * concreteShear,
-              s.material.density * area, s.material.density * inertia);
-      addWeight(w(j), 0.5 * s.material.density * area * step),
-          addWeight(w(j + 1), 0.5 * s.material.density * area * step);
-    }
-    addSpring({{w(0) + 1, 1}}, 1e15, 0);  // symmetry plane: no slope
-    const double mass = s.material.density * area * s.halfLength;
-    // About the middle of its height; slide is that of the top.
-    mass_.emplace_back(slide, slide, mass);
-    mass_.emplace_back(slide, rock, mass * s.height / 2), mass_.emplace_back(rock, slide, mass * s.height / 2);
-    mass_.emplace_back(rock, rock, mass * (s.height * s.height / 3 + s.width * s.width / 12));
-    // Ballast: evenly under the base. Across: three strips for the rocking stiffness, exact for the second moment.
-    for (int j = 0; j <= parts; ++j) {
-      const double share = (j == 0 || j == parts ? 0.5 : 1.0) / parts;
-      for (const double side : {-0.5, 0.5}) {
-        const double offset = side * s.width / std::sqrt(3.0);
-        addSpring({{w(j), 1}, {rock, offset}}, 0.5 * share * d.ballast.stiffness, 0.5 * share * d.ballast.damping);
-      }
-      addSpring({{slide, 1}, {rock, s.height}}, share * d.ballast.longitudinalStiffness,
-                share * d.ballast.longitudinalDamping);
-    }
-    for (int p = 0; p < alongRail; ++p) {
-      const int rail = 3 * railNode(x + padOffset(p));
-      for (int q = 0; q < acrossRail; ++q) {
-        const double y = ((q + 0.5) / acrossRail - 0.5) * pad.width;
-        const double at = (y + d.wheelset.trackCentre) / step;
-        const int j = std::clamp(static_cast<int>(at), 0, parts - 1);
-        const double t = at - j, share = 1.0 / (alongRail * acrossRail);
-        addSpring({{rail + 1, 1}, {w(j), t - 1}, {w(j + 1), -t}, {rock, -padOffset(p)}}, share * pad.stiffness,
-                  share * pad.damping);
-        addSpring({{rail, 1}, {rail + 2, section.centroidAboveBase}, {slide, -1}}, share * pad.longitudinalStiffness,
-                  share * pad.longitudinalDamping);
-      }
+  const auto& steel = case_.rail.material;
+  const auto& s = section_;
+  const double shear = shearModulus(steel) * s.area, mass = steel.density * s.area;
+  const double fromShearCentre = s.centroidAboveBase - s.shearCentreAboveBase;
+  system_.add(railUnknowns * static_cast<int>(railX_.size()));
+  for (int i = 0; i + 1 < static_cast<int>(railX_.size()); ++i) {
+    const int l = railUnknowns * i, r = l + railUnknowns;
+    const double step = railX_[i + 1] - railX_[i];
+    system_.addBar(l + along, r + along, step, steel.young * s.area, mass);
+    system_.addBeam(l + up, l + upSlope, r + up, r + upSlope, step, steel.young * s.inertia, s.shearCoefficient * shear,
+                    mass, steel.density * s.inertia);
+    system_.addBeam(l + across, l + acrossSlope, r + across, r + acrossSlope, step, steel.young * s.lateralInertia,
+                    s.lateralShearCoefficient * shear, 0, steel.density * s.lateralInertia);
+    system_.addTwist(l + turn, l + turnRate, r + turn, r + turnRate, step, shearModulus(steel) * s.torsion,
+                     steel.young * s.warping, steel.density * (s.inertia + s.lateralInertia));
+    for (const int at : {l, r}) {
+      system_.addMass({{at + across, 1}, {at + turn, -fromShearCentre}}, 0.5 * step * mass);
+      system_.addMass({{at + turnRate, 1}}, 0.5 * step * steel.density * s.warping);
+      weights_.emplace_back(at + up, 0.5 * step * mass);
     }
   }
 }
 
-void TrackBeam::addBeam(int w0, int slope0, int w1, int slope1, double l, double bending, double shear, double lineMass,
-                        double rotaryMass) {
-  const double phi = 12 * bending / (shear * l * l), f = bending / (l * l * l * (1 + phi));
-  const int at[4] = {w0, slope0, w1, slope1};
-  const double k[4][4] = {{12, 6 * l, -12, 6 * l},
-                          {6 * l, (4 + phi) * l * l, -6 * l, (2 - phi) * l * l},
-                          {-12, -6 * l, 12, -6 * l},
-                          {6 * l, (2 - phi) * l * l, -6 * l, (4 + phi) * l * l}};
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) stiffness_.emplace_back(at[i], at[j], f * k[i][j]);
-  // Lumped; elements are short against every wave that is looked at.
-  for (int i = 0; i < 4; ++i) mass_.emplace_back(at[i], at[i], 0.5 * l * (i % 2 ? rotaryMass : lineMass));
+int TrackBeam::addSleeper() {
+  const auto& s = case_.sleeper;
+  const double area = s.width * s.height, step = s.halfLength / sleeperParts;
+  const double upright = s.width * std::pow(s.height, 3) / 12, flat = s.height * std::pow(s.width, 3) / 12;
+  const double young = s.material.young, shear = shearModulus(s.material), density = s.material.density;
+  const double torsion = rectangleTorsion(s.width, s.height);
+  const int first = system_.add(sleeperUnknowns * (sleeperParts + 1));
+  for (int j = 0; j < sleeperParts; ++j) {
+    const int l = first + sleeperUnknowns * j, r = l + sleeperUnknowns;
+    system_.addBar(l + stretch, r + stretch, step, young * area, density * area);
+    system_.addBeam(l + lift, l + liftSlope, r + lift, r + liftSlope, step, young * upright, 5.0 / 6 * area * shear,
+                    density * area, density * upright);
+    system_.addBeam(l + shift, l + shiftSlope, r + shift, r + shiftSlope, step, young * flat, 5.0 / 6 * area * shear,
+                    density * area, density * flat);
+    system_.addBar(l + twist, r + twist, step, shear * torsion, density * (upright + flat));
+    for (const int at : {l, r}) weights_.emplace_back(at + lift, 0.5 * step * density * area);
+  }
+  for (const int fixed : {stretch, liftSlope, shiftSlope}) system_.hold(first + fixed);
+  return first;
 }
 
-void TrackBeam::addSpring(const Terms& terms, double stiffness, double damping) {
-  for (const auto& [i, a] : terms)
-    for (const auto& [j, b] : terms) {
-      stiffness_.emplace_back(i, j, a * b * stiffness);
-      if (damping != 0) damping_.emplace_back(i, j, a * b * damping);
+// Point of a sleeper at x from its axis and z above it: lift + twist x, shift - twist z, stretch - slope z - slope x.
+void TrackBeam::addBallast(int sleeper) {
+  const auto& ballast = case_.ballast;
+  const double base = -case_.sleeper.height / 2;
+  for (int j = 0; j <= sleeperParts; ++j) {
+    const int at = sleeper + sleeperUnknowns * j;
+    const double share = (j == 0 || j == sleeperParts ? 0.5 : 1.0) / sleeperParts;
+    for (const double side : {-0.5, 0.5}) {  // two lines: second moment of the even pressure
+      const double offset = side * case_.sleeper.width / std::sqrt(3.0);
+      system_.addSpring({{at + lift, 1}, {at + twist, offset}}, 0.5 * share * ballast.stiffness,
+                        0.5 * share * ballast.damping);
     }
+    system_.addSpring({{at + shift, 1}, {at + twist, -base}}, share * ballast.longitudinalStiffness,
+                      share * ballast.longitudinalDamping);
+    system_.addSpring({{at + stretch, 1}, {at + liftSlope, -base}}, share * ballast.lateralStiffness,
+                      share * ballast.lateralDamping);
+  }
 }
 
-void TrackBeam::addWeight(int unknown, double mass) { weights_.emplace_back(unknown, mass); }
+// Point of the rail's base at y from its axis: up + turn y, along + slope centroid - slope y, across + turn shear
+// centre.
+void TrackBeam::addPad(int sleeper, double at) {
+  const auto& pad = case_.pad;
+  const double top = case_.sleeper.height / 2, share = 1.0 / (padsAlong * padsAcross);
+  for (int p = 0; p < padsAlong; ++p) {
+    const double x = padPlace(p, padsAlong, pad.length);
+    const int rail = railUnknowns * railNode(at + x);
+    int foot = rail + up;
+    if (section_.footFlexibility > 0) {
+      foot = system_.add(1);
+      system_.addSpring({{rail + up, 1}, {foot, -1}}, pad.length / padsAlong / section_.footFlexibility, 0);
+    }
+    for (int q = 0; q < padsAcross; ++q) {
+      const double y = padPlace(q, padsAcross, pad.width), place = y + case_.wheelset.trackCentre;
+      Terms vertical{{foot, 1}, {rail + turn, y}};
+      join(vertical, sleeperAt(sleeper, lift, place, -1)), join(vertical, sleeperAt(sleeper, twist, place, -x));
+      system_.addSpring(vertical, share * pad.stiffness, share * pad.damping);
+      Terms lengthwise{{rail + along, 1}, {rail + upSlope, section_.centroidAboveBase}, {rail + acrossSlope, -y}};
+      join(lengthwise, sleeperAt(sleeper, shift, place, -1)), join(lengthwise, sleeperAt(sleeper, twist, place, top));
+      system_.addSpring(lengthwise, share * pad.longitudinalStiffness, share * pad.longitudinalDamping);
+      Terms lateral{{rail + across, 1}, {rail + turn, section_.shearCentreAboveBase}};
+      join(lateral, sleeperAt(sleeper, stretch, place, -1)), join(lateral, sleeperAt(sleeper, liftSlope, place, top));
+      join(lateral, sleeperAt(sleeper, shiftSlope, place, x));
+      system_.addSpring(lateral, share * pad.lateralStiffness, share * pad.lateralDamping);
+    }
+  }
+}
+
+Terms TrackBeam::sleeperAt(int sleeper, int unknown, double y, double factor) const {
+  const double place = y / case_.sleeper.halfLength * sleeperParts;
+  const int j = std::clamp(static_cast<int>(place), 0, sleeperParts - 1);
+  const int left = sleeper + sleeperUnknowns * j + unknown;
+  return {{left, factor * (1 - place + j)}, {left + sleeperUnknowns, factor * (place - j)}};
+}
 
 int TrackBeam::railNode(double x) const {
   const auto next = std::lower_bound(railX_.begin(), railX_.end(), x - 2e-6);
@@ -115,38 +168,27 @@ int TrackBeam::railNode(double x) const {
 
 // Hermite interpolation of the deflection.
 Eigen::VectorXd TrackBeam::railShape(double x) const {
-  Eigen::VectorXd shape = Eigen::VectorXd::Zero(unknowns_);
+  Eigen::VectorXd shape = Eigen::VectorXd::Zero(system_.unknowns());
   int i = static_cast<int>(std::upper_bound(railX_.begin(), railX_.end(), x) - railX_.begin()) - 1;
   i = std::clamp(i, 0, static_cast<int>(railX_.size()) - 2);
   const double l = railX_[i + 1] - railX_[i], t = (x - railX_[i]) / l;
-  shape[3 * i + 1] = 1 - 3 * t * t + 2 * t * t * t, shape[3 * i + 4] = 3 * t * t - 2 * t * t * t;
-  shape[3 * i + 2] = l * (t - 2 * t * t + t * t * t), shape[3 * i + 5] = l * (t * t * t - t * t);
+  const int left = railUnknowns * i, right = left + railUnknowns;
+  shape[left + up] = 1 - 3 * t * t + 2 * t * t * t, shape[right + up] = 3 * t * t - 2 * t * t * t;
+  shape[left + upSlope] = l * (t - 2 * t * t + t * t * t), shape[right + upSlope] = l * (t * t * t - t * t);
   return shape;
 }
 
 double TrackBeam::deflection(double x, double loadX, double force, bool withWeight) const {
-  Eigen::SparseMatrix<double> k(unknowns_, unknowns_);
-  k.setFromTriplets(stiffness_.begin(), stiffness_.end());
   Eigen::VectorXd load = -force * railShape(loadX);
   if (withWeight)
-    for (const auto& [unknown, mass] : weights_) load[unknown] -= mass * gravity_;
-  const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(k);
-  const Eigen::VectorXd u = factor.solve(load);
-  return railShape(x).dot(u);
+    for (const auto& [unknown, mass] : weights_) load[unknown] -= mass * case_.motion.gravity;
+  return railShape(x).dot(system_.atRest(load));
 }
 
-std::complex<double> TrackBeam::receptance(double x, double frequency) const {
-  const double omega = 2 * std::acos(-1.0) * frequency;
-  std::vector<Eigen::Triplet<std::complex<double>>> entries;
-  for (const auto& e : stiffness_) entries.emplace_back(e.row(), e.col(), e.value());
-  for (const auto& e : damping_) entries.emplace_back(e.row(), e.col(), std::complex<double>(0, omega * e.value()));
-  for (const auto& e : mass_) entries.emplace_back(e.row(), e.col(), -omega * omega * e.value());
-  Eigen::SparseMatrix<std::complex<double>> dynamic(unknowns_, unknowns_);
-  dynamic.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SparseLU<Eigen::SparseMatrix<std::complex<double>>> factor(dynamic);
-  const Eigen::VectorXcd shape = railShape(x).cast<std::complex<double>>();
-  const Eigen::VectorXcd u = factor.solve(shape);
-  return shape.dot(u);
+std::vector<std::complex<double>> TrackBeam::receptance(const std::vector<double>& at, double frequency) const {
+  Eigen::MatrixXd shapes(system_.unknowns(), static_cast<Eigen::Index>(at.size()));
+  for (std::size_t i = 0; i < at.size(); ++i) shapes.col(static_cast<Eigen::Index>(i)) = railShape(at[i]);
+  return system_.answers(shapes, 2 * std::acos(-1.0) * frequency);
 }
 
 }  // namespace squat::verification

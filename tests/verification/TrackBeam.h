@@ -1,23 +1,32 @@
-// tests/verification/TrackBeam.h - the half track as Timoshenko beams: the theory that the solids are held against.
+// tests/verification/TrackBeam.h - the half track as beams: the theory that the solids are held against.
 //
-// Rail: beam with axial, vertical and rotary motion, exact two-node elements (shear included). Sleepers: beams across
-// the track from the symmetry plane (no slope) to the end, that also rock and slide as rigid bodies along the track.
-// Pads: 6 x 4 springs over the footprint, ballast under the whole sleeper, vertical and longitudinal. Nothing is taken
-// from the solid model but the rail's section integrals, which the caller gives.
+// Rail: vertical Timoshenko beam with rotary inertia; stretch; lateral bending about the shear centre and Vlasov's
+// torsion, which the bending sleepers turn it into. Half sleepers: beams across the track from the symmetry plane (no
+// slopes, no lateral motion) to the end that bend vertically and horizontally, stretch and twist. Pads: 6 x 4 springs
+// over the footprint, ballast under the whole base, both in three directions. Rail ends are free. Sections keep their
+// shape: that alone is left out. Nothing is taken from the solid model but the section that the caller gives.
 #pragma once
 
-#include <Eigen/Sparse>
+#include <Eigen/Dense>
 #include <complex>
 #include <vector>
 
 #include "case/CaseDescription.h"
+#include "geometry/SectionMesh.h"
+#include "verification/BeamSystem.h"
 
 namespace squat::verification {
 
 struct BeamSection {
   double area = 0, inertia = 0, centroidAboveBase = 0;  // [m2], [m4], [m]
   double shearCoefficient = 0.40;
+  // Lateral inertia [m4], St Venant's constant [m4], warping constant [m6], shear centre above the base [m].
+  double lateralInertia = 419.2e-8, torsion = 159.5e-8, warping = 0, shearCentreAboveBase = centroidAboveBase;
+  double lateralShearCoefficient = 0.5;  // foot and head carry; it hardly matters here
+  double footFlexibility = 0;            // [m2/N] between section and pad (SectionFlexibility.h)
 };
+
+BeamSection beamSection(const geometry::SectionMesh& section);
 
 class TrackBeam {
  public:
@@ -28,25 +37,29 @@ class TrackBeam {
   // Deflection [m], up positive, at x under the weight of the track and a force [N], down positive, at `loadX`.
   double deflection(double x, double loadX, double force, bool withWeight) const;
 
-  // Displacement at x for a unit harmonic force at x [m/N].
-  std::complex<double> receptance(double x, double frequency) const;
+  // Displacement at each x for a unit harmonic force there [m/N].
+  std::vector<std::complex<double>> receptance(const std::vector<double>& at, double frequency) const;
 
  private:
-  using Entries = std::vector<Eigen::Triplet<double>>;
-  using Terms = std::vector<std::pair<int, double>>;
-  // A beam element between two pairs (w, slope) with its mass; EI, kappa A G, rho A, rho I.
-  void addBeam(int w0, int slope0, int w1, int slope1, double length, double bending, double shear, double lineMass,
-               double rotaryMass);
-  void addSpring(const Terms& terms, double stiffness, double damping);
-  void addWeight(int unknown, double mass);
+  // Unknowns of a node of the rail, and of a sleeper.
+  enum Rail { along, up, upSlope, across, acrossSlope, turn, turnRate, railUnknowns };
+  enum Sleeper { stretch, lift, liftSlope, shift, shiftSlope, twist, sleeperUnknowns };
+
+  void layRail(const std::vector<double>& sleeperPositions);
+  int addSleeper();
+  void addBallast(int sleeper);
+  void addPad(int sleeper, double at);
   int railNode(double x) const;
+  // Weights of a sleeper's unknown at a distance from the symmetry plane.
+  Terms sleeperAt(int sleeper, int unknown, double y, double factor) const;
   Eigen::VectorXd railShape(double x) const;
 
+  cases::CaseDescription case_;
+  BeamSection section_;
+  double railStart_ = 0;
   std::vector<double> railX_;
-  int unknowns_ = 0;
-  Entries stiffness_, damping_, mass_;
-  std::vector<std::pair<int, double>> weights_;
-  double gravity_ = 0;
+  BeamSystem system_;
+  std::vector<std::pair<int, double>> weights_;  // [kg]
 };
 
 }  // namespace squat::verification

@@ -1,0 +1,91 @@
+#include "verification/BeamSystem.h"
+
+#include <Eigen/SparseLU>
+
+namespace squat::verification {
+
+int BeamSystem::add(int count) {
+  unknowns_ += count;
+  return unknowns_ - count;
+}
+
+void BeamSystem::addElement(Entries& to, const int (&at)[4], const double (&matrix)[4][4], double factor) {
+  if (factor == 0) return;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) to.emplace_back(at[i], at[j], factor * matrix[i][j]);
+}
+
+void BeamSystem::addBeam(int left, int slopeLeft, int right, int slopeRight, double l, double bending, double shear,
+                         double lineMass, double rotaryMass) {
+  const double phi = 12 * bending / (shear * l * l);
+  const double k[4][4] = {{12, 6 * l, -12, 6 * l},
+                          {6 * l, (4 + phi) * l * l, -6 * l, (2 - phi) * l * l},
+                          {-12, -6 * l, 12, -6 * l},
+                          {6 * l, (2 - phi) * l * l, -6 * l, (4 + phi) * l * l}};
+  addElement(stiffness_, {left, slopeLeft, right, slopeRight}, k, bending / (l * l * l * (1 + phi)));
+  for (const int i : {left, right}) addMass({{i, 1}}, 0.5 * l * lineMass);
+  for (const int i : {slopeLeft, slopeRight}) addMass({{i, 1}}, 0.5 * l * rotaryMass);
+}
+
+void BeamSystem::addTwist(int left, int rateLeft, int right, int rateRight, double l, double torsion, double warping,
+                          double rotaryMass) {
+  const int at[4] = {left, rateLeft, right, rateRight};
+  const double bent[4][4] = {
+      {12, 6 * l, -12, 6 * l},
+      {6 * l, 4 * l * l, -6 * l, 2 * l * l},
+      {-12, -6 * l, 12, -6 * l},
+      {6 * l, 2 * l * l, -6 * l, 4 * l * l},
+  };
+  const double turned[4][4] = {
+      {36, 3 * l, -36, 3 * l},
+      {3 * l, 4 * l * l, -3 * l, -l * l},
+      {-36, -3 * l, 36, -3 * l},
+      {3 * l, -l * l, -3 * l, 4 * l * l},
+  };
+  addElement(stiffness_, at, bent, warping / (l * l * l));
+  addElement(stiffness_, at, turned, torsion / (30 * l));
+  for (const int i : {left, right}) addMass({{i, 1}}, 0.5 * l * rotaryMass);
+}
+
+void BeamSystem::addBar(int left, int right, double length, double stiffness, double lineMass) {
+  addSpring({{left, 1}, {right, -1}}, stiffness / length, 0);
+  for (const int i : {left, right}) addMass({{i, 1}}, 0.5 * length * lineMass);
+}
+
+void BeamSystem::addSpring(const Terms& terms, double stiffness, double damping) {
+  for (const auto& [i, a] : terms)
+    for (const auto& [j, b] : terms) {
+      if (stiffness != 0) stiffness_.emplace_back(i, j, a * b * stiffness);
+      if (damping != 0) damping_.emplace_back(i, j, a * b * damping);
+    }
+}
+
+void BeamSystem::addMass(const Terms& terms, double mass) {
+  for (const auto& [i, a] : terms)
+    for (const auto& [j, b] : terms) mass_.emplace_back(i, j, a * b * mass);
+}
+
+Eigen::VectorXd BeamSystem::atRest(const Eigen::VectorXd& load) const {
+  Eigen::SparseMatrix<double> k(unknowns_, unknowns_);
+  k.setFromTriplets(stiffness_.begin(), stiffness_.end());
+  return Eigen::SparseLU<Eigen::SparseMatrix<double>>(k).solve(load);
+}
+
+std::vector<std::complex<double>> BeamSystem::answers(const Eigen::MatrixXd& shapes, double omega) const {
+  std::vector<Eigen::Triplet<std::complex<double>>> entries;
+  for (const auto& e : stiffness_) entries.emplace_back(e.row(), e.col(), e.value());
+  for (const auto& e : damping_) entries.emplace_back(e.row(), e.col(), std::complex<double>(0, omega * e.value()));
+  for (const auto& e : mass_) entries.emplace_back(e.row(), e.col(), -omega * omega * e.value());
+  Eigen::SparseMatrix<std::complex<double>> dynamic(unknowns_, unknowns_);
+  dynamic.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseLU<Eigen::SparseMatrix<std::complex<double>>> factor(dynamic);
+  std::vector<std::complex<double>> result;
+  for (Eigen::Index c = 0; c < shapes.cols(); ++c) {
+    const Eigen::VectorXcd shape = shapes.col(c).cast<std::complex<double>>();
+    const Eigen::VectorXcd u = factor.solve(shape);
+    result.push_back(shape.dot(u));
+  }
+  return result;
+}
+
+}  // namespace squat::verification
