@@ -17,6 +17,15 @@ constexpr int wrongCall = 2;
   std::exit(wrongCall);
 }
 
+QSize sizeFrom(const QString& text) {
+  constexpr int largest = 8000;  // [pixels]
+  const QStringList numbers = text.split('x');
+  const QSize size(numbers.value(0).toInt(), numbers.value(1).toInt());
+  if (numbers.size() != 2 || size.isEmpty() || size.width() > largest || size.height() > largest)
+    refuse(QStringLiteral("--size needs two numbers up to %1, such as 1280x700; found “%2”").arg(largest).arg(text));
+  return size;
+}
+
 }  // namespace
 
 bool wantsScreenshot(int argc, char** argv) {
@@ -43,16 +52,21 @@ Arguments readArguments() {
   const QCommandLineOption resultFile("result", "Result to open.", "RESULT.h5");
   const QCommandLineOption tab("tab", "Tab to show: " + MainWindow::tabNames().join(", ") + ".", "NAME");
   const QCommandLineOption dark("dark", "Dark colours.");
-  parser.addOptions({screenshot, caseFile, resultFile, tab, dark});
+  const QCommandLineOption size("size", "Size of the window, such as 1280x700.", "WIDTHxHEIGHT");
+  const QCommandLineOption run("run", "Run the case first (with --screenshot).");
+  parser.addOptions({screenshot, caseFile, resultFile, tab, dark, size, run});
   parser.addPositionalArgument("file", "Case or result to open.", "[CASE|RESULT.h5]");
   if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
   if (parser.isSet(help)) parser.showHelp(0);
   if (parser.isSet(version)) parser.showVersion();
   const QStringList files = parser.positionalArguments() + parser.values(caseFile) + parser.values(resultFile);
   if (files.size() > 1) refuse("one case or one result at a time; found " + files.join(", "));
-  const Arguments arguments{files.value(0), parser.value(screenshot), parser.value(tab), parser.isSet(dark)};
+  const Arguments arguments{files.value(0),    parser.value(screenshot),
+                            parser.value(tab), parser.isSet(dark),
+                            parser.isSet(run), parser.isSet(size) ? sizeFrom(parser.value(size)) : QSize()};
   if (!arguments.tab.isEmpty() && !MainWindow::tabNames().contains(arguments.tab))
     refuse(QStringLiteral("no tab “%1”; there are %2").arg(arguments.tab, MainWindow::tabNames().join(", ")));
+  if (arguments.run && !parser.isSet(screenshot)) refuse("--run belongs to --screenshot; in the window F5 runs");
   if (parser.isSet(screenshot) && arguments.screenshot.isEmpty()) refuse("--screenshot needs the name of a PNG");
   return arguments;
 }

@@ -1,6 +1,7 @@
 // app/studio/Arguments.h - what stands on the command line of squat-studio.
 #pragma once
 
+#include <QSize>
 #include <QString>
 
 namespace squat::studio {
@@ -10,6 +11,8 @@ struct Arguments {
   QString screenshot;  // PNG to write; empty: open the window
   QString tab;
   bool dark = false;
+  bool run = false;  // the case, before the picture is taken
+  QSize size;        // of the window; empty: as it opens
 };
 
 // Ends the program for --help and --version (0) and for a call that is wrong (2), with one line on what is wrong.

@@ -8,6 +8,15 @@
 
 namespace squat::studio {
 
+bool runFirst(MainWindow& window) {
+  window.show();
+  window.startRun();
+  constexpr int patience = 24 * 3600 * 1000;  // [ms]
+  window.controller().waitFor(patience);
+  const ResultPointer result = window.store().currentResult();
+  return result && result->complete;
+}
+
 bool takeScreenshot(MainWindow& window, const QString& path) {
   window.show();
   // Queued replots and late layouts are done after a few turns of the event loop.

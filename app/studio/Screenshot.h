@@ -7,6 +7,9 @@ namespace squat::studio {
 
 class MainWindow;
 
+// Runs the case to its end in the window that is shown. False where that fails.
+bool runFirst(MainWindow& window);
+
 // Lets the window lay out and paint, then writes it as PNG. False where the file cannot be written.
 bool takeScreenshot(MainWindow& window, const QString& path);
 

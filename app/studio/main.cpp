@@ -59,12 +59,17 @@ int main(int argc, char** argv) {
   }
   squat::studio::MainWindow window(services);
   if (arguments.dark) window.setDark(true);
+  if (!arguments.size.isEmpty()) window.resize(arguments.size);
   const bool opened = arguments.file.isEmpty() || window.openAny(arguments.file);
   if (!arguments.tab.isEmpty()) window.showTab(arguments.tab);
   if (pictureOnly) {
     if (!opened) {
       std::cerr << "squat-studio: " << window.messages()->text().toStdString() << '\n';
       return squat::commands::kFileWrong;
+    }
+    if (arguments.run && !squat::studio::runFirst(window)) {
+      std::cerr << "squat-studio: " << window.messages()->text().toStdString() << '\n';
+      return squat::commands::kRunFailed;
     }
     return squat::studio::takeScreenshot(window, arguments.screenshot) ? squat::commands::kDone
                                                                        : squat::commands::kFileWrong;

@@ -21,13 +21,30 @@ namespace {
 // A laptop of 1366 x 768 less the frames of a desktop, and the narrowest screen in use on the track.
 constexpr QSize smallest(1280, 700);
 
+// A made-up run with a patch of 6 x 4 points.
+results::RunResult seenRun() {
+  results::RunResult result = tests::syntheticResult();
+  results::PatchSnapshot patch;
+  patch.name = "impact";
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 4; ++j) {
+      patch.x.push_back(0.002f * static_cast<float>(i) - 0.005f);
+      patch.y.push_back(0.002f * static_cast<float>(j) - 0.003f);
+      patch.pressure.push_back(1e8f * static_cast<float>(1 + i + j));
+      patch.slipping.push_back(i < 2);
+      patch.area.push_back(4e-6f);
+    }
+  result.patches = {patch};
+  return result;
+}
+
 class Looks : public testing::Test {
  protected:
   void SetUp() override {
     window_ = std::make_unique<MainWindow>(tests::services());
     window_->openCase("light-defect");
-    window_->store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "light-defect #1",
-                          QString(), false, false});
+    window_->store().add(
+        {std::make_shared<const results::RunResult>(seenRun()), "light-defect #1", QString(), false, false});
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   }

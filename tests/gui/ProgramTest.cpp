@@ -45,8 +45,9 @@ TEST(Program, helpAndVersionNeedNoDisplay) {
 }
 
 TEST(Program, wrongCallsAreRefusedInOneSentence) {
-  for (const QStringList& call : {QStringList{"--tab", "nowhere", "--screenshot", "x.png"}, QStringList{"--nonsense"},
-                                  QStringList{"light-defect"}}) {
+  for (const QStringList& call :
+       {QStringList{"--tab", "nowhere", "--screenshot", "x.png"}, QStringList{"--nonsense"},
+        QStringList{"--size", "1280", "--screenshot", "x.png"}, QStringList{"light-defect"}}) {
     const Outcome outcome = studio(call);  // the last one lacks a display
     EXPECT_EQ(outcome.code, 2) << call.join(' ').toStdString();
     EXPECT_TRUE(outcome.error.startsWith("squat-studio: ")) << outcome.error.toStdString();
@@ -61,12 +62,14 @@ TEST(Program, aPictureOfTheWindowAtPlainAndDoubleResolution) {
   const QString plain = folder.filePath("plain.png"), twice = folder.filePath("twice.png");
   const Outcome first = studio({"--screenshot", plain, "--result", result, "--tab", "aba"});
   ASSERT_EQ(first.code, 0) << first.error.toStdString();
-  const Outcome second = studio({"--screenshot", twice, "--case", "light-defect", "--tab", "profile"}, "2");
+  const Outcome second =
+      studio({"--screenshot", twice, "--case", "light-defect", "--tab", "profile", "--size", "1280x700"}, "2");
   ASSERT_EQ(second.code, 0) << second.error.toStdString();
   const QImage one(plain), two(twice);
   EXPECT_GT(tests::inkShare(one), 0.1);
   EXPECT_GT(tests::inkShare(two), 0.1);
-  EXPECT_EQ(two.size(), one.size() * 2);
+  EXPECT_EQ(two.size(), QSize(2560, 1400));
+  EXPECT_GT(one.width(), 1280);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
@@ -33,7 +34,9 @@ double percentile(std::vector<double> values, double share) {
 }
 
 std::unique_ptr<MainWindow> draftWindow(int threads) {
+  static const QTemporaryDir checkpoints;  // written when a run is cancelled: a part of the 200 ms
   StudioServices services = tests::services();
+  services.runsFolder = checkpoints.path();
   services.runner = simulation::runCase;
   services.threads = threads;
   auto window = std::make_unique<MainWindow>(services);

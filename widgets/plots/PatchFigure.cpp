@@ -4,11 +4,10 @@
 #include "colours/ColourTables.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "results/PatchCells.h"
 
 namespace squat::plots {
 namespace {
-
-constexpr int levels = 24;  // of pressure that are told apart
 
 QColor colourOf(const std::string& map, double share) {
   const colours::Rgb colour = colours::colourAt(map, share);
@@ -41,21 +40,19 @@ void addPressureScale(Figure& figure, double highest) {
   scale->setMinimumMargins(QMargins(4, 0, 4, 0));
 }
 
-// One graph a level of pressure: points of a graph share their colour.
-void addLevels(Figure& figure, const results::PatchSnapshot& patch, double highest) {
-  for (int level = 0; level < levels; ++level) {
-    Curve points;
-    for (std::size_t i = 0; i < patch.pressure.size(); ++i) {
-      const double share = 1e-6 * static_cast<double>(patch.pressure[i]) / highest;
-      if (!(share > 0) || std::min(static_cast<int>(share * levels), levels - 1) != level) continue;
-      points.x.push_back(1e3 * static_cast<double>(patch.x[i]));
-      points.y.push_back(1e3 * static_cast<double>(patch.y[i]));
-    }
-    if (points.x.empty()) continue;
-    QCPGraph* graph = addCurve(figure, points);
-    graph->setLineStyle(QCPGraph::lsNone);
-    const QColor colour = colourOf(figure.style().colourMap, (level + 0.5) / levels);
-    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, 7));
+// Every point fills the part of the surface that it stands for.
+void addCells(Figure& figure, const results::PatchSnapshot& patch, double highest) {
+  const auto cells = results::patchCells(patch);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double share = 1e-6 * static_cast<double>(patch.pressure[i]) / highest;
+    if (!(share > 0)) continue;
+    auto* box = new QCPItemRect(&figure);
+    box->setLayer("main");
+    box->topLeft->setCoords(1e3 * cells[i].left, 1e3 * cells[i].far);
+    box->bottomRight->setCoords(1e3 * cells[i].right, 1e3 * cells[i].near);
+    box->setPen(QPen(figure.style().background, 0.5));
+    box->setBrush(colourOf(figure.style().colourMap, share));
+    box->setSelectable(false);
   }
 }
 
@@ -70,7 +67,8 @@ void addSlip(Figure& figure, const results::PatchSnapshot& patch) {
   if (slipping.x.empty()) return;
   QCPGraph* graph = addCurve(figure, slipping);
   graph->setLineStyle(QCPGraph::lsNone);
-  graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, Qt::red, Qt::red, 2));
+  graph->setLayer("front");
+  graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCross, QPen(QColor(214, 39, 40), 1.5), Qt::NoBrush, 6));
 }
 
 }  // namespace
@@ -113,7 +111,7 @@ std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Styl
   figure->xAxis->setRange(-1.25 * reach, 1.25 * reach);
   figure->yAxis->setRange(-1.25 * reach, 1.25 * reach);
   addPressureScale(*figure, highest);
-  addLevels(*figure, *patch, highest);
+  addCells(*figure, *patch, highest);
   addSlip(*figure, *patch);
   return figure;
 }

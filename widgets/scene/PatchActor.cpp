@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "colours/ColourTables.h"
+#include "results/PatchCells.h"
 
 namespace squat::scene {
 namespace {
@@ -76,18 +77,20 @@ double largestPressure(const results::PatchSnapshot& patch) {
 vtkSmartPointer<vtkActor> patchActor(const results::PatchSnapshot& patch, const std::vector<PartData>& parts,
                                      double contactAt, const Look& look) {
   const auto surface = runningSurface(parts, contactAt);
+  const auto cells = results::patchCells(patch);
   vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> squares;
+  vtkNew<vtkCellArray> boxes;
   vtkNew<vtkUnsignedCharArray> shades;
   shades->SetNumberOfComponents(3);
-  for (std::size_t i = 0; i < patch.pressure.size(); ++i) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!(patch.pressure[i] > 0)) continue;
-    const double side = i < patch.area.size() ? std::sqrt(std::max(0.0, static_cast<double>(patch.area[i]))) : 1e-3;
     const double x = contactAt + static_cast<double>(patch.x[i]), y = static_cast<double>(patch.y[i]);
     const double z = heightAt(surface, x, y) + lift;
-    squares->InsertNextCell(4);
-    for (const auto& [right, up] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-      squares->InsertCellPoint(points->InsertNextPoint(x + right * side, y + up * side, z));
+    const results::PatchCell& cell = cells[i];
+    boxes->InsertNextCell(4);
+    for (const auto& [along, across] :
+         {std::pair{cell.left, cell.near}, {cell.right, cell.near}, {cell.right, cell.far}, {cell.left, cell.far}})
+      boxes->InsertCellPoint(points->InsertNextPoint(contactAt + along, across, z));
     const auto colour = colourOf(patch, i, look);
     unsigned char bytes[3];
     for (std::size_t channel = 0; channel < 3; ++channel)
@@ -96,7 +99,7 @@ vtkSmartPointer<vtkActor> patchActor(const results::PatchSnapshot& patch, const 
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
-  data->SetPolys(squares);
+  data->SetPolys(boxes);
   data->GetCellData()->SetScalars(shades);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);

@@ -18,9 +18,9 @@ const results::PatchSnapshot* patchOf(const results::RunResult& result, const st
 
 double largestPressure(const results::PatchSnapshot& patch);  // [MPa]
 
-// A square of its own area for every point that carries, on the surface of the rail among `parts`, which stand where
-// they are at that instant; the wheel's centre is at x = `contactAt`. Coloured by pressure on the scale of `look`, or
-// by stick and slip where that is the field.
+// The part of the surface that every carrying point stands for, on the surface of the rail among `parts`, which stand
+// where they are at that instant; the wheel's centre is at x = `contactAt`. Coloured by pressure on the scale of
+// `look`, or by stick and slip where that is the field.
 vtkSmartPointer<vtkActor> patchActor(const results::PatchSnapshot& patch, const std::vector<PartData>& parts,
                                      double contactAt, const Look& look);
 

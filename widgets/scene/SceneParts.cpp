@@ -135,7 +135,7 @@ vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<
   auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
   bar->SetLookupTable(lookupTable(look.colourMap, look.low, look.high));
   bar->SetNumberOfLabels(6);
-  bar->SetLabelFormat(look.high < 1 ? "%.3g" : "%.0f");
+  bar->SetLabelFormat(look.high < 10 ? "%.3g" : "%.0f");
   bar->UnconstrainedFontSizeOn();
   bar->SetTitle("");
   bar->SetBarRatio(0.25);

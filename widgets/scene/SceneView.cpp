@@ -2,6 +2,7 @@
 
 #include <vtkCamera.h>
 #include <vtkProperty.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
 #include <algorithm>
@@ -17,7 +18,6 @@ namespace squat::scene {
 namespace {
 constexpr double barLeft = 0.88;  // share of the width where the colour bar begins
 constexpr int letters = 12;       // [pixels] high where a pixel of the screen is one of the picture
-constexpr double faint = 0.12;    // opacity of a wheel that stands over the patch
 }  // namespace
 
 struct SceneView::Parts {
@@ -26,6 +26,7 @@ struct SceneView::Parts {
   std::shared_ptr<const results::RunResult> result;
   SceneChoices choices;
   std::vector<vtkSmartPointer<vtkActor>> surfaces;
+  vtkSmartPointer<vtkTextActor> heading;  // which way the wheel rolls
   bool stale = true, placed = false;
   double highest = 0, contactAt = 0, pixelRatio = 1;
   Look look;
@@ -50,7 +51,6 @@ std::unique_ptr<SceneView> SceneView::create(std::string& reason) {
 void SceneView::setResult(std::shared_ptr<const results::RunResult> result) {
   parts_->result = std::move(result);
   parts_->stale = true;
-  parts_->placed = false;
 }
 
 void SceneView::setChoices(const SceneChoices& choices) {
@@ -92,9 +92,8 @@ void SceneView::rebuild() {
   }
   for (const auto& part : parts) {
     if (isCutFace(part.name) && !my.choices.cut) continue;
+    if (isOfPatch(look.field) && rolls(part.name)) continue;  // it stands over the patch
     my.surfaces.push_back(partActor(part, look));
-    const bool hidesPatch = isOfPatch(look.field) && rolls(part.name);
-    if (hidesPatch) my.surfaces.back()->GetProperty()->SetOpacity(faint);
     my.renderer->AddActor(my.surfaces.back());
   }
   if (patch) my.renderer->AddActor(patchActor(*patch, parts, my.contactAt, look));
@@ -102,11 +101,16 @@ void SceneView::rebuild() {
     my.renderer->AddActor(springActor(springLines(my.result->surface, snapshot ? snapshot->wheelTravel : 0), 1.5));
   if (isOfPatch(look.field) && snapshot && !patch)
     my.renderer->AddActor2D(textActor("no contact patch is kept for this moment", 0.5, 0.94, letters, look.dark, 0.5));
+  const bool nothingYields = snapshot && look.field == Field::plasticStrain && !(my.highest > 0);
+  if (nothingYields)
+    my.renderer->AddActor2D(
+        textActor("nothing has yielded (rail.plastic lets it)", 0.5, 0.94, letters, look.dark, 0.5));
   my.look = look;
+  if (nothingYields) my.look.field = Field::none;  // no colours, no scale
   showLegend();
   if (!my.placed) {
     my.placed = true;
-    lookFrom(StandardView::overview);
+    lookFrom(my.choices.cut ? StandardView::contact : StandardView::overview);
   } else {
     // The eye travels with the wheel.
     double focal[3], eye[3];
@@ -145,6 +149,24 @@ void SceneView::showLegend() {
   }
 }
 
+// Which way the wheel rolls on the picture; nothing where it comes towards the eye.
+void SceneView::showHeading() {
+  Parts& my = *parts_;
+  if (my.heading) my.renderer->RemoveActor2D(my.heading);
+  if (!my.result || my.surfaces.empty()) return;
+  vtkCamera* camera = my.renderer->GetActiveCamera();
+  const double* direction = camera->GetDirectionOfProjection();
+  const double* above = camera->GetViewUp();
+  const double right = direction[1] * above[2] - direction[2] * above[1];  // of +x along the picture
+  constexpr double least = 0.2;
+  if (std::abs(right) < least) return;
+  const int high = std::max(1, static_cast<int>(std::lround(letters * my.pixelRatio)));
+  my.heading = textActor(right > 0 ? "rolls \u2192" : "\u2190 rolls", 0.02, 0.02, high, my.look.dark);
+  my.heading->GetTextProperty()->SetBackgroundColor(my.renderer->GetBackground());  // readable on any part
+  my.heading->GetTextProperty()->SetBackgroundOpacity(0.7);
+  my.renderer->AddActor2D(my.heading);
+}
+
 Picture SceneView::render(int width, int height, bool moving, double pixelRatio) {
   const bool otherLetters = std::exchange(parts_->pixelRatio, pixelRatio) != pixelRatio;
   if (parts_->stale)
@@ -153,6 +175,7 @@ Picture SceneView::render(int width, int height, bool moving, double pixelRatio)
     showLegend();
   for (const auto& surface : parts_->surfaces)
     surface->GetProperty()->SetEdgeVisibility(parts_->choices.edges && !moving);
+  showHeading();
   parts_->window->SetMultiSamples(moving ? 0 : 4);
   parts_->renderer->ResetCameraClippingRange();
   return parts_->window->renderPicture(std::max(width, 16), std::max(height, 16));
@@ -202,8 +225,8 @@ void SceneView::lookFrom(StandardView view) {
     case StandardView::overview:
       return aim(*parts_->renderer, {x, -0.1, 0.22}, {0.55, 0.75, 0.42}, 0.75);
     case StandardView::contact:
-      if (isOfPatch(parts_->choices.field)) return aim(*parts_->renderer, {x, 0, 0}, {0.3, 0.5, 0.8}, 0.018);
-      return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.12, 0.97, 0.14}, 0.035)
+      if (isOfPatch(parts_->choices.field)) return aim(*parts_->renderer, {x, 0, 0}, {0.3, 0.5, 0.8}, 0.014);
+      return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.25, 0.95, 0.16}, 0.06)
                                  : aim(*parts_->renderer, {x, 0, 0}, {0.5, 0.75, 0.3}, 0.08);
     case StandardView::side:
       return aim(*parts_->renderer, {x, 0, 0.25}, {0, 1, 0}, 0.75);

@@ -28,6 +28,7 @@ class SceneView {
   static std::unique_ptr<SceneView> create(std::string& reason);
   ~SceneView();
 
+  // The first one is seen as a whole, or around the contact where the model is cut; later ones from where the eye is.
   void setResult(std::shared_ptr<const results::RunResult> result);
   void setChoices(const SceneChoices& choices);
   const SceneChoices& choices() const;
@@ -48,6 +49,7 @@ class SceneView {
   explicit SceneView(std::unique_ptr<Parts> parts);
   void rebuild();
   void showLegend();
+  void showHeading();
   std::unique_ptr<Parts> parts_;
 };
 

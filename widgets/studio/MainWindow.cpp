@@ -111,7 +111,7 @@ void MainWindow::makeDocks() {
   runDock_ = addDock("runDock", tr("Run"), run_, Qt::BottomDockWidgetArea);
   runsDock_ = addDock("runsDock", tr("Runs"), runs_, Qt::BottomDockWidgetArea);
   splitDockWidget(runDock_, runsDock_, Qt::Horizontal);
-  resizeDocks({formDock_, signalsDock_}, {320, 520}, Qt::Horizontal);
+  resizeDocks({formDock_, signalsDock_}, {320, 480}, Qt::Horizontal);
   resizeDocks({runDock_, runsDock_}, {760, 360}, Qt::Horizontal);
   resizeDocks({runDock_}, {250}, Qt::Vertical);
 }

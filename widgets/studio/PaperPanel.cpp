@@ -2,10 +2,20 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "studio/Theme.h"
+
 namespace squat::studio {
+
+namespace {
+
+// The terminal's letters as print has them.
+QString withSigns(QString text) { return text.replace("m/s2", "m/s²").replace(QRegularExpression("\\bus\\b"), "µs"); }
+
+}  // namespace
 
 PaperPanel::PaperPanel(RunStore& store, Comparison comparison, QWidget* parent)
     : QWidget(parent), store_(store), comparison_(std::move(comparison)) {
@@ -17,6 +27,8 @@ PaperPanel::PaperPanel(RunStore& store, Comparison comparison, QWidget* parent)
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(3, QHeaderView::ResizeToContents);
+  table_->setAlternatingRowColors(true);
   table_->setWordWrap(true);
   table_->setAccessibleName(tr("Comparison with the paper"));
   auto* layout = new QVBoxLayout(this);
@@ -39,7 +51,10 @@ void PaperPanel::update() {
     const int at = table_->rowCount();
     table_->insertRow(at);
     const QString cells[] = {row.what, row.ours, row.paper, row.verdict};
-    for (int column = 0; column < 4; ++column) table_->setItem(at, column, new QTableWidgetItem(cells[column]));
+    for (int column = 0; column < 4; ++column)
+      table_->setItem(at, column, new QTableWidgetItem(withSigns(cells[column])));
+    if (row.verdict == "met" || row.verdict == "not met")
+      table_->item(at, 3)->setForeground(QColor(row.verdict == "met" ? rightColour : wrongColour));
   }
 }
 

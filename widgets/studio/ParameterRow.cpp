@@ -5,6 +5,7 @@
 
 #include "case/ParameterValue.h"
 #include "studio/CaseDocument.h"
+#include "studio/Theme.h"
 
 namespace squat::studio {
 namespace {
@@ -143,8 +144,8 @@ void ParameterRow::showReason() {
   const QString text = reason();
   why_->setText(text);
   why_->setVisible(!text.isEmpty());
-  why_->setStyleSheet("color: #c0392b; font-size: small;");
-  editor_->setStyleSheet(text.isEmpty() ? QString() : QString("border: 1px solid #c0392b;"));
+  why_->setStyleSheet(QStringLiteral("color: %1; font-size: small;").arg(wrongColour));
+  editor_->setStyleSheet(text.isEmpty() ? QString() : QStringLiteral("border: 1px solid %1;").arg(wrongColour));
 }
 
 bool ParameterRow::matches(const QString& searched) const {

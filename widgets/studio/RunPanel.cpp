@@ -11,6 +11,7 @@
 
 #include "studio/LivePlot.h"
 #include "studio/RunController.h"
+#include "studio/Theme.h"
 
 namespace squat::studio {
 
@@ -47,7 +48,7 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   why_ = new QLabel(this);
   why_->setObjectName("blockers");
   why_->setWordWrap(true);
-  why_->setStyleSheet("color: #c0392b;");
+  why_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
   auto* hint = new QLabel(tr("F5 rolls the wheel over this profile. While it rolls, axle box acceleration and contact "
                              "force are drawn here."),
                           this);

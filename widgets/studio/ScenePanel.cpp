@@ -62,6 +62,7 @@ QWidget* ScenePanel::makeControls() {
   scale_->setAccessibleName(tr("Displacement scale"));
   cut_ = new QCheckBox(tr("Cut"), bar);
   cut_->setToolTip(tr("Cut at the middle of the running surface, so that the contact is seen"));
+  cut_->setChecked(true);
   edges_ = new QCheckBox(tr("Mesh"), bar);
   edges_->setChecked(true);
   for (QWidget* each : std::initializer_list<QWidget*>{field_, scale_, cut_, edges_}) flow->addWidget(each);
@@ -76,7 +77,11 @@ QWidget* ScenePanel::makeControls() {
     button->setObjectName("view " + text);
     flow->addWidget(button);
     const auto chosen = view;
-    connect(button, &QToolButton::clicked, this, [this, chosen] { scene_->lookFrom(chosen); });
+    // The contact is seen in the cut alone; the other views show the model whole.
+    connect(button, &QToolButton::clicked, this, [this, chosen] {
+      cut_->setChecked(chosen == scene::StandardView::contact);
+      scene_->lookFrom(chosen);
+    });
   }
   auto* picture = toolButton(tr("Picture…"), bar);
   flow->addWidget(picture);

@@ -17,6 +17,7 @@
 #include "studio/FigureView.h"
 #include "studio/FlowLayout.h"
 #include "studio/SignalFigures.h"
+#include "studio/Theme.h"
 
 namespace squat::studio {
 namespace {
@@ -137,7 +138,7 @@ QWidget* SignalsPanel::makeControls() {
   connect(all, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
   flow->addWidget(all);
   problem_ = new QLabel(bar);
-  problem_->setStyleSheet("color: #c0392b;");
+  problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
   problem_->setWordWrap(true);
   rows->addWidget(problem_);
   problem_->hide();

@@ -9,4 +9,8 @@ namespace squat::studio {
 void applyTheme(bool dark);
 plots::Style figureStyle(bool dark);
 
+// Of words that say what is wrong, and of what is as it should be: readable on light and on dark ground (4:1).
+inline constexpr const char* wrongColour = "#dd4b39";
+inline constexpr const char* rightColour = "#2e9e5b";
+
 }  // namespace squat::studio
