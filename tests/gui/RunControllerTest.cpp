@@ -12,6 +12,22 @@
 namespace squat::studio {
 namespace {
 
+// Phases are told before they begin, with nothing computed yet: no point of a curve.
+TEST(WorkerMonitor, theBeginningOfAPhaseIsNoSample) {
+  WorkerMonitor monitor;
+  monitor.report({"rolling", 0.0});
+  EXPECT_TRUE(monitor.takeNews().samples.empty());
+  Progress rolling;
+  rolling.phase = "rolling";
+  rolling.simulatedTime = 1e-4;
+  rolling.position = -0.05;
+  rolling.contactForce = 9e4;
+  monitor.report(rolling);
+  const auto news = monitor.takeNews();
+  ASSERT_EQ(news.samples.size(), 1u);
+  EXPECT_DOUBLE_EQ(news.samples[0].position, -0.05);
+}
+
 TEST(RunController, aRunEndsWithItsResult) {
   RunController controller(tests::madeUpRunner(60));
   ResultPointer result;
@@ -25,7 +41,7 @@ TEST(RunController, aRunEndsWithItsResult) {
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->complete);
   EXPECT_EQ(result->stem, "stem");
-  EXPECT_EQ(live, 60u);  // every report is seen, none twice
+  EXPECT_EQ(live, 59u);  // every report is seen but the first, which stands at time zero; none twice
 }
 
 TEST(RunController, cancelKeepsWhatThereIs) {

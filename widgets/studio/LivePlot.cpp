@@ -22,7 +22,7 @@ void LivePlot::makePlots(const plots::Style& style) {
     plot->yAxis->setRange(colour == 0 ? -100 : 0, 100);
     plot->addGraph();
     plot->graph(0)->setPen(QPen(style.curve(colour), 1.2));
-    plot->setMinimumSize(180, 120);
+    plot->setMinimumSize(180, 95);
     layout()->addWidget(plot);
     return plot;
   };

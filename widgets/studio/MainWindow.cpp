@@ -67,7 +67,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
 MainWindow::~MainWindow() = default;
 
 void MainWindow::makeParts() {
-  const bool dark = QSettings().value("dark", false).toBool();
+  const bool dark = wishedDark();
   applyTheme(dark);
   const plots::Style style = figureStyle(dark);
   auto* centre = new QWidget(this);
@@ -113,7 +113,7 @@ void MainWindow::makeDocks() {
   splitDockWidget(runDock_, runsDock_, Qt::Horizontal);
   resizeDocks({formDock_, signalsDock_}, {320, 480}, Qt::Horizontal);
   resizeDocks({runDock_, runsDock_}, {760, 360}, Qt::Horizontal);
-  resizeDocks({runDock_}, {250}, Qt::Vertical);
+  resizeDocks({runDock_}, {270}, Qt::Vertical);
 }
 
 void MainWindow::connectParts() {

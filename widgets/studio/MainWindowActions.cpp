@@ -6,7 +6,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QSettings>
 #include <QStyle>
 
 #include "case/ShippedCases.h"
@@ -18,6 +17,7 @@
 #include "studio/RunsPanel.h"
 #include "studio/ScenePanel.h"
 #include "studio/SignalsPanel.h"
+#include "studio/Theme.h"
 
 namespace squat::studio {
 namespace {
@@ -146,7 +146,7 @@ void MainWindow::makeViewMenu() {
   menu->addSeparator();
   darkAction_ = menu->addAction(tr("&Dark"), this, [this](bool on) { setDark(on); });
   darkAction_->setCheckable(true);
-  darkAction_->setChecked(QSettings().value("dark", false).toBool());
+  darkAction_->setChecked(wishedDark());
   darkAction_->setShortcut(QKeySequence("Ctrl+D"));
   darkAction_->setObjectName("dark");
 }

@@ -24,7 +24,7 @@ void addMark(plots::Figure& figure, double x, double y, const QString& text, boo
   auto* label = new QCPItemText(&figure);
   const QCPRange across = figure.xAxis->range();
   // Near the right edge the text stands left of the mark, so that it is not cut off.
-  const bool left = x > across.lower + 0.75 * across.size();
+  const bool left = x > across.lower + 0.65 * across.size();
   label->setPositionAlignment((left ? Qt::AlignRight : Qt::AlignLeft) | (above ? Qt::AlignBottom : Qt::AlignTop));
   label->position->setCoords(x, y);
   label->setFont(figure.style().tickFont());

@@ -64,7 +64,7 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   log_->setMaximumBlockCount(500);
   log_->setAccessibleName(tr("Messages of the run"));
   log_->setPlaceholderText(tr("Messages of the run"));
-  log_->setMaximumHeight(64);
+  log_->setMaximumHeight(46);  // two lines; older ones are scrolled to
   auto* top = new QHBoxLayout;
   for (QPushButton* each : {run_, goOn_, pause_, cancel_}) top->addWidget(each);
   top->addWidget(progress_, 1);

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QSettings>
 #include <QStyle>
 #include <QStyleFactory>
 
@@ -34,6 +35,12 @@ QPalette darkPalette() {
 void applyTheme(bool dark) {
   QApplication::setStyle(QStyleFactory::create("Fusion"));
   QApplication::setPalette(dark ? darkPalette() : QApplication::style()->standardPalette());
+}
+
+bool wishedDark() {
+  constexpr int middle = 128;  // of the lightness
+  const bool desktop = QApplication::palette().color(QPalette::Window).lightness() < middle;
+  return QSettings().value("dark", desktop).toBool();
 }
 
 plots::Style figureStyle(bool dark) {

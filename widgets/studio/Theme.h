@@ -8,6 +8,8 @@ namespace squat::studio {
 // Palette of the whole program, the same on every desktop.
 void applyTheme(bool dark);
 plots::Style figureStyle(bool dark);
+// What the user chose last; before that, what the desktop has.
+bool wishedDark();
 
 // Of words that say what is wrong, and of what is as it should be: readable on light and on dark ground (4:1).
 inline constexpr const char* wrongColour = "#dd4b39";

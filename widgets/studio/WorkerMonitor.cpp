@@ -12,7 +12,7 @@ void WorkerMonitor::report(const Progress& progress) {
     latest.limitedBy = news_.progress.limitedBy;
   }
   news_.progress = std::move(latest);
-  if (progress.phase != "rolling") return;
+  if (progress.phase != "rolling" || !(progress.simulatedTime > 0)) return;  // the phase is told before it begins
   // Every report until the curves are long, then every second, fourth ...
   const std::size_t stride = std::size_t{1} << (taken_ / mostSamples);
   if (reports_++ % stride != 0) return;
