@@ -67,8 +67,8 @@ using WaveletSink = std::function<void(const WaveletPart&)>;
 
 // The engine under the functions above, for records of any length: works in blocks, keeps a few blocks a thread in
 // memory and hands each part of each voice to the sink. Low voices come at a stride: the largest power of two, at most
-// `largestStride`, that still samples their band without loss. Calls of the sink never overlap; with more than one
-// thread the blocks come in any order.
+// `largestStride`, that still samples their band without loss. Calls of the sink never overlap; the parts of a
+// voice come in their order in the record, on any number of threads.
 void transformInBlocks(const TimeSeries& series, const std::vector<double>& frequencies,
                        WaveletNormalisation normalisation, std::size_t largestStride, int threads,
                        const WaveletSink& sink);

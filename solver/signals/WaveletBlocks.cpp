@@ -7,6 +7,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <condition_variable>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -82,6 +83,38 @@ Voice makeVoice(double scale, double step, WaveletNormalisation normalisation, c
   return voice;
 }
 
+// Hands the parts of each voice on in the order of the blocks, one at a time: sums over cells that two blocks share do
+// not depend on which thread was first. The earliest block under way never waits.
+class InOrder {
+ public:
+  InOrder(std::size_t voices, const WaveletSink& sink) : sink_(sink), delivered_(voices, 0) {}
+
+  void deliver(std::size_t block, const WaveletPart& part) {
+    std::unique_lock lock(mutex_);
+    turn_.wait(lock, [&] { return failed_ || delivered_[part.voice] == block; });
+    if (failed_) return;
+    sink_(part);
+    ++delivered_[part.voice];
+    lock.unlock();
+    turn_.notify_all();
+  }
+  // Nobody waits any longer, nothing more is handed on.
+  void fail() {
+    {
+      const std::lock_guard lock(mutex_);
+      failed_ = true;
+    }
+    turn_.notify_all();
+  }
+
+ private:
+  const WaveletSink& sink_;
+  std::vector<std::size_t> delivered_;  // blocks of each voice
+  bool failed_ = false;
+  std::mutex mutex_;
+  std::condition_variable turn_;
+};
+
 // What one thread needs for a block.
 struct Workspace {
   explicit Workspace(std::size_t block) : samples(block), bins(block / 2 + 1), coefficients(block) {}
@@ -119,7 +152,7 @@ class BlockTransform {
   std::size_t block() const { return layout_.block; }
   std::size_t blocks() const { return (series_.values.size() + layout_.inner - 1) / layout_.inner; }
 
-  void run(std::size_t index, Workspace& work, std::mutex& sinkMutex, const WaveletSink& sink) const {
+  void run(std::size_t index, Workspace& work, InOrder& parts) const {
     const std::size_t first = index * layout_.inner;
     const std::size_t last = std::min(series_.values.size(), first + layout_.inner);
     // The block begins `margin` before `first`; outside the record the signal is zero.
@@ -134,8 +167,7 @@ class BlockTransform {
       const Voice& voice = voices_[v];
       transformVoice(voice, work);
       const std::size_t count = (last - first + voice.stride - 1) / voice.stride;
-      const std::lock_guard lock(sinkMutex);
-      sink({v, first, voice.stride, {work.coefficients.data() + layout_.margin / voice.stride, count}});
+      parts.deliver(index, {v, first, voice.stride, {work.coefficients.data() + layout_.margin / voice.stride, count}});
     }
   }
 
@@ -171,17 +203,19 @@ void transformInBlocks(const TimeSeries& series, const std::vector<double>& freq
   requireFrequencies(frequencies, series.rate());
   const BlockTransform transform(series, frequencies, normalisation, std::max<std::size_t>(largestStride, 1));
 
-  std::mutex sinkMutex, errorMutex;
+  InOrder parts(frequencies.size(), sink);
+  std::mutex errorMutex;
   std::exception_ptr error;
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     try {
       Workspace workspace(transform.block());
-      for (std::size_t i = next++; i < transform.blocks(); i = next++) transform.run(i, workspace, sinkMutex, sink);
+      for (std::size_t i = next++; i < transform.blocks(); i = next++) transform.run(i, workspace, parts);
     } catch (...) {
       const std::lock_guard lock(errorMutex);
       if (!error) error = std::current_exception();
       next = transform.blocks();
+      parts.fail();
     }
   };
   const std::size_t wanted = std::min<std::size_t>(static_cast<std::size_t>(std::max(threads, 1)), transform.blocks());

@@ -149,6 +149,28 @@ TEST(ContinuousWavelet, cellsHoldTheMean) {
     }
 }
 
+// Cells that two blocks share are sums: their bits must not depend on which thread was first.
+TEST(ContinuousWavelet, partsOfAVoiceComeInOrder) {
+  const auto series = sampled(300000, rate, [](double t) { return std::sin(2 * pi * 250 * t); });
+  for (const int threads : {1, 3}) {
+    std::vector<std::size_t> next(3, 0);
+    transformInBlocks(series, {200, 400, 800}, energy, 16, threads, [&](const WaveletPart& part) {
+      EXPECT_EQ(part.first, next[part.voice]) << threads << " threads";
+      next[part.voice] = part.first + part.coefficients.size() * part.stride;
+    });
+    for (const std::size_t end : next) EXPECT_GE(end, 300000u);
+  }
+}
+
+// A sink that throws ends the transform on every thread, with its own error.
+TEST(ContinuousWavelet, aSinkThatThrowsIsHeard) {
+  const auto series = sampled(300000, rate, [](double t) { return std::sin(2 * pi * 250 * t); });
+  const auto sink = [](const WaveletPart& part) {
+    if (part.first > 0) throw std::runtime_error("disk full");
+  };
+  EXPECT_THROW(transformInBlocks(series, {200, 400, 800}, energy, 16, 3, sink), std::runtime_error);
+}
+
 TEST(ContinuousWavelet, refusesBadInput) {
   const auto tone = sampled(100, rate, [](double t) { return std::sin(500 * t); });
   EXPECT_THROW(scalogram(tone, {100, 12600, 12, energy, 1, 1}), SignalError);
