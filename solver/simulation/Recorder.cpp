@@ -42,6 +42,8 @@ void Recorder::observe(const dynamics::StepView& view) {
   filter_.push(sample);
 }
 
+double Recorder::latestPosition() const { return filter_.latest(channels - 1); }
+
 void Recorder::store(results::RunResult& result, double cutoff) const {
   const auto series = filter_.finish();
   result.time.clear(), result.signals.clear();

@@ -271,6 +271,7 @@ class RollingPhase {
     p.position = rolling_.view().position;
     p.contactForce = rolling_.view().patch.vertical;
     p.axleBoxAcceleration = recorder_.latestAxleBox();
+    p.accelerationPosition = p.simulatedTime > recorder_.wait() ? recorder_.latestPosition() : p.position;
     p.energyResidual = ledger_.relativeResidual();
     run_.monitor.report(p);
   }

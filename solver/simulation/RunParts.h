@@ -24,6 +24,7 @@ class Recorder {
   void observe(const dynamics::StepView& view);
   void store(results::RunResult& result, double filterCutoff) const;
   double latestAxleBox() const { return filter_.latest(0); }
+  double latestPosition() const;  // of the same instant
   double wait() const { return filter_.wait(); }
   void save(results::ArrayTree& tree) const;
   void load(const results::ArrayTree& tree, const std::string& file);

@@ -33,7 +33,7 @@ studio::Runner madeUpRunner(int milliseconds) {
       progress.phase = "rolling";
       progress.fraction = static_cast<double>(step) / milliseconds;
       progress.simulatedTime = result.time[at];
-      progress.position = result.position[at];
+      progress.position = progress.accelerationPosition = result.position[at];
       progress.axleBoxAcceleration = (*result.signal("aba_filtered"))[at];
       progress.contactForce = (*result.signal("contact_force"))[at];
       progress.remainingSeconds = (milliseconds - step) * 1e-3;

@@ -134,6 +134,25 @@ TEST(RunCase, CancelKeepsWhatThereIs) {
   EXPECT_LT(r.time.size(), lightDefect().time.size());
 }
 
+// The live acceleration lags by its filter: it is told with the place that it belongs to, as it will be stored.
+TEST(RunCase, LiveAccelerationStandsAtItsPlace) {
+  struct Last : CancelAt {
+    using CancelAt::CancelAt;
+    void report(const Progress& progress) override {
+      CancelAt::report(progress);
+      if (progress.phase == "rolling") last = progress;
+    }
+    Progress last;
+  } monitor(0.5);
+  const auto r = simulation::runCase(tinyCase("light-defect"), plain(), monitor);
+  const auto& aba = *r.signal("aba");
+  const auto at =
+      std::find(r.position.begin(), r.position.end(), monitor.last.accelerationPosition) - r.position.begin();
+  ASSERT_LT(at, static_cast<std::ptrdiff_t>(aba.size()));
+  EXPECT_EQ(aba[static_cast<std::size_t>(at)], monitor.last.axleBoxAcceleration);
+  EXPECT_LT(monitor.last.accelerationPosition, monitor.last.position);
+}
+
 TEST(RunCase, ResumedRunHasTheSameBits) {
   const auto folder = std::filesystem::temp_directory_path() / ("squat-resume-" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);

@@ -42,7 +42,7 @@ void LivePlot::add(const std::vector<LiveSample>& samples) {
   if (samples.empty()) return;
   samples_.insert(samples_.end(), samples.begin(), samples.end());
   for (const LiveSample& sample : samples) {
-    acceleration_->graph(0)->addData(sample.position * 1e3, sample.axleBoxAcceleration);
+    acceleration_->graph(0)->addData(sample.accelerationPosition * 1e3, sample.axleBoxAcceleration);
     force_->graph(0)->addData(sample.position * 1e3, sample.contactForce * 1e-3);
   }
   for (plots::Figure* plot : {acceleration_, force_}) {

@@ -17,8 +17,8 @@ void WorkerMonitor::report(const Progress& progress) {
   const std::size_t stride = std::size_t{1} << (taken_ / mostSamples);
   if (reports_++ % stride != 0) return;
   ++taken_;
-  news_.samples.push_back(
-      {progress.simulatedTime, progress.position, progress.axleBoxAcceleration, progress.contactForce});
+  news_.samples.push_back({progress.simulatedTime, progress.position, progress.axleBoxAcceleration,
+                           progress.contactForce, progress.accelerationPosition});
 }
 
 void WorkerMonitor::message(const std::string& text) {

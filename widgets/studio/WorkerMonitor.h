@@ -14,9 +14,10 @@ namespace squat::studio {
 
 // A point of the live curves.
 struct LiveSample {
-  double time = 0, position = 0;   // [s], [m]
-  double axleBoxAcceleration = 0;  // [m/s2]
-  double contactForce = 0;         // [N]
+  double time = 0, position = 0;    // [s], [m]
+  double axleBoxAcceleration = 0;   // [m/s2]
+  double contactForce = 0;          // [N]
+  double accelerationPosition = 0;  // [m] of the wheel at the instant of the acceleration
 };
 
 // report() and message() are called by the computing thread, takeNews() by the window a few times a second: nothing is
