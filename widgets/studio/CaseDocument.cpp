@@ -26,6 +26,9 @@ CaseDocument::CaseDocument(QObject* parent) : QObject(parent), undo_(this) {
   startNew();
 }
 
+// The undo stack tells that it is clean when it goes, after the name and path that listeners would read.
+CaseDocument::~CaseDocument() { undo_.disconnect(this); }
+
 void CaseDocument::startNew() { startFrom(cases::defaultCase(), QString(), tr("untitled"), false); }
 
 void CaseDocument::open(const QString& nameOrPath) {

@@ -17,6 +17,7 @@ class CaseDocument : public QObject {
   Q_OBJECT
  public:
   explicit CaseDocument(QObject* parent = nullptr);
+  ~CaseDocument() override;
 
   const cases::CaseDescription& description() const { return *current_; }
   const cases::Validation& validation() const { return validation_; }
