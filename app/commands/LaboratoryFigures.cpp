@@ -6,6 +6,7 @@
 #include "plots/Application.h"
 #include "plots/ComparisonFigures.h"
 #include "plots/PaperFigures.h"
+#include "plots/ReceptanceFigures.h"
 #include "plots/StudyFigures.h"
 #include "plots/ValidationFigure.h"
 
@@ -53,6 +54,15 @@ std::vector<std::string> writeValidationFigure(const std::vector<validation::Jud
   if (choice.none) return {};
   std::vector<plots::FigureSheet> sheets;
   sheets.push_back(plots::validationFigure(judged, note, styleOf(choice)));
+  return write(sheets, folder, choice);
+}
+
+std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance& receptance, const std::string& name,
+                                               const std::string& title, const std::string& hash,
+                                               const std::string& folder, const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::receptanceFigures(receptance, name, title, hash, styleOf(choice)));
   return write(sheets, folder, choice);
 }
 

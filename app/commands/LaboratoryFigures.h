@@ -7,6 +7,7 @@
 
 #include "laboratory/Analysis.h"
 #include "laboratory/FileComparison.h"
+#include "receptance/Receptance.h"
 #include "results/RunResult.h"
 #include "studies/StudyTable.h"
 #include "validation/Judge.h"
@@ -33,6 +34,11 @@ std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, con
 
 // The judged statements as a figure; `note` stands beside its title.
 std::vector<std::string> writeValidationFigure(const std::vector<validation::Judged>& judged, const std::string& note,
+                                               const std::string& folder, const FigureChoice& choice);
+
+// FOLDER/NAME.FORMAT; title and hash of the case stand in the caption.
+std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance& receptance, const std::string& name,
+                                               const std::string& title, const std::string& hash,
                                                const std::string& folder, const FigureChoice& choice);
 
 struct PaperResults {

@@ -35,6 +35,12 @@ std::vector<std::string> writeValidationFigure(const std::vector<validation::Jud
   return none(choice);
 }
 
+std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance&, const std::string&,
+                                               const std::string&, const std::string&, const std::string&,
+                                               const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writePaperFigures(const PaperResults&, const std::string&, const FigureChoice& choice) {
   return none(choice);
 }

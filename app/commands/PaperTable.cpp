@@ -199,8 +199,15 @@ std::string paperTable(const RunResult& result) {
 }
 
 std::string modesTable(const RunResult& result) {
-  TextTable table({"mode [Hz]", "at the box", "at the wheel centre", "at the contact [1/sqrt(kg)]"});
+  std::vector<model::HarmonicMode> modes;
   for (const auto& mode : result.modes)
+    modes.push_back({mode.frequency, 0, mode.boxShare, mode.wheelShare, mode.contactShare});
+  return modesTable(modes);
+}
+
+std::string modesTable(const std::vector<model::HarmonicMode>& modes) {
+  TextTable table({"mode [Hz]", "at the box", "at the wheel centre", "at the contact [1/sqrt(kg)]"});
+  for (const auto& mode : modes)
     table.add({number(mode.frequency), number(mode.boxShare), number(mode.wheelShare), number(mode.contactShare)});
   return table.text();
 }

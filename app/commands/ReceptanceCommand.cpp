@@ -8,6 +8,8 @@
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
+#include "commands/LaboratoryFigures.h"
+#include "commands/PaperTable.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
 #include "core/DurableFile.h"
@@ -21,6 +23,7 @@ struct ReceptanceCommandOptions {
   CaseOptions caseOptions;
   std::string folder = ".";
   receptance::ReceptanceOptions receptance;
+  FigureChoice figures;
 };
 
 std::string format(const char* pattern, double value) {
@@ -50,6 +53,7 @@ void print(const receptance::TrackReceptance& result) {
     for (const double f : receptance::resonances(result.frequency, point.receptance)) std::printf(" %.0f", f);
     std::printf("\n");
   }
+  std::printf("\nNatural modes of the free half wheelset:\n%s", modesTable(result.modes).c_str());
   for (const auto& note : result.notes) std::printf("note: %s\n", note.c_str());
 }
 
@@ -69,6 +73,10 @@ int run(const ReceptanceCommandOptions& options) {
   std::printf("\nwritten:\n");
   for (const char* end : {"-receptance.h5", "-receptance.csv", "-wheelset-modes.csv"})
     std::printf("  %s%s\n", stem.c_str(), end);
+  for (const auto& path :
+       writeReceptanceFigure(result, cases::caseStem(options.caseOptions.name) + "-receptance", description.title,
+                             cases::caseHash(description), options.folder, options.figures))
+    std::printf("  %s\n", path.c_str());
   return kDone;
 }
 
@@ -79,15 +87,10 @@ void addReceptanceCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReceptanceCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
   command->add_option("-o,--output", options->folder, "Folder for all files (default: here)")->type_name("DIR");
-  command->add_option("--duration", options->receptance.duration, "Seconds of the struck track at most (default: 0.4)")
-      ->check(CLI::Range(0.01, 10.0))
-      ->type_name("SECONDS");
   command->add_option("--threads", options->receptance.threads, "Threads (default: all cores)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  command->add_option("--isa", options->receptance.isa, "Instruction set: sse2, avx2 or avx512")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
-      ->type_name("NAME");
+  addFigureOptions(*command, options->figures);
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

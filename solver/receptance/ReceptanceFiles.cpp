@@ -55,11 +55,12 @@ void writeReceptance(const std::string& path, const TrackReceptance& receptance,
   results::setAttribute(tree.attributes, "schema_version", std::int64_t{1});
   results::setAttribute(tree.attributes, "case", caseToml);
   results::setAttribute(tree.attributes, "how",
-                        std::string("track without wheelset, struck by a pulse sin^2 of 0.4 ms over 10 x 10 mm of the "
-                                    "running surface; section-mean displacement; ratio of the Fourier integrals over "
-                                    "the whole record, no window"));
-  results::setAttribute(tree.attributes, "time_step", receptance.step);
-  results::setAttribute(tree.attributes, "duration", receptance.duration);
+                        std::string("track without wheelset, direct harmonic solution; force spread over 10 x 10 mm of "
+                                    "the running surface, mean displacement of the section"));
+  results::setAttribute(tree.attributes, "unknowns", static_cast<std::int64_t>(receptance.unknowns));
+  results::setAttribute(tree.attributes, "section_shapes", static_cast<std::int64_t>(receptance.sectionShapes));
+  results::setAttribute(tree.attributes, "direct_solutions", static_cast<std::int64_t>(receptance.solutions));
+  results::setAttribute(tree.attributes, "largest_difference", receptance.difference);
   results::setAttribute(tree.attributes, "elements", static_cast<std::int64_t>(receptance.elements));
   tree.add("/frequency", receptance.frequency, "Hz");
   for (const auto& point : receptance.points) {
@@ -67,7 +68,6 @@ void writeReceptance(const std::string& path, const TrackReceptance& receptance,
     const auto name = groupName(point.name);
     auto& group = tree.addGroup(name);
     results::setAttribute(group.attributes, "position", point.position);
-    results::setAttribute(group.attributes, "left", point.left);
     tree.add(name + "/real", parts.real, "m/N");
     tree.add(name + "/imaginary", parts.imaginary, "m/N");
   }

@@ -1,0 +1,151 @@
+#include "receptance/TrackSystem.h"
+
+#include <algorithm>
+
+#include "elasticity/StandingWave.h"
+
+namespace squat::receptance {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Terms = std::vector<std::pair<std::size_t, double>>;
+
+constexpr int vertical = 2;       // component of a block swept along x
+constexpr double holding = 1e14;  // [N/m] of what is held: far above any element, far from round-off
+// Place of a value between ascending positions: index of the left one and the fraction towards the right.
+std::pair<int, double> place(const std::vector<double>& positions, double at) {
+  int k = static_cast<int>(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;
+  k = std::clamp(k, 0, static_cast<int>(positions.size()) - 2);
+  return {k, (at - positions[k]) / (positions[k + 1] - positions[k])};
+}
+
+// Groups of all stations of the track, before anything is assembled: one for each family of shapes of a station.
+Groups groupsOf(const model::Model& model, const std::vector<int>& railFamilies) {
+  Groups groups;
+  for (int s = 0; s < model.blocks[model.rail].stationCount; ++s)
+    for (const int size : railFamilies) groups.add(size);
+  for (int i = 0; i < model.sleepers; ++i) {
+    const auto& block = model.blocks[model.firstSleeper + i];
+    for (int s = 0; s < block.stationCount; ++s) groups.add(3 * block.nodes);
+  }
+  return groups;
+}
+
+}  // namespace
+
+TrackSystem::TrackSystem(const model::Model& model, const SectionShapes& railShapes)
+    : model_(model),
+      groups_(groupsOf(model, railShapes.families)),
+      stiffness_(groups_),
+      damping_(groups_),
+      mass_(groups_) {
+  parts_.push_back({model.rail, 0, railShapes});
+  int next = model.blocks[model.rail].stationCount * static_cast<int>(railShapes.families.size());
+  for (int i = 0; i < model.sleepers; ++i) {
+    const auto& block = model.blocks[model.firstSleeper + i];
+    parts_.push_back({model.firstSleeper + i, next, allShapes(block)});
+    next += block.stationCount;
+  }
+  for (const auto& part : parts_) addBlock(part);
+  for (const auto* set : {&model.pads, &model.ballast, &model.ends}) addSprings(*set);
+  for (const auto index : model.held) hold(index);
+}
+
+void TrackSystem::addBlock(const Part& part) {
+  const auto& block = model_.blocks[part.block];
+  const int families = static_cast<int>(part.shapes.families.size());
+  for (std::size_t r = 0; r < block.stations.runs.size(); ++r) {
+    const auto interval = elasticity::intervalMatrices(block, static_cast<int>(r));
+    const double half = 0.5 * block.stations.runs[r].length;
+    for (int f = 0, column = 0; f < families; column += part.shapes.families[f], ++f) {
+      const MatrixXd shapes = part.shapes.shapes.middleCols(column, part.shapes.families[f]);
+      const VectorXd turn = part.shapes.turn.segment(column, part.shapes.families[f]);
+      const MatrixXd s = shapes.transpose() * interval.s * shapes, t = shapes.transpose() * interval.t * shapes;
+      // Sums and differences written out: right-right S + T, left-left its mirror image, left-right J (S - T).
+      const MatrixXd right = s + t, left = turn.asDiagonal() * right * turn.asDiagonal();
+      const MatrixXd across = turn.asDiagonal() * (s - t);
+      for (int i = block.runIntervals[r][0]; i < block.runIntervals[r][1]; ++i) {
+        const int g = part.firstGroup + i * families + f, next = g + families;
+        stiffness_.block(g, g) += left;
+        stiffness_.block(g, next) += across;
+        stiffness_.block(next, next) += right;
+        for (const int k : {g, next}) mass_.block(k, k).diagonal().array() += half;
+      }
+    }
+  }
+}
+
+std::map<int, VectorXd> TrackSystem::pieces(const Terms& terms) const {
+  std::map<int, VectorXd> result;
+  for (const auto& [index, weight] : terms) {
+    const auto part = std::find_if(parts_.begin(), parts_.end(), [&, wanted = index](const Part& p) {
+      const auto& block = model_.blocks[p.block];
+      return wanted >= block.offset && wanted < block.offset + block.size();
+    });
+    if (part == parts_.end()) continue;
+    const auto& block = model_.blocks[part->block];
+    const auto at = block.unknownAt(index);
+    const auto& families = part->shapes.families;
+    int group = part->firstGroup + at.station * static_cast<int>(families.size()), column = 0;
+    for (const int size : families) {
+      auto [entry, fresh] = result.try_emplace(group);
+      if (fresh) entry->second = VectorXd::Zero(size);
+      entry->second += weight * part->shapes.shapes.row(3 * at.node + at.component).segment(column, size).transpose();
+      ++group, column += size;
+    }
+  }
+  return result;
+}
+
+VectorXd TrackSystem::whole(const std::map<int, VectorXd>& pieces) const {
+  VectorXd all = VectorXd::Zero(groups_.unknowns());
+  for (const auto& [group, values] : pieces) all.segment(groups_.first[group], groups_.size[group]) = values;
+  return all;
+}
+
+void TrackSystem::addSprings(const supports::SpringSet& springs) {
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    Terms terms;
+    for (std::size_t t = springs.start[i]; t < springs.start[i + 1]; ++t)
+      terms.push_back({springs.unknown[t], springs.weight[t]});
+    const auto spring = pieces(terms);
+    stiffness_.addOuter(spring, springs.stiffness[i]);
+    damping_.addOuter(spring, springs.damping[i]);
+  }
+}
+
+void TrackSystem::hold(std::size_t index) { stiffness_.addOuter(pieces({{index, 1.0}}), holding); }
+
+VectorXd TrackSystem::load(double position, double side) const {
+  constexpr int points = 8;  // each way: even pressure
+  const auto& rail = model_.blocks[model_.rail];
+  Terms terms;
+  for (int p = 0; p < points; ++p)
+    for (int q = 0; q < points; ++q) {
+      const auto [s, u] = place(rail.positions, position + ((p + 0.5) / points - 0.5) * side);
+      const auto [j, v] = place(model_.surfaces.railY, ((q + 0.5) / points - 0.5) * side);
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b)
+          terms.push_back({rail.index(model_.surfaces.railLine[j + a], vertical, s + b),
+                           -(a ? v : 1 - v) * (b ? u : 1 - u) / (points * points)});
+    }
+  return whole(pieces(terms));
+}
+
+VectorXd TrackSystem::sectionMean(double position) const {
+  const auto& rail = model_.blocks[model_.rail];
+  const auto [s, u] = place(rail.positions, position);
+  const auto& mass = model_.mass[model_.rail];
+  double sum = 0;
+  for (int n = 0; n < rail.nodes; ++n) sum += mass[n * rail.stride + s];
+  Terms terms;
+  for (int n = 0; n < rail.nodes; ++n)
+    for (int b = 0; b < 2; ++b)
+      terms.push_back({rail.index(n, vertical, s + b), -mass[n * rail.stride + s] / sum * (b ? u : 1 - u)});
+  return whole(pieces(terms));
+}
+
+}  // namespace squat::receptance

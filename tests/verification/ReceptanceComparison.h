@@ -1,0 +1,22 @@
+// tests/verification/ReceptanceComparison.h - receptance of the solid track beside that of a Timoshenko beam.
+#pragma once
+
+#include "receptance/Receptance.h"
+
+namespace squat::verification {
+
+constexpr double kShift = 0.04, kDecibels = 1.5;
+
+// How far `expected` [dB] lies outside the solid's levels within 4 % of a frequency.
+double levelDifference(const receptance::TrackReceptance& solid, const std::vector<std::complex<double>>& values,
+                       double frequency, double expected);
+
+// Without the wheelset's modes, one thread.
+receptance::TrackReceptance solidTrack(const cases::CaseDescription& description,
+                                       receptance::ReceptanceOptions options = {});
+
+// Expects levels and resonances of both points to be those of the beam, looked at every `step` [Hz].
+void compareWithBeam(const cases::CaseDescription& description, double step,
+                     const receptance::ReceptanceOptions& options = {});
+
+}  // namespace squat::verification

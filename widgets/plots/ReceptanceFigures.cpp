@@ -1,0 +1,80 @@
+#include "plots/ReceptanceFigures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "plots/LineFigure.h"
+
+namespace squat::plots {
+namespace {
+
+void setFrequencyAxis(Figure& figure, const receptance::TrackReceptance& r) {
+  figure.xAxis->setLabel(QStringLiteral("frequency [Hz]"));
+  figure.xAxis->setRange(0, r.frequency.back());
+}
+
+std::unique_ptr<Figure> magnitudes(const receptance::TrackReceptance& r, const Style& style) {
+  auto figure = std::make_unique<Figure>(QStringLiteral("receptance of the track"), style);
+  figure->yAxis->setLabel(QStringLiteral("receptance [dB re 1 nm/N]"));
+  for (std::size_t i = 0; i < r.points.size(); ++i) {
+    Curve curve{r.frequency, {}, QString::fromStdString(r.points[i].name), i};
+    for (const auto& value : r.points[i].receptance) curve.y.push_back(20 * std::log10(std::abs(value) / 1e-9));
+    addCurve(*figure, curve);
+  }
+  setFrequencyAxis(*figure, r);
+  fitValues(*figure);
+  return figure;
+}
+
+std::unique_ptr<Figure> phases(const receptance::TrackReceptance& r, const Style& style) {
+  auto figure = std::make_unique<Figure>(QStringLiteral("phase"), style);
+  figure->yAxis->setLabel(QStringLiteral("phase [deg]"));
+  for (std::size_t i = 0; i < r.points.size(); ++i) {
+    Curve curve{r.frequency, {}, {}, i};
+    for (const auto& value : r.points[i].receptance) curve.y.push_back(std::arg(value) * 180 / std::numbers::pi);
+    addCurve(*figure, curve);
+  }
+  setFrequencyAxis(*figure, r);
+  figure->yAxis->setRange(-185, 5);
+  return figure;
+}
+
+// A stroke from zero for every mode.
+std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style& style) {
+  auto figure = std::make_unique<Figure>(QStringLiteral("modes of the half wheelset"), style);
+  figure->yAxis->setLabel(QStringLiteral("share [1/sqrt(kg)]"));
+  const struct {
+    const char* label;
+    double model::HarmonicMode::*share;
+  } shares[] = {{"axle box", &model::HarmonicMode::boxShare},
+                {"wheel centre", &model::HarmonicMode::wheelShare},
+                {"contact", &model::HarmonicMode::contactShare}};
+  double width = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Curve curve{{}, {}, QString::fromUtf8(shares[i].label), i, 2.0};
+    width = 0.004 * r.frequency.back() * static_cast<double>(i);  // side by side
+    for (const auto& mode : r.modes) {
+      curve.x.insert(curve.x.end(), {mode.frequency + width, mode.frequency + width, mode.frequency + width});
+      curve.y.insert(curve.y.end(), {0, std::abs(mode.*(shares[i].share)), NAN});
+    }
+    addCurve(*figure, curve);
+  }
+  setFrequencyAxis(*figure, r);
+  fitValues(*figure);
+  return figure;
+}
+
+}  // namespace
+
+FigureSheet receptanceFigures(const receptance::TrackReceptance& receptance, const std::string& name,
+                              const std::string& title, const std::string& hash, const Style& style) {
+  FigureSheet sheet{name, {}, 1};
+  sheet.panels.push_back(magnitudes(receptance, style));
+  sheet.panels.push_back(phases(receptance, style));
+  if (!receptance.modes.empty()) sheet.panels.push_back(modes(receptance, style));
+  sheet.panels.front()->setCaption(QString::fromStdString(title), QString::fromStdString(hash));
+  return sheet;
+}
+
+}  // namespace squat::plots
