@@ -70,7 +70,7 @@ void addSleepers(Model& model) {
   const bool tiny = d.mesh.preset == static_cast<int>(cases::MeshPreset::tiny);
   model.firstSleeper = static_cast<int>(model.blocks.size());
   model.sleepers = static_cast<int>(model.sleeperPositions.size());
-  const int lengthwise = tiny ? 8 : 16;
+  const int lengthwise = d.mesh.sleeperIntervals > 0 ? d.mesh.sleeperIntervals : tiny ? 8 : 16;
   for (int i = 0; i < model.sleepers; ++i) {
     elasticity::SweptBlock sleeper;
     sleeper.name = "sleeper " + std::to_string(i + 1);
