@@ -108,7 +108,6 @@ struct MeshSizes {
   double fineStart = 0;      // [m] fine zone each side of the starting point
   int wheelSectors = 0;      // sectors of the coarse wheel body
   double rimDepth = 0;       // [m] depth of the finely meshed rim
-  int sleeperIntervals = 0;  // along a half sleeper, a multiple of 8; 0: as the preset has it. Not a key of a case.
   int precision = 0;         // index of ElementPrecision
 };
 

@@ -63,7 +63,9 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
       eigen.computeFromTridiagonal(diagonal, side, Eigen::EigenvaluesOnly);
       const double before = std::exchange(largest, eigen.eigenvalues().maxCoeff());
-      monitor.report({"stable step", std::min(1.0, k / 100.0)});
+      Progress progress;
+      progress.phase = "stable step", progress.fraction = std::min(1.0, k / 100.0);
+      monitor.report(progress);
       if (std::abs(largest - before) < 1e-4 * largest || monitor.cancelled() || b < 1e-12 * a) break;
     }
     beta.push_back(b);

@@ -65,12 +65,12 @@ geometry::Stations rimStations(const cases::CaseDescription& d, const RollingStr
   return stations;
 }
 
-void addSleepers(Model& model) {
+void addSleepers(Model& model, int intervals) {
   const auto& d = model.description;
   const bool tiny = d.mesh.preset == static_cast<int>(cases::MeshPreset::tiny);
   model.firstSleeper = static_cast<int>(model.blocks.size());
   model.sleepers = static_cast<int>(model.sleeperPositions.size());
-  const int lengthwise = d.mesh.sleeperIntervals > 0 ? d.mesh.sleeperIntervals : tiny ? 8 : 16;
+  const int lengthwise = intervals > 0 ? intervals : tiny ? 8 : 16;
   for (int i = 0; i < model.sleepers; ++i) {
     elasticity::SweptBlock sleeper;
     sleeper.name = "sleeper " + std::to_string(i + 1);
@@ -120,7 +120,7 @@ RollingStretch rollingStretch(const cases::CaseDescription& d, double railStart,
   return stretch;
 }
 
-RollingStretch addBlocks(Model& model) {
+RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   const auto& d = model.description;
   model.startX = -d.motion.runUp;
   // The rail is centred on the sleeper nearest to the middle of the rolled stretch.
@@ -165,7 +165,7 @@ RollingStretch addBlocks(Model& model) {
   body.origin = {model.startX, seat.wheelY, seat.centreHeight};
   model.body = 2;
   append(model, std::move(body));
-  addSleepers(model);
+  addSleepers(model, sleeperIntervals);
   return stretch;
 }
 

@@ -161,10 +161,10 @@ std::size_t Model::nodeCount() const {
   return sum;
 }
 
-Model buildModel(const cases::CaseDescription& description) {
+Model buildModel(const cases::CaseDescription& description, int sleeperIntervals) {
   Model model;
   model.description = description;
-  const RollingStretch stretch = addBlocks(model);
+  const RollingStretch stretch = addBlocks(model, sleeperIntervals);
   const auto& w = description.wheelset;
   model.wheelset.centreHeight = contact::seatOf(description).centreHeight;
   model.bearing =

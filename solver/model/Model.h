@@ -72,7 +72,8 @@ struct Model {
 };
 
 // Builds everything from the case. Throws CaseError where the mesh cannot carry the case.
-Model buildModel(const cases::CaseDescription& description);
+// `sleeperIntervals` along a half sleeper, a multiple of 8; 0: as the mesh preset has it.
+Model buildModel(const cases::CaseDescription& description, int sleeperIntervals = 0);
 
 // Block, node, station and position of a state index, for messages.
 std::string placeName(const Model& model, std::size_t index);

@@ -86,6 +86,11 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
   const double lowest = frequencies.front(), highest = frequencies.back();
   const double reach = angular(highest - lowest) / (2 * options.firstStretches);
   // Solves directly at all given frequencies, some at a time on each thread.
+  const auto tell = [&](double fraction) {
+    Progress progress;
+    progress.phase = "receptance", progress.fraction = fraction;
+    monitor.report(progress);
+  };
   const auto solveAt = [&](const std::vector<double>& at) {
     std::vector<std::vector<MatrixXcd>> solutions(at.size());
     std::vector<double> residuals(at.size(), 0.0);
@@ -100,7 +105,7 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
       });
       result.solutions += static_cast<int>(std::min(threads, at.size() - done));
       // About four solutions for each of the first stretches, as it turns out.
-      monitor.report({"receptance", std::min(0.95, result.solutions / (4.0 * options.firstStretches))});
+      tell(std::min(0.95, result.solutions / (4.0 * options.firstStretches)));
     }
     for (const double r : residuals) result.largestResidual = std::max(result.largestResidual, r);
     return solutions;
@@ -150,7 +155,7 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
       for (Index p = 0; p < values.size(); ++p) result.values[static_cast<std::size_t>(p)][f] = values[p];
     }
   });
-  monitor.report({"receptance", 1.0});
+  tell(1);
   return result;
 }
 

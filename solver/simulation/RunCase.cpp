@@ -54,7 +54,9 @@ struct Run {
   template <typename Phase>
   auto timed(const char* name, const Phase& phase) {
     const auto start = Clock::now();
-    monitor.report({name, 0.0});
+    Progress begun;
+    begun.phase = name;
+    monitor.report(begun);
     auto value = phase();
     phases.push_back({std::string("seconds_") + name, "s", "wall time", secondsSince(start)});
     return value;
