@@ -15,6 +15,6 @@ RollingStretch rollingStretch(const cases::CaseDescription& description, double 
 
 // Adds rail, rim, wheel body and sleepers to the model, prepared, with offsets in the state.
 // Returns the stretch that can be rolled over. Throws CaseError where the case cannot be meshed.
-RollingStretch addBlocks(Model& model, int sleeperIntervals);
+RollingStretch addBlocks(Model& model, int sleeperIntervals = 0);
 
 }  // namespace squat::model
