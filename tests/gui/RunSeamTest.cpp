@@ -27,7 +27,7 @@ results::RunResult madeUpRun(const cases::CaseDescription& description, const si
     Progress progress;
     progress.phase = step < 30 ? "equilibrium" : "rolling";
     progress.fraction = step / 100.0;
-    progress.position = step;
+    progress.position = step, progress.simulatedTime = 1e-6 * step;
     if (step == 20) progress.step = 2e-7, progress.limitedBy = "rail";
     monitor.report(progress);
     if (step % 10 == 0) monitor.message("step");
