@@ -141,7 +141,7 @@ class Rolling {
   };
   std::vector<std::vector<TieShare>> tieShares_;  // per thread: per tie and segment of the body
   std::vector<AlignedVector> tieWorkspaces_;      // per thread
-  std::array<AlignedVector, 2> turningMoment_;    // of rim and body: what each station's inner forces add to -S
+  std::array<AlignedVector, 2> turningMoment_;    // of rim and body: what each station adds to -S
   double torque_ = 0, hubSpinRate_ = 0;
 };
 

@@ -21,7 +21,7 @@ struct RollingState {
   contact::FrictionHistory friction;
   plasticity::LayerState plastic;  // empty where nothing may yield
   EnergySums sums;
-  double turningMoment = 0;  // [N m] of the inner forces about displaced places, in the last step (Rolling.h)
+  double turningMoment = 0;  // [N m] -S of the last step: inner forces about displaced places (Rolling.h)
 };
 
 }  // namespace squat::dynamics

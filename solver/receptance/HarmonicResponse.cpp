@@ -16,8 +16,8 @@ using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
 constexpr int taylorOrder = 4;
-constexpr double negligible =
-    1e-4;  // of a vector outside the basis: far below the tolerance, and keeps the basis small
+// Share of a vector outside the basis that is left out: far below the tolerance, and keeps the basis small.
+constexpr double negligible = 1e-4;
 
 double angular(double frequency) { return 2 * std::numbers::pi * frequency; }
 
@@ -85,12 +85,12 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
   Projection projection(stiffness, damping, mass, loads, responses);
   const double lowest = frequencies.front(), highest = frequencies.back();
   const double reach = angular(highest - lowest) / (2 * options.firstStretches);
-  // Solves directly at all given frequencies, some at a time on each thread.
   const auto tell = [&](double fraction) {
     Progress progress;
     progress.phase = "receptance", progress.fraction = fraction;
     monitor.report(progress);
   };
+  // Solves directly at all given frequencies, some at a time on each thread.
   const auto solveAt = [&](const std::vector<double>& at) {
     std::vector<std::vector<MatrixXcd>> solutions(at.size());
     std::vector<double> residuals(at.size(), 0.0);

@@ -15,6 +15,7 @@ using Terms = std::vector<std::pair<std::size_t, double>>;
 
 constexpr int vertical = 2;       // component of a block swept along x
 constexpr double holding = 1e14;  // [N/m] of what is held: far above any element, far from round-off
+
 // Place of a value between ascending positions: index of the left one and the fraction towards the right.
 std::pair<int, double> place(const std::vector<double>& positions, double at) {
   int k = static_cast<int>(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;

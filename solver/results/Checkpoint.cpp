@@ -1,5 +1,6 @@
 #include "results/Checkpoint.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 
@@ -31,15 +32,15 @@ ArrayTree readOne(const std::string& path) {
 
 }  // namespace
 
-void writeCheckpoint(const std::string& path, const ArrayTree& state) {
+void writeCheckpoint(const std::string& path, ArrayTree state) {
   if (const auto array = firstNotFinite(state); !array.empty())
     throw FileError(path, array, "not written: the state holds a value that is not a number");
-  ArrayTree whole = state;
-  setAttribute(whole.attributes, "schema", std::string(kSchema));
-  setAttribute(whole.attributes, "schema_version", std::int64_t{kCheckpointVersion});
-  const auto bytes = encodeTree(whole);
+  setAttribute(state.attributes, "schema", std::string(kSchema));
+  setAttribute(state.attributes, "schema_version", std::int64_t{kCheckpointVersion});
+  const auto bytes = encodeTree(state);
   const auto verify = [&](const std::string& part) {
-    if (!firstDifference(readOne(part), whole).empty())
+    const auto back = readWholeFile(part, kLargestCheckpoint);
+    if (!std::ranges::equal(std::as_bytes(std::span(back)), bytes))
       throw FileError(path, "", "did not read back as it was written", "Check the disk");
   };
   writeDurably(path, bytes, verify, Previous::kept);

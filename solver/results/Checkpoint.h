@@ -15,7 +15,7 @@ inline constexpr int kCheckpointVersion = 1;
 // Replaces the checkpoint under `path` whole or not at all; the one before stays as PATH.previous.
 // Refuses a state with a not-a-number or an infinity (FileError naming the array), so a good checkpoint is never
 // replaced by a diverged one. FileError as well where the file cannot be written; the earlier one then stays.
-void writeCheckpoint(const std::string& path, const ArrayTree& state);
+void writeCheckpoint(const std::string& path, ArrayTree state);
 
 // The state under `path`, or under PATH.previous where `path` is missing or damaged (`usedPrevious` tells).
 // No value where neither exists; FileError where none of the existing ones is whole, or it is of a newer version.

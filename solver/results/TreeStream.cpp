@@ -1,5 +1,7 @@
 #include "results/TreeStream.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -201,18 +203,7 @@ Array readArray(Reader& reader, const std::function<void(const char*)>& refuse) 
 }  // namespace
 
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t previous) {
-  static const auto table = [] {
-    std::array<std::uint32_t, 256> made{};
-    for (std::uint32_t i = 0; i < 256; ++i) {
-      std::uint32_t value = i;
-      for (int bit = 0; bit < 8; ++bit) value = (value & 1U) ? 0xEDB88320U ^ (value >> 1) : value >> 1;
-      made[i] = value;
-    }
-    return made;
-  }();
-  std::uint32_t sum = ~previous;
-  for (const auto byte : bytes) sum = table[(sum ^ static_cast<std::uint32_t>(byte)) & 0xFFU] ^ (sum >> 8);
-  return ~sum;
+  return static_cast<std::uint32_t>(::crc32_z(previous, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 void encodeTree(const ArrayTree& tree, const ByteSink& sink) {

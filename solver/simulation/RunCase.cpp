@@ -199,7 +199,7 @@ class RollingPhase {
     saveStart(start_, run_.result, tree);
     savePictures(run_.result, tree);
     try {
-      results::writeCheckpoint(run_.options.checkpointPath, tree);
+      results::writeCheckpoint(run_.options.checkpointPath, std::move(tree));
     } catch (const FileError& error) {
       if (!std::exchange(toldOfCheckpoint_, true))
         warn(run_, std::string("the run goes on without this checkpoint: ") + error.what());

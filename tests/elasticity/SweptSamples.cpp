@@ -31,6 +31,18 @@ geometry::SectionMesh gridSection(const std::vector<double>& b, const std::vecto
   return mesh;
 }
 
+SweptBlock ringBlock() {
+  SweptBlock block;
+  block.name = "ring";
+  block.kind = SweepKind::aroundAxis;
+  block.section = gridSection({0.30, 0.34, 0.36, 0.40}, {-0.03, 0.0, 0.04}, 0.25);
+  const double full = 2 * std::acos(-1.0), fine = 0.02;
+  block.stations = {0.3, true, {{40, fine}, {24, (full - 40 * fine) / 24}}};
+  block.material = steel;
+  block.origin = {1.0, 0.5, 0.46};
+  return block;
+}
+
 std::size_t layOut(std::vector<SweptBlock>& blocks) {
   std::size_t size = 0;
   for (auto& block : blocks) {

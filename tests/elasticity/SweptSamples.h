@@ -23,6 +23,9 @@ std::vector<double> evenly(double from, double to, int n);
 // Quads between all pairs of lines; `skew` moves inner nodes by that share of the smallest step, in a fixed pattern.
 geometry::SectionMesh gridSection(const std::vector<double>& b, const std::vector<double>& c, double skew = 0);
 
+// A closed ring of 0.3 to 0.4 m with fine and coarse sectors, not prepared yet.
+SweptBlock ringBlock();
+
 // Prepares the blocks and places them one behind the other in the state; returns the state's size.
 std::size_t layOut(std::vector<SweptBlock>& blocks);
 

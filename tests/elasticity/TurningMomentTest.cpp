@@ -11,17 +11,6 @@
 namespace squat::elasticity {
 namespace {
 
-std::vector<SweptBlock> ring() {
-  SweptBlock block;
-  block.name = "ring";
-  block.kind = SweepKind::aroundAxis;
-  block.section = gridSection({0.30, 0.34, 0.36, 0.40}, {-0.03, 0.0, 0.04}, 0.25);
-  const double full = 2 * std::acos(-1.0), fine = 0.02;
-  block.stations = {0.3, true, {{40, fine}, {24, (full - 40 * fine) / 24}}};
-  block.material = steel;
-  return {block};
-}
-
 // The same displacement vectors seen from bases that have turned by `angle`, as the step turns them.
 AlignedVector turned(const SweptBlock& block, const AlignedVector& u, double angle) {
   AlignedVector v = u;
@@ -57,9 +46,9 @@ double momentOfOneStep(const std::vector<SweptBlock>& blocks, const AlignedVecto
 
 // Virtual work: the stored energy 1/2 u.K u falls by the moment times the angle by which the bases turn under
 // displacement vectors that stand still in space. The energy is that of the plain sum of element matrices; the central
-// difference over 2e-4 rad errs by 1e-8 of the energy's own size, single precision by 1e-6.
+// difference over 2e-4 rad errs by 1e-8 of the energy's own size, rounding of forces to single precision by 1e-6 each.
 TEST(TurningMoment, IsWhatTheStoredEnergyLosesWhenTheBasesTurn) {
-  auto blocks = ring();
+  std::vector<SweptBlock> blocks{ringBlock()};
   const std::size_t size = layOut(blocks);
   const auto k = plainMatrix(blocks, size);
   std::mt19937 generator(7);

@@ -66,6 +66,22 @@ TEST(CaseDocument, aThousandRandomEditsUndoneAndRedone) {
   EXPECT_EQ(cases::writeCase(document.description()), end);
 }
 
+// The window that listens would read the name of a document that is gone.
+TEST(CaseDocument, tellsNobodyWhenItGoes) {
+  int told = 0;
+  {
+    CaseDocument document;
+    document.setParameter("motion.speed", "25");
+    ASSERT_TRUE(document.isModified());
+    QObject::connect(&document, &CaseDocument::titleChanged, [&] { ++told; });
+    document.setParameter("motion.speed", "26");
+    document.undoStack().setClean();
+    document.setParameter("motion.speed", "27");
+    EXPECT_EQ(told, 2);  // clean and modified again
+  }
+  EXPECT_EQ(told, 2);
+}
+
 TEST(CaseDocument, oneGestureIsOneStep) {
   CaseDocument document;
   const int gesture = document.newGesture();

@@ -58,12 +58,12 @@ class LaboratoryFigures : public testing::Test {
 TEST_F(LaboratoryFigures, allKindsAreThere) {
   std::vector<std::string> names;
   for (const auto& sheet : *sheets_) names.push_back(sheet.name);
-  EXPECT_THAT(names,
-              testing::ElementsAre("run_1_history", "run_1_psd", "run_1_stft", "run_1_scalogram", "run_2_history",
-                                   "run_2_psd", "run_2_stft", "run_2_scalogram", "scatter_time", "scatter_position",
-                                   "measured_comparison", "smooth_comparison", "study_defect_length",
-                                   "study_defect_depth", "paper_figure_04", "paper_figure_05", "paper_figure_06",
-                                   "paper_figure_08", "paper_figure_09", "paper_figure_10", "paper_figure_11"));
+  EXPECT_THAT(names, testing::ElementsAre("run_1_history", "run_1_psd", "run_1_stft", "run_1_scalogram",
+                                          "run_2_history", "run_2_psd", "run_2_stft", "run_2_scalogram", "scatter_time",
+                                          "scatter_position", "measured_comparison", "smooth_comparison",
+                                          "study_defect_length", "study_defect_depth", "paper_figure_04",
+                                          "paper_figure_05", "paper_figure_06", "paper_figure_08", "paper_figure_09",
+                                          "paper_figure_10", "paper_figure_11", "track_receptance"));
 }
 
 TEST_F(LaboratoryFigures, eachInEveryFormatWithTextAsText) {

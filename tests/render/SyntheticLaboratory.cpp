@@ -1,12 +1,14 @@
 #include "render/SyntheticLaboratory.h"
 
 #include <cmath>
+#include <complex>
 
 #include "laboratory/Analysis.h"
 #include "laboratory/FileComparison.h"
 #include "plots/AnalysisFigures.h"
 #include "plots/ComparisonFigures.h"
 #include "plots/PaperFigures.h"
+#include "plots/ReceptanceFigures.h"
 #include "plots/StudyFigures.h"
 #include "render/SyntheticResult.h"
 
@@ -81,6 +83,21 @@ studies::StudyTable severity() {
   return table;
 }
 
+// Two masses on springs, each by itself, and three modes.
+receptance::TrackReceptance oneMassTrack() {
+  receptance::TrackReceptance track;
+  track.points = {{"over a sleeper", 0, {}}, {"midspan", -0.3, {}}};
+  for (double f = 50; f <= 2000; f += 2) track.frequency.push_back(f);
+  const double natural[] = {530, 1020};  // [Hz]
+  for (std::size_t p = 0; p < 2; ++p)
+    for (const double f : track.frequency) {
+      const double r = f / natural[p];
+      track.points[p].receptance.push_back(2e-9 / std::complex<double>(1 - r * r, 0.1 * r));
+    }
+  track.modes = {{380, 1, 0.04, 0.02, 0.02}, {750, 1, 0.01, 0.015, 0.02}, {1960, 1, 0, 0, 0.08}};
+  return track;
+}
+
 }  // namespace
 
 std::vector<plots::FigureSheet> laboratorySheets() {
@@ -100,6 +117,7 @@ std::vector<plots::FigureSheet> laboratorySheets() {
   modified.stem = "class-c-squat-modified";
   for (double& height : modified.profileHeight) height *= 1.5;
   add(plots::paperFigures({&light, &squat, &modified}, style));
+  all.push_back(plots::receptanceFigures(oneMassTrack(), "track_receptance", "One mass", "12345678", style));
   return all;
 }
 

@@ -10,13 +10,13 @@ namespace squat::plots {
 namespace {
 
 void setFrequencyAxis(Figure& figure, const receptance::TrackReceptance& r) {
-  figure.xAxis->setLabel(QStringLiteral("frequency [Hz]"));
+  figure.xAxis->setLabel(QStringLiteral("Frequency [Hz]"));
   figure.xAxis->setRange(0, r.frequency.back());
 }
 
 std::unique_ptr<Figure> magnitudes(const receptance::TrackReceptance& r, const Style& style) {
   auto figure = std::make_unique<Figure>(QStringLiteral("receptance of the track"), style);
-  figure->yAxis->setLabel(QStringLiteral("receptance [dB re 1 nm/N]"));
+  figure->yAxis->setLabel(QStringLiteral("Receptance [dB re 1 nm/N]"));
   for (std::size_t i = 0; i < r.points.size(); ++i) {
     Curve curve{r.frequency, {}, QString::fromStdString(r.points[i].name), i};
     for (const auto& value : r.points[i].receptance) curve.y.push_back(20 * std::log10(std::abs(value) / 1e-9));
@@ -29,7 +29,7 @@ std::unique_ptr<Figure> magnitudes(const receptance::TrackReceptance& r, const S
 
 std::unique_ptr<Figure> phases(const receptance::TrackReceptance& r, const Style& style) {
   auto figure = std::make_unique<Figure>(QStringLiteral("phase"), style);
-  figure->yAxis->setLabel(QStringLiteral("phase [deg]"));
+  figure->yAxis->setLabel(QStringLiteral("Phase [deg]"));
   for (std::size_t i = 0; i < r.points.size(); ++i) {
     Curve curve{r.frequency, {}, {}, i};
     for (const auto& value : r.points[i].receptance) curve.y.push_back(std::arg(value) * 180 / std::numbers::pi);
@@ -43,7 +43,7 @@ std::unique_ptr<Figure> phases(const receptance::TrackReceptance& r, const Style
 // A stroke from zero for every mode.
 std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style& style) {
   auto figure = std::make_unique<Figure>(QStringLiteral("modes of the half wheelset"), style);
-  figure->yAxis->setLabel(QStringLiteral("share [1/sqrt(kg)]"));
+  figure->yAxis->setLabel(QStringLiteral("Share [1/√kg]"));
   const struct {
     const char* label;
     double model::HarmonicMode::*share;

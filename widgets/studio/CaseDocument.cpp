@@ -26,7 +26,7 @@ CaseDocument::CaseDocument(QObject* parent) : QObject(parent), undo_(this) {
   startNew();
 }
 
-// The undo stack tells that it is clean when it goes, after the name and path that listeners would read.
+// The undo stack goes after name and path, and tells that it is clean: listeners would read what is gone.
 CaseDocument::~CaseDocument() { undo_.disconnect(this); }
 
 void CaseDocument::startNew() { startFrom(cases::defaultCase(), QString(), tr("untitled"), false); }
