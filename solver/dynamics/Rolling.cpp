@@ -83,6 +83,10 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   };
   trackWork_ = elasticity::partition(model.blocks, others, team.size(), costOf);
   bodyWork_ = elasticity::partition(model.blocks, {model.body}, team.size());
+  for (int i = 0; i < team.size(); ++i) {
+    trackEnds_.push_back(elasticity::segmentEnds(trackWork_[i], model.blocks));
+    bodyEnds_.push_back(elasticity::segmentEnds(bodyWork_[i], model.blocks));
+  }
   for (int i = 0; i < team.size(); ++i) scratch_.push_back(std::make_unique<elasticity::KernelScratch>(model.blocks));
   forces_.assign(model.forceSize, 0.0);
   turnStations(model.blocks[model.body], 0, turned_);
@@ -141,7 +145,6 @@ void Rolling::start(const AlignedVector& displacement, const AlignedVector& velo
 
 void Rolling::restore(RollingState state) {
   state_ = std::move(state);
-  target_ = state_.displaced;
   std::fill(forces_.begin(), forces_.end(), 0.0);
   layerForces_ = plasticity::layerForces(model_.layer, layerKernels_, state_.plastic);
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
@@ -168,7 +171,8 @@ contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
   return wheel;
 }
 
-void Rolling::touch(const double* displaced) {
+void Rolling::touch() {
+  const double* displaced = state_.displaced.data();
   const auto wheel = wheelRolling(displaced);
   view_.step = state_.step;
   view_.time = state_.time;
@@ -187,7 +191,8 @@ model::PlaneVector Rolling::boxVelocity() const {
 }
 
 // Suspension, bearing and torque; sprung mass and axle box are advanced with their own unknowns in finishStep().
-void Rolling::pushVehicle(const double* displaced) {
+void Rolling::pushVehicle() {
+  const double* displaced = state_.displaced.data();
   const auto& d = model_.description;
   const auto at = ringMean(model_, model_.bearing, turned_, displaced);
   const auto rate = ringMean(model_, model_.bearing, turned_, state_.velocity.data());
@@ -231,15 +236,16 @@ void Rolling::pushVehicle(const double* displaced) {
   }
 }
 
-void Rolling::pushWheelset(long k) {
+void Rolling::pushWheelset() {
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
   turnStations(model_.blocks[model_.rim], state_.rotation, turnedRim_);
   const double g = model_.description.motion.gravity;
   fillGravity(model_.blocks[model_.body], g, &turned_, acceleration_[model_.body]);
   fillGravity(model_.blocks[model_.rim], g, &turnedRim_, acceleration_[model_.rim]);
-  touch(now(k));
-  elasticity::addIrregularForces(model_.movedElements, now(k), forces_.data());  // on the contact's own lines
-  pushVehicle(now(k));
+  touch();
+  elasticity::addIrregularForces(model_.movedElements, state_.displaced.data(),
+                                 forces_.data());  // on the contact's own lines
+  pushVehicle();
   referenceAcceleration_ = (torque_ + view_.patch.spinMoment) / model_.wheelset.inertia;
   spinAcceleration_ = referenceAcceleration_ + state_.turningMoment / model_.wheelset.inertia;
   const double rate = state_.spinRate + step_ * spinAcceleration_;
@@ -250,14 +256,14 @@ void Rolling::pushWheelset(long k) {
   }
 }
 
-void Rolling::holdStill(double* displaced) {
-  for (const auto index : model_.held) state_.velocity[index] = 0, displaced[index] = 0;
+void Rolling::holdStill() {
+  for (const auto index : model_.held) state_.velocity[index] = 0, state_.displaced[index] = 0;
 }
 
 void Rolling::pushTrack(long k) {
-  double* u = now(k);
+  double* u = state_.displaced.data();
   const double* v = state_.velocity.data();
-  holdStill(u);
+  holdStill();
   double power = addSpringForces(model_.ballast, u, v, forces_.data());
   power += addSpringForces(model_.pads, u, v, forces_.data());
   power += addSpringForces(model_.ends, u, v, forces_.data());
@@ -266,14 +272,22 @@ void Rolling::pushTrack(long k) {
 }
 
 // Plastic flow in the layer around the patch, shared among the threads by groups.
-void Rolling::yieldLayer(int index, long step, const double* displaced) {
+void Rolling::yieldLayer(int index, long step) {
   if (model_.layer.empty()) return;
   const double x = model_.startX + model_.description.motion.speed * static_cast<double>(step) * step_;
-  plasticity::returnWindow(model_.layer, layerKernels_, displaced, x, yieldReach, index, team_.size(), state_.plastic,
-                           layerForces_);
+  plasticity::returnWindow(model_.layer, layerKernels_, state_.displaced.data(), x, yieldReach, index, team_.size(),
+                           state_.plastic, layerForces_);
 }
 
-void Rolling::advanceTrackAndRim(int index, long k) {
+// A step in place overwrites what neighbouring stretches need: each thread reads that first.
+void Rolling::readEnds(int index) {
+  elasticity::readEnds(trackWork_[index], model_.blocks, kernels_, blockSteps_, state_.displaced.data(),
+                       *scratch_[index], trackEnds_[index]);
+  elasticity::readEnds(bodyWork_[index], model_.blocks, kernels_, blockSteps_, state_.displaced.data(),
+                       *scratch_[index], bodyEnds_[index]);
+}
+
+void Rolling::advanceTrackAndRim(int index) {
   // Each thread adds the forces of plastic strain to the stations that it will advance.
   if (!model_.layer.empty())
     for (const auto& part : trackWork_[index])
@@ -281,8 +295,8 @@ void Rolling::advanceTrackAndRim(int index, long k) {
         plasticity::addPlasticForces(model_.layer, layerForces_, part.first, part.first + part.count,
                                      forces_.data() + model_.loaded[part.block].offset,
                                      model_.loaded[part.block].lineOfNode.data());
-  elasticity::advanceSegments(trackWork_[index], model_.blocks, kernels_, blockSteps_, step_, now(k), next(k),
-                              state_.velocity.data(), *scratch_[index]);
+  elasticity::advanceSegments(trackWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
+                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &trackEnds_[index]);
 }
 
 // Each thread serves the stations of the body that it will advance.
@@ -308,14 +322,13 @@ void Rolling::passTieForces(int index) {
   }
 }
 
-void Rolling::advanceBody(int index, long k) {
-  elasticity::advanceSegments(bodyWork_[index], model_.blocks, kernels_, blockSteps_, step_, now(k), next(k),
-                              state_.velocity.data(), *scratch_[index]);
+void Rolling::advanceBody(int index) {
+  elasticity::advanceSegments(bodyWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
+                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &bodyEnds_[index]);
 }
 
 void Rolling::finishStep(long k) {
-  const double* source = now(k);
-  double* target = next(k);
+  double* displaced = state_.displaced.data();
   const auto& d = model_.description;
   double* v = state_.velocity.data();
   double* small = forces_.data() + model_.forceSize - 8;
@@ -323,7 +336,7 @@ void Rolling::finishStep(long k) {
     const double acceleration = small[index - model_.smallUnknowns] / mass - gravity;
     const double old = v[index];
     v[index] = old + step_ * acceleration;
-    target[index] = source[index] - beta_ * old + (step_ + beta_) * v[index];
+    displaced[index] = displaced[index] - beta_ * old + (step_ + beta_) * v[index];
     small[index - model_.smallUnknowns] = 0;
   };
   advance(model_.sprungX, d.suspension.sprungMass, 0);

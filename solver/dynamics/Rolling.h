@@ -1,8 +1,9 @@
 // solver/dynamics/Rolling.h - central difference of the rolling wheel on the track.
 //
-// One step, everything local in memory, three meetings of the threads: contact, springs and torque collect forces on
-// surface nodes; then each stretch of stations computes its inner forces and is advanced at once. The rim's tied nodes
-// pass their inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any number
+// One step, everything local in memory, four meetings of the threads: contact, springs and torque collect forces on
+// surface nodes; every thread reads what it needs beyond its stretches of stations; then each stretch computes its
+// inner forces and is advanced at once, in place. The rim's tied nodes pass their inner forces to the wheel body, which
+// follows. Fixed partition, ordered sums: the same bits for any number
 // of threads.
 //
 // Plastic flow of the rail's surface layer (plasticity/): elements around the patch are returned to yield while contact
@@ -58,21 +59,22 @@ class Rolling {
             finishStep(k - 1);
             observe(view_);
           }
-          pushWheelset(k);
+          pushWheelset();
         }
         if (index == team_.size() - 1) pushTrack(k);
-        yieldLayer(index, first + k, now(k));
+        yieldLayer(index, first + k);
         team_.barrier();
-        advanceTrackAndRim(index, k);
+        readEnds(index);
+        team_.barrier();
+        advanceTrackAndRim(index);
         team_.barrier();
         passTieForces(index);
-        advanceBody(index, k);
+        advanceBody(index);
         team_.barrier();
       }
     });
     finishStep(steps - 1);
-    holdStill(next(steps - 1));
-    if (steps % 2) state_.displaced.swap(target_);
+    holdStill();
     observe(view_);
   }
 
@@ -95,19 +97,17 @@ class Rolling {
   std::vector<contact::PatchPoint> patchPoints() const;
 
  private:
-  // Within one advance() the two displacement buffers take turns: steps of even number read the first.
-  double* now(long k) { return k % 2 ? target_.data() : state_.displaced.data(); }
-  double* next(long k) { return k % 2 ? state_.displaced.data() : target_.data(); }
-  void pushWheelset(long k);  // contact, irregular elements, suspension, torque, spin
-  void pushTrack(long k);     // pads, ballast; places of tied nodes
-  void yieldLayer(int index, long step, const double* displaced);
-  void advanceTrackAndRim(int index, long k);
+  void pushWheelset();     // contact, irregular elements, suspension, torque, spin
+  void pushTrack(long k);  // pads, ballast; places of tied nodes
+  void yieldLayer(int index, long step);
+  void readEnds(int index);
+  void advanceTrackAndRim(int index);
   void passTieForces(int index);
-  void advanceBody(int index, long k);
+  void advanceBody(int index);
   void finishStep(long k);
-  void holdStill(double* displaced);
-  void touch(const double* displaced);
-  void pushVehicle(const double* displaced);
+  void holdStill();
+  void touch();
+  void pushVehicle();
   model::PlaneVector boxVelocity() const;
   contact::WheelRolling wheelRolling(const double* displaced) const;
 
@@ -118,8 +118,9 @@ class Rolling {
   contact::ContactLaw law_;
   ContactInertia inertia_;
   RollingState state_;
-  AlignedVector target_, forces_;
+  AlignedVector forces_;
   std::vector<std::vector<elasticity::Segment>> trackWork_, bodyWork_;
+  std::vector<std::vector<elasticity::SegmentEnds>> trackEnds_, bodyEnds_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
   model::WheelsetDamping wheelsetDamping_;

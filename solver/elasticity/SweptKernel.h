@@ -31,6 +31,10 @@ struct KernelCall {
   const double *cosines = nullptr, *sines = nullptr;  // around an axis: of every station's angle; null along a line
   double* carry = nullptr;      // nodes x 3: what the interval before adds to station `first`; left for the next
   double* workspace = nullptr;  // kernelWorkspace(window) doubles, 64-byte aligned
+  // Where `target` is `source`: displacements as they were before this step (SegmentEnds), else null.
+  const double* after = nullptr;       // nodes x 3: at station first + count
+  const double* references = nullptr;  // three for each chunk, from `firstReference` on: of a node at its first station
+  int firstReference = 0;
 
   // applyStiffness: K times source, stations first .. first + count - 1 written.
   double* force = nullptr;
@@ -42,7 +46,7 @@ struct KernelCall {
   const unsigned char* slave = nullptr;  // per node: 1: not advanced, its inner force is left in `external` instead
   double* external = nullptr;            // triples of lines; added to the inner force and cleared
   double* velocity = nullptr;            // in place
-  double* target = nullptr;              // new u + beta v
+  double* target = nullptr;              // new u + beta v; may be `source`
   const double* acceleration = nullptr;  // 3 lines: body acceleration of each station in local components
   const double* radialWeight = nullptr;  // per node: radius for the spin, or null
   double spinAcceleration = 0;           // [rad/s2] added times radius to a

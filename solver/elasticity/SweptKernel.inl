@@ -69,8 +69,9 @@ constexpr int chunk = stationChunk;
 // bundle the coefficients of its rows stay in the first-level cache while all parts pass.
 struct Group {
   int at = 0, parts = 0;
-  std::size_t state = 0;  // of station `at` in line 0 of a state vector
-  std::size_t next = 0;   // of the station after the group
+  std::size_t state = 0;         // of station `at` in line 0 of a state vector
+  const double* next = nullptr;  // displacement of node 0 at the station after the group
+  std::size_t nextNode = 3 * chunk, nextLine = chunk;
 };
 
 inline std::size_t placeOf(const KernelCall& call, int station) {
@@ -99,7 +100,9 @@ struct Translation<true> {
   Translation(const KernelCall& call, const Group& group, int count) {
     const int from = group.at / chunk * chunk;
     const double* u = call.source + placeOf(call, from) + static_cast<std::size_t>(call.nodes / 2) * 3 * chunk;
-    const double a = u[0], b = u[chunk], c = u[2 * chunk];
+    std::size_t line = chunk;
+    if (call.references) u = call.references + 3 * (from / chunk - call.firstReference), line = 1;
+    const double a = u[0], b = u[line], c = u[2 * line];
     for (int i = 0; i <= count; ++i) {
       double cosine = 1, sine = 0;
       if (call.cosines) {
@@ -120,9 +123,9 @@ inline void gather(const KernelCall& call, const Group& group, const Translation
   constexpr int part = V * Kind::lanes;
   Real* out = reinterpret_cast<Real*>(call.workspace) + slot * std::size_t{6 * chunk};
   const std::size_t lines = static_cast<std::size_t>(node) * 3 * chunk;
-  const double *line = call.source + group.state + lines, *next = call.source + group.next + lines;
+  const double *line = call.source + group.state + lines, *next = group.next + node * group.nextNode;
   const int count = group.parts * part;
-  for (int c = 0; c < 3; ++c, line += chunk, next += chunk) {
+  for (int c = 0; c < 3; ++c, line += chunk, next += group.nextLine) {
     Real *sums = out + (c == 0 ? 3 : c) * part, *differences = out + (c == 0 ? 0 : c + 3) * part;
     const auto at = [&](int i) {
       Vector u = i < count ? load(line + i) : splat(*next);
@@ -287,7 +290,7 @@ inline void advanceGroup(const KernelCall& call, const Group& group) {
       [&](int node) {
         const std::size_t base = group.state + static_cast<std::size_t>(node) * 3 * chunk;
         fetch<3 * chunk, 1>(call.velocity + base);
-        fetch<3 * chunk, 1>(call.target + base);
+        if (call.target != call.source) fetch<3 * chunk, 1>(call.target + base);
         fetch<chunk, 0>(call.inverseMass + placeOfMass(call, node, group.at));
       },
       [&](int node, const typename Kind::Real(&force)[3][chunk]) {
@@ -299,7 +302,7 @@ template <typename Kind>
 void carryOver(const KernelCall& call) {
   const int at = call.first - Kind::lanes;
   overRows<Kind, 1>(
-      call, {at, 1, placeOf(call, at), placeOf(call, call.first)}, [](int) {},
+      call, {at, 1, placeOf(call, at), call.source + placeOf(call, call.first)}, [](int) {},
       [](int, const typename Kind::Real(&)[3][chunk]) {});
 }
 
@@ -309,7 +312,8 @@ inline void overGroups(const KernelCall& call, const Whole& whole, const Piece& 
   const int end = call.first + call.count;
   for (int at = call.first; at < end;) {
     const int stop = (at / chunk + 1) * chunk < end ? (at / chunk + 1) * chunk : end, count = stop - at;
-    Group group{at, 0, placeOf(call, at), placeOf(call, stop)};
+    Group group{at, 0, placeOf(call, at), call.source + placeOf(call, stop)};
+    if (stop == end && call.after) group.next = call.after, group.nextNode = 3, group.nextLine = 1;
     if (count == chunk) {
       group.parts = chunk / (WIDEST * WholeKind::lanes);
       whole(group);

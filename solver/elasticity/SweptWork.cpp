@@ -84,6 +84,10 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
   }
 }
 
+const KernelSet& kernelsOfRun(const SweptBlock& block, const BlockStep& with, const KernelSet& common, int run) {
+  return with.fineKernels && block.stations.runs[run].length <= with.fineLength ? *with.fineKernels : common;
+}
+
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
@@ -135,17 +139,52 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
   }
 }
 
+std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks) {
+  std::vector<SegmentEnds> ends(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto& [block, first, count] = segments[i];
+    const int nodes = blocks[block].nodes;
+    const int chunks = (first + count - 1) / SweptBlock::chunk - first / SweptBlock::chunk + 1;
+    ends[i].carry.resize(3 * nodes), ends[i].after.resize(3 * nodes), ends[i].references.resize(3 * chunks);
+  }
+  return ends;
+}
+
+void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks, const KernelSet& common,
+              const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
+              std::vector<SegmentEnds>& ends) {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto& [index, first, count] = segments[i];
+    const auto& block = blocks[index];
+    startCarry(
+        block, [&](int run) -> const KernelSet& { return kernelsOfRun(block, steps[index], common, run); }, first,
+        source, scratch);
+    std::copy_n(scratch.carry.begin(), 3 * block.nodes, ends[i].carry.begin());
+    for (int n = 0; n < block.nodes; ++n)
+      for (int c = 0; c < 3; ++c) ends[i].after[3 * n + c] = source[block.index(n, c, first + count)];
+    double* reference = ends[i].references.data();
+    for (int at = first / SweptBlock::chunk * SweptBlock::chunk; at < first + count; at += SweptBlock::chunk)
+      for (int c = 0; c < 3; ++c) *reference++ = source[block.index(block.nodes / 2, c, at)];
+  }
+}
+
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
                      const KernelSet& common, const std::vector<BlockStep>& steps, double step, const double* source,
-                     double* target, double* velocity, KernelScratch& scratch) {
-  for (const auto& segment : segments) {
+                     double* target, double* velocity, KernelScratch& scratch, const std::vector<SegmentEnds>* ends) {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto& segment = segments[i];
     const auto& block = blocks[segment.block];
     const auto& with = steps[segment.block];
-    const auto kernelsOf = [&](int run) -> const KernelSet& {
-      return with.fineKernels && block.stations.runs[run].length <= with.fineLength ? *with.fineKernels : common;
-    };
-    startCarry(block, kernelsOf, segment.first, source, scratch);
+    const auto kernelsOf = [&](int run) -> const KernelSet& { return kernelsOfRun(block, with, common, run); };
+    if (ends)
+      std::copy((*ends)[i].carry.begin(), (*ends)[i].carry.end(), scratch.carry.begin());
+    else
+      startCarry(block, kernelsOf, segment.first, source, scratch);
     overRuns(block, segment, source, scratch, [&](KernelCall call, int run) {
+      if (ends) {
+        call.references = (*ends)[i].references.data(), call.firstReference = segment.first / SweptBlock::chunk;
+        if (call.first + call.count == segment.first + segment.count) call.after = (*ends)[i].after.data();
+      }
       call.inverseMass = with.inverseMass, call.fixedMask = with.freeMask;
       call.externalLine = with.lineOfNode, call.slave = with.slave, call.external = with.force;
       call.velocity = velocity + block.offset, call.target = target + block.offset;

@@ -49,9 +49,24 @@ struct BlockStep {
   double* turningMoment = nullptr;  // closed blocks: KernelCall
 };
 
+// What a step in place needs of a segment's surroundings as they were before anybody wrote.
+struct SegmentEnds {
+  AlignedVector carry;                    // what the interval before the segment adds, nodes x 3
+  std::vector<double> after, references;  // KernelCall
+};
+
+// Reads the ends of the segments; all threads must have done so before any of them advances in place.
+std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks);
+void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks, const KernelSet& kernels,
+              const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
+              std::vector<SegmentEnds>& ends);
+
+// One step of the central difference. `target` may be `source` where `ends` are given: a step then moves a fifth less
+// memory.
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
                      const KernelSet& kernels, const std::vector<BlockStep>& steps, double step, const double* source,
-                     double* target, double* velocity, KernelScratch& scratch);
+                     double* target, double* velocity, KernelScratch& scratch,
+                     const std::vector<SegmentEnds>* ends = nullptr);
 
 // One value for each node and station, from lines of `stride` to the chunks of the state layout.
 AlignedVector inChunks(const SweptBlock& block, const double* lines);
