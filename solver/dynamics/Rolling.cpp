@@ -243,8 +243,8 @@ void Rolling::pushWheelset() {
   fillGravity(model_.blocks[model_.body], g, &turned_, acceleration_[model_.body]);
   fillGravity(model_.blocks[model_.rim], g, &turnedRim_, acceleration_[model_.rim]);
   touch();
-  elasticity::addIrregularForces(model_.movedElements, state_.displaced.data(),
-                                 forces_.data());  // on the contact's own lines
+  // On the contact's own lines.
+  elasticity::addIrregularForces(model_.movedElements, state_.displaced.data(), forces_.data());
   pushVehicle();
   referenceAcceleration_ = (torque_ + view_.patch.spinMoment) / model_.wheelset.inertia;
   spinAcceleration_ = referenceAcceleration_ + state_.turningMoment / model_.wheelset.inertia;

@@ -3,8 +3,7 @@
 // One step, everything local in memory, four meetings of the threads: contact, springs and torque collect forces on
 // surface nodes; every thread reads what it needs beyond its stretches of stations; then each stretch computes its
 // inner forces and is advanced at once, in place. The rim's tied nodes pass their inner forces to the wheel body, which
-// follows. Fixed partition, ordered sums: the same bits for any number
-// of threads.
+// follows. Fixed partition, ordered sums: the same bits for any number of threads.
 //
 // Plastic flow of the rail's surface layer (plasticity/): elements around the patch are returned to yield while contact
 // and springs collect forces; each thread adds the forces of plastic strain to the stations that it advances. The start
