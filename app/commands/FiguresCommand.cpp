@@ -7,6 +7,7 @@
 
 #include "case/CaseFile.h"
 #include "commands/Command.h"
+#include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureOutput.h"
 #include "commands/Interrupt.h"
@@ -97,12 +98,8 @@ void addFiguresCommand(CLI::App& program, Action& action) {
       ->add_option("-o,--output", options->folder,
                    "Folder of the results (those that stand there are drawn) and of the figures (default: here)")
       ->type_name("DIR");
-  figures->add_option("--mesh", options->mesh, "Mesh of the runs: tiny, draft, standard or paper (default: the cases')")
-      ->check(CLI::IsMember({"tiny", "draft", "standard", "paper"}))
-      ->type_name("PRESET");
-  figures->add_option("--threads", options->run.threads, "Threads (default: all cores)")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  addMesh(*figures, options->mesh, "Mesh preset of the runs (default: the cases')");
+  addThreads(*figures, options->run.threads);
   addFigureOptions(*figures, options->figures, false);
   figures->callback([options, &action] { action = [options] { return paper(*options); }; });
 }

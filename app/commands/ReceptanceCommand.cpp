@@ -6,6 +6,7 @@
 
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
+#include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
@@ -87,9 +88,7 @@ void addReceptanceCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReceptanceCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
   command->add_option("-o,--output", options->folder, "Folder for all files (default: here)")->type_name("DIR");
-  command->add_option("--threads", options->receptance.threads, "Threads (default: all cores)")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
+  addThreads(*command, options->receptance.threads);
   addFigureOptions(*command, options->figures);
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }

@@ -6,6 +6,7 @@
 #include "case/CaseFile.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
+#include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureOutput.h"
 #include "commands/Interrupt.h"
@@ -118,12 +119,8 @@ void addRunCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<RunCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
   command->add_option("-o,--output", options->folder, "Folder for all files (default: here)")->type_name("DIR");
-  command->add_option("--threads", options->run.threads, "Threads (default: all cores)")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  command->add_option("--isa", options->run.isa, "Instruction set: sse2, avx2 or avx512 (default: the best there is)")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
-      ->type_name("NAME");
+  addThreads(*command, options->run.threads);
+  addInstructionSet(*command, options->run.isa);
   command->add_flag("--resume", options->run.resume, "Goes on from the checkpoint, where there is one");
   command
       ->add_option("--checkpoint-every", options->run.checkpointSeconds, "Seconds between checkpoints (default: 300)")

@@ -6,6 +6,7 @@
 
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
+#include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
@@ -92,12 +93,8 @@ void addStudyCommand(CLI::App& program, Action& action) {
   command->add_option("--jobs", options->jobs, "Runs at once (default: as cores and memory allow)")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
-  command->add_option("--threads", options->run.threads, "Threads of each run (default: cores / jobs)")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  command->add_option("--isa", options->run.isa, "Instruction set: sse2, avx2 or avx512")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
-      ->type_name("NAME");
+  addThreads(*command, options->run.threads, "Threads of each run (default: cores / jobs)");
+  addInstructionSet(*command, options->run.isa);
   addFigureOptions(*command, options->figures);
   command->add_flag("--keep-results", options->keepResults, "Keeps the result file of each run as well");
   command->add_flag("--retry-failed", options->study.retryFailed, "Runs those again that failed before");

@@ -11,6 +11,7 @@
 #include "case/ParameterValue.h"
 #include "case/ShippedCases.h"
 #include "commands/Command.h"
+#include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
@@ -212,9 +213,7 @@ void addValidateCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<ValidateOptions>();
   command->add_option("-o,--output", options->folder, "Folder for results, tables and figure (default: here)")
       ->type_name("DIR");
-  auto* mesh = command->add_option("--mesh", options->mesh, "Mesh preset (default: draft)")
-                   ->check(CLI::IsMember({"tiny", "draft", "standard", "paper"}))
-                   ->type_name("PRESET");
+  auto* mesh = addMesh(*command, options->mesh, "Mesh preset (default: draft)");
   auto* from =
       command->add_option("--from", options->from, "Judges the results that stand in this folder, and makes none")
           ->type_name("DIR")
@@ -225,12 +224,8 @@ void addValidateCommand(CLI::App& program, Action& action) {
       ->excludes(from);
   command->add_option("--reference", options->reference, "Other statements (default: those of the paper)")
       ->type_name("FILE.json");
-  command->add_option("--threads", options->run.threads, "Threads (default: all cores)")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("N");
-  command->add_option("--isa", options->run.isa, "Instruction set: sse2, avx2 or avx512")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
-      ->type_name("NAME");
+  addThreads(*command, options->run.threads);
+  addInstructionSet(*command, options->run.isa);
   addFigureOptions(*command, options->figures);
   command->callback([options, &action] { action = [options] { return validate(*options); }; });
 }

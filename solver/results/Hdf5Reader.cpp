@@ -22,6 +22,19 @@ struct Names {
   std::size_t most;
 };
 
+// For the library's walks over links and attributes; a negative value ends the walk with an error.
+template <typename Info>
+herr_t collectName(hid_t, const char* name, const Info*, void* names) {
+  auto& found = *static_cast<Names*>(names);
+  try {
+    if (found.list.size() >= found.most) return -1;
+    found.list.emplace_back(name);
+    return 0;
+  } catch (...) {
+    return -1;
+  }
+}
+
 class Walker {
  public:
   Walker(const std::string& path, const Hdf5Limits& limits) : path_(path), limits_(limits) {
@@ -95,34 +108,14 @@ class Walker {
     if (creation.valid()) H5Pget_link_creation_order(creation.get(), &order);
     const auto index = (order & H5P_CRT_ORDER_TRACKED) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
     Names names{{}, limits_.objects};
-    const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* data) -> herr_t {
-      auto& found = *static_cast<Names*>(data);
-      try {
-        if (found.list.size() >= found.most) return -1;
-        found.list.emplace_back(name);
-        return 0;
-      } catch (...) {
-        return -1;
-      }
-    };
-    check(H5Literate(group, index, H5_ITER_INC, nullptr, collect, &names), path_, path.empty() ? "/" : path,
-          "its members cannot be listed");
+    check(H5Literate(group, index, H5_ITER_INC, nullptr, collectName<H5L_info_t>, &names), path_,
+          path.empty() ? "/" : path, "its members cannot be listed");
     return names.list;
   }
 
   std::vector<Attribute> attributes(hid_t object, const std::string& path) {
     Names names{{}, 1000};
-    const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* data) -> herr_t {
-      auto& found = *static_cast<Names*>(data);
-      try {
-        if (found.list.size() >= found.most) return -1;
-        found.list.emplace_back(name);
-        return 0;
-      } catch (...) {
-        return -1;
-      }
-    };
-    check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), path_, path,
+    check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, collectName<H5A_info_t>, &names), path_, path,
           "its attributes cannot be listed");
     std::vector<Attribute> list;
     for (const auto& name : names.list)

@@ -16,23 +16,25 @@ std::mutex& plannerMutex() {
 
 fftw_complex* raw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
 
-// Plans are made on FFTW's own memory and executed on the caller's. A plan without FFTW_UNALIGNED wants the alignment
-// it was made with (16 bytes); vectors of Complex have it, an odd offset in a vector of double has not.
 void requireMemory(const void* memory) {
   if (!memory) throw std::bad_alloc();
 }
 
-}  // namespace
-
-struct RealTransform::Plan {
+// Plans are made on FFTW's own memory and executed on the caller's. A plan without FFTW_UNALIGNED wants the alignment
+// it was made with (16 bytes); vectors of Complex have it, an odd offset in a vector of double has not.
+struct Plans {
   std::size_t n = 0;
   fftw_plan aligned = nullptr, unaligned = nullptr;
-  ~Plan() {
+  ~Plans() {
     const std::lock_guard lock(plannerMutex());
     if (aligned) fftw_destroy_plan(aligned);
     if (unaligned) fftw_destroy_plan(unaligned);
   }
 };
+
+}  // namespace
+
+struct RealTransform::Plan : Plans {};
 
 RealTransform::RealTransform(std::size_t n) : plan_(std::make_unique<Plan>()) {
   plan_->n = n;
@@ -62,15 +64,7 @@ void RealTransform::forward(const double* in, Complex* out) const {
   fftw_execute_dft_r2c(aligned ? plan_->aligned : plan_->unaligned, input, raw(out));
 }
 
-struct ComplexTransform::Plan {
-  std::size_t n = 0;
-  fftw_plan aligned = nullptr, unaligned = nullptr;
-  ~Plan() {
-    const std::lock_guard lock(plannerMutex());
-    if (aligned) fftw_destroy_plan(aligned);
-    if (unaligned) fftw_destroy_plan(unaligned);
-  }
-};
+struct ComplexTransform::Plan : Plans {};
 
 ComplexTransform::ComplexTransform(std::size_t n, Direction direction) : plan_(std::make_unique<Plan>()) {
   plan_->n = n;

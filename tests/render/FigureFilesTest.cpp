@@ -4,14 +4,13 @@
 
 #include <QFile>
 #include <QImage>
-#include <QXmlStreamReader>
 #include <filesystem>
 
 #include "core/Errors.h"
-#include "plots/Application.h"
 #include "plots/Figures.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
+#include "render/WithoutDisplay.h"
 
 namespace squat {
 namespace {
@@ -19,29 +18,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-class FigureFiles : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    qunsetenv("DISPLAY");
-    qunsetenv("WAYLAND_DISPLAY");
-    plots::ensureApplication();
-  }
-  static QByteArray contents(const std::string& path) {
-    QFile file(QString::fromStdString(path));
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path;
-    return file.readAll();
-  }
-  // All character data of <text> elements; fails where the document is not well-formed.
-  static std::vector<std::string> textsOf(const QByteArray& svg) {
-    QXmlStreamReader reader(svg);
-    std::vector<std::string> texts;
-    while (!reader.atEnd())
-      if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == QLatin1String("text"))
-        texts.push_back(reader.readElementText().toStdString());
-    EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
-    return texts;
-  }
-};
+using FigureFiles = tests::WithoutDisplay;
 
 TEST_F(FigureFiles, everyFigureComesInEveryFormat) {
   const std::string folder = tests::freshFolder("every-figure");

@@ -3,44 +3,25 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QFile>
-#include <QXmlStreamReader>
 #include <filesystem>
 
-#include "plots/Application.h"
 #include "plots/FigureFiles.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticLaboratory.h"
+#include "render/WithoutDisplay.h"
 
 namespace squat {
 namespace {
 
 using testing::Contains;
 
-class LaboratoryFigures : public testing::Test {
+class LaboratoryFigures : public tests::WithoutDisplay {
  protected:
   static void SetUpTestSuite() {
-    qunsetenv("DISPLAY");
-    qunsetenv("WAYLAND_DISPLAY");
-    plots::ensureApplication();
+    WithoutDisplay::SetUpTestSuite();
     sheets_ = new std::vector<plots::FigureSheet>(tests::laboratorySheets());
   }
   static void TearDownTestSuite() { delete sheets_; }
-  static QByteArray contents(const std::string& path) {
-    QFile file(QString::fromStdString(path));
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path;
-    return file.readAll();
-  }
-  // All character data of <text> elements; fails where the document is not well-formed.
-  static std::vector<std::string> textsOf(const QByteArray& svg) {
-    QXmlStreamReader reader(svg);
-    std::vector<std::string> texts;
-    while (!reader.atEnd())
-      if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == QLatin1String("text"))
-        texts.push_back(reader.readElementText().toStdString());
-    EXPECT_FALSE(reader.hasError()) << reader.errorString().toStdString();
-    return texts;
-  }
   static void expectEmptyBorder(const QImage& image, const std::string& name) {
     const QRgb background = image.pixel(0, 0);
     for (int x = 0; x < image.width(); ++x) {

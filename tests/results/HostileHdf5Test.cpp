@@ -18,17 +18,9 @@ namespace squat::results {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::refusal;
 using testing::sampleResult;
 using testing::TemporaryFolder;
-
-std::string refusal(const std::string& path) {
-  try {
-    readResult(path);
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 // A good result in which `change` may do what it likes with the C API.
 template <typename Change>

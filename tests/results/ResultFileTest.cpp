@@ -16,17 +16,9 @@ namespace squat::results {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::refusal;
 using testing::sampleResult;
 using testing::TemporaryFolder;
-
-std::string refusal(const std::string& path) {
-  try {
-    readResult(path);
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 void writeTree(const std::string& path, const ArrayTree& tree) { writeDurably(path, encodeHdf5(tree, path)); }
 

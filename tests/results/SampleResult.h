@@ -1,4 +1,4 @@
-// A small result with every member filled, and a folder that goes away again.
+// A small result with every member filled, a folder that goes away again, and what reading a result refuses.
 #pragma once
 
 #include <stdlib.h>
@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "results/RunResult.h"
+#include "core/Errors.h"
+#include "results/ResultFile.h"
 
 namespace squat::testing {
 
@@ -95,6 +96,16 @@ inline results::RunResult sampleResult(int samples = 300) {
                      {0, 1},
                      {1e-6F, 1e-6F}}};
   return result;
+}
+
+// What the reader says to a file, or "accepted".
+inline std::string refusal(const std::string& path) {
+  try {
+    results::readResult(path);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "accepted";
 }
 
 }  // namespace squat::testing

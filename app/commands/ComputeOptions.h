@@ -1,0 +1,18 @@
+// app/commands/ComputeOptions.h - options of every command that computes: the same words, ranges and help.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace squat::commands {
+
+// --mesh; `help` says what it falls back to. The names are those of the parameter table.
+CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& help);
+
+// --threads; 0 where none are named.
+void addThreads(CLI::App& command, int& threads, const std::string& help = "Threads (default: all cores)");
+
+// --isa; empty where none is named: the best that the processor has.
+void addInstructionSet(CLI::App& command, std::string& isa);
+
+}  // namespace squat::commands
