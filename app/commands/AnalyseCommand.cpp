@@ -35,18 +35,14 @@ void printSpectrum(const char* name, const signals::PowerSpectrum& spectrum) {
 }
 
 void printTable(const laboratory::Analysis& analysis) {
+  if (analysis.signals.empty()) return;
   std::vector<std::string> head{"feature"};
-  std::vector<std::vector<std::pair<std::string, double>>> columns;
-  for (const auto& signal : analysis.signals) {
-    head.push_back(signal.run);
-    columns.push_back(signals::featureRow(signal.features));
-  }
-  if (columns.empty()) return;
+  for (const auto& signal : analysis.signals) head.push_back(signal.run);
   TextTable table(head);
-  for (std::size_t row = 0; row < columns.front().size(); ++row) {
-    std::vector<std::string> cells{columns.front()[row].first};
-    for (const auto& column : columns)
-      cells.push_back(std::isnan(column[row].second) ? "-" : number(column[row].second));
+  const auto features = laboratory::featureTable(analysis);
+  for (std::size_t row = 0; row < features.names.size(); ++row) {
+    std::vector<std::string> cells{features.names[row]};
+    for (const auto& column : features.values) cells.push_back(std::isnan(column[row]) ? "-" : number(column[row]));
     table.add(cells);
   }
   for (const auto& signal : analysis.signals) {

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "commands/Command.h"
@@ -30,7 +31,8 @@ void printTable(const laboratory::FileComparison& pair) {
   std::printf("%s against %s (%s)\n", comparison.firstName.c_str(), comparison.secondName.c_str(),
               pair.secondFile.c_str());
   TextTable table({"what", "value"});
-  for (const auto& [name, value] : signals::comparisonRow(comparison)) table.add({name, number(value)});
+  for (const auto& [name, value] : signals::comparisonRow(comparison))
+    table.add({name, std::isnan(value) ? "-" : number(value)});
   std::printf("%s", table.text().c_str());
   for (const auto& note : pair.notes) std::printf("note: %s\n", note.c_str());
   std::printf("\n");

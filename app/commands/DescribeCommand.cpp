@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "case/CaseFile.h"
 #include "case/CaseText.h"
 #include "case/ParameterTable.h"
 #include "commands/CaseOptions.h"
@@ -16,7 +17,9 @@ struct DescribeOptions {
 };
 
 int describe(const DescribeOptions& options) {
-  const auto description = options.caseOptions.name.empty() ? cases::defaultCase() : readCase(options.caseOptions);
+  const auto description = options.caseOptions.name.empty()
+                               ? cases::parseCase("", "defaults", {}, caseOverrides(options.caseOptions))
+                               : readCase(options.caseOptions);
   const auto text = options.json ? cases::describeJson(description) : cases::describeTable(description);
   std::fputs(text.c_str(), stdout);
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);

@@ -7,14 +7,26 @@ namespace squat::commands {
 
 bool figuresAvailable() { return true; }
 
-FigureOutput writeFigures(const results::RunResult& result, const std::string& folder,
-                          const std::vector<std::string>& figures, const std::vector<std::string>& formats) {
-  plots::ensureApplication();
+namespace {
+
+plots::FigureRequest requestOf(const std::vector<std::string>& figures, const std::vector<std::string>& formats) {
   plots::FigureRequest request;
   request.figures = figures;
   if (!formats.empty()) request.formats = formats;
+  return request;
+}
+
+}  // namespace
+
+void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats) {
+  plots::checkRequest(requestOf(figures, formats));
+}
+
+FigureOutput writeFigures(const results::RunResult& result, const std::string& folder,
+                          const std::vector<std::string>& figures, const std::vector<std::string>& formats) {
+  plots::ensureApplication();
   FigureOutput output;
-  output.files = plots::renderFigures(result, folder, request, &output.messages);
+  output.files = plots::renderFigures(result, folder, requestOf(figures, formats), &output.messages);
   return output;
 }
 

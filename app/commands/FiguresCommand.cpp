@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "case/CaseFile.h"
+#include "case/ParameterTable.h"
+#include "case/ParameterValue.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
@@ -31,15 +33,23 @@ struct PaperFigureOptions {
   FigureChoice figures;
 };
 
+std::string hashOn(const std::string& name, const std::string& mesh) {
+  cases::CaseOverrides overrides;
+  overrides.preset = mesh;
+  return cases::caseHash(cases::loadCase(name, overrides));
+}
+
 // The finished result in the folder. With --mesh it must be this very case on that mesh; without, whatever mesh stands
 // there will do. Throws CaseError for a result of another case, which is not to be overwritten.
-std::optional<results::RunResult> finished(const RunFiles& files, const std::string& hash, bool exactly) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(files.result(), ignored)) return std::nullopt;
-  auto result = results::readResult(files.result());
-  if (!result.complete) return std::nullopt;
-  if (exactly && result.caseHash != hash)
-    throw CaseError({{"-o", files.result() + " (case " + result.caseHash + ")", "the same case (" + hash + ")",
+std::optional<results::RunResult> finished(const RunFiles& files, const std::string& mesh) {
+  const auto result = completeResult(files);
+  if (!result) return std::nullopt;
+  // A result of an earlier version had fewer keys: its case counts as this version reads it.
+  const auto found = cases::parseCase(result->caseToml, files.result());
+  const auto own = cases::valueText(found, *cases::findParameter("mesh.preset"));
+  const auto wanted = hashOn(files.stem, mesh.empty() ? own : mesh);
+  if (cases::caseHash(found) != wanted)
+    throw CaseError({{"-o", files.result() + " (case " + result->caseHash + ")", "the same case (" + wanted + ")",
                       "It was made from another case or mesh: leave --mesh out to draw it, or choose another folder"}});
   return result;
 }
@@ -50,15 +60,12 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
   overrides.preset = options.mesh;
   const auto description = cases::loadCase(name, overrides);
   const RunFiles files{options.folder, name};
-  if (auto result = finished(files, cases::caseHash(description), !options.mesh.empty())) {
+  if (auto result = finished(files, options.mesh)) {
     std::printf("%s stands already\n", files.result().c_str());
     return result;
   }
   monitor.message("run " + name);
-  auto run = options.run;
-  run.checkpointPath = files.checkpoint();
-  run.resume = std::filesystem::exists(files.checkpoint());
-  auto result = simulation::runCase(description, run, monitor);
+  auto result = runOrGoOn(description, options.run, files, monitor);
   monitor.clearLine();
   result.stem = name;
   for (const auto& path : writeRunFiles(files, result)) std::printf("%s\n", path.c_str());

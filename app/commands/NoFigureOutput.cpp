@@ -6,6 +6,8 @@ namespace squat::commands {
 
 bool figuresAvailable() { return false; }
 
+void checkFigureNames(const std::vector<std::string>&, const std::vector<std::string>&) {}
+
 FigureOutput writeFigures(const results::RunResult&, const std::string&, const std::vector<std::string>&,
                           const std::vector<std::string>&) {
   throw CaseError({{"figures", "headless build", "a build with SQUAT_GRAPHICS=ON",

@@ -80,6 +80,8 @@ void keepPart(const RunFiles& files, const results::RunResult& partial) {
 int run(const RunCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
+  keepInputs(files, options.caseOptions.name, description);
+  if (!options.noFigures) checkFigureNames(options.figures, options.formats);
   prepareFolder(files);
   if (options.run.resume && alreadyDone(files, cases::caseHash(description))) {
     std::printf("%s is complete already\n", files.result().c_str());

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "case/ShippedCases.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
@@ -25,7 +26,60 @@ bool mayBeReplacedByAPart(const std::string& path) {
   }
 }
 
+// Whether the failure is that of a checkpoint which stands there.
+bool concerns(const CaseError& error) { return error.problems().front().key == "--resume"; }
+bool concerns(const FileError& error, const std::string& checkpoint) {
+  return error.path() == checkpoint || error.path() == checkpoint + ".previous";
+}
+
 }  // namespace
+
+void keepInputs(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description) {
+  const fs::path file = cases::findCase(caseName), named = description.defect.file;
+  std::vector<fs::path> inputs{file};
+  // A profile is named relative to its case, or to here where --set names it.
+  if (!named.empty()) inputs.insert(inputs.end(), {file.parent_path() / named, named});
+  const auto outputs = {files.result(),         files.signals(),    files.partialResult(),
+                        files.partialSignals(), files.checkpoint(), files.checkpoint() + ".previous"};
+  for (const auto& input : inputs)
+    for (const auto& output : outputs) {
+      std::error_code ignored;
+      if (fs::equivalent(input, output, ignored))
+        throw CaseError({{"-o", output, "a folder in which no file of the run replaces what the case is read from",
+                          "Choose another folder, for example -o out"}});
+    }
+}
+
+std::optional<results::RunResult> completeResult(const RunFiles& files) {
+  std::error_code ignored;
+  if (!fs::exists(files.result(), ignored)) return std::nullopt;
+  try {
+    auto result = results::readResult(files.result());
+    if (result.complete) return result;
+  } catch (const FileError&) {  // damaged: made again
+  }
+  return std::nullopt;
+}
+
+results::RunResult runOrGoOn(const cases::CaseDescription& description, simulation::RunOptions options,
+                             const RunFiles& files, Monitor& monitor) {
+  options.checkpointPath = files.checkpoint();
+  options.resume = true;
+  const auto anew = [&] {
+    monitor.message(files.checkpoint() + " is of another case or version: the run begins anew");
+    results::removeCheckpoint(files.checkpoint());
+    options.resume = false;
+    return simulation::runCase(description, options, monitor);
+  };
+  try {
+    return simulation::runCase(description, options, monitor);
+  } catch (const CaseError& error) {
+    if (!concerns(error)) throw;
+  } catch (const FileError& error) {
+    if (!concerns(error, options.checkpointPath)) throw;
+  }
+  return anew();
+}
 
 void prepareFolder(const RunFiles& files) {
   makeFolder(files.folder);

@@ -1,10 +1,14 @@
 // app/commands/RunFiles.h - which files a run writes, and that a finished result is never lost to an unfinished one.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "case/CaseDescription.h"
+#include "core/Monitor.h"
 #include "results/RunResult.h"
+#include "simulation/RunCase.h"
 
 namespace squat::commands {
 
@@ -19,6 +23,18 @@ struct RunFiles {
 
 // Makes the folder and sees to it that it can be written to, before hours are spent. FileError otherwise.
 void prepareFolder(const RunFiles& files);
+
+// Throws CaseError where a file of the run would take the place of what the case is read from: the case file, or the
+// profile that it names.
+void keepInputs(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description);
+
+// Runs the case with checkpoints among the files. Goes on from the one that stands there where it fits; one of another
+// case or version is taken away, and that is told.
+results::RunResult runOrGoOn(const cases::CaseDescription& description, simulation::RunOptions options,
+                             const RunFiles& files, Monitor& monitor);
+
+// The complete result that stands there, where there is one; nothing where it is damaged or incomplete.
+std::optional<results::RunResult> completeResult(const RunFiles& files);
 
 // Writes result and signals, and returns the paths written. A complete result replaces whatever stood there and removes
 // partial files and checkpoint; an incomplete one takes the final name only where nothing or another incomplete result

@@ -45,16 +45,14 @@ cases::CaseDescription caseOf(const ValidateOptions& options, const validation::
   return cases::loadCase(run.caseName, overrides);
 }
 
-// The finished result of this very case by this version of the program, where it stands already.
+// The finished result of this very case by this version of the program, where it stands already. Throws CaseError for a
+// result of another case, which is not to be lost.
 std::optional<results::RunResult> finished(const RunFiles& files, const std::string& hash) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(files.result(), ignored)) return std::nullopt;
-  try {
-    auto result = results::readResult(files.result());
-    if (result.complete && result.caseHash == hash && result.codeVersion == SQUAT_VERSION) return result;
-  } catch (const FileError&) {  // damaged: made again
-  }
-  return std::nullopt;
+  auto result = completeResult(files);
+  if (result && result->caseHash != hash)
+    throw CaseError({{"-o", files.result() + " (case " + result->caseHash + ")", "the same case (" + hash + ")",
+                      "It was made from another case or mesh: choose another folder, or judge it with --from"}});
+  return result && result->codeVersion == SQUAT_VERSION ? result : std::nullopt;
 }
 
 std::optional<results::RunResult> make(const ValidateOptions& options, const validation::ReferenceRun& run,
@@ -66,10 +64,7 @@ std::optional<results::RunResult> make(const ValidateOptions& options, const val
     return result;
   }
   monitor.message("run " + run.name);
-  auto runOptions = options.run;
-  runOptions.checkpointPath = files.checkpoint();
-  runOptions.resume = true;
-  auto result = simulation::runCase(description, runOptions, monitor);
+  auto result = runOrGoOn(description, options.run, files, monitor);
   if (!result.complete) return std::nullopt;
   result.stem = files.stem;
   writeRunFiles(files, result);
@@ -80,6 +75,8 @@ std::optional<results::RunResult> make(const ValidateOptions& options, const val
 bool makeAll(const ValidateOptions& options, const validation::Reference& reference, Results& results,
              TerminalMonitor& monitor) {
   bool well = true;
+  // Hours later would be the wrong moment to find a foreign result.
+  for (const auto& run : reference.runs) finished({options.folder, run.name}, cases::caseHash(caseOf(options, run)));
   for (const auto& run : reference.runs) {
     try {
       if (auto result = make(options, run, monitor)) results.emplace(run.name, std::move(*result));

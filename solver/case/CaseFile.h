@@ -32,6 +32,9 @@ CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides&
 CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder = {},
                           const CaseOverrides& overrides = {});
 
+// The same for a case that is still being mended: relations between its values may be broken.
+CaseDescription parseUnfinishedCase(std::string_view text, const std::string& origin);
+
 // A path to a case file, or the name of a shipped case ("light-defect").
 CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& overrides = {});
 

@@ -324,10 +324,8 @@ toml::table parsedToml(std::string_view text, const std::string& origin) {
   }
 }
 
-}  // namespace
-
-CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
-                          const CaseOverrides& overrides) {
+CaseDescription parse(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
+                      const CaseOverrides& overrides, bool finished) {
   if (text.size() > largestFile)
     throw FileError(origin, "", "is larger than 4 MB", "Put long profiles into a CSV file and name it as defect.file");
   const toml::table table = parsedToml(text, origin);
@@ -342,13 +340,24 @@ CaseDescription parseCase(std::string_view text, const std::string& origin, cons
   applyStated(description, statements.stated, filePreset, preset, problems);
   applyOverrides(description, overrides, problems);
   readProfile(description, overrides, folder, problems);
-  for (auto& finding : validateRelations(description))
+  for (auto& finding : finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
       const Stated* stated = find(statements.stated, finding.problem.key);
       problems.add(finding.problem, lineNote(stated ? stated->line : 0));
     }
   problems.throwIfAny();
   return description;
+}
+
+}  // namespace
+
+CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
+                          const CaseOverrides& overrides) {
+  return parse(text, origin, folder, overrides, true);
+}
+
+CaseDescription parseUnfinishedCase(std::string_view text, const std::string& origin) {
+  return parse(text, origin, {}, {}, false);
 }
 
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides) {

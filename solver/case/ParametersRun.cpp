@@ -110,8 +110,8 @@ void addMesh(Rows& rows) {
 
 void addOutput(Rows& rows) {
   rows.push_back(number(
-      "output.rate", kilohertz, 25, {1, 200}, [](Case& c) -> double& { return c.output.rate; },
-      "samples a second of all signals", "paper, section 3: sampling of the measurement"));
+      "output.rate", kilohertz, 25, {16, 200}, [](Case& c) -> double& { return c.output.rate; },
+      "samples a second of all signals; they are kept up to 6 kHz", "paper, section 3: sampling of the measurement"));
   rows.push_back(number(
       "output.filter_cutoff", kilohertz, 2, {0.05, 50}, [](Case& c) -> double& { return c.output.filterCutoff; },
       "cut-off of the low-pass of the filtered acceleration", "paper, section 3"));

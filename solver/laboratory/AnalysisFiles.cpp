@@ -1,5 +1,7 @@
 #include "laboratory/AnalysisFiles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -53,17 +55,31 @@ Json jsonOf(const SignalAnalysis& signal) {
 
 }  // namespace
 
-std::string featureCsv(const Analysis& analysis) {
-  std::string text;
+FeatureTable featureTable(const Analysis& analysis) {
+  FeatureTable table;
+  std::vector<std::vector<std::pair<std::string, double>>> rows;
   for (const auto& signal : analysis.signals) {
-    const auto row = signals::featureRow(signal.features);
-    if (text.empty()) {
-      text = "file,run";
-      for (const auto& [name, value] : row) text += "," + csvField(name);
-      text += '\n';
-    }
-    text += csvField(signal.file) + "," + csvField(signal.run);
-    for (const auto& [name, value] : row) text += "," + numberText(value);
+    rows.push_back(signals::featureRow(signal.features));
+    for (const auto& [name, value] : rows.back())
+      if (std::find(table.names.begin(), table.names.end(), name) == table.names.end()) table.names.push_back(name);
+  }
+  for (const auto& row : rows) {
+    auto& values = table.values.emplace_back(table.names.size(), NAN);
+    for (const auto& [name, value] : row)
+      values[static_cast<std::size_t>(std::find(table.names.begin(), table.names.end(), name) - table.names.begin())] =
+          value;
+  }
+  return table;
+}
+
+std::string featureCsv(const Analysis& analysis) {
+  const FeatureTable table = featureTable(analysis);
+  std::string text = "file,run";
+  for (const auto& name : table.names) text += "," + csvField(name);
+  text += '\n';
+  for (std::size_t i = 0; i < analysis.signals.size(); ++i) {
+    text += csvField(analysis.signals[i].file) + "," + csvField(analysis.signals[i].run);
+    for (const double value : table.values[i]) text += "," + numberText(value);
     text += '\n';
   }
   return text;

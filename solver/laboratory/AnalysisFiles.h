@@ -8,7 +8,15 @@
 
 namespace squat::laboratory {
 
-// One row a signal: file, run, then signals::featureRow.
+// Features (signals::featureRow) by name, with the unit in it: signals of several units have rows of their own. NaN
+// where a signal lacks one.
+struct FeatureTable {
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;  // of each signal, in the order of the names
+};
+FeatureTable featureTable(const Analysis& analysis);
+
+// One row a signal: file, run, then the features.
 std::string featureCsv(const Analysis& analysis);
 
 // {"signals": [{file, run, features: {name: value}, bands: [...], peaks: [...], notes}], "dispersion": {...}, "notes"}

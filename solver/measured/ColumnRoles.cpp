@@ -14,7 +14,7 @@ struct Unit {
   std::string_view si;
 };
 
-constexpr std::array<Unit, 34> units{{{"s", 1, "s"},
+constexpr std::array<Unit, 35> units{{{"s", 1, "s"},
                                       {"sec", 1, "s"},
                                       {"ms", 1e-3, "s"},
                                       {"us", 1e-6, "s"},
@@ -44,6 +44,7 @@ constexpr std::array<Unit, 34> units{{{"s", 1, "s"},
                                       {"v", 1, "V"},
                                       {"mv", 1e-3, "V"},
                                       {"hz", 1, "Hz"},
+                                      {"khz", 1e3, "Hz"},
                                       {"deg", 1, "deg"},
                                       {"\xC2\xB0", 1, "deg"},
                                       {"%", 1, "%"},
@@ -95,7 +96,13 @@ Role roleOf(std::string_view columnName, std::string_view unit) {
                                                   "kilometer", "station", "weg", "afstand", "kmpost"}))
     return Role::position;
   if (oneOf(name, {"v"}) || begins(name, {"speed", "velocity", "geschwindigkeit", "snelheid"})) return Role::speed;
-  if (begins(name, {"run", "passage"})) return Role::run;
+  // A number that tells runs apart; "run 1" with a unit of its own is a signal.
+  const std::string bare = bareUnit(unit);
+  if ((bare.empty() || bare == "-") &&
+      oneOf(name,
+            {"run", "run no", "run no.", "run nr", "run number", "run id", "run_no", "run_nr", "run_number", "run_id",
+             "passage", "passage no", "passage no.", "passage nr", "passage number", "passage id", "passage_id"}))
+    return Role::run;
   const Unit* known = findUnit(unit);
   if (!name.empty() || !known) return Role::signal;
   if (known->si == "s") return Role::time;

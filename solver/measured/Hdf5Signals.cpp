@@ -171,7 +171,12 @@ class Finder {
       const std::string parent = parentOf(array.path);
       if (!isNumeric(array) || lengthOf(array) != 1 || (parent != group_ && !parent.empty())) continue;
       const auto values = numbersOf(array);
-      if (wanted(nameOf(array.path)) && values.size() == 1 && values[0] > 0) return values[0];
+      if (!wanted(nameOf(array.path)) || values.size() != 1 || !(values[0] > 0)) continue;
+      const std::string unit = unitOf(array);
+      if (!unit.empty() && !isUnit(unit))
+        throw FileError(path_, array.path, "has the unit '" + unit + "', which is not known",
+                        "Give the value in the call");
+      return values[0] * scaleOf(unit, nameOf(array.path), Role::signal).factor;
     }
     const auto inAttributes = [&](const std::vector<results::Attribute>& attributes) {
       for (const auto& attribute : attributes)

@@ -55,6 +55,10 @@ class Builder {
     else
       fail("", "has no time column that is known as one, so the sampling rate is not known",
            "Give the rate, name the time column, or give the speed where the positions are equally spaced");
+    constexpr double fastest = 1e7;  // [Hz]: beyond it the unit of the time is wrong, and spectra outgrow the memory
+    if (!(out_.series.step * fastest >= 1))
+      fail("", "is sampled at " + numberText(1 / out_.series.step) + " Hz",
+           "Up to 1e7 Hz is read; check the unit of time");
     if (out_.series.values.empty()) out_.series.values = std::move(in_.signal);
     addPosition();
     return std::move(out_);

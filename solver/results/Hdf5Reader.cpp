@@ -35,6 +35,8 @@ herr_t collectName(hid_t, const char* name, const Info*, void* names) {
   }
 }
 
+bool isUnsigned(hid_t type) { return H5Tget_sign(type) == H5T_SGN_NONE; }
+
 class Walker {
  public:
   Walker(const std::string& path, const Hdf5Limits& limits) : path_(path), limits_(limits) {
@@ -190,9 +192,9 @@ class Walker {
         break;
       case H5T_INTEGER:
         if (typeSize > 8) refuse(path, "has whole numbers of more than 8 bytes");
-        if (typeSize == 1)
+        if (typeSize == 1 && isUnsigned(type.get()))
           array.values = numbers<std::uint8_t>(dataset, path, count, H5T_NATIVE_UINT8);
-        else if (typeSize <= 4)
+        else if (typeSize <= 2 || (typeSize <= 4 && !isUnsigned(type.get())))
           array.values = numbers<std::int32_t>(dataset, path, count, H5T_NATIVE_INT32);
         else
           array.values = numbers<std::int64_t>(dataset, path, count, H5T_NATIVE_INT64);

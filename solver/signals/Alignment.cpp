@@ -37,6 +37,8 @@ void requirePassages(const std::vector<Passage>& runs) {
 // The run as a series over position: `start` and `step` in metres.
 TimeSeries overPosition(const Passage& run, double step) {
   const Interpolator at(run.series);
+  if (!((run.position.back() - run.position.front()) / step < 1e8))
+    throw SignalError("signal '" + run.series.name + "' would have more than 1e8 samples over its position");
   TimeSeries result{std::ceil(run.position.front() / step) * step, step, {}, run.series.name, run.series.unit};
   std::size_t i = 0;
   for (double x = result.start; x <= run.position.back(); x = result.timeAt(result.values.size())) {

@@ -113,8 +113,12 @@ Comparison compare(const Passage& first, const Passage& second, const Comparison
   result.secondFeatures = signals::features(other, features);
   result.firstSpectrum = result.firstFeatures.spectrum;
   result.secondSpectrum = result.secondFeatures.spectrum;
+  // What the slower record cannot hold has no ratio: its share there is what the interpolation leaks.
+  const double rate = std::min(first.series.rate(), second.series.rate());
   for (std::size_t k = 0; k < result.firstSpectrum.density.size(); ++k)
-    result.densityRatio.push_back(ratio(result.firstSpectrum.density[k], result.secondSpectrum.density[k]));
+    result.densityRatio.push_back(result.firstSpectrum.frequency[k] < rate / 2
+                                      ? ratio(result.firstSpectrum.density[k], result.secondSpectrum.density[k])
+                                      : NAN);
 
   const double from = *features.impactTime - features.before / features.speed;
   const double to = *features.impactTime + features.after / features.speed;
@@ -126,7 +130,9 @@ Comparison compare(const Passage& first, const Passage& second, const Comparison
   result.differenceRms = rmsOf(result.difference);
   for (std::size_t b = 0; b < features.bands.size(); ++b) {
     result.bands.push_back(features.bands[b]);
-    result.bandRatio.push_back(ratio(result.firstFeatures.bands[b].power, result.secondFeatures.bands[b].power));
+    result.bandRatio.push_back(shows(rate, features.bands[b])
+                                   ? ratio(result.firstFeatures.bands[b].power, result.secondFeatures.bands[b].power)
+                                   : NAN);
   }
   result.peaks = pairPeaks(result.firstFeatures, result.secondFeatures, options.peakSearch);
   return result;

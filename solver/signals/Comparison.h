@@ -28,7 +28,8 @@ struct Comparison {
   std::vector<double> axis;                       // [s] or [m], zero at the first signal's impact
   std::vector<double> first, second, difference;  // difference: first - second
   PowerSpectrum firstSpectrum, secondSpectrum;    // around the impact, on the same frequencies
-  std::vector<double> densityRatio;               // first / second; 0 where the second vanishes
+  std::vector<double> densityRatio;               // first / second; 0 where the second vanishes, NaN
+                                                  // beyond half the lower sampling rate
   Features firstFeatures, secondFeatures;
   double shift = 0;        // of the second's own axis against the first's: impact of second - impact of first
   double correlation = 0;  // over the window of the spectrum
@@ -36,7 +37,7 @@ struct Comparison {
   double rmsRatio = 0;
   double differencePeak = 0, differenceRms = 0;  // [unit] of first - second
   std::vector<Band> bands;
-  std::vector<double> bandRatio;  // first / second
+  std::vector<double> bandRatio;  // first / second; NaN where the slower record cannot hold the band
   std::vector<PeakPair> peaks;    // in order of the first's prominence
 };
 

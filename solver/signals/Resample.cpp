@@ -9,8 +9,9 @@
 namespace squat::signals {
 namespace {
 
-constexpr int lobes = 16;        // zero crossings of the sinc to each side
-constexpr double beta = 8.0;     // Kaiser: side lobes 80 dB down
+constexpr int lobes = 16;     // zero crossings of the sinc to each side
+constexpr double beta = 8.0;  // Kaiser: side lobes 80 dB down
+constexpr double mostSamples = 1e8;
 constexpr int tableSteps = 512;  // per lobe; linear between: error (pi/512)^2/8 = 5e-6
 
 double besselI0(double x) {
@@ -49,8 +50,10 @@ double kernel(double u) {
 }  // namespace
 
 Interpolator::Interpolator(const TimeSeries& series, double bandwidth)
-    : series_(series), bandwidth_(bandwidth), reach_(static_cast<int>(std::ceil(lobes / bandwidth))) {
+    : series_(series), bandwidth_(bandwidth), reach_(0) {
   requireUsable(series, 1, "interpolation");
+  if (!(lobes / bandwidth < mostSamples)) throw SignalError("'" + series.name + "': the new step is far too long");
+  reach_ = static_cast<int>(std::ceil(lobes / bandwidth));
 }
 
 double Interpolator::operator()(double time) const {
@@ -75,6 +78,8 @@ TimeSeries resample(const TimeSeries& series, double step) {
   const Interpolator at(series, std::min(1.0, 0.9 * series.step / step + (step <= series.step ? 1.0 : 0.0)));
   TimeSeries result{series.start, step, {}, series.name, series.unit};
   const double length = series.step * static_cast<double>(series.values.size() - 1);
+  if (!(length / step < mostSamples))
+    throw SignalError("'" + series.name + "' would have more than 1e8 samples at the new step");
   const auto count = static_cast<std::size_t>(std::floor(length / step * (1 + 1e-12) + 1e-9)) + 1;
   result.values.resize(count);
   for (std::size_t i = 0; i < count; ++i) result.values[i] = at(result.timeAt(i));

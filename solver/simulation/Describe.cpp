@@ -7,6 +7,7 @@
 #include "model/ContactPenalty.h"
 #include "model/WheelsetModes.h"
 #include "signals/ContinuousWavelet.h"
+#include "signals/FourierTransform.h"
 #include "signals/PowerSpectrum.h"
 #include "simulation/RunParts.h"
 
@@ -91,11 +92,11 @@ void addSpectra(const cases::CaseDescription& d, results::RunResult& result) {
   try {
     signals::PowerSpectrumOptions options;
     options.window = signals::Window::hann;
-    options.transformLength = 8192;
     for (const auto& [values, out] : {std::pair{filtered, &result.psd}, std::pair{wheel, &result.psdWheel}}) {
       const signals::TimeSeries series{result.time.front(), step, *values, "", "m/s2"};
       const auto part = signals::cutOut(series, timeOf(result.psdFrom), timeOf(result.psdTo));
       if (part.values.size() < 32) return;
+      options.transformLength = std::max<std::size_t>(8192, signals::fastLength(part.values.size()));
       const auto spectrum = signals::powerSpectrum(part, options);
       result.frequency = spectrum.frequency;
       *out = spectrum.density;

@@ -70,6 +70,11 @@ FeatureRow studyFeatures(const results::RunResult& result) {
 StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOverrides& overrides, const CaseRunner& run,
                         const StudyOptions& options, Monitor& monitor) {
   const StudyRunner runner = [&](const StudyPoint& point, Monitor& own) -> std::optional<FeatureRow> {
+    // The case is read anew for every point: an edit in between would mix two cases in one table.
+    if (const auto hash = cases::caseHash(cases::loadCase(definition.caseName, overrides)); hash != definition.caseHash)
+      throw CaseError({{"case", definition.caseName + " (" + hash + ")",
+                        "the case that the study began with (" + definition.caseHash + ")",
+                        "It was changed meanwhile: put it back, or begin a study of its own in another folder"}});
     const auto result = run(caseAt(definition, overrides, point), point, own);
     if (!result.complete) return std::nullopt;
     return studyFeatures(result);

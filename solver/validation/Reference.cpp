@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "case/ParameterTable.h"
@@ -61,6 +62,13 @@ Statement statementFrom(const json& entry) {
   const auto known = measureNames();
   if (std::find(known.begin(), known.end(), s.measure) == known.end())
     throw std::invalid_argument("measure '" + s.measure + "' is not known");
+  const auto isOneOf = [&](std::initializer_list<const char*> names) {
+    return std::find(names.begin(), names.end(), s.measure) != names.end();
+  };
+  if (isOneOf({"band_power", "band_share", "free_vibration", "lines_within"}) &&
+      !(s.band.first >= 0 && s.band.second > s.band.first))
+    throw std::invalid_argument("measure '" + s.measure + "' needs a band: [lower, upper]");
+  if (s.measure == "line" && !(s.near > 0)) throw std::invalid_argument("measure 'line' needs a frequency near which");
   return s;
 }
 
@@ -111,9 +119,9 @@ Reference readReference(const std::string& path) {
       throw std::invalid_argument("is of a newer version; install the newer program");
     Reference reference;
     reference.source = all.at("source");
-    all.at("runs");
+    if (all.at("runs").empty()) throw std::invalid_argument("names no run");
     forEach(all, "runs", "run", place, [&](const json& entry) { reference.runs.push_back(runFrom(entry)); });
-    all.at("statements");
+    if (all.at("statements").empty()) throw std::invalid_argument("has no statement");
     forEach(all, "statements", "statement", place, [&](const json& entry) {
       auto statement = statementFrom(entry);
       for (const auto& name : {statement.run, statement.against})

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
@@ -58,6 +59,34 @@ TEST(RunFiles, AFolderThatCannotBeIsToldBeforeTheRun) {
   EXPECT_THROW(prepareFolder({folder / "file", "case"}), FileError);
   prepareFolder({folder / "new/deep", "case"});
   EXPECT_TRUE(std::filesystem::is_empty(folder / "new/deep"));
+}
+
+// The signals of dip.toml go to dip.csv, which is just what a measured profile beside it may be called.
+TEST(RunFiles, WhatTheCaseIsReadFromIsNeverReplaced) {
+  const TemporaryFolder folder;
+  writeDurably(folder / "dip.toml", "[defect]\nshape = \"profile\"\nfile = \"dip.csv\"\n");
+  writeDurably(folder / "dip.csv", "position [mm],height [um]\n0,0\n10,-100\n20,0\n");
+  const auto description = cases::loadCase(folder / "dip.toml");
+  EXPECT_THROW(keepInputs({folder.path(), "dip"}, folder / "dip.toml", description), CaseError);
+  EXPECT_NO_THROW(keepInputs({folder / "out", "dip"}, folder / "dip.toml", description));
+  EXPECT_NO_THROW(keepInputs({folder.path(), "other"}, folder / "dip.toml", description));
+}
+
+TEST(RunFiles, ACheckpointOfAnotherCaseGivesWay) {
+  const TemporaryFolder folder;
+  const RunFiles files{folder.path(), "case"};
+  results::ArrayTree foreign;
+  results::setAttribute(foreign.attributes, "case_hash", std::string("12345678"));
+  results::writeCheckpoint(files.checkpoint(), foreign);
+  struct Impatient : Monitor {
+    std::vector<std::string> told;
+    void message(const std::string& text) override { told.push_back(text); }
+    bool cancelled() override { return true; }
+  } monitor;
+  const auto description = cases::loadCase("light-defect", {"tiny", {}});
+  EXPECT_FALSE(runOrGoOn(description, {}, files, monitor).complete);
+  EXPECT_THAT(monitor.told, ::testing::Contains(::testing::HasSubstr("begins anew")));
+  EXPECT_FALSE(std::filesystem::exists(files.checkpoint()));
 }
 
 }  // namespace

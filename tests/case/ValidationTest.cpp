@@ -219,7 +219,9 @@ TEST(Validation, Meshes) {
   expectWarning({{"mesh.contact_size", "5"}, {"defect.length", "15"}, {"defect.depth", "0.05"}}, "mesh.contact_size");
 }
 
-TEST(Validation, FilterBelowHalfTheRate) { expectProblem({{"output.rate", "4"}}, "output.filter_cutoff"); }
+TEST(Validation, FilterBelowHalfTheRate) {
+  expectProblem({{"output.rate", "16"}, {"output.filter_cutoff", "7"}}, "output.filter_cutoff");
+}
 
 // Full slip: torque / radius, less the share that spins up the wheelset, against friction times load
 // (8950 kg * 9.81 m/s2 * 0.3 = 26.34 kN). 12450.49 N m give 26.3 kN: at the limit; 14000 N m are beyond it.

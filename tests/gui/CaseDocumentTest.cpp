@@ -95,6 +95,15 @@ TEST(CaseDocument, oneGestureIsOneStep) {
   EXPECT_TRUE(sameCase(document.description(), cases::defaultCase()));
 }
 
+TEST(CaseDocument, whatChangesNothingIsNoStep) {
+  CaseDocument document;
+  document.setParameter("motion.speed", "25");
+  document.undoStack().undo();
+  document.edit("nothing", document.description());
+  EXPECT_TRUE(document.undoStack().canRedo());
+  EXPECT_FALSE(document.isModified());
+}
+
 TEST(CaseDocument, aWrongTextChangesNothingAndSaysWhatIsAllowed) {
   CaseDocument document;
   const auto problem = document.setParameter("motion.speed", "fast");

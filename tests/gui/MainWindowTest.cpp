@@ -7,7 +7,10 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListView>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -17,6 +20,7 @@
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
 #include "studio/MessageBar.h"
+#include "studio/ParameterForm.h"
 
 namespace squat::studio {
 namespace {
@@ -140,6 +144,52 @@ TEST(MainWindow, closingDuringARunAsksAndStopsCleanly) {
   answer = Answer::discard;
   EXPECT_TRUE(window.close());
   EXPECT_FALSE(window.controller().isRunning());
+}
+
+// Typed, not entered with Return: what the form shows is what runs.
+TEST(MainWindow, aValueThatIsStillBeingTypedCounts) {
+  double ran = 0;
+  StudioServices services = tests::services();
+  services.runner = [&](const cases::CaseDescription& description, const simulation::RunOptions&, Monitor&,
+                        results::RunResult*) {
+    ran = description.motion.speed;
+    return results::RunResult{};
+  };
+  MainWindow window(services);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  auto* line = window.form()->findChild<QLineEdit*>("motion.speed");
+  ASSERT_TRUE(line);
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, "40");
+  window.startRun();
+  ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }));
+  EXPECT_EQ(ran, 40);
+  line->selectAll();
+  QTest::keyClicks(line, "41");
+  EXPECT_TRUE(window.close());  // discards
+  EXPECT_EQ(window.document().description().motion.speed, 41);
+}
+
+// The resumed run takes the place of its earlier part, and rows move, while the question about another stands.
+TEST(MainWindow, theRunThatWasAskedAboutIsRemoved) {
+  StudioServices services = tests::services();
+  MainWindow* asking = nullptr;
+  services.asker = [&](QWidget*, const QString&, const QString&) {
+    asking->store().remove(0);
+    return Answer::discard;
+  };
+  MainWindow window(services);
+  asking = &window;
+  for (const char* label : {"a", "b", "c"})
+    window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), label, {}, false, false});
+  auto* list = window.findChild<QListView*>("runs");
+  list->setCurrentIndex(window.store().index(1, 0));
+  for (auto* button : window.findChildren<QPushButton*>())
+    if (button->text() == "Remove") button->click();
+  ASSERT_EQ(window.store().rowCount(), 1);
+  EXPECT_EQ(window.store().at(0).label, "c");
 }
 
 TEST(MainWindow, darkAndBackKeepsTheWindowAlive) {

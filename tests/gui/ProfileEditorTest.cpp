@@ -6,6 +6,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "case/DefectSurface.h"
 #include "case/ParameterTable.h"
 #include "plots/Style.h"
 #include "studio/CaseDocument.h"
@@ -115,6 +116,33 @@ TEST(ProfileModel, shapesTurnedIntoPointsKeepTheirForm) {
   for (const auto& point : before.surface) lowestBefore = std::min(lowestBefore, point.height);
   for (const auto& point : after.surface) lowestAfter = std::min(lowestAfter, point.height);
   EXPECT_NEAR(lowestAfter, lowestBefore, 1e-6);  // 1 mm apart on a cosine of 50 mm: below 1 % of 150 um
+}
+
+// Straight lines between points 1 mm apart: a share of 1 % of the depth, more only beside the ramps of the cut.
+TEST(ProfileModel, pointsKeepDepthAndPlaceOfEveryShape) {
+  cases::CaseDescription description = cases::defaultCase();
+  auto& defect = description.defect;
+  for (const auto shape : {cases::DefectShape::cut, cases::DefectShape::cosine, cases::DefectShape::wshape})
+    for (const auto lateral : {cases::LateralShape::uniform, cases::LateralShape::parabolic}) {
+      defect.shape = static_cast<int>(shape), defect.lateral = static_cast<int>(lateral);
+      defect.length = 0.04, defect.ramp = 0.01, defect.depth = 2e-4;
+      defect.halfWidth = 0.02, defect.lateralCentre = 0.01;
+      const cases::DefectSurface before(defect), after(asPoints(description).defect);
+      EXPECT_NEAR(after.depth(), before.depth(), 0.01 * defect.depth) << defect.shape;
+      for (double x = -0.03; x < 0.03; x += 0.0013)
+        for (const double y : {-0.005, 0.0, 0.01})
+          EXPECT_NEAR(after.height(x, y), before.height(x, y), 0.05 * defect.depth) << defect.shape << " at " << x;
+    }
+}
+
+TEST(ProfileModel, theHeightScaleIsSeen) {
+  cases::CaseDescription description = cases::defaultCase();
+  description.defect.shape = static_cast<int>(cases::DefectShape::profile);
+  description.defect.points = {{-0.02, 0}, {0, -1e-4}, {0.02, 0}};
+  description.defect.heightScale = 3;
+  double lowest = 0;
+  for (const auto& point : profileView(description).surface) lowest = std::min(lowest, point.height);
+  EXPECT_NEAR(lowest, -3e-4, 1e-6);
 }
 
 }  // namespace

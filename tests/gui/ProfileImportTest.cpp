@@ -19,6 +19,15 @@ TEST(ProfileImport, semicolonsDecimalCommasAndUnitsAreFound) {
   EXPECT_NEAR(profile.points[1].height, -10.5e-6, 1e-15);
 }
 
+// Each pair: a heading and the metres of its unit.
+TEST(ProfileImport, unitsAreWordsNotLetters) {
+  const std::pair<const char*, double> headings[] = {{"Column 2 [mm]", 1e-3},  {"maximum depth (mm)", 1e-3},
+                                                     {"z_um", 1e-6},           {"height [\xc2\xb5m]", 1e-6},
+                                                     {"Datum level [m]", 1.0}, {"number", 1e-3}};
+  for (const auto& [heading, metres] : headings)
+    EXPECT_DOUBLE_EQ(suggestedChoices(std::string("x [mm];") + heading + "\n0;0\n5;1\n").heightUnit, metres) << heading;
+}
+
 TEST(ProfileImport, levellingTakesTheLineOff) {
   ImportChoices choices;
   choices.levelling = Levelling::throughEnds;

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 
 #include "case/CaseFile.h"
+#include "gui/MadeUpRun.h"
 #include "studio/CaseDocument.h"
 #include "studio/Recovery.h"
 
@@ -50,6 +51,37 @@ TEST(Recovery, brokenCopiesAreThrownAway) {
   broken.close();
   EXPECT_FALSE(Recovery::take(folder.path()));
   EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+// A run-up of 9 m does not fit the track: the user was about to mend it.
+TEST(Recovery, aCaseThatIsBeingMendedIsKept) {
+  const QTemporaryDir folder;
+  CaseDocument document;
+  document.setParameter("motion.run_up", "9");
+  ASSERT_FALSE(document.validation().problems.empty());
+  QFile kept(folder.filePath(QString(deadProcess) + ".case"));
+  ASSERT_TRUE(kept.open(QIODevice::WriteOnly));
+  kept.write("# x\n" + QByteArray::fromStdString(cases::writeCase(document.description())));
+  kept.close();
+  const auto found = Recovery::take(folder.path());
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(sameCase(found->description, document.description()));
+}
+
+// Found, and the next crash comes before the next change.
+TEST(Recovery, whatWasRecoveredIsKeptAtOnce) {
+  const QTemporaryDir folder;
+  CaseDocument document;
+  document.setParameter("motion.speed", "21");
+  QFile kept(folder.filePath(QString(deadProcess) + ".case"));
+  ASSERT_TRUE(kept.open(QIODevice::WriteOnly));
+  kept.write("# x\n" + QByteArray::fromStdString(cases::writeCase(document.description())));
+  kept.close();
+  StudioServices services = tests::services();
+  services.recoveryFolder = folder.path();
+  MainWindow window(services);
+  EXPECT_EQ(window.document().description().motion.speed, 21);
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
+#include <QListView>
 #include <QSpinBox>
+#include <QStyleOptionViewItem>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include "studio/FigureTable.h"
 #include "studio/FigureView.h"
 #include "studio/RunStore.h"
+#include "studio/RunsPanel.h"
 #include "studio/SignalSettings.h"
 #include "studio/SignalsPanel.h"
 #include "studio/Theme.h"
@@ -60,6 +63,41 @@ TEST(Signals, overlaidRunsAreDrawnWithTheCurrentOne) {
   const int alone = panel.view("aba")->figure()->graphCount();
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   EXPECT_EQ(panel.view("aba")->figure()->graphCount(), alone + 1);
+}
+
+// A run with ten times the signal, laid over: nothing of it runs out of the axes.
+TEST(Signals, axesHaveRoomForOverlaidRuns) {
+  auto larger = tests::syntheticResult();
+  for (auto& channel : larger.signals)
+    for (double& value : channel.values) value *= 10;
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({std::make_shared<const results::RunResult>(larger), "larger", {}, true, false});
+  store.add({synthetic(), "shown", {}, false, false});
+  store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
+  for (const char* name : {"aba", "psd", "contact_force"}) {
+    panel.showTab(name);
+    const auto* figure = panel.view(name)->figure();
+    const QCPRange x = figure->xAxis->range(), y = figure->yAxis->range();
+    for (int i = 0; i < figure->graphCount(); ++i)
+      for (const QCPGraphData& point : *figure->graph(i)->data())
+        if (x.contains(point.key)) {
+          ASSERT_TRUE(y.contains(point.value)) << name << " at " << point.key;
+        }
+  }
+}
+
+TEST(Signals, whatCannotBeDrawnCostsItsFigureAlone) {
+  auto broken = tests::syntheticResult();
+  for (auto& channel : broken.signals)
+    if (channel.name == "aba" || channel.name == "aba_filtered") channel.values[channel.values.size() / 2] = NAN;
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({std::make_shared<const results::RunResult>(broken), "broken", {}, false, false});
+  for (const auto& name : panel.names()) {
+    panel.showTab(name);
+    EXPECT_TRUE(panel.view(name)->figure()) << name.toStdString();
+  }
 }
 
 TEST(Signals, viewsAgainstPositionAreLinked) {
@@ -238,6 +276,26 @@ TEST(RunStore, removingKeepsACurrentRun) {
   store.remove(0);
   EXPECT_EQ(store.current(), -1);
   EXPECT_FALSE(store.currentResult());
+}
+
+// By the mouse, as a user does: the box overlays, the name makes the run the current one.
+TEST(RunsPanel, tickingARunDoesNotMakeItTheCurrentOne) {
+  RunStore store;
+  RunsPanel panel(store);
+  panel.resize(300, 200);
+  panel.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+  for (const char* label : {"a", "b"}) store.add({synthetic(), label, {}, false, false});
+  QStyleOptionViewItem option;
+  option.initFrom(panel.list());
+  option.features = QStyleOptionViewItem::HasCheckIndicator | QStyleOptionViewItem::HasDisplay;
+  option.rect = panel.list()->visualRect(store.index(0));
+  const QRect box = panel.list()->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, panel.list());
+  QTest::mouseClick(panel.list()->viewport(), Qt::LeftButton, {}, box.center());
+  EXPECT_TRUE(store.at(0).overlaid);
+  EXPECT_EQ(store.current(), 1);
+  QTest::mouseClick(panel.list()->viewport(), Qt::LeftButton, {}, box.center() + QPoint(box.width() + 8, 0));
+  EXPECT_EQ(store.current(), 0);
 }
 
 }  // namespace

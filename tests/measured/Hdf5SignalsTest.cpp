@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <hdf5.h>
 
 #include <cmath>
 #include <numbers>
@@ -101,6 +102,58 @@ TEST(Hdf5Signals, resultFile) {
   SignalFileOptions options;
   options.column = "wheel_speed";
   EXPECT_DOUBLE_EQ(readSignals(file.path(), options)[0].series.values[5], 65.2);
+}
+
+results::ArrayTree fortySamples() {
+  results::ArrayTree tree;
+  std::vector<double> values;
+  for (int i = 0; i < 40; ++i) values.push_back(i % 7);
+  tree.add("/aba", values, "m/s2");
+  return tree;
+}
+
+TEST(Hdf5Signals, unitsOfRateAndSpeedCount) {
+  auto tree = fortySamples();
+  tree.add("/fs", std::vector<double>{25}, "kHz");
+  tree.add("/speed", std::vector<double>{108}, "km/h");
+  const tests::TemporaryFile file("");
+  writeDurably(file.path(), results::encodeHdf5(tree, file.path()));
+  const auto runs = readSignals(file.path());
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_NEAR(runs[0].series.rate(), 25000, 1e-6);
+  EXPECT_NEAR(runs[0].position[39], 39 * 30 / 25000.0, 1e-9);
+}
+
+TEST(Hdf5Signals, anUnknownUnitOfTheSpeedIsNoGuess) {
+  auto tree = fortySamples();
+  tree.add("/fs", std::vector<double>{25000}, "Hz");
+  tree.add("/speed", std::vector<double>{67}, "mph");
+  const tests::TemporaryFile file("");
+  writeDurably(file.path(), results::encodeHdf5(tree, file.path()));
+  EXPECT_THAT(complaint(file.path()), HasSubstr("mph"));
+}
+
+// The library clips what its reader's type cannot hold.
+TEST(Hdf5Signals, signedBytesAndUnsignedWordsKeepTheirValues) {
+  const tests::TemporaryFile path("");
+  const std::vector<std::int8_t> bytes{-100, 5, 100};
+  const std::vector<std::uint32_t> words{1, 4000000000u, 3};
+  const hid_t file = H5Fcreate(path.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t count = 3;
+  const hid_t space = H5Screate_simple(1, &count, nullptr);
+  const auto put = [&](const char* name, hid_t type, const void* data) {
+    const hid_t made = H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    EXPECT_GE(H5Dwrite(made, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), 0);
+    H5Dclose(made);
+  };
+  put("bytes", H5T_NATIVE_INT8, bytes.data());
+  put("words", H5T_NATIVE_UINT32, words.data());
+  H5Sclose(space), H5Fclose(file);
+  const auto tree = results::readHdf5(path.path());
+  EXPECT_EQ(std::get<std::vector<std::int32_t>>(tree.find("/bytes")->values),
+            (std::vector<std::int32_t>{-100, 5, 100}));
+  EXPECT_EQ(std::get<std::vector<std::int64_t>>(tree.find("/words")->values),
+            (std::vector<std::int64_t>{1, 4000000000, 3}));
 }
 
 }  // namespace

@@ -206,5 +206,25 @@ TEST(SignalFile, aMillionSamples) {
   EXPECT_DOUBLE_EQ(signal.series.values[2], -998.25);
 }
 
+TEST(SignalFile, columnsCalledRunWithAUnitAreSignals) {
+  SignalFileOptions options;
+  options.column = "all";
+  const TemporaryFile file(table("time [s],run 1 [m/s2],run 2 [m/s2]\n", 40, [](std::size_t i) {
+    return text(1e-3 * static_cast<double>(i)) + "," + text(static_cast<double>(i % 7)) + "," +
+           text(static_cast<double>(i % 5));
+  }));
+  const auto runs = readSignals(file.path(), options);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[1].series.values.size(), 40u);
+}
+
+// Seconds labelled as nanoseconds: spectra of such a rate would outgrow any memory.
+TEST(SignalFile, anAbsurdRateIsAWrongUnit) {
+  const auto said = complaint(table("time [us],aba\n", 40, [](std::size_t i) {
+    return text(1e-3 * static_cast<double>(i)) + "," + text(static_cast<double>(i % 7));
+  }));
+  EXPECT_THAT(said, HasSubstr("check the unit of time"));
+}
+
 }  // namespace
 }  // namespace squat::measured

@@ -41,6 +41,18 @@ TEST(Comparison, scaledAndShiftedRecord) {
   EXPECT_EQ(row[0].first, "peak ratio [-]");
 }
 
+// A record of 2 kHz says nothing of 1000 to 1200 Hz: no ratio, not that of what the interpolation leaks.
+TEST(Comparison, whatTheSlowerRecordCannotHoldHasNoRatio) {
+  auto slow = struck(0.08, 300, 700, 60);
+  auto& values = slow.series.values;
+  for (std::size_t i = 0; 12 * i < values.size(); ++i) values[i] = values[12 * i];
+  values.resize((values.size() + 11) / 12), slow.series.step *= 12;
+  const auto result = compare(struck(0.08, 300, 700, 60), passageAtSpeed(slow.series, 30));
+  for (std::size_t b = 0; b < result.bands.size(); ++b)
+    EXPECT_EQ(std::isnan(result.bandRatio[b]), result.bands[b].high > rate / 24) << result.bands[b].name;
+  EXPECT_TRUE(std::isnan(result.densityRatio.back()));
+}
+
 // Lines 300 -> 330 Hz and 1034 -> 1000 Hz. The window of 12.7 ms makes lines about 100 Hz wide whose flanks pull each
 // other's maxima a little: 8 Hz.
 TEST(Comparison, movedLines) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "core/DurableFile.h"
 #include "core/Errors.h"
 
 namespace squat::studies {
@@ -68,6 +69,27 @@ TEST(CaseStudy, runsEveryPoint) {
   };
   EXPECT_NEAR(value(2, "peak [m/s2]") / value(0, "peak [m/s2]"), 3, 1e-9);
   EXPECT_NEAR(value(0, "largest contact force [N]"), 80000 + value(0, "maximum [m/s2]"), 1e-9);
+}
+
+// An edit while the study runs would put rows of two cases into one table.
+TEST(CaseStudy, aCaseThatChangesMeanwhileFailsItsRows) {
+  const auto folder =
+      (std::filesystem::temp_directory_path() / ("squat-edited-study-" + std::to_string(::getpid()))).string();
+  std::filesystem::create_directories(folder);
+  const auto path = folder + "/case.toml";
+  writeDurably(path, "[motion]\nspeed = 30\n");
+  const auto definition = studyOf(path, {}, {"defect.depth=0.1:0.3:3"});
+  Monitor monitor;
+  const auto table = runCaseStudy(
+      definition, {},
+      [&](const cases::CaseDescription& description, const StudyPoint&, Monitor&) {
+        writeDurably(path, "[motion]\nspeed = 31\n");
+        return pretend(description);
+      },
+      {folder, 1, false}, monitor);
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(table.count(RowState::done), 1u);
+  EXPECT_EQ(table.count(RowState::failed), 2u);
 }
 
 }  // namespace

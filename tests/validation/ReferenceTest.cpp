@@ -45,6 +45,19 @@ TEST(Reference, EveryRunOfThePapersStatementsIsACaseThatCanBeRead) {
   for (const auto& statement : reference.statements) EXPECT_FALSE(statement.reason.empty()) << statement.text;
 }
 
+TEST(Reference, MeasuresNeedWhatTheyMeasure) {
+  const auto statement = [](const std::string& measure) {
+    return with(R"({"section": "1", "statement": "x", "run": "a", "unit": "Hz", "reason": "r", "low": 1, )" + measure +
+                "}");
+  };
+  EXPECT_THAT(refusal(statement(R"("measure": "band_power")")), HasSubstr("needs a band"));
+  EXPECT_THAT(refusal(statement(R"("measure": "line")")), HasSubstr("needs a frequency"));
+  EXPECT_EQ(refusal(statement(R"("measure": "line", "near": 300)")), "accepted");
+  EXPECT_THAT(refusal(R"({"schema": "squat-reference", "schema_version": 1, "source": "s", "runs": [],
+                          "statements": []})"),
+              HasSubstr("names no run"));
+}
+
 // 0.1 m takes a period of 300 Hz at 30 m/s: a window that parts lines there needs 0.6 m behind the defect.
 TEST(Reference, RunsThatJudgeLowLinesGoFarEnough) {
   const auto reference = readReference(SQUAT_SOURCE_DIR "/resources/reference/paper.json");

@@ -25,9 +25,7 @@ std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, con
     addCurve(*figure, {{position.front(), to}, {level, level}, "at rest", 6, 0.7, Qt::DashLine});
   }
   fitValues(*figure);
-  // Zero is where contact is lost: always in sight.
-  if (figure->yAxis->range().lower > 0) figure->yAxis->setRangeLower(0);
-  if (figure->yAxis->range().upper < 0) figure->yAxis->setRangeUpper(0);
+  keepZeroInSight(*figure);  // where contact is lost
   setCaption(*figure, result);
   return figure;
 }

@@ -48,15 +48,15 @@ std::vector<std::string> figuresFor(const results::RunResult& result) {
   return names;
 }
 
-void check(const FigureRequest& request) {
+}  // namespace
+
+void checkRequest(const FigureRequest& request) {
   std::vector<CaseProblem> problems;
   checkAll("figures", request.figures, figureNames(), problems);
   checkAll("format", request.formats, {"png", "svg", "pdf"}, problems);
   checkAll("colour map", {request.colourMap}, colours::mapNames(), problems);
   if (!problems.empty()) throw CaseError(problems);
 }
-
-}  // namespace
 
 std::vector<std::string> figureNames() {
   std::vector<std::string> names;
@@ -73,7 +73,7 @@ std::unique_ptr<Figure> makeFigure(const std::string& name, const results::RunRe
 
 std::vector<std::string> renderFigures(const results::RunResult& result, const std::string& folder,
                                        const FigureRequest& request, std::vector<std::string>* messages) {
-  check(request);
+  checkRequest(request);
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure) throw FileError(folder, "", "the folder cannot be made: " + failure.message());

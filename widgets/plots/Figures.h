@@ -18,6 +18,9 @@ struct FigureRequest {
   std::string colourMap = "viridis";                      // or "cividis", "jet"
 };
 
+// Throws CaseError for unknown names of figures, formats and colours.
+void checkRequest(const FigureRequest& request);
+
 // "defect_profile", "aba_position", "aba_time", "psd", "scalogram", "contact_force", "permanent_change",
 // "residual_stress" (the last two: where the rail may yield), "model" (the 3-D picture).
 std::vector<std::string> figureNames();

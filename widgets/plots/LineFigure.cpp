@@ -86,6 +86,11 @@ void fitValues(Figure& figure, double margin) {
   figure.yAxis->setRange(low - margin * span, high + margin * span);
 }
 
+void keepZeroInSight(Figure& figure) {
+  const QCPRange range = figure.yAxis->range();
+  figure.yAxis->setRange(std::min(range.lower, 0.0), std::max(range.upper, 0.0));
+}
+
 void setCaption(Figure& figure, const results::RunResult& result) {
   QString left = QString::fromStdString(result.title.empty() ? result.stem : result.title);
   // In front, where a narrow figure does not cut it off.

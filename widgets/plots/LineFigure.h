@@ -35,6 +35,8 @@ void addNotice(Figure& figure, const QString& text);
 // Range of y over the curves' points with x in the x axis's range, widened by `margin` of its span on both sides;
 // never empty.
 void fitValues(Figure& figure, double margin = 0.06);
+// Widens the range of y to zero.
+void keepZeroInSight(Figure& figure);
 
 // Caption of every figure: title, and stem with hash; says so where the run is incomplete.
 void setCaption(Figure& figure, const results::RunResult& result);

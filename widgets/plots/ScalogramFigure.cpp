@@ -12,6 +12,7 @@ namespace squat::plots {
 namespace {
 
 constexpr double lowest = 50, highest = 3000;  // [Hz] shown at most
+constexpr std::size_t mostColumns = 2000;      // of a short-time transform: more than a figure has pixels
 
 QCPColorGradient gradientOf(const std::string& map) {
   QCPColorGradient gradient;
@@ -141,7 +142,7 @@ std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style
     signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, "aba_filtered", "m/s2"};
     signals::StftOptions options;
     options.segment = segment;
-    options.hop = hop > 0 ? hop : std::max<std::size_t>(1, segment / 32);
+    options.hop = std::max(hop > 0 ? hop : std::max<std::size_t>(1, segment / 32), values->size() / mostColumns);
     options.transformLength = 8 * segment;
     const signals::Stft stft = signals::shortTimeTransform(series, options);
     // Row 0 is the mean, which has no place on a logarithmic axis.

@@ -78,6 +78,7 @@ void CaseDocument::resetParameter(const std::string& key) {
 }
 
 void CaseDocument::edit(const QString& what, const cases::CaseDescription& after, int gesture) {
+  if (gesture == 0 && sameCase(*current_, after)) return;  // nothing to undo, and what could be redone stays
   undo_.push(new CaseCommand(*this, what, current_, std::make_shared<const cases::CaseDescription>(after), gesture));
 }
 

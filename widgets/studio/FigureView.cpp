@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
@@ -11,6 +10,7 @@
 #include "plots/FigureFiles.h"
 #include "studio/CursorPair.h"
 #include "studio/FigureTable.h"
+#include "studio/PlaceToSave.h"
 
 namespace squat::studio {
 
@@ -92,11 +92,9 @@ void FigureView::openMenu(const QPoint& place) {
 }
 
 void FigureView::askForFile() {
-  QString kind;
-  QString path = QFileDialog::getSaveFileName(this, tr("Export the figure"), name_ + ".png",
-                                              tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf);;CSV (*.csv)"), &kind);
+  const QString path = placeToSave(this, tr("Export the figure"), name_ + ".png",
+                                   tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf);;CSV (*.csv)"));
   if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += '.' + kind.left(3).toLower();
   try {
     writeFile(path);
   } catch (const FileError& error) {

@@ -115,6 +115,10 @@ void ImportDialog::makeControls() {
   for (QCheckBox* check : {comma_, flip_, reverse_}) connect(check, &QCheckBox::toggled, this, &ImportDialog::update);
 }
 
+bool ImportDialog::levelsThroughEnds() const {
+  return levelling_->currentData().toInt() == static_cast<int>(Levelling::throughEnds);
+}
+
 void ImportDialog::showSuggestion() {
   const ImportChoices suggested = suggestedChoices(text_);
   choose(delimiter_, suggested.delimiter);

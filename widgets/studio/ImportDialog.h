@@ -25,6 +25,8 @@ class ImportDialog : public QDialog {
 
   const std::vector<cases::ProfilePoint>& points() const { return profile_.points; }
   const QString& path() const { return path_; }
+  // Whether the heights count from the line through the first and last point.
+  bool levelsThroughEnds() const;
 
  private:
   void makeControls();

@@ -1,9 +1,11 @@
 #include "studio/MainWindow.h"
 
+#include <QAbstractSpinBox>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -61,6 +63,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
   if (!services_.recoveryFolder.isEmpty()) {
     offerRecovery();
     recovery_ = new Recovery(document_, services_.recoveryFolder, this);
+    if (document_.isModified()) recovery_->saveNow();  // what was recovered is not in a file yet
   }
 }
 
@@ -144,7 +147,20 @@ void MainWindow::showTitle() {
   setWindowFilePath(document_.path());
 }
 
+// A value that is still being typed counts as typed: shortcuts do not move the focus, which is what enters it.
+void MainWindow::takeWhatIsTyped() {
+  QWidget* typing = focusWidget();
+  if (auto* number = qobject_cast<QAbstractSpinBox*>(typing)) return number->interpretText();
+  auto* line = qobject_cast<QLineEdit*>(typing);
+  if (!line || !line->isModified()) return;
+  if (line->hasFocus())
+    line->clearFocus(), line->setFocus();
+  else  // the window is not the active one
+    Q_EMIT line->editingFinished();
+}
+
 void MainWindow::beginRun(bool resume) {
+  takeWhatIsTyped();
   const QStringList reasons = form_->blockers();
   if (!reasons.isEmpty() || controller_.isRunning()) return;
   if (resume && !stopped_.has(document_.description())) return;
@@ -159,7 +175,7 @@ void MainWindow::beginRun(bool resume) {
 }
 
 void MainWindow::keep(const ResultPointer& result) {
-  if (result->complete) StoppedRuns::forget(checkpoint_);
+  if (result->complete && !ending_) StoppedRuns::forget(checkpoint_);
   if (ending_ || result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
   // What a run had when it was stopped is a part of what it has now.
   for (int row = store_.rowCount() - 1; resumed_ && row >= 0; --row) {
@@ -237,7 +253,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (controller_.isRunning() &&
         services_.asker(this, tr("A run is going on; %1.").arg(fate), tr("Stop it and close")) == Answer::cancel)
       return false;
-    if (!mayLeaveCase() || !mayLeaveResults(store_.unsaved())) return false;
+    if (!mayLeaveCase() || !mayLeaveAllResults()) return false;
     if (controller_.isRunning()) endRun();
     return true;
   }();

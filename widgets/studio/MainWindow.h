@@ -61,7 +61,7 @@ class MainWindow : public QMainWindow {
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);
-  bool saveResult(int row);  // asks for a place
+  bool saveResult(const ResultPointer& result);  // asks for a place
   bool saveResultTo(const QString& path) { return saveResultTo(store_.current(), path); }
   bool saveResultTo(int row, const QString& path);
   void startRun() { beginRun(false); }
@@ -88,8 +88,10 @@ class MainWindow : public QMainWindow {
   void makeHelpMenu();
   void fillRecentMenu();
   void showTitle();
+  void takeWhatIsTyped();
   bool mayLeaveCase();  // saves, or the user lets the changes go
-  bool mayLeaveResults(const std::vector<int>& rows);
+  bool mayLeaveResults(const std::vector<ResultPointer>& results);
+  bool mayLeaveAllResults();
   void removeRun(int row);
   void beginRun(bool resume);
   void keep(const ResultPointer& result);

@@ -1,5 +1,4 @@
 // Files of the main window: opening, saving, asking.
-#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -9,6 +8,7 @@
 #include "studio/MainWindow.h"
 #include "studio/MeasuredRun.h"
 #include "studio/MessageBar.h"
+#include "studio/PlaceToSave.h"
 #include "studio/ProfileEditor.h"
 #include "studio/ProfilePlot.h"
 #include "studio/RecentFiles.h"
@@ -101,20 +101,24 @@ bool MainWindow::saveCaseTo(const QString& path) {
   return true;
 }
 
-bool MainWindow::saveCase() { return document_.path().isEmpty() ? saveCaseAs() : saveCaseTo(document_.path()); }
+bool MainWindow::saveCase() {
+  takeWhatIsTyped();
+  return document_.path().isEmpty() ? saveCaseAs() : saveCaseTo(document_.path());
+}
 
 bool MainWindow::saveCaseAs() {
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Save the case"), document_.name() + ".toml", tr("Cases (*.toml)"));
+  takeWhatIsTyped();
+  const QString path = placeToSave(this, tr("Save the case"), document_.name() + ".toml", tr("Cases (*.toml)"));
   return !path.isEmpty() && saveCaseTo(path);
 }
 
-bool MainWindow::saveResult(int row) {
-  if (row < 0 || row >= store_.rowCount()) return false;
-  const QString stem = QString::fromStdString(store_.at(row).result->stem);
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save the result “%1”").arg(store_.at(row).label),
-                                                    stem + ".h5", tr("Results (*.h5)"));
-  return !path.isEmpty() && saveResultTo(row, path);
+// Rows move while a dialog stands and runs end: the result itself is what is meant.
+bool MainWindow::saveResult(const ResultPointer& result) {
+  const int asked = store_.rowOf(result);
+  if (asked < 0) return false;
+  const QString path = placeToSave(this, tr("Save the result “%1”").arg(store_.at(asked).label),
+                                   QString::fromStdString(result->stem) + ".h5", tr("Results (*.h5)"));
+  return !path.isEmpty() && saveResultTo(store_.rowOf(result), path);
 }
 
 bool MainWindow::saveResultTo(int row, const QString& path) {
@@ -131,6 +135,7 @@ bool MainWindow::saveResultTo(int row, const QString& path) {
 }
 
 bool MainWindow::mayLeaveCase() {
+  takeWhatIsTyped();
   if (!document_.isModified()) return true;
   switch (services_.asker(this, tr("“%1” has unsaved changes.").arg(document_.name()), tr("Discard"))) {
     case Answer::save:
@@ -144,13 +149,14 @@ bool MainWindow::mayLeaveCase() {
 }
 
 // Saves those results, or the user lets them go.
-bool MainWindow::mayLeaveResults(const std::vector<int>& rows) {
-  if (rows.empty()) return true;
-  const QString question = rows.size() == 1 ? tr("The result “%1” is not saved.").arg(store_.at(rows.front()).label)
-                                            : tr("%n results are not saved.", nullptr, static_cast<int>(rows.size()));
+bool MainWindow::mayLeaveResults(const std::vector<ResultPointer>& results) {
+  if (results.empty()) return true;
+  const QString question = results.size() == 1
+                               ? tr("The result “%1” is not saved.").arg(store_.at(store_.rowOf(results[0])).label)
+                               : tr("%n results are not saved.", nullptr, static_cast<int>(results.size()));
   switch (services_.asker(this, question, tr("Discard"))) {
     case Answer::save:
-      return std::all_of(rows.begin(), rows.end(), [this](int row) { return saveResult(row); });
+      return std::all_of(results.begin(), results.end(), [this](const auto& result) { return saveResult(result); });
     case Answer::discard:
       return true;
     case Answer::cancel:
@@ -159,10 +165,25 @@ bool MainWindow::mayLeaveResults(const std::vector<int>& rows) {
   return false;
 }
 
+// A run may end while the question stands: what it adds is asked for as well.
+bool MainWindow::mayLeaveAllResults() {
+  std::vector<ResultPointer> asked;
+  for (;;) {
+    std::vector<ResultPointer> fresh;
+    for (const auto& result : store_.unsaved())
+      if (std::find(asked.begin(), asked.end(), result) == asked.end()) fresh.push_back(result);
+    if (fresh.empty()) return true;
+    if (!mayLeaveResults(fresh)) return false;
+    asked.insert(asked.end(), fresh.begin(), fresh.end());
+  }
+}
+
 void MainWindow::removeRun(int row) {
+  if (row < 0 || row >= store_.rowCount()) return;
   const auto unsaved = store_.unsaved();
-  const bool lost = std::find(unsaved.begin(), unsaved.end(), row) != unsaved.end();
-  if (!lost || mayLeaveResults({row})) store_.remove(row);
+  const ResultPointer result = store_.at(row).result;
+  const bool lost = std::find(unsaved.begin(), unsaved.end(), result) != unsaved.end();
+  if (!lost || mayLeaveResults({result})) store_.remove(store_.rowOf(result));
 }
 
 }  // namespace squat::studio

@@ -17,6 +17,7 @@
 #include "studio/CaseDocument.h"
 #include "studio/FlowLayout.h"
 #include "studio/ImportDialog.h"
+#include "studio/PlaceToSave.h"
 #include "studio/ProfilePlot.h"
 #include "studio/ProfileTable.h"
 #include "studio/ShapeControls.h"
@@ -167,7 +168,7 @@ void ProfileEditor::importFile(const QString& path) {
       after.defect.points = dialog->points();
       after.defect.lines.clear();
       after.defect.file.clear();
-      after.defect.level = true;
+      after.defect.level = dialog->levelsThroughEnds();  // what was levelled otherwise stays as it was seen
       after.defect.heightScale = 1;
       document_.edit(tr("Import a profile"), after);
       plot_->fit();
@@ -179,7 +180,7 @@ void ProfileEditor::importFile(const QString& path) {
 }
 
 void ProfileEditor::exportFile() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Write the profile"), "profile.csv", tr("CSV (*.csv)"));
+  const QString path = placeToSave(this, tr("Write the profile"), "profile.csv", tr("CSV (*.csv)"));
   if (path.isEmpty()) return;
   const ProfileView view = profileView(document_.description());
   QByteArray text("position [mm],height [um]\n");

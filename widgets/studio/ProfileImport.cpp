@@ -1,9 +1,11 @@
 #include "studio/ProfileImport.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace squat::studio {
 namespace {
@@ -67,6 +69,16 @@ char findDelimiter(const std::vector<std::string>& lines) {
   return ',';
 }
 
+// "height [mm]", "z (um)", "z_mm", not the letters within "Column" or "maximum".
+bool hasWord(const std::string& text, const std::string& word) {
+  const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || (c & 0x80); };
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const auto end = at + word.size();
+    if ((at == 0 || !isLetter(text[at - 1])) && (end == text.size() || !isLetter(text[end]))) return true;
+  }
+  return false;
+}
+
 void level(std::vector<cases::ProfilePoint>& points, Levelling levelling) {
   if (levelling == Levelling::none || points.size() < 2) return;
   double slope = (points.back().height - points.front().height) / (points.back().position - points.front().position);
@@ -116,9 +128,8 @@ ImportChoices suggestedChoices(const std::string& text) {
   if (!lines.empty()) {
     const auto header = cellsOf(lines[0], choices.delimiter);
     const auto unitOf = [](const std::string& cell, double standard) {
-      if (cell.find("um") != std::string::npos || cell.find("µm") != std::string::npos) return 1e-6;
-      if (cell.find("mm") != std::string::npos) return 1e-3;
-      if (cell.find("[m]") != std::string::npos || cell.find("(m)") != std::string::npos) return 1.0;
+      for (const auto& [name, metres] : {std::pair{"um", 1e-6}, {"µm", 1e-6}, {"mm", 1e-3}, {"m", 1.0}})
+        if (hasWord(cell, name)) return metres;
       return standard;
     };
     if (header.size() > 0) choices.positionUnit = unitOf(header[0], 1e-3);

@@ -21,15 +21,11 @@ bool sampled(const cases::Defect& defect) {
 
 ProfileView profileView(const cases::CaseDescription& description) {
   ProfileView view;
-  const cases::DefectSurface asRun(description.defect);
-  cases::Defect asDrawn = description.defect;
   double slope = 0, start = 0;  // of the line that `level` takes off
   if (sampled(description.defect)) {
     const auto& points = description.defect.points;
     view.handles = points;
-    asDrawn.heightScale = 1;
-    const cases::DefectSurface scaled(asDrawn);
-    if (asDrawn.level) {
+    if (description.defect.level) {
       slope = (points.back().height - points.front().height) / (points.back().position - points.front().position);
       start = points.front().height - slope * points.front().position;
     }
@@ -38,7 +34,7 @@ ProfileView profileView(const cases::CaseDescription& description) {
     });
     view.shift = deepest->position;
   }
-  const cases::DefectSurface surface(asDrawn);
+  const cases::DefectSurface surface(description.defect);  // as it is run: with the height scale
   const bool none = !(surface.last() > surface.first());
   const double from = none ? -smoothHalfLength : surface.first() - around;
   const double to = none ? smoothHalfLength : surface.last() + around;
@@ -68,11 +64,17 @@ cases::CaseDescription asPoints(const cases::CaseDescription& description) {
     constexpr int most = 199;
     const double length = surface.last() - surface.first();
     const int count = std::clamp(static_cast<int>(std::ceil(length / 1e-3)), 8, most);
+    const double y = surface.deepestLateral();
     for (int i = 0; i <= count; ++i) {
       const double x = surface.first() + length * i / count;
-      points.push_back({x, surface.height(x)});
+      points.push_back({x, surface.height(x, y)});
     }
     points.front().height = points.back().height = 0;
+    // The defect stays at its place: that of its lowest point, which on a flat floor is only a nanometre lower.
+    auto& middle = *std::min_element(points.begin() + 1, points.end() - 1, [](const auto& a, const auto& b) {
+      return std::abs(a.position) < std::abs(b.position);
+    });
+    middle = {0, surface.height(0, y) - 1e-9};
   } else {
     points = {{-0.03, 0}, {-0.01, 0}, {0, -1e-5}, {0.01, 0}, {0.03, 0}};
   }

@@ -61,6 +61,7 @@ Qt::ItemFlags ProfileTable::flags(const QModelIndex& index) const {
 // A number that would pass a neighbour is refused, not clamped: what was typed is what counts.
 bool ProfileTable::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::EditRole || !index.isValid()) return false;
+  if (value.toString() == data(index, Qt::EditRole).toString()) return true;  // the cell rounds: not a change
   bool valid = false;
   const double number = value.toString().trimmed().replace(',', '.').toDouble(&valid);
   if (!valid || !std::isfinite(number)) return false;

@@ -55,7 +55,7 @@ std::optional<Recovery::Found> Recovery::take(const QString& folder) {
     if (kept.open(QIODevice::ReadOnly)) {
       const QString name = QString::fromUtf8(kept.readLine()).mid(2).trimmed();
       try {
-        found = Found{cases::parseCase(kept.readAll().toStdString(), entry.fileName().toStdString()), name};
+        found = Found{cases::parseUnfinishedCase(kept.readAll().toStdString(), entry.fileName().toStdString()), name};
       } catch (const std::exception&) {
         // A copy that cannot be read is of no use to anybody.
       }

@@ -80,11 +80,17 @@ void RunStore::setPath(int row, const QString& path) {
   Q_EMIT dataChanged(index(row), index(row));
 }
 
-std::vector<int> RunStore::unsaved() const {
-  std::vector<int> rows;
+int RunStore::rowOf(const ResultPointer& result) const {
   for (int row = 0; row < rowCount(); ++row)
-    if (!at(row).measured && at(row).path.isEmpty()) rows.push_back(row);
-  return rows;
+    if (at(row).result == result) return row;
+  return -1;
+}
+
+std::vector<ResultPointer> RunStore::unsaved() const {
+  std::vector<ResultPointer> found;
+  for (const StoredRun& run : runs_)
+    if (!run.measured && run.path.isEmpty()) found.push_back(run.result);
+  return found;
 }
 
 std::vector<StoredRun> RunStore::overlays() const {

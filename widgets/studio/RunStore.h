@@ -34,10 +34,11 @@ class RunStore : public QAbstractListModel {
   int current() const { return current_; }
   void setCurrent(int row);
   ResultPointer currentResult() const;
+  int rowOf(const ResultPointer& result) const;  // -1: not in the list (any more)
   const StoredRun& at(int row) const { return runs_.at(static_cast<std::size_t>(row)); }
   void setPath(int row, const QString& path);
-  std::vector<int> unsaved() const;         // rows of computed results that are in no file
-  std::vector<StoredRun> overlays() const;  // checked ones other than the current
+  std::vector<ResultPointer> unsaved() const;  // computed results that are in no file
+  std::vector<StoredRun> overlays() const;     // checked ones other than the current
 
  Q_SIGNALS:
   void currentChanged();

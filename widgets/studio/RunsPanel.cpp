@@ -36,7 +36,12 @@ RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_
   const auto show = [this](const QModelIndex& index) {
     if (index.isValid() && !store_.at(index.row()).measured) store_.setCurrent(index.row());
   };
-  connect(list_, &QListView::clicked, this, show);
+  // A click on the box overlays the run; it does not make it the current one.
+  connect(list_, &QListView::pressed, this, [this] { ticked_ = false; });
+  connect(&store_, &RunStore::overlaysChanged, this, [this] { ticked_ = true; });
+  connect(list_, &QListView::clicked, this, [this, show](const QModelIndex& index) {
+    if (!ticked_) show(index);
+  });
   connect(list_, &QListView::activated, this, show);  // by keyboard
   connect(&store_, &RunStore::currentChanged, this,
           [this] { list_->setCurrentIndex(store_.index(store_.current(), 0)); });

@@ -24,6 +24,7 @@ class RunsPanel : public QWidget {
  private:
   RunStore& store_;
   QListView* list_;
+  bool ticked_ = false;  // by the mouse button that is down
 };
 
 }  // namespace squat::studio

@@ -14,6 +14,7 @@
 #include "core/Errors.h"
 #include "scene/VtkExport.h"
 #include "studio/FlowLayout.h"
+#include "studio/PlaceToSave.h"
 #include "studio/SceneWidget.h"
 
 namespace squat::studio {
@@ -171,7 +172,7 @@ void ScenePanel::saveSeries() {
 }
 
 void ScenePanel::savePicture() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save the picture"), "model.png", tr("PNG (*.png)"));
+  const QString path = placeToSave(this, tr("Save the picture"), "model.png", tr("PNG (*.png)"));
   if (path.isEmpty()) return;
   if (!scene_->picture(2000, 1400).save(path, "PNG")) Q_EMIT failed(tr("%1 cannot be written").arg(path));
 }

@@ -108,7 +108,8 @@ void ShapeControls::addMeasure(const std::string& key, double from, double to) {
   connect(slider, &QSlider::sliderReleased, this, [this] { gesture_ = 0; });
   connect(slider, &QSlider::valueChanged, this, [this, index](int step) {
     const Measure& measure = measures_[index];
-    setMeasure(measure, measure.from + (measure.to - measure.from) * step / sliderSteps, gesture_);
+    const double value = measure.from + (measure.to - measure.from) * step / sliderSteps;
+    setMeasure(measure, QString::number(value, 'g', 4).toDouble(), gesture_);  // a slider gives round numbers
   });
   connect(number, &QDoubleSpinBox::valueChanged, this,
           [this, index](double value) { setMeasure(measures_[index], value, 0); });
@@ -117,7 +118,7 @@ void ShapeControls::addMeasure(const std::string& key, double from, double to) {
 void ShapeControls::setMeasure(const Measure& measure, double value, int gesture) {
   const cases::Parameter* parameter = cases::findParameter(measure.key);
   cases::CaseDescription after = document_.description();
-  const QString text = parameter->integer ? QString::number(std::lround(value)) : QString::number(value, 'g', 4);
+  const QString text = parameter->integer ? QString::number(std::lround(value)) : QString::number(value, 'g', 12);
   if (cases::trySetValue(after, *parameter, text.toStdString())) return;
   document_.edit(tr("Change %1").arg(QString::fromStdString(measure.key)), after, gesture);
 }

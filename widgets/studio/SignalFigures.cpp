@@ -42,7 +42,10 @@ void addOverlays(plots::Figure& figure, const QString& name, const results::RunR
     plots::addCurve(
         figure, {plots::scaled(x, 1e3), plots::scaled(*values, name == "aba" ? 1 : 1e-3), run.label, colour++, 0.9});
   }
-  if (colour > 2 && name == "aba") plots::fitValues(figure);
+  if (colour == 2) return;
+  plots::fitValues(figure);
+  if (name == "psd") figure.yAxis->setRange(0, figure.yAxis->range().upper);
+  if (name == "contact_force") plots::keepZeroInSight(figure);
 }
 
 }  // namespace

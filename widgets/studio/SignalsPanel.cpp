@@ -33,9 +33,9 @@ const QList<QPair<QString, QString>>& tabTitles() {
   return titles;
 }
 
-ResultPointer noRun() {
+ResultPointer noRun(const QString& title) {
   auto none = std::make_shared<results::RunResult>();
-  none->title = QObject::tr("No run yet: press F5, or open a result").toStdString();
+  none->title = title.toStdString();
   none->complete = true;
   return none;
 }
@@ -226,7 +226,7 @@ void SignalsPanel::update() {
   style_.colourMap = map_->currentText().toStdString();
   const ResultPointer current = store_.currentResult();
   std::string problem;
-  shown_ = current ? analysed(*current, settings_, problem) : noRun();
+  shown_ = current ? analysed(*current, settings_, problem) : noRun(tr("No run yet: press F5, or open a result"));
   problem_->setText(QString::fromStdString(problem));
   problem_->setVisible(!problem.empty());
   // Only what is seen is drawn now; the rest when its tab is opened.
@@ -242,8 +242,15 @@ void SignalsPanel::rebuild(const QString& name) {
   const double secondsPerMillimetre = shown_->speed > 0 ? 1e-3 / shown_->speed : 0;
   const double secondsPerUnit = !alongTrack ? 0 : unit == "ms" ? 1e-3 : secondsPerMillimetre;
   linking_ = true;
-  views_[name]->show(signalFigure(name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
-                     name == "contact_patch" ? patchTable(*shown_) : QByteArray());
+  try {
+    views_[name]->show(signalFigure(name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
+                       name == "contact_patch" ? patchTable(*shown_) : QByteArray());
+  } catch (const std::exception& error) {  // a signal that cannot be analysed costs its figure, not the session
+    problem_->setText(QString::fromStdString(error.what()));
+    problem_->show();
+    views_[name]->show(signalFigure(name, *noRun(tr("This figure cannot be drawn")), {}, settings_, style_),
+                       secondsPerUnit, unit, {});
+  }
   linking_ = false;
   applyLink(name);
 }
