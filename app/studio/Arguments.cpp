@@ -57,7 +57,7 @@ Arguments readArguments() {
   parser.addOptions({screenshot, caseFile, resultFile, tab, dark, size, run});
   parser.addPositionalArgument("file", "Case or result to open.", "[CASE|RESULT.h5]");
   if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
-  if (parser.isSet(help)) parser.showHelp(0);
+  if (parser.isSet(help) || parser.isSet("help-all")) parser.showHelp(0);
   if (parser.isSet(version)) parser.showVersion();
   const QStringList files = parser.positionalArguments() + parser.values(caseFile) + parser.values(resultFile);
   if (files.size() > 1) refuse("one case or one result at a time; found " + files.join(", "));

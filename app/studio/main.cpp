@@ -32,7 +32,10 @@ std::vector<squat::studio::ComparedRow> comparedRows(const squat::results::RunRe
 int main(int argc, char** argv) {
   const bool pictureOnly = squat::studio::wantsScreenshot(argc, argv);
   const bool noDisplay = qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
-  if ((pictureOnly || squat::studio::wantsWords(argc, argv)) && noDisplay) qputenv("QT_QPA_PLATFORM", "offscreen");
+  // A picture needs no display, so one that is named but not there must not matter.
+  if ((pictureOnly && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) ||
+      (squat::studio::wantsWords(argc, argv) && noDisplay))
+    qputenv("QT_QPA_PLATFORM", "offscreen");
   if (noDisplay && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
     std::cerr << "squat-studio: no display found (DISPLAY and WAYLAND_DISPLAY are empty); `squat` works without one, "
                  "and so does --screenshot\n";

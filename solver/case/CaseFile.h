@@ -35,6 +35,10 @@ CaseDescription parseCase(std::string_view text, const std::string& origin, cons
 // The same for a case that is still being mended: relations between its values may be broken.
 CaseDescription parseUnfinishedCase(std::string_view text, const std::string& origin);
 
+// The case that a result carries. Opens no file, whatever it names: results come from strangers, and the case has the
+// points of its profile.
+CaseDescription parseCaseOfResult(std::string_view text, const std::string& origin);
+
 // A path to a case file, or the name of a shipped case ("light-defect").
 CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& overrides = {});
 

@@ -360,6 +360,10 @@ CaseDescription parseUnfinishedCase(std::string_view text, const std::string& or
   return parse(text, origin, {}, {}, false);
 }
 
+CaseDescription parseCaseOfResult(std::string_view text, const std::string& origin) {
+  return parseCase(text, origin, {}, {{}, {{"defect.file", ""}}});
+}
+
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides) {
   return parseCase(readWholeFile(path.string(), largestFile), path.string(), path.parent_path(), overrides);
 }

@@ -8,6 +8,7 @@
 #include "case/DecimalNumber.h"
 #include "case/DefectSurface.h"
 #include "case/ParameterValue.h"
+#include "case/TrackCentre.h"
 
 namespace squat::cases::relations {
 
@@ -129,22 +130,34 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
 void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   const double half = 0.5 * c.track.length;
   const DefectSurface surface(c.defect);
+  if (c.defect.shape == static_cast<int>(DefectShape::dipWithWave) && c.defect.waveCount > 0 &&
+      c.defect.waveDepth > c.defect.depth)
+    add(findings, c, Severity::problem, {"defect.wave_depth", "defect.depth"},
+        limitText("defect.wave_depth", "at most defect.depth:", c.defect.depth),
+        "Positions count from the dip, the deepest place; give waves that are deeper as defect.points");
   if (std::abs(c.track.defectFromSleeper) > 0.5 * c.track.sleeperSpacing)
     add(findings, c, Severity::problem, {"track.defect_from_sleeper", "track.sleeper_spacing"},
         "-" + rounded(0.5 * c.track.sleeperSpacing) + " to " + rounded(0.5 * c.track.sleeperSpacing) + " m",
         "It counts from the nearest sleeper: at most half of track.sleeper_spacing");
-  if (c.motion.runUp > half - endMargin)
+  const double centre = trackCentre(c);
+  if (c.motion.runUp > half - centre - endMargin)
     add(findings, c, Severity::problem, {"motion.run_up", "track.length"},
-        limitText("motion.run_up", "at most", half - endMargin),
+        limitText("motion.run_up", "at most", half - centre - endMargin),
         "The run starts too near the end of the rail; lengthen track.length or shorten the run-up");
-  if (c.motion.beyond > half - endMargin)
+  if (c.motion.beyond > half + centre - endMargin)
     add(findings, c, Severity::problem, {"motion.beyond", "track.length"},
-        limitText("motion.beyond", "at most", half - endMargin),
+        limitText("motion.beyond", "at most", half + centre - endMargin),
         "The run ends too near the end of the rail; lengthen track.length or shorten the run");
-  if (surface.first() < -half || surface.last() > half)
+  if (surface.first() < centre - half || surface.last() > centre + half)
     add(findings, c, Severity::problem, {"track.length", "defect.length", "defect.points", "defect.file"},
         limitText("track.length", "at least", 2 * std::max(-surface.first(), surface.last())),
         "The defect reaches outside the track");
+  // Beyond a creepage of 1 % friction is exhausted all over the patch.
+  const double rolling = c.motion.speed / c.wheelset.radius;
+  if (c.motion.angularVelocity > 0 && std::abs(c.motion.angularVelocity / rolling - 1) > 0.01)
+    add(findings, c, Severity::warning, {"motion.angular_velocity", "motion.speed", "wheelset.radius"},
+        limitText("motion.angular_velocity", "0, or within 1 % of speed / radius:", rolling),
+        "The wheel slides from the start; 0 lets it roll freely at any speed");
   // The patch (half length 7 mm) must be off the defect when the wheel starts.
   constexpr double patch = 0.01;
   if (c.motion.runUp < patch - surface.first())

@@ -16,9 +16,9 @@ void addMotion(Rows& rows) {
       "motion.speed", speed, 30, {1, 150}, [](Case& c) -> double& { return c.motion.speed; }, "speed of the train",
       section2));
   rows.push_back(number(
-      "motion.angular_velocity", angularSpeed, 65.2, {0, 500},
-      [](Case& c) -> double& { return c.motion.angularVelocity; },
-      "angular velocity of the wheel at the start; 0: speed / radius", section2));
+      "motion.angular_velocity", angularSpeed, 0, {0, 500}, [](Case& c) -> double& { return c.motion.angularVelocity; },
+      "angular velocity of the wheel at the start; 0: it rolls freely, speed / radius",
+      "paper, section 2: 65.2 rad/s, which is free rolling at 30 m/s"));
   rows.push_back(number(
       "motion.torque", torque, 12450.49, {-50000, 50000}, [](Case& c) -> double& { return c.motion.torque; },
       "driving torque on the half wheelset, about the rolling axis", section2));

@@ -112,7 +112,7 @@ void addWheelsetDamping(Rows& rows) {
 
 void addSuspension(Rows& rows) {
   rows.push_back(number(
-      "suspension.sprung_mass", kilogram, 8000, {0, 50000}, [](Case& c) -> double& { return c.suspension.sprungMass; },
+      "suspension.sprung_mass", kilogram, 8000, {1, 50000}, [](Case& c) -> double& { return c.suspension.sprungMass; },
       "mass above the primary suspension, per wheel (M)", table1));
   rows.push_back(number(
       "suspension.stiffness", stiffness, 1.15, {0.01, 100}, [](Case& c) -> double& { return c.suspension.stiffness; },

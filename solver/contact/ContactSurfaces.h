@@ -22,6 +22,7 @@ struct Surfaces {
   int rolledInterval = 0;                 // rail interval that the rim's interval 0 rolls on
   double radius = 0;                      // [m] of the wheel where it touches
   double crownRadius = 0;                 // [m] of the rail across, there
+  double reach = 0;                       // [m] along the rail from below the axis: contact is looked for within
   double touchY = 0;                      // [m] where the wheel touches, along the crown from its middle outwards
   double railCosine = 1, railSine = 0;    // of the rail's lean: its b is (0, cosine, sine), its c (0, -sine, cosine)
   double treadCosine = 1, treadSine = 0;  // of the tread's slope: its normal is cosine e_r + sine e_y

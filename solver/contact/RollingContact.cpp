@@ -7,8 +7,7 @@ namespace squat::contact {
 
 namespace {
 
-constexpr double patchReach = 0.020;  // [m] along the rail from below the axis, far beyond any patch
-constexpr double nearGap = 1.5e-3;    // [m] undeformed gap that deflections of the track may close
+constexpr double nearGap = 1.5e-3;  // [m] undeformed gap that deflections of the track may close
 
 void addForce(const elasticity::SweptBlock& block, const ForceLines& to, int node, int component, int first, int second,
               double atFirst, double atSecond) {
@@ -33,7 +32,7 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
   const auto& place = wheel.placement;
   std::vector<std::size_t> before;
   before.swap(history.closed);
-  const auto [first, last] = reachableIntervals(s, rail, place.centreX + place.hubX, patchReach);
+  const auto [first, last] = reachableIntervals(s, rail, place.centreX + place.hubX, s.reach);
   for (int i = first; i < last; ++i)
     for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
       for (int point = 0; point < 4; ++point) {

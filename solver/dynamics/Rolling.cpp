@@ -10,8 +10,6 @@ namespace squat::dynamics {
 
 namespace {
 
-// [m] along the rail from below the axis: beyond it the patch, 7 mm each way, leaves less than a tenth of its stress.
-constexpr double yieldReach = 0.020;
 // Where single precision is asked for, elements up to so many sizes of the contact band are computed in it, and then
 // cost so much of the time. Rounding acts like forces of 6e-8 times stiffness times displacement within a chunk of
 // stations: long elements have much of both and are few.
@@ -275,8 +273,8 @@ void Rolling::pushTrack(long k) {
 void Rolling::yieldLayer(int index, long step) {
   if (model_.layer.empty()) return;
   const double x = model_.startX + model_.description.motion.speed * static_cast<double>(step) * step_;
-  plasticity::returnWindow(model_.layer, layerKernels_, state_.displaced.data(), x, yieldReach, index, team_.size(),
-                           state_.plastic, layerForces_);
+  plasticity::returnWindow(model_.layer, layerKernels_, state_.displaced.data(), x, model_.surfaces.reach, index,
+                           team_.size(), state_.plastic, layerForces_);
 }
 
 // A step in place overwrites what neighbouring stretches need: each thread reads that first.

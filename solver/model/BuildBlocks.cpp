@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/DefectSurface.h"
+#include "case/TrackCentre.h"
 #include "contact/ContactSurfaces.h"
 #include "core/Errors.h"
 #include "geometry/RailSection.h"
@@ -124,9 +125,7 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   const auto& d = model.description;
   model.startX = -d.motion.runUp;
   // The rail is centred on the sleeper nearest to the middle of the rolled stretch.
-  const double middle = 0.5 * (d.motion.beyond - d.motion.runUp), spacing = d.track.sleeperSpacing;
-  const double first = -d.track.defectFromSleeper;
-  const double centre = first + spacing * std::round((middle - first) / spacing);
+  const double centre = cases::trackCentre(d), spacing = d.track.sleeperSpacing;
   const double railStart = centre - d.track.length / 2, railEnd = centre + d.track.length / 2;
   const int each = static_cast<int>(std::floor((d.track.length / 2 - d.pad.length / 2) / spacing + 1e-9));
   for (int i = -each; i <= each; ++i) model.sleeperPositions.push_back(centre + i * spacing);

@@ -62,6 +62,18 @@ double massOf(const elasticity::SweptBlock& block, const AlignedVector& mass) {
   return sum;
 }
 
+// Tied nodes of a thin ring reach beyond it, between its chords: they would leave less than nothing to its inner nodes.
+void requireMass(const Model& model) {
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    for (int n = 0; n < model.blocks[b].nodes; ++n)
+      for (int s = 0; s < model.blocks[b].stationCount; ++s)
+        if (!model.slave[b][n] && !(model.mass[b][n * model.blocks[b].stride + s] > 0))
+          throw CaseError(
+              {{"mesh.rim_depth", std::to_string(model.description.mesh.rimDepth) + " m",
+                "such that the rim's inner layer is thicker than what the chords of mesh.wheel_sectors cut off",
+                "Lower mesh.rim_depth or raise mesh.wheel_sectors"}});
+}
+
 void addMasses(Model& model) {
   const auto& w = model.description.wheelset;
   for (const auto& block : model.blocks) {
@@ -89,6 +101,7 @@ void addMasses(Model& model) {
       for (int s = 0; s < block.stationCount; ++s)
         figures.inertia += model.mass[b][n * block.stride + s] * std::pow(block.section.nodes[n][0], 2);
   }
+  requireMass(model);
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     AlignedVector inverse(model.mass[b].size(), 0.0);
     for (std::size_t i = 0; i < inverse.size(); ++i)

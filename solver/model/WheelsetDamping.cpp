@@ -95,7 +95,9 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model
       break;
   }
   if (shapes.modes.empty()) return;
-  every_ = std::max(1L, std::lround(1 / (kicksInPeriod * w.dampingLimit) / step));
+  // Kicks come faster than the samples of the output, so that none of their lines falls among the signals.
+  const double rate = std::max(kicksInPeriod * w.dampingLimit, 2 * model.description.output.rate);
+  every_ = std::max(1L, static_cast<long>(1 / rate / step));
   const double between = static_cast<double>(every_) * step;
 
   const int indices[2] = {model.rim, model.body};

@@ -1,6 +1,7 @@
 // ArrayTree -> RunResult, with every length checked: what comes out can be indexed without further care.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/Errors.h"
 #include "results/ResultTree.h"
@@ -120,7 +121,8 @@ void readRoot(const Mapper& from, const ArrayTree& tree, RunResult& result) {
   result.isa = text("isa");
   const double threads = number("threads");
   result.threads = threads > 0 && threads < 1e6 ? static_cast<int>(threads) : 0;
-  result.stem = text("stem");
+  // Names files later on: a stranger's path must not lead them elsewhere.
+  result.stem = std::filesystem::path(text("stem")).filename().string();
   result.title = text("title");
   result.created = text("created");
   result.speed = number("speed");

@@ -17,8 +17,11 @@ void describeEquilibrium(const model::Model& model, const statics::Equilibrium& 
   const auto& d = model.description;
   const double weight = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   const auto& s = model.surfaces;
-  const auto hertz = contact::hertzContact(s.radius, s.crownRadius, d.rail.material.young, d.rail.material.poisson,
-                                           weight / s.treadCosine);
+  // Two bodies of E* / (1 - nu2) each have the compliance of rail and wheel together.
+  const auto compliance = [](const auto& m) { return (1 - m.poisson * m.poisson) / m.young; };
+  const double nu = d.rail.material.poisson;
+  const double young = 2 * (1 - nu * nu) / (compliance(d.rail.material) + compliance(d.wheelset.material));
+  const auto hertz = contact::hertzContact(s.radius, s.crownRadius, young, nu, weight / s.treadCosine);
   const double peak = e.peakPressure;
   result.equilibrium = {
       {"contact_force", "N", "vertical", e.contactForce},
@@ -53,7 +56,7 @@ void describeMesh(const model::Model& model, const dynamics::StableStep& stable,
       {"largest_aspect", "1", quality.aspectPlace, quality.largestAspect},
       {"stable_step", "s", stable.place, stable.step},
       {"step", "s", "as run", step},
-      {"highest_frequency", "rad/s", "of the assembled model, contact closed", stable.highestFrequency},
+      {"highest_frequency", "rad/s", "of the assembled model, undamped, contact open", stable.highestFrequency},
       {"beta", "s", "stiffness-proportional damping", stable.beta},
       {"wheelset_mass", "kg", "half wheelset", model.wheelset.mass},
       {"wheelset_solid_mass", "kg", "of it meshed as solid", model.wheelset.solidMass},

@@ -148,7 +148,10 @@ class RollingPhase {
       // Pictures are taken at the same steps however often the run was stopped.
       if (rolling_.state().step % perSample_ % mostStepsAtOnce == 0) takePictures();
       tell();
+      const auto asked = Clock::now();
       while (run_.monitor.paused() && !run_.monitor.cancelled()) wait();
+      const auto rested = Clock::now() - asked;  // no part of the run
+      started_ += rested, lastCheckpoint_ += rested;
       if (run_.monitor.cancelled()) {
         checkpoint();
         return false;

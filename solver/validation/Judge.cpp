@@ -153,7 +153,7 @@ int countOf(const std::vector<Judged>& judged, Verdict verdict) {
 std::vector<ComparedParameter> compareParameters(const Reference& reference, const results::RunResult& result) {
   std::vector<ComparedParameter> all;
   auto paper = cases::defaultCase();
-  const auto ours = cases::parseCase(result.caseToml, "the result's case");
+  const auto ours = cases::parseCaseOfResult(result.caseToml, "the result's case");
   for (const auto& parameter : reference.parameters) {
     const auto* known = cases::findParameter(parameter.key);
     if (!known) continue;

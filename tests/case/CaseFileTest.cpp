@@ -261,5 +261,15 @@ TEST_F(CaseFolder, ProfilesSideBySide) {
   EXPECT_EQ(again.defect.lines[0].points[1].height, -0.0001);
 }
 
+// A result comes from a stranger: the file that its case names is not opened, and the case lacks its profile.
+TEST(CaseFile, TheCaseOfAResultOpensNoFile) {
+  try {
+    parseCaseOfResult("[defect]\nshape = \"profile\"\nfile = \"/etc/passwd\"\n", "result");
+    FAIL() << "accepted";
+  } catch (const CaseError& error) {
+    EXPECT_EQ(std::string(error.what()).find("/etc/passwd"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace squat::cases

@@ -88,8 +88,8 @@ TEST(Validation, MassesOfTheWheelset) {
 }
 
 TEST(Validation, RunWithinTheTrack) {
-  expectProblem({{"motion.run_up", "4.8"}}, "motion.run_up");
-  expectProblem({{"motion.beyond", "4.8"}}, "motion.beyond");
+  for (const char* key : {"motion.run_up", "motion.beyond"})
+    expectProblem({{"track.length", "3"}, {"motion.run_up", "1.3"}, {"motion.beyond", "1.3"}}, key);
   expectProblem({{"motion.run_up", "0.03"}}, "motion.run_up");
   expectProblem({{"track.length", "2.4"}}, "track.length");
   expectWarning({{"motion.beyond", "0.02"}}, "motion.beyond");
@@ -217,6 +217,29 @@ TEST(Validation, Meshes) {
                 "mesh.far_size");
   expectProblem({{"mesh.rim_depth", "65"}}, "mesh.rim_depth");
   expectWarning({{"mesh.contact_size", "5"}, {"defect.length", "15"}, {"defect.depth", "0.05"}}, "mesh.contact_size");
+}
+
+// The default follows the speed; a spin that does not is a wheel that slides all the way.
+TEST(Validation, AWheelThatSlidesFromTheStartIsTold) {
+  EXPECT_TRUE(validate(caseWith({{"motion.speed", "25"}, {"motion.torque", "0"}})).warnings.empty());
+  const auto sliding = validate(caseWith({{"motion.speed", "25"}, {"motion.angular_velocity", "65.2"}}));
+  ASSERT_FALSE(sliding.warnings.empty());
+  EXPECT_EQ(sliding.warnings.front().key, "motion.angular_velocity");
+}
+
+TEST(Validation, WavesAreNotDeeperThanTheDip) {
+  expectProblem({{"defect.shape", "dip-with-wave"},
+                 {"defect.depth", "0.05"},
+                 {"defect.wave_depth", "0.2"},
+                 {"defect.wave_count", "2"}},
+                "defect.wave_depth");
+}
+
+// The rail is centred on a sleeper, up to 0.3 m beside the middle of the run.
+TEST(Validation, RailIsLeftAtBothEndsOfTheRun) {
+  expectProblem(
+      {{"track.length", "3"}, {"track.defect_from_sleeper", "0.3"}, {"motion.run_up", "1.2"}, {"motion.beyond", "1.1"}},
+      "motion.beyond");
 }
 
 TEST(Validation, FilterBelowHalfTheRate) {

@@ -192,6 +192,26 @@ TEST(MainWindow, theRunThatWasAskedAboutIsRemoved) {
   EXPECT_EQ(window.store().at(0).label, "c");
 }
 
+TEST(MainWindow, everyRunOfAMeasuredFileIsOverlaidAndForcesAreNot) {
+  const QTemporaryDir folder;
+  const auto write = [&](const QString& name, const QByteArray& head, int runs) {
+    QFile file(folder.filePath(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(head);
+    for (int run = 1; run <= runs; ++run)
+      for (int i = 0; i < 60; ++i)
+        file.write(QByteArray::number(run) + ',' + QByteArray::number(i * 1e-3) + ',' + QByteArray::number(i % 7) +
+                   '\n');
+  };
+  write("passages.csv", "run,time [s],aba [m/s2]\n", 3);
+  write("force.csv", "run,time [s],force [kN]\n", 1);
+  MainWindow window(tests::services());
+  EXPECT_TRUE(window.openMeasured(folder.filePath("passages.csv"))) << window.messages()->text().toStdString();
+  EXPECT_EQ(window.store().rowCount(), 3);
+  EXPECT_FALSE(window.openMeasured(folder.filePath("force.csv")));
+  EXPECT_TRUE(window.messages()->text().contains("not an acceleration")) << window.messages()->text().toStdString();
+}
+
 TEST(MainWindow, darkAndBackKeepsTheWindowAlive) {
   MainWindow window(tests::services());
   window.show();

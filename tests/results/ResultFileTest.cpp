@@ -122,5 +122,14 @@ TEST(ResultFile, AnEarlierResultStaysWhereTheNewOneCannotBeWritten) {
   EXPECT_TRUE(isCompleteResult(path));
 }
 
+// It names files later on.
+TEST(ResultFile, AStrangersStemLeadsNowhere) {
+  const TemporaryFolder folder;
+  auto result = sampleResult();
+  result.stem = "../../elsewhere/name";
+  writeResult(folder / "r.h5", result);
+  EXPECT_EQ(readResult(folder / "r.h5").stem, "name");
+}
+
 }  // namespace
 }  // namespace squat::results

@@ -40,8 +40,7 @@ void addSleeper(Figure& figure, const Span& span, double from, double to) {
 // A defect of several lines is shown line by line; they stand in the case that the result carries.
 void addLines(Figure& figure, const results::RunResult& result) {
   try {
-    // Without the profile's file: a result may come from a stranger, and its case has the points.
-    const auto description = cases::parseCase(result.caseToml, "case of the result", {}, {{}, {{"defect.file", ""}}});
+    const auto description = cases::parseCaseOfResult(result.caseToml, "case of the result");
     const cases::DefectSurface surface(description.defect);
     std::size_t colour = 2;
     for (const double lateral : surface.lateralLines()) {

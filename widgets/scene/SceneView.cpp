@@ -27,6 +27,7 @@ struct SceneView::Parts {
   SceneChoices choices;
   std::vector<vtkSmartPointer<vtkActor>> surfaces;
   vtkSmartPointer<vtkTextActor> heading;  // which way the wheel rolls
+  vtkSmartPointer<vtkTextActor> title;    // quantity and unit of the colours
   bool stale = true, placed = false;
   double highest = 0, contactAt = 0, pixelRatio = 1;
   Look look;
@@ -131,9 +132,14 @@ void SceneView::showLegend() {
   const bool none = look.field == Field::none;
   my.bar->RemoveAllViewProps();
   my.bar->SetBackground(my.renderer->GetBackground());
+  if (my.title) my.renderer->RemoveActor2D(my.title);
   my.renderer->SetViewport(0, 0, none ? 1.0 : barLeft, 1);
   my.bar->SetViewport(none ? 1.0 : barLeft, 0, 1, 1);
   if (none) return;
+  my.title = textActor(fieldName(look.field), 0.98, 0.02, high, look.dark, 1);
+  my.title->GetTextProperty()->SetBackgroundColor(my.renderer->GetBackground());
+  my.title->GetTextProperty()->SetBackgroundOpacity(0.7);
+  my.renderer->AddActor2D(my.title);
   if (look.field != Field::stickSlip) {
     my.bar->AddActor2D(colourBar(look, {0.12, 0.06, 0.8, 0.86}, high));
     return;

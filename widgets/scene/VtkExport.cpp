@@ -15,6 +15,7 @@
 #include <fstream>
 
 #include "core/Errors.h"
+#include "laboratory/AnalysisFiles.h"
 #include "scene/SurfaceData.h"
 
 namespace squat::scene {
@@ -67,12 +68,13 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   const std::filesystem::path place(folder);
+  const std::string stem = laboratory::safeFileName(result.stem);  // may come from a stranger
   std::vector<std::string> written;
   std::string collection = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
     char number[32];
     std::snprintf(number, sizeof number, "_%03zu.vtu", i);
-    const std::string name = result.stem + number;
+    const std::string name = stem + number;
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     const std::string path = (place / name).string();
     writer->SetFileName(path.c_str());
@@ -85,7 +87,7 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
     collection += std::string("<DataSet timestep=\"") + time + "\" file=\"" + name + "\"/>\n";
   }
   collection += "</Collection>\n</VTKFile>\n";
-  const std::string path = (place / (result.stem + ".pvd")).string();
+  const std::string path = (place / (stem + ".pvd")).string();
   std::ofstream file(path, std::ios::binary);
   file << collection;
   file.close();

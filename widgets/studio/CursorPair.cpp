@@ -6,9 +6,9 @@
 namespace squat::studio {
 namespace {
 
-// Not-a-number outside the first curve.
+// Not-a-number outside the first curve, and where the first one is no curve but single points.
 double valueOn(const plots::Figure& figure, double place) {
-  if (figure.graphCount() == 0) return NAN;
+  if (figure.graphCount() == 0 || figure.graph(0)->lineStyle() == QCPGraph::lsNone) return NAN;
   const auto data = figure.graph(0)->data();
   const auto after = data->findBegin(place, false);
   if (after == data->constEnd() || after == data->constBegin()) return NAN;

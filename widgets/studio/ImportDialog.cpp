@@ -74,6 +74,7 @@ void ImportDialog::makeControls() {
   message_ = new QLabel(this);
   message_->setWordWrap(true);
   table_ = new QTableWidget(this);
+  table_->setTabKeyNavigation(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setAccessibleName(tr("First lines of the file"));
   plot_->xAxis->setLabel(tr("Position [mm]"));

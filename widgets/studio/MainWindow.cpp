@@ -1,6 +1,7 @@
 #include "studio/MainWindow.h"
 
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -129,6 +130,7 @@ void MainWindow::connectParts() {
   connect(&controller_, &RunController::started, this, &MainWindow::showStopped);
   connect(&controller_, &RunController::ended, this, &MainWindow::showStopped);
   showStopped();
+  connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
   connect(&controller_, &RunController::finished, this, &MainWindow::keep);
   connect(&controller_, &RunController::failed, this,
           [this](const QString& sentence, const QString& details, const ResultPointer& soFar) {
@@ -161,10 +163,15 @@ void MainWindow::takeWhatIsTyped() {
 
 void MainWindow::beginRun(bool resume) {
   takeWhatIsTyped();
-  const QStringList reasons = form_->blockers();
-  if (!reasons.isEmpty() || controller_.isRunning()) return;
-  if (resume && !stopped_.has(document_.description())) return;
-  showTab("run");
+  showTab("run");  // where the reasons stand
+  if (!form_->blockers().isEmpty() || controller_.isRunning()) return;
+  const bool stopped = stopped_.has(document_.description());
+  if (resume && !stopped) return;
+  if (!resume && stopped &&
+      services_.asker(this, tr("A stopped run of this case could go on (Ctrl+F5). Beginning anew lets it go."),
+                      tr("Begin anew")) == Answer::cancel)
+    return;
+  if (controller_.isRunning()) return;  // events have passed meanwhile
   checkpoint_ = stopped_.file(document_.description());
   resumed_ = resume;
   simulation::RunOptions options;
@@ -191,10 +198,21 @@ void MainWindow::showStopped() {
   const bool can = !controller_.isRunning() && stopped_.has(document_.description());
   run_->setStopped(can);
   if (goOnAction_) goOnAction_->setEnabled(can);
+  enableActions();
+}
+
+// What can do nothing now says so.
+void MainWindow::enableActions() {
+  const bool running = controller_.isRunning(), result = store_.currentResult() != nullptr;
+  const auto enable = [this](const char* name, bool on) {
+    if (auto* action = findChild<QAction*>(name)) action->setEnabled(on);
+  };
+  for (const char* name : {"pauseAction", "cancelAction"}) enable(name, running);
+  for (const char* name : {"saveResult", "modelPicture", "vtkSeries"}) enable(name, result);
 }
 
 void MainWindow::setDark(bool dark) {
-  QSettings().setValue("dark", dark);
+  if (darkAction_) darkAction_->setChecked(dark);
   applyTheme(dark);
   const plots::Style style = figureStyle(dark);
   profile_->setStyle(style);

@@ -96,6 +96,7 @@ class MainWindow : public QMainWindow {
   void beginRun(bool resume);
   void keep(const ResultPointer& result);
   void showStopped();
+  void enableActions();
   void endRun();
   void offerRecovery();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);

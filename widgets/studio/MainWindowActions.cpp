@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QSettings>
 #include <QStyle>
 
 #include "case/ShippedCases.h"
@@ -144,7 +145,10 @@ void MainWindow::makeViewMenu() {
     menu->addAction(action);
   }
   menu->addSeparator();
-  darkAction_ = menu->addAction(tr("&Dark"), this, [this](bool on) { setDark(on); });
+  darkAction_ = menu->addAction(tr("&Dark"), this, [this](bool on) {
+    QSettings().setValue("dark", on);
+    setDark(on);
+  });
   darkAction_->setCheckable(true);
   darkAction_->setChecked(wishedDark());
   darkAction_->setShortcut(QKeySequence("Ctrl+D"));

@@ -62,7 +62,7 @@ bool MainWindow::openResult(const QString& path) {
     store_.add({result, label, QFileInfo(path).absoluteFilePath(), false, false});
     if (result->caseToml.empty() || document_.isModified()) return true;
     // The case that made the result, to be looked at and changed.
-    document_.startFrom(cases::parseCase(result->caseToml, path.toStdString()), QString(), label, false);
+    document_.startFrom(cases::parseCaseOfResult(result->caseToml, path.toStdString()), QString(), label, false);
     profile_->plot()->fit();
     return true;
   } catch (const FileError& error) {
@@ -78,8 +78,15 @@ bool MainWindow::openResult(const QString& path) {
 bool MainWindow::openMeasured(const QString& path) {
   try {
     const ResultPointer current = store_.currentResult();
-    const ResultPointer measured = measuredRun(path, document_.description().motion.speed, current.get());
-    store_.add({measured, QFileInfo(path).completeBaseName(), QFileInfo(path).absoluteFilePath(), true, true});
+    const auto runs = measuredRuns(path, document_.description().motion.speed, current.get());
+    QStringList notes;
+    for (const auto& run : runs) {
+      QString label = QFileInfo(path).completeBaseName();
+      if (runs.size() > 1) label += ": " + QString::fromStdString(run->title);
+      store_.add({run, label, QFileInfo(path).absoluteFilePath(), true, true});
+      for (const auto& note : run->warnings) notes << QString::fromStdString(note);
+    }
+    if (!notes.isEmpty()) messages_->say(tr("Overlaid: %1").arg(notes[0]), notes.join('\n'));
     return true;
   } catch (const std::exception& error) {
     messages_->warn(QString::fromStdString(error.what()));

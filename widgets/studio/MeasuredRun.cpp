@@ -28,15 +28,15 @@ double impactOf(const results::RunResult& reference) {
   return reference.position[largest(*values)];
 }
 
-}  // namespace
-
-std::shared_ptr<const results::RunResult> measuredRun(const QString& path, double speed,
-                                                      const results::RunResult* reference) {
-  const auto read = measured::readSignals(path.toStdString());
-  if (read.empty()) throw FileError(path.toStdString(), "", "has no signal");
-  const measured::MeasuredSignal& signal = read.front();
+std::shared_ptr<const results::RunResult> runOf(const measured::MeasuredSignal& signal, const std::string& path,
+                                                double speed, const results::RunResult* reference) {
+  if (!signal.series.unit.empty() && signal.series.unit != "m/s2")
+    throw FileError(path, signal.series.name, "is in " + signal.series.unit + ", not an acceleration",
+                    "Overlay a signal in m/s2 or g");
   auto result = std::make_shared<results::RunResult>();
-  result->stem = result->title = signal.series.name;
+  result->stem = signal.series.name;
+  result->title = signal.run.empty() ? signal.series.name : signal.run;
+  result->warnings = signal.notes;
   result->complete = true;
   const std::size_t count = signal.series.values.size();
   for (std::size_t i = 0; i < count; ++i) result->time.push_back(signal.series.timeAt(i));
@@ -70,6 +70,17 @@ std::shared_ptr<const results::RunResult> measuredRun(const QString& path, doubl
   result->signals.push_back({"aba", "m/s2", "measured", std::move(raw)});
   result->signals.push_back({"aba_filtered", "m/s2", "measured, low-passed", filtered});
   return result;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<const results::RunResult>> measuredRuns(const QString& path, double speed,
+                                                                    const results::RunResult* reference) {
+  const auto read = measured::readSignals(path.toStdString());
+  if (read.empty()) throw FileError(path.toStdString(), "", "has no signal");
+  std::vector<std::shared_ptr<const results::RunResult>> runs;
+  for (const auto& signal : read) runs.push_back(runOf(signal, path.toStdString(), speed, reference));
+  return runs;
 }
 
 }  // namespace squat::studio

@@ -3,15 +3,16 @@
 
 #include <QString>
 #include <memory>
+#include <vector>
 
 #include "results/RunResult.h"
 
 namespace squat::studio {
 
-// Reads a measured axle box acceleration and puts its largest value where that of `reference` is (at the defect without
-// one). Only 5 m on both sides of it are kept. Where the file tells no speed, `speed` [m/s] links time and position.
-// Throws FileError.
-std::shared_ptr<const results::RunResult> measuredRun(const QString& path, double speed,
-                                                      const results::RunResult* reference);
+// Reads measured axle box accelerations, one or more runs, and puts the largest value of each where that of `reference`
+// is (at the defect without one). Only 5 m on both sides of it are kept. Where the file tells no speed, `speed` [m/s]
+// links time and position. Throws FileError, also for signals that are no accelerations.
+std::vector<std::shared_ptr<const results::RunResult>> measuredRuns(const QString& path, double speed,
+                                                                    const results::RunResult* reference);
 
 }  // namespace squat::studio

@@ -1,5 +1,6 @@
 #include "studio/MessageBar.h"
 
+#include <QAccessible>
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -46,6 +47,9 @@ void MessageBar::show(const QString& sentence, const QString& details, const QSt
   more_->setVisible(!details.isEmpty() && details != sentence);
   setStyleSheet(QStringLiteral("squat--studio--MessageBar { background: %1; } QLabel { color: white; }").arg(colour));
   QFrame::show();
+  setAccessibleName(sentence);
+  QAccessibleEvent alert(this, QAccessible::Alert);  // read aloud: the message takes no focus
+  QAccessible::updateAccessibility(&alert);
 }
 
 }  // namespace squat::studio

@@ -22,6 +22,7 @@ PaperPanel::PaperPanel(RunStore& store, Comparison comparison, QWidget* parent)
   title_ = new QLabel(this);
   title_->setWordWrap(true);
   table_ = new QTableWidget(0, 4, this);
+  table_->setTabKeyNavigation(false);  // Tab leaves the table
   table_->setHorizontalHeaderLabels({tr("What"), tr("This run"), tr("Paper"), tr("Verdict")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->verticalHeader()->hide();

@@ -33,7 +33,7 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   reset_->setSizePolicy(keepsPlace);
   reset_->setToolTip(tr("Back to the default: %1").arg(QString::fromStdString(parameter.standardText)));
   reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(parameter.key)));
-  reset_->setFocusPolicy(Qt::ClickFocus);
+  reset_->setFocusPolicy(Qt::StrongFocus);
   why_ = new QLabel(this);
   why_->setWordWrap(true);
   why_->setObjectName("reason");

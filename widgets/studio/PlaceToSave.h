@@ -7,8 +7,9 @@ class QWidget;
 
 namespace squat::studio {
 
-// Empty where the user thinks better of it. A name without an ending gets that of the chosen kind before the dialog asks
-// whether an earlier file may be replaced. `kinds`: "PNG (*.png);;SVG (*.svg)"; `proposed` has the ending of the first.
+// Empty where the user thinks better of it. A name without an ending gets that of the chosen kind before the dialog
+// asks whether an earlier file may be replaced. `kinds`: "PNG (*.png);;SVG (*.svg)"; `proposed` has the ending of the
+// first.
 QString placeToSave(QWidget* parent, const QString& title, const QString& proposed, const QString& kinds);
 
 }  // namespace squat::studio

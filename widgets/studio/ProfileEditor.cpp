@@ -33,6 +33,7 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   table_->verticalHeader()->setDefaultSectionSize(22);
   table_->setAccessibleName(tr("Points of the profile"));
   table_->setObjectName("profileTable");
+  table_->setTabKeyNavigation(false);  // Tab leaves the table
   place_ = new QLabel(this);
   place_->setObjectName("placeInProfile");
   hint_ = new QLabel(this);
@@ -128,6 +129,10 @@ void ProfileEditor::makePlot(const plots::Style& style) {
   });
   connect(table_, &QTableView::clicked, plot_,
           [this](const QModelIndex& index) { plot_->choose(static_cast<std::size_t>(index.row())); });
+  // By keys as well.
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, plot_, [this](const QModelIndex& index) {
+    if (index.isValid() && table_->hasFocus()) plot_->choose(static_cast<std::size_t>(index.row()));
+  });
 }
 
 void ProfileEditor::showEvent(QShowEvent* event) {

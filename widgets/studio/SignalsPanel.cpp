@@ -4,13 +4,17 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
@@ -290,6 +294,16 @@ void SignalsPanel::toggleCursors() { cursors_->toggle(); }
 void SignalsPanel::askForFolder() {
   const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the figures"));
   if (folder.isEmpty()) return;
+  const QStringList paths = exportPaths(folder);
+  const auto standing =
+      std::count_if(paths.begin(), paths.end(), [](const QString& path) { return QFile::exists(path); });
+  if (standing > 0 &&
+      QMessageBox::question(
+          this, tr("Export all"),
+          tr("%n files with the names of these figures stand in %1. Replace them?", nullptr, static_cast<int>(standing))
+              .arg(folder),
+          QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) != QMessageBox::Yes)
+    return;
   try {
     exportAll(folder);
   } catch (const FileError& error) {
@@ -297,17 +311,21 @@ void SignalsPanel::askForFolder() {
   }
 }
 
+QStringList SignalsPanel::exportPaths(const QString& folder) const {
+  QStringList paths;
+  for (const auto& name : names())
+    for (const char* ending : {"png", "svg", "pdf", "csv"}) paths << QDir(folder).filePath(name + "." + ending);
+  return paths;
+}
+
 QStringList SignalsPanel::exportAll(const QString& folder) {
-  QStringList written;
-  for (const auto& name : names()) {
+  const QStringList paths = exportPaths(folder);
+  for (const QString& path : paths) {
+    const QString name = QFileInfo(path).completeBaseName();
     rebuild(name);
-    for (const char* ending : {"png", "svg", "pdf", "csv"}) {
-      const QString path = QDir(folder).filePath(name + "." + ending);
-      views_[name]->writeFile(path);
-      written << path;
-    }
+    views_[name]->writeFile(path);
   }
-  return written;
+  return paths;
 }
 
 }  // namespace squat::studio

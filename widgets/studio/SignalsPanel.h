@@ -33,7 +33,8 @@ class SignalsPanel : public QWidget {
   FigureView* currentView() const;
   const SignalSettings& settings() const { return settings_; }
   // Every figure as seen, in every format, and the curves as CSV. Returns the files. Throws FileError.
-  QStringList exportAll(const QString& folder);
+  QStringList exportAll(const QString& folder);          // replaces what stands there
+  QStringList exportPaths(const QString& folder) const;  // what it writes
   void askForFolder();
   void toggleCursors();
 
