@@ -1,6 +1,7 @@
 // Habits of a desktop program: shortcuts, names for screen readers, files dropped, questions before work is lost.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QAccessible>
 #include <QApplication>
 #include <QDropEvent>
@@ -50,6 +51,26 @@ TEST(Habits, everyActionHasAShortcutOfItsOwn) {
       EXPECT_FALSE(keys.isEmpty()) << action->text().toStdString();
       EXPECT_TRUE(taken.insert(keys.toString()).second) << keys.toString().toStdString();
     }
+  }
+}
+
+// Buttons that stand in no menu have keys of their own as well.
+TEST(Habits, everyButtonHasAKeyOrAMenuEntry) {
+  MainWindow window(tests::services());
+  std::vector<QAction*> actions;
+  collect(window.menuBar()->actions(), actions);
+  std::set<QString> taken;
+  for (const QAction* action : actions)
+    for (const QKeySequence& keys : action->shortcuts()) taken.insert(keys.toString());
+  const QStringList inMenus{"Save…",       "Measured…", "Picture…", "VTK…",  "Fit",
+                            "Export all…", "Run",       "Go on",    "Pause", "Cancel"};
+  for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
+    const bool action =
+        (button->inherits("QPushButton") || button->inherits("QToolButton")) && button->text().size() > 2;
+    if (!action || inMenus.contains(button->text()) || button->objectName().startsWith("qt_") || button->isCheckable())
+      continue;
+    EXPECT_FALSE(button->shortcut().isEmpty()) << button->text().toStdString();
+    EXPECT_TRUE(taken.insert(button->shortcut().toString()).second) << button->text().toStdString();
   }
 }
 

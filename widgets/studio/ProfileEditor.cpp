@@ -14,6 +14,7 @@
 
 #include "core/Errors.h"
 #include "plots/FigureFiles.h"
+#include "studio/ButtonKeys.h"
 #include "studio/CaseDocument.h"
 #include "studio/FlowLayout.h"
 #include "studio/ImportDialog.h"
@@ -81,10 +82,12 @@ QWidget* ProfileEditor::makeToolBar() {
   button(tr("Import…"), tr("Import a measured profile from a table"), [this] {
     askForFile();
   })->setObjectName("importProfile");
-  button(tr("Export…"), tr("Write the profile as CSV"), [this] { exportFile(); });
-  button(tr("To points"), tr("Turn the shape into points that can be dragged"),
-         [this] { document_.edit(tr("Turn the shape into points"), asPoints(document_.description())); });
+  button(tr("Export…"), tr("Write the profile as CSV"), [this] { exportFile(); })->setObjectName("exportProfile");
+  button(tr("To points"), tr("Turn the shape into points that can be dragged"), [this] {
+    document_.edit(tr("Turn the shape into points"), asPoints(document_.description()));
+  })->setObjectName("toPoints");
   button(tr("Fit"), tr("Show the whole defect (F)"), [this] { plot_->fit(); });
+  giveKeys(*bar, {{"importProfile", "Ctrl+I"}, {"exportProfile", "Ctrl+Shift+I"}, {"toPoints", "Ctrl+T"}});
   snap_ = new QComboBox(bar);
   snap_->addItem(tr("no snapping"), QPointF(0, 0));
   snap_->addItem(tr("snap 0.5 mm, 1 µm"), QPointF(5e-4, 1e-6));

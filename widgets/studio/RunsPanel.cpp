@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "studio/ButtonKeys.h"
 #include "studio/RunStore.h"
 
 namespace squat::studio {
@@ -20,6 +21,7 @@ RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_
     auto* made = new QPushButton(text, this);
     made->setToolTip(tip);
     made->setAccessibleName(tip);
+    made->setObjectName(text);
     buttons->addWidget(made);
     connect(made, &QPushButton::clicked, this, action);
   };
@@ -29,6 +31,7 @@ RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_
   button(tr("Remove"), tr("Take the chosen run off the list"), [this] {
     if (list_->currentIndex().isValid()) Q_EMIT removeWished(list_->currentIndex().row());
   });
+  giveKeys(*this, {{tr("Open…"), "Ctrl+Shift+O"}, {tr("Remove"), "Ctrl+Delete"}});  // the others stand in a menu
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(list_, 1);

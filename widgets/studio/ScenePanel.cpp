@@ -13,6 +13,7 @@
 
 #include "core/Errors.h"
 #include "scene/VtkExport.h"
+#include "studio/ButtonKeys.h"
 #include "studio/FlowLayout.h"
 #include "studio/PlaceToSave.h"
 #include "studio/SceneWidget.h"
@@ -84,6 +85,11 @@ QWidget* ScenePanel::makeControls() {
       scene_->lookFrom(chosen);
     });
   }
+  giveKeys(*bar, {{"view " + tr("All"), "Alt+1"},
+                  {"view " + tr("Contact"), "Alt+2"},
+                  {"view " + tr("Side"), "Alt+3"},
+                  {"view " + tr("Front"), "Alt+4"},
+                  {"view " + tr("Top"), "Alt+5"}});
   auto* picture = toolButton(tr("Picture…"), bar);
   flow->addWidget(picture);
   auto* series = toolButton(tr("VTK…"), bar);
@@ -104,6 +110,8 @@ QWidget* ScenePanel::makeTime() {
   layout->setContentsMargins(0, 0, 0, 0);
   play_ = new QPushButton(tr("Play"), bar);
   play_->setCheckable(true);
+  play_->setObjectName("play");
+  giveKeys(*bar, {{"play", "Ctrl+Shift+P"}});
   time_ = new QSlider(Qt::Horizontal, bar);
   time_->setAccessibleName(tr("Moment"));
   time_->setObjectName("moment");
@@ -114,6 +122,7 @@ QWidget* ScenePanel::makeTime() {
   layout->addWidget(moment_);
   connect(play_, &QPushButton::toggled, this, [this](bool on) {
     play_->setText(on ? tr("Stop") : tr("Play"));
+    play_->setShortcut(QKeySequence("Ctrl+Shift+P"));  // the text has taken it
     on ? animation_.start() : animation_.stop();
   });
   connect(time_, &QSlider::valueChanged, this, &ScenePanel::apply);
