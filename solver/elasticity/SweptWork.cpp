@@ -154,11 +154,12 @@ void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock
               const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
               std::vector<SegmentEnds>& ends) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const auto& [index, first, count] = segments[i];
-    const auto& block = blocks[index];
+    const int first = segments[i].first, count = segments[i].count;
+    const auto& block = blocks[segments[i].block];
+    const auto& with = steps[segments[i].block];
     startCarry(
-        block, [&](int run) -> const KernelSet& { return kernelsOfRun(block, steps[index], common, run); }, first,
-        source, scratch);
+        block, [&](int run) -> const KernelSet& { return kernelsOfRun(block, with, common, run); }, first, source,
+        scratch);
     std::copy_n(scratch.carry.begin(), 3 * block.nodes, ends[i].carry.begin());
     for (int n = 0; n < block.nodes; ++n)
       for (int c = 0; c < 3; ++c) ends[i].after[3 * n + c] = source[block.index(n, c, first + count)];
