@@ -53,24 +53,14 @@ void keepInputs(const RunFiles& files, const std::string& caseName, const cases:
 std::optional<results::RunResult> completeResult(const RunFiles& files) {
   std::error_code ignored;
   if (!fs::exists(files.result(), ignored)) return std::nullopt;
-  try {
-    auto result = results::readResult(files.result());
-    if (result.complete) return result;
-  } catch (const FileError&) {  // damaged: made again
-  }
-  return std::nullopt;
+  auto result = results::readResult(files.result());
+  return result.complete ? std::optional(std::move(result)) : std::nullopt;
 }
 
 results::RunResult runOrGoOn(const cases::CaseDescription& description, simulation::RunOptions options,
                              const RunFiles& files, Monitor& monitor) {
   options.checkpointPath = files.checkpoint();
   options.resume = true;
-  const auto anew = [&] {
-    monitor.message(files.checkpoint() + " is of another case or version: the run begins anew");
-    results::removeCheckpoint(files.checkpoint());
-    options.resume = false;
-    return simulation::runCase(description, options, monitor);
-  };
   try {
     return simulation::runCase(description, options, monitor);
   } catch (const CaseError& error) {
@@ -78,7 +68,10 @@ results::RunResult runOrGoOn(const cases::CaseDescription& description, simulati
   } catch (const FileError& error) {
     if (!concerns(error, options.checkpointPath)) throw;
   }
-  return anew();
+  monitor.message(files.checkpoint() + " is of another case or version: the run begins anew");
+  results::removeCheckpoint(files.checkpoint());
+  options.resume = false;
+  return simulation::runCase(description, options, monitor);
 }
 
 void prepareFolder(const RunFiles& files) {

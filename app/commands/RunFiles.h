@@ -33,7 +33,8 @@ void keepInputs(const RunFiles& files, const std::string& caseName, const cases:
 results::RunResult runOrGoOn(const cases::CaseDescription& description, simulation::RunOptions options,
                              const RunFiles& files, Monitor& monitor);
 
-// The complete result that stands there, where there is one; nothing where it is damaged or incomplete.
+// The complete result that stands there; nothing where there is none, or an incomplete one. FileError for a file that
+// is no result or is damaged: it may be somebody's, and is not replaced unasked.
 std::optional<results::RunResult> completeResult(const RunFiles& files);
 
 // Writes result and signals, and returns the paths written. A complete result replaces whatever stood there and removes

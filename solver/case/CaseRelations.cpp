@@ -150,7 +150,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
         "The run ends too near the end of the rail; lengthen track.length or shorten the run");
   if (surface.first() < centre - half || surface.last() > centre + half)
     add(findings, c, Severity::problem, {"track.length", "defect.length", "defect.points", "defect.file"},
-        limitText("track.length", "at least", 2 * std::max(-surface.first(), surface.last())),
+        limitText("track.length", "at least", 2 * std::max(centre - surface.first(), surface.last() - centre)),
         "The defect reaches outside the track");
   // Beyond a creepage of 1 % friction is exhausted all over the patch.
   const double rolling = c.motion.speed / c.wheelset.radius;

@@ -52,8 +52,8 @@ struct KernelCall {
   double spinAcceleration = 0;           // [rad/s2] added times radius to a
   double step = 0, beta = 0;             // [s]
   double cosine = 1, sine = 0;           // of the angle by which the local basis turns in this step
-  double* turningMoment =
-      nullptr;  // one line, or null: per station += sum of w_a f_b - w_b f_a, w = u + beta v, f = K w
+  // One line, or null: per station += sum of w_a f_b - w_b f_a [N m], w = u + beta v, f = K w.
+  double* turningMoment = nullptr;
 };
 
 // What the elasticity is computed in. Single inside: sums and differences of neighbouring stations are formed from the

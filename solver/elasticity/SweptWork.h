@@ -49,13 +49,13 @@ struct BlockStep {
   double* turningMoment = nullptr;  // closed blocks: KernelCall
 };
 
-// What a step in place needs of a segment's surroundings as they were before anybody wrote.
+// What a step in place needs of a segment's surroundings as they were before anybody wrote: room for it by
+// segmentEnds(), filled by readEnds(), which all threads must have done before any of them advances in place.
 struct SegmentEnds {
   AlignedVector carry;                    // what the interval before the segment adds, nodes x 3
   std::vector<double> after, references;  // KernelCall
 };
 
-// Reads the ends of the segments; all threads must have done so before any of them advances in place.
 std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks);
 void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks, const KernelSet& kernels,
               const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,

@@ -9,10 +9,11 @@
 namespace squat::signals {
 namespace {
 
-constexpr int lobes = 16;     // zero crossings of the sinc to each side
-constexpr double beta = 8.0;  // Kaiser: side lobes 80 dB down
-constexpr double mostSamples = 1e8;
+constexpr int lobes = 16;        // zero crossings of the sinc to each side
+constexpr double beta = 8.0;     // Kaiser: side lobes 80 dB down
 constexpr int tableSteps = 512;  // per lobe; linear between: error (pi/512)^2/8 = 5e-6
+// Longer records are a wrong unit of time, and outgrow the memory.
+constexpr double mostSamples = 1e8;
 
 double besselI0(double x) {
   double term = 1, sum = 1;
@@ -52,7 +53,8 @@ double kernel(double u) {
 Interpolator::Interpolator(const TimeSeries& series, double bandwidth)
     : series_(series), bandwidth_(bandwidth), reach_(0) {
   requireUsable(series, 1, "interpolation");
-  if (!(lobes / bandwidth < mostSamples)) throw SignalError("'" + series.name + "': the new step is far too long");
+  if (!(lobes / bandwidth < mostSamples))
+    throw SignalError("'" + series.name + "': the new step is far too long; check its unit");
   reach_ = static_cast<int>(std::ceil(lobes / bandwidth));
 }
 

@@ -17,7 +17,7 @@ void describeEquilibrium(const model::Model& model, const statics::Equilibrium& 
   const auto& d = model.description;
   const double weight = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   const auto& s = model.surfaces;
-  // Two bodies of E* / (1 - nu2) each have the compliance of rail and wheel together.
+  // Two bodies of 2 (1 - nu2) E* each give way as rail and wheel together, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
   const auto compliance = [](const auto& m) { return (1 - m.poisson * m.poisson) / m.young; };
   const double nu = d.rail.material.poisson;
   const double young = 2 * (1 - nu * nu) / (compliance(d.rail.material) + compliance(d.wheelset.material));

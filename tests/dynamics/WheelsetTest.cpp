@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "case/CaseFile.h"
+#include "core/Errors.h"
 #include "dynamics/Rolling.h"
 #include "dynamics/StableStep.h"
 #include "model/WheelsetModes.h"
@@ -173,6 +174,11 @@ TEST(WheelsetDamping, BooksCloseWithBearingAndDamping) {
   enter(ledger, *free.rolling);
   EXPECT_GT(lastOf(ledger, "damping"), 0.3 * given);
   EXPECT_NEAR(lastOf(ledger, "residual"), 0, 0.01 * given);
+}
+
+// 24 chords cut up to 3.45 mm off a layer of 5 mm: the nodes behind the rim's tie would have less than no mass.
+TEST(Wheelset, ARimThatLeavesNoMassBehindIsRefused) {
+  EXPECT_THROW(model::buildModel(caseWith({{"mesh.rim_depth", "60"}})), CaseError);
 }
 
 }  // namespace

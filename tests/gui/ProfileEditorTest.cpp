@@ -118,7 +118,8 @@ TEST(ProfileModel, shapesTurnedIntoPointsKeepTheirForm) {
   EXPECT_NEAR(lowestAfter, lowestBefore, 1e-6);  // 1 mm apart on a cosine of 50 mm: below 1 % of 150 um
 }
 
-// Straight lines between points 1 mm apart: a share of 1 % of the depth, more only beside the ramps of the cut.
+// Curves through points 1 mm apart: the depth to 1 % (the lowest point need not be one of them); beside the kinks of
+// the cut half a millimetre of ramp, 0.5 of 10 mm, is 5 % of the depth.
 TEST(ProfileModel, pointsKeepDepthAndPlaceOfEveryShape) {
   cases::CaseDescription description = cases::defaultCase();
   auto& defect = description.defect;

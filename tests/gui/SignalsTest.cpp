@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QListView>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/Hands.h"
 #include "render/SyntheticResult.h"
 #include "studio/CursorPair.h"
 #include "studio/FigureTable.h"
@@ -131,6 +133,26 @@ TEST(Signals, everythingIsExportedInEveryFormat) {
   EXPECT_EQ(files.size(), 7 * 4);
   for (const QString& path : files)
     EXPECT_GT(QFileInfo(path).size(), path.endsWith(".csv") ? 20 : 2000) << path.toStdString();
+}
+
+// A measured aba.csv may lie in the folder that is chosen.
+TEST(Signals, exportAsksBeforeItReplacesFiles) {
+  const QTemporaryDir folder;
+  QFile measured(folder.filePath("aba.csv"));
+  ASSERT_TRUE(measured.open(QIODevice::WriteOnly));
+  measured.write("measured");
+  measured.close();
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  panel.show();
+  store.add({synthetic(), "run", {}, false, false});
+  tests::FileDialogTyping typing(folder.path());
+  tests::BoxAnswer answer("Cancel");
+  panel.askForFolder();
+  EXPECT_TRUE(typing.done());
+  EXPECT_TRUE(answer.done());
+  EXPECT_EQ(QFileInfo(measured).size(), 8);
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
 // As `synthetic()`, begun some time earlier: the same passage at another time.

@@ -60,6 +60,31 @@ TEST_F(StoppedRun, isOfferedForItsOwnCaseOnly) {
   EXPECT_TRUE(goOn(*window).isVisible());
 }
 
+// Hours may stand in its checkpoint, which a new run of the case would replace.
+TEST_F(StoppedRun, isNotLetGoUnasked) {
+  QStringList questions;
+  Answer answer = Answer::cancel;
+  StudioServices services = tests::services(steps);
+  services.runsFolder = folder_.path();
+  services.asker = [&](QWidget*, const QString& question, const QString&) {
+    questions << question;
+    return answer;
+  };
+  MainWindow window(services);
+  window.openCase("light-defect");
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  runAndCancel(window);
+  ASSERT_TRUE(questions.isEmpty());
+  window.startRun();
+  EXPECT_FALSE(window.controller().isRunning());
+  EXPECT_EQ(questions.size(), 1);
+  EXPECT_TRUE(window.findChild<QAction*>("goOnAction")->isEnabled());
+  answer = Answer::discard;
+  window.startRun();
+  EXPECT_TRUE(window.controller().isRunning());
+}
+
 TEST_F(StoppedRun, goesOnAndTakesThePlaceOfItsFirstPart) {
   const auto window = open();
   runAndCancel(*window);

@@ -104,20 +104,20 @@ TEST(Hdf5Signals, resultFile) {
   EXPECT_DOUBLE_EQ(readSignals(file.path(), options)[0].series.values[5], 65.2);
 }
 
-results::ArrayTree fortySamples() {
+// Forty samples with rate and speed beside them, as a file.
+void writeSamples(const std::string& path, double rate, const char* rateUnit, double speed, const char* speedUnit) {
   results::ArrayTree tree;
   std::vector<double> values;
   for (int i = 0; i < 40; ++i) values.push_back(i % 7);
   tree.add("/aba", values, "m/s2");
-  return tree;
+  tree.add("/fs", std::vector<double>{rate}, rateUnit);
+  tree.add("/speed", std::vector<double>{speed}, speedUnit);
+  writeDurably(path, results::encodeHdf5(tree, path));
 }
 
 TEST(Hdf5Signals, unitsOfRateAndSpeedCount) {
-  auto tree = fortySamples();
-  tree.add("/fs", std::vector<double>{25}, "kHz");
-  tree.add("/speed", std::vector<double>{108}, "km/h");
   const tests::TemporaryFile file("");
-  writeDurably(file.path(), results::encodeHdf5(tree, file.path()));
+  writeSamples(file.path(), 25, "kHz", 108, "km/h");
   const auto runs = readSignals(file.path());
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_NEAR(runs[0].series.rate(), 25000, 1e-6);
@@ -125,11 +125,8 @@ TEST(Hdf5Signals, unitsOfRateAndSpeedCount) {
 }
 
 TEST(Hdf5Signals, anUnknownUnitOfTheSpeedIsNoGuess) {
-  auto tree = fortySamples();
-  tree.add("/fs", std::vector<double>{25000}, "Hz");
-  tree.add("/speed", std::vector<double>{67}, "mph");
   const tests::TemporaryFile file("");
-  writeDurably(file.path(), results::encodeHdf5(tree, file.path()));
+  writeSamples(file.path(), 25000, "Hz", 67, "mph");
   EXPECT_THAT(complaint(file.path()), HasSubstr("mph"));
 }
 

@@ -218,7 +218,7 @@ TEST(SignalFile, columnsCalledRunWithAUnitAreSignals) {
   EXPECT_EQ(runs[1].series.values.size(), 40u);
 }
 
-// Seconds labelled as nanoseconds: spectra of such a rate would outgrow any memory.
+// Seconds labelled as microseconds: 1 kHz becomes 1 GHz, whose spectra would outgrow any memory.
 TEST(SignalFile, anAbsurdRateIsAWrongUnit) {
   const auto said = complaint(table("time [us],aba\n", 40, [](std::size_t i) {
     return text(1e-3 * static_cast<double>(i)) + "," + text(static_cast<double>(i % 7));

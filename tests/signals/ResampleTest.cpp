@@ -36,6 +36,8 @@ TEST(Resample, endsAndErrors) {
   EXPECT_DOUBLE_EQ(at(-50), 0);
   EXPECT_NEAR(at(50), 0.9, 1e-12);
   EXPECT_THROW(resample(series, 0), SignalError);
+  EXPECT_THROW(resample(series, 1e-9), SignalError);  // 9e8 samples
+  EXPECT_THROW(resample(series, 1e9), SignalError);   // a kernel longer than any record
   EXPECT_DOUBLE_EQ(interpolateLinear({0, 1, 3}, {5, 6, 10}, 2), 8);
   EXPECT_DOUBLE_EQ(interpolateLinear({0, 1, 3}, {5, 6, 10}, -1), 5);
   EXPECT_DOUBLE_EQ(interpolateLinear({0, 1, 3}, {5, 6, 10}, 4), 10);

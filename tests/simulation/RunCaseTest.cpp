@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "case/CaseFile.h"
 #include "core/Errors.h"
@@ -231,6 +233,30 @@ TEST(RunCase, AWheelThatSpinsIsSaidAndMarked) {
   EXPECT_TRUE(says("the wheel spins"));              // after it
   EXPECT_GT(scalar(result.equilibrium, "largest_creepage"), 0.01);
   EXPECT_LT(scalar(lightDefect().equilibrium, "largest_creepage"), 0.01);
+}
+
+// Pauses once, as soon as the wheel rolls.
+class PauseOnce : public Monitor {
+ public:
+  static constexpr double length = 0.5;  // [s]
+  void report(const Progress& progress) override {
+    if (progress.simulatedTime > 0 && !until_) until_ = Clock::now() + std::chrono::milliseconds(500);
+  }
+  bool paused() override { return until_ && Clock::now() < *until_; }
+  bool wasPaused() const { return until_.has_value(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> until_;
+};
+
+// The wall time of the whole run holds the pause, that of the rolling, by which rate and time left are told, does not.
+TEST(RunCase, APauseIsNoPartOfTheRolling) {
+  PauseOnce monitor;
+  const auto result = simulation::runCase(tinyCase("light-defect"), plain(), monitor);
+  ASSERT_TRUE(monitor.wasPaused());
+  EXPECT_LT(scalar(result.performance, "rolling_seconds"),
+            scalar(result.performance, "seconds") - 0.99 * PauseOnce::length);
 }
 
 }  // namespace

@@ -1,0 +1,50 @@
+// What a result tells beside its signals.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "case/CaseFile.h"
+#include "simulation/RunParts.h"
+
+namespace squat::simulation {
+namespace {
+
+double hertz(const std::string& wheelModulus, const std::string& name) {
+  const auto model =
+      model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{"wheelset.young_modulus", wheelModulus}}}));
+  results::RunResult result;
+  describeEquilibrium(model, {}, result);
+  for (const auto& scalar : result.equilibrium)
+    if (scalar.name == name) return scalar.value;
+  return 0;
+}
+
+// Johnson, Contact Mechanics (1985), section 4.2: p0 goes with E*^(2/3), the approach with E*^(-2/3). A wheel four
+// times as stiff as the rail: E* is 2 / (1 + 1/4) = 1.6 times that of two alike.
+TEST(Describe, HertzKnowsBothModuli) {
+  EXPECT_NEAR(hertz("840", "hertz_peak_pressure") / hertz("210", "hertz_peak_pressure"), std::pow(1.6, 2.0 / 3), 1e-9);
+  EXPECT_NEAR(hertz("840", "hertz_approach") / hertz("210", "hertz_approach"), std::pow(1.6, -2.0 / 3), 1e-9);
+}
+
+// At 8 m/s and 200 kHz the window of 0.38 m holds 9500 samples, more than the usual length of the transform.
+TEST(Describe, SlowRunsHaveSpectraToo) {
+  const auto description = cases::loadCase("smooth-rail", {"tiny", {{"output.rate", "200"}, {"motion.speed", "8"}}});
+  results::RunResult result;
+  result.speed = 8;
+  std::vector<double> tone;
+  for (int i = 0; i < 12000; ++i) {
+    const double t = i / 200e3;
+    result.time.push_back(t), result.position.push_back(8 * t - 0.15);
+    tone.push_back(std::sin(2 * std::numbers::pi * 500 * t));
+  }
+  result.signals = {{"aba_filtered", "m/s2", "", tone}, {"wheel_acceleration_filtered", "m/s2", "", tone}};
+  addSpectra(description, result);
+  ASSERT_FALSE(result.psd.empty());
+  EXPECT_FALSE(result.scalogramPower.empty());
+  const auto peak = std::max_element(result.psd.begin(), result.psd.end()) - result.psd.begin();
+  EXPECT_NEAR(result.frequency[static_cast<std::size_t>(peak)], 500, result.frequency[1]);
+}
+
+}  // namespace
+}  // namespace squat::simulation
