@@ -11,6 +11,7 @@
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "laboratory/Analysis.h"
 #include "laboratory/AnalysisFiles.h"
 #include "laboratory/OptionText.h"
@@ -72,7 +73,13 @@ int analyse(const AnalyseOptions& given) {
   if (given.amplitude) options.wavelet.normalisation = signals::WaveletNormalisation::amplitude;
   laboratory::setWindow(options.spectrum, given.window);
   laboratory::setDetrend(options.spectrum, given.detrend);
-  for (const auto& band : given.bands) options.features.bands.push_back(laboratory::bandFromText(band));
+  for (const auto& text : given.bands) {
+    auto band = laboratory::bandFromText(text);
+    for (const auto& other : options.features.bands)
+      if (other.name == band.name)
+        throw CaseError({{"band", text, "a name of its own", "There is a band '" + band.name + "' already"}});
+    options.features.bands.push_back(std::move(band));
+  }
 
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);

@@ -24,17 +24,26 @@ std::string withUnit(const std::string& text, const Parameter& parameter) {
   return parameter.unit.empty() || parameter.unit == "-" ? text : text + " " + parameter.unit;
 }
 
-// Four digits: limits are read, not computed with.
-std::string rounded(double value) {
+// Four digits, to the side that is allowed: what a message names must be accepted.
+enum class Side { nearest, below, above };
+std::string rounded(double value, Side side = Side::nearest) {
   if (value == 0 || !std::isfinite(value)) return formatDecimal(value);
-  const double scale = std::pow(10.0, 3 - std::floor(std::log10(std::abs(value))));
-  return formatDecimal(std::round(value * scale) / scale);
+  const double scale = std::pow(10.0, 3 - std::floor(std::log10(std::abs(value)))), digits = value * scale;
+  constexpr double roundOff = 1e-6;
+  const double kept = side == Side::nearest ? std::round(digits)
+                      : side == Side::below ? std::floor(digits + roundOff)
+                                            : std::ceil(digits - roundOff);
+  return formatDecimal(kept / scale);
 }
 
 // `limit` in SI, shown in the unit of `key`.
 std::string limitText(const std::string& key, const char* relation, double limit) {
   const Parameter& parameter = *findParameter(key);
-  return std::string(relation) + " " + withUnit(rounded(limit * std::pow(10.0, -parameter.powerOfTen)), parameter);
+  const std::string words = relation;
+  const Side side = words.find("at most") != std::string::npos    ? Side::below
+                    : words.find("at least") != std::string::npos ? Side::above
+                                                                  : Side::nearest;
+  return words + " " + withUnit(rounded(limit * std::pow(10.0, -parameter.powerOfTen), side), parameter);
 }
 
 void add(std::vector<Finding>& findings, const Case& description, Severity severity, Keys keys, std::string allowed,
@@ -65,6 +74,8 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
       {w.boreRadius, w.journalRadius, "wheelset.bore_radius", "wheelset.journal_radius",
        "The bore runs through the journal"},
       {w.boreRadius, w.axleRadius, "wheelset.bore_radius", "wheelset.axle_radius", "The bore runs through the axle"},
+      {w.boreRadius, w.shoulderRadius, "wheelset.bore_radius", "wheelset.shoulder_radius",
+       "The bore runs through the step"},
       {w.journalRadius, w.seatRadius, "wheelset.journal_radius", "wheelset.seat_radius",
        "Steps of the axle get thinner outwards"},
       {w.shoulderRadius, w.hubRadius, "wheelset.shoulder_radius", "wheelset.hub_radius", "The hub sits on the axle"},
@@ -92,7 +103,11 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
           order.advice);
   const double hubThickness = w.webHubThickness > 0 ? w.webHubThickness : w.webThickness;
   const double room = 0.5 * (w.hubWidth - hubThickness) - 0.002;  // [m] elements beside the web need a width
-  if (std::abs(w.webOffset) > room)
+  if (room < 0) {
+    const char* thickness = w.webHubThickness > 0 ? "wheelset.web_hub_thickness" : "wheelset.web_thickness";
+    add(findings, c, Severity::problem, {thickness, "wheelset.hub_width"},
+        limitText(thickness, "at most", w.hubWidth - 0.004), "The web meets the hub within its width");
+  } else if (std::abs(w.webOffset) > room)
     add(findings, c, Severity::problem, {"wheelset.web_offset", "wheelset.web_hub_thickness", "wheelset.hub_width"},
         limitText("wheelset.web_offset", "either way at most", room), "The web meets the hub within its width");
   if (w.bearingStiffness > 0 && w.axleBoxMass < 1)

@@ -13,7 +13,7 @@ constexpr const char* section2 = "paper, section 2";
 void addTrack(Rows& rows) {
   rows.push_back(number(
       "track.length", metre, 10, {2, 60}, [](Case& c) -> double& { return c.track.length; },
-      "length of the rail in the model, its middle near the defect", section2));
+      "length of the rail in the model, its middle near that of the run", section2));
   rows.push_back(number(
       "track.sleeper_spacing", metre, 0.6, {0.4, 1}, [](Case& c) -> double& { return c.track.sleeperSpacing; },
       "distance of neighbouring sleepers", table1));

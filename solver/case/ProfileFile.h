@@ -16,7 +16,7 @@ namespace squat::cases {
 // tab; decimal point, or decimal comma where the delimiter is not a comma; byte-order mark, CRLF, empty lines and lines
 // that begin with # are skipped. Any step; positions ascend strictly. Heights up positive. Returns metres, as measured:
 // neither levelled nor shifted. Independent of the locale. Throws FileError with path, line and advice; limits: 200 MB,
-// 1 MB a line, 100,000 points, 50 mm of height.
+// 1 MB a line, 80,000 points, 50 mm of height.
 std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path);
 
 // The same for text that stands in memory; `origin` names it in messages.

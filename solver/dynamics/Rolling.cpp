@@ -358,7 +358,8 @@ void Rolling::finishStep(long k) {
 
   // The new velocities stand in the basis of the new rotation.
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
-  if (wheelsetDamping_.due(state_.step)) state_.sums.damping += wheelsetDamping_.apply(state_.rotation, v);
+  if (wheelsetDamping_.due(state_.step))
+    state_.sums.damping += wheelsetDamping_.apply(state_.rotation, beta_, v, displaced);
   const auto box = boxVelocity();
   const auto wheel = ringMean(model_, model_.centre, turned_, v);
   view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};

@@ -1,5 +1,5 @@
 // solver/dynamics/StableStep.h - the largest stable step of the central difference, from the assembled operator:
-// solids, ties, supports, suspension. Contact does not shorten it: see ContactInertia.h.
+// solids, ties, supports, suspension, dashpots. Contact does not shorten it: see ContactInertia.h.
 #pragma once
 
 #include <string>
@@ -14,7 +14,8 @@ namespace squat::dynamics {
 struct StableStep {
   double highestFrequency = 0;  // [rad/s] of the undamped model, contact open
   double beta = 0;              // [s] stiffness-proportional damping that the case asks for
-  double step = 0;              // [s] with safety and damping: 0.95 (2/w) (sqrt(1 + z^2) - z), z = beta w / 2
+  double step = 0;              // [s] with safety and damping: 0.95 (2/w) (sqrt(1 + z^2) - z), z = beta w / 2;
+                                //     shorter where dashpots of pads, ballast, ends or vehicle ask for it
   std::string place;            // block and position that set it
   int iterations = 0;
 };

@@ -115,7 +115,7 @@ Matrix24 elementStiffness(const SweptBlock& block, int quad, double intervalLeng
 // Turns the 24 local displacements of an element into axes of the interval's middle.
 Matrix24 localToMiddle(const SweptBlock& block, double intervalLength);
 
-// Adds the lumped mass of the block to mass[offset/3-like layout]: one value per node and station, index nodeIndex().
+// The lumped mass of the block: one value per node and station, at node * stride + station.
 // The ghost station of a closed block is left at zero.
 std::vector<double> lumpedMass(const SweptBlock& block);  // nodes x stride
 

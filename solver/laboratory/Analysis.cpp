@@ -50,6 +50,10 @@ signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::Wavel
     notes.push_back("the scalogram ends at " + hertz(half) + ", half the sampling rate");
     options.highest = half;
   }
+  if (options.lowest >= options.highest) {
+    options.lowest = options.highest / 8;
+    notes.push_back("the scalogram begins at " + hertz(options.lowest) + ", three octaves below its end");
+  }
   if (options.cell == 0) options.cell = (series.values.size() + mostColumns - 1) / mostColumns;
   return signals::scalogram(series, options);
 }

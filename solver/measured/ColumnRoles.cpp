@@ -110,6 +110,13 @@ Role roleOf(std::string_view columnName, std::string_view unit) {
   return Role::signal;
 }
 
+bool isUnitOf(std::string_view unit, Role role) {
+  const std::string bare = bareUnit(unit);
+  if (bare.empty() || bare == "-") return true;
+  const Unit* known = findUnit(bare);
+  return known && known->si == (role == Role::time ? "s" : role == Role::position ? "m" : "m/s");
+}
+
 UnitScale scaleOf(std::string_view unit, std::string_view name, Role role) {
   const std::string bare = bareUnit(unit);
   const Unit* known = findUnit(bare);

@@ -23,6 +23,8 @@ struct UnitScale {
   double factor = 1;
   std::string unit;
 };
+// Whether a unit is none, or one of time, position or speed, as the role asks for.
+bool isUnitOf(std::string_view unit, Role role);
 UnitScale scaleOf(std::string_view unit, std::string_view name, Role role);
 
 }  // namespace squat::measured

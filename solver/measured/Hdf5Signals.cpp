@@ -56,6 +56,10 @@ std::string listOf(const std::vector<const Array*>& arrays) {
 
 Role roleOf(const Array& array) { return measured::roleOf(nameOf(array.path), unitOf(array)); }
 
+bool isNested(const Array& array) {
+  return std::count_if(array.shape.begin(), array.shape.end(), [](auto extent) { return extent > 1; }) > 2;
+}
+
 // A dataset as one column, or one column for each of its runs.
 void addColumns(TextTable& table, const Array& array) {
   const std::size_t n = lengthOf(array);
@@ -89,6 +93,9 @@ class Finder {
     const std::size_t n = chosenLength();
     for (const Array* array : all_) {
       if (parentOf(array->path) != group_) continue;
+      if (lengthOf(*array) == n && isNested(*array))
+        throw FileError(path_, array->path, "has more than two dimensions",
+                        "Store samples, or samples and runs: one or two dimensions");
       if (lengthOf(*array) == n)
         addColumns(table, *array);
       else if (roleOf(*array) != Role::signal || nameOf(array->path) == options_.timeColumn)

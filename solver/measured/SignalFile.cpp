@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <utility>
 
 #include "core/Errors.h"
 #include "measured/ColumnRoles.h"
@@ -107,6 +108,27 @@ Roles rolesOf(const TextTable& table, const SignalFileOptions& options) {
   return roles;
 }
 
+// An axis in a unit that nobody knows would pass for SI.
+void requireKnownUnits(const TextTable& table, const Roles& roles) {
+  for (const auto& [c, role] : {std::pair{roles.time, Role::time}, std::pair{roles.position, Role::position},
+                                std::pair{roles.speed, Role::speed}})
+    if (c != none && !isUnitOf(table.columns[c].unit, role))
+      throw FileError(table.path, "column " + std::to_string(c + 1),
+                      "'" + table.columns[c].name + "' is in " + table.columns[c].unit + ", which is not known there",
+                      role == Role::time       ? "Times are in s, ms or us"
+                      : role == Role::position ? "Positions are in m, km, cm, mm or km+m"
+                                               : "Speeds are in m/s or km/h");
+}
+
+void requireRunNumbers(const TextTable& table, const Roles& roles) {
+  if (roles.run == none) return;
+  const auto& column = table.columns[roles.run];
+  for (std::size_t i = 0; i < column.values.size(); ++i)
+    if (!std::isfinite(column.values[i]))
+      throw FileError(table.path, table.rowWord + " " + std::to_string(table.lines[i]),
+                      "'" + column.name + "' holds no number here", "Runs are told apart by numbers");
+}
+
 // First rows of the runs, and the end of the last.
 std::vector<std::size_t> partRuns(const TextTable& table, const Roles& roles) {
   std::vector<std::size_t> starts{0};
@@ -140,12 +162,14 @@ std::string runName(const TextTable& table, const Roles& roles, std::size_t colu
   if (!severalRuns) return name;
   if (roles.run == none) return name + ", run " + std::to_string(index + 1);
   const double value = table.columns[roles.run].values[firstRow];
-  return name + ", run " +
-         (value == std::floor(value) ? std::to_string(static_cast<long>(value)) : std::to_string(value));
+  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
+  return name + ", run " + (whole ? std::to_string(static_cast<long>(value)) : std::to_string(value));
 }
 
 // The HDF5 signature stands at the beginning, or behind a user block of 512, 1024, ... bytes (MATLAB writes one).
 bool isHdf5(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return false;  // a named pipe must not hold the program
   std::ifstream in(path, std::ios::binary);
   for (std::streamoff offset = 0; in && offset <= 65536; offset = offset ? offset * 2 : 512) {
     char head[8] = {};
@@ -173,6 +197,8 @@ void requireOptions(const SignalFileOptions& options) {
 
 std::vector<MeasuredSignal> signalsOf(const TextTable& table, const SignalFileOptions& options) {
   const Roles roles = rolesOf(table, options);
+  requireKnownUnits(table, roles);
+  requireRunNumbers(table, roles);
   const auto starts = partRuns(table, roles);
   std::vector<MeasuredSignal> result;
   for (const std::size_t c : roles.signals) {

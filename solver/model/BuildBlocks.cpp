@@ -50,10 +50,12 @@ geometry::Stations rimStations(const cases::CaseDescription& d, const RollingStr
   const double rolled = stretch.to - stretch.from, rest = circumference - rolled;
   const double coarse = std::max(4 * d.mesh.sectionSize, 2 * d.mesh.rollingSize);
   if (rest < 0.1 * circumference)
-    throw CaseError({{"motion.beyond", std::to_string(d.motion.beyond) + " m",
-                      "run-up and distance beyond the defect together up to " +
-                          std::to_string(0.9 * circumference - 0.1) + " m for this wheel",
-                      "Shorten motion.run_up or motion.beyond: the wheel is meshed for less than one turn"}});
+    throw CaseError(
+        {{"motion.beyond", std::to_string(d.motion.beyond) + " m",
+          "run-up and distance beyond the defect together up to " +
+              std::to_string(0.9 * circumference - (rolled - d.motion.runUp - d.motion.beyond)) + " m for this wheel",
+          "Shorten motion.run_up, motion.beyond or mesh.fine_start: the wheel is meshed for less than one "
+          "turn"}});
   geometry::Stations stations;
   stations.closed = true;
   stations.start = (stretch.from - startX) / radius;
@@ -92,32 +94,44 @@ RollingStretch rollingStretch(const cases::CaseDescription& d, double railStart,
   const cases::DefectSurface defect(d.defect);
   const double start = -d.motion.runUp, end = d.motion.beyond + 0.030;
   const double fineFrom = std::max(start - d.mesh.fineStart, defect.first() - d.mesh.fineBefore);
-  const double fineTo = std::max(defect.last() + d.mesh.fineBefore, fineFrom + d.mesh.contactSize);
   const double startTo = start + d.mesh.fineStart, h = d.mesh.contactSize, rolling = d.mesh.rollingSize;
   const double far = d.mesh.farSize;
-  std::vector<geometry::Zone> zones{{start - std::max(d.mesh.fineStart, patchMargin), far}};
-  if (startTo + 8 * rolling < fineFrom) {
-    zones.push_back({startTo, h});
-    zones.push_back({fineFrom, rolling});
-  }
-  zones.push_back({std::min(fineTo, end), h});
-  if (fineTo + 4 * rolling < end) zones.push_back({end, rolling});
-  zones.push_back({railEnd, far});
-  RollingStretch stretch;
-  stretch.rail = geometry::stationsOver(railStart, zones, runGrowth, vectorMultiple);
-  // The rolled runs: all of at most the rolling length around the wheel's path.
-  double at = railStart;
-  bool first = true;
-  for (const auto& run : stretch.rail.runs) {
-    const double next = at + run.count * run.length;
-    if (next > start - 1e-9 - patchMargin / 2 && at < end - patchMargin / 2 &&
-        run.length < 1.01 * std::max(rolling, h)) {
-      if (first) stretch.from = at, first = false;
-      stretch.to = next;
-      stretch.rolled.push_back(run);
+  const auto laid = [&](double fineTo) {
+    std::vector<geometry::Zone> zones{{start - std::max(d.mesh.fineStart, patchMargin), far}};
+    if (startTo + 8 * rolling < fineFrom) {
+      zones.push_back({startTo, h});
+      zones.push_back({fineFrom, rolling});
     }
-    at = next;
-  }
+    zones.push_back({std::min(fineTo, end), h});
+    if (fineTo + 4 * rolling < end) zones.push_back({end, rolling});
+    zones.push_back({railEnd, far});
+    RollingStretch stretch;
+    stretch.rail = geometry::stationsOver(railStart, zones, runGrowth, vectorMultiple);
+    // The rolled runs: all of at most the rolling length around the wheel's path.
+    double at = railStart;
+    bool first = true;
+    for (const auto& run : stretch.rail.runs) {
+      const double next = at + run.count * run.length;
+      if (next > start - 1e-9 - patchMargin / 2 && at < end - patchMargin / 2 &&
+          run.length < 1.01 * std::max(rolling, h)) {
+        if (first) stretch.from = at, first = false;
+        stretch.to = next;
+        stretch.rolled.push_back(run);
+      }
+      at = next;
+    }
+    return stretch;
+  };
+  const double fineTo = std::max(defect.last() + d.mesh.fineBefore, fineFrom + h);
+  RollingStretch stretch = laid(fineTo);
+  // Where nothing is laid between fine zone and far rail, the fine zone reaches as far as the wheel rolls.
+  if (stretch.to < d.motion.beyond + patchMargin / 2 && fineTo < end) stretch = laid(end);
+  // Zones grow by rounding; on a short rail they can push each other over its end.
+  const double reached = stretch.rail.positions().back();
+  if (std::abs(reached - railEnd) > 1e-6 || stretch.rolled.empty())
+    throw CaseError({{"track.length", std::to_string(d.track.length) + " m",
+                      "such that fine, rolled and far elements find room beside each other",
+                      "Lengthen track.length, or lower mesh.fine_start, mesh.rolling_size or mesh.far_size"}});
   return stretch;
 }
 

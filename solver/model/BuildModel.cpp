@@ -69,7 +69,7 @@ void requireMass(const Model& model) {
       for (int s = 0; s < model.blocks[b].stationCount; ++s)
         if (!model.slave[b][n] && !(model.mass[b][n * model.blocks[b].stride + s] > 0))
           throw CaseError(
-              {{"mesh.rim_depth", std::to_string(model.description.mesh.rimDepth) + " m",
+              {{"mesh.rim_depth", std::to_string(1e3 * model.description.mesh.rimDepth) + " mm",
                 "such that the rim's inner layer is thicker than what the chords of mesh.wheel_sectors cut off",
                 "Lower mesh.rim_depth or raise mesh.wheel_sectors"}});
 }

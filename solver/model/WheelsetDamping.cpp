@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "model/WheelsetModes.h"
 
@@ -231,7 +232,7 @@ void WheelsetDamping::addMode(int mode, double amount, double* velocity) {
   if (model_.boxOnSpring()) velocity[model_.boxX] += boxX, velocity[model_.boxZ] += boxZ;
 }
 
-double WheelsetDamping::apply(double rotation, double* velocity) {
+double WheelsetDamping::apply(double rotation, double beta, double* velocity, double* displaced) {
   // The modes turn with the wheel: the box's velocity in axes that turn as well.
   const double c = std::cos(rotation), s = std::sin(rotation);
   double boxX = 0, boxZ = 0;
@@ -246,9 +247,13 @@ double WheelsetDamping::apply(double rotation, double* velocity) {
     energy += 0.5 * taken * (2 - taken) * modal[k] * modal[k];
     modal[k] *= -taken;
   }
-  boxX = boxZ = 0;
-  add(toKick_ * modal, velocity, boxX, boxZ);
-  if (model_.boxOnSpring()) velocity[model_.boxX] += c * boxX + s * boxZ, velocity[model_.boxZ] += c * boxZ - s * boxX;
+  const VectorXd kick = toKick_ * modal;
+  for (const auto& [to, share] : {std::pair{velocity, 1.0}, std::pair{displaced, beta}}) {
+    if (share == 0) continue;
+    boxX = boxZ = 0;
+    add(share * kick, to, boxX, boxZ);
+    if (model_.boxOnSpring()) to[model_.boxX] += c * boxX + s * boxZ, to[model_.boxZ] += c * boxZ - s * boxX;
+  }
   return energy;
 }
 

@@ -23,7 +23,8 @@ class WheelsetDamping {
   bool due(long step) const { return every_ > 0 && step % every_ == 0; }
 
   // Damps velocities (state layout) of a wheelset turned by `rotation`; returns the energy that they lose [J].
-  double apply(double rotation, double* velocity);
+  // `displaced` = u + beta v follows, so that no displacement jumps.
+  double apply(double rotation, double beta, double* velocity, double* displaced);
 
   long every() const { return every_; }  // steps between kicks; 0: none
   int modes() const { return static_cast<int>(rate_.size()); }

@@ -37,7 +37,7 @@ class Projection {
         if (basis_.cols() > 0) v -= basis_ * (basis_.transpose() * v);
         if (fresh.cols() > 0) v -= fresh * (fresh.transpose() * v);
       }
-      if (v.norm() < negligible * whole) continue;
+      if (!(v.norm() > negligible * whole)) continue;  // nothing new, or nothing at all
       fresh.conservativeResize(Eigen::NoChange, fresh.cols() + 1);
       fresh.rightCols(1) = v.normalized();
     }

@@ -29,7 +29,7 @@ cases::CaseDescription receptanceCase(const cases::CaseDescription& description)
   d.mesh.bandHalfWidth = 0.020;
   d.mesh.fineBefore = d.mesh.fineStart = 0.02;
   d.mesh.wheelSectors = 24;
-  d.mesh.rimDepth = 0.020;
+  d.mesh.rimDepth = std::min(0.020, 0.4 * (d.wheelset.radius - d.wheelset.rimInnerRadius));
   d.rail.plastic = false;
   return d;
 }

@@ -130,6 +130,14 @@ void readRoot(const Mapper& from, const ArrayTree& tree, RunResult& result) {
   result.warnings = from.take<std::string>("/warnings");
 }
 
+// Spectra of a signal sampled much faster than any that this program writes (10 MHz) outgrow the memory.
+void requireRising(const Mapper& from, const std::vector<double>& time) {
+  constexpr double shortestStep = 1e-7;  // [s]
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (!std::isfinite(time[i]) || (i > 0 && !(time[i] - time[i - 1] >= shortestStep)))
+      from.refuse("/signals/time", "does not rise by 1e-7 s or more at each sample");
+}
+
 void readSpectra(const Mapper& from, RunResult& result) {
   result.frequency = from.take<double>("/spectra/frequency");
   result.psd = from.take<double>("/spectra/psd", result.frequency.size());
@@ -141,6 +149,8 @@ void readSpectra(const Mapper& from, RunResult& result) {
   result.scalogramFrequency = from.take<double>("/scalogram/frequency");
   result.scalogramTime = from.take<double>("/scalogram/time");
   const auto columns = result.scalogramTime.size();
+  if (result.scalogramFrequency.empty() != (columns == 0))
+    from.refuse("/scalogram/frequency", "and /scalogram/time do not belong together");
   result.scalogramPosition = from.take<double>("/scalogram/position", columns);
   result.scalogramPower = from.take<double>("/scalogram/power", result.scalogramFrequency.size() * columns);
   result.coneOfInfluence = from.take<double>("/scalogram/cone_of_influence", columns);
@@ -229,6 +239,7 @@ RunResult fromTree(ArrayTree tree, const std::string& path) {
   readRoot(from, tree, result);
   result.time = from.take<double>("/signals/time");
   const auto samples = result.time.size();
+  requireRising(from, result.time);
   result.position = from.take<double>("/signals/position", samples);
   result.signals = from.channels("/signals", samples, {"time", "position"});
   readSpectra(from, result);

@@ -72,7 +72,7 @@ void addSpectra(ArrayTree& tree, const RunResult& result) {
   tree.add("/scalogram/time", result.scalogramTime, "s");
   tree.add("/scalogram/position", result.scalogramPosition, "m");
   const std::size_t rows = result.scalogramFrequency.size();
-  tree.add("/scalogram/power", result.scalogramPower, "(m/s2)2", {rows, result.scalogramPower.size() / rows});
+  tree.add("/scalogram/power", result.scalogramPower, "(m/s2)2 s", {rows, result.scalogramPower.size() / rows});
   tree.add("/scalogram/cone_of_influence", result.coneOfInfluence, "Hz");
 }
 

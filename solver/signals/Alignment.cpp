@@ -21,24 +21,16 @@ void requirePassages(const std::vector<Passage>& runs) {
   for (const auto& run : runs) {
     requireUsable(run.series, 16, "alignment");
     requireVarying(run.series, "alignment");
-    if (run.position.size() != run.series.values.size())
-      throw SignalError("signal '" + run.series.name + "' has " + std::to_string(run.series.values.size()) +
-                        " samples but " + std::to_string(run.position.size()) + " positions");
-    const auto fall = std::adjacent_find(run.position.begin(), run.position.end(),
-                                         [](double now, double next) { return !(next > now); });
-    if (fall != run.position.end()) {
-      const auto sample = static_cast<std::size_t>(fall - run.position.begin()) + 1;
-      throw SignalError(
-          "signal '" + run.series.name + "': the position does not rise at sample " + std::to_string(sample), sample);
-    }
+    requireRisingPositions(run);
   }
 }
 
-// The run as a series over position: `start` and `step` in metres.
+// The run as a series over position: `start` and `step` in metres; low-passed first where the new step is longer.
 TimeSeries overPosition(const Passage& run, double step) {
-  const Interpolator at(run.series);
-  if (!((run.position.back() - run.position.front()) / step < 1e8))
-    throw SignalError("signal '" + run.series.name + "' would have more than 1e8 samples over its position");
+  const double own = (run.position.back() - run.position.front()) / static_cast<double>(run.position.size() - 1);
+  const Interpolator at(run.series, step > own * (1 + 1e-9) ? std::min(1.0, 0.9 * own / step) : 1.0);
+  if (!((run.position.back() - run.position.front()) / step < 2e7))
+    throw SignalError("signal '" + run.series.name + "' would have more than 2e7 samples over its position");
   TimeSeries result{std::ceil(run.position.front() / step) * step, step, {}, run.series.name, run.series.unit};
   std::size_t i = 0;
   for (double x = result.start; x <= run.position.back(); x = result.timeAt(result.values.size())) {
@@ -98,6 +90,26 @@ AlignedRuns align(const std::vector<TimeSeries>& rows, double before, double aft
 }
 
 }  // namespace
+
+void requireRisingPositions(const Passage& passage) {
+  const std::string& name = passage.series.name;
+  const auto& x = passage.position;
+  if (x.size() != passage.series.values.size())
+    throw SignalError("signal '" + name + "' has " + std::to_string(passage.series.values.size()) + " samples but " +
+                      std::to_string(x.size()) + " positions");
+  const auto fall = std::adjacent_find(x.begin(), x.end(), [](double now, double next) { return !(next > now); });
+  if (fall == x.end()) return;
+  const auto sample = static_cast<std::size_t>(fall - x.begin()) + 1;
+  throw SignalError("signal '" + name + "': the position does not rise at sample " + std::to_string(sample), sample);
+}
+
+double timeAtPosition(const Passage& passage, double place) {
+  const auto& x = passage.position;
+  const auto above = std::upper_bound(x.begin(), x.end() - 1, place);
+  const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, above - x.begin()));
+  const double part = (place - x[k - 1]) / (x[k] - x[k - 1]);
+  return passage.series.start + passage.series.step * (static_cast<double>(k - 1) + part);
+}
 
 Passage passageAtSpeed(TimeSeries series, double speed) {
   if (!(std::isfinite(speed) && speed > 0)) throw SignalError("the speed must be a positive number of m/s");

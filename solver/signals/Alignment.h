@@ -19,6 +19,11 @@ struct Passage {
 Passage passageAtSpeed(TimeSeries series, double speed);
 Passage passageAtSpeed(TimeSeries series, const std::vector<double>& speed);
 
+// Throws SignalError where a passage has not one position for each sample, or one that does not rise.
+void requireRisingPositions(const Passage& passage);
+// [s] straight line between the samples; the end's beyond.
+double timeAtPosition(const Passage& passage, double place);
+
 // Mean speed [m/s] over the samples within `half` metres of the sample nearest to `time`.
 double speedAt(const Passage& passage, double time, double half = 0.5);
 

@@ -9,30 +9,25 @@
 namespace squat::signals {
 namespace {
 
-// Both on the axis of the first, without any shift: for runs that share their position (or their time).
+// Both on the axis of the first, without any shift: for runs that share their position (or their time). Positions are
+// put on equal steps, which spectra need.
 AlignedRuns overlay(const Passage& first, const Passage& second, bool inPosition) {
   AlignedRuns result;
   result.inPosition = inPosition;
   result.values.resize(2);
-  const Interpolator at(second.series);
+  const Interpolator own(first.series), at(second.series);
   const double end = second.series.timeAt(second.series.values.size() - 1);
+  const std::size_t count = first.series.values.size();
+  const double step = (first.position.back() - first.position.front()) / static_cast<double>(count - 1);
   std::size_t largest = 0;
-  for (std::size_t i = 0; i < first.series.values.size(); ++i) {
-    const double time = first.series.timeAt(i);
-    const double place = inPosition ? first.position[i] : time;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double place = inPosition ? first.position.front() + step * static_cast<double>(i) : first.series.timeAt(i);
     const bool inside = inPosition ? place >= second.position.front() && place <= second.position.back()
                                    : place >= second.series.start && place <= end;
     if (!inside) continue;
-    double secondTime = place;
-    if (inPosition) {
-      const auto above = std::upper_bound(second.position.begin(), second.position.end() - 1, place);
-      const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, above - second.position.begin()));
-      const double part = (place - second.position[k - 1]) / (second.position[k] - second.position[k - 1]);
-      secondTime = second.series.start + second.series.step * (static_cast<double>(k - 1) + part);
-    }
     result.axis.push_back(place);
-    result.values[0].push_back(first.series.values[i]);
-    result.values[1].push_back(at(secondTime));
+    result.values[0].push_back(inPosition ? own(timeAtPosition(first, place)) : first.series.values[i]);
+    result.values[1].push_back(at(inPosition ? timeAtPosition(second, place) : place));
     if (std::abs(result.values[0].back()) > std::abs(result.values[0][largest])) largest = result.axis.size() - 1;
   }
   if (result.axis.size() < 32)
@@ -73,8 +68,7 @@ Comparison compare(const Passage& first, const Passage& second, const Comparison
   for (const Passage* passage : {&first, &second}) {
     requireUsable(passage->series, 32, "a comparison");
     requireVarying(passage->series, "a comparison");
-    if (passage->position.size() != passage->series.values.size())
-      throw SignalError("signal '" + passage->series.name + "' needs a position for each sample");
+    requireRisingPositions(*passage);
   }
   if (first.series.unit != second.series.unit)
     throw SignalError("signals '" + first.series.name + "' and '" + second.series.name +
@@ -98,23 +92,27 @@ Comparison compare(const Passage& first, const Passage& second, const Comparison
   const auto firstImpact = std::min_element(runs.axis.begin(), runs.axis.end(),
                                             [](double a, double b) { return std::abs(a) < std::abs(b); });
   FeatureOptions features = options.features;
-  const double firstImpactTime =
-      runs.inPosition ? first.series.timeAt(static_cast<std::size_t>(
-                            std::lower_bound(first.position.begin(), first.position.end() - 1, runs.impact[0]) -
-                            first.position.begin()))
-                      : runs.impact[0];
-  features.speed = speedAt(first, firstImpactTime);
+  const auto impactTimeOf = [&](const Passage& passage, double impact) {
+    return runs.inPosition ? timeAtPosition(passage, impact) : impact;
+  };
+  features.speed = speedAt(first, impactTimeOf(first, runs.impact[0]));
   const double perAxis = runs.inPosition ? 1 / features.speed : 1.0;
   features.impactTime = *firstImpact * perAxis;
   const double step = (runs.axis[1] - runs.axis[0]) * perAxis;
   const TimeSeries one{runs.axis.front() * perAxis, step, result.first, first.series.name, first.series.unit};
   const TimeSeries other{runs.axis.front() * perAxis, step, result.second, second.series.name, second.series.unit};
   result.firstFeatures = signals::features(one, features);
-  result.secondFeatures = signals::features(other, features);
+  // Over time each passage has a speed of its own.
+  FeatureOptions ofSecond = features;
+  if (!runs.inPosition) ofSecond.speed = speedAt(second, runs.impact[1]);
+  result.secondFeatures = signals::features(other, ofSecond);
   result.firstSpectrum = result.firstFeatures.spectrum;
   result.secondSpectrum = result.secondFeatures.spectrum;
   // What the slower record cannot hold has no ratio: its share there is what the interpolation leaks.
-  const double rate = std::min(first.series.rate(), second.series.rate());
+  const double secondRate =
+      second.series.rate() *
+      (runs.inPosition ? speedAt(second, impactTimeOf(second, runs.impact[1])) / features.speed : 1.0);
+  const double rate = std::min(first.series.rate(), secondRate);
   for (std::size_t k = 0; k < result.firstSpectrum.density.size(); ++k)
     result.densityRatio.push_back(result.firstSpectrum.frequency[k] < rate / 2
                                       ? ratio(result.firstSpectrum.density[k], result.secondSpectrum.density[k])

@@ -7,6 +7,7 @@
 #include "signals/Butterworth.h"
 #include "signals/ContinuousWavelet.h"
 #include "signals/Features.h"
+#include "signals/Resample.h"
 #include "signals/SignalError.h"
 
 namespace squat::signals {
@@ -25,10 +26,13 @@ Scalogram bandScalogram(const TimeSeries& series, const Band& band) {
   return scalogram(series, options);
 }
 
-// The record a little around from..to: enough for the wavelets of the band not to see where it was cut.
+// The record a little around from..to: enough for the wavelets of the band not to see where it was cut. A map of very
+// many samples would outgrow the memory: they are thinned out to forty a period of the band's highest wave.
 TimeSeries surroundings(const TimeSeries& series, double from, double to, const Band& band) {
-  const double margin = 7 * waveletScale(band.low, WaveletNormalisation::amplitude);
-  return cutOut(series, from - margin, to + margin);
+  constexpr std::size_t many = 1000000;
+  const double margin = 7 * waveletScale(band.low, WaveletNormalisation::amplitude), fine = 1 / (40 * band.high);
+  TimeSeries part = cutOut(series, from - margin, to + margin);
+  return part.values.size() > many && part.step < fine ? resample(part, fine) : part;
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ constexpr int lobes = 16;        // zero crossings of the sinc to each side
 constexpr double beta = 8.0;     // Kaiser: side lobes 80 dB down
 constexpr int tableSteps = 512;  // per lobe; linear between: error (pi/512)^2/8 = 5e-6
 // Longer records are a wrong unit of time, and outgrow the memory.
-constexpr double mostSamples = 1e8;
+constexpr double mostSamples = 2e7;
 
 double besselI0(double x) {
   double term = 1, sum = 1;
@@ -81,7 +81,7 @@ TimeSeries resample(const TimeSeries& series, double step) {
   TimeSeries result{series.start, step, {}, series.name, series.unit};
   const double length = series.step * static_cast<double>(series.values.size() - 1);
   if (!(length / step < mostSamples))
-    throw SignalError("'" + series.name + "' would have more than 1e8 samples at the new step");
+    throw SignalError("'" + series.name + "' would have more than 2e7 samples at the new step");
   const auto count = static_cast<std::size_t>(std::floor(length / step * (1 + 1e-12) + 1e-9)) + 1;
   result.values.resize(count);
   for (std::size_t i = 0; i < count; ++i) result.values[i] = at(result.timeAt(i));

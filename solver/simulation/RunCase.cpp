@@ -397,6 +397,9 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
   const auto checkpoint = readMatchingCheckpoint(run);
 
   const model::Model model = run.timed("mesh", [&] { return model::buildModel(description); });
+  if (description.rail.plastic && model.layer.empty())
+    warn(run,
+         "rail.plastic_depth is less than half an element of the head: no element can yield, the rail stays elastic");
   describeProfile(description, run.result);
   Beginning beginning;
   if (checkpoint)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/Errors.h"
+
 namespace squat::statics {
 
 namespace {
@@ -43,7 +45,10 @@ Hats rimHatsAt(double angle) {
 CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator& op)
     : model_(model), free_(op.freeUnknowns()) {
   // Rail hats reach two knots and a pad: five colours. Sleepers reach the rail hats about them: every second one apart.
-  addLineGroup(model.rail, 0.1, 6, 0, 5);
+  // Farther apart than any two stations: none stands where no node is, and none reaches a third knot.
+  double longest = 0;
+  for (const auto& run : model.blocks[model.rail].stations.runs) longest = std::max(longest, run.length);
+  addLineGroup(model.rail, std::max(0.1, 1.05 * longest), 6, 0, 5);
   for (int i = 0; i < model.sleepers; ++i) addLineGroup(model.firstSleeper + i, 0.42, 3, 30 + 20 * (i % 2), 1);
   const auto& w = model.description.wheelset;
   axleKnots_ = {
@@ -351,8 +356,12 @@ void CoarseSpace::factorise(const supports::SpringSet& contact) {
   }
   // Hats of the wheelset overlap and are nearly dependent: a little relative stiffness keeps the factor definite.
   whole.diagonal() *= 1 + 1e-10;
+  for (int j = 0; j < unknowns_; ++j)  // held, or out of reach of every node
+    if (!(whole(j, j) > 0)) whole.col(j).setZero(), whole.row(j).setZero(), whole(j, j) = 1;
   const double negligible = 1e-14 * whole.diagonal().maxCoeff();
   factor_.compute(whole.sparseView(negligible, 1.0));
+  if (factor_.info() != Eigen::Success)
+    throw RunError("the coarse stiffness of the equilibrium has no factor: a part of the model is not held", 0, 0, "");
 }
 
 void CoarseSpace::addCorrection(ThreadTeam& team, const double* r, double* z) const {

@@ -61,10 +61,11 @@ void describePatch(const ClosedContact& closed, Equilibrium& e) {
     x1 += force * closed.place[i][0], y1 += force * closed.place[i][1];
     x2 += force * closed.place[i][0] * closed.place[i][0], y2 += force * closed.place[i][1] * closed.place[i][1];
   }
-  e.halfAxisRolling = std::sqrt(5 * (x2 / n - x1 * x1 / n / n));
-  e.halfAxisLateral = std::sqrt(5 * (y2 / n - y1 * y1 / n / n));
+  e.halfAxisRolling = std::sqrt(5 * std::max(0.0, x2 / n - x1 * x1 / n / n));
+  e.halfAxisLateral = std::sqrt(5 * std::max(0.0, y2 / n - y1 * y1 / n / n));
   e.centreLateral = y1 / n;
-  e.peakPressure = 3 * n / (2 * std::acos(-1.0) * e.halfAxisRolling * e.halfAxisLateral);
+  const double axes = e.halfAxisRolling * e.halfAxisLateral;  // 0 where the points stand in one line
+  e.peakPressure = axes > 0 ? 3 * n / (2 * std::acos(-1.0) * axes) : 0;
 }
 
 // A start that closes the contact: wheelset and sprung mass lowered by a tenth of a millimetre.

@@ -105,7 +105,7 @@ std::optional<double> impactTop(const RunResult& result, const Statement& statem
   const auto columns = result.scalogramTime.size();
   const auto& power = result.scalogramPower;
   if (statement.point != axleBox) return std::nullopt;
-  if (columns == 0 || power.size() != result.scalogramFrequency.size() * columns) return std::nullopt;
+  if (power.empty() || power.size() != result.scalogramFrequency.size() * columns) return std::nullopt;
   if (result.scalogramPosition.size() != columns) return std::nullopt;
   const double least = 0.05 * *std::max_element(power.begin(), power.end());
   double top = 0;

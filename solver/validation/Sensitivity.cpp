@@ -49,6 +49,18 @@ SensitivityRow rowOf(const std::vector<Statement>& statements, const Sensitivity
   return row;
 }
 
+// Whether a point of the study is the case as it stands. A value that no case can have is none, and has told so itself.
+bool isBase(const studies::StudyDefinition& definition, const cases::CaseOverrides& own,
+            const studies::StudyPoint& point, const cases::Parameter& parameter,
+            const cases::CaseDescription& description) {
+  try {
+    return cases::valueText(studies::caseAt(definition, own, point), parameter) ==
+           cases::valueText(description, parameter);
+  } catch (const CaseError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 SensitivityTable sensitivity(const Reference& reference, const cases::CaseOverrides& overrides,
@@ -77,8 +89,7 @@ SensitivityTable sensitivity(const Reference& reference, const cases::CaseOverri
     for (const auto& ended : studies::runStudy(definition, runner, folder, monitor).rows) {
       auto row = rowOf(table.statements, key, ended);
       row.unit = parameter->unit == "-" ? "" : parameter->unit;
-      row.base = cases::valueText(studies::caseAt(definition, own, ended.point), *parameter) ==
-                 cases::valueText(description, *parameter);
+      row.base = isBase(definition, own, ended.point, *parameter, description);
       table.rows.push_back(std::move(row));
     }
     if (monitor.cancelled()) break;

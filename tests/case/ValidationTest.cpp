@@ -71,6 +71,8 @@ TEST(Validation, StepsOfTheWheelset) {
   expectProblem({{"wheelset.shoulder_end", "80"}}, "wheelset.hub_width");
   expectProblem({{"wheelset.journal_end", "150"}}, "wheelset.shoulder_end");
   expectProblem({{"wheelset.web_thickness", "100"}, {"wheelset.hub_width", "90"}}, "wheelset.web_thickness");
+  expectProblem({{"wheelset.web_hub_thickness", "100"}, {"wheelset.hub_width", "80"}}, "wheelset.web_hub_thickness");
+  expectProblem({{"wheelset.bore_radius", "50"}, {"wheelset.shoulder_radius", "45"}}, "wheelset.bore_radius");
 }
 
 TEST(Validation, BearingWithinTheJournal) {

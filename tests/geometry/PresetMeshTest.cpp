@@ -5,10 +5,13 @@
 #include <cmath>
 
 #include "case/CaseFile.h"
+#include "core/Errors.h"
 #include "model/BuildBlocks.h"
 
 namespace squat::model {
 namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
 
 class PresetMesh : public testing::TestWithParam<const char*> {
  protected:
@@ -87,6 +90,32 @@ TEST_P(PresetMesh, HasTheElementsThatThePresetPromises) {
 
 INSTANTIATE_TEST_SUITE_P(AllPresets, PresetMesh, testing::Values("tiny", "draft", "standard", "paper"),
                          [](const auto& preset) { return std::string(preset.param); });
+
+RollingStretch stretchOf(const Settings& settings) {
+  Model model;
+  model.description = cases::loadCase("smooth-rail", {"tiny", settings});
+  return addBlocks(model);
+}
+
+// Long rolling elements that find no room between fine zone and far rail: the fine zone goes as far as the wheel.
+TEST(RollingStretch, ReachesAsFarAsTheWheelRolls) {
+  const auto stretch = stretchOf({{"mesh.contact_size", "10"},
+                                  {"mesh.rolling_size", "19"},
+                                  {"mesh.fine_before", "40"},
+                                  {"motion.beyond", "0.08"}});
+  EXPECT_GE(stretch.to, 0.08 + 0.010);
+}
+
+// Zones that push each other over the rail's end are refused, not laid beside it.
+TEST(RollingStretch, ZonesWithoutRoomAreRefused) {
+  EXPECT_THROW(stretchOf({{"track.sleeper_spacing", "0.4"},
+                          {"track.length", "2"},
+                          {"mesh.far_size", "200"},
+                          {"motion.run_up", "0.68"},
+                          {"motion.beyond", "0.68"},
+                          {"mesh.fine_start", "500"}}),
+               CaseError);
+}
 
 }  // namespace
 }  // namespace squat::model

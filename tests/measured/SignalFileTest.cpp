@@ -1,6 +1,8 @@
 #include "measured/SignalFile.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <functional>
@@ -179,6 +181,12 @@ TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n", options), HasSubstr("rate"));
   options.rate = 10;
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n0.5,3\n", options), HasSubstr("line 4: a gap"));
+  EXPECT_THAT(complaint("time [s],aba [m/s2],speed [mph]\n0,1,67\n0.1,2,67\n0.2,1,67\n"),
+              testing::AllOf(HasSubstr("column 3: 'speed' is in mph"), HasSubstr("km/h")));
+  EXPECT_THAT(complaint("position [ft],aba [g]\n0,1\n1,2\n2,1\n"), HasSubstr("'position' is in ft"));
+  EXPECT_THAT(complaint("time [min],aba [g]\n0,1\n1,2\n2,1\n"), HasSubstr("'time' is in min"));
+  EXPECT_THAT(complaint("run,t,aba\nnorth,0,1\nnorth,0.1,2\nsouth,0,1\nsouth,0.1,2\n"),
+              HasSubstr("'run' holds no number here"));
   EXPECT_THROW(readSignals("/no/such/file.csv"), FileError);
   EXPECT_THROW(readSignals("/"), FileError);
 }
@@ -224,6 +232,15 @@ TEST(SignalFile, anAbsurdRateIsAWrongUnit) {
     return text(1e-3 * static_cast<double>(i)) + "," + text(static_cast<double>(i % 7));
   }));
   EXPECT_THAT(said, HasSubstr("check the unit of time"));
+}
+
+// A pipe that nobody writes into is refused, not waited for.
+TEST(SignalFile, aPipeIsNoFile) {
+  const TemporaryFile beside("x");
+  const std::string pipe = beside.path() + ".pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(readSignals(pipe), FileError);
+  ::unlink(pipe.c_str());
 }
 
 }  // namespace

@@ -201,5 +201,25 @@ TEST(HostileHdf5, DamagedBytesNeverBringTheReaderDown) {
   EXPECT_GT(refused, 20);  // twenty changed bytes often hit only slack or values
 }
 
+// What a picture or a measure would index or divide by: a map without rows, times that stand or rise by less than any
+// sampling of this program.
+TEST(HostileHdf5, SpectraAndTimesThatDoNotFitAreRefused) {
+  const TemporaryFolder folder;
+  auto withoutRows = sampleResult();
+  auto tree = toTree(withoutRows);
+  const auto drop = [&](const char* path) {
+    tree.arrays.erase(
+        std::remove_if(tree.arrays.begin(), tree.arrays.end(), [&](const Array& a) { return a.path == path; }),
+        tree.arrays.end());
+  };
+  drop("/scalogram/frequency"), drop("/scalogram/power");
+  EXPECT_THROW(fromTree(tree, "x.h5"), FileError);
+  for (const double step : {0.0, 1e-9, -1e-3, std::nan("")}) {
+    auto result = sampleResult();
+    for (std::size_t i = 1; i < result.time.size(); ++i) result.time[i] = result.time[i - 1] + step;
+    EXPECT_THROW(fromTree(toTree(result), "x.h5"), FileError) << step;
+  }
+}
+
 }  // namespace
 }  // namespace squat::results

@@ -138,5 +138,21 @@ TEST(Alignment, refusesBadInput) {
   }
 }
 
+// A run of 25 kHz put on the coarse positions of one of 2.5 kHz: what lies above 1250 Hz is left out, not folded back
+// to 500 to 1250 Hz.
+TEST(Alignment, aFasterRunIsLowPassedBeforeItsPlacesAreThinnedOut) {
+  const auto struck = [](double t) {
+    return t < 0.05 ? 0.0 : 60 * std::exp(-(t - 0.05) / 0.02) * std::sin(2 * pi * 300 * (t - 0.05));
+  };
+  const auto high = [&](double t) { return struck(t) + 30 * std::sin(2 * pi * 2000 * t); };
+  const auto slow = passageAtSpeed(sampled(500, 2500, struck), 30);
+  const auto aligned = alignInPosition({slow, passageAtSpeed(sampled(5000, 25000, high), 30)});
+  // Where nothing is struck yet: 0.3 of 30 m/s2 would be the least that folding leaves.
+  double most = 0;
+  for (std::size_t i = 0; i < aligned.axis.size(); ++i)
+    if (aligned.axis[i] < -0.3 && aligned.axis[i] > -1.2) most = std::max(most, std::abs(aligned.values[1][i]));
+  EXPECT_LT(most, 1);
+}
+
 }  // namespace
 }  // namespace squat::signals

@@ -97,5 +97,29 @@ TEST(Comparison, refusesBadInput) {
   EXPECT_THROW(compare(one, other, options), SignalError);
 }
 
+// Over time each record's wave goes with its own speed: the same 1034 Hz at 30 and 27 m/s are 29.0 and 26.1 mm.
+TEST(Comparison, eachPassageHasItsOwnSpeed) {
+  auto slower = struck(0.09, 300, 1034, 60);
+  const auto result = compare(struck(0.08, 300, 1034, 60), passageAtSpeed(slower.series, 27));
+  EXPECT_NEAR(result.firstFeatures.wavelengthByRidge, 30.0 / 1034, 0.002);
+  EXPECT_NEAR(result.secondFeatures.wavelengthByRidge / result.firstFeatures.wavelengthByRidge, 0.9, 0.005);
+}
+
+// Without alignment over places whose steps shrink with the speed: the step of the spectra is that of the equal places.
+TEST(Comparison, unequalPlacesArePutOnEqualSteps) {
+  std::vector<double> speed;
+  for (int i = 0; i < 6000; ++i) speed.push_back(30 - 0.002 * i);
+  const auto passage = passageAtSpeed(struck(0.08, 300, 1034, 60).series, speed);
+  ComparisonOptions options;
+  options.align = false, options.inPosition = true;
+  const auto result = compare(passage, passage, options);
+  const double step = (passage.position.back() - passage.position.front()) / 5999;
+  for (std::size_t i = 1; i < result.axis.size(); ++i) ASSERT_NEAR(result.axis[i] - result.axis[i - 1], step, 1e-9);
+  EXPECT_NEAR(result.differencePeak, 0, 1e-9);
+  auto still = passage;
+  still.position[10] = still.position[9];
+  EXPECT_THROW(compare(still, passage, options), SignalError);
+}
+
 }  // namespace
 }  // namespace squat::signals

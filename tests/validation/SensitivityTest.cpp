@@ -78,5 +78,21 @@ TEST(Sensitivity, OneInputAtATime) {
   EXPECT_EQ(runs, 4);
 }
 
+// A value that no case can have fails its own row, not the table: solids and box weigh more than 500 kg.
+TEST(Sensitivity, AValueThatCannotBeIsARowOfItsOwn) {
+  const TemporaryFolder folder;
+  Monitor monitor;
+  const studies::CaseRunner run = [&](const cases::CaseDescription& description, const studies::StudyPoint&, Monitor&) {
+    return madeUp(description);
+  };
+  auto with = reference();
+  with.sensitivity = {{"wheelset.total_mass", "mass", {"500", "950"}}};
+  const auto table = sensitivity(with, {}, run, {folder.path(), 1, false}, monitor);
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_THAT(table.rows[0].message, HasSubstr("wheelset.total_mass"));
+  EXPECT_FALSE(table.rows[0].base);
+  EXPECT_TRUE(table.rows[1].numbers[0]);
+}
+
 }  // namespace
 }  // namespace squat::validation

@@ -19,8 +19,7 @@ namespace {
 TEST(CreepCurve, ShippedPenaltyAgainstContact) {
   CreepCurve curve({});
   double shortfall = 0;
-  for (const int i : {0, 2, 4}) {
-    const auto& expected = creepForces[i];
+  for (const auto& expected : creepForces) {
     const double share = curve.at(expected.creepage);
     std::printf("  creepage %.0e  F / mu N %.4f  CONTACT %.4f  %+.4f\n", expected.creepage, share, expected.share,
                 share - expected.share);
