@@ -6,7 +6,12 @@ namespace squat::commands {
 
 bool figuresAvailable() { return false; }
 
-void checkFigureNames(const std::vector<std::string>&, const std::vector<std::string>&) {}
+// The names of figures belong to the full build; formats are known here too.
+void checkFigureNames(const std::vector<std::string>&, const std::vector<std::string>& formats) {
+  for (const auto& format : formats)
+    if (format != "png" && format != "svg" && format != "pdf")
+      throw CaseError({{"format", format, "png, svg or pdf", "This build draws no figures"}});
+}
 
 FigureOutput writeFigures(const results::RunResult&, const std::string&, const std::vector<std::string>&,
                           const std::vector<std::string>&) {

@@ -110,16 +110,23 @@ void addContact(std::vector<PaperRow>& rows, const RunResult& result) {
   }
 }
 
-// Largest deviation from the mean over the last 0.2 m (or what there is) before the first point of the defect, which
-// lies 40 mm before its deepest.
+// Where the rail is no longer smooth, at most 40 mm before the deepest point of the defect.
+double defectBegins(const RunResult& result) {
+  double from = -0.04;
+  for (std::size_t i = 0; i < result.profileHeight.size(); ++i)
+    if (result.profileHeight[i] != 0) return std::min(from, result.profilePosition[i]);
+  return from;
+}
+
+// Largest deviation from the mean over the last 0.2 m (or what there is) before the defect.
 void addQuietness(std::vector<PaperRow>& rows, const RunResult& result) {
-  constexpr double kFrom = -0.24, kTo = -0.04;
+  const double end = defectBegins(result), begin = end - 0.2;
   const auto* values = result.signal("aba_filtered");
   if (!values || values->size() != result.position.size()) return;
   std::vector<double> window;
-  double first = kTo;
+  double first = end;
   for (std::size_t i = 0; i < values->size(); ++i)
-    if (result.position[i] >= kFrom && result.position[i] <= kTo) {
+    if (result.position[i] >= begin && result.position[i] <= end) {
       first = std::min(first, result.position[i]);
       window.push_back((*values)[i]);
     }
@@ -128,7 +135,7 @@ void addQuietness(std::vector<PaperRow>& rows, const RunResult& result) {
   for (const double value : window) mean += value / static_cast<double>(window.size());
   for (const double value : window) largest = std::max(largest, std::abs(value - mean));
   char what[64];
-  std::snprintf(what, sizeof what, "quiet before the defect (%.2f m)", kTo - first);
+  std::snprintf(what, sizeof what, "quiet before the defect (%.2f m)", end - first);
   rows.push_back({what, number(largest, "m/s2"), "below 5 m/s2 asked", largest < 5 ? "met" : "not met"});
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <set>
 #include <string>
 
 #include "core/Monitor.h"
@@ -27,6 +28,7 @@ class TerminalMonitor : public Monitor {
   std::FILE* stream_;
   bool isTerminal_, lineStands_ = false;
   std::string phase_;
+  std::set<std::string> told_;  // phases that had their line; jobs of a study take turns
   Clock::time_point last_{};
 };
 

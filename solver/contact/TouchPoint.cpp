@@ -99,6 +99,8 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   // The tread's material point: stations of rail and rim roll on each other, so the search starts next to its end.
   double angle = std::asin(t.sine) + wheel.rotation;
   const double full = 6.283185307179586;
+  if (std::abs(angle) > 1e4)
+    angle = std::remainder(angle, full);  // of a state that flies apart: it must end all the same
   int k = interval - s.rolledInterval;
   if (k < 0 || k >= rim.intervals) k = 0;
   while (angle < rim.positions[k])

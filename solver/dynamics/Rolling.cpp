@@ -149,6 +149,10 @@ void Rolling::restore(RollingState state) {
   view_ = {};
   boxVelocity_ = boxVelocity();
   wheelVelocity_ = ringMean(model_, model_.centre, turned_, state_.velocity.data());
+  const auto wheel = wheelRolling(state_.displaced.data());
+  view_.step = state_.step, view_.time = state_.time;
+  view_.position = wheel.placement.centreX + wheel.placement.hubX;
+  view_.spinRate = state_.spinRate;
 }
 
 double Rolling::torqueAt(double time) const {
@@ -358,8 +362,7 @@ void Rolling::finishStep(long k) {
 
   // The new velocities stand in the basis of the new rotation.
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
-  if (wheelsetDamping_.due(state_.step))
-    state_.sums.damping += wheelsetDamping_.apply(state_.rotation, beta_, v, displaced);
+  if (wheelsetDamping_.due(state_.step)) state_.sums.damping += wheelsetDamping_.apply(state_.rotation, v);
   const auto box = boxVelocity();
   const auto wheel = ringMean(model_, model_.centre, turned_, v);
   view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};

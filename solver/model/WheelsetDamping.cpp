@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "model/WheelsetModes.h"
 
@@ -232,7 +231,7 @@ void WheelsetDamping::addMode(int mode, double amount, double* velocity) {
   if (model_.boxOnSpring()) velocity[model_.boxX] += boxX, velocity[model_.boxZ] += boxZ;
 }
 
-double WheelsetDamping::apply(double rotation, double beta, double* velocity, double* displaced) {
+double WheelsetDamping::apply(double rotation, double* velocity) {
   // The modes turn with the wheel: the box's velocity in axes that turn as well.
   const double c = std::cos(rotation), s = std::sin(rotation);
   double boxX = 0, boxZ = 0;
@@ -247,13 +246,9 @@ double WheelsetDamping::apply(double rotation, double beta, double* velocity, do
     energy += 0.5 * taken * (2 - taken) * modal[k] * modal[k];
     modal[k] *= -taken;
   }
-  const VectorXd kick = toKick_ * modal;
-  for (const auto& [to, share] : {std::pair{velocity, 1.0}, std::pair{displaced, beta}}) {
-    if (share == 0) continue;
-    boxX = boxZ = 0;
-    add(share * kick, to, boxX, boxZ);
-    if (model_.boxOnSpring()) to[model_.boxX] += c * boxX + s * boxZ, to[model_.boxZ] += c * boxZ - s * boxX;
-  }
+  boxX = boxZ = 0;
+  add(toKick_ * modal, velocity, boxX, boxZ);
+  if (model_.boxOnSpring()) velocity[model_.boxX] += c * boxX + s * boxZ, velocity[model_.boxZ] += c * boxZ - s * boxX;
   return energy;
 }
 

@@ -102,6 +102,9 @@ void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
            "1");
 }
 
+// A wheel of 0.3 m turns by less on the longest track, and with less at the highest speed, even where it spins.
+constexpr double mostRotation = 1e4, mostSpin = 1e5;  // [rad], [rad/s]
+
 void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling& rolling, long lastStep,
                          const std::string& file) {
   results::ArrayTree own;
@@ -118,9 +121,13 @@ void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling
       throw FileError(file, "/rolling/closed", "names points of contact that are not there");
     before = point;
   }
-  const double step = results::valuesOf<double>(tree, "/rolling/small", file)[0];
+  const auto& small = results::valuesOf<double>(tree, "/rolling/small", file);
+  const double step = small[0];
   if (!(step >= 0 && step <= static_cast<double>(lastStep)))
     throw FileError(file, "/rolling/small", "names a step beyond the end of the run");
+  if (!(std::abs(small[1] - step * rolling.stepSize()) < 1e-9) || !(std::abs(small[2]) < mostRotation) ||
+      !(std::abs(small[3]) < mostSpin))
+    throw FileError(file, "/rolling/small", "names a time, rotation or spin that no run of this case has");
   const auto ledger = results::valuesOf<double>(tree, "/ledger", file).size();
   if (ledger < 13 || (ledger - 13) % 8 != 0) throw FileError(file, "/ledger", "has a wrong length");
 }
@@ -153,6 +160,8 @@ void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling) {
       if (!(std::abs((*values)[i]) < absurd))
         throw RunError("the run diverges: a displacement or velocity is not a number or grows without bound",
                        state.step, state.time, model::placeName(rolling.model(), i));
+  if (!(std::abs(state.rotation) < mostRotation) || !(std::abs(state.spinRate) < mostSpin))
+    throw RunError("the run diverges: the spin of the wheel grows without bound", state.step, state.time, "wheelset");
   if (const auto place = model::invertedElement(rolling.model(), rolling.displacement()); !place.empty())
     throw RunError("an element is turned inside out", state.step, state.time, place);
 }
@@ -170,7 +179,8 @@ void DivergenceGuard::check(const dynamics::Rolling& rolling, const EnergyLedger
     fail("the run diverges: a velocity is not a number or grows without bound",
          model::placeName(rolling.model(), worst));
   };
-  if (!std::isfinite(view.patch.vertical) || !std::isfinite(view.boxAcceleration.z) || !std::isfinite(state.spinRate))
+  if (!std::isfinite(view.patch.vertical) || !std::isfinite(view.boxAcceleration.z) ||
+      !(std::abs(state.spinRate) < mostSpin))
     diverges();
   if (view.patch.deepest > 2e-3)
     fail("runaway penetration of " + std::to_string(view.patch.deepest * 1e3) + " mm", "contact");

@@ -104,6 +104,10 @@ long stepsPerSample(const cases::CaseDescription& d, const dynamics::StableStep&
                       "0 or at most " + std::to_string(stable.step * 1e6) + " us: the stable step of this mesh",
                       "Leave it at 0 for the stable step; it is set by " + stable.place}});
   const double wished = d.output.timeStep > 0 ? d.output.timeStep : stable.step;
+  if (sample / wished > mostStepsPerSample)
+    throw CaseError({{"output.time_step", std::to_string(d.output.timeStep * 1e6) + " us",
+                      "0 or at least " + std::to_string(sample / mostStepsPerSample * 1e6) + " us",
+                      "Leave it at 0 for the stable step; it is set by " + stable.place}});
   return std::max(2L, static_cast<long>(std::ceil(sample / wished - 1e-9)));
 }
 
@@ -159,6 +163,7 @@ class RollingPhase {
       if (!run_.options.checkpointPath.empty() && secondsSince(lastCheckpoint_) > run_.options.checkpointSeconds)
         checkpoint();
     }
+    if (!rolling_.model().layer.empty()) checkpoint();  // unloading follows, and can be cancelled too
     return true;
   }
 
@@ -436,7 +441,7 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
     run.result.stopReason = complete ? "done" : "cancelled";
     run.timed("spectra", [&] { return finish(run, start), 0; });
   } catch (const RunError& error) {
-    phase.store();
+    if (run.result.time.empty()) phase.store();
     run.result.stopReason = std::string("failed: ") + error.what();
     finish(run, start);
     if (partial) *partial = run.result;

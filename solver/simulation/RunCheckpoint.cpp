@@ -47,7 +47,7 @@ RunStart loadStart(const results::ArrayTree& tree, const std::string& file, doub
       figures.arrays.back().path.erase(0, std::string(kStart).size());
     }
   const auto& steps = results::valuesOf<double>(tree, "/steps", file);
-  if (steps.size() != 3 || !(steps[0] >= 2 && steps[0] < 1e9) || steps[0] != std::floor(steps[0]) ||
+  if (steps.size() != 3 || !(steps[0] >= 2 && steps[0] <= mostStepsPerSample) || steps[0] != std::floor(steps[0]) ||
       !(std::abs(steps[0] * steps[1] * rate - 1) < 1e-9) || !(steps[2] >= 0))
     throw FileError(file, "/steps", "does not fit the output rate of this case", "Start anew without --resume");
   auto read = results::fromTree(std::move(figures), file);

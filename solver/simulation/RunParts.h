@@ -64,6 +64,8 @@ void describePermanentChange(const dynamics::Rolling& rolling, const AlignedVect
 // PSD and scalogram of what has been recorded; leaves them empty where the record is too short.
 void addSpectra(const cases::CaseDescription& description, results::RunResult& result);
 
+constexpr double mostStepsPerSample = 1e5;  // the filter before the samples keeps some twenty samples of them
+
 // How a run was begun: found ahead of the rolling, kept in its checkpoints, so that nothing of it is done twice and the
 // steps stay the same on another instruction set.
 struct RunStart {

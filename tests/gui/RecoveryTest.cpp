@@ -84,5 +84,19 @@ TEST(Recovery, whatWasRecoveredIsKeptAtOnce) {
   EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
+// A number of a process comes back: a copy from before is told by its start, and offered although "its" process lives.
+TEST(Recovery, aProcessOfTheSameNumberIsAnother) {
+  const QTemporaryDir folder;
+  CaseDocument document;
+  document.setParameter("motion.speed", "21");
+  Recovery recovery(document, folder.path());
+  recovery.saveNow();
+  const QString own = QDir(folder.path()).entryList(QDir::Files).value(0);
+  ASSERT_TRUE(own.startsWith(QString::number(QCoreApplication::applicationPid()) + "-")) << own.toStdString();
+  QFile::copy(folder.filePath(own), folder.filePath(own.section('-', 0, 0) + "-1-00000000.case"));
+  EXPECT_TRUE(Recovery::take(folder.path()));
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList(own));
+}
+
 }  // namespace
 }  // namespace squat::studio

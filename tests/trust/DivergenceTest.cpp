@@ -189,6 +189,18 @@ TEST(HostileCheckpoint, WhatDoesNotFitIsRefusedByName) {
               }),
               HasSubstr("/rolling/closed"));
   EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/rolling/small")[0] = -5; }), HasSubstr("/rolling/small"));
+  // Time, rotation and spin: a search around the wheel would take its turns one by one.
+  for (const std::size_t which : {1u, 2u, 3u})
+    for (const double value : {1e300, -1e9})
+      EXPECT_THAT(refusal([&](ArrayTree& s) { numbers(s, "/rolling/small")[which] = value; }),
+                  HasSubstr("/rolling/small"))
+          << which << ", " << value;
+  // As many steps a sample as no filter's memory holds.
+  EXPECT_THAT(refusal([](ArrayTree& s) {
+                auto& steps = numbers(s, "/steps");
+                steps[1] *= steps[0] / 1e8, steps[0] = 1e8;
+              }),
+              HasSubstr("/steps"));
   EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/recorder/pushed")[0] += 1000; }), HasSubstr("/recorder"));
   EXPECT_THAT(refusal([](ArrayTree& s) {
                 numbers(s, "/ledger").resize(5);

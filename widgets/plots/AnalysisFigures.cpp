@@ -68,6 +68,10 @@ std::string distinct(std::string name, std::set<std::string>& taken) {
 
 QString placeLabel() { return "Position from the impact [mm]"; }
 
+QString quantityLabel(const std::string& unit) {
+  return (unit == "m/s2" ? QStringLiteral("Acceleration [%1]") : QStringLiteral("Signal [%1]")).arg(unitText(unit));
+}
+
 }  // namespace
 
 std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, const Style& style) {
@@ -79,7 +83,7 @@ std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, 
   std::vector<double> time(series.values.size());
   for (std::size_t i = 0; i < time.size(); ++i) time[i] = (isShort ? 1e3 : 1.0) * series.timeAt(i);
   figure->xAxis->setLabel(isShort ? "Time [ms]" : "Time [s]");
-  figure->yAxis->setLabel(QStringLiteral("Acceleration [%1]").arg(unitText(series.unit)));
+  figure->yAxis->setLabel(quantityLabel(series.unit));
   figure->xAxis->setRange(time.front(), std::max(time.back(), time.front() + 1e-9));
   addCurve(*figure, {time, series.values, QString(), 0, 0.9});
   fitValues(*figure);
@@ -92,7 +96,7 @@ std::unique_ptr<Figure> scatterFigure(const signals::AlignedRuns& runs, const st
   auto figure = std::make_unique<Figure>("scatter", style);
   const auto axis = scaled(runs.axis, 1e3);
   figure->xAxis->setLabel(runs.inPosition ? placeLabel() : QString("Time from the impact [ms]"));
-  figure->yAxis->setLabel(QStringLiteral("Acceleration [%1]").arg(unitText(unit)));
+  figure->yAxis->setLabel(quantityLabel(unit));
   const double speed = runs.speed.empty() || runs.inPosition ? 1.0 : std::max(1e-3, runs.speed.front());
   if (!axis.empty())
     figure->xAxis->setRange(std::max(axis.front(), -1e3 * shownBefore / speed),
@@ -122,6 +126,7 @@ std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, c
     const auto run = asRun(signal);
     sheets.push_back(sheetOf(stem + "_history", historyFigure(signal, style)));
     auto density = psdFigure(run, style);
+    density->yAxis->setLabel(QStringLiteral("PSD [(%1)²/Hz]").arg(unitText(signal.filtered.unit)));
     density->setCaption(titleOf(signal), QString::fromStdString(signal.spectrum.window));
     sheets.push_back(sheetOf(stem + "_psd", std::move(density)));
     // A stretch that is short for the window gets half of itself: poor in frequency, but a picture.

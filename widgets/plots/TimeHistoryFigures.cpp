@@ -43,7 +43,7 @@ std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, cons
   const Window window = judgedWindow(result);
   figure->xAxis->setLabel("Position of the wheel from the defect [mm]");
   const Extent defect = defectExtent(result);
-  if (!defect.empty()) addBand(*figure, 1e3 * std::max(defect.from, window.from), 1e3 * std::min(defect.to, window.to));
+  if (!defect.empty()) addBand(*figure, 1e3 * defect.from, 1e3 * defect.to);
   addAccelerations(*figure, result, scaled(result.position, 1e3), 1e3 * window.from, 1e3 * window.to);
   return figure;
 }

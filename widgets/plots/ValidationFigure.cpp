@@ -14,12 +14,12 @@ using validation::Verdict;
 
 constexpr double outside = 0.5;  // of a range, shown on either side of it
 
-// 0 at the lower bound, 1 at the upper one.
+// 0 at the lower bound, 1 at the upper one; far above a lower bound without an upper one it nears 1.
 double placeOf(const Judged& one) {
   const auto& s = one.statement;
   double place = 0;
   if (std::isinf(s.high))
-    place = *one.value / s.low - 1;
+    place = *one.value >= s.low ? 1 - s.low / *one.value : *one.value / s.low - 1;
   else if (std::isinf(s.low))
     place = *one.value / s.high;
   else

@@ -1,12 +1,15 @@
 #include "studio/CaseDocument.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include "case/CaseFile.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
+#include "core/Errors.h"
 #include "studio/CaseCommand.h"
 
 namespace squat::studio {
@@ -17,6 +20,22 @@ bool isShipped(const QString& path) {
   const QString resources = QString::fromStdString(cases::resourcesFolder().string());
   return !resources.isEmpty() &&
          QFileInfo(path).canonicalFilePath().startsWith(QFileInfo(resources).canonicalFilePath() + "/");
+}
+
+// A case keeps the points that it rolls over beside the name of the file that they are from.
+std::optional<CaseProblem> readProfile(cases::CaseDescription& description, const QString& path) {
+  try {
+    auto lines = cases::readProfileLines(path.toStdString());
+    auto& defect = description.defect;
+    defect.points.clear(), defect.lines.clear();
+    if (lines.size() == 1)
+      defect.points = std::move(lines.front().points);
+    else
+      defect.lines = std::move(lines);
+    return std::nullopt;
+  } catch (const FileError& error) {
+    return CaseProblem{"defect.file", path.toStdString(), "a file with a profile", error.what()};
+  }
 }
 
 }  // namespace
@@ -63,6 +82,10 @@ std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, co
   cases::CaseDescription after = description();
   if (auto problem = cases::trySetValue(after, *parameter, text)) return problem;
   if (cases::valueText(after, *parameter) == cases::valueText(description(), *parameter)) return std::nullopt;
+  if (key == "defect.file" && !text.empty()) {
+    if (auto problem = readProfile(after, QFileInfo(path_).dir().filePath(QString::fromStdString(text))))
+      return problem;
+  }
   if (key == "mesh.preset") cases::applyPreset(after, static_cast<cases::MeshPreset>(after.mesh.preset));
   edit(tr("Change %1").arg(QString::fromStdString(key)), after);
   return std::nullopt;

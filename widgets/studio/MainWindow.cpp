@@ -184,10 +184,11 @@ void MainWindow::beginRun(bool resume) {
 void MainWindow::keep(const ResultPointer& result) {
   if (result->complete && !ending_) StoppedRuns::forget(checkpoint_);
   if (ending_ || result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
-  // What a run had when it was stopped is a part of what it has now.
+  // What a run had when it was stopped is a part of what it has now, as far as it reaches.
   for (int row = store_.rowCount() - 1; resumed_ && row >= 0; --row) {
     const StoredRun& run = store_.at(row);
-    if (!run.measured && run.path.isEmpty() && !run.result->complete && run.result->caseHash == result->caseHash)
+    if (!run.measured && run.path.isEmpty() && !run.result->complete && run.result->caseHash == result->caseHash &&
+        run.result->time.size() <= result->time.size())
       store_.remove(row);
   }
   const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(++runsMade_);

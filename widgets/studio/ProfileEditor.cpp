@@ -192,7 +192,9 @@ void ProfileEditor::exportFile() {
   if (path.isEmpty()) return;
   const ProfileView view = profileView(document_.description());
   QByteArray text("position [mm],height [um]\n");
-  for (const auto& point : view.handles.empty() ? view.surface : view.handles)
+  // Handles stand where the file had them; what a height scale makes of them is the surface.
+  const bool asGiven = !view.handles.empty() && document_.description().defect.heightScale == 1;
+  for (const auto& point : asGiven ? view.handles : view.surface)
     text += QByteArray::number(point.position * 1e3, 'g', 12) + ',' + QByteArray::number(point.height * 1e6, 'g', 12) +
             '\n';
   try {

@@ -39,11 +39,12 @@ ProfileView profileView(const cases::CaseDescription& description) {
   const double from = none ? -smoothHalfLength : surface.first() - around;
   const double to = none ? smoothHalfLength : surface.last() + around;
   const double step = std::max(1e-4, (to - from) / 1500);
+  const double y = description.motion.lateralOffset;  // where the wheel runs
   const auto line = [&](double own) { return start + slope * own; };
   for (double x = from; x <= to; x += step)
-    view.surface.push_back({x + view.shift, surface.height(x) + line(x + view.shift)});
+    view.surface.push_back({x + view.shift, surface.height(x, y) + line(x + view.shift)});
   const double radius = std::max(description.wheelset.radius, 0.1);
-  for (const auto& point : cases::rigidWheelPath(surface, radius, from, to, std::max(step, 5e-4)))
+  for (const auto& point : cases::rigidWheelPath(surface, radius, from, to, std::max(step, 5e-4), y))
     view.wheelPath.push_back({point.position + view.shift, point.height + line(point.position + view.shift)});
   view.sleeperWidth = description.sleeper.width;
   const double spacing = description.track.sleeperSpacing;

@@ -10,7 +10,7 @@ namespace squat::studio {
 // Positions [m] are those of the profile's own points (as measured) for a sampled profile, and from the deepest point
 // for analytic shapes. Heights [m], up positive.
 struct ProfileView {
-  std::vector<cases::ProfilePoint> surface;    // the rail's surface along the middle line
+  std::vector<cases::ProfilePoint> surface;    // the rail's surface along the line on which the wheel runs
   std::vector<cases::ProfilePoint> wheelPath;  // of a rigid wheel, relative to its path on smooth rail
   std::vector<cases::ProfilePoint> handles;    // points that can be dragged; empty for analytic shapes
   std::vector<double> sleepers;                // [m] centres within sight

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "case/CaseFile.h"
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
 #include "studio/FigureView.h"
@@ -210,9 +211,17 @@ void SignalsPanel::showTab(const QString& name) {
   if (index >= 0) tabs_->setCurrentIndex(index);
 }
 
-// A new run is first seen through the window that its own spectrum has.
+// A new run is first seen through the low-pass of its case and the window that its own spectrum has.
 void SignalsPanel::takeWindow() {
   const ResultPointer current = store_.currentResult();
+  if (current && !current->caseToml.empty()) {
+    const QSignalBlocker quiet(cutoff_);
+    try {
+      cutoff_->setValue(cases::parseCaseOfResult(current->caseToml, "case of the result").output.filterCutoff);
+    } catch (const std::exception&) {
+      // A result whose case cannot be read is seen as it was last chosen.
+    }
+  }
   if (!current || !(current->psdTo > current->psdFrom)) return;
   const QSignalBlocker quietFrom(from_), quietTo(to_);
   from_->setValue(current->psdFrom * 1e3);
