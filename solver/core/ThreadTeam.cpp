@@ -47,17 +47,14 @@ ThreadTeam::ThreadTeam(int threads) : size_(std::max(1, threads)), patience_(siz
   try {
     for (int i = 1; i < size_; ++i) threads_.emplace_back([this, i] { work(i); });
   } catch (...) {  // no more threads to be had: those that run must end before they are let go
-    {
-      const std::lock_guard lock(mutex_);
-      stop_ = true;
-    }
-    start_.notify_all();
-    for (auto& thread : threads_) thread.join();
+    end();
     throw;
   }
 }
 
-ThreadTeam::~ThreadTeam() {
+ThreadTeam::~ThreadTeam() { end(); }
+
+void ThreadTeam::end() {
   {
     const std::lock_guard lock(mutex_);
     stop_ = true;

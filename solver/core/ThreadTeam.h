@@ -50,6 +50,7 @@ class ThreadTeam {
 
  private:
   void work(int index);
+  void end();
   int size_;
   Patience patience_;
   StepBarrier barrier_;

@@ -10,23 +10,10 @@ namespace squat::dynamics {
 
 namespace {
 
-// Where single precision is asked for, elements up to so many sizes of the contact band are computed in it, and then
-// cost so much of the time. Rounding acts like forces of 6e-8 times stiffness times displacement within a chunk of
-// stations: long elements have much of both and are few.
-constexpr double finest = 4.1, singleCost = 0.65;
-
-elasticity::KernelSet kernelsOfFineRuns(const model::Model& model, const std::string& isa) {
+elasticity::KernelSet kernelsOfSteps(const model::Model& model, const std::string& isa) {
   const bool single = model.description.mesh.precision == static_cast<int>(cases::ElementPrecision::single);
   return elasticity::kernelsFor(isa,
                                 single ? elasticity::Precision::singleInside : elasticity::Precision::doubleInside);
-}
-
-// Longest interval, in the unit of the block's stations, that counts as fine.
-double fineLength(const model::Model& model, int b) {
-  const auto& d = model.description;
-  if (b == model.rail) return finest * d.mesh.contactSize;
-  if (b == model.rim) return finest * d.mesh.contactSize / d.wheelset.radius;
-  return 0;
 }
 
 contact::ForceLines forceLines(const model::Model& model, int block, AlignedVector& forces) {
@@ -53,13 +40,19 @@ void fillGravity(const elasticity::SweptBlock& block, double gravity, const mode
   }
 }
 
+// Stations that a segment advances: the last one of an open block as well.
+elasticity::StationSpan stationsOf(const elasticity::SweptBlock& block, const elasticity::Segment& segment) {
+  const int last = segment.first + segment.count;
+  return {segment.first, last + (!block.closed && last == block.intervals ? 1 : 0)};
+}
+
 }  // namespace
 
 Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double step,
                  double beta)
     : model_(model),
       kernels_(kernels),
-      fineKernels_(kernelsOfFineRuns(model, kernels.name)),
+      stepKernels_(kernelsOfSteps(model, kernels.name)),
       team_(team),
       step_(step),
       beta_(beta),
@@ -71,19 +64,17 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   law_ = {model::normalPenalty(d), model::tangentialPenalty(d), d.contact.friction};
   layerKernels_ = plasticity::layerKernelsFor(kernels.name);
-  std::vector<int> others;
-  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b)
-    if (b != model.body) others.push_back(b);
-  const auto costOf = [&](int b, int run) {
-    const bool single = fineKernels_.precision == elasticity::Precision::singleInside &&
-                        model.blocks[b].stations.runs[run].length <= fineLength(model, b);
-    return single ? singleCost : 1.0;
-  };
-  trackWork_ = elasticity::partition(model.blocks, others, team.size(), costOf);
-  bodyWork_ = elasticity::partition(model.blocks, {model.body}, team.size());
+  std::vector<int> others, masters;
+  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
+    const bool isMaster =
+        std::any_of(model.ties.begin(), model.ties.end(), [&](const auto& tie) { return tie.masterBlock == b; });
+    (isMaster ? masters : others).push_back(b);
+  }
+  fineWork_ = elasticity::partition(model.blocks, others, team.size());
+  masterWork_ = elasticity::partition(model.blocks, masters, team.size());
   for (int i = 0; i < team.size(); ++i) {
-    trackEnds_.push_back(elasticity::segmentEnds(trackWork_[i], model.blocks));
-    bodyEnds_.push_back(elasticity::segmentEnds(bodyWork_[i], model.blocks));
+    fineEnds_.push_back(elasticity::segmentEnds(fineWork_[i], model.blocks));
+    masterEnds_.push_back(elasticity::segmentEnds(masterWork_[i], model.blocks));
   }
   for (int i = 0; i < team.size(); ++i) scratch_.push_back(std::make_unique<elasticity::KernelScratch>(model.blocks));
   forces_.assign(model.forceSize, 0.0);
@@ -100,8 +91,6 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   }
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     elasticity::BlockStep with;
-    with.fineKernels = &fineKernels_;
-    with.fineLength = fineLength(model, static_cast<int>(b));
     inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
     with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();
@@ -117,16 +106,47 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
     turningMoment_[index].assign(model.blocks[b].stride, 0.0);
     blockSteps_[b].turningMoment = turningMoment_[index].data();
   }
+  shareTies();
+  shareHeld();
+}
+
+// Who advances a tied node's stations places it, but for the first thread, which is busy with the contact: the last one
+// does it there. Who advances a master's stations serves them.
+void Rolling::shareTies() {
+  slaveShares_.resize(static_cast<std::size_t>(team_.size()));
   std::size_t most = 0;
-  for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie, model.blocks[tie.slaveBlock]));
-  slaveWorkspace_.assign(most, 0.0);
-  for (const auto& segments : bodyWork_) {
+  for (const auto& tie : model_.ties) most = std::max(most, elasticity::tieWorkspace(tie));
+  for (int index = 0; index < team_.size(); ++index) {
     tieWorkspaces_.emplace_back(most, 0.0);
+    auto& placed = slaveShares_[static_cast<std::size_t>(index == 0 ? team_.size() - 1 : index)];
     tieShares_.emplace_back();
-    for (const auto& tie : model.ties)
-      for (const auto& segment : segments)
-        tieShares_.back().push_back({segment.first, segment.first + segment.count,
-                                     slaveSpans(tie, segment.first, segment.first + segment.count)});
+    for (std::size_t t = 0; t < model_.ties.size(); ++t) {
+      const auto& tie = model_.ties[t];
+      for (const auto& segment : masterWork_[index]) {
+        if (segment.block != tie.masterBlock) continue;
+        const elasticity::StationSpan own = stationsOf(model_.blocks[segment.block], segment);
+        tieShares_.back().push_back({t, own, slaveSpans(tie, own.first, own.last)});
+      }
+      for (const auto& segment : fineWork_[index])
+        if (segment.block == tie.slaveBlock)
+          placed.push_back({t, {}, {stationsOf(model_.blocks[segment.block], segment)}});
+    }
+  }
+}
+
+void Rolling::shareHeld() {
+  heldOf_.resize(static_cast<std::size_t>(team_.size()));
+  for (const auto index : model_.held) {
+    std::size_t b = 0;
+    while (b + 1 < model_.blocks.size() && model_.blocks[b + 1].offset <= index) ++b;
+    const int station = model_.blocks[b].unknownAt(index).station;
+    for (int thread = 0; thread < team_.size(); ++thread)
+      for (const auto* work : {&fineWork_[thread], &masterWork_[thread]})
+        for (const auto& segment : *work) {
+          const auto own = stationsOf(model_.blocks[segment.block], segment);
+          if (segment.block == static_cast<int>(b) && station >= own.first && station < own.last)
+            heldOf_[thread].push_back(index);
+        }
   }
 }
 
@@ -143,6 +163,7 @@ void Rolling::start(const AlignedVector& displacement, const AlignedVector& velo
 
 void Rolling::restore(RollingState state) {
   state_ = std::move(state);
+  hold(model_.held);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   layerForces_ = plasticity::layerForces(model_.layer, layerKernels_, state_.plastic);
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
@@ -258,19 +279,23 @@ void Rolling::pushWheelset() {
   }
 }
 
-void Rolling::holdStill() {
-  for (const auto index : model_.held) state_.velocity[index] = 0, state_.displaced[index] = 0;
+void Rolling::hold(const std::vector<std::size_t>& unknowns) {
+  for (const auto index : unknowns) state_.velocity[index] = 0, state_.displaced[index] = 0;
 }
 
 void Rolling::pushTrack(long k) {
   double* u = state_.displaced.data();
   const double* v = state_.velocity.data();
-  holdStill();
   double power = addSpringForces(model_.ballast, u, v, forces_.data());
   power += addSpringForces(model_.pads, u, v, forces_.data());
   power += addSpringForces(model_.ends, u, v, forces_.data());
   trackDamperPower_[k % 2] = power;
-  for (const auto& tie : model_.ties) interpolateSlaves(tie, model_.blocks, u, slaveWorkspace_.data());
+}
+
+void Rolling::placeSlaves(int index) {
+  for (const auto& share : slaveShares_[index])
+    interpolateSlaves(model_.ties[share.tie], model_.blocks, state_.displaced.data(), tieWorkspaces_[index].data(),
+                      share.slaves.front());
 }
 
 // Plastic flow in the layer around the patch, shared among the threads by groups.
@@ -283,50 +308,47 @@ void Rolling::yieldLayer(int index, long step) {
 
 // A step in place overwrites what neighbouring stretches need: each thread reads that first.
 void Rolling::readEnds(int index) {
-  elasticity::readEnds(trackWork_[index], model_.blocks, kernels_, blockSteps_, state_.displaced.data(),
-                       *scratch_[index], trackEnds_[index]);
-  elasticity::readEnds(bodyWork_[index], model_.blocks, kernels_, blockSteps_, state_.displaced.data(),
-                       *scratch_[index], bodyEnds_[index]);
+  const double* u = state_.displaced.data();
+  elasticity::readEnds(fineWork_[index], model_.blocks, stepKernels_, u, *scratch_[index], fineEnds_[index]);
+  elasticity::readEnds(masterWork_[index], model_.blocks, stepKernels_, u, *scratch_[index], masterEnds_[index]);
 }
 
-void Rolling::advanceTrackAndRim(int index) {
+void Rolling::advanceFine(int index) {
   // Each thread adds the forces of plastic strain to the stations that it will advance.
   if (!model_.layer.empty())
-    for (const auto& part : trackWork_[index])
+    for (const auto& part : fineWork_[index])
       if (part.block == model_.rail)
         plasticity::addPlasticForces(model_.layer, layerForces_, part.first, part.first + part.count,
                                      forces_.data() + model_.loaded[part.block].offset,
                                      model_.loaded[part.block].lineOfNode.data());
-  elasticity::advanceSegments(trackWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
-                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &trackEnds_[index]);
+  elasticity::advanceSegments(fineWork_[index], model_.blocks, stepKernels_, blockSteps_, step_,
+                              state_.displaced.data(), state_.displaced.data(), state_.velocity.data(),
+                              *scratch_[index], &fineEnds_[index]);
 }
 
-// Each thread serves the stations of the body that it will advance.
 void Rolling::passTieForces(int index) {
-  std::size_t share = 0;
-  for (const auto& tie : model_.ties) {
+  for (const auto& share : tieShares_[index]) {
+    const auto& tie = model_.ties[share.tie];
     const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
     const auto &from = model_.loaded[tie.slaveBlock], &to = model_.loaded[tie.masterBlock];
-    for (std::size_t s = 0; s < bodyWork_[index].size(); ++s, ++share) {
-      const auto& part = tieShares_[index][share];
-      // Inner forces of slaves pull their masters the other way round than outer ones: negative share.
-      elasticity::transferForces(
-          tie, slave, -1.0,
-          [&](int i, int c) {
-            return forces_.data() + from.offset +
-                   (static_cast<std::size_t>(from.lineOfNode[tie.slaveNodes[i]]) * 3 + c) * slave.stride;
-          },
-          [&](int node, int c) {
-            return forces_.data() + to.offset + (static_cast<std::size_t>(to.lineOfNode[node]) * 3 + c) * master.stride;
-          },
-          tieWorkspaces_[index].data(), part.first, part.last, part.spans);
-    }
+    // Inner forces of slaves pull their masters the other way round than outer ones: negative share.
+    elasticity::transferForces(
+        tie, -1.0,
+        [&](int i, int c) {
+          return forces_.data() + from.offset +
+                 (static_cast<std::size_t>(from.lineOfNode[tie.slaveNodes[i]]) * 3 + c) * slave.stride;
+        },
+        [&](int node, int c) {
+          return forces_.data() + to.offset + (static_cast<std::size_t>(to.lineOfNode[node]) * 3 + c) * master.stride;
+        },
+        tieWorkspaces_[index].data(), share.masters.first, share.masters.last, share.slaves);
   }
 }
 
-void Rolling::advanceBody(int index) {
-  elasticity::advanceSegments(bodyWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
-                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &bodyEnds_[index]);
+void Rolling::advanceMasters(int index) {
+  elasticity::advanceSegments(masterWork_[index], model_.blocks, stepKernels_, blockSteps_, step_,
+                              state_.displaced.data(), state_.displaced.data(), state_.velocity.data(),
+                              *scratch_[index], &masterEnds_[index]);
 }
 
 void Rolling::finishStep(long k) {
@@ -375,7 +397,7 @@ AlignedVector Rolling::displacement() const {
   AlignedVector u = state_.displaced;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] -= beta_ * state_.velocity[i];
   elasticity::refreshGhosts(model_.blocks, u.data());
-  AlignedVector workspace(slaveWorkspace_.size(), 0.0);
+  AlignedVector workspace(tieWorkspaces_.front().size(), 0.0);
   for (const auto& tie : model_.ties) interpolateSlaves(tie, model_.blocks, u.data(), workspace.data());
   return u;
 }

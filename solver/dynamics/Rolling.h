@@ -1,9 +1,10 @@
 // solver/dynamics/Rolling.h - central difference of the rolling wheel on the track.
 //
 // One step, everything local in memory, four meetings of the threads: contact, springs and torque collect forces on
-// surface nodes; every thread reads what it needs beyond its stretches of stations; then each stretch computes its
-// inner forces and is advanced at once, in place. The rim's tied nodes pass their inner forces to the wheel body, which
-// follows. Fixed partition, ordered sums: the same bits for any number of threads.
+// surface nodes, and tied nodes take their places; every thread reads what it needs beyond its stretches of stations;
+// then each stretch computes its inner forces and is advanced at once, in place. The rim's tied nodes pass their
+// inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any number of
+// threads.
 //
 // Plastic flow of the rail's surface layer (plasticity/): elements around the patch are returned to yield while contact
 // and springs collect forces; each thread adds the forces of plastic strain to the stations that it advances. The start
@@ -61,19 +62,20 @@ class Rolling {
           pushWheelset();
         }
         if (index == team_.size() - 1) pushTrack(k);
+        placeSlaves(index);
         yieldLayer(index, first + k);
         team_.barrier();
         readEnds(index);
         team_.barrier();
-        advanceTrackAndRim(index);
+        advanceFine(index);
         team_.barrier();
         passTieForces(index);
-        advanceBody(index);
+        advanceMasters(index);
+        hold(heldOf_[index]);
         team_.barrier();
       }
     });
     finishStep(steps - 1);
-    holdStill();
     observe(view_);
   }
 
@@ -97,29 +99,30 @@ class Rolling {
 
  private:
   void pushWheelset();     // contact, irregular elements, suspension, torque, spin
-  void pushTrack(long k);  // pads, ballast; places of tied nodes
+  void pushTrack(long k);  // pads, ballast
+  void placeSlaves(int index);
   void yieldLayer(int index, long step);
   void readEnds(int index);
-  void advanceTrackAndRim(int index);
+  void advanceFine(int index);  // and what is tied to nothing
   void passTieForces(int index);
-  void advanceBody(int index);
+  void advanceMasters(int index);
   void finishStep(long k);
-  void holdStill();
+  void hold(const std::vector<std::size_t>& unknowns);
   void touch();
   void pushVehicle();
   model::PlaneVector boxVelocity() const;
   contact::WheelRolling wheelRolling(const double* displaced) const;
 
   const model::Model& model_;
-  elasticity::KernelSet kernels_, fineKernels_;  // the latter of fine runs, in the precision that the case asks for
+  elasticity::KernelSet kernels_, stepKernels_;  // the latter in the precision that the case asks for
   ThreadTeam& team_;
   double step_, beta_, load_;
   contact::ContactLaw law_;
   ContactInertia inertia_;
   RollingState state_;
   AlignedVector forces_;
-  std::vector<std::vector<elasticity::Segment>> trackWork_, bodyWork_;
-  std::vector<std::vector<elasticity::SegmentEnds>> trackEnds_, bodyEnds_;
+  std::vector<std::vector<elasticity::Segment>> fineWork_, masterWork_;
+  std::vector<std::vector<elasticity::SegmentEnds>> fineEnds_, masterEnds_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
   model::WheelsetDamping wheelsetDamping_;
@@ -127,7 +130,6 @@ class Rolling {
   std::vector<AlignedVector> inverseMass_;   // per block, in chunks
   std::vector<std::vector<double>> radii_;   // per block: of section nodes, around the axis
   model::TurnedStations turned_, turnedRim_;
-  AlignedVector slaveWorkspace_;
   plasticity::LayerKernels layerKernels_;
   plasticity::LayerForces layerForces_;
   StepView view_;
@@ -136,12 +138,17 @@ class Rolling {
   double trackDamperPower_[2] = {0, 0};  // [W] of even and odd steps: one is read while the other is made
   double vehicleDamperPower_ = 0;        // [W]
   struct TieShare {
-    int first = 0, last = 0;  // master stations
-    std::vector<elasticity::StationSpan> spans;
+    std::size_t tie = 0;
+    elasticity::StationSpan masters;
+    std::vector<elasticity::StationSpan> slaves;
   };
-  std::vector<std::vector<TieShare>> tieShares_;  // per thread: per tie and segment of the body
-  std::vector<AlignedVector> tieWorkspaces_;      // per thread
-  std::array<AlignedVector, 2> turningMoment_;    // of rim and body: what each station adds to -S
+  void shareTies();
+  void shareHeld();
+  std::vector<std::vector<std::size_t>> heldOf_;    // per thread: held unknowns of its stations
+  std::vector<std::vector<TieShare>> tieShares_;    // per thread: master stations that it advances
+  std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it advances
+  std::vector<AlignedVector> tieWorkspaces_;        // per thread
+  std::array<AlignedVector, 2> turningMoment_;      // of rim and body: what each station adds to -S
   double torque_ = 0, hubSpinRate_ = 0;
 };
 

@@ -32,7 +32,7 @@ KernelSet kernelsFor(const std::string& isa, Precision precision) {
   throw std::invalid_argument("instruction set '" + wanted + "' is not available here; this processor has " + names);
 }
 
-// Six values of each station of a group per node.
-std::size_t kernelWorkspace(int window) { return static_cast<std::size_t>(window) * 6 * 32; }
+// Six values of each station of a chunk per node.
+std::size_t kernelWorkspace(int window) { return static_cast<std::size_t>(window) * 6 * stationChunk; }
 
 }  // namespace squat::elasticity

@@ -13,8 +13,15 @@ namespace squat::elasticity {
 constexpr int stationChunk = 32;  // stations that state vectors keep together (SweptBlock.h)
 constexpr int rowBundle = 8;      // rows that share their coefficients in the first-level cache
 
-// One run's stretch of intervals [first, first + count), count a multiple of 8. Memory as told in
-// SweptBlock.h; pointers are to the first value of the block.
+// Intervals of one length, up to `last` (not included), a multiple of 8.
+struct KernelRun {
+  int last = 0;
+  const double* coefficients = nullptr;       // in the order of the rows
+  const float* singleCoefficients = nullptr;  // the same
+};
+
+// A stretch of intervals [first, first + count), both multiples of 8. Memory as told in SweptBlock.h; pointers are to
+// the first value of the block.
 struct KernelCall {
   int nodes = 0;
   const int* order = nullptr;  // SectionOrder, as are the next five
@@ -22,19 +29,17 @@ struct KernelCall {
   const int* slots = nullptr;
   const int* gatherUpTo = nullptr;
   int window = 0;
-  const double* coefficients = nullptr;       // of the run, in the order of the rows
-  const float* singleCoefficients = nullptr;  // the same
-  std::size_t stride = 0;                     // of the lines of masses, forces and accelerations
-  std::size_t chunkSize = 0;                  // doubles of a chunk of the state vectors
+  const KernelRun* runs = nullptr;  // of the whole block
+  std::size_t stride = 0;           // of the lines of masses, forces and accelerations
+  std::size_t chunkSize = 0;        // doubles of a chunk of the state vectors
   int first = 0, count = 0;
   const double* source = nullptr;                     // displacement that the elasticity acts on, u + beta v
   const double *cosines = nullptr, *sines = nullptr;  // around an axis: of every station's angle; null along a line
   double* carry = nullptr;      // nodes x 3: what the interval before adds to station `first`; left for the next
   double* workspace = nullptr;  // kernelWorkspace(window) doubles, 64-byte aligned
-  // Where `target` is `source`: displacements as they were before this step (SegmentEnds), else null.
-  const double* after = nullptr;       // nodes x 3: at station first + count
-  const double* references = nullptr;  // three for each chunk, from `firstReference` on: of a node at its first station
-  int firstReference = 0;
+  // Where `target` is `source`: displacements at station first + count as they were before this step, nodes x 3
+  // (SegmentEnds), else null.
+  const double* after = nullptr;
 
   // applyStiffness: K times source, stations first .. first + count - 1 written.
   double* force = nullptr;

@@ -49,8 +49,8 @@ inline Vector widened(const float* p) { return __builtin_convertvector(*reinterp
 inline void storeAs(double* p, Vector v) { store(p, v); }
 inline void storeAs(float* p, Vector v) { *reinterpret_cast<Half*>(p) = __builtin_convertvector(v, Half); }
 
-inline const double* coefficientsOf(const KernelCall& call, double) { return call.coefficients; }
-inline const float* coefficientsOf(const KernelCall& call, float) { return call.singleCoefficients; }
+inline const double* coefficientsOf(const KernelRun& run, double) { return run.coefficients; }
+inline const float* coefficientsOf(const KernelRun& run, float) { return run.singleCoefficients; }
 
 // All but the first lane of `now`, then the first of `after`.
 inline Vector advanced(Vector now, Vector after) {
@@ -65,10 +65,31 @@ inline Vector advanced(Vector now, Vector after) {
 
 constexpr int chunk = stationChunk;
 
-// The stations that are worked on at a time: within one chunk, `parts` parts of V vectors. Rows go in bundles: within a
-// bundle the coefficients of its rows stay in the first-level cache while all parts pass.
+// Vectors at a time where many stations of one run follow each other, and where only eight may be left.
+template <typename Kind>
+constexpr int wide = WIDEST* Kind::lanes < chunk ? WIDEST : chunk / Kind::lanes;
+template <typename Kind>
+constexpr int narrow = 8 / Kind::lanes < WIDEST ? 8 / Kind::lanes : WIDEST;
+
+// Parts of these widths fill any stretch of stations, whole chunks with wide ones alone.
+template <typename Whole, typename Piece>
+constexpr bool fills = chunk % (wide<Whole> * Whole::lanes) == 0 && 8 % (narrow<Piece> * Piece::lanes) == 0;
+static_assert(fills<Double, Double> && fills<Single, SinglePiece>);
+
+// Stations of a group that share coefficients.
+template <typename Real>
+struct Part {
+  int offset = 0, width = 0;  // first station in the group, and how many
+  bool isWide = false;
+  const Real* coefficients = nullptr;
+};
+
+// The stations that are worked on at a time: those of one chunk. Rows go in bundles: within a bundle the coefficients
+// of its rows stay in the first-level cache while all parts pass.
+template <typename Real>
 struct Group {
-  int at = 0, parts = 0;
+  int at = 0, count = 0, parts = 0;
+  Part<Real> part[chunk / 4];
   std::size_t state = 0;         // of station `at` in line 0 of a state vector
   const double* next = nullptr;  // displacement of node 0 at the station after the group
   std::size_t nextNode = 3 * chunk, nextLine = chunk;
@@ -82,85 +103,82 @@ inline std::size_t placeOfMass(const KernelCall& call, int node, int station) {
   return station / chunk * (call.chunkSize / 3) + node * std::size_t{chunk} + station % chunk;
 }
 
-// Vectors a part where fewer than a whole chunk of stations are left: their number is a multiple of eight.
-template <typename Kind>
-constexpr int narrowest = 8 / Kind::lanes < WIDEST ? 8 / Kind::lanes : WIDEST;
-
-// A rigid translation of the group, in the local components of each station and the one after: it strains nothing, and
-// without it displacements are small enough to be rounded. Taken from one node at the first station of the chunk, so
-// that it does not depend on where stretches are cut.
-template <bool>
+// A rigid translation of each interval, in the local components of its two stations: it strains nothing, and without it
+// displacements are small enough to be rounded. The mean of one node's displacement at both stations; nothing beyond
+// the interval enters, so that it does not depend on where stretches are cut.
+template <typename Real>
 struct Translation {
-  Translation(const KernelCall&, const Group&, int) {}
+  Translation(const KernelCall&, const Group<Real>&) {}
 };
 template <>
-struct Translation<true> {
-  alignas(64) double lines[3][chunk + 1];
+struct Translation<float> {
+  alignas(64) double left[3][chunk], right[3][chunk];
 
-  Translation(const KernelCall& call, const Group& group, int count) {
-    const int from = group.at / chunk * chunk;
-    const double* u = call.source + placeOf(call, from) + static_cast<std::size_t>(call.nodes / 2) * 3 * chunk;
-    std::size_t line = chunk;
-    if (call.references) u = call.references + 3 * (from / chunk - call.firstReference), line = 1;
-    const double a = u[0], b = u[line], c = u[2 * line];
-    for (int i = 0; i <= count; ++i) {
+  Translation(const KernelCall& call, const Group<float>& group) {
+    const int count = group.count;
+    const std::size_t node = static_cast<std::size_t>(call.nodes) / 2;
+    const double* u = call.source + group.state + node * 3 * chunk;
+    const double* next = group.next + node * group.nextNode;
+    double here[3] = {u[0], u[chunk], u[2 * chunk]};
+    for (int i = 0; i < count; ++i) {
+      double after[3];
+      for (int c = 0; c < 3; ++c) after[c] = i + 1 < count ? u[c * chunk + i + 1] : next[c * group.nextLine];
       double cosine = 1, sine = 0;
       if (call.cosines) {
-        const double *cosines = call.cosines, *sines = call.sines;
-        const int s = group.at + i;
-        cosine = cosines[s] * cosines[from] + sines[s] * sines[from];
-        sine = sines[s] * cosines[from] - cosines[s] * sines[from];
+        const double *cosines = call.cosines + group.at + i, *sines = call.sines + group.at + i;
+        cosine = cosines[1] * cosines[0] + sines[1] * sines[0];
+        sine = sines[1] * cosines[0] - cosines[1] * sines[0];
       }
-      lines[0][i] = cosine * a - sine * b, lines[1][i] = cosine * b + sine * a, lines[2][i] = c;
+      const double a = 0.5 * (here[0] + cosine * after[0] + sine * after[1]);
+      const double b = 0.5 * (here[1] + cosine * after[1] - sine * after[0]), c = 0.5 * (here[2] + after[2]);
+      left[0][i] = a, left[1][i] = b, left[2][i] = c;
+      right[0][i] = cosine * a - sine * b, right[1][i] = cosine * b + sine * a, right[2][i] = c;
+      for (int k = 0; k < 3; ++k) here[k] = after[k];
     }
   }
 };
 
-// Sums and differences of both stations of one node, for each part: d_a, s_b, s_c, s_a, d_b, d_c.
-template <typename Kind, int V, bool ROUNDS>
-inline void gather(const KernelCall& call, const Group& group, const Translation<ROUNDS>& rigid, int node, int slot) {
-  using Real = typename Kind::Real;
-  constexpr int part = V * Kind::lanes;
+// Sums and differences of both stations of one node, part by part: d_a, s_b, s_c, s_a, d_b, d_c.
+template <typename Real>
+inline void gather(const KernelCall& call, const Group<Real>& group, const Translation<Real>& rigid, int node,
+                   int slot) {
   Real* out = reinterpret_cast<Real*>(call.workspace) + slot * std::size_t{6 * chunk};
   const std::size_t lines = static_cast<std::size_t>(node) * 3 * chunk;
   const double *line = call.source + group.state + lines, *next = group.next + node * group.nextNode;
-  const int count = group.parts * part;
-  for (int c = 0; c < 3; ++c, line += chunk, next += group.nextLine) {
-    Real *sums = out + (c == 0 ? 3 : c) * part, *differences = out + (c == 0 ? 0 : c + 3) * part;
-    const auto at = [&](int i) {
-      Vector u = i < count ? load(line + i) : splat(*next);
-      if constexpr (ROUNDS) u -= i < count ? loadLoose(rigid.lines[c] + i) : splat(rigid.lines[c][count]);
-      return u;
-    };
-    Vector left = at(0);
-    for (int i = 0; i < count; i += LANES) {
-      const Vector after = at(i + LANES);
-      const Vector right = advanced(left, after);
-      const int to = i / part * 6 * part + i % part;
-      storeAs(sums + to, right + left);
-      storeAs(differences + to, right - left);
-      left = after;
+  for (int c = 0; c < 3; ++c, line += chunk, next += group.nextLine)
+    for (int p = 0; p < group.parts; ++p) {
+      const int from = group.part[p].offset, width = group.part[p].width;
+      Real *sums = out + 6 * from + (c == 0 ? 3 : c) * width,
+           *differences = out + 6 * from + (c == 0 ? 0 : c + 3) * width;
+      for (int i = 0; i < width; i += LANES) {
+        const int at = from + i;
+        Vector left = load(line + at);
+        Vector right = at + LANES < group.count ? loadLoose(line + at + 1) : advanced(left, splat(*next));
+        if constexpr (sizeof(Real) < sizeof(double))
+          left -= load(rigid.left[c] + at), right -= load(rigid.right[c] + at);
+        storeAs(sums + i, right + left);
+        storeAs(differences + i, right - left);
+      }
     }
-  }
 }
 
-// The processor's own prefetchers do not know the order of the nodes.
-template <int COUNT, int WRITE>
-inline void fetch(const double* values) {
-  for (int i = 0; i < COUNT; i += 8) __builtin_prefetch(values + i, WRITE, 2);
+// The processor's own prefetchers do not know the order of the nodes. Asks for one part of the lines of a node, each
+// part while that part of the bundle before is computed.
+inline void fetch(const double* lines, std::size_t line, int from, int width) {
+  for (int c = 0; c < 3; ++c)
+    for (int i = from; i < from + width; i += 8) __builtin_prefetch(lines + c * line + i, 1, 2);
 }
 
 // Inner force of one row's node on the stations of one part, and the carry to the next.
-template <typename Kind, int V>
-inline void innerForce(const KernelCall& call, int row, int part, typename Kind::Packed (&force)[3][V]) {
-  using Real = typename Kind::Real;
+template <typename Kind, int V, typename Real = typename Kind::Real>
+inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, Real (&force)[3][chunk]) {
   using Packed = typename Kind::Packed;
   constexpr int lanes = Kind::lanes;
   Packed s[3][V], t[3][V];
   for (int c = 0; c < 3; ++c)
     for (int v = 0; v < V; ++v) s[c][v] = Packed{}, t[c][v] = Packed{};
-  const Real* workspace = reinterpret_cast<const Real*>(call.workspace) + part * 6 * V * lanes;
-  const Real* k = coefficientsOf(call, Real{}) + 18 * static_cast<std::size_t>(call.rowStart[row]);
+  const Real* workspace = reinterpret_cast<const Real*>(call.workspace) + 6 * part.offset;
+  const Real* k = part.coefficients + 18 * static_cast<std::size_t>(call.rowStart[row]);
   const int *slot = call.slots + call.rowStart[row], *end = call.slots + call.rowStart[row + 1];
   for (; slot != end; ++slot, k += 18) {
     const Real* in = workspace + *slot * std::size_t{6 * chunk};
@@ -187,7 +205,7 @@ inline void innerForce(const KernelCall& call, int row, int part, typename Kind:
     for (int v = 0; v < V; ++v) {
       const Packed right = s[c][v] + t[c][v];
       const Packed left = c == 0 ? t[c][v] - s[c][v] : s[c][v] - t[c][v];
-      force[c][v] = left + Kind::shifted(before, right);
+      Kind::store(force[c] + part.offset + v * lanes, left + Kind::shifted(before, right));
       before = right;
     }
     *carry = before[lanes - 1];
@@ -195,46 +213,62 @@ inline void innerForce(const KernelCall& call, int row, int part, typename Kind:
 }
 
 // Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of a
-// bundle are collected, so that `row(row, force)` meets whole lines: memory comes in long pieces then.
-template <typename Kind, int V, typename Ahead, typename Row>
-inline void overRows(const KernelCall& call, const Group& group, const Ahead& ahead, const Row& row) {
-  alignas(64) typename Kind::Real forces[rowBundle][3][chunk];
-  const Translation<(sizeof(typename Kind::Real) < sizeof(double))> rigid(call, group, group.parts * V * Kind::lanes);
+// bundle are collected, so that `row(row, force)` meets whole lines: memory comes in long pieces then. `ahead(node,
+// from, width)` asks for what `row` will need of a node in the next bundle.
+template <typename Whole, typename Piece, typename Ahead, typename Row>
+inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const Ahead& ahead,
+                     const Row& row) {
+  alignas(64) typename Whole::Real forces[rowBundle][3][chunk];
+  const Translation<typename Whole::Real> rigid(call, group);
   int gathered = 0, slot = 0;
   for (int first = 0, bundle = 0; first < call.nodes; first += rowBundle, ++bundle) {
     for (const int upTo = call.gatherUpTo[bundle]; gathered < upTo; ++gathered) {
-      gather<Kind, V>(call, group, rigid, call.order[gathered], slot);
+      gather(call, group, rigid, call.order[gathered], slot);
       slot = slot + 1 == call.window ? 0 : slot + 1;
     }
     const int end = first + rowBundle < call.nodes ? first + rowBundle : call.nodes;
-    for (int part = 0; part < group.parts; ++part)
-      for (int i = first; i < end; ++i) {
-        if (part == 0) ahead(call.order[i]);
-        typename Kind::Packed force[3][V];
-        innerForce<Kind, V>(call, i, part, force);
-        for (int c = 0; c < 3; ++c)
-          for (int v = 0; v < V; ++v) Kind::store(forces[i - first][c] + (part * V + v) * Kind::lanes, force[c][v]);
-      }
+    const auto fetchFor = [&](int i, int from, int width) {
+      const int later = i + rowBundle, soon = gathered + (i - first);
+      if (later < call.nodes) ahead(call.order[later], from, width);
+      if (soon >= call.nodes) return;
+      const auto node = static_cast<std::size_t>(call.order[soon]);
+      fetch(call.source + group.state + node * 3 * chunk, chunk, from, width);
+      if (from == 0)
+        for (int c = 0; c < 3; ++c) __builtin_prefetch(group.next + node * group.nextNode + c * group.nextLine, 0, 2);
+    };
+    for (int p = 0; p < group.parts; ++p) {
+      const auto& part = group.part[p];
+      if (part.isWide)
+        for (int i = first; i < end; ++i) {
+          fetchFor(i, part.offset, part.width);
+          innerForce<Whole, wide<Whole>>(call, part, i, forces[i - first]);
+        }
+      else
+        for (int i = first; i < end; ++i) {
+          fetchFor(i, part.offset, part.width);
+          innerForce<Piece, narrow<Piece>>(call, part, i, forces[i - first]);
+        }
+    }
     for (int i = first; i < end; ++i) row(call.order[i], forces[i - first]);
   }
 }
 
-template <typename Kind, int V>
-inline void applyGroup(const KernelCall& call, const Group& group) {
+template <typename Whole, typename Piece>
+inline void applyGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
   double* out = call.force + group.state;
-  overRows<Kind, V>(
-      call, group, [](int) {},
-      [&](int node, const typename Kind::Real(&force)[3][chunk]) {
+  overRows<Whole, Piece>(
+      call, group, [](int, int, int) {},
+      [&](int node, const typename Whole::Real(&force)[3][chunk]) {
         double* lines = out + static_cast<std::size_t>(node) * 3 * chunk;
         for (int c = 0; c < 3; ++c)
-          for (int i = 0; i < group.parts * V * Kind::lanes; i += LANES)
-            store(lines + c * chunk + i, widened(force[c] + i));
+          for (int i = 0; i < group.count; i += LANES) store(lines + c * chunk + i, widened(force[c] + i));
       });
 }
 
 // One node through the central difference on all stations of the group.
 template <typename Real>
-inline void advanceNode(const KernelCall& call, const Group& group, int n, int count, const Real (&force)[3][chunk]) {
+inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n, const Real (&force)[3][chunk]) {
+  const int count = group.count;
   const std::size_t stride = call.stride;
   const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
   const double* source = call.source + base;
@@ -283,60 +317,71 @@ inline void advanceNode(const KernelCall& call, const Group& group, int n, int c
     }
 }
 
-template <typename Kind, int V>
-inline void advanceGroup(const KernelCall& call, const Group& group) {
-  overRows<Kind, V>(
+template <typename Whole, typename Piece>
+inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
+  overRows<Whole, Piece>(
       call, group,
-      [&](int node) {
+      [&](int node, int from, int width) {
         const std::size_t base = group.state + static_cast<std::size_t>(node) * 3 * chunk;
-        fetch<3 * chunk, 1>(call.velocity + base);
-        if (call.target != call.source) fetch<3 * chunk, 1>(call.target + base);
-        fetch<chunk, 0>(call.inverseMass + placeOfMass(call, node, group.at));
+        fetch(call.velocity + base, chunk, from, width);
+        if (call.target != call.source) fetch(call.target + base, chunk, from, width);
+        for (int i = from; i < from + width; i += 8)
+          __builtin_prefetch(call.inverseMass + placeOfMass(call, node, group.at) + i, 0, 2);
+        if (const int line = call.externalLine[node]; line >= 0)
+          fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, from, width);
       },
-      [&](int node, const typename Kind::Real(&force)[3][chunk]) {
-        advanceNode(call, group, node, group.parts * V * Kind::lanes, force);
-      });
+      [&](int node, const typename Whole::Real(&force)[3][chunk]) { advanceNode(call, group, node, force); });
 }
 
-template <typename Kind>
+// Cuts the stations of a group into parts, each within one run.
+template <typename Whole, typename Piece>
+inline void findParts(const KernelCall& call, Group<typename Whole::Real>& group) {
+  constexpr int most = wide<Whole> * Whole::lanes, least = narrow<Piece> * Piece::lanes;
+  const KernelRun* run = call.runs;
+  for (int from = 0; from < group.count;) {
+    while (run->last <= group.at + from) ++run;
+    const int rest =
+        run->last - group.at - from < group.count - from ? run->last - group.at - from : group.count - from;
+    const bool isWide = rest >= most;
+    group.part[group.parts++] = {from, isWide ? most : least, isWide, coefficientsOf(*run, typename Whole::Real{})};
+    from += isWide ? most : least;
+  }
+}
+
+template <typename Whole, typename Piece>
 void carryOver(const KernelCall& call) {
-  const int at = call.first - Kind::lanes;
-  overRows<Kind, 1>(
-      call, {at, 1, placeOf(call, at), call.source + placeOf(call, call.first)}, [](int) {},
-      [](int, const typename Kind::Real(&)[3][chunk]) {});
+  Group<typename Whole::Real> group;
+  group.at = call.first - 8, group.count = 8;
+  group.state = placeOf(call, group.at), group.next = call.source + placeOf(call, call.first);
+  findParts<Whole, Piece>(call, group);
+  overRows<Whole, Piece>(
+      call, group, [](int, int, int) {}, [](int, const typename Whole::Real(&)[3][chunk]) {});
 }
 
-// Whole chunks in vectors of one kind, and what lies in a chunk with the end of a run or stretch in those of another.
-template <typename WholeKind, typename PieceKind, typename Whole, typename Piece>
-inline void overGroups(const KernelCall& call, const Whole& whole, const Piece& piece) {
+// The stretch chunk by chunk.
+template <typename Whole, typename Piece, typename Body>
+inline void overGroups(const KernelCall& call, const Body& body) {
   const int end = call.first + call.count;
   for (int at = call.first; at < end;) {
-    const int stop = (at / chunk + 1) * chunk < end ? (at / chunk + 1) * chunk : end, count = stop - at;
-    Group group{at, 0, placeOf(call, at), call.source + placeOf(call, stop)};
+    const int stop = (at / chunk + 1) * chunk < end ? (at / chunk + 1) * chunk : end;
+    Group<typename Whole::Real> group;
+    group.at = at, group.count = stop - at;
+    group.state = placeOf(call, at), group.next = call.source + placeOf(call, stop);
     if (stop == end && call.after) group.next = call.after, group.nextNode = 3, group.nextLine = 1;
-    if (count == chunk) {
-      group.parts = chunk / (WIDEST * WholeKind::lanes);
-      whole(group);
-    } else {
-      group.parts = count / (narrowest<PieceKind> * PieceKind::lanes);
-      piece(group);
-    }
+    findParts<Whole, Piece>(call, group);
+    body(group);
     at = stop;
   }
 }
 
-template <typename WholeKind, typename PieceKind>
+template <typename Whole, typename Piece>
 void applyStiffness(const KernelCall& call) {
-  overGroups<WholeKind, PieceKind>(
-      call, [&](const Group& group) { applyGroup<WholeKind, WIDEST>(call, group); },
-      [&](const Group& group) { applyGroup<PieceKind, narrowest<PieceKind>>(call, group); });
+  overGroups<Whole, Piece>(call, [&](const auto& group) { applyGroup<Whole, Piece>(call, group); });
 }
 
-template <typename WholeKind, typename PieceKind>
+template <typename Whole, typename Piece>
 void advanceStep(const KernelCall& call) {
-  overGroups<WholeKind, PieceKind>(
-      call, [&](const Group& group) { advanceGroup<WholeKind, WIDEST>(call, group); },
-      [&](const Group& group) { advanceGroup<PieceKind, narrowest<PieceKind>>(call, group); });
+  overGroups<Whole, Piece>(call, [&](const auto& group) { advanceGroup<Whole, Piece>(call, group); });
 }
 
 // Twelve independent chains hide the latency of the multiply-add; what comes out is the peak of one core.
@@ -364,11 +409,12 @@ KernelSet kernels(const char* name, Precision precision) {
     return {name,
             precision,
             applyStiffness<Single, SinglePiece>,
-            carryOver<SinglePiece>,
+            carryOver<Single, SinglePiece>,
             advanceStep<Single, SinglePiece>,
             multiplyAddPeak};
-  return {name,           precision, applyStiffness<Double, Double>, carryOver<Double>, advanceStep<Double, Double>,
-          multiplyAddPeak};
+  return {
+      name,           precision, applyStiffness<Double, Double>, carryOver<Double, Double>, advanceStep<Double, Double>,
+      multiplyAddPeak};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "elasticity/SweptTie.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -97,7 +98,7 @@ SweptTie makeTie(const std::vector<SweptBlock>& blocks, int slaveBlock, int mast
   return tie;
 }
 
-std::size_t tieWorkspace(const SweptTie& tie, const SweptBlock& slave) { return tie.columns.size() * 3 * slave.stride; }
+std::size_t tieWorkspace(const SweptTie& tie) { return tie.columns.size() * 3 * tieStations; }
 
 std::vector<StationSpan> slaveSpans(const SweptTie& tie, int firstMaster, int lastMaster) {
   std::vector<StationSpan> spans;
@@ -114,38 +115,48 @@ std::vector<StationSpan> slaveSpans(const SweptTie& tie, int firstMaster, int la
 }
 
 void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace) {
+  interpolateSlaves(tie, blocks, state, workspace, {0, blocks[tie.slaveBlock].stationCount});
+}
+
+void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace,
+                       StationSpan span) {
+  constexpr int most = tieStations;
   const auto &slave = blocks[tie.slaveBlock], &master = blocks[tie.masterBlock];
-  const int stations = slave.stationCount;
-  for (std::size_t j = 0; j < tie.columns.size(); ++j) {
-    double* out = workspace + j * 3 * slave.stride;
-    std::fill(out, out + 3 * slave.stride, 0.0);
-    for (int layer = 0; layer < 2; ++layer) {
-      const int node = layer ? tie.columns[j].inner : tie.columns[j].outer;
-      if (layer && node < 0) continue;
-      const auto a = master.line(state, node, 0), b = master.line(state, node, 1), c = master.line(state, node, 2);
-      for (int s = 0; s < stations; ++s) {
-        const auto& at = tie.stations[s];
-        const double share = layer ? -at.extrapolation : 1 + at.extrapolation;
-        out[s] += share * (at.leftCosine * a[at.left] + at.leftSine * b[at.left] + at.rightCosine * a[at.right] +
-                           at.rightSine * b[at.right]);
-        out[slave.stride + s] += share * (at.leftCosine * b[at.left] - at.leftSine * a[at.left] +
-                                          at.rightCosine * b[at.right] - at.rightSine * a[at.right]);
-        out[2 * slave.stride + s] += share * (at.leftWeight * c[at.left] + at.rightWeight * c[at.right]);
+  for (int from = span.first; from < span.last; from += most) {
+    const int count = std::min(most, span.last - from);
+    for (std::size_t j = 0; j < tie.columns.size(); ++j) {
+      double* out = workspace + 3 * j * most;
+      std::fill(out, out + 3 * most, 0.0);
+      for (int layer = 0; layer < 2; ++layer) {
+        const int node = layer ? tie.columns[j].inner : tie.columns[j].outer;
+        if (node < 0) continue;
+        const auto a = master.line(state, node, 0), b = master.line(state, node, 1), c = master.line(state, node, 2);
+        for (int k = 0; k < count; ++k) {
+          const auto& at = tie.stations[from + k];
+          const double share = layer ? -at.extrapolation : 1 + at.extrapolation;
+          const double leftA = a[at.left], leftB = b[at.left], rightA = a[at.right], rightB = b[at.right];
+          out[k] +=
+              share * (at.leftCosine * leftA + at.leftSine * leftB + at.rightCosine * rightA + at.rightSine * rightB);
+          out[most + k] +=
+              share * (at.leftCosine * leftB - at.leftSine * leftA + at.rightCosine * rightB - at.rightSine * rightA);
+          out[2 * most + k] += share * (at.leftWeight * c[at.left] + at.rightWeight * c[at.right]);
+        }
       }
     }
+    for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        double sum[most] = {};
+        for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e) {
+          const double* value = workspace + (3 * static_cast<std::size_t>(tie.entryColumn[e]) + c) * most;
+          for (int k = 0; k < most; ++k) sum[k] += tie.entryWeight[e] * value[k];
+        }
+        const auto line = slave.line(state, tie.slaveNodes[i], c);
+        for (int k = 0; k < count; ++k) line[from + k] = sum[k];
+      }
   }
-  for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
-    for (int c = 0; c < 3; ++c) {
-      const auto line = slave.line(state, tie.slaveNodes[i], c);
-      const int first = tie.entryStart[i], last = tie.entryStart[i + 1];
-      for (int s = 0; s < stations; ++s) line[s] = 0;
-      for (int e = first; e < last; ++e) {
-        const double weight = tie.entryWeight[e];
-        const double* from = workspace + (static_cast<std::size_t>(tie.entryColumn[e]) * 3 + c) * slave.stride;
-        for (int s = 0; s < stations; ++s) line[s] += weight * from[s];
-      }
-      if (slave.closed) line[slave.intervals] = line[0];
-    }
+  if (slave.closed && span.first == 0)
+    for (const int n : tie.slaveNodes)
+      for (int c = 0; c < 3; ++c) state[slave.index(n, c, slave.intervals)] = state[slave.index(n, c, 0)];
 }
 
 }  // namespace squat::elasticity

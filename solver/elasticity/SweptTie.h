@@ -42,25 +42,28 @@ struct SweptTie {
 // blocks the master's section is made of rectangles in (r, y). Throws std::invalid_argument when a slave lies outside.
 SweptTie makeTie(const std::vector<SweptBlock>& blocks, int slaveBlock, int masterBlock, std::vector<int> slaveNodes);
 
-// Workspace of a tie: columns x 3 x slave stride doubles.
-std::size_t tieWorkspace(const SweptTie& tie, const SweptBlock& slave);
+// Workspace of a tie [doubles]: columns x 3 components x the stations that are worked on at a time.
+constexpr int tieStations = 64;
+std::size_t tieWorkspace(const SweptTie& tie);
 
-// slave := interpolation of master, in a state vector (whole layout).
-void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace);
-
-// Stretches of slave stations that reach master stations [first, last).
 struct StationSpan {
   int first = 0, last = 0;
 };
+
+// slave := interpolation of master, in a state vector (whole layout); at all stations, or at those of one span.
+void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace);
+void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace,
+                       StationSpan span);
+
+// Stretches of slave stations that reach master stations [first, last).
 std::vector<StationSpan> slaveSpans(const SweptTie& tie, int firstMaster, int lastMaster);
 
 // The transpose: forces of the slaves, times `sign`, are added to master stations [firstMaster, lastMaster), whose
 // spans are given. `slaveLine(i, c)` gives the line of component c of slave node i, `masterLine(node, c)` that of a
 // master's section node. Threads may take ranges of master stations; sums are in the same order for any ranges.
 template <typename SlaveLine, typename MasterLine>
-void transferForces(const SweptTie& tie, const SweptBlock& slave, double sign, const SlaveLine& slaveLine,
-                    const MasterLine& masterLine, double* workspace, int firstMaster, int lastMaster,
-                    const std::vector<StationSpan>& spans);
+void transferForces(const SweptTie& tie, double sign, const SlaveLine& slaveLine, const MasterLine& masterLine,
+                    double* workspace, int firstMaster, int lastMaster, const std::vector<StationSpan>& spans);
 
 }  // namespace squat::elasticity
 

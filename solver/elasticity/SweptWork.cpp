@@ -9,7 +9,7 @@ namespace {
 
 constexpr int vectorMultiple = 8;  // intervals that stay together
 
-KernelCall callFor(const SweptBlock& block, int run, int first, int count, const double* source,
+KernelCall callFor(const SweptBlock& block, int index, int first, int count, const double* source,
                    KernelScratch& scratch) {
   KernelCall call;
   call.nodes = block.nodes;
@@ -18,8 +18,7 @@ KernelCall callFor(const SweptBlock& block, int run, int first, int count, const
   call.slots = block.order.slots.data();
   call.gatherUpTo = block.order.gatherUpTo.data();
   call.window = block.order.window;
-  call.coefficients = block.rowCoefficients[run].data();
-  call.singleCoefficients = block.singleCoefficients[run].data();
+  call.runs = scratch.runs[index].data();
   call.stride = block.stride;
   call.chunkSize = block.chunkSize();
   call.first = first, call.count = count;
@@ -31,26 +30,11 @@ KernelCall callFor(const SweptBlock& block, int run, int first, int count, const
 }
 
 // What the interval before `first` adds to that station; nothing at the open end of a block.
-template <typename KernelsOf>
-void startCarry(const SweptBlock& block, const KernelsOf& kernelsOf, int first, const double* source,
+void startCarry(const SweptBlock& block, int index, const KernelSet& kernels, int first, const double* source,
                 KernelScratch& scratch) {
   std::fill(scratch.carry.begin(), scratch.carry.end(), 0.0);
   if (first == 0 && !block.closed) return;
-  const int before = first == 0 ? block.intervals : first;
-  const int run = block.runOf(before - 1);
-  kernelsOf(run).carryOver(callFor(block, run, before, 0, source, scratch));
-}
-
-// Runs `body(call, run)` for the parts of a segment that lie in one run each.
-template <typename Body>
-void overRuns(const SweptBlock& block, const Segment& segment, const double* source, KernelScratch& scratch,
-              const Body& body) {
-  const int end = segment.first + segment.count;
-  for (int at = segment.first; at < end;) {
-    const int run = block.runOf(at), stop = std::min(end, block.runIntervals[run][1]);
-    body(callFor(block, run, at, stop - at, source, scratch), run);
-    at = stop;
-  }
+  kernels.carryOver(callFor(block, index, first == 0 ? block.intervals : first, 0, source, scratch));
 }
 
 void refreshGhost(const SweptBlock& block, double* state) {
@@ -84,26 +68,17 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
   }
 }
 
-const KernelSet& kernelsOfRun(const SweptBlock& block, const BlockStep& with, const KernelSet& common, int run) {
-  return with.fineKernels && block.stations.runs[run].length <= with.fineLength ? *with.fineKernels : common;
-}
-
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, const std::function<double(int, int)>& costOf) {
-  const auto costAt = [&](int b, int interval) {
-    const double each = costOf ? costOf(b, blocks[b].runOf(interval)) : 1;
-    return each * static_cast<double>(blocks[b].section.quads.size());
-  };
+                                            int parts) {
   double total = 0;
-  for (const int b : which)
-    for (int at = 0; at < blocks[b].intervals; at += vectorMultiple) total += costAt(b, at);
+  for (const int b : which) total += static_cast<double>(blocks[b].elements());
   std::vector<std::vector<Segment>> lists(parts);
   double done = 0;
   for (const int b : which)
     for (int at = 0; at < blocks[b].intervals; at += vectorMultiple) {
-      const double cost = costAt(b, at);
+      const auto cost = static_cast<double>(blocks[b].section.quads.size()) * vectorMultiple;
       // To the part in whose share the middle of these intervals lies.
       const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * cost) / total * parts));
       auto& list = lists[part];
@@ -119,6 +94,11 @@ std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& block
 KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
   int most = 0, window = 0;
   for (const auto& block : blocks) most = std::max(most, block.nodes), window = std::max(window, block.order.window);
+  for (const auto& block : blocks) {
+    auto& own = runs.emplace_back();
+    for (std::size_t r = 0; r < block.runIntervals.size(); ++r)
+      own.push_back({block.runIntervals[r][1], block.rowCoefficients[r].data(), block.singleCoefficients[r].data()});
+  }
   workspace.assign(kernelWorkspace(window), 0.0);
   carry.assign(static_cast<std::size_t>(most) * 3 + 8, 0.0);
 }
@@ -127,12 +107,10 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
                    const KernelSet& kernels, const double* source, double* result, KernelScratch& scratch) {
   for (const auto& segment : segments) {
     const auto& block = blocks[segment.block];
-    startCarry(
-        block, [&](int) -> const KernelSet& { return kernels; }, segment.first, source, scratch);
-    overRuns(block, segment, source, scratch, [&](KernelCall call, int) {
-      call.force = result + block.offset;
-      kernels.applyStiffness(call);
-    });
+    startCarry(block, segment.block, kernels, segment.first, source, scratch);
+    auto call = callFor(block, segment.block, segment.first, segment.count, source, scratch);
+    call.force = result + block.offset;
+    kernels.applyStiffness(call);
     if (!block.closed && segment.first + segment.count == block.intervals)
       for (int n = 0; n < block.nodes; ++n)
         for (int c = 0; c < 3; ++c) result[block.index(n, c, block.intervals)] = scratch.carry[3 * n + c];
@@ -142,59 +120,45 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
 std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks) {
   std::vector<SegmentEnds> ends(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const auto& [block, first, count] = segments[i];
-    const int nodes = blocks[block].nodes;
-    const int chunks = (first + count - 1) / SweptBlock::chunk - first / SweptBlock::chunk + 1;
-    ends[i].carry.resize(3 * nodes), ends[i].after.resize(3 * nodes), ends[i].references.resize(3 * chunks);
+    const int nodes = blocks[segments[i].block].nodes;
+    ends[i].carry.resize(3 * nodes), ends[i].after.resize(3 * nodes);
   }
   return ends;
 }
 
-void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks, const KernelSet& common,
-              const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
-              std::vector<SegmentEnds>& ends) {
+void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks, const KernelSet& kernels,
+              const double* source, KernelScratch& scratch, std::vector<SegmentEnds>& ends) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const int first = segments[i].first, count = segments[i].count;
     const auto& block = blocks[segments[i].block];
-    const auto& with = steps[segments[i].block];
-    startCarry(
-        block, [&](int run) -> const KernelSet& { return kernelsOfRun(block, with, common, run); }, first, source,
-        scratch);
+    startCarry(block, segments[i].block, kernels, first, source, scratch);
     std::copy_n(scratch.carry.begin(), 3 * block.nodes, ends[i].carry.begin());
     for (int n = 0; n < block.nodes; ++n)
       for (int c = 0; c < 3; ++c) ends[i].after[3 * n + c] = source[block.index(n, c, first + count)];
-    double* reference = ends[i].references.data();
-    for (int at = first / SweptBlock::chunk * SweptBlock::chunk; at < first + count; at += SweptBlock::chunk)
-      for (int c = 0; c < 3; ++c) *reference++ = source[block.index(block.nodes / 2, c, at)];
   }
 }
 
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
-                     const KernelSet& common, const std::vector<BlockStep>& steps, double step, const double* source,
+                     const KernelSet& kernels, const std::vector<BlockStep>& steps, double step, const double* source,
                      double* target, double* velocity, KernelScratch& scratch, const std::vector<SegmentEnds>* ends) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const auto& segment = segments[i];
     const auto& block = blocks[segment.block];
     const auto& with = steps[segment.block];
-    const auto kernelsOf = [&](int run) -> const KernelSet& { return kernelsOfRun(block, with, common, run); };
     if (ends)
       std::copy((*ends)[i].carry.begin(), (*ends)[i].carry.end(), scratch.carry.begin());
     else
-      startCarry(block, kernelsOf, segment.first, source, scratch);
-    overRuns(block, segment, source, scratch, [&](KernelCall call, int run) {
-      if (ends) {
-        call.references = (*ends)[i].references.data(), call.firstReference = segment.first / SweptBlock::chunk;
-        if (call.first + call.count == segment.first + segment.count) call.after = (*ends)[i].after.data();
-      }
-      call.inverseMass = with.inverseMass, call.fixedMask = with.freeMask;
-      call.externalLine = with.lineOfNode, call.slave = with.slave, call.external = with.force;
-      call.velocity = velocity + block.offset, call.target = target + block.offset;
-      call.acceleration = with.acceleration, call.radialWeight = with.radialWeight;
-      call.spinAcceleration = with.spinAcceleration, call.step = step, call.beta = with.beta;
-      call.cosine = with.cosine, call.sine = with.sine;
-      call.turningMoment = with.turningMoment;
-      kernelsOf(run).advanceStep(call);
-    });
+      startCarry(block, segment.block, kernels, segment.first, source, scratch);
+    auto call = callFor(block, segment.block, segment.first, segment.count, source, scratch);
+    if (ends) call.after = (*ends)[i].after.data();
+    call.inverseMass = with.inverseMass, call.fixedMask = with.freeMask;
+    call.externalLine = with.lineOfNode, call.slave = with.slave, call.external = with.force;
+    call.velocity = velocity + block.offset, call.target = target + block.offset;
+    call.acceleration = with.acceleration, call.radialWeight = with.radialWeight;
+    call.spinAcceleration = with.spinAcceleration, call.step = step, call.beta = with.beta;
+    call.cosine = with.cosine, call.sine = with.sine;
+    call.turningMoment = with.turningMoment;
+    kernels.advanceStep(call);
     if (!block.closed && segment.first + segment.count == block.intervals)
       advanceLastStation(block, with, step, source, target, velocity, scratch.carry);
     if (block.closed && segment.first == 0) refreshGhost(block, target);

@@ -5,7 +5,6 @@
 // not depend on where the cuts are.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "core/AlignedVector.h"
@@ -18,15 +17,15 @@ struct Segment {
   int block = 0, first = 0, count = 0;  // intervals, multiples of 8
 };
 
-// Cuts the intervals of the named blocks into `parts` lists of about equal cost. `costOf(block, run)` is the cost of an
-// element there; without it all cost the same.
+// Cuts the intervals of the named blocks into `parts` lists of about as many elements.
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, const std::function<double(int, int)>& costOf = {});
+                                            int parts);
 
 // Scratch memory of one thread.
 struct KernelScratch {
   explicit KernelScratch(const std::vector<SweptBlock>& blocks);
   AlignedVector workspace, carry;
+  std::vector<std::vector<KernelRun>> runs;  // per block
 };
 
 // result := K source on the stations of the segments (state layout). The source's ghost stations must be up to date.
@@ -35,9 +34,6 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
 
 // What one block needs for a step besides source, target and velocity (state layout).
 struct BlockStep {
-  // Kernels of runs with intervals up to `fineLength` (in the unit of the stations), where not those of all.
-  const KernelSet* fineKernels = nullptr;
-  double fineLength = 0;
   const double* inverseMass = nullptr;  // as from inChunks()
   const double* freeMask = nullptr;     // nodes x 3
   const int* lineOfNode = nullptr;      // into the force lines
@@ -52,14 +48,13 @@ struct BlockStep {
 // What a step in place needs of a segment's surroundings as they were before anybody wrote: room for it by
 // segmentEnds(), filled by readEnds(), which all threads must have done before any of them advances in place.
 struct SegmentEnds {
-  AlignedVector carry;                    // what the interval before the segment adds, nodes x 3
-  std::vector<double> after, references;  // KernelCall
+  AlignedVector carry;        // what the interval before the segment adds, nodes x 3
+  std::vector<double> after;  // KernelCall
 };
 
 std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks);
 void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks, const KernelSet& kernels,
-              const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
-              std::vector<SegmentEnds>& ends);
+              const double* source, KernelScratch& scratch, std::vector<SegmentEnds>& ends);
 
 // One step of the central difference. `target` may be `source` where `ends` are given: a step then moves a fifth less
 // memory.

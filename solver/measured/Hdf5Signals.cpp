@@ -93,15 +93,16 @@ class Finder {
     const std::size_t n = chosenLength();
     for (const Array* array : all_) {
       if (parentOf(array->path) != group_) continue;
-      if (lengthOf(*array) == n && isNested(*array))
-        throw FileError(path_, array->path, "has more than two dimensions",
-                        "Store samples, or samples and runs: one or two dimensions");
-      if (lengthOf(*array) == n)
+      if (lengthOf(*array) == n) {
+        if (isNested(*array))
+          throw FileError(path_, array->path, "has more than two dimensions",
+                          "Store samples, or samples and runs: one or two dimensions");
         addColumns(table, *array);
-      else if (roleOf(*array) != Role::signal || nameOf(array->path) == options_.timeColumn)
+      } else if (roleOf(*array) != Role::signal || nameOf(array->path) == options_.timeColumn) {
         throw FileError(path_, array->path,
                         "has " + std::to_string(lengthOf(*array)) + " values, the signal " + std::to_string(n),
                         "All datasets of a group must be equally long");
+      }
     }
     table.lines.resize(n);
     std::iota(table.lines.begin(), table.lines.end(), 0u);

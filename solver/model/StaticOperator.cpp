@@ -64,7 +64,7 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
   vehicle_.add(along, d.suspension.longitudinalStiffness, d.suspension.longitudinalDamping);
   if (spinStiffness > 0) vehicle_.add(hubTurn(model), spinStiffness, 0);
   std::size_t most = 0;
-  for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie, model.blocks[tie.slaveBlock]));
+  for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie));
   tieWorkspace_.assign(most, 0.0);
 }
 
@@ -77,7 +77,7 @@ void StaticOperator::reduceForces(double* r) {
   for (const auto& tie : model_.ties) {
     const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
     elasticity::transferForces(
-        tie, slave, 1.0, [&](int i, int c) { return slave.line(r, tie.slaveNodes[i], c); },
+        tie, 1.0, [&](int i, int c) { return slave.line(r, tie.slaveNodes[i], c); },
         [&](int node, int c) { return master.line(r, node, c); }, tieWorkspace_.data(), 0, master.stationCount,
         {{0, slave.stationCount}});
   }

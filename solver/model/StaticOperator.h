@@ -24,9 +24,8 @@ class StaticOperator {
   void apply(double* u, double* result);
   // Springs besides pads and ballast: suspension and spin.
   const supports::SpringSet& vehicleSprings() const { return vehicle_; }
-  supports::SpringSet& contactSprings() {
-    return contact_;
-  }                                // the caller's: tangent of the closed contact, or what else it adds
+  // The caller's: tangent of the closed contact, or dashpots as springs.
+  supports::SpringSet& contactSprings() { return contact_; }
   AlignedVector diagonal() const;  // with contact springs; 1 where the unknown is not free
   const std::vector<unsigned char>& freeUnknowns() const { return free_; }
   const TurnedStations& turned() const { return turned_; }

@@ -42,8 +42,8 @@ struct TrackReceptance {
   bool complete = false;
 };
 
-// The case's track on a mesh for vibrations up to 2 kHz: 20 mm along the rail near the points, 50 mm elsewhere, no
-// defect; the section as the case has it, but not finer than 12 mm. The wheel plays no part.
+// The case's track on a mesh for vibrations up to 2 kHz: 20 mm along the rail near the points, at most 50 mm
+// elsewhere, no defect; the section as the case has it, but not finer than 12 mm. The wheel plays no part.
 cases::CaseDescription receptanceCase(const cases::CaseDescription& description);
 
 // Throws CaseError where the case cannot be meshed. A cancelled call returns what it has, with complete == false.

@@ -22,7 +22,7 @@ SolidEnergies quadratic(const dynamics::Rolling& rolling, AlignedVector x) {
   elasticity::refreshGhosts(model.blocks, x.data());
   AlignedVector force(x.size(), 0.0), workspace;
   for (const auto& tie : model.ties) {
-    workspace.assign(elasticity::tieWorkspace(tie, model.blocks[tie.slaveBlock]), 0.0);
+    workspace.assign(elasticity::tieWorkspace(tie), 0.0);
     interpolateSlaves(tie, model.blocks, x.data(), workspace.data());
   }
   std::vector<int> all;

@@ -27,7 +27,7 @@ struct Equilibrium {
   double lateralForce = 0;          // [N] of the wheel on the rail, outwards
   double centreLateral = 0;         // [m] y of the pressure's centre
   double residual = 0;              // 2-norm relative to the wheel load
-  double approach = 0;  // [m] largest penetration of the undeformed surfaces: hub to far rail minus body motion
+  double approach = 0;  // [m] deflection of the rail's section under the wheel, mean over its mass, less the hub's
   double halfAxisRolling = 0, halfAxisLateral = 0;  // [m] sqrt(5 <x^2>), sqrt(5 <y^2>) of the pressure
   double peakPressure = 0;                          // [Pa] 3 N / (2 pi a b)
   double strainEnergy = 0;                          // [J] solids, springs and contact

@@ -19,9 +19,9 @@ namespace squat::validation {
 //   lines_within    number of peaks (1 %) in the band         band_power      [(m/s2)2] integral over the band
 //   band_share      of the integral of the whole spectrum
 //   free_vibration  how many times longer the band rings after the impact than its filter after a kick; 1: a kick
-//   impact_top      [Hz] highest frequency within 10 mm of the deepest point of the defect with 5 % of the scalogram's
-//   largest power quiet           [m/s2] largest deviation from the mean over 0.2 m before the defect (-0.24 to -0.04
-//   m)
+//   impact_top      [Hz] highest frequency with 5 % of the scalogram's largest power, within 10 mm of the deepest point
+//                   of the defect
+//   quiet           [m/s2] largest deviation from the mean over 0.2 m before the defect (-0.24 to -0.04 m)
 // Spectra reach from 0.1 m before the impact to 0.28 m behind it; those for lines or bands at or below 320 Hz, a period
 // of which takes 0.1 m, to 0.58 m where the run goes that far.
 std::vector<std::string> measureNames();

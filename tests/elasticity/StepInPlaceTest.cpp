@@ -32,11 +32,8 @@ struct Stepped {
 
 class Stepper {
  public:
-  explicit Stepper(const std::string& isa)
-      : blocks_(ringAndBar()),
-        size_(layOut(blocks_)),
-        kernels_(kernelsFor(isa)),
-        single_(kernelsFor(isa, Precision::singleInside)) {
+  Stepper(const std::string& isa, Precision precision)
+      : blocks_(ringAndBar()), size_(layOut(blocks_)), kernels_(kernelsFor(isa, precision)) {
     std::mt19937 generator(11);
     std::uniform_real_distribution<double> value(-1e-4, 1e-4);
     start_.displaced.assign(size_, 0.0), start_.velocity.assign(size_, 0.0);
@@ -53,7 +50,6 @@ class Stepper {
     }
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       BlockStep with;
-      with.fineKernels = &single_, with.fineLength = b == 0 ? 0.03 : 0.003;
       with.inverseMass = inverseMass_[b].data(), with.freeMask = freeMask_[b].data();
       with.lineOfNode = noLine_[b].data(), with.slave = noSlave_[b].data();
       with.acceleration = acceleration_[b].data(), with.beta = 1e-8;
@@ -81,7 +77,7 @@ class Stepper {
     std::vector<std::vector<SegmentEnds>> ends;
     for (const auto& segments : work) {
       ends.push_back(segmentEnds(segments, blocks_));
-      readEnds(segments, blocks_, kernels_, steps_, now.displaced.data(), scratch, ends.back());
+      readEnds(segments, blocks_, kernels_, now.displaced.data(), scratch, ends.back());
     }
     for (std::size_t i = 0; i < work.size(); ++i)
       advanceSegments(work[i], blocks_, kernels_, steps_, 1e-7, now.displaced.data(), now.displaced.data(),
@@ -92,7 +88,7 @@ class Stepper {
  private:
   std::vector<SweptBlock> blocks_;
   std::size_t size_;
-  KernelSet kernels_, single_;
+  KernelSet kernels_;
   Stepped start_;
   std::vector<AlignedVector> inverseMass_, acceleration_;
   std::vector<std::vector<double>> freeMask_;
@@ -102,13 +98,14 @@ class Stepper {
 };
 
 TEST(StepInPlace, GivesTheSameBits) {
-  for (const auto& isa : availableInstructionSets()) {
-    const Stepper stepper(isa);
-    const Stepped expected = stepper.withRoom();
-    for (const int parts : {1, 2, 3, 5, 7})
-      for (const bool backwards : {false, true})
-        EXPECT_TRUE(stepper.inPlace(parts, backwards) == expected) << isa << ", " << parts << " parts";
-  }
+  for (const auto& isa : availableInstructionSets())
+    for (const auto precision : {Precision::doubleInside, Precision::singleInside}) {
+      const Stepper stepper(isa, precision);
+      const Stepped expected = stepper.withRoom();
+      for (const int parts : {1, 2, 3, 5, 7})
+        for (const bool backwards : {false, true})
+          EXPECT_TRUE(stepper.inPlace(parts, backwards) == expected) << isa << ", " << parts << " parts";
+    }
 }
 
 }  // namespace

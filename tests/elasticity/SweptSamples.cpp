@@ -85,13 +85,13 @@ AlignedVector applySwept(const std::vector<SweptBlock>& blocks, const AlignedVec
 void passToMasters(const SweptTie& tie, const std::vector<SweptBlock>& blocks, const AlignedVector& from,
                    AlignedVector& to, const std::vector<int>& cuts) {
   const auto &slave = blocks[tie.slaveBlock], &master = blocks[tie.masterBlock];
-  AlignedVector workspace(tieWorkspace(tie, slave));
+  AlignedVector workspace(tieWorkspace(tie));
   std::vector<int> ends = cuts;
   ends.push_back(master.stationCount);
   int first = 0;
   for (const int last : ends) {
     transferForces(
-        tie, slave, 1.0, [&](int i, int c) { return slave.line(from.data(), tie.slaveNodes[i], c); },
+        tie, 1.0, [&](int i, int c) { return slave.line(from.data(), tie.slaveNodes[i], c); },
         [&](int node, int c) { return master.line(to.data(), node, c); }, workspace.data(), first, last,
         slaveSpans(tie, first, last));
     first = last;

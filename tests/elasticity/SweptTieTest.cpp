@@ -60,7 +60,7 @@ Tied nested() {
 }
 
 void fillSlaves(const Tied& t, AlignedVector& u) {
-  AlignedVector workspace(tieWorkspace(t.tie, t.blocks[0]));
+  AlignedVector workspace(tieWorkspace(t.tie));
   interpolateSlaves(t.tie, t.blocks, u.data(), workspace.data());
 }
 

@@ -59,7 +59,7 @@ void transfer(const Joined& j, AlignedVector& values) {
 // that is left above the tie when the pulse is in the lower block, over the pulse's height.
 double reflected(double slaveSize, double masterSize, double width) {
   Joined j = join(slaveSize, masterSize);
-  AlignedVector workspace(tieWorkspace(j.ties[0], j.blocks[0]));
+  AlignedVector workspace(tieWorkspace(j.ties[0]));
   transfer(j, j.mass);
   const double nu = steel.poisson;
   const double speed = std::sqrt(steel.young * (1 - nu) / ((1 + nu) * (1 - 2 * nu) * steel.density));

@@ -27,9 +27,8 @@ void addOverlays(plots::Figure& figure, const QString& name, const results::RunR
   for (const StoredRun& run : overlays) {
     std::string ignored;
     const ResultPointer other = analysed(*run.result, settings, ignored);
-    if (name == "psd" && other->psd.empty()) continue;
     if (name == "psd") {
-      plots::addCurve(figure, {other->frequency, other->psd, run.label, colour++, 0.9});
+      if (!other->psd.empty()) plots::addCurve(figure, {other->frequency, other->psd, run.label, colour++, 0.9});
       continue;
     }
     const auto* values = other->signal(name == "aba" ? "aba_filtered" : "contact_force");
