@@ -10,10 +10,23 @@ namespace squat::dynamics {
 
 namespace {
 
-elasticity::KernelSet kernelsOfSteps(const model::Model& model, const std::string& isa) {
+// Where single precision is asked for, elements up to so many sizes of the contact band are computed in it, and then
+// cost so much of the time. Rounding acts like forces of 6e-8 times stiffness times displacement: long elements have
+// much of both and are few, and those of the wheel body turn through their errors.
+constexpr double finest = 4.1, singleCost = 0.65;
+
+elasticity::KernelSet kernelsOfFineRuns(const model::Model& model, const std::string& isa) {
   const bool single = model.description.mesh.precision == static_cast<int>(cases::ElementPrecision::single);
   return elasticity::kernelsFor(isa,
                                 single ? elasticity::Precision::singleInside : elasticity::Precision::doubleInside);
+}
+
+// Longest interval, in the unit of the block's stations, that counts as fine.
+double fineLength(const model::Model& model, int b) {
+  const auto& d = model.description;
+  if (b == model.rail) return finest * d.mesh.contactSize;
+  if (b == model.rim) return finest * d.mesh.contactSize / d.wheelset.radius;
+  return 0;
 }
 
 contact::ForceLines forceLines(const model::Model& model, int block, AlignedVector& forces) {
@@ -52,7 +65,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
                  double beta)
     : model_(model),
       kernels_(kernels),
-      stepKernels_(kernelsOfSteps(model, kernels.name)),
+      fineKernels_(kernelsOfFineRuns(model, kernels.name)),
       team_(team),
       step_(step),
       beta_(beta),
@@ -70,7 +83,12 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
         std::any_of(model.ties.begin(), model.ties.end(), [&](const auto& tie) { return tie.masterBlock == b; });
     (isMaster ? masters : others).push_back(b);
   }
-  fineWork_ = elasticity::partition(model.blocks, others, team.size());
+  const auto costOf = [&](int b, int run) {
+    const bool single = fineKernels_.precision == elasticity::Precision::singleInside &&
+                        model.blocks[b].stations.runs[run].length <= fineLength(model, b);
+    return single ? singleCost : 1.0;
+  };
+  fineWork_ = elasticity::partition(model.blocks, others, team.size(), costOf);
   masterWork_ = elasticity::partition(model.blocks, masters, team.size());
   for (int i = 0; i < team.size(); ++i) {
     fineEnds_.push_back(elasticity::segmentEnds(fineWork_[i], model.blocks));
@@ -91,6 +109,8 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   }
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     elasticity::BlockStep with;
+    with.fineKernels = &fineKernels_;
+    with.fineLength = fineLength(model, static_cast<int>(b));
     inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
     with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();
@@ -309,8 +329,9 @@ void Rolling::yieldLayer(int index, long step) {
 // A step in place overwrites what neighbouring stretches need: each thread reads that first.
 void Rolling::readEnds(int index) {
   const double* u = state_.displaced.data();
-  elasticity::readEnds(fineWork_[index], model_.blocks, stepKernels_, u, *scratch_[index], fineEnds_[index]);
-  elasticity::readEnds(masterWork_[index], model_.blocks, stepKernels_, u, *scratch_[index], masterEnds_[index]);
+  elasticity::readEnds(fineWork_[index], model_.blocks, kernels_, blockSteps_, u, *scratch_[index], fineEnds_[index]);
+  elasticity::readEnds(masterWork_[index], model_.blocks, kernels_, blockSteps_, u, *scratch_[index],
+                       masterEnds_[index]);
 }
 
 void Rolling::advanceFine(int index) {
@@ -321,9 +342,8 @@ void Rolling::advanceFine(int index) {
         plasticity::addPlasticForces(model_.layer, layerForces_, part.first, part.first + part.count,
                                      forces_.data() + model_.loaded[part.block].offset,
                                      model_.loaded[part.block].lineOfNode.data());
-  elasticity::advanceSegments(fineWork_[index], model_.blocks, stepKernels_, blockSteps_, step_,
-                              state_.displaced.data(), state_.displaced.data(), state_.velocity.data(),
-                              *scratch_[index], &fineEnds_[index]);
+  elasticity::advanceSegments(fineWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
+                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &fineEnds_[index]);
 }
 
 void Rolling::passTieForces(int index) {
@@ -346,9 +366,8 @@ void Rolling::passTieForces(int index) {
 }
 
 void Rolling::advanceMasters(int index) {
-  elasticity::advanceSegments(masterWork_[index], model_.blocks, stepKernels_, blockSteps_, step_,
-                              state_.displaced.data(), state_.displaced.data(), state_.velocity.data(),
-                              *scratch_[index], &masterEnds_[index]);
+  elasticity::advanceSegments(masterWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
+                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &masterEnds_[index]);
 }
 
 void Rolling::finishStep(long k) {

@@ -46,6 +46,15 @@ PaperRow row(const results::RunResult& result, const std::string& what) {
   return {};
 }
 
+// The rail is no longer smooth where a long defect begins: what the wheel feels there is not noise of the start.
+TEST(PaperTable, QuietIsJudgedWhereTheRailIsSmooth) {
+  auto result = made(310, 1000);
+  result.signals[0].values[166] = 50;  // at x = -0.1 m
+  EXPECT_EQ(row(result, "quiet before the defect (0.20 m)").verdict, "not met");
+  result.profilePosition = {-0.3, -0.15, 0.15, 0.3}, result.profileHeight = {0, -1e-4, -1e-4, 0};
+  EXPECT_EQ(row(result, "quiet before the defect (0.15 m)").verdict, "met");
+}
+
 TEST(PaperTable, LinesWithinTheBandsAreMet) {
   const auto result = made(306, 1005);
   EXPECT_EQ(row(result, "line near 300 Hz").verdict, "met");

@@ -148,7 +148,7 @@ TEST(StableStep, FollowsStrongDashpots) {
   }
   EXPECT_LT(bound, 0.9 * smooth().stable.step);
   EXPECT_LT(stable.step, bound);
-  EXPECT_GT(stable.step, 0.1 * bound);
+  EXPECT_GT(stable.step, 0.1 * bound);  // pads of one sleeper share masses: together they bind some times harder
   EXPECT_NE(stable.place.find("dampers"), std::string::npos) << stable.place;
   EXPECT_EQ(smooth().stable.place.find("dampers"), std::string::npos) << smooth().stable.place;
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -32,8 +33,12 @@ struct Stepped {
 
 class Stepper {
  public:
-  Stepper(const std::string& isa, Precision precision)
-      : blocks_(ringAndBar()), size_(layOut(blocks_)), kernels_(kernelsFor(isa, precision)) {
+  // `fine`: longest intervals in single precision, of ring and bar.
+  Stepper(const std::string& isa, std::array<double, 2> fine)
+      : blocks_(ringAndBar()),
+        size_(layOut(blocks_)),
+        kernels_(kernelsFor(isa)),
+        single_(kernelsFor(isa, Precision::singleInside)) {
     std::mt19937 generator(11);
     std::uniform_real_distribution<double> value(-1e-4, 1e-4);
     start_.displaced.assign(size_, 0.0), start_.velocity.assign(size_, 0.0);
@@ -50,6 +55,7 @@ class Stepper {
     }
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       BlockStep with;
+      with.fineKernels = &single_, with.fineLength = fine[b];
       with.inverseMass = inverseMass_[b].data(), with.freeMask = freeMask_[b].data();
       with.lineOfNode = noLine_[b].data(), with.slave = noSlave_[b].data();
       with.acceleration = acceleration_[b].data(), with.beta = 1e-8;
@@ -77,7 +83,7 @@ class Stepper {
     std::vector<std::vector<SegmentEnds>> ends;
     for (const auto& segments : work) {
       ends.push_back(segmentEnds(segments, blocks_));
-      readEnds(segments, blocks_, kernels_, now.displaced.data(), scratch, ends.back());
+      readEnds(segments, blocks_, kernels_, steps_, now.displaced.data(), scratch, ends.back());
     }
     for (std::size_t i = 0; i < work.size(); ++i)
       advanceSegments(work[i], blocks_, kernels_, steps_, 1e-7, now.displaced.data(), now.displaced.data(),
@@ -88,7 +94,7 @@ class Stepper {
  private:
   std::vector<SweptBlock> blocks_;
   std::size_t size_;
-  KernelSet kernels_;
+  KernelSet kernels_, single_;
   Stepped start_;
   std::vector<AlignedVector> inverseMass_, acceleration_;
   std::vector<std::vector<double>> freeMask_;
@@ -99,8 +105,8 @@ class Stepper {
 
 TEST(StepInPlace, GivesTheSameBits) {
   for (const auto& isa : availableInstructionSets())
-    for (const auto precision : {Precision::doubleInside, Precision::singleInside}) {
-      const Stepper stepper(isa, precision);
+    for (const auto fine : {std::array{0.0, 0.0}, std::array{0.03, 0.003}, std::array{1.0, 1.0}}) {
+      const Stepper stepper(isa, fine);
       const Stepped expected = stepper.withRoom();
       for (const int parts : {1, 2, 3, 5, 7})
         for (const bool backwards : {false, true})

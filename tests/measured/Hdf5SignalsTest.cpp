@@ -130,6 +130,19 @@ TEST(Hdf5Signals, anUnknownUnitOfTheSpeedIsNoGuess) {
   EXPECT_THAT(complaint(file.path()), HasSubstr("mph"));
 }
 
+// Samples, or samples and runs; what a third dimension would mean, nobody can guess.
+TEST(Hdf5Signals, threeDimensionsAreRefused) {
+  const tests::TemporaryFile path("", ".h5");
+  const std::vector<double> values(24, 1.0);
+  const hid_t file = H5Fcreate(path.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t shape[3] = {6, 2, 2};
+  const hid_t space = H5Screate_simple(3, shape, nullptr);
+  const hid_t made = H5Dcreate2(file, "aba", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  EXPECT_GE(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  H5Dclose(made), H5Sclose(space), H5Fclose(file);
+  EXPECT_THAT(complaint(path.path()), HasSubstr("more than two dimensions"));
+}
+
 // The library clips what its reader's type cannot hold.
 TEST(Hdf5Signals, signedBytesAndUnsignedWordsKeepTheirValues) {
   const tests::TemporaryFile path("");

@@ -58,7 +58,8 @@ TEST(CoarseSpace, HoldsOnElementsLongerThanItsUsualHats) {
   const auto& rail = model.blocks[model.rail];
   for (int s = 0; s < rail.stationCount; ++s) r[rail.index(0, 2, s)] = -1000;
   coarse.addCorrection(team, r.data(), z.data());
-  // A kilonewton at each station, on pads of some 100 MN/m in all: down, by less than a millimetre.
+  // A kilonewton at each station, some hundred in all, on sleepers with some 10 MN/m of ballast each: down, by
+  // millimetres.
   double most = 0;
   for (int s = 0; s < rail.stationCount; ++s) {
     const double down = -z[rail.index(0, 2, s)];
