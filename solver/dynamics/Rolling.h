@@ -146,7 +146,7 @@ class Rolling {
   void shareHeld();
   std::vector<std::vector<std::size_t>> heldOf_;    // per thread: held unknowns of its stations
   std::vector<std::vector<TieShare>> tieShares_;    // per thread: master stations that it advances
-  std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it advances
+  std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it places
   std::vector<AlignedVector> tieWorkspaces_;        // per thread
   std::array<AlignedVector, 2> turningMoment_;      // of rim and body: what each station adds to -S
   double torque_ = 0, hubSpinRate_ = 0;

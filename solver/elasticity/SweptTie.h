@@ -42,10 +42,12 @@ struct SweptTie {
 // blocks the master's section is made of rectangles in (r, y). Throws std::invalid_argument when a slave lies outside.
 SweptTie makeTie(const std::vector<SweptBlock>& blocks, int slaveBlock, int masterBlock, std::vector<int> slaveNodes);
 
-// Workspace of a tie [doubles]: columns x 3 components x the stations that are worked on at a time.
+// Workspace of a tie [doubles]: columns x 3 components x the stations that are worked on at a time. As many as fit the
+// first-level cache: with eight, memory came in pieces too short to be fetched ahead.
 constexpr int tieStations = 64;
 std::size_t tieWorkspace(const SweptTie& tie);
 
+// Stations [first, last).
 struct StationSpan {
   int first = 0, last = 0;
 };
