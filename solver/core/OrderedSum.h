@@ -9,11 +9,11 @@
 
 namespace squat {
 
-// Calls part(begin, end) for fixed chunks of 0..n and adds what they return in the order of the chunks.
-template <typename Part>
-double orderedSum(ThreadTeam& team, std::size_t n, const Part& part) {
+// Calls part(begin, end) for fixed chunks of 0..n and adds what they return to `total` in the order of the chunks.
+template <typename Sum, typename Part>
+Sum orderedSum(ThreadTeam& team, std::size_t n, Sum total, const Part& part) {
   constexpr std::size_t chunks = 32;
-  std::array<double, chunks> sums{};
+  std::array<Sum, chunks> sums{};
   const std::size_t each = (n + chunks - 1) / chunks;
   team.run([&](int index) {
     for (std::size_t k = index; k < chunks; k += static_cast<std::size_t>(team.size())) {
@@ -21,9 +21,14 @@ double orderedSum(ThreadTeam& team, std::size_t n, const Part& part) {
       sums[k] = part(begin, end);
     }
   });
-  double total = 0;
-  for (const double sum : sums) total += sum;
+  for (const Sum& sum : sums) total += sum;
   return total;
+}
+
+// The same for one number.
+template <typename Part>
+double orderedSum(ThreadTeam& team, std::size_t n, const Part& part) {
+  return orderedSum(team, n, 0.0, part);
 }
 
 }  // namespace squat

@@ -364,10 +364,12 @@ void CoarseSpace::factorise(const supports::SpringSet& contact) {
     throw RunError("the coarse stiffness of the equilibrium has no factor: a part of the model is not held", 0, 0, "");
 }
 
-void CoarseSpace::addCorrection(ThreadTeam& team, const double* r, double* z) const {
+CoarseSpace::Correction CoarseSpace::correctionOf(ThreadTeam& team, const double* r) const {
   Eigen::VectorXd projected;
   project(team, r, projected);
-  prolong(team, factor_.solve(projected), z);
+  Correction correction{factor_.solve(projected)};
+  correction.product = projected.dot(correction.y);
+  return correction;
 }
 
 }  // namespace squat::statics

@@ -25,8 +25,14 @@ class CoarseSpace {
   bool assemble(model::StaticOperator& op, Monitor& monitor);
   // Adds the contact springs' share and factorises.
   void factorise(const supports::SpringSet& contact);
-  // z += Z (Z^T K Z)^-1 Z^T r.
-  void addCorrection(ThreadTeam& team, const double* r, double* z) const;
+  // The correction Z y, y = (Z^T K Z)^-1 Z^T r, and what it has in common with the residual, r.Z y.
+  struct Correction {
+    Eigen::VectorXd y;
+    double product = 0;
+  };
+  Correction correctionOf(ThreadTeam& team, const double* r) const;
+  // z += Z y.
+  void prolong(ThreadTeam& team, const Eigen::VectorXd& y, double* z) const;
 
  private:
   // Hats along a line-swept block; local axes (a, b, c), rotations about the knot at the section's middle.
@@ -40,7 +46,6 @@ class CoarseSpace {
     double x = 0;    // [m] along the track
   };
   void project(ThreadTeam& team, const double* r, Eigen::VectorXd& coarse) const;
-  void prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, double* z) const;
   Eigen::VectorXd projectSparse(const supports::SpringSet& springs, std::size_t spring) const;
 
   void addLineGroup(int block, double spacing, int modes, int colourBase, int colours);

@@ -6,6 +6,19 @@
 
 namespace squat::statics {
 
+namespace {
+
+// Sums of r.r and r.D^-1 r.
+struct Norms {
+  double residual2 = 0, weighted = 0;
+  Norms& operator+=(const Norms& other) {
+    residual2 += other.residual2, weighted += other.weighted;
+    return *this;
+  }
+};
+
+}  // namespace
+
 LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& coarse, const AlignedVector& b,
                                   AlignedVector& x, double target, int mostIterations,
                                   const std::function<bool(int, double)>& step) {
@@ -14,52 +27,49 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
   const auto& free = op.freeUnknowns();
   AlignedVector inverse = op.diagonal();
   for (std::size_t i = 0; i < n; ++i) inverse[i] = free[i] ? 1 / inverse[i] : 0;
-  AlignedVector r = b, z(n, 0.0), p(n, 0.0), q(n, 0.0);
+  AlignedVector r = b, p(n, 0.0), q(n, 0.0);
   std::fill(x.begin(), x.end(), 0.0);
 
   LinearSolution solution;
-  double rz = 0;
+  double rz = 0, alpha = 0;
   while (true) {
-    // z = (diagonal + coarse) r; the sums for the norm and r.z are taken on the way.
-    double norm2 = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) z[i] = inverse[i] * r[i], sum += r[i] * r[i];
+    // Everything that needs the new residual in one pass: vectors outgrow the caches, and moving them costs as much as
+    // the operator.
+    const auto norms = orderedSum(team, n, Norms{}, [&](std::size_t begin, std::size_t end) {
+      Norms sum;
+      for (std::size_t i = begin; i < end; ++i) {
+        x[i] += alpha * p[i], r[i] -= alpha * q[i];
+        sum.residual2 += r[i] * r[i], sum.weighted += r[i] * inverse[i] * r[i];
+      }
       return sum;
     });
-    solution.residual = std::sqrt(norm2);
+    solution.residual = std::sqrt(norms.residual2);
+    const auto correction = coarse.correctionOf(team, r.data());
     if (solution.residual < target || solution.iterations >= mostIterations) {
       // A last coarse correction leaves no resultant force on any coarse field, rigid motions of the wheelset among
       // them.
-      coarse.addCorrection(team, r.data(), x.data());
+      coarse.prolong(team, correction.y, x.data());
       return solution;
     }
     if (solution.iterations % 8 == 0 && !step(solution.iterations, solution.residual)) {
       solution.cancelled = true;
       return solution;
     }
-    coarse.addCorrection(team, r.data(), z.data());
-    const double next = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) sum += r[i] * z[i];
-      return sum;
-    });
-    const double beta = rz > 0 ? next / rz : 0;
+    // z = D^-1 r + Z y is never stored: r.z is known, and p takes it as it comes.
+    const double next = norms.weighted + correction.product, beta = rz > 0 ? next / rz : 0;
     rz = next;
     orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) p[i] = z[i] + beta * p[i];
+      for (std::size_t i = begin; i < end; ++i) p[i] = inverse[i] * r[i] + beta * p[i];
       return 0.0;
     });
+    coarse.prolong(team, correction.y, p.data());
     op.apply(p.data(), q.data());
     const double curvature = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
       double sum = 0;
       for (std::size_t i = begin; i < end; ++i) sum += p[i] * q[i];
       return sum;
     });
-    const double alpha = rz / curvature;
-    orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) x[i] += alpha * p[i], r[i] -= alpha * q[i];
-      return 0.0;
-    });
+    alpha = rz / curvature;
     ++solution.iterations;
   }
 }

@@ -25,7 +25,7 @@ TEST(CoarseSpace, SpringOnTheSprungMassCarriesTheVehicle) {
   coarse.factorise(op.contactSprings());
   AlignedVector r(model.stateSize, 0.0), z(model.stateSize, 0.0);
   r[model.sprungZ] = force;
-  coarse.addCorrection(team, r.data(), z.data());
+  coarse.prolong(team, coarse.correctionOf(team, r.data()).y, z.data());
   const double expected = force / stiffness;
   EXPECT_NEAR(z[model.sprungZ], expected, 1e-4 * expected);
   const auto& rim = model.blocks[model.rim];
@@ -57,7 +57,7 @@ TEST(CoarseSpace, HoldsOnElementsLongerThanItsUsualHats) {
   AlignedVector r(model.stateSize, 0.0), z(model.stateSize, 0.0);
   const auto& rail = model.blocks[model.rail];
   for (int s = 0; s < rail.stationCount; ++s) r[rail.index(0, 2, s)] = -1000;
-  coarse.addCorrection(team, r.data(), z.data());
+  coarse.prolong(team, coarse.correctionOf(team, r.data()).y, z.data());
   // A kilonewton at each station, some hundred in all, on sleepers with some 10 MN/m of ballast each: down, by
   // millimetres.
   double most = 0;
