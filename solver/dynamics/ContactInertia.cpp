@@ -1,12 +1,47 @@
 #include "dynamics/ContactInertia.h"
 
+#include <algorithm>
+
+#include "elasticity/SelectiveInertia.h"
+
 namespace squat::dynamics {
 
-ContactInertia::ContactInertia(const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim, double penalty,
-                               double step, double beta)
+namespace {
+
+constexpr int group = elasticity::stationGroup;
+
+std::size_t placeOf(const elasticity::SweptBlock& block, int node, int station) {
+  constexpr int chunk = elasticity::SweptBlock::chunk;
+  return (static_cast<std::size_t>(station / chunk) * static_cast<std::size_t>(block.nodes) +
+          static_cast<std::size_t>(node)) *
+             chunk +
+         static_cast<std::size_t>(station % chunk);
+}
+
+// Clusters that share their inertia along the sweep as well hold this station.
+bool inBlock(const elasticity::SweptBlock& block, int station) {
+  return station < block.intervals && !block.inertia.along[static_cast<std::size_t>(block.runOf(station))].empty();
+}
+
+}  // namespace
+
+ContactInertia::ContactInertia(const model::Model& model, double penalty, double step, double beta)
     : massPerArea_(0.25 * (step * step + 2 * beta * step) * 2 * penalty) {
-  sides_[0].nodes = rail.nodes, sides_[1].nodes = rim.nodes;
-  sides_[0].heavyAt.assign(rail.size() / 3, 0), sides_[1].heavyAt.assign(rim.size() / 3, 0);
+  for (const auto& [index, b] : {std::pair{0, model.rail}, std::pair{1, model.rim}}) {
+    Side& side = sides_[index];
+    const auto& block = model.blocks[b];
+    side.block = &block, side.mass = &model.mass[b];
+    side.groups = (block.intervals + group - 1) / group;
+    side.clusterOf.assign(static_cast<std::size_t>(block.nodes), -1), side.rankOf = side.clusterOf;
+    const auto& clusters = block.inertia.clusters;
+    for (std::size_t k = 0; k < clusters.size(); ++k)
+      for (int row = clusters[k].first; row < clusters[k].end; ++row) {
+        side.clusterOf[block.order.nodes[row]] = static_cast<int>(k);
+        side.rankOf[block.order.nodes[row]] = row - clusters[k].first;
+      }
+    side.slotOf.assign(clusters.size() * static_cast<std::size_t>(side.groups), -1);
+    side.nextOf.assign(side.slotOf.size(), 0);
+  }
 }
 
 void ContactInertia::apply(double* railInverse, double* rimInverse) {
@@ -16,21 +51,71 @@ void ContactInertia::apply(double* railInverse, double* rimInverse) {
 }
 
 void ContactInertia::applySide(Side& side, const std::vector<contact::AreaShare>& shares, double* inverse) {
-  constexpr int chunk = elasticity::SweptBlock::chunk;
-  for (const auto& heavy : side.heavy) inverse[heavy.place] = heavy.bare, side.heavyAt[heavy.place] = 0;
-  side.heavy.clear();
+  const auto& block = *side.block;
+  const auto bare = [&](int node, int station) {
+    return (*side.mass)[static_cast<std::size_t>(node) * block.stride + static_cast<std::size_t>(station)];
+  };
+  for (const auto place : side.single) {
+    const int node = static_cast<int>(place / block.stride), station = static_cast<int>(place % block.stride);
+    inverse[placeOf(block, node, station)] = 1 / bare(node, station);
+  }
+  side.single.clear(), side.next.clear();
   for (const auto& share : shares) {
-    const std::size_t place = (static_cast<std::size_t>(share.station / chunk) * side.nodes + share.node) * chunk +
-                              static_cast<std::size_t>(share.station % chunk);
-    int& at = side.heavyAt[place];
-    if (at == 0) side.heavy.push_back({place, inverse[place], 0}), at = static_cast<int>(side.heavy.size());
-    side.heavy[at - 1].area += share.area;
+    added_ += massPerArea_ * share.area;
+    const int cluster = side.clusterOf[share.node];
+    if (cluster < 0 || !inBlock(block, share.station)) {
+      double& now = inverse[placeOf(block, share.node, share.station)];
+      now = 1 / (1 / now + massPerArea_ * share.area);
+      side.single.push_back(static_cast<std::size_t>(share.node) * block.stride + share.station);
+      continue;
+    }
+    const int key = cluster * side.groups + share.station / group;
+    int& at = side.nextOf[key];
+    if (at == 0) side.next.push_back({key, Areas{}}), at = static_cast<int>(side.next.size());
+    side.next[at - 1].second[side.rankOf[share.node] * group + share.station % group] += share.area;
   }
-  for (const auto& heavy : side.heavy) {
-    const double mass = massPerArea_ * heavy.area;
-    inverse[heavy.place] = heavy.bare / (1 + heavy.bare * mass);
-    added_ += mass;
+  applyBlocks(side, inverse);
+}
+
+// Blocks that the patch has left get their bare masses back, those that it touches anew or otherwise are weighed.
+void ContactInertia::applyBlocks(Side& side, double* inverse) {
+  for (auto& touched : side.slots) {
+    if (!touched.used || side.nextOf[touched.key] != 0) continue;
+    touched.areas = {};
+    weigh(side, touched, inverse);
+    touched.used = false, side.slotOf[touched.key] = -1;
   }
+  for (const auto& [key, areas] : side.next) {
+    side.nextOf[key] = 0;
+    int& slot = side.slotOf[key];
+    if (slot >= 0 && side.slots[slot].areas == areas) continue;
+    if (slot < 0) {
+      const auto free =
+          std::find_if(side.slots.begin(), side.slots.end(), [](const auto& touched) { return !touched.used; });
+      slot = static_cast<int>(free - side.slots.begin());
+      if (free == side.slots.end()) side.slots.emplace_back(), side.filters.emplace_back();
+    }
+    auto& touched = side.slots[slot];
+    touched.key = key, touched.areas = areas, touched.used = true;
+    weigh(side, touched, inverse);
+    side.filters[slot] = {touched.values.data(), touched.singleValues.data()};
+  }
+}
+
+void ContactInertia::weigh(Side& side, Touched& touched, double* inverse) const {
+  const auto& block = *side.block;
+  const auto& rows = block.inertia.clusters[touched.key / side.groups];
+  const int first = touched.key % side.groups * group;
+  const std::vector<int> nodes(block.order.nodes.begin() + rows.first, block.order.nodes.begin() + rows.end);
+  std::vector<double> mass;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int s = 0; s < group; ++s) {
+      const double bare = (*side.mass)[static_cast<std::size_t>(nodes[i]) * block.stride + first + s];
+      mass.push_back(bare + massPerArea_ * touched.areas[i * group + s]);
+      inverse[placeOf(block, nodes[i], first + s)] = 1 / mass.back();
+    }
+  touched.values = elasticity::blockFilter(block, nodes, mass);
+  touched.singleValues.assign(touched.values.begin(), touched.values.end());
 }
 
 }  // namespace squat::dynamics

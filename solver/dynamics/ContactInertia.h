@@ -7,43 +7,65 @@
 //   D - (dt^2 + 2 beta dt) / 4 K_c >= 0,
 // for then x.(K + K_c) x <= 4 / (dt^2 + 2 beta dt) x.(M + D) x for every x. D is diagonal: by the bound of Gershgorin
 // for 3x3 blocks the largest penalty times the node's share in the closed area, twice because the weights of either
-// body sum to one. That is one to three grams in a patch, about what the layer of elements under it weighs: nothing to
-// a wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy ledger leaves its motion out
-// (half a millijoule at the 0.4 m/s with which material enters the patch).
+// body sum to one. That is some grams in a patch, about what the layer of elements under it weighs: nothing to a
+// wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy ledger leaves its motion out
+// (millijoules at the 0.4 m/s with which material enters the patch).
+// Where short waves have more inertia, blocks with such nodes have a filter of their own, orthogonal in M + D: the
+// effective mass grows by D at least (SelectiveInertia.h).
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "contact/RollingContact.h"
-#include "elasticity/SweptWork.h"
+#include "core/AlignedVector.h"
+#include "model/Model.h"
 
 namespace squat::dynamics {
 
 class ContactInertia {
  public:
-  // `penalty` [Pa/m]: the larger of normal and tangential. `step`, `beta` [s] of the central difference.
-  ContactInertia(const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim, double penalty, double step,
-                 double beta);
+  // `penalty` [Pa/m]: the larger of normal and tangential. `step`, `beta` [s] of the central difference. Keeps a
+  // reference to the model.
+  ContactInertia(const model::Model& model, double penalty, double step, double beta);
 
   // Filled by the contact, then put into effect.
   contact::ClosedArea& closed() { return closed_; }
   // Inverse masses of both blocks as from inChunks(): takes back what the patch before has left and adds the mass of
   // this one.
   void apply(double* railInverse, double* rimInverse);
+  // For the step in place (BlockStep), of rail (0) and rim (1); filters() until the next apply().
+  const int* ownFilter(int side) const { return sides_[side].slotOf.data(); }
+  const elasticity::KernelFilter* filters(int side) const { return sides_[side].filters.data(); }
   double addedMass() const { return added_; }  // [kg] in both bodies together, as last applied
 
  private:
-  struct Heavy {
-    std::size_t place = 0;
-    double bare = 0, area = 0;  // inverse mass without contact; [m2]
+  static constexpr int most = elasticity::mostRows * elasticity::stationGroup;
+  using Areas = std::array<double, most>;  // [m2] per node of a cluster and station
+  // A cluster on eight stations that the patch touches.
+  struct Touched {
+    int key = 0;  // cluster * groups + group
+    Areas areas{};
+    std::vector<double> values;  // KernelFilter
+    std::vector<float> singleValues;
+    bool used = false;
   };
   struct Side {
-    int nodes = 0;
-    std::vector<int> heavyAt;  // per place: 1 + index into heavy, 0 where light
-    std::vector<Heavy> heavy;
+    const elasticity::SweptBlock* block = nullptr;
+    const AlignedVector* mass = nullptr;  // bare, in lines
+    int groups = 0;
+    std::vector<int> clusterOf, rankOf;  // per section node: cluster and place in it, or -1
+    std::vector<Touched> slots;          // used or free
+    std::vector<int> slotOf;             // per key, or -1
+    std::vector<elasticity::KernelFilter> filters;
+    std::vector<std::pair<int, Areas>> next;
+    std::vector<int> nextOf;          // per key: 1 + index into next, 0 where there is none
+    std::vector<std::size_t> single;  // heavy nodes that are in no cluster
   };
   void applySide(Side& side, const std::vector<contact::AreaShare>& shares, double* inverse);
+  void applyBlocks(Side& side, double* inverse);
+  void weigh(Side& side, Touched& touched, double* inverse) const;
 
   double massPerArea_;
   double added_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "model/ContactPenalty.h"
@@ -10,10 +11,10 @@ namespace squat::dynamics {
 
 namespace {
 
-// Where single precision is asked for, elements up to so many sizes of the contact band are computed in it, and then
-// cost so much of the time. Rounding acts like forces of 6e-8 times stiffness times displacement: long elements have
-// much of both and are few, and those of the wheel body turn through their errors.
-constexpr double finest = 4.1, singleCost = 0.65;
+// Share of the time that elements cost where single precision is asked for. All but those of the wheel body are
+// computed in it. Rounding acts like forces of 6e-8 times stiffness times displacement; where bodies turn, coarse and
+// far from their middle, these have a resultant that works on the rolling itself, and the energy drifts.
+constexpr double singleCost = 0.65;
 
 elasticity::KernelSet kernelsOfFineRuns(const model::Model& model, const std::string& isa) {
   const bool single = model.description.mesh.precision == static_cast<int>(cases::ElementPrecision::single);
@@ -21,12 +22,9 @@ elasticity::KernelSet kernelsOfFineRuns(const model::Model& model, const std::st
                                 single ? elasticity::Precision::singleInside : elasticity::Precision::doubleInside);
 }
 
-// Longest interval, in the unit of the block's stations, that counts as fine.
+// Longest interval, in the unit of the block's stations, that is computed in single precision.
 double fineLength(const model::Model& model, int b) {
-  const auto& d = model.description;
-  if (b == model.rail) return finest * d.mesh.contactSize;
-  if (b == model.rim) return finest * d.mesh.contactSize / d.wheelset.radius;
-  return 0;
+  return b == model.body ? 0 : std::numeric_limits<double>::infinity();
 }
 
 contact::ForceLines forceLines(const model::Model& model, int block, AlignedVector& forces) {
@@ -69,9 +67,8 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
       team_(team),
       step_(step),
       beta_(beta),
-      inertia_(model.blocks[model.rail], model.blocks[model.rim],
-               std::max(model::normalPenalty(model.description), model::tangentialPenalty(model.description)), step,
-               beta),
+      inertia_(model, std::max(model::normalPenalty(model.description), model::tangentialPenalty(model.description)),
+               step, beta),
       wheelsetDamping_(model, step) {
   const auto& d = model.description;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
@@ -225,6 +222,8 @@ void Rolling::touch() {
                   state_.velocity.data(), step_, state_.friction, forceLines(model_, model_.rail, forces_),
                   forceLines(model_, model_.rim, forces_), nullptr, &inertia_.closed());
   inertia_.apply(inverseMass_[model_.rail].data(), inverseMass_[model_.rim].data());
+  for (const auto& [side, b] : {std::pair{0, model_.rail}, std::pair{1, model_.rim}})
+    blockSteps_[b].ownFilter = inertia_.ownFilter(side), blockSteps_[b].filters = inertia_.filters(side);
 }
 
 model::PlaneVector Rolling::boxVelocity() const {

@@ -1,11 +1,13 @@
 #include "dynamics/StableStep.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "core/OrderedSum.h"
+#include "elasticity/SelectiveInertia.h"
 #include "model/StaticOperator.h"
 
 namespace squat::dynamics {
@@ -14,34 +16,44 @@ namespace {
 
 constexpr double safety = 0.95;  // Lanczos values approach from below
 
-// Square root of the inverse mass of every free unknown of the solids, zero elsewhere: it scales to the symmetric
-// problem A = M^-1/2 K M^-1/2.
-AlignedVector rootOfInverseMass(const model::Model& model, const std::vector<unsigned char>& free) {
-  AlignedVector root(model.stateSize, 0.0);
-  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-    const auto& block = model.blocks[b];
-    for (int node = 0; node < block.nodes; ++node)
-      for (int c = 0; c < 3; ++c)
-        for (int s = 0; s < block.stationCount; ++s) {
-          const std::size_t i = block.index(node, c, s);
-          if (free[i]) root[i] = std::sqrt(model.inverseMass[b][node * block.stride + s]);
-        }
+// Accelerations of the model: inverse mass of every free unknown, zero elsewhere, and the inertia of short waves.
+class Accelerations {
+ public:
+  Accelerations(const model::Model& model, model::StaticOperator& op) : model_(model), inverse_(model.stateSize, 0.0) {
+    const auto& free = op.freeUnknowns();
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+      const auto& block = model.blocks[b];
+      for (int node = 0; node < block.nodes; ++node)
+        for (int c = 0; c < 3; ++c)
+          for (int s = 0; s < block.stationCount; ++s) {
+            const std::size_t i = block.index(node, c, s);
+            if (free[i]) inverse_[i] = model.inverseMass[b][static_cast<std::size_t>(node) * block.stride + s];
+          }
+    }
   }
-  return root;
-}
 
-AlignedVector startVector(const AlignedVector& rootInverse) {
-  AlignedVector vector(rootInverse.size(), 0.0);
-  unsigned long seed = 88172645463325252UL;
-  double norm2 = 0;
-  for (std::size_t i = 0; i < vector.size(); ++i) {
-    seed ^= seed << 13, seed ^= seed >> 7, seed ^= seed << 17;
-    vector[i] = rootInverse[i] > 0 ? static_cast<double>(seed >> 11) / 9007199254740992.0 - 0.5 : 0.0;
-    norm2 += vector[i] * vector[i];
+  // F M^-1 f.
+  void find(const AlignedVector& force, AlignedVector& acceleration) const {
+    for (std::size_t i = 0; i < inverse_.size(); ++i) acceleration[i] = force[i] * inverse_[i];
+    for (const auto& block : model_.blocks) elasticity::slowShortWaves(block, acceleration.data() + block.offset);
   }
-  for (double& value : vector) value /= std::sqrt(norm2);
-  return vector;
-}
+
+  // Forces at random, as large in proportion as what they move.
+  AlignedVector anyForce() const {
+    AlignedVector force(inverse_.size(), 0.0);
+    unsigned long seed = 88172645463325252UL;
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      seed ^= seed << 13, seed ^= seed >> 7, seed ^= seed << 17;
+      const double value = static_cast<double>(seed >> 11) / 9007199254740992.0 - 0.5;
+      if (inverse_[i] > 0) force[i] = value / std::sqrt(inverse_[i]);
+    }
+    return force;
+  }
+
+ private:
+  const model::Model& model_;
+  AlignedVector inverse_;
+};
 
 double largestOf(const std::vector<double>& diagonal, const std::vector<double>& side) {
   using Vector = Eigen::Map<const Eigen::VectorXd>;
@@ -57,43 +69,48 @@ struct Highest {
   int iterations = 0;
 };
 
-Highest highestEigenvalue(model::StaticOperator& op, const AlignedVector& rootInverse, Monitor& monitor) {
+// Lanczos in the inner product of the effective mass M_e: shapes v and their momenta M_e v, v_i . M_e v_j = 1 or 0.
+Highest highestEigenvalue(model::StaticOperator& op, const Accelerations& accelerations, Monitor& monitor) {
   ThreadTeam& team = op.team();
-  const std::size_t n = rootInverse.size();
-  AlignedVector previous(n, 0.0), now = startVector(rootInverse), scaled(n, 0.0), next(n, 0.0);
+  AlignedVector momentum = accelerations.anyForce();
+  const std::size_t n = momentum.size();
+  AlignedVector before(n, 0.0), shape(n, 0.0), rest(n, 0.0), next(n, 0.0);
+  const auto product = [&](const AlignedVector& a, const AlignedVector& b) {
+    return orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i) sum += a[i] * b[i];
+      return sum;
+    });
+  };
+  const auto scale = [&](const AlignedVector& momenta, const AlignedVector& shapes, double size) {
+    for (std::size_t i = 0; i < n; ++i) momentum[i] = momenta[i] / size, shape[i] = shapes[i] / size;
+  };
+  accelerations.find(momentum, next);
+  scale(momentum, next, std::sqrt(product(momentum, next)));
   Highest highest;
   std::vector<double> alpha, beta;
   for (int k = 0; k < 400; ++k) {
-    for (std::size_t i = 0; i < n; ++i) scaled[i] = rootInverse[i] * now[i];
-    op.apply(scaled.data(), next.data());
-    const double a = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) next[i] *= rootInverse[i], sum += next[i] * now[i];
-      return sum;
-    });
-    const double last = beta.empty() ? 0 : beta.back();
-    const double b2 = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) next[i] -= a * now[i] + last * previous[i], sum += next[i] * next[i];
-      return sum;
-    });
+    op.apply(shape.data(), rest.data());
+    const double a = product(shape, rest), last = beta.empty() ? 0 : beta.back();
+    for (std::size_t i = 0; i < n; ++i) rest[i] -= a * momentum[i] + last * before[i];
+    accelerations.find(rest, next);
+    const double b = std::sqrt(std::max(0.0, product(next, rest)));
     alpha.push_back(a);
-    const double b = std::sqrt(b2);
     highest.iterations = k + 1;
     if (k % 10 == 9 || b < 1e-12 * a) {
-      const double before = std::exchange(highest.value, largestOf(alpha, beta));
+      const double previous = std::exchange(highest.value, largestOf(alpha, beta));
       Progress progress;
       progress.phase = "stable step", progress.fraction = std::min(1.0, k / 100.0);
       monitor.report(progress);
-      if (std::abs(highest.value - before) < 1e-4 * highest.value || monitor.cancelled() || b < 1e-12 * a) break;
+      if (std::abs(highest.value - previous) < 1e-4 * highest.value || monitor.cancelled() || b < 1e-12 * a) break;
     }
     beta.push_back(b);
-    for (std::size_t i = 0; i < n; ++i) previous[i] = now[i], now[i] = next[i] / b;
+    before.swap(momentum);
+    scale(rest, next, b);
   }
-  // The last Lanczos vector is rich in the highest modes: its largest entry shows about where they sit.
+  // The last shape is rich in the highest modes: its largest entry shows about where they sit.
   for (std::size_t i = 0; i < n; ++i)
-    if (std::abs(now[i]) * rootInverse[i] > std::abs(now[highest.place]) * rootInverse[highest.place])
-      highest.place = i;
+    if (std::abs(shape[i]) > std::abs(shape[highest.place])) highest.place = i;
   return highest;
 }
 
@@ -116,8 +133,8 @@ supports::SpringSet dashpotsAsSprings(const model::Model& model, const model::St
 StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                       Monitor& monitor) {
   model::StaticOperator op(model, kernels, team, 0, 0, false);
-  const AlignedVector rootInverse = rootOfInverseMass(model, op.freeUnknowns());
-  Highest highest = highestEigenvalue(op, rootInverse, monitor);
+  const Accelerations accelerations(model, op);
+  Highest highest = highestEigenvalue(op, accelerations, monitor);
   StableStep result;
   result.iterations = highest.iterations;
   result.highestFrequency = std::sqrt(highest.value);
@@ -137,7 +154,7 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
   for (int k = 0; k < 20 && !monitor.cancelled(); ++k) {
     op.contactSprings() = dashpotsAsSprings(model, op, 2 / (bound + 2 * result.beta));
     if (op.contactSprings().size() == 0) break;
-    highest = highestEigenvalue(op, rootInverse, monitor);
+    highest = highestEigenvalue(op, accelerations, monitor);
     result.iterations += highest.iterations;
     const double shorter = stepFor(highest.value);
     if (shorter > bound * (1 - 1e-3)) break;

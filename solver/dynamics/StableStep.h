@@ -1,5 +1,6 @@
 // solver/dynamics/StableStep.h - the largest stable step of the central difference, from the assembled operator:
-// solids, ties, supports, suspension, dashpots. Contact does not shorten it: see ContactInertia.h.
+// solids, ties, supports, suspension, dashpots. Contact does not shorten it: see ContactInertia.h. Short waves count
+// with the inertia that the case gives them: see SelectiveInertia.h.
 #pragma once
 
 #include <string>
@@ -20,8 +21,8 @@ struct StableStep {
   int iterations = 0;
 };
 
-// Lanczos steps on M^-1 K in the inner product of M until the largest eigenvalue changes by less than 1e-4; Lanczos
-// values approach from below, hence the factor 0.95.
+// Lanczos steps on M_e^-1 K in the inner product of the effective mass until the largest eigenvalue changes by less
+// than 1e-4; Lanczos values approach from below, hence the factor 0.95.
 StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                       Monitor& monitor);
 

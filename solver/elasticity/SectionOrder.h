@@ -1,23 +1,29 @@
 // solver/elasticity/SectionOrder.h - the order in which a kernel goes through the nodes of a section.
 //
 // Neighbours follow each other closely, so that only a short window of nodes is worked on at any time and its sums and
-// differences stay in cache (breadth first, the best of all starts: Cuthill and McKee 1969).
+// differences stay in cache (breadth first, the best of all starts: Cuthill and McKee 1969). Nodes of a cluster follow
+// each other, in one bundle of rows.
 #pragma once
 
 #include <vector>
 
+#include "elasticity/SweptKernel.h"
+
 namespace squat::elasticity {
 
 struct SectionOrder {
-  std::vector<int> nodes;       // node of each row
-  std::vector<int> rowStart;    // rows + 1: pairs in the order of the rows
-  std::vector<int> pairs;       // of each of them: index of the pair in the block's own order
-  std::vector<int> slots;       // and the place of its column's node in the window
-  std::vector<int> gatherUpTo;  // per bundle of rows: so many nodes of the order must stand in the window
-  int window = 0;               // nodes
+  std::vector<int> nodes;        // node of each row
+  std::vector<int> rowStart;     // rows + 1: pairs in the order of the rows
+  std::vector<int> pairs;        // of each of them: index of the pair in the block's own order
+  std::vector<int> slots;        // and the place of its column's node in the window
+  std::vector<int> bundleStart;  // bundles + 1: first row of each bundle
+  std::vector<int> gatherUpTo;   // per bundle of rows: so many nodes of the order must stand in the window
+  int window = 0;                // nodes
+  std::vector<KernelCluster> clusters;
 };
 
-// For pairs of section nodes as in SweptBlock: row starts and columns.
-SectionOrder sectionOrder(const std::vector<int>& rowStart, const std::vector<int>& columns);
+// For pairs of section nodes as in SweptBlock: row starts and columns; clusters of at most mostRows nodes.
+SectionOrder sectionOrder(const std::vector<int>& rowStart, const std::vector<int>& columns,
+                          const std::vector<std::vector<int>>& clusters = {});
 
 }  // namespace squat::elasticity

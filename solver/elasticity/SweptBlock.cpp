@@ -1,5 +1,6 @@
 #include "elasticity/SweptBlock.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -52,6 +53,21 @@ void addElement(const SweptBlock& block, const std::array<int, 4>& quad, const M
   }
 }
 
+// The section node next to the centre of its quads' area.
+int middleNode(const geometry::SectionMesh& section) {
+  double area = 0, b = 0, c = 0;
+  for (const auto& quad : section.quads)
+    for (int k = 0; k < 4; ++k) {
+      const auto &p = section.nodes[quad[k]], &q = section.nodes[quad[(k + 1) % 4]];
+      const double cross = p[0] * q[1] - q[0] * p[1];
+      area += cross / 2, b += cross * (p[0] + q[0]) / 6, c += cross * (p[1] + q[1]) / 6;
+    }
+  const auto far = [&](const geometry::Point2& p) { return std::hypot(p[0] - b / area, p[1] - c / area); };
+  return static_cast<int>(std::min_element(section.nodes.begin(), section.nodes.end(),
+                                           [&](const auto& p, const auto& q) { return far(p) < far(q); }) -
+                          section.nodes.begin());
+}
+
 }  // namespace
 
 int SweptBlock::runOf(int interval) const {
@@ -60,10 +76,10 @@ int SweptBlock::runOf(int interval) const {
   return static_cast<int>(runIntervals.size()) - 1;
 }
 
-void numberAsVisited(geometry::SectionMesh& section) {
+void numberAsVisited(geometry::SectionMesh& section, std::vector<std::vector<int>>& clusters) {
   std::vector<int> rowStart, columns;
   findPairs(section, rowStart, columns);
-  const auto order = sectionOrder(rowStart, columns).nodes;
+  const auto order = sectionOrder(rowStart, columns, clusters).nodes;
   std::vector<int> place(order.size());
   auto nodes = section.nodes;
   for (std::size_t i = 0; i < order.size(); ++i)
@@ -71,6 +87,10 @@ void numberAsVisited(geometry::SectionMesh& section) {
   section.nodes = std::move(nodes);
   for (auto& quad : section.quads)
     for (int& node : quad) node = place[node];
+  for (auto& cluster : clusters) {
+    for (int& node : cluster) node = place[node];
+    std::sort(cluster.begin(), cluster.end());
+  }
 }
 
 void prepareBlock(SweptBlock& block) {
@@ -84,7 +104,7 @@ void prepareBlock(SweptBlock& block) {
     if (block.kind == SweepKind::aroundAxis) block.cosines.push_back(std::cos(at)), block.sines.push_back(std::sin(at));
   block.stride = (static_cast<std::size_t>(block.intervals) + 1 + 7) / 8 * 8;
   findPairs(block.section, block.rowStart, block.columns);
-  block.order = sectionOrder(block.rowStart, block.columns);
+  block.order = sectionOrder(block.rowStart, block.columns, block.clusters);
   block.coefficients.clear();
   block.rowCoefficients.clear();
   block.singleCoefficients.clear();
@@ -103,6 +123,8 @@ void prepareBlock(SweptBlock& block) {
     block.runIntervals.push_back({first, first + run.count});
     first += run.count;
   }
+  block.middle = middleNode(block.section);
+  block.inertia = selectiveInertia(block);
 }
 
 Eigen::Matrix3d localBasis(const SweptBlock& block, double position) {

@@ -24,6 +24,7 @@
 #include "case/CaseDescription.h"
 #include "elasticity/Hexahedron.h"
 #include "elasticity/SectionOrder.h"
+#include "elasticity/SelectiveInertia.h"
 #include "elasticity/SweptKernel.h"
 #include "geometry/SectionMesh.h"
 #include "geometry/Stations.h"
@@ -53,6 +54,10 @@ struct SweptBlock {
   geometry::Stations stations;  // every run a multiple of 8 intervals
   cases::Material material;
   double lean = 0;  // [rad] alongX: the section, and b and c with it, turned about x, its top towards -y
+  // Section nodes that share the inertia of short waves, and the longest intervals (in the unit of the stations) that
+  // do so along the sweep; no clusters: none (SelectiveInertia.h, SectionClusters.h).
+  std::vector<std::vector<int>> clusters;
+  double shortLength = 0;
   Eigen::Vector3d origin{0, 0, 0};  // [m] added to the swept position; around the axis: the axis at y = 0
 
   // Filled by prepareBlock().
@@ -68,6 +73,8 @@ struct SweptBlock {
   std::vector<std::vector<double>> rowCoefficients;  // the same numbers in the order of the kernels
   std::vector<std::vector<float>> singleCoefficients;  // and rounded
   std::vector<std::array<int, 2>> runIntervals;        // per run: first interval and one past the last
+  int middle = 0;                                      // section node next to the centre of mass
+  SelectiveInertia inertia;
 
   std::size_t lines() const { return static_cast<std::size_t>(nodes) * 3; }
   std::size_t chunkSize() const { return lines() * chunk; }
@@ -93,7 +100,7 @@ struct SweptBlock {
 };
 
 // Numbers the nodes of a section anew, in the order in which the kernels will go through them.
-void numberAsVisited(geometry::SectionMesh& section);
+void numberAsVisited(geometry::SectionMesh& section, std::vector<std::vector<int>>& clusters);
 
 // Computes everything below the comment; throws std::invalid_argument for a run that is no multiple of 8.
 void prepareBlock(SweptBlock& block);

@@ -12,23 +12,41 @@ namespace squat::elasticity {
 
 constexpr int stationChunk = 32;  // stations that state vectors keep together (SweptBlock.h)
 constexpr int rowBundle = 8;      // rows that share their coefficients in the first-level cache
+constexpr int mostRows = 16;      // in a bundle: a large cluster is one of its own
 
-// Intervals of one length, up to `last` (not included), a multiple of 8.
+// Intervals of one length, [first, last), both multiples of 8.
 struct KernelRun {
-  int last = 0;
+  int first = 0, last = 0;
   const double* coefficients = nullptr;       // in the order of the rows
   const float* singleCoefficients = nullptr;  // the same
+  const double* along = nullptr;       // SelectiveInertia: projections of the first group and of the others, or null
+  const float* singleAlong = nullptr;  // the same
+};
+
+// Rows [first, end) whose nodes share the inertia of short waves.
+struct KernelCluster {
+  int first = 0, end = 0;
+};
+
+// Filter of a cluster on eight stations whose masses are no product: weights in the amplitudes of six fields, then the
+// fields, [12][rows][8].
+struct KernelFilter {
+  const double* values = nullptr;
+  const float* singleValues = nullptr;
 };
 
 // A stretch of intervals [first, first + count), both multiples of 8. Memory as told in SweptBlock.h; pointers are to
 // the first value of the block.
 struct KernelCall {
   int nodes = 0;
-  const int* order = nullptr;  // SectionOrder, as are the next five
+  const int* order = nullptr;  // SectionOrder, as are the next seven
+  const int* bundleStart = nullptr;
+  int bundles = 0;
   const int* rowStart = nullptr;
   const int* slots = nullptr;
   const int* gatherUpTo = nullptr;
   int window = 0;
+  int middle = 0;                   // node next to the section's centre
   const KernelRun* runs = nullptr;  // of the whole block
   std::size_t stride = 0;           // of the lines of masses, forces and accelerations
   std::size_t chunkSize = 0;        // doubles of a chunk of the state vectors
@@ -45,18 +63,26 @@ struct KernelCall {
   double* force = nullptr;
 
   // advanceStep: one step of the central difference for the same stations.
-  const double* inverseMass = nullptr;   // one value for each node and station, in chunks
-  const double* fixedMask = nullptr;     // nodes x 3: 1 free, 0 held
-  const int* externalLine = nullptr;     // per node: line triple in `external`, or -1
-  const unsigned char* slave = nullptr;  // per node: 1: not advanced, its inner force is left in `external` instead
-  double* external = nullptr;            // triples of lines; added to the inner force and cleared
-  double* velocity = nullptr;            // in place
-  double* target = nullptr;              // new u + beta v; may be `source`
-  const double* acceleration = nullptr;  // 3 lines: body acceleration of each station in local components
-  const double* radialWeight = nullptr;  // per node: radius for the spin, or null
-  double spinAcceleration = 0;           // [rad/s2] added times radius to a
-  double step = 0, beta = 0;             // [s]
-  double cosine = 1, sine = 0;           // of the angle by which the local basis turns in this step
+  const double* inverseMass = nullptr;      // one value for each node and station, in chunks
+  const double* fixedMask = nullptr;        // nodes x 3: 1 free, 0 held
+  const int* externalLine = nullptr;        // per node: line triple in `external`, or -1
+  const unsigned char* slave = nullptr;     // per node: 1: not advanced, its inner force is left in `external` instead
+  double* external = nullptr;               // triples of lines; added to the inner force and cleared
+  double* velocity = nullptr;               // in place
+  double* target = nullptr;                 // new u + beta v; may be `source`
+  const double* acceleration = nullptr;     // 3 lines: body acceleration of each station in local components
+  const double* radialWeight = nullptr;     // per node: radius for the spin, or null
+  double spinAcceleration = 0;              // [rad/s2] added times radius to a
+  double step = 0, beta = 0;                // [s]
+  double cosine = 1, sine = 0;              // of the angle by which the local basis turns in this step
+  const KernelCluster* clusters = nullptr;  // SelectiveInertia, as are the next six
+  int clusterCount = 0;
+  const double* clusterWeights = nullptr;
+  const float* singleClusterWeights = nullptr;
+  double shortShare = 1;
+  const int* ownFilter = nullptr;  // per cluster and eight stations: index into `filters` or -1; null: none has one
+  int stationGroups = 0;           // of eight, in the whole block
+  const KernelFilter* filters = nullptr;
   // One line, or null: per station += sum of w_a f_b - w_b f_a [N m], w = u + beta v, f = K w.
   double* turningMoment = nullptr;
 };

@@ -1,111 +1,18 @@
 // Body of the kernels; included once per instruction set with LANES (doubles a vector) and WIDEST (vectors a group)
-// set. GCC vector types: the same text for every width. No reassociation is allowed, so that a lane's result does not
-// depend on how stations are grouped.
+// set.
 #include <chrono>
 
-#include "elasticity/SweptKernel.h"
+#include "elasticity/SweptKernelVectors.inl"
+// After it.
+#include "elasticity/SweptKernelInertia.inl"
 
 namespace squat::elasticity {
 namespace {
 
-using Vector = double __attribute__((vector_size(LANES * sizeof(double)), may_alias));
-using Loose = double __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
-
-inline Vector loadLoose(const double* p) { return *reinterpret_cast<const Loose*>(p); }
-inline Vector load(const double* p) { return *reinterpret_cast<const Vector*>(p); }
-inline void store(double* p, Vector v) { *reinterpret_cast<Vector*>(p) = v; }
-inline Vector splat(double value) { return value - Vector{}; }
-
-// What the elasticity is computed in: vectors of COUNT numbers. State vectors, and the step itself, are double always.
-template <typename Number, int COUNT>
-struct Arithmetic {
-  using Real = Number;
-  typedef Number Packed __attribute__((vector_size(COUNT * sizeof(Number)), may_alias));  // `using` loses the size
-  static constexpr int lanes = COUNT;
-  static Packed load(const Real* p) { return *reinterpret_cast<const Packed*>(p); }
-  static void store(Real* p, Packed v) { *reinterpret_cast<Packed*>(p) = v; }
-  static Packed splat(double value) { return static_cast<Real>(value) - Packed{}; }
-  // Last lane of `before`, then all but the last of `now`.
-  static Packed shifted(Packed before, Packed now) {
-    if constexpr (COUNT == 16)
-      return __builtin_shufflevector(before, now, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30);
-    else if constexpr (COUNT == 8)
-      return __builtin_shufflevector(before, now, 7, 8, 9, 10, 11, 12, 13, 14);
-    else if constexpr (COUNT == 4)
-      return __builtin_shufflevector(before, now, 3, 4, 5, 6);
-    else
-      return __builtin_shufflevector(before, now, 1, 2);
-  }
-};
-using Double = Arithmetic<double, LANES>;
-using Single = Arithmetic<float, 2 * LANES>;
-// Stations come in multiples of eight: the widest vectors do not fit every piece.
-using SinglePiece = Arithmetic<float, (2 * LANES < 8 ? 2 * LANES : 8)>;
-
-// As many single numbers as a Vector holds doubles.
-using Half = float __attribute__((vector_size(LANES * sizeof(float)), may_alias));
-inline Vector widened(const double* p) { return load(p); }
-inline Vector widened(const float* p) { return __builtin_convertvector(*reinterpret_cast<const Half*>(p), Vector); }
-inline void storeAs(double* p, Vector v) { store(p, v); }
-inline void storeAs(float* p, Vector v) { *reinterpret_cast<Half*>(p) = __builtin_convertvector(v, Half); }
-
-inline const double* coefficientsOf(const KernelRun& run, double) { return run.coefficients; }
-inline const float* coefficientsOf(const KernelRun& run, float) { return run.singleCoefficients; }
-
-// All but the first lane of `now`, then the first of `after`.
-inline Vector advanced(Vector now, Vector after) {
-#if LANES == 8
-  return __builtin_shufflevector(now, after, 1, 2, 3, 4, 5, 6, 7, 8);
-#elif LANES == 4
-  return __builtin_shufflevector(now, after, 1, 2, 3, 4);
-#else
-  return __builtin_shufflevector(now, after, 1, 2);
-#endif
-}
-
-constexpr int chunk = stationChunk;
-
-// Vectors at a time where many stations of one run follow each other, and where only eight may be left.
-template <typename Kind>
-constexpr int wide = WIDEST* Kind::lanes < chunk ? WIDEST : chunk / Kind::lanes;
-template <typename Kind>
-constexpr int narrow = 8 / Kind::lanes < WIDEST ? 8 / Kind::lanes : WIDEST;
-
-// Parts of these widths fill any stretch of stations, whole chunks with wide ones alone.
-template <typename Whole, typename Piece>
-constexpr bool fills = chunk % (wide<Whole> * Whole::lanes) == 0 && 8 % (narrow<Piece> * Piece::lanes) == 0;
-static_assert(fills<Double, Double> && fills<Single, SinglePiece>);
-
-// Stations of a group that share coefficients.
-template <typename Real>
-struct Part {
-  int offset = 0, width = 0;  // first station in the group, and how many
-  bool isWide = false;
-  const Real* coefficients = nullptr;
-};
-
-// The stations that are worked on at a time: those of one chunk. Rows go in bundles: within a bundle the coefficients
-// of its rows stay in the first-level cache while all parts pass.
-template <typename Real>
-struct Group {
-  int at = 0, count = 0, parts = 0;
-  Part<Real> part[chunk / 4];
-  std::size_t state = 0;         // of station `at` in line 0 of a state vector
-  const double* next = nullptr;  // displacement of node 0 at the station after the group
-  std::size_t nextNode = 3 * chunk, nextLine = chunk;
-};
-
-inline std::size_t placeOf(const KernelCall& call, int station) {
-  return station / chunk * call.chunkSize + station % chunk;
-}
-
-inline std::size_t placeOfMass(const KernelCall& call, int node, int station) {
-  return station / chunk * (call.chunkSize / 3) + node * std::size_t{chunk} + station % chunk;
-}
-
 // A rigid translation of each interval, in the local components of its two stations: it strains nothing, and without it
 // displacements are small enough to be rounded. The mean of one node's displacement at both stations; nothing beyond
-// the interval enters, so that it does not depend on where stretches are cut.
+// the interval enters, so that it does not depend on where stretches are cut. The node stands in the middle of the
+// section: rigid rotations leave opposite errors on either side of it.
 template <typename Real>
 struct Translation {
   Translation(const KernelCall&, const Group<Real>&) {}
@@ -116,7 +23,7 @@ struct Translation<float> {
 
   Translation(const KernelCall& call, const Group<float>& group) {
     const int count = group.count;
-    const std::size_t node = static_cast<std::size_t>(call.nodes) / 2;
+    const auto node = static_cast<std::size_t>(call.middle);
     const double* u = call.source + group.state + node * 3 * chunk;
     const double* next = group.next + node * group.nextNode;
     double here[3] = {u[0], u[chunk], u[2 * chunk]};
@@ -213,22 +120,23 @@ inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, 
 }
 
 // Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of a
-// bundle are collected, so that `row(row, force)` meets whole lines: memory comes in long pieces then. `ahead(node,
-// from, width)` asks for what `row` will need of a node in the next bundle.
-template <typename Whole, typename Piece, typename Ahead, typename Row>
+// bundle are collected, so that `rows(first, end, force)` meets whole lines: memory comes in long pieces then.
+// `ahead(node, from, width)` asks for what `rows` will need of a node in the next bundle.
+template <typename Whole, typename Piece, typename Ahead, typename Rows>
 inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const Ahead& ahead,
-                     const Row& row) {
-  alignas(64) typename Whole::Real forces[rowBundle][3][chunk];
+                     const Rows& rows) {
+  alignas(64) typename Whole::Real forces[mostRows][3][chunk];
+  if (group.count < chunk) __builtin_memset(forces, 0, sizeof forces);
   const Translation<typename Whole::Real> rigid(call, group);
   int gathered = 0, slot = 0;
-  for (int first = 0, bundle = 0; first < call.nodes; first += rowBundle, ++bundle) {
+  for (int bundle = 0; bundle < call.bundles; ++bundle) {
+    const int first = call.bundleStart[bundle], end = call.bundleStart[bundle + 1];
     for (const int upTo = call.gatherUpTo[bundle]; gathered < upTo; ++gathered) {
       gather(call, group, rigid, call.order[gathered], slot);
       slot = slot + 1 == call.window ? 0 : slot + 1;
     }
-    const int end = first + rowBundle < call.nodes ? first + rowBundle : call.nodes;
     const auto fetchFor = [&](int i, int from, int width) {
-      const int later = i + rowBundle, soon = gathered + (i - first);
+      const int later = i + end - first, soon = gathered + (i - first);
       if (later < call.nodes) ahead(call.order[later], from, width);
       if (soon >= call.nodes) return;
       const auto node = static_cast<std::size_t>(call.order[soon]);
@@ -249,7 +157,7 @@ inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& 
           innerForce<Piece, narrow<Piece>>(call, part, i, forces[i - first]);
         }
     }
-    for (int i = first; i < end; ++i) row(call.order[i], forces[i - first]);
+    rows(first, end, forces);
   }
 }
 
@@ -258,50 +166,72 @@ inline void applyGroup(const KernelCall& call, const Group<typename Whole::Real>
   double* out = call.force + group.state;
   overRows<Whole, Piece>(
       call, group, [](int, int, int) {},
-      [&](int node, const typename Whole::Real(&force)[3][chunk]) {
-        double* lines = out + static_cast<std::size_t>(node) * 3 * chunk;
-        for (int c = 0; c < 3; ++c)
-          for (int i = 0; i < group.count; i += LANES) store(lines + c * chunk + i, widened(force[c] + i));
+      [&](int first, int end, const typename Whole::Real(&force)[mostRows][3][chunk]) {
+        for (int row = first; row < end; ++row) {
+          double* lines = out + static_cast<std::size_t>(call.order[row]) * 3 * chunk;
+          for (int c = 0; c < 3; ++c)
+            for (int i = 0; i < group.count; i += LANES)
+              store(lines + c * chunk + i, widened(force[row - first][c] + i));
+        }
       });
 }
 
-// One node through the central difference on all stations of the group.
+// Line triple of a node's outer forces at the group's first station, or null.
 template <typename Real>
-inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n, const Real (&force)[3][chunk]) {
+inline double* outerForce(const KernelCall& call, const Group<Real>& group, int node) {
+  const int line = call.externalLine[node];
+  return line < 0 ? nullptr : call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at;
+}
+
+// Inner force of a node becomes its acceleration, outer forces included; a slave's is left to its masters.
+template <typename Real>
+inline void accelerate(const KernelCall& call, const Group<Real>& group, int n, Real (&force)[3][chunk]) {
   const int count = group.count;
   const std::size_t stride = call.stride;
-  const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
-  const double* source = call.source + base;
-  if (call.turningMoment)
+  if (call.turningMoment) {
+    const double* source = call.source + group.state + static_cast<std::size_t>(n) * 3 * chunk;
     for (int i = 0; i < count; i += LANES) {
       double* moment = call.turningMoment + group.at + i;
       store(moment, load(moment) +
                         (load(source + i) * widened(force[1] + i) - load(source + chunk + i) * widened(force[0] + i)));
     }
-  const int line = call.externalLine[n];
-  double* outer = line < 0 ? nullptr : call.external + static_cast<std::size_t>(line) * 3 * stride + group.at;
+  }
+  double* outer = outerForce(call, group, n);
   if (call.slave[n]) {
     for (int c = 0; c < 3; ++c)
       for (int i = 0; i < count; i += LANES) store(outer + c * stride + i, widened(force[c] + i));
     return;
   }
-  const double step = call.step, beta = call.beta, both = step + beta, cosine = call.cosine, sine = call.sine;
-  const double spin = call.radialWeight ? call.spinAcceleration * call.radialWeight[n] : 0.0;
-  const double pushed[3] = {spin, 0, 0};
   const double* inverse = call.inverseMass + placeOfMass(call, n, group.at);
-  double *rates = call.velocity + base, *target = call.target + base;
   for (int c = 0; c < 3; ++c) {
-    const double mask = call.fixedMask[3 * n + c], push = pushed[c];
-    const double* body = call.acceleration + c * stride + group.at;
-    const Real* inner = force[c];
     double* added = outer ? outer + c * stride : nullptr;
     for (int i = 0; i < count; i += LANES) {
-      Vector total = -widened(inner + i);
+      Vector total = -widened(force[c] + i);
       if (added) {
         total += load(added + i);
         store(added + i, Vector{});
       }
-      const Vector acceleration = total * load(inverse + i) + (load(body + i) + push);
+      storeAs(force[c] + i, total * load(inverse + i));
+    }
+  }
+}
+
+// One node through the central difference on all stations of the group.
+template <typename Real>
+inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n, const Real (&own)[3][chunk]) {
+  if (call.slave[n]) return;
+  const int count = group.count;
+  const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
+  const double* source = call.source + base;
+  const double step = call.step, beta = call.beta, both = step + beta, cosine = call.cosine, sine = call.sine;
+  const double spin = call.radialWeight ? call.spinAcceleration * call.radialWeight[n] : 0.0;
+  const double pushed[3] = {spin, 0, 0};
+  double *rates = call.velocity + base, *target = call.target + base;
+  for (int c = 0; c < 3; ++c) {
+    const double mask = call.fixedMask[3 * n + c], push = pushed[c];
+    const double* body = call.acceleration + c * call.stride + group.at;
+    for (int i = 0; i < count; i += LANES) {
+      const Vector acceleration = widened(own[c] + i) + (load(body + i) + push);
       const Vector old = load(rates + c * chunk + i);
       const Vector velocity = (old + step * acceleration) * mask;
       store(rates + c * chunk + i, velocity);
@@ -319,6 +249,7 @@ inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n,
 
 template <typename Whole, typename Piece>
 inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
+  int cluster = 0;
   overRows<Whole, Piece>(
       call, group,
       [&](int node, int from, int width) {
@@ -330,7 +261,11 @@ inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Rea
         if (const int line = call.externalLine[node]; line >= 0)
           fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, from, width);
       },
-      [&](int node, const typename Whole::Real(&force)[3][chunk]) { advanceNode(call, group, node, force); });
+      [&](int first, int end, typename Whole::Real(&force)[mostRows][3][chunk]) {
+        for (int row = first; row < end; ++row) accelerate(call, group, call.order[row], force[row - first]);
+        if (call.clusterCount > 0) slowShortWaves<Piece>(call, group, first, end, cluster, force);
+        for (int row = first; row < end; ++row) advanceNode(call, group, call.order[row], force[row - first]);
+      });
 }
 
 // Cuts the stations of a group into parts, each within one run.
@@ -344,6 +279,9 @@ inline void findParts(const KernelCall& call, Group<typename Whole::Real>& group
         run->last - group.at - from < group.count - from ? run->last - group.at - from : group.count - from;
     const bool isWide = rest >= most;
     group.part[group.parts++] = {from, isWide ? most : least, isWide, coefficientsOf(*run, typename Whole::Real{})};
+    if (const auto* along = alongOf(*run, typename Whole::Real{}))
+      for (int at = (from + 7) / 8 * 8; at < from + group.part[group.parts - 1].width; at += 8)
+        group.along[at / 8] = group.at + at == run->first ? along : along + 64;
     from += isWide ? most : least;
   }
 }
@@ -355,7 +293,7 @@ void carryOver(const KernelCall& call) {
   group.state = placeOf(call, group.at), group.next = call.source + placeOf(call, call.first);
   findParts<Whole, Piece>(call, group);
   overRows<Whole, Piece>(
-      call, group, [](int, int, int) {}, [](int, const typename Whole::Real(&)[3][chunk]) {});
+      call, group, [](int, int, int) {}, [](int, int, const typename Whole::Real(&)[mostRows][3][chunk]) {});
 }
 
 // The stretch chunk by chunk.

@@ -14,10 +14,13 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   KernelCall call;
   call.nodes = block.nodes;
   call.order = block.order.nodes.data();
+  call.bundleStart = block.order.bundleStart.data();
+  call.bundles = static_cast<int>(block.order.gatherUpTo.size());
   call.rowStart = block.order.rowStart.data();
   call.slots = block.order.slots.data();
   call.gatherUpTo = block.order.gatherUpTo.data();
   call.window = block.order.window;
+  call.middle = block.middle;
   call.runs = scratch.runs[index].data();
   call.stride = block.stride;
   call.chunkSize = block.chunkSize();
@@ -66,9 +69,15 @@ void refreshGhost(const SweptBlock& block, double* state) {
 void advanceLastStation(const SweptBlock& block, const BlockStep& with, double step, const double* source,
                         double* target, double* velocity, const AlignedVector& carry) {
   const int s = block.intervals;
-  for (int n = 0; n < block.nodes; ++n) {
+  const auto outerForce = [&](int n) {
     const int triple = with.lineOfNode[n];
-    double* outer = triple < 0 ? nullptr : with.force + static_cast<std::size_t>(triple) * 3 * block.stride + s;
+    return triple < 0 ? nullptr : with.force + static_cast<std::size_t>(triple) * 3 * block.stride + s;
+  };
+  std::vector<double> accelerations(block.lines());
+  for (int n = 0; n < block.nodes; ++n) {
+    const double inverse =
+        with.inverseMass[(s / SweptBlock::chunk * block.nodes + n) * SweptBlock::chunk + s % SweptBlock::chunk];
+    double* outer = outerForce(n);
     for (int c = 0; c < 3; ++c) {
       if (with.slave[n]) {
         outer[c * block.stride] = carry[3 * n + c];
@@ -76,10 +85,14 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
       }
       double total = -carry[3 * n + c];
       if (outer) total += outer[c * block.stride], outer[c * block.stride] = 0;
-      const double acceleration =
-          total *
-              with.inverseMass[(s / SweptBlock::chunk * block.nodes + n) * SweptBlock::chunk + s % SweptBlock::chunk] +
-          with.acceleration[c * block.stride + s];
+      accelerations[3 * n + c] = total * inverse;
+    }
+  }
+  slowShortWavesAcross(block, accelerations.data());
+  for (int n = 0; n < block.nodes; ++n) {
+    if (with.slave[n]) continue;
+    for (int c = 0; c < 3; ++c) {
+      const double acceleration = accelerations[3 * n + c] + with.acceleration[c * block.stride + s];
       const std::size_t here = block.index(n, c, s);
       const double old = velocity[here];
       velocity[here] = (old + step * acceleration) * with.freeMask[3 * n + c];
@@ -121,8 +134,12 @@ KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
   for (const auto& block : blocks) most = std::max(most, block.nodes), window = std::max(window, block.order.window);
   for (const auto& block : blocks) {
     auto& own = runs.emplace_back();
-    for (std::size_t r = 0; r < block.runIntervals.size(); ++r)
-      own.push_back({block.runIntervals[r][1], block.rowCoefficients[r].data(), block.singleCoefficients[r].data()});
+    for (std::size_t r = 0; r < block.runIntervals.size(); ++r) {
+      const auto& along = block.inertia.along[r];
+      own.push_back({block.runIntervals[r][0], block.runIntervals[r][1], block.rowCoefficients[r].data(),
+                     block.singleCoefficients[r].data(), along.empty() ? nullptr : along.data(),
+                     along.empty() ? nullptr : block.inertia.singleAlong[r].data()});
+    }
   }
   workspace.assign(kernelWorkspace(window), 0.0);
   carry.assign(static_cast<std::size_t>(most) * 3 + 8, 0.0);
@@ -183,6 +200,12 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     call.spinAcceleration = with.spinAcceleration, call.step = step, call.beta = with.beta;
     call.cosine = with.cosine, call.sine = with.sine;
     call.turningMoment = with.turningMoment;
+    call.clusters = block.inertia.clusters.data(), call.clusterCount = static_cast<int>(block.inertia.clusters.size());
+    call.clusterWeights = block.inertia.weights.data();
+    call.singleClusterWeights = block.inertia.singleWeights.data();
+    call.shortShare = block.inertia.share;
+    call.ownFilter = with.ownFilter, call.filters = with.filters;
+    call.stationGroups = (block.intervals + stationGroup - 1) / stationGroup;
     const int end = segment.first + segment.count;
     for (int at = segment.first; at < end; at = call.first + call.count) {
       call.first = at, call.count = endOfStretch(block, with, common, at, end) - at;

@@ -43,7 +43,9 @@ struct BlockStep {
   const double* freeMask = nullptr;     // nodes x 3
   const int* lineOfNode = nullptr;      // into the force lines
   const unsigned char* slave = nullptr;
-  double* force = nullptr;               // triples of lines, cleared when read
+  double* force = nullptr;         // triples of lines, cleared when read
+  const int* ownFilter = nullptr;  // KernelCall, as is the next
+  const KernelFilter* filters = nullptr;
   const double* acceleration = nullptr;  // 3 lines
   const double* radialWeight = nullptr;
   double spinAcceleration = 0, beta = 0, cosine = 1, sine = 0;

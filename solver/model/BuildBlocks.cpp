@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "case/DefectSurface.h"
 #include "case/TrackCentre.h"
 #include "contact/ContactSurfaces.h"
 #include "core/Errors.h"
+#include "elasticity/SectionClusters.h"
 #include "geometry/RailSection.h"
 #include "geometry/WheelSection.h"
 
@@ -35,9 +37,18 @@ geometry::SectionMesh rectangleMesh(const std::vector<double>& b, const std::vec
   return mesh;
 }
 
+// Short waves of rail and rim get more inertia, but those of tied nodes, which have none of their own.
+void slowShortWaves(const cases::CaseDescription& d, elasticity::SweptBlock& block, double shortLength,
+                    const std::function<bool(int)>& mayJoin) {
+  if (!d.mesh.selectiveInertia) return;
+  elasticity::prepareBlock(block);
+  block.clusters = elasticity::sectionClusters(block, mayJoin);
+  block.shortLength = shortLength;
+}
+
 // The kernels go through memory from front to back: section nodes stand in the order in which they are visited.
 void append(Model& model, elasticity::SweptBlock block) {
-  elasticity::numberAsVisited(block.section);
+  elasticity::numberAsVisited(block.section, block.clusters);
   elasticity::prepareBlock(block);
   block.offset = model.stateSize;
   model.stateSize += block.size();
@@ -154,6 +165,8 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   const contact::Seat seat = contact::seatOf(d);
   rail.lean = seat.lean;
   model.rail = 0;
+  const double rolled = 1.02 * std::max(d.mesh.rollingSize, d.mesh.contactSize);  // the longest intervals that touch
+  slowShortWaves(d, rail, rolled, [](int) { return true; });
   append(model, std::move(rail));
 
   const geometry::WheelSectionSizes sizes{d.mesh.contactSize,   d.mesh.bandHalfWidth, d.mesh.sectionSize,
@@ -166,6 +179,8 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   rim.material = d.wheelset.material;
   rim.origin = {model.startX, seat.wheelY, seat.centreHeight};
   model.rim = 1;
+  const double tied = d.wheelset.radius - d.mesh.rimDepth + 1e-9;
+  slowShortWaves(d, rim, rolled / d.wheelset.radius, [&](int node) { return rim.section.nodes[node][0] > tied; });
   append(model, std::move(rim));
 
   elasticity::SweptBlock body;

@@ -14,7 +14,8 @@
 namespace squat::elasticity {
 namespace {
 
-// Cuts between threads and ends of runs lie within and at the ends of chunks of 32 stations.
+// Cuts between threads and ends of runs lie within and at the ends of chunks of 32 stations. Short waves are slowed in
+// part of each.
 std::vector<SweptBlock> ringAndBar() {
   SweptBlock ring = ringBlock(), bar;
   const double full = 2 * std::acos(-1.0), fine = 0.02;
@@ -23,6 +24,8 @@ std::vector<SweptBlock> ringAndBar() {
   bar.section = gridSection({-0.03, -0.01, 0.005, 0.03}, {0, 0.02, 0.035}, 0.25);
   bar.stations = {-0.2, false, {{16, 0.0013}, {8, 0.0026}, {40, 0.005}}};
   bar.material = steel;
+  ring.clusters = {{0, 1, 4, 5}, {2, 3, 6, 7, 11}}, ring.shortLength = 0.03;
+  bar.clusters = {{0, 1, 2, 3, 4, 5, 6, 7}, {8}}, bar.shortLength = 0.003;
   return {ring, bar};
 }
 

@@ -199,8 +199,8 @@ TEST(RunCase, CheckpointOfAnotherCaseIsRefused) {
 
 TEST(RunCase, StepAboveTheStableOneIsRefused) {
   try {
-    run(tinyCase("light-defect", {{"output.time_step", "1"}}));
-    FAIL() << "a step of 1 us was taken";
+    run(tinyCase("light-defect", {{"output.time_step", "2"}}));
+    FAIL() << "a step of 2 us was taken";
   } catch (const CaseError& error) {
     EXPECT_EQ(error.problems().at(0).key, "output.time_step");
   }

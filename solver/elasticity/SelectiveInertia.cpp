@@ -1,0 +1,190 @@
+#include "elasticity/SelectiveInertia.h"
+
+#include <Eigen/QR>
+#include <array>
+#include <cmath>
+
+#include "elasticity/SweptBlock.h"
+
+namespace squat::elasticity {
+
+namespace {
+
+// Fields, one a column, made orthonormal in the masses; columns that say nothing new are zero.
+Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& given, const Eigen::VectorXd& mass) {
+  const Eigen::VectorXd root = mass.cwiseSqrt();
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * given);
+  qr.setThreshold(1e-3);
+  Eigen::MatrixXd kept = Eigen::MatrixXd::Zero(given.rows(), given.cols());
+  kept.leftCols(qr.rank()) = Eigen::MatrixXd(qr.householderQ()).leftCols(qr.rank());
+  return root.cwiseInverse().asDiagonal() * kept;
+}
+
+void addCluster(const SweptBlock& block, const KernelCluster& cluster, const std::vector<double>& mass,
+                SelectiveInertia& out) {
+  const std::vector<int> nodes(block.order.nodes.begin() + cluster.first, block.order.nodes.begin() + cluster.end);
+  const Eigen::MatrixXd kept = keptFields(block, nodes, mass);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int k = 0; k < keptAcross; ++k) {
+      const double value = kept(static_cast<Eigen::Index>(i), k);
+      const std::size_t at =
+          2 * keptAcross * (static_cast<std::size_t>(cluster.first) + i) + static_cast<std::size_t>(k);
+      out.weights[at] = (1 - out.share) * mass[nodes[i]] * value;
+      out.weights[at + keptAcross] = value;
+    }
+}
+
+// What an interval gives to the mass of its stations, up to the section's share. Around the axis elements are flat
+// between their stations.
+double massOfInterval(const SweptBlock& block, double length) {
+  return block.kind == SweepKind::aroundAxis ? std::sin(length) : length;
+}
+
+// Projection of eight stations; `before`: mass of the interval ahead of the first, `own` of all others.
+std::array<double, 64> alongProjection(double before, double own) {
+  Eigen::MatrixXd given(stationGroup, 2);
+  Eigen::VectorXd mass = Eigen::VectorXd::Constant(stationGroup, own);
+  mass[0] = 0.5 * (before + own);
+  for (int i = 0; i < stationGroup; ++i) given.row(i) << 1, i - 3.5;
+  const Eigen::MatrixXd kept = orthonormal(given, mass);
+  std::array<double, 64> projection{};
+  Eigen::Map<Eigen::Matrix<double, 8, 8>>(projection.data()) = kept * kept.transpose() * mass.asDiagonal();
+  return projection;
+}
+
+// Mass of each section node at a station amid a run: in proportion the same at every station.
+std::vector<double> sectionMass(const SweptBlock& block) {
+  const auto mass = lumpedMass(block);
+  const int station = block.runIntervals.front()[0] + 1;
+  std::vector<double> own;
+  for (int n = 0; n < block.nodes; ++n) own.push_back(mass[static_cast<std::size_t>(n) * block.stride + station]);
+  return own;
+}
+
+}  // namespace
+
+Eigen::MatrixXd keptFields(const SweptBlock& block, const std::vector<int>& cluster, const std::vector<double>& mass) {
+  const auto count = static_cast<Eigen::Index>(cluster.size());
+  Eigen::MatrixXd given(count, keptAcross);
+  Eigen::VectorXd own(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const auto& p = block.section.nodes[cluster[i]];
+    given.row(i) << 1, p[0], p[1];
+    own[i] = mass[cluster[i]];
+  }
+  for (int k = 1; k < keptAcross; ++k) given.col(k).array() -= given.col(k).mean();
+  given.rightCols(2) /= given.rightCols(2).cwiseAbs().maxCoeff();
+  return orthonormal(given, own);
+}
+
+SelectiveInertia selectiveInertia(const SweptBlock& block) {
+  SelectiveInertia out;
+  out.along.resize(block.runIntervals.size()), out.singleAlong.resize(block.runIntervals.size());
+  if (block.clusters.empty()) return out;
+  out.share = shortShare;
+  out.weights.assign(2 * keptAcross * static_cast<std::size_t>(block.nodes), 0.0);
+  const auto mass = sectionMass(block);
+  out.clusters = block.order.clusters;
+  for (const auto& cluster : out.clusters) addCluster(block, cluster, mass, out);
+  out.singleWeights.assign(out.weights.begin(), out.weights.end());
+  const auto& runs = block.stations.runs;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (runs[r].length > block.shortLength) continue;
+    const double before = r > 0 ? runs[r - 1].length : block.closed ? runs.back().length : 0.0;
+    for (const double ahead : {before, runs[r].length}) {
+      const auto projection = alongProjection(massOfInterval(block, ahead), massOfInterval(block, runs[r].length));
+      out.along[r].insert(out.along[r].end(), projection.begin(), projection.end());
+    }
+    out.singleAlong[r].assign(out.along[r].begin(), out.along[r].end());
+  }
+  return out;
+}
+
+std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>& cluster,
+                                const std::vector<double>& mass) {
+  const auto count = static_cast<Eigen::Index>(mass.size()), rows = static_cast<Eigen::Index>(cluster.size());
+  Eigen::Matrix<double, Eigen::Dynamic, keptInBlock> given(count, keptInBlock);
+  geometry::Point2 middle{0, 0};
+  for (const int n : cluster)
+    for (int k = 0; k < 2; ++k) middle[k] += block.section.nodes[n][k] / static_cast<double>(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const auto& p = block.section.nodes[cluster[i]];
+    for (int s = 0; s < stationGroup; ++s) {
+      const double along = s - 3.5, b = (p[0] - middle[0]) * 1e3, c = (p[1] - middle[1]) * 1e3;
+      given.row(i * stationGroup + s) << 1, b, c, along, along * b, along * c;
+    }
+  }
+  const Eigen::Map<const Eigen::VectorXd> own(mass.data(), count);
+  // Gram and Schmidt in the masses: small, well scaled, and without a factorisation that allocates.
+  Eigen::Matrix<double, Eigen::Dynamic, keptInBlock> kept = given;
+  for (int k = 0; k < keptInBlock; ++k) {
+    const double before = kept.col(k).dot(own.cwiseProduct(kept.col(k)));
+    for (int pass = 0; pass < 2; ++pass)
+      for (int j = 0; j < k; ++j) kept.col(k) -= kept.col(j).dot(own.cwiseProduct(kept.col(k))) * kept.col(j);
+    const double left = kept.col(k).dot(own.cwiseProduct(kept.col(k)));
+    if (left > 1e-6 * before)
+      kept.col(k) /= std::sqrt(left);
+    else
+      kept.col(k).setZero();
+  }
+  std::vector<double> values(2 * keptInBlock * mass.size());
+  Eigen::Map<Eigen::MatrixXd>(values.data(), count, keptInBlock) = (1 - block.inertia.share) * own.asDiagonal() * kept;
+  Eigen::Map<Eigen::MatrixXd>(values.data() + keptInBlock * count, count, keptInBlock) = kept;
+  return values;
+}
+
+void slowShortWaves(const SweptBlock& block, double* acceleration) {
+  const auto& inertia = block.inertia;
+  const auto at = [&](int row, int c, int s) -> double& {
+    return acceleration[block.index(block.order.nodes[row], c, s) - block.offset];
+  };
+  const auto amplitudes = [&](const KernelCluster& cluster, int c, int s) {
+    std::array<double, keptAcross> sum{};
+    for (int row = cluster.first; row < cluster.end; ++row)
+      for (int k = 0; k < keptAcross; ++k) sum[k] += inertia.weights[2 * keptAcross * row + k] * at(row, c, s);
+    return sum;
+  };
+  const auto filter = [&](const KernelCluster& cluster, int c, int s, const std::array<double, keptAcross>& sum) {
+    for (int row = cluster.first; row < cluster.end; ++row) {
+      double& value = at(row, c, s);
+      value *= inertia.share;
+      for (int k = 0; k < keptAcross; ++k) value += inertia.weights[2 * keptAcross * row + keptAcross + k] * sum[k];
+    }
+  };
+  for (const auto& cluster : inertia.clusters)
+    for (int c = 0; c < 3; ++c)
+      for (int first = 0; first < block.stationCount; first += stationGroup) {
+        const int end = std::min(first + stationGroup, block.stationCount);
+        const auto r = static_cast<std::size_t>(block.runOf(std::min(first, block.intervals - 1)));
+        std::array<std::array<double, keptAcross>, stationGroup> sums{}, along{};
+        for (int s = first; s < end; ++s) along[s - first] = sums[s - first] = amplitudes(cluster, c, s);
+        if (!inertia.along[r].empty() && first < block.intervals) {
+          const double* projection = inertia.along[r].data() + (first == block.runIntervals[r][0] ? 0 : 64);
+          for (int i = 0; i < stationGroup; ++i)
+            for (int k = 0; k < keptAcross; ++k) {
+              along[i][k] = 0;
+              for (int j = 0; j < stationGroup; ++j) along[i][k] += projection[stationGroup * j + i] * sums[j][k];
+            }
+        }
+        for (int s = first; s < end; ++s) filter(cluster, c, s, along[s - first]);
+      }
+}
+
+void slowShortWavesAcross(const SweptBlock& block, double* acceleration) {
+  const auto& inertia = block.inertia;
+  for (const auto& cluster : inertia.clusters)
+    for (int c = 0; c < 3; ++c) {
+      std::array<double, keptAcross> amplitude{};
+      for (int row = cluster.first; row < cluster.end; ++row)
+        for (int k = 0; k < keptAcross; ++k)
+          amplitude[k] += inertia.weights[2 * keptAcross * row + k] * acceleration[3 * block.order.nodes[row] + c];
+      for (int row = cluster.first; row < cluster.end; ++row) {
+        double& value = acceleration[3 * block.order.nodes[row] + c];
+        value *= inertia.share;
+        for (int k = 0; k < keptAcross; ++k)
+          value += inertia.weights[2 * keptAcross * row + keptAcross + k] * amplitude[k];
+      }
+    }
+}
+
+}  // namespace squat::elasticity

@@ -1,0 +1,59 @@
+// solver/elasticity/SelectiveInertia.h - more inertia for waves as short as the elements, none for longer ones.
+//
+// The explicit step is limited by waves of a few elements' length, at hundreds of kilohertz, which no axle box feels.
+// Selective mass scaling (Olovsson, Simonsson and Unosson 2005) slows those alone. Here it acts on the inverse mass
+// (reciprocal masses: Tkachuk and Bischoff 2013), so that nothing is to be solved: accelerations are F M^-1 f with
+//   F = share 1 + (1 - share) P   within small blocks of nodes, P the projection, orthogonal in the mass, on what is
+// constant or linear across and along the block. Rigid motion and uniform strain of a block keep their inertia,
+// resultants and moments of forces act as before, stiffness and statics are untouched; what bends within a block is
+// 1 / share times as heavy: M_e = M F^-1. A block is a cluster of section nodes on eight stations that follow each
+// other, or on one station where the intervals are long.
+// Masses of a block may grow, as under closed contact (D, diagonal): with P orthogonal in M + D the effective mass
+// becomes at least M_e + D, for x.M_e x = x.M x + (1 / share - 1) min_c |x - B c|^2 in the norm of M, B what is kept.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "elasticity/SweptKernel.h"
+
+namespace squat::elasticity {
+
+struct SweptBlock;
+
+constexpr int stationGroup = 8;     // stations of a block: [8 k, 8 k + 8)
+constexpr double shortShare = 0.1;  // of their inverse mass that short waves keep
+constexpr int keptAcross = 3, keptInBlock = 2 * keptAcross;
+
+struct SelectiveInertia {
+  double share = 1;                     // of the inverse mass that short waves keep
+  std::vector<KernelCluster> clusters;  // rows of the kernels' order
+  // Per row: (1 - share) times its weights in the amplitudes of three fields, then the fields' values there.
+  std::vector<double> weights;
+  std::vector<float> singleWeights;
+  // Per run: projections along the sweep, of its first group, which shares a station with the run before, and of all
+  // others: 2 x 8 x 8, column by column; empty where blocks are one station long.
+  std::vector<std::vector<double>> along;
+  std::vector<std::vector<float>> singleAlong;
+};
+
+// What the projection of a cluster keeps, one field a column: constant, and linear in both coordinates of the section,
+// orthonormal in `mass` (per section node): sum of m p q. A field that the others hold (nodes in one line) is zero.
+Eigen::MatrixXd keptFields(const SweptBlock& block, const std::vector<int>& cluster, const std::vector<double>& mass);
+
+// The filter of eight stations whose masses are any: `mass` [node of the cluster][8]. Returns what KernelFilter
+// asks for.
+std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>& cluster,
+                                const std::vector<double>& mass);
+
+// From the block's clusters, shortLength, masses and order.
+SelectiveInertia selectiveInertia(const SweptBlock& block);
+
+// M^-1 f of every node and station, in state layout from the block's first value, becomes F M^-1 f. Plain, for the
+// stable step and tests; the kernels do the same while they step.
+void slowShortWaves(const SweptBlock& block, double* acceleration);
+
+// The same of one station by itself: nodes x 3.
+void slowShortWavesAcross(const SweptBlock& block, double* acceleration);
+
+}  // namespace squat::elasticity

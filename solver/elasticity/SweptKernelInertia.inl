@@ -1,0 +1,116 @@
+// More inertia for short waves, as the kernels apply it (SelectiveInertia.h); after SweptKernelVectors.inl.
+namespace squat::elasticity {
+namespace {
+
+// A cluster's amplitudes of three fields, at V vectors of stations.
+template <typename Kind, int V, typename Real = typename Kind::Real>
+inline void amplitudes(const Real (*rows)[3][chunk], int count, const Real* weights, int c, int at,
+                       Real (&sums)[3][chunk]) {
+  using Packed = typename Kind::Packed;
+  Packed sum[3][V];
+  for (int k = 0; k < 3; ++k)
+    for (int v = 0; v < V; ++v) sum[k][v] = Packed{};
+  for (int i = 0; i < count; ++i, weights += 6)
+#pragma GCC unroll 4
+    for (int v = 0; v < V; ++v) {
+      const Packed x = Kind::load(rows[i][c] + at + v * Kind::lanes);
+#pragma GCC unroll 3
+      for (int k = 0; k < 3; ++k) sum[k][v] += weights[k] * x;
+    }
+  for (int k = 0; k < 3; ++k)
+    for (int v = 0; v < V; ++v) Kind::store(sums[k] + at + v * Kind::lanes, sum[k][v]);
+}
+
+// Eight stations of the amplitudes by the projection along the sweep.
+template <typename Kind, typename Real = typename Kind::Real>
+inline void projectAlong(Real (&sums)[3][chunk], const Real* projection, int at) {
+  using Packed = typename Kind::Packed;
+  constexpr int lanes = Kind::lanes, vectors = 8 / lanes;
+  Packed sum[3][vectors];
+  for (int k = 0; k < 3; ++k)
+    for (int v = 0; v < vectors; ++v) sum[k][v] = Packed{};
+  for (int j = 0; j < 8; ++j)
+    for (int v = 0; v < vectors; ++v) {
+      const Packed column = Kind::loadLoose(projection + 8 * j + v * lanes);
+#pragma GCC unroll 3
+      for (int k = 0; k < 3; ++k) sum[k][v] += sums[k][at + j] * column;
+    }
+  for (int k = 0; k < 3; ++k)
+    for (int v = 0; v < vectors; ++v) Kind::store(sums[k] + at + v * lanes, sum[k][v]);
+}
+
+// What is kept in full, the rest by its share, at V vectors of stations.
+template <typename Kind, int V, typename Real = typename Kind::Real>
+inline void keepFields(Real (*rows)[3][chunk], int count, const Real* weights, Real share, int c, int at,
+                       const Real (&sums)[3][chunk]) {
+  using Packed = typename Kind::Packed;
+  Packed sum[3][V];
+  for (int k = 0; k < 3; ++k)
+    for (int v = 0; v < V; ++v) sum[k][v] = Kind::load(sums[k] + at + v * Kind::lanes);
+  weights += 3;
+  for (int i = 0; i < count; ++i, weights += 6)
+#pragma GCC unroll 4
+    for (int v = 0; v < V; ++v) {
+      Real* x = rows[i][c] + at + v * Kind::lanes;
+      Kind::store(x, share * Kind::load(x) + weights[0] * sum[0][v] + weights[1] * sum[1][v] + weights[2] * sum[2][v]);
+    }
+}
+
+// Eight stations of a cluster by a filter of their own (KernelFilter); few at a time are.
+template <typename Real>
+inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, Real share, int c, int at,
+                        const Real (&before)[mostRows][8]) {
+  const Real* fields = values + 48 * count;
+  Real sum[6] = {};
+  for (int k = 0; k < 6; ++k)
+    for (int i = 0; i < count; ++i)
+      for (int s = 0; s < 8; ++s) sum[k] += values[(k * count + i) * 8 + s] * before[i][s];
+  for (int i = 0; i < count; ++i)
+    for (int s = 0; s < 8; ++s) {
+      Real value = share * before[i][s];
+      for (int k = 0; k < 6; ++k) value += fields[(k * count + i) * 8 + s] * sum[k];
+      rows[i][c][at + s] = value;
+    }
+}
+
+// Accelerations of a cluster's rows, short waves slowed (SelectiveInertia.h).
+template <typename Piece, typename Real = typename Piece::Real>
+inline void slowCluster(const KernelCall& call, const Group<Real>& group, int index, Real (*rows)[3][chunk]) {
+  constexpr int four = 4 * Piece::lanes;
+  const auto& own = call.clusters[index];
+  const int count = own.end - own.first;
+  const Real* weights = clusterWeightsOf(call, Real{}) + 6 * static_cast<std::size_t>(own.first);
+  const Real share = static_cast<Real>(call.shortShare);
+  const int* ownFilter = call.ownFilter ? call.ownFilter + index * call.stationGroups + group.at / 8 : nullptr;
+  alignas(64) Real sums[3][chunk];
+  Real before[chunk / 8][mostRows][8];
+  for (int c = 0; c < 3; ++c) {
+    int at = 0;
+    if (ownFilter)
+      for (; at < group.count; at += 8)
+        if (ownFilter[at / 8] >= 0)
+          for (int i = 0; i < count; ++i)
+            for (int s = 0; s < 8; ++s) before[at / 8][i][s] = rows[i][c][at + s];
+    for (at = 0; at + four <= group.count; at += four) amplitudes<Piece, 4>(rows, count, weights, c, at, sums);
+    for (; at < group.count; at += Piece::lanes) amplitudes<Piece, 1>(rows, count, weights, c, at, sums);
+    for (at = 0; at < group.count; at += 8)
+      if (group.along[at / 8]) projectAlong<Piece>(sums, group.along[at / 8], at);
+    for (at = 0; at + four <= group.count; at += four) keepFields<Piece, 4>(rows, count, weights, share, c, at, sums);
+    for (; at < group.count; at += Piece::lanes) keepFields<Piece, 1>(rows, count, weights, share, c, at, sums);
+    if (ownFilter)
+      for (at = 0; at < group.count; at += 8)
+        if (ownFilter[at / 8] >= 0)
+          filterBlock(rows, count, filterOf(call.filters[ownFilter[at / 8]], Real{}), share, c, at, before[at / 8]);
+  }
+}
+
+// Accelerations of a bundle's rows. `cluster` is the first that has not been met.
+template <typename Piece, typename Real = typename Piece::Real>
+inline void slowShortWaves(const KernelCall& call, const Group<Real>& group, int first, int end, int& cluster,
+                           Real (&rows)[mostRows][3][chunk]) {
+  for (; cluster < call.clusterCount && call.clusters[cluster].end <= end; ++cluster)
+    slowCluster<Piece>(call, group, cluster, rows + (call.clusters[cluster].first - first));
+}
+
+}  // namespace
+}  // namespace squat::elasticity
