@@ -61,7 +61,7 @@ class ContactInertia {
     std::vector<elasticity::KernelFilter> filters;
     std::vector<std::pair<int, Areas>> next;
     std::vector<int> nextOf;          // per key: 1 + index into next, 0 where there is none
-    std::vector<std::size_t> single;  // heavy nodes that are in no cluster
+    std::vector<std::size_t> single;  // heavy nodes outside such blocks
   };
   void applySide(Side& side, const std::vector<contact::AreaShare>& shares, double* inverse);
   void applyBlocks(Side& side, double* inverse);

@@ -39,7 +39,7 @@ struct KernelFilter {
 // the first value of the block.
 struct KernelCall {
   int nodes = 0;
-  const int* order = nullptr;  // SectionOrder, as are the next seven
+  const int* order = nullptr;  // SectionOrder, as are the next six
   const int* bundleStart = nullptr;
   int bundles = 0;
   const int* rowStart = nullptr;
@@ -75,7 +75,7 @@ struct KernelCall {
   double spinAcceleration = 0;              // [rad/s2] added times radius to a
   double step = 0, beta = 0;                // [s]
   double cosine = 1, sine = 0;              // of the angle by which the local basis turns in this step
-  const KernelCluster* clusters = nullptr;  // SelectiveInertia, as are the next six
+  const KernelCluster* clusters = nullptr;  // SelectiveInertia, as are the next four
   int clusterCount = 0;
   const double* clusterWeights = nullptr;
   const float* singleClusterWeights = nullptr;

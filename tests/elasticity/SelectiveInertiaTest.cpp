@@ -247,8 +247,8 @@ TEST(SelectiveInertia, AddedMassIsFeltInFullByEveryMotion) {
   EXPECT_GT(eigen.eigenvalues().maxCoeff(), 0);
 }
 
-// The search lowers the highest frequency of a section of small squares, takes every node that may join once, leaves
-// the others, and finds the same again.
+// The search takes every node that may join once, leaves the others, and finds the same again. That it pays is held by
+// StableStep.CoversTheBareRail.
 TEST(SelectiveInertia, ClustersHoldEveryNodeOnce) {
   SweptBlock block;
   block.name = "bar", block.kind = SweepKind::alongX;
