@@ -52,21 +52,25 @@ inline void gather(const KernelCall& call, const Group<Real>& group, const Trans
   Real* out = reinterpret_cast<Real*>(call.workspace) + slot * std::size_t{6 * chunk};
   const std::size_t lines = static_cast<std::size_t>(node) * 3 * chunk;
   const double *line = call.source + group.state + lines, *next = group.next + node * group.nextNode;
-  for (int c = 0; c < 3; ++c, line += chunk, next += group.nextLine)
-    for (int p = 0; p < group.parts; ++p) {
+  for (int c = 0; c < 3; ++c, line += chunk, next += group.nextLine) {
+    // Backwards, so that every line is read once: the station after a vector is the first of the one before.
+    Vector after = splat(*next);
+    for (int p = group.parts - 1; p >= 0; --p) {
       const int from = group.part[p].offset, width = group.part[p].width;
       Real *sums = out + 6 * from + (c == 0 ? 3 : c) * width,
            *differences = out + 6 * from + (c == 0 ? 0 : c + 3) * width;
-      for (int i = 0; i < width; i += LANES) {
+      for (int i = width - LANES; i >= 0; i -= LANES) {
         const int at = from + i;
-        Vector left = load(line + at);
-        Vector right = at + LANES < group.count ? loadLoose(line + at + 1) : advanced(left, splat(*next));
+        const Vector here = load(line + at);
+        Vector left = here, right = advanced(here, after);
         if constexpr (sizeof(Real) < sizeof(double))
           left -= load(rigid.left[c] + at), right -= load(rigid.right[c] + at);
         storeAs(sums + i, right + left);
         storeAs(differences + i, right - left);
+        after = here;
       }
     }
+  }
 }
 
 // The processor's own prefetchers do not know the order of the nodes. Asks for one part of the lines of a node, each
@@ -74,6 +78,17 @@ inline void gather(const KernelCall& call, const Group<Real>& group, const Trans
 inline void fetch(const double* lines, std::size_t line, int from, int width) {
   for (int c = 0; c < 3; ++c)
     for (int i = from; i < from + width; i += 8) __builtin_prefetch(lines + c * line + i, 1, 2);
+}
+
+// A value that stays in its register: without this the compiler loads it anew for each of its three products.
+template <typename Packed>
+inline Packed held(Packed value) {
+#if LANES == 8
+  asm("" : "+v"(value));
+#else
+  asm("" : "+x"(value));
+#endif
+  return value;
 }
 
 // Inner force of one row's node on the stations of one part, and the carry to the next.
@@ -93,13 +108,13 @@ inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, 
     for (int column = 0; column < 3; ++column) {
       Packed x[V];
 #pragma GCC unroll 4
-      for (int v = 0; v < V; ++v) x[v] = Kind::load(in + (column * V + v) * lanes);
+      for (int v = 0; v < V; ++v) x[v] = held(Kind::load(in + (column * V + v) * lanes));
 #pragma GCC unroll 3
       for (int line = 0; line < 3; ++line)
 #pragma GCC unroll 4
         for (int v = 0; v < V; ++v) s[line][v] += k[3 * line + column] * x[v];
 #pragma GCC unroll 4
-      for (int v = 0; v < V; ++v) x[v] = Kind::load(in + ((column + 3) * V + v) * lanes);
+      for (int v = 0; v < V; ++v) x[v] = held(Kind::load(in + ((column + 3) * V + v) * lanes));
 #pragma GCC unroll 3
       for (int line = 0; line < 3; ++line)
 #pragma GCC unroll 4
@@ -116,6 +131,19 @@ inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, 
       before = right;
     }
     *carry = before[lanes - 1];
+  }
+}
+
+// The same with as many vectors as the part has.
+template <typename Whole, typename Piece, int V = wide<Whole>, typename Real = typename Whole::Real>
+inline void forceOfPart(const KernelCall& call, const Part<Real>& part, int row, Real (&force)[3][chunk]) {
+  if constexpr (V * Whole::lanes > narrow<Piece> * Piece::lanes) {
+    if (part.width == V * Whole::lanes)
+      innerForce<Whole, V>(call, part, row, force);
+    else
+      forceOfPart<Whole, Piece, V / 2>(call, part, row, force);
+  } else {
+    innerForce<Piece, narrow<Piece>>(call, part, row, force);
   }
 }
 
@@ -144,19 +172,11 @@ inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& 
       if (from == 0)
         for (int c = 0; c < 3; ++c) __builtin_prefetch(group.next + node * group.nextNode + c * group.nextLine, 0, 2);
     };
-    for (int p = 0; p < group.parts; ++p) {
-      const auto& part = group.part[p];
-      if (part.isWide)
-        for (int i = first; i < end; ++i) {
-          fetchFor(i, part.offset, part.width);
-          innerForce<Whole, wide<Whole>>(call, part, i, forces[i - first]);
-        }
-      else
-        for (int i = first; i < end; ++i) {
-          fetchFor(i, part.offset, part.width);
-          innerForce<Piece, narrow<Piece>>(call, part, i, forces[i - first]);
-        }
-    }
+    for (int p = 0; p < group.parts; ++p)
+      for (int i = first; i < end; ++i) {
+        fetchFor(i, group.part[p].offset, group.part[p].width);
+        forceOfPart<Whole, Piece>(call, group.part[p], i, forces[i - first]);
+      }
     rows(first, end, forces);
   }
 }
@@ -277,17 +297,20 @@ inline void findParts(const KernelCall& call, Group<typename Whole::Real>& group
     while (run->last <= group.at + from) ++run;
     const int rest =
         run->last - group.at - from < group.count - from ? run->last - group.at - from : group.count - from;
-    const bool isWide = rest >= most;
-    group.part[group.parts++] = {from, isWide ? most : least, isWide, coefficientsOf(*run, typename Whole::Real{})};
+    int width = most;
+    while (width > rest || (width > least && from % Whole::lanes != 0)) width /= 2;
+    static_assert(most % least == 0);
+    group.part[group.parts++] = {from, width, coefficientsOf(*run, typename Whole::Real{})};
     if (const auto* along = alongOf(*run, typename Whole::Real{}))
-      for (int at = (from + 7) / 8 * 8; at < from + group.part[group.parts - 1].width; at += 8)
+      for (int at = (from + 7) / 8 * 8; at < from + width; at += 8)
         group.along[at / 8] = group.at + at == run->first ? along : along + 64;
-    from += isWide ? most : least;
+    from += width;
   }
 }
 
 template <typename Whole, typename Piece>
 void carryOver(const KernelCall& call) {
+  const FlushTiny flush;
   Group<typename Whole::Real> group;
   group.at = call.first - 8, group.count = 8;
   group.state = placeOf(call, group.at), group.next = call.source + placeOf(call, call.first);
@@ -299,6 +322,7 @@ void carryOver(const KernelCall& call) {
 // The stretch chunk by chunk.
 template <typename Whole, typename Piece, typename Body>
 inline void overGroups(const KernelCall& call, const Body& body) {
+  const FlushTiny flush;
   const int end = call.first + call.count;
   for (int at = call.first; at < end;) {
     const int stop = (at / chunk + 1) * chunk < end ? (at / chunk + 1) * chunk : end;

@@ -7,9 +7,6 @@ namespace squat::elasticity {
 namespace {
 
 using Vector = double __attribute__((vector_size(LANES * sizeof(double)), may_alias));
-using Loose = double __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
-
-inline Vector loadLoose(const double* p) { return *reinterpret_cast<const Loose*>(p); }
 inline Vector load(const double* p) { return *reinterpret_cast<const Vector*>(p); }
 inline void store(double* p, Vector v) { *reinterpret_cast<Vector*>(p) = v; }
 inline Vector splat(double value) { return value - Vector{}; }
@@ -69,9 +66,20 @@ inline Vector advanced(Vector now, Vector after) {
 #endif
 }
 
+// While one stands, numbers too small for full precision count as zero: ahead of a wave front they would cost some
+// processors a hundred times the work.
+struct FlushTiny {
+  unsigned before = __builtin_ia32_stmxcsr();
+  FlushTiny() { __builtin_ia32_ldmxcsr(before | 0x8040); }  // flush to zero, denormals are zero
+  ~FlushTiny() { __builtin_ia32_ldmxcsr(before); }
+  FlushTiny(const FlushTiny&) = delete;
+  FlushTiny& operator=(const FlushTiny&) = delete;
+};
+
 constexpr int chunk = stationChunk;
 
-// Vectors at a time where many stations of one run follow each other, and where only eight may be left.
+// Vectors at a time where many stations of one run follow each other (half of them where fewer are left, and so on),
+// and where only eight may be left.
 template <typename Kind>
 constexpr int wide = WIDEST* Kind::lanes < chunk ? WIDEST : chunk / Kind::lanes;
 template <typename Kind>
@@ -86,7 +94,6 @@ static_assert(fills<Double, Double> && fills<Single, SinglePiece>);
 template <typename Real>
 struct Part {
   int offset = 0, width = 0;  // first station in the group, and how many
-  bool isWide = false;
   const Real* coefficients = nullptr;
 };
 
