@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "model/ContactPenalty.h"
@@ -11,20 +10,13 @@ namespace squat::dynamics {
 
 namespace {
 
-// Share of the time that elements cost where single precision is asked for. All but those of the wheel body are
-// computed in it. Rounding acts like forces of 6e-8 times stiffness times displacement; where bodies turn, coarse and
-// far from their middle, these have a resultant that works on the rolling itself, and the energy drifts.
-constexpr double singleCost = 0.65;
-
-elasticity::KernelSet kernelsOfFineRuns(const model::Model& model, const std::string& isa) {
+// In the precision that the case asks for: all blocks but the wheel body. Rounding acts like forces of 6e-8 times
+// stiffness times displacement; where bodies turn, coarse and far from their middle, these have a resultant that works
+// on the rolling itself, and the energy drifts.
+elasticity::KernelSet kernelsAsAsked(const model::Model& model, const std::string& isa) {
   const bool single = model.description.mesh.precision == static_cast<int>(cases::ElementPrecision::single);
   return elasticity::kernelsFor(isa,
                                 single ? elasticity::Precision::singleInside : elasticity::Precision::doubleInside);
-}
-
-// Longest interval, in the unit of the block's stations, that is computed in single precision.
-double fineLength(const model::Model& model, int b) {
-  return b == model.body ? 0 : std::numeric_limits<double>::infinity();
 }
 
 contact::ForceLines forceLines(const model::Model& model, int block, AlignedVector& forces) {
@@ -63,7 +55,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
                  double beta)
     : model_(model),
       kernels_(kernels),
-      fineKernels_(kernelsOfFineRuns(model, kernels.name)),
+      askedKernels_(kernelsAsAsked(model, kernels.name)),
       team_(team),
       step_(step),
       beta_(beta),
@@ -80,12 +72,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
         std::any_of(model.ties.begin(), model.ties.end(), [&](const auto& tie) { return tie.masterBlock == b; });
     (isMaster ? masters : others).push_back(b);
   }
-  const auto costOf = [&](int b, int run) {
-    const bool single = fineKernels_.precision == elasticity::Precision::singleInside &&
-                        model.blocks[b].stations.runs[run].length <= fineLength(model, b);
-    return single ? singleCost : 1.0;
-  };
-  fineWork_ = elasticity::partition(model.blocks, others, team.size(), costOf);
+  fineWork_ = elasticity::partition(model.blocks, others, team.size());
   masterWork_ = elasticity::partition(model.blocks, masters, team.size());
   for (int i = 0; i < team.size(); ++i) {
     fineEnds_.push_back(elasticity::segmentEnds(fineWork_[i], model.blocks));
@@ -106,8 +93,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   }
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     elasticity::BlockStep with;
-    with.fineKernels = &fineKernels_;
-    with.fineLength = fineLength(model, static_cast<int>(b));
+    with.kernels = static_cast<int>(b) == model.body ? &kernels_ : &askedKernels_;
     inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
     with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();
@@ -328,9 +314,8 @@ void Rolling::yieldLayer(int index, long step) {
 // A step in place overwrites what neighbouring stretches need: each thread reads that first.
 void Rolling::readEnds(int index) {
   const double* u = state_.displaced.data();
-  elasticity::readEnds(fineWork_[index], model_.blocks, kernels_, blockSteps_, u, *scratch_[index], fineEnds_[index]);
-  elasticity::readEnds(masterWork_[index], model_.blocks, kernels_, blockSteps_, u, *scratch_[index],
-                       masterEnds_[index]);
+  elasticity::readEnds(fineWork_[index], model_.blocks, blockSteps_, u, *scratch_[index], fineEnds_[index]);
+  elasticity::readEnds(masterWork_[index], model_.blocks, blockSteps_, u, *scratch_[index], masterEnds_[index]);
 }
 
 void Rolling::advanceFine(int index) {
@@ -341,7 +326,7 @@ void Rolling::advanceFine(int index) {
         plasticity::addPlasticForces(model_.layer, layerForces_, part.first, part.first + part.count,
                                      forces_.data() + model_.loaded[part.block].offset,
                                      model_.loaded[part.block].lineOfNode.data());
-  elasticity::advanceSegments(fineWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
+  elasticity::advanceSegments(fineWork_[index], model_.blocks, blockSteps_, step_, state_.displaced.data(),
                               state_.displaced.data(), state_.velocity.data(), *scratch_[index], &fineEnds_[index]);
 }
 
@@ -365,7 +350,7 @@ void Rolling::passTieForces(int index) {
 }
 
 void Rolling::advanceMasters(int index) {
-  elasticity::advanceSegments(masterWork_[index], model_.blocks, kernels_, blockSteps_, step_, state_.displaced.data(),
+  elasticity::advanceSegments(masterWork_[index], model_.blocks, blockSteps_, step_, state_.displaced.data(),
                               state_.displaced.data(), state_.velocity.data(), *scratch_[index], &masterEnds_[index]);
 }
 

@@ -114,7 +114,7 @@ class Rolling {
   contact::WheelRolling wheelRolling(const double* displaced) const;
 
   const model::Model& model_;
-  elasticity::KernelSet kernels_, fineKernels_;  // the latter in the precision that the case asks for
+  elasticity::KernelSet kernels_, askedKernels_;  // the latter in the precision that the case asks for
   ThreadTeam& team_;
   double step_, beta_, load_;
   contact::ContactLaw law_;

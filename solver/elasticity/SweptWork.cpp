@@ -40,26 +40,6 @@ void startCarry(const SweptBlock& block, int index, const KernelSet& kernels, in
   kernels.carryOver(callFor(block, index, first == 0 ? block.intervals : first, 0, source, scratch));
 }
 
-const KernelSet& kernelsAt(const SweptBlock& block, const BlockStep& with, const KernelSet& common, int interval) {
-  const double length = block.stations.runs[block.runOf(interval)].length;
-  return with.fineKernels && length <= with.fineLength ? *with.fineKernels : common;
-}
-
-// The same for a step, with the kernels of that interval.
-void startCarry(const SweptBlock& block, const Segment& segment, const BlockStep& with, const KernelSet& common,
-                const double* source, KernelScratch& scratch) {
-  const int before = segment.first == 0 ? block.intervals : segment.first;
-  startCarry(block, segment.block, kernelsAt(block, with, common, before - 1), segment.first, source, scratch);
-}
-
-// End of the intervals from `at` on, `end` at most, whose kernels are the same.
-int endOfStretch(const SweptBlock& block, const BlockStep& with, const KernelSet& common, int at, int end) {
-  int stop = block.runIntervals[block.runOf(at)][1];
-  while (stop < end && &kernelsAt(block, with, common, stop) == &kernelsAt(block, with, common, at))
-    stop = block.runIntervals[block.runOf(stop)][1];
-  return std::min(stop, end);
-}
-
 void refreshGhost(const SweptBlock& block, double* state) {
   for (int n = 0; n < block.nodes; ++n)
     for (int c = 0; c < 3; ++c) state[block.index(n, c, block.intervals)] = state[block.index(n, c, 0)];
@@ -104,27 +84,23 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, const std::function<double(int, int)>& costOf) {
-  const auto costAt = [&](int b, int interval) {
-    const double each = costOf ? costOf(b, blocks[b].runOf(interval)) : 1;
-    return each * static_cast<double>(blocks[b].section.quads.size());
-  };
+                                            int parts) {
+  const auto elementsAt = [&](int b) { return static_cast<double>(blocks[b].section.quads.size()) * vectorMultiple; };
   double total = 0;
-  for (const int b : which)
-    for (int at = 0; at < blocks[b].intervals; at += vectorMultiple) total += costAt(b, at);
+  for (const int b : which) total += static_cast<double>(blocks[b].elements());
   std::vector<std::vector<Segment>> lists(parts);
   double done = 0;
   for (const int b : which)
     for (int at = 0; at < blocks[b].intervals; at += vectorMultiple) {
-      const double cost = costAt(b, at);
+      const double elements = elementsAt(b);
       // To the part in whose share the middle of these intervals lies.
-      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * cost) / total * parts));
+      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * elements) / total * parts));
       auto& list = lists[part];
       if (!list.empty() && list.back().block == b)
         list.back().count += vectorMultiple;
       else
         list.push_back({b, at, vectorMultiple});
-      done += cost;
+      done += elements;
     }
   return lists;
 }
@@ -168,13 +144,13 @@ std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const
   return ends;
 }
 
-void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks, const KernelSet& common,
+void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
               const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
               std::vector<SegmentEnds>& ends) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const int first = segments[i].first, count = segments[i].count;
     const auto& block = blocks[segments[i].block];
-    startCarry(block, segments[i], steps[segments[i].block], common, source, scratch);
+    startCarry(block, segments[i].block, *steps[segments[i].block].kernels, first, source, scratch);
     std::copy_n(scratch.carry.begin(), 3 * block.nodes, ends[i].carry.begin());
     for (int n = 0; n < block.nodes; ++n)
       for (int c = 0; c < 3; ++c) ends[i].after[3 * n + c] = source[block.index(n, c, first + count)];
@@ -182,8 +158,8 @@ void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock
 }
 
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
-                     const KernelSet& common, const std::vector<BlockStep>& steps, double step, const double* source,
-                     double* target, double* velocity, KernelScratch& scratch, const std::vector<SegmentEnds>* ends) {
+                     const std::vector<BlockStep>& steps, double step, const double* source, double* target,
+                     double* velocity, KernelScratch& scratch, const std::vector<SegmentEnds>* ends) {
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const auto& segment = segments[i];
     const auto& block = blocks[segment.block];
@@ -191,7 +167,7 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     if (ends)
       std::copy((*ends)[i].carry.begin(), (*ends)[i].carry.end(), scratch.carry.begin());
     else
-      startCarry(block, segment, with, common, source, scratch);
+      startCarry(block, segment.block, *with.kernels, segment.first, source, scratch);
     auto call = callFor(block, segment.block, segment.first, segment.count, source, scratch);
     call.inverseMass = with.inverseMass, call.fixedMask = with.freeMask;
     call.externalLine = with.lineOfNode, call.slave = with.slave, call.external = with.force;
@@ -206,12 +182,8 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     call.shortShare = block.inertia.share;
     call.ownFilter = with.ownFilter, call.filters = with.filters;
     call.stationGroups = (block.intervals + stationGroup - 1) / stationGroup;
-    const int end = segment.first + segment.count;
-    for (int at = segment.first; at < end; at = call.first + call.count) {
-      call.first = at, call.count = endOfStretch(block, with, common, at, end) - at;
-      if (ends && at + call.count == end) call.after = (*ends)[i].after.data();
-      kernelsAt(block, with, common, at).advanceStep(call);
-    }
+    if (ends) call.after = (*ends)[i].after.data();
+    with.kernels->advanceStep(call);
     if (!block.closed && segment.first + segment.count == block.intervals)
       advanceLastStation(block, with, step, source, target, velocity, scratch.carry);
     if (block.closed && segment.first == 0) refreshGhost(block, target);

@@ -5,7 +5,6 @@
 // not depend on where the cuts are.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "core/AlignedVector.h"
@@ -18,10 +17,9 @@ struct Segment {
   int block = 0, first = 0, count = 0;  // intervals, multiples of 8
 };
 
-// Cuts the intervals of the named blocks into `parts` lists of about equal cost. `costOf(block, run)` is the cost of an
-// element there; without it all cost the same.
+// Cuts the intervals of the named blocks into `parts` lists of about as many elements each.
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, const std::function<double(int, int)>& costOf = {});
+                                            int parts);
 
 // Scratch memory of one thread.
 struct KernelScratch {
@@ -36,9 +34,7 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
 
 // What one block needs for a step besides source, target and velocity (state layout).
 struct BlockStep {
-  // Kernels of runs with intervals up to `fineLength` (in the unit of the stations), where not those of all.
-  const KernelSet* fineKernels = nullptr;
-  double fineLength = 0;
+  const KernelSet* kernels = nullptr;
   const double* inverseMass = nullptr;  // as from inChunks()
   const double* freeMask = nullptr;     // nodes x 3
   const int* lineOfNode = nullptr;      // into the force lines
@@ -60,16 +56,15 @@ struct SegmentEnds {
 };
 
 std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks);
-void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks, const KernelSet& kernels,
+void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
               const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
               std::vector<SegmentEnds>& ends);
 
 // One step of the central difference. `target` may be `source` where `ends` are given: a step then moves a fifth less
 // memory.
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
-                     const KernelSet& kernels, const std::vector<BlockStep>& steps, double step, const double* source,
-                     double* target, double* velocity, KernelScratch& scratch,
-                     const std::vector<SegmentEnds>* ends = nullptr);
+                     const std::vector<BlockStep>& steps, double step, const double* source, double* target,
+                     double* velocity, KernelScratch& scratch, const std::vector<SegmentEnds>* ends = nullptr);
 
 // One value for each node and station, from lines of `stride` to the chunks of the state layout.
 AlignedVector inChunks(const SweptBlock& block, const double* lines);

@@ -164,6 +164,7 @@ TEST(SelectiveInertia, TheStepDoesTheSameOnAllInstructionSets) {
         }
         for (std::size_t b = 0; b < sample.blocks.size(); ++b) {
           BlockStep with;
+          with.kernels = &kernels;
           with.inverseMass = sample.inverseMass[b].data(), with.freeMask = mask[b].data();
           with.lineOfNode = line[b].data(), with.slave = slave[b].data(), with.acceleration = still[b].data();
           steps.push_back(with);
@@ -171,8 +172,8 @@ TEST(SelectiveInertia, TheStepDoesTheSameOnAllInstructionSets) {
         KernelScratch scratch(sample.blocks);
         constexpr double step = 1e-7;
         for (const auto& segments : partition(sample.blocks, {0, 1}, parts))
-          advanceSegments(segments, sample.blocks, kernels, steps, step, sample.displaced.data(), target.data(),
-                          velocity.data(), scratch);
+          advanceSegments(segments, sample.blocks, steps, step, sample.displaced.data(), target.data(), velocity.data(),
+                          scratch);
         double most = 0;
         for (const auto& block : sample.blocks)
           for (const std::size_t i : unknownsOf(block))

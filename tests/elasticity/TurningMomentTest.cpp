@@ -34,11 +34,12 @@ double momentOfOneStep(const std::vector<SweptBlock>& blocks, const AlignedVecto
   AlignedVector moment(block.stride, 0.0), velocity(u.size(), 0.0), target(u.size(), 0.0), source = u;
   refreshGhosts(blocks, source.data());
   BlockStep with;
+  with.kernels = &kernels;
   with.inverseMass = inverseMass.data(), with.freeMask = freeMask.data(), with.lineOfNode = noLine.data();
   with.slave = noSlave.data(), with.acceleration = acceleration.data(), with.turningMoment = moment.data();
   KernelScratch scratch(blocks);
   for (const auto& segments : partition(blocks, {0}, parts))
-    advanceSegments(segments, blocks, kernels, {with}, 1e-7, source.data(), target.data(), velocity.data(), scratch);
+    advanceSegments(segments, blocks, {with}, 1e-7, source.data(), target.data(), velocity.data(), scratch);
   double sum = 0;
   for (const double value : moment) sum += value;
   return sum;

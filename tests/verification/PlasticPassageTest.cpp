@@ -107,6 +107,7 @@ TEST_P(RolledOver, SameAsElementByElement) {
     if (mass[i] > 0) inverse[i] = 1 / mass[i];
   const AlignedVector inverseChunks = elasticity::inChunks(block, inverse.data());
   elasticity::BlockStep with;
+  with.kernels = &kernels;
   with.inverseMass = inverseChunks.data(), with.freeMask = freeMask.data(), with.lineOfNode = lineOfNode.data();
   with.slave = slave.data(), with.force = outer.data(), with.acceleration = acceleration.data(), with.beta = beta;
   elasticity::KernelScratch scratch(blocks);
@@ -123,8 +124,8 @@ TEST_P(RolledOver, SameAsElementByElement) {
     load(block, patch, [&](int n, int c, int s, double f) { outer[(3 * n + c) * block.stride + s] += ramp * f; });
     returnWindow(layer, layerKernels, w.data(), patch, 0.020, 0, 1, state, forces);
     addPlasticForces(layer, forces, 0, intervals, outer.data(), lineOfNode.data());
-    elasticity::advanceSegments({{0, 0, intervals}}, blocks, kernels, {with}, step, w.data(), next.data(),
-                                velocity.data(), scratch);
+    elasticity::advanceSegments({{0, 0, intervals}}, blocks, {with}, step, w.data(), next.data(), velocity.data(),
+                                scratch);
     w.swap(next);
 
     Eigen::VectorXd push = -yielding.innerForce(plainW) - base.innerForce(plainW);

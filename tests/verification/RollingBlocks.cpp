@@ -144,8 +144,9 @@ void RollingBlocks::step(double speed, double spinRate, PatchState& patch, std::
                   {forces_[0].data(), lineOfNode_[0].data()}, {forces_[1].data(), lineOfNode_[1].data()}, points);
   blockSteps_[1].cosine = std::cos(spinRate * step_), blockSteps_[1].sine = std::sin(spinRate * step_);
   std::vector<elasticity::Segment> all{{0, 0, blocks_[0].intervals}, {1, 0, blocks_[1].intervals}};
-  elasticity::advanceSegments(all, blocks_, kernels, blockSteps_, step_, displaced_.data(), target_.data(),
-                              velocity_.data(), *scratch_);
+  for (auto& with : blockSteps_) with.kernels = &kernels;
+  elasticity::advanceSegments(all, blocks_, blockSteps_, step_, displaced_.data(), target_.data(), velocity_.data(),
+                              *scratch_);
   displaced_.swap(target_);
   const double lost = damping * step_;
   for (std::size_t i = 0; i < velocity_.size(); ++i)

@@ -28,6 +28,7 @@ void FreeBlocks::advance(double step, int steps, int parts, const std::string& i
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     all.push_back(static_cast<int>(b));
     BlockStep own;
+    own.kernels = &kernels;
     inverse.push_back(inChunks(blocks_[b], inverseMass_[b].data()));
     own.inverseMass = inverse.back().data(), own.freeMask = freeMask_[b].data();
     own.lineOfNode = lineOfNode_[b].data(), own.slave = slave_[b].data();
@@ -38,8 +39,7 @@ void FreeBlocks::advance(double step, int steps, int parts, const std::string& i
   KernelScratch scratch(blocks_);
   for (int k = 0; k < steps; ++k) {
     for (const auto& segments : work)
-      advanceSegments(segments, blocks_, kernels, with, step, displaced_.data(), target_.data(), velocity_.data(),
-                      scratch);
+      advanceSegments(segments, blocks_, with, step, displaced_.data(), target_.data(), velocity_.data(), scratch);
     displaced_.swap(target_);
   }
 }
