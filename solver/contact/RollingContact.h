@@ -65,12 +65,23 @@ struct ForceLines {
   const int* lineOfNode = nullptr;
 };
 
+// A contact point of the rail, by its face and its place in it.
+struct RailPoint {
+  int interval = 0, column = 0, point = 0;
+};
+// Points within reach whose gap is below `margin` [m], in ascending order: while no gap closes by more than that, no
+// other can touch.
+std::vector<RailPoint> pointsWithin(double margin, const Surfaces& surfaces, const elasticity::SweptBlock& rail,
+                                    const elasticity::SweptBlock& rim, const WheelPlacement& wheel,
+                                    const double* displaced);
+
 // Evaluates the patch for displacements `displaced` and velocities (state layout), updates the friction history over
-// `step` seconds and adds the forces. `points` and `closed` receive the closed points where they are given.
+// `step` seconds and adds the forces. Looks at the points `among`, as from pointsWithin(), or at all within reach.
+// `points` and `closed` receive the closed points where they are given.
 PatchState rollContact(const Surfaces& surfaces, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
                        const ContactLaw& law, const WheelRolling& wheel, const double* displaced,
                        const double* velocity, double step, FrictionHistory& history, const ForceLines& railForces,
                        const ForceLines& rimForces, std::vector<PatchPoint>* points = nullptr,
-                       ClosedArea* closed = nullptr);
+                       ClosedArea* closed = nullptr, const std::vector<RailPoint>* among = nullptr);
 
 }  // namespace squat::contact

@@ -94,6 +94,8 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     elasticity::BlockStep with;
     with.kernels = static_cast<int>(b) == model.body ? &kernels_ : &askedKernels_;
+    hasSlaves_.push_back(
+        std::any_of(model.slave[b].begin(), model.slave[b].end(), [](auto tied) { return tied != 0; }));
     inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
     with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();
@@ -166,6 +168,7 @@ void Rolling::start(const AlignedVector& displacement, const AlignedVector& velo
 
 void Rolling::restore(RollingState state) {
   state_ = std::move(state);
+  nearUntil_ = state_.step;
   hold(model_.held);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   layerForces_ = plasticity::layerForces(model_.layer, layerKernels_, state_.plastic);
@@ -197,16 +200,30 @@ contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
   return wheel;
 }
 
+// Points that may touch soon are looked for some microseconds ahead. Surfaces approach each other with the rolling, by
+// speed times reach over radius, and with a metre per second or two as elements spring and bodies bounce.
+void Rolling::listNearPoints(const contact::WheelPlacement& wheel) {
+  if (state_.step < nearUntil_) return;
+  constexpr double ahead = 5e-6, bounce = 8;  // [s], [m/s]
+  const auto& s = model_.surfaces;
+  const auto steps = std::max(1L, std::lround(ahead / step_));
+  const double approach = bounce + std::abs(model_.description.motion.speed) * s.reach / s.radius;
+  near_ = pointsWithin(approach * static_cast<double>(steps) * step_, s, model_.blocks[model_.rail],
+                       model_.blocks[model_.rim], wheel, state_.displaced.data());
+  nearUntil_ = state_.step + steps;
+}
+
 void Rolling::touch() {
   const double* displaced = state_.displaced.data();
   const auto wheel = wheelRolling(displaced);
+  listNearPoints(wheel.placement);
   view_.step = state_.step;
   view_.time = state_.time;
   view_.position = wheel.placement.centreX + wheel.placement.hubX;
   view_.patch =
       rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel, displaced,
                   state_.velocity.data(), step_, state_.friction, forceLines(model_, model_.rail, forces_),
-                  forceLines(model_, model_.rim, forces_), nullptr, &inertia_.closed());
+                  forceLines(model_, model_.rim, forces_), nullptr, &inertia_.closed(), &near_);
   inertia_.apply(inverseMass_[model_.rail].data(), inverseMass_[model_.rim].data());
   for (const auto& [side, b] : {std::pair{0, model_.rail}, std::pair{1, model_.rim}})
     blockSteps_[b].ownFilter = inertia_.ownFilter(side), blockSteps_[b].filters = inertia_.filters(side);
@@ -311,11 +328,16 @@ void Rolling::yieldLayer(int index, long step) {
                            team_.size(), state_.plastic, layerForces_);
 }
 
-// A step in place overwrites what neighbouring stretches need: each thread reads that first.
-void Rolling::readEnds(int index) {
-  const double* u = state_.displaced.data();
-  elasticity::readEnds(fineWork_[index], model_.blocks, blockSteps_, u, *scratch_[index], fineEnds_[index]);
-  elasticity::readEnds(masterWork_[index], model_.blocks, blockSteps_, u, *scratch_[index], masterEnds_[index]);
+// A step in place overwrites what neighbouring stretches need: each thread reads that first. Blocks with slaves come
+// when those are placed, the others before.
+void Rolling::readEnds(int index, bool ofSlaves) {
+  const auto read = [&](const std::vector<elasticity::Segment>& work, std::vector<elasticity::SegmentEnds>& ends) {
+    for (std::size_t i = 0; i < work.size(); ++i)
+      if (hasSlaves_[work[i].block] == ofSlaves)
+        elasticity::readEnd(work[i], model_.blocks, blockSteps_, state_.displaced.data(), *scratch_[index], ends[i]);
+  };
+  read(fineWork_[index], fineEnds_[index]);
+  read(masterWork_[index], masterEnds_[index]);
 }
 
 void Rolling::advanceFine(int index) {

@@ -60,12 +60,13 @@ class Rolling {
             observe(view_);
           }
           pushWheelset();
+          pushTrack(k);
         }
-        if (index == team_.size() - 1) pushTrack(k);
         placeSlaves(index);
         yieldLayer(index, first + k);
+        readEnds(index, false);
         team_.barrier();
-        readEnds(index);
+        readEnds(index, true);
         team_.barrier();
         advanceFine(index);
         team_.barrier();
@@ -102,12 +103,13 @@ class Rolling {
   void pushTrack(long k);  // pads, ballast
   void placeSlaves(int index);
   void yieldLayer(int index, long step);
-  void readEnds(int index);
+  void readEnds(int index, bool ofSlaves);
   void advanceFine(int index);  // and what is tied to nothing
   void passTieForces(int index);
   void advanceMasters(int index);
   void finishStep(long k);
   void hold(const std::vector<std::size_t>& unknowns);
+  void listNearPoints(const contact::WheelPlacement& wheel);
   void touch();
   void pushVehicle();
   model::PlaneVector boxVelocity() const;
@@ -118,6 +120,8 @@ class Rolling {
   ThreadTeam& team_;
   double step_, beta_, load_;
   contact::ContactLaw law_;
+  std::vector<contact::RailPoint> near_;  // points that may close before step nearUntil_
+  long nearUntil_ = 0;
   ContactInertia inertia_;
   RollingState state_;
   AlignedVector forces_;
@@ -125,6 +129,7 @@ class Rolling {
   std::vector<std::vector<elasticity::SegmentEnds>> fineEnds_, masterEnds_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
+  std::vector<unsigned char> hasSlaves_;  // per block
   model::WheelsetDamping wheelsetDamping_;
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
   std::vector<AlignedVector> inverseMass_;   // per block, in chunks

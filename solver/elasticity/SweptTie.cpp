@@ -32,7 +32,13 @@ EdgePlace findEdge(const geometry::SectionMesh& mesh, const geometry::Point2& po
   throw std::invalid_argument("a tied node lies on no edge of the coarser section");
 }
 
-SweptTie::Station alongLine(const std::vector<double>& master, double at) {
+struct Place {
+  int left = 0, right = 0;
+  double leftCosine = 0, leftSine = 0, rightCosine = 0, rightSine = 0, leftWeight = 0, rightWeight = 0;
+  double extrapolation = 0;
+};
+
+Place alongLine(const std::vector<double>& master, double at) {
   int k = 0;
   while (k + 2 < static_cast<int>(master.size()) && master[k + 1] <= at) ++k;
   const double t = (at - master[k]) / (master[k + 1] - master[k]);
@@ -41,7 +47,7 @@ SweptTie::Station alongLine(const std::vector<double>& master, double at) {
 
 // On an arc the point r e(alpha) is sought as r' ((1 - t) e(alpha1) + t e(alpha2)): t and r' / r follow from the two
 // components; r' exceeds r, that is the extrapolation beyond the chord.
-SweptTie::Station aroundArc(const SweptBlock& master, double at, double radius, double layer) {
+Place aroundArc(const SweptBlock& master, double at, double radius, double layer) {
   const double full = 2 * std::acos(-1.0);
   const double start = master.positions.front();
   at = start + std::fmod(std::fmod(at - start, full) + full, full);
@@ -51,16 +57,65 @@ SweptTie::Station aroundArc(const SweptBlock& master, double at, double radius, 
   const double left = std::sin(angle - fromLeft), right = std::sin(fromLeft);  // weights up to a common factor
   const double t = right / (left + right);
   const double stretched = radius * (left + right) / std::sin(angle);
-  SweptTie::Station station;
-  station.left = k, station.right = (k + 1) % master.intervals;
-  station.leftWeight = 1 - t, station.rightWeight = t;
   // Turning from the master's basis at angle difference d = alpha(slave) - alpha(master): e_a(s) = c e_a(m) - ... so
   // u_a(s) = cos d u_a + sin d (-u_r) ... written for u_a = cos u_a(m) + sin u_b(m) with sin of the turn below.
   const double toLeft = fromLeft, toRight = fromLeft - angle;
-  station.leftCosine = (1 - t) * std::cos(toLeft), station.leftSine = -(1 - t) * std::sin(toLeft);
-  station.rightCosine = t * std::cos(toRight), station.rightSine = -t * std::sin(toRight);
-  station.extrapolation = (stretched - radius) / layer;
-  return station;
+  return {k,
+          (k + 1) % master.intervals,
+          (1 - t) * std::cos(toLeft),
+          -(1 - t) * std::sin(toLeft),
+          t * std::cos(toRight),
+          -t * std::sin(toRight),
+          1 - t,
+          t,
+          (stretched - radius) / layer};
+}
+
+void addStation(const Place& at, SweptTie& tie) {
+  auto& s = tie.stations;
+  const bool joins = !s.left.empty() && s.left.back() == at.left && s.right.back() == at.right;
+  const int station = static_cast<int>(s.left.size());
+  const int begun = tie.stretchEnd.size() > 1 ? tie.stretchEnd[tie.stretchEnd.size() - 2] : 0;
+  if (joins && station - begun < tieStations)
+    ++tie.stretchEnd.back();
+  else
+    tie.stretchEnd.push_back(station + 1);
+  tie.stretchOf.push_back(static_cast<int>(tie.stretchEnd.size()) - 1);
+  s.left.push_back(at.left), s.right.push_back(at.right);
+  s.leftCosine.push_back(at.leftCosine), s.leftSine.push_back(at.leftSine);
+  s.rightCosine.push_back(at.rightCosine), s.rightSine.push_back(at.rightSine);
+  s.leftWeight.push_back(at.leftWeight), s.rightWeight.push_back(at.rightWeight);
+  s.extrapolation.push_back(at.extrapolation);
+}
+
+// One column on `count` stations from `from` on: its masters' displacement, turned and weighted, three lines of
+// tieStations. The masters' values are the same on a whole stretch.
+void interpolateColumn(const SweptTie& tie, const SweptTie::Column& column, const SweptBlock& master,
+                       const double* state, int from, int count, double* out) {
+  const auto& at = tie.stations;
+  const bool hasInner = column.inner >= 0;
+  for (int first = from; first < from + count;) {
+    const int last = std::min(from + count, tie.stretchEnd[tie.stretchOf[first]]);
+    double outer[3][2], excess[3][2];  // component, left and right; excess of the outer over the inner
+    for (int c = 0; c < 3; ++c) {
+      const auto line = master.line(state, column.outer, c);
+      const auto inner = master.line(state, hasInner ? column.inner : column.outer, c);
+      outer[c][0] = line[at.left[first]], outer[c][1] = line[at.right[first]];
+      excess[c][0] = outer[c][0] - inner[at.left[first]], excess[c][1] = outer[c][1] - inner[at.right[first]];
+    }
+    for (int s = first; s < last; ++s) {
+      const double e = at.extrapolation[s];
+      const double leftA = outer[0][0] + e * excess[0][0], rightA = outer[0][1] + e * excess[0][1];
+      const double leftB = outer[1][0] + e * excess[1][0], rightB = outer[1][1] + e * excess[1][1];
+      const double leftC = outer[2][0] + e * excess[2][0], rightC = outer[2][1] + e * excess[2][1];
+      double* to = out + (s - from);
+      to[0] = at.leftCosine[s] * leftA + at.leftSine[s] * leftB + at.rightCosine[s] * rightA + at.rightSine[s] * rightB;
+      to[tieStations] =
+          at.leftCosine[s] * leftB - at.leftSine[s] * leftA + at.rightCosine[s] * rightB - at.rightSine[s] * rightA;
+      to[2 * tieStations] = at.leftWeight[s] * leftC + at.rightWeight[s] * rightC;
+    }
+    first = last;
+  }
 }
 
 }  // namespace
@@ -93,8 +148,9 @@ SweptTie makeTie(const std::vector<SweptBlock>& blocks, int slaveBlock, int mast
     if (around) radius = point[0], layer = point[0] - master.section.nodes[edge.firstInner][0];
   }
   for (int s = 0; s < slave.stationCount; ++s)
-    tie.stations.push_back(around ? aroundArc(master, slave.positions[s], radius, layer)
-                                  : alongLine(master.positions, slave.positions[s]));
+    addStation(
+        around ? aroundArc(master, slave.positions[s], radius, layer) : alongLine(master.positions, slave.positions[s]),
+        tie);
   return tie;
 }
 
@@ -102,10 +158,9 @@ std::size_t tieWorkspace(const SweptTie& tie) { return tie.columns.size() * 3 * 
 
 std::vector<StationSpan> slaveSpans(const SweptTie& tie, int firstMaster, int lastMaster) {
   std::vector<StationSpan> spans;
-  for (int s = 0; s < static_cast<int>(tie.stations.size()); ++s) {
-    const auto& at = tie.stations[s];
-    if (!((at.left >= firstMaster && at.left < lastMaster) || (at.right >= firstMaster && at.right < lastMaster)))
-      continue;
+  const auto isOwn = [&](int master) { return master >= firstMaster && master < lastMaster; };
+  for (int s = 0; s < static_cast<int>(tie.stretchOf.size()); ++s) {
+    if (!isOwn(tie.stations.left[s]) && !isOwn(tie.stations.right[s])) continue;
     if (!spans.empty() && spans.back().last == s)
       ++spans.back().last;
     else
@@ -124,34 +179,22 @@ void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& block
   const auto &slave = blocks[tie.slaveBlock], &master = blocks[tie.masterBlock];
   for (int from = span.first; from < span.last; from += most) {
     const int count = std::min(most, span.last - from);
-    for (std::size_t j = 0; j < tie.columns.size(); ++j) {
-      double* out = workspace + 3 * j * most;
-      std::fill(out, out + 3 * most, 0.0);
-      for (int layer = 0; layer < 2; ++layer) {
-        const int node = layer ? tie.columns[j].inner : tie.columns[j].outer;
-        if (node < 0) continue;
-        const auto a = master.line(state, node, 0), b = master.line(state, node, 1), c = master.line(state, node, 2);
-        for (int k = 0; k < count; ++k) {
-          const auto& at = tie.stations[from + k];
-          const double share = layer ? -at.extrapolation : 1 + at.extrapolation;
-          const double leftA = a[at.left], leftB = b[at.left], rightA = a[at.right], rightB = b[at.right];
-          out[k] +=
-              share * (at.leftCosine * leftA + at.leftSine * leftB + at.rightCosine * rightA + at.rightSine * rightB);
-          out[most + k] +=
-              share * (at.leftCosine * leftB - at.leftSine * leftA + at.rightCosine * rightB - at.rightSine * rightA);
-          out[2 * most + k] += share * (at.leftWeight * c[at.left] + at.rightWeight * c[at.right]);
-        }
-      }
-    }
+    for (std::size_t j = 0; j < tie.columns.size(); ++j)
+      interpolateColumn(tie, tie.columns[j], master, state, from, count, workspace + 3 * j * most);
     for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
       for (int c = 0; c < 3; ++c) {
         double sum[most] = {};
         for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e) {
           const double* value = workspace + (3 * static_cast<std::size_t>(tie.entryColumn[e]) + c) * most;
-          for (int k = 0; k < most; ++k) sum[k] += tie.entryWeight[e] * value[k];
+          for (int k = 0; k < count; ++k) sum[k] += tie.entryWeight[e] * value[k];
         }
         const auto line = slave.line(state, tie.slaveNodes[i], c);
-        for (int k = 0; k < count; ++k) line[from + k] = sum[k];
+        for (int k = from + most; k < std::min(from + 2 * most, span.last); k += 8) __builtin_prefetch(&line[k], 1, 2);
+        for (int at = from; at < from + count;) {  // within a chunk a line is one piece
+          const int stop = std::min(from + count, (at / SweptBlock::chunk + 1) * SweptBlock::chunk);
+          std::copy(sum + (at - from), sum + (stop - from), &line[at]);
+          at = stop;
+        }
       }
   }
   if (slave.closed && span.first == 0)

@@ -14,6 +14,13 @@
 
 namespace squat::elasticity {
 
+constexpr int tieStations = 64;
+
+// Stations [first, last).
+struct StationSpan {
+  int first = 0, last = 0;
+};
+
 struct SweptTie {
   int slaveBlock = 0, masterBlock = 0;
   std::vector<int> slaveNodes;
@@ -27,15 +34,16 @@ struct SweptTie {
   std::vector<int> entryStart, entryColumn;
   std::vector<double> entryWeight;
 
-  // Station weights, one per slave station: master stations left and right of it.
-  struct Station {
-    int left = 0, right = 0;
-    double leftCosine = 0, leftSine = 0, rightCosine = 0,
-           rightSine = 0;  // weight times turn from master to slave basis
-    double leftWeight = 0, rightWeight = 0;
-    double extrapolation = 0;
+  // Per slave station: master stations left and right of it, and weights. Those along components a and b are times the
+  // turn from the master's to the slave's basis.
+  struct Stations {
+    std::vector<int> left, right;
+    std::vector<double> leftCosine, leftSine, rightCosine, rightSine, leftWeight, rightWeight, extrapolation;
   };
-  std::vector<Station> stations;
+  Stations stations;
+  // Slave stations between the same two master stations follow each other: stretches of at most tieStations, by their
+  // ends, and the stretch of every station.
+  std::vector<int> stretchEnd, stretchOf;
 };
 
 // Slave nodes are given by the caller and must lie on edges of master quads (section coordinates); for around-axis
@@ -44,13 +52,7 @@ SweptTie makeTie(const std::vector<SweptBlock>& blocks, int slaveBlock, int mast
 
 // Workspace of a tie [doubles]: columns x 3 components x the stations that are worked on at a time. As many as fit the
 // first-level cache: with eight, memory came in pieces too short to be fetched ahead.
-constexpr int tieStations = 64;
 std::size_t tieWorkspace(const SweptTie& tie);
-
-// Stations [first, last).
-struct StationSpan {
-  int first = 0, last = 0;
-};
 
 // slave := interpolation of master, in a state vector (whole layout); at all stations, or at those of one span.
 void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace);
@@ -61,8 +63,9 @@ void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& block
 std::vector<StationSpan> slaveSpans(const SweptTie& tie, int firstMaster, int lastMaster);
 
 // The transpose: forces of the slaves, times `sign`, are added to master stations [firstMaster, lastMaster), whose
-// spans are given. `slaveLine(i, c)` gives the line of component c of slave node i, `masterLine(node, c)` that of a
-// master's section node. Threads may take ranges of master stations; sums are in the same order for any ranges.
+// spans are given; a span holds whole stretches. `slaveLine(i, c)` gives the line of component c of slave node i,
+// `masterLine(node, c)` that of a master's section node. Threads may take ranges of master stations; sums are in the
+// same order for any ranges.
 template <typename SlaveLine, typename MasterLine>
 void transferForces(const SweptTie& tie, double sign, const SlaveLine& slaveLine, const MasterLine& masterLine,
                     double* workspace, int firstMaster, int lastMaster, const std::vector<StationSpan>& spans);

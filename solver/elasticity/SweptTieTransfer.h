@@ -6,6 +6,27 @@
 
 namespace squat::elasticity {
 
+// What one column passes on from the stations of one stretch, [first, last), to its masters left and right of them:
+// forces of the outer one, and their moments by which the inner one pulls against it. Lines of `force` begin at `from`.
+struct StretchSums {
+  double outer[3][2] = {}, excess[3][2] = {};  // component, left and right
+
+  StretchSums(const SweptTie::Stations& at, const double* force, int from, int first, int last) {
+    for (int s = first; s < last; ++s) {
+      const double a = force[s - from], b = force[tieStations + s - from], c = force[2 * tieStations + s - from];
+      const double parts[3][2] = {
+          {at.leftCosine[s] * a - at.leftSine[s] * b, at.rightCosine[s] * a - at.rightSine[s] * b},
+          {at.leftSine[s] * a + at.leftCosine[s] * b, at.rightSine[s] * a + at.rightCosine[s] * b},
+          {at.leftWeight[s] * c, at.rightWeight[s] * c}};
+      for (int k = 0; k < 3; ++k)
+        for (int side = 0; side < 2; ++side) {
+          outer[k][side] += parts[k][side];
+          excess[k][side] += at.extrapolation[s] * parts[k][side];
+        }
+    }
+  }
+};
+
 template <typename SlaveLine, typename MasterLine>
 void transferForces(const SweptTie& tie, double sign, const SlaveLine& slaveLine, const MasterLine& masterLine,
                     double* workspace, int firstMaster, int lastMaster, const std::vector<StationSpan>& spans) {
@@ -14,41 +35,35 @@ void transferForces(const SweptTie& tie, double sign, const SlaveLine& slaveLine
   for (int i = 0; i < static_cast<int>(tie.slaveNodes.size()); ++i)
     for (int c = 0; c < 3; ++c) slaves.push_back(slaveLine(i, c));
   const std::size_t sums = 3 * tie.columns.size();
+  const auto endOf = [&](int station) { return tie.stretchEnd[tie.stretchOf[station]]; };
   for (const auto& span : spans)
-    for (int from = span.first; from < span.last; from += most) {
-      const int count = std::min(most, span.last - from);
+    for (int from = span.first, end = from; from < span.last; from = end) {
+      while (end < span.last && endOf(end) - from <= most) end = endOf(end);
+      const int count = end - from;
       std::fill(workspace, workspace + sums * most, 0.0);
       for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
         for (int c = 0; c < 3; ++c) {
-          double force[most] = {};
+          for (int k = end; k < std::min(end + most, span.last); k += 8)
+            __builtin_prefetch(&slaves[3 * i + c][k], 0, 2);
+          double force[most];
           for (int k = 0; k < count; ++k) force[k] = slaves[3 * i + c][from + k];
           for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e) {
             double* sum = workspace + (3 * static_cast<std::size_t>(tie.entryColumn[e]) + c) * most;
             const double weight = sign * tie.entryWeight[e];
-            for (int k = 0; k < most; ++k) sum[k] += weight * force[k];
+            for (int k = 0; k < count; ++k) sum[k] += weight * force[k];
           }
         }
       for (std::size_t j = 0; j < tie.columns.size(); ++j)
-        for (int layer = 0; layer < 2; ++layer) {
-          const int node = layer ? tie.columns[j].inner : tie.columns[j].outer;
-          if (node < 0) continue;
-          const double* f = workspace + 3 * j * most;
-          const auto a = masterLine(node, 0), b = masterLine(node, 1), c = masterLine(node, 2);
-          for (int k = 0; k < count; ++k) {
-            const auto& at = tie.stations[from + k];
-            const double share = layer ? -at.extrapolation : 1 + at.extrapolation;
-            const double fa = share * f[k], fb = share * f[most + k], fc = share * f[2 * most + k];
-            if (at.left >= firstMaster && at.left < lastMaster) {
-              a[at.left] += at.leftCosine * fa - at.leftSine * fb;
-              b[at.left] += at.leftSine * fa + at.leftCosine * fb;
-              c[at.left] += at.leftWeight * fc;
+        for (int first = from; first < end; first = endOf(first)) {
+          const StretchSums passed(tie.stations, workspace + 3 * j * most, from, first, endOf(first));
+          const int masters[2] = {tie.stations.left[first], tie.stations.right[first]};
+          for (int c = 0; c < 3; ++c)
+            for (int side = 0; side < 2; ++side) {
+              if (masters[side] < firstMaster || masters[side] >= lastMaster) continue;
+              masterLine(tie.columns[j].outer, c)[masters[side]] += passed.outer[c][side] + passed.excess[c][side];
+              if (tie.columns[j].inner >= 0)
+                masterLine(tie.columns[j].inner, c)[masters[side]] -= passed.excess[c][side];
             }
-            if (at.right >= firstMaster && at.right < lastMaster) {
-              a[at.right] += at.rightCosine * fa - at.rightSine * fb;
-              b[at.right] += at.rightSine * fa + at.rightCosine * fb;
-              c[at.right] += at.rightWeight * fc;
-            }
-          }
         }
     }
 }

@@ -9,6 +9,10 @@ namespace {
 
 constexpr int vectorMultiple = 8;  // intervals that stay together
 
+// A node that turns with its body costs more than one along a line: its basis turns with the station and the step, its
+// moment is summed.
+constexpr double turningCost = 1.2;
+
 KernelCall callFor(const SweptBlock& block, int index, int first, int count, const double* source,
                    KernelScratch& scratch) {
   KernelCall call;
@@ -85,22 +89,24 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
                                             int parts) {
-  const auto elementsAt = [&](int b) { return static_cast<double>(blocks[b].section.quads.size()) * vectorMultiple; };
+  const auto costAt = [&](int b) {
+    return blocks[b].nodes * (blocks[b].kind == SweepKind::aroundAxis ? turningCost : 1.0);
+  };
   double total = 0;
-  for (const int b : which) total += static_cast<double>(blocks[b].elements());
+  for (const int b : which) total += costAt(b) * (blocks[b].intervals / vectorMultiple);
   std::vector<std::vector<Segment>> lists(parts);
   double done = 0;
   for (const int b : which)
     for (int at = 0; at < blocks[b].intervals; at += vectorMultiple) {
-      const double elements = elementsAt(b);
+      const double cost = costAt(b);
       // To the part in whose share the middle of these intervals lies.
-      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * elements) / total * parts));
+      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * cost) / total * parts));
       auto& list = lists[part];
       if (!list.empty() && list.back().block == b)
         list.back().count += vectorMultiple;
       else
         list.push_back({b, at, vectorMultiple});
-      done += elements;
+      done += cost;
     }
   return lists;
 }
@@ -144,17 +150,13 @@ std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const
   return ends;
 }
 
-void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
-              const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
-              std::vector<SegmentEnds>& ends) {
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const int first = segments[i].first, count = segments[i].count;
-    const auto& block = blocks[segments[i].block];
-    startCarry(block, segments[i].block, *steps[segments[i].block].kernels, first, source, scratch);
-    std::copy_n(scratch.carry.begin(), 3 * block.nodes, ends[i].carry.begin());
-    for (int n = 0; n < block.nodes; ++n)
-      for (int c = 0; c < 3; ++c) ends[i].after[3 * n + c] = source[block.index(n, c, first + count)];
-  }
+void readEnd(const Segment& segment, const std::vector<SweptBlock>& blocks, const std::vector<BlockStep>& steps,
+             const double* source, KernelScratch& scratch, SegmentEnds& end) {
+  const auto& block = blocks[segment.block];
+  startCarry(block, segment.block, *steps[segment.block].kernels, segment.first, source, scratch);
+  std::copy_n(scratch.carry.begin(), 3 * block.nodes, end.carry.begin());
+  for (int n = 0; n < block.nodes; ++n)
+    for (int c = 0; c < 3; ++c) end.after[3 * n + c] = source[block.index(n, c, segment.first + segment.count)];
 }
 
 void advanceSegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,

@@ -17,7 +17,7 @@ struct Segment {
   int block = 0, first = 0, count = 0;  // intervals, multiples of 8
 };
 
-// Cuts the intervals of the named blocks into `parts` lists of about as many elements each.
+// Cuts the intervals of the named blocks into `parts` lists of about equal cost.
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
                                             int parts);
 
@@ -49,16 +49,15 @@ struct BlockStep {
 };
 
 // What a step in place needs of a segment's surroundings as they were before anybody wrote: room for it by
-// segmentEnds(), filled by readEnds(), which all threads must have done before any of them advances in place.
+// segmentEnds(), filled by readEnd() for every segment before anybody advances in place.
 struct SegmentEnds {
   AlignedVector carry;        // what the interval before the segment adds, nodes x 3
   std::vector<double> after;  // KernelCall
 };
 
 std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks);
-void readEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
-              const std::vector<BlockStep>& steps, const double* source, KernelScratch& scratch,
-              std::vector<SegmentEnds>& ends);
+void readEnd(const Segment& segment, const std::vector<SweptBlock>& blocks, const std::vector<BlockStep>& steps,
+             const double* source, KernelScratch& scratch, SegmentEnds& end);
 
 // One step of the central difference. `target` may be `source` where `ends` are given: a step then moves a fifth less
 // memory.

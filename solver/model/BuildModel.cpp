@@ -40,15 +40,15 @@ void passSlaveMass(Model& model, const elasticity::SweptTie& tie) {
   for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
     for (int s = 0; s < slave.stationCount; ++s) {
       double& own = from[tie.slaveNodes[i] * slave.stride + s];
-      const auto& at = tie.stations[s];
+      const auto& at = tie.stations;
       for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e) {
         const auto& column = tie.columns[tie.entryColumn[e]];
         for (int layer = 0; layer < 2; ++layer) {
           const int node = layer ? column.inner : column.outer;
           if (node < 0) continue;
-          const double share = own * tie.entryWeight[e] * (layer ? -at.extrapolation : 1 + at.extrapolation);
-          to[node * master.stride + at.left] += share * at.leftWeight;
-          to[node * master.stride + at.right] += share * at.rightWeight;
+          const double share = own * tie.entryWeight[e] * (layer ? -at.extrapolation[s] : 1 + at.extrapolation[s]);
+          to[node * master.stride + at.left[s]] += share * at.leftWeight[s];
+          to[node * master.stride + at.right[s]] += share * at.rightWeight[s];
         }
       }
       own = 0;

@@ -55,13 +55,13 @@ class RollingContactTest : public testing::Test {
     wheel_.placement.hubX = along, wheel_.placement.hubZ = -depth;
   }
 
-  PatchState roll(const ContactLaw& with = law) {
+  PatchState roll(const ContactLaw& with = law, const std::vector<RailPoint>* among = nullptr) {
     std::fill(railBuffer_.begin(), railBuffer_.end(), 0.0);
     std::fill(rimBuffer_.begin(), rimBuffer_.end(), 0.0);
     points_.clear();
     return rollContact(tiny().surfaces, tiny().blocks[tiny().rail], tiny().blocks[tiny().rim], with, wheel_,
                        displaced_.data(), velocity_.data(), step, history_, {railBuffer_.data(), railLines_.data()},
-                       {rimBuffer_.data(), rimLines_.data()}, &points_);
+                       {rimBuffer_.data(), rimLines_.data()}, &points_, nullptr, among);
   }
 
   Eigen::Vector3d resultant(int block, const std::vector<int>& lineOfNode, const std::vector<double>& buffer) const {
@@ -110,6 +110,27 @@ TEST_F(RollingContactTest, PenetrationIsTheGapOfTheSurfaces) {
   EXPECT_NEAR(patch.vertical, law.normalPenalty * volume, 0.1 * law.normalPenalty * volume);
   EXPECT_LE(patch.deepest, approach * (1 + 1e-9));
   EXPECT_EQ(patch.points, static_cast<int>(points_.size()));
+}
+
+// Points within 0.05 mm hold all that touch while the wheel sinks and rolls by less than that; the gap grows with
+// x^2 / 2R + y^2 / 2r, so that they fill an ellipse as much larger than the patch as (depth + margin) / depth.
+TEST_F(RollingContactTest, PointsWithinAMarginAreEnoughUntilTheGapHasClosedByIt) {
+  constexpr double margin = 5e-5;
+  const auto near = pointsWithin(margin, tiny().surfaces, tiny().blocks[tiny().rail], tiny().blocks[tiny().rim],
+                                 wheel_.placement, displaced_.data());
+  const int before = roll().points;
+  EXPECT_NEAR(static_cast<double>(near.size()), before * (1 + margin / approach), 0.35 * before);
+  lower(approach + 0.9 * margin, 2e-5);
+  const FrictionHistory untouched{std::vector<double>(history_.traction.size(), 0.0), {}};
+  history_ = untouched;
+  const auto all = roll();
+  const double vertical = onRail()[2];
+  history_ = untouched;
+  const auto among = roll(law, &near);
+  EXPECT_GT(all.points, before);
+  EXPECT_EQ(among.points, all.points);
+  EXPECT_EQ(among.vertical, all.vertical);
+  EXPECT_EQ(onRail()[2], vertical);
 }
 
 TEST_F(RollingContactTest, ForcesAreEqualAndOpposite) {

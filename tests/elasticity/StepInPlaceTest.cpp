@@ -85,7 +85,8 @@ class Stepper {
     std::vector<std::vector<SegmentEnds>> ends;
     for (const auto& segments : work) {
       ends.push_back(segmentEnds(segments, blocks_));
-      readEnds(segments, blocks_, steps_, now.displaced.data(), scratch, ends.back());
+      for (std::size_t i = 0; i < segments.size(); ++i)
+        readEnd(segments[i], blocks_, steps_, now.displaced.data(), scratch, ends.back()[i]);
     }
     for (std::size_t i = 0; i < work.size(); ++i)
       advanceSegments(work[i], blocks_, steps_, 1e-7, now.displaced.data(), now.displaced.data(), now.velocity.data(),
