@@ -109,6 +109,7 @@ struct MeshSizes {
   int wheelSectors = 0;           // sectors of the coarse wheel body
   double rimDepth = 0;            // [m] depth of the finely meshed rim
   int precision = 0;              // index of ElementPrecision
+  bool coarseWeb = false;         // three columns of the band become one below the upper head
   bool selectiveInertia = false;  // waves as short as the elements are slowed
 };
 

@@ -19,6 +19,7 @@ const std::vector<PresetRow>& presetTable() {
       {"mesh.section_size", {"24", "16", "10", "10"}},
       {"mesh.section_growth", {"1.7", "1.5", "1.33", "1.33"}},
       {"mesh.band_half_width", {"10", "7.8", "7.8", "7.8"}},
+      {"mesh.coarse_web", {"false", "false", "true", "false"}},
       {"mesh.fine_before", {"6", "20", "20", "20"}},
       {"mesh.fine_start", {"15", "12", "20", "20"}},
       {"mesh.wheel_sectors", {"24", "48", "64", "96"}},

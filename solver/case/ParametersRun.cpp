@@ -90,6 +90,11 @@ void addMesh(Rows& rows) {
   rows.push_back(number(
       "mesh.band_half_width", millimetre, 7.8, {2, 25}, [](Case& c) -> double& { return c.mesh.bandHalfWidth; },
       "lateral half width of the contact band that has mesh.contact_size", preset));
+  rows.push_back(boolean(
+      "mesh.coarse_web", false, [](Case& c) -> bool& { return c.mesh.coarseWeb; },
+      "three columns of elements of the rail's contact band become one below the upper head and in the web, where half "
+      "the band has a multiple of three",
+      preset));
   rows.push_back(number(
       "mesh.fine_before", millimetre, 20, {0, 500}, [](Case& c) -> double& { return c.mesh.fineBefore; },
       "fine zone before the first and behind the last point of the defect", preset));

@@ -196,11 +196,18 @@ SectionMesh railSectionMesh(const RailSectionSizes& sizes) {
   std::vector<double> upwards(depth.rbegin(), depth.rend());
   for (auto& s : upwards) s = 1 - s;
 
+  // From the first row on that is four times as high as the band's quads are wide: deeper than the patch is long.
+  int coarseRows = 0;
+  if (sizes.coarseBelow && columns % 3 == 0)
+    while (coarseRows + 1 < headRows && (upwards[coarseRows + 2] - upwards[coarseRows + 1]) * -headCentre > 4 * h)
+      ++coarseRows;
+  const int lowColumns = coarseRows > 0 ? columns / 3 : columns;
+
   BlockMesher mesher(1e-7);
   // Head, middle part: columns from the axis to the line from the fillet up to the band edge.
   const Polyline axisHead = straight({0, headCentre}, {0, 0}, upwards);
   const Polyline divide = straight(headMiddle, inner.back(), upwards);
-  mesher.addBlock(straight({0, headCentre}, headMiddle, uniform(columns)), inner, axisHead, divide);
+  mesher.addBlock(straight({0, headCentre}, headMiddle, uniform(columns)), inner, axisHead, divide, coarseRows);
   // Head, side part.
   std::vector<double> sideRows = uniform(headRows);
   mesher.addBlock(sample(out.underside, uniform(sideColumns)), outer, divide, [&] {
@@ -213,16 +220,16 @@ SectionMesh railSectionMesh(const RailSectionSizes& sizes) {
   const int webRows = std::max(4, static_cast<int>(std::ceil(webLength / sizes.sectionSize)));
   Polyline webSide = sample(out.web, uniform(webRows));
   std::reverse(webSide.begin(), webSide.end());
-  mesher.addBlock(straight({0, footCentre}, footMiddle, uniform(columns)),
-                  straight({0, headCentre}, headMiddle, uniform(columns)),
+  mesher.addBlock(straight({0, footCentre}, footMiddle, uniform(lowColumns)),
+                  straight({0, headCentre}, headMiddle, uniform(lowColumns)),
                   straight({0, footCentre}, {0, headCentre}, uniform(webRows)), webSide);
   // Foot.
   const int footRows = std::max(2, static_cast<int>(std::lround(footEdge / std::max(0.5 * sizes.sectionSize, h))));
   const int footColumns = std::max(3, static_cast<int>(std::ceil(lengthOf(out.footTop) / (1.2 * sizes.sectionSize))));
   const Point2 baseMiddle{footMiddle[0] + 0.004, -height};
   const Polyline footDivide = straight(baseMiddle, footMiddle, uniform(footRows));
-  mesher.addBlock(straight({0, -height}, baseMiddle, uniform(columns)),
-                  straight({0, footCentre}, footMiddle, uniform(columns)),
+  mesher.addBlock(straight({0, -height}, baseMiddle, uniform(lowColumns)),
+                  straight({0, footCentre}, footMiddle, uniform(lowColumns)),
                   straight({0, -height}, {0, footCentre}, uniform(footRows)), footDivide);
   mesher.addBlock(straight(baseMiddle, {footHalf, -height}, uniform(footColumns)),
                   sample(out.footTop, uniform(footColumns)), footDivide,

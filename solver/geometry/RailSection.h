@@ -28,6 +28,8 @@ struct RailSectionSizes {
   double bandHalfWidth = 0;  // [m]
   double sectionSize = 0;    // [m] largest quads
   double growth = 0;         // [-] of neighbouring quads away from the band
+  // Below the upper head, three columns of the band become one: where half the band has a multiple of three.
+  bool coarseBelow = false;
 };
 SectionMesh railSectionMesh(const RailSectionSizes& sizes);
 

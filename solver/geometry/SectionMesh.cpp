@@ -82,7 +82,7 @@ int BlockMesher::node(const Point2& point) {
 }
 
 void BlockMesher::addBlock(const std::vector<Point2>& bottom, const std::vector<Point2>& top,
-                           const std::vector<Point2>& left, const std::vector<Point2>& right) {
+                           const std::vector<Point2>& left, const std::vector<Point2>& right, int coarseRows) {
   const int n = static_cast<int>(bottom.size()) - 1, m = static_cast<int>(left.size()) - 1;
   // Normalised positions along each edge steer the interpolation, so that gradings carry into the block.
   const auto lengths = [](const std::vector<Point2>& edge) {
@@ -92,9 +92,9 @@ void BlockMesher::addBlock(const std::vector<Point2>& bottom, const std::vector<
     return s;
   };
   const auto sBottom = lengths(bottom), sTop = lengths(top), sLeft = lengths(left), sRight = lengths(right);
-  std::vector<int> ids((n + 1) * (m + 1));
+  std::vector<std::vector<int>> ids(m + 1);
   for (int j = 0; j <= m; ++j) {
-    for (int i = 0; i <= n; ++i) {
+    for (int i = 0; i <= n; i += j <= coarseRows && coarseRows > 0 ? 3 : 1) {
       // Parameters at the crossing of the two straight lines in the unit square.
       const double a = sBottom[i], da = sTop[i] - a, e = sLeft[j], de = sRight[j] - e;
       const double u = (a + da * e) / (1 - da * de), v = e + de * u;
@@ -109,13 +109,38 @@ void BlockMesher::addBlock(const std::vector<Point2>& bottom, const std::vector<
       if (j == m) p = top[i];
       if (i == 0) p = left[j];
       if (i == n) p = right[j];
-      ids[j * (n + 1) + i] = node(p);
+      ids[j].push_back(node(p));
     }
   }
-  for (int j = 0; j < m; ++j)
-    for (int i = 0; i < n; ++i)
-      mesh_.quads.push_back(
-          {ids[j * (n + 1) + i], ids[j * (n + 1) + i + 1], ids[(j + 1) * (n + 1) + i + 1], ids[(j + 1) * (n + 1) + i]});
+  for (int j = 0; j < m; ++j) {
+    const auto &below = ids[j], &above = ids[j + 1];
+    if (below.size() < above.size()) {
+      addJoiningRow(below, above);
+      continue;
+    }
+    for (std::size_t i = 0; i + 1 < below.size(); ++i)
+      mesh_.quads.push_back({below[i], below[i + 1], above[i + 1], above[i]});
+  }
+}
+
+// Three quads above, one below: two nodes within make a trapezoid on the coarse edge and three quads on it. They stand
+// as high as a fine quad is wide and a quarter, which leaves no corner below 35 degrees.
+void BlockMesher::addJoiningRow(const std::vector<int>& below, const std::vector<int>& above) {
+  for (std::size_t k = 0; k + 1 < below.size(); ++k) {
+    const int left = below[k], right = below[k + 1];
+    const int* top = above.data() + 3 * k;
+    const auto inner = [&](int column) {
+      const auto &a = mesh_.nodes[left], &b = mesh_.nodes[right], &up = mesh_.nodes[top[column]];
+      const Point2 foot{a[0] + column / 3.0 * (b[0] - a[0]), a[1] + column / 3.0 * (b[1] - a[1])};
+      const double part = std::min(0.5, 1.25 / 3 * distance(a, b) / distance(foot, up));
+      return node({foot[0] + part * (up[0] - foot[0]), foot[1] + part * (up[1] - foot[1])});
+    };
+    const int first = inner(1), second = inner(2);
+    mesh_.quads.push_back({left, right, second, first});
+    mesh_.quads.push_back({left, first, top[1], top[0]});
+    mesh_.quads.push_back({first, second, top[2], top[1]});
+    mesh_.quads.push_back({second, right, top[3], top[2]});
+  }
 }
 
 void BlockMesher::mirror() {

@@ -36,18 +36,20 @@ SectionIntegrals sectionIntegrals(const SectionMesh& mesh);
 
 // A structured block of quads between four edges (transfinite interpolation). bottom and top run in the first
 // direction, left and right in the second; corners must coincide. The first direction crossed with the second must
-// point along the sweep.
+// point along the sweep. The lowest `coarseRows` rows have one quad where the others have three side by side, with a
+// row between that joins them; the columns are a multiple of three then.
 class BlockMesher {
  public:
   explicit BlockMesher(double mergeTolerance) : tolerance_(mergeTolerance) {}
   void addBlock(const std::vector<Point2>& bottom, const std::vector<Point2>& top, const std::vector<Point2>& left,
-                const std::vector<Point2>& right);
+                const std::vector<Point2>& right, int coarseRows = 0);
   // Adds all quads so far mirrored at b = 0.
   void mirror();
   SectionMesh take() { return std::move(mesh_); }
 
  private:
   int node(const Point2& point);
+  void addJoiningRow(const std::vector<int>& below, const std::vector<int>& above);
   double tolerance_;
   SectionMesh mesh_;
 };

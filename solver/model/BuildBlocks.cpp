@@ -158,8 +158,8 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   const RollingStretch stretch = rollingStretch(d, railStart, railEnd);
   elasticity::SweptBlock rail;
   rail.name = "rail";
-  rail.section =
-      geometry::railSectionMesh({d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize, d.mesh.sectionGrowth});
+  rail.section = geometry::railSectionMesh(
+      {d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize, d.mesh.sectionGrowth, d.mesh.coarseWeb});
   rail.stations = stretch.rail;
   rail.material = d.rail.material;
   const contact::Seat seat = contact::seatOf(d);
