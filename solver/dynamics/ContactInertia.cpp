@@ -8,7 +8,7 @@ namespace squat::dynamics {
 
 namespace {
 
-constexpr int group = elasticity::stationGroup;
+constexpr int unit = elasticity::stationUnit;
 
 std::size_t placeOf(const elasticity::SweptBlock& block, int node, int station) {
   constexpr int chunk = elasticity::SweptBlock::chunk;
@@ -16,11 +16,6 @@ std::size_t placeOf(const elasticity::SweptBlock& block, int node, int station) 
           static_cast<std::size_t>(node)) *
              chunk +
          static_cast<std::size_t>(station % chunk);
-}
-
-// Clusters that share their inertia along the sweep as well hold this station.
-bool inBlock(const elasticity::SweptBlock& block, int station) {
-  return station < block.intervals && !block.inertia.along[static_cast<std::size_t>(block.runOf(station))].empty();
 }
 
 }  // namespace
@@ -31,7 +26,7 @@ ContactInertia::ContactInertia(const model::Model& model, double penalty, double
     Side& side = sides_[index];
     const auto& block = model.blocks[b];
     side.block = &block, side.mass = &model.mass[b];
-    side.groups = (block.intervals + group - 1) / group;
+    side.units = block.intervals / unit;
     side.clusterOf.assign(static_cast<std::size_t>(block.nodes), -1), side.rankOf = side.clusterOf;
     const auto& clusters = block.inertia.clusters;
     for (std::size_t k = 0; k < clusters.size(); ++k)
@@ -39,7 +34,7 @@ ContactInertia::ContactInertia(const model::Model& model, double penalty, double
         side.clusterOf[block.order.nodes[row]] = static_cast<int>(k);
         side.rankOf[block.order.nodes[row]] = row - clusters[k].first;
       }
-    side.slotOf.assign(clusters.size() * static_cast<std::size_t>(side.groups), -1);
+    side.slotOf.assign(clusters.size() * static_cast<std::size_t>(side.units), -1);
     side.nextOf.assign(side.slotOf.size(), 0);
   }
 }
@@ -63,16 +58,17 @@ void ContactInertia::applySide(Side& side, const std::vector<contact::AreaShare>
   for (const auto& share : shares) {
     added_ += massPerArea_ * share.area;
     const int cluster = side.clusterOf[share.node];
-    if (cluster < 0 || !inBlock(block, share.station)) {
+    const auto group = stationGroup(block, share.station);
+    if (cluster < 0 || group.count == 1) {
       double& now = inverse[placeOf(block, share.node, share.station)];
       now = 1 / (1 / now + massPerArea_ * share.area);
       side.single.push_back(static_cast<std::size_t>(share.node) * block.stride + share.station);
       continue;
     }
-    const int key = cluster * side.groups + share.station / group;
+    const int key = cluster * side.units + group.first / unit;
     int& at = side.nextOf[key];
-    if (at == 0) side.next.push_back({key, Areas{}}), at = static_cast<int>(side.next.size());
-    side.next[at - 1].second[side.rankOf[share.node] * group + share.station % group] += share.area;
+    if (at == 0) side.next.push_back({key, group.count, {}}), at = static_cast<int>(side.next.size());
+    side.next[at - 1].areas[side.rankOf[share.node] * group.count + share.station - group.first] += share.area;
   }
   applyBlocks(side, inverse);
 }
@@ -85,7 +81,7 @@ void ContactInertia::applyBlocks(Side& side, double* inverse) {
     weigh(side, touched, inverse);
     touched.used = false, side.slotOf[touched.key] = -1;
   }
-  for (const auto& [key, areas] : side.next) {
+  for (const auto& [key, stations, areas] : side.next) {
     side.nextOf[key] = 0;
     int& slot = side.slotOf[key];
     if (slot >= 0 && side.slots[slot].areas == areas) continue;
@@ -96,7 +92,7 @@ void ContactInertia::applyBlocks(Side& side, double* inverse) {
       if (free == side.slots.end()) side.slots.emplace_back(), side.filters.emplace_back();
     }
     auto& touched = side.slots[slot];
-    touched.key = key, touched.areas = areas, touched.used = true;
+    touched.key = key, touched.stations = stations, touched.areas = areas, touched.used = true;
     weigh(side, touched, inverse);
     side.filters[slot] = {touched.values.data(), touched.singleValues.data()};
   }
@@ -104,17 +100,17 @@ void ContactInertia::applyBlocks(Side& side, double* inverse) {
 
 void ContactInertia::weigh(Side& side, Touched& touched, double* inverse) const {
   const auto& block = *side.block;
-  const auto& rows = block.inertia.clusters[touched.key / side.groups];
-  const int first = touched.key % side.groups * group;
+  const auto& rows = block.inertia.clusters[touched.key / side.units];
+  const int first = touched.key % side.units * unit, stations = touched.stations;
   const std::vector<int> nodes(block.order.nodes.begin() + rows.first, block.order.nodes.begin() + rows.end);
   std::vector<double> mass;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (int s = 0; s < group; ++s) {
+    for (int s = 0; s < stations; ++s) {
       const double bare = (*side.mass)[static_cast<std::size_t>(nodes[i]) * block.stride + first + s];
-      mass.push_back(bare + massPerArea_ * touched.areas[i * group + s]);
+      mass.push_back(bare + massPerArea_ * touched.areas[i * stations + s]);
       inverse[placeOf(block, nodes[i], first + s)] = 1 / mass.back();
     }
-  touched.values = elasticity::blockFilter(block, nodes, mass);
+  touched.values = elasticity::blockFilter(block, nodes, stations, mass);
   touched.singleValues.assign(touched.values.begin(), touched.values.end());
 }
 

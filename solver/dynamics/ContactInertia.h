@@ -41,11 +41,12 @@ class ContactInertia {
   double addedMass() const { return added_; }  // [kg] in both bodies together, as last applied
 
  private:
-  static constexpr int most = elasticity::mostRows * elasticity::stationGroup;
+  static constexpr int most = elasticity::mostRows * elasticity::mostStations;
   using Areas = std::array<double, most>;  // [m2] per node of a cluster and station
-  // A cluster on eight stations that the patch touches.
+  // A cluster on stations that share their inertia, where the patch touches it.
   struct Touched {
-    int key = 0;  // cluster * groups + group
+    int key = 0;  // cluster * units + unit of the first station
+    int stations = 0;
     Areas areas{};
     std::vector<double> values;  // KernelFilter
     std::vector<float> singleValues;
@@ -54,12 +55,16 @@ class ContactInertia {
   struct Side {
     const elasticity::SweptBlock* block = nullptr;
     const AlignedVector* mass = nullptr;  // bare, in lines
-    int groups = 0;
-    std::vector<int> clusterOf, rankOf;  // per section node: cluster and place in it, or -1
-    std::vector<Touched> slots;          // used or free
-    std::vector<int> slotOf;             // per key, or -1
+    int units = 0;                        // of eight stations
+    std::vector<int> clusterOf, rankOf;   // per section node: cluster and place in it, or -1
+    std::vector<Touched> slots;           // used or free
+    std::vector<int> slotOf;              // per key, or -1
     std::vector<elasticity::KernelFilter> filters;
-    std::vector<std::pair<int, Areas>> next;
+    struct Next {
+      int key = 0, stations = 0;
+      Areas areas{};
+    };
+    std::vector<Next> next;
     std::vector<int> nextOf;          // per key: 1 + index into next, 0 where there is none
     std::vector<std::size_t> single;  // heavy nodes outside such blocks
   };

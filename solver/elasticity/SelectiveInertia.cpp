@@ -1,6 +1,7 @@
 #include "elasticity/SelectiveInertia.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,16 +41,14 @@ double massOfInterval(const SweptBlock& block, double length) {
   return block.kind == SweepKind::aroundAxis ? std::sin(length) : length;
 }
 
-// Projection of eight stations; `before`: mass of the interval ahead of the first, `own` of all others.
-std::array<double, 64> alongProjection(double before, double own) {
-  Eigen::MatrixXd given(stationGroup, 2);
-  Eigen::VectorXd mass = Eigen::VectorXd::Constant(stationGroup, own);
+// Projection on `stations` stations; `before`: mass of the interval ahead of the first, `own` of all others.
+Eigen::MatrixXd alongProjection(int stations, double before, double own) {
+  Eigen::MatrixXd given(stations, 2);
+  Eigen::VectorXd mass = Eigen::VectorXd::Constant(stations, own);
   mass[0] = 0.5 * (before + own);
-  for (int i = 0; i < stationGroup; ++i) given.row(i) << 1, i - 3.5;
+  for (int i = 0; i < stations; ++i) given.row(i) << 1, i - 0.5 * (stations - 1);
   const Eigen::MatrixXd kept = orthonormal(given, mass);
-  std::array<double, 64> projection{};
-  Eigen::Map<Eigen::Matrix<double, 8, 8>>(projection.data()) = kept * kept.transpose() * mass.asDiagonal();
-  return projection;
+  return kept * kept.transpose() * mass.asDiagonal();
 }
 
 // Mass of each section node at a station amid a run: in proportion the same at every station.
@@ -91,16 +90,30 @@ SelectiveInertia selectiveInertia(const SweptBlock& block) {
   for (std::size_t r = 0; r < runs.size(); ++r) {
     if (runs[r].length > block.shortLength) continue;
     const double before = r > 0 ? runs[r - 1].length : block.closed ? runs.back().length : 0.0;
-    for (const double ahead : {before, runs[r].length}) {
-      const auto projection = alongProjection(massOfInterval(block, ahead), massOfInterval(block, runs[r].length));
-      out.along[r].insert(out.along[r].end(), projection.begin(), projection.end());
-    }
+    out.along[r].resize(projectionsSize);
+    const double own = massOfInterval(block, runs[r].length);
+    for (const int stations : {stationUnit, mostStations})
+      for (const bool isFirst : {true, false}) {
+        const auto projection = alongProjection(stations, isFirst ? massOfInterval(block, before) : own, own);
+        std::copy_n(projection.data(), projection.size(),
+                    out.along[r].data() + projectionPlace[stations == mostStations][!isFirst]);
+      }
     out.singleAlong[r].assign(out.along[r].begin(), out.along[r].end());
   }
   return out;
 }
 
-std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>& cluster,
+StationGroup stationGroup(const SweptBlock& block, int station) {
+  if (station >= block.intervals || block.inertia.along.empty()) return {station, 1};
+  const auto r = static_cast<std::size_t>(block.runOf(station));
+  if (block.inertia.along[r].empty()) return {station, 1};
+  const int first = station / mostStations * mostStations;
+  const auto [begin, end] = block.runIntervals[r];
+  if (first >= begin && first + mostStations <= end) return {first, mostStations};
+  return {station / stationUnit * stationUnit, stationUnit};
+}
+
+std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int stations,
                                 const std::vector<double>& mass) {
   const auto count = static_cast<Eigen::Index>(mass.size()), rows = static_cast<Eigen::Index>(cluster.size());
   Eigen::Matrix<double, Eigen::Dynamic, keptInBlock> given(count, keptInBlock);
@@ -109,9 +122,9 @@ std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>&
     for (int k = 0; k < 2; ++k) middle[k] += block.section.nodes[n][k] / static_cast<double>(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const auto& p = block.section.nodes[cluster[i]];
-    for (int s = 0; s < stationGroup; ++s) {
-      const double along = s - 3.5, b = (p[0] - middle[0]) * 1e3, c = (p[1] - middle[1]) * 1e3;
-      given.row(i * stationGroup + s) << 1, b, c, along, along * b, along * c;
+    for (int s = 0; s < stations; ++s) {
+      const double along = s - 0.5 * (stations - 1), b = (p[0] - middle[0]) * 1e3, c = (p[1] - middle[1]) * 1e3;
+      given.row(i * stations + s) << 1, b, c, along, along * b, along * c;
     }
   }
   const Eigen::Map<const Eigen::VectorXd> own(mass.data(), count);
@@ -153,20 +166,22 @@ void slowShortWaves(const SweptBlock& block, double* acceleration) {
   };
   for (const auto& cluster : inertia.clusters)
     for (int c = 0; c < 3; ++c)
-      for (int first = 0; first < block.stationCount; first += stationGroup) {
-        const int end = std::min(first + stationGroup, block.stationCount);
-        const auto r = static_cast<std::size_t>(block.runOf(std::min(first, block.intervals - 1)));
-        std::array<std::array<double, keptAcross>, stationGroup> sums{}, along{};
-        for (int s = first; s < end; ++s) along[s - first] = sums[s - first] = amplitudes(cluster, c, s);
-        if (!inertia.along[r].empty() && first < block.intervals) {
-          const double* projection = inertia.along[r].data() + (first == block.runIntervals[r][0] ? 0 : 64);
-          for (int i = 0; i < stationGroup; ++i)
+      for (int first = 0; first < block.stationCount;) {
+        const int count = stationGroup(block, first).count;
+        std::array<std::array<double, keptAcross>, mostStations> sums{}, along{};
+        for (int s = 0; s < count; ++s) along[s] = sums[s] = amplitudes(cluster, c, first + s);
+        if (count > 1) {
+          const auto r = static_cast<std::size_t>(block.runOf(first));
+          const double* projection =
+              inertia.along[r].data() + projectionPlace[count == mostStations][first != block.runIntervals[r][0]];
+          for (int i = 0; i < count; ++i)
             for (int k = 0; k < keptAcross; ++k) {
               along[i][k] = 0;
-              for (int j = 0; j < stationGroup; ++j) along[i][k] += projection[stationGroup * j + i] * sums[j][k];
+              for (int j = 0; j < count; ++j) along[i][k] += projection[count * j + i] * sums[j][k];
             }
         }
-        for (int s = first; s < end; ++s) filter(cluster, c, s, along[s - first]);
+        for (int s = 0; s < count; ++s) filter(cluster, c, first + s, along[s]);
+        first += count;
       }
 }
 

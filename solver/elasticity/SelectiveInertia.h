@@ -6,8 +6,8 @@
 //   F = share 1 + (1 - share) P   within small blocks of nodes, P the projection, orthogonal in the mass, on what is
 // constant or linear across and along the block. Rigid motion and uniform strain of a block keep their inertia,
 // resultants and moments of forces act as before, stiffness and statics are untouched; what bends within a block is
-// 1 / share times as heavy: M_e = M F^-1. A block is a cluster of section nodes on eight stations that follow each
-// other, or on one station where the intervals are long.
+// 1 / share times as heavy: M_e = M F^-1. A block is a cluster of section nodes on 16 stations that follow each other,
+// on eight where 16 are not of one length, on one where the intervals are long.
 // Masses of a block may grow, as under closed contact (D, diagonal): with P orthogonal in M + D the effective mass
 // becomes at least M_e + D, for x.M_e x = x.M x + (1 / share - 1) min_c |x - B c|^2 in the norm of M, B what is kept.
 #pragma once
@@ -21,7 +21,6 @@ namespace squat::elasticity {
 
 struct SweptBlock;
 
-constexpr int stationGroup = 8;     // stations of a block: [8 k, 8 k + 8)
 constexpr double shortShare = 0.1;  // of their inverse mass that short waves keep
 constexpr int keptAcross = 3, keptInBlock = 2 * keptAcross;
 
@@ -31,8 +30,7 @@ struct SelectiveInertia {
   // Per row: (1 - share) times its weights in the amplitudes of three fields, then the fields' values there.
   std::vector<double> weights;
   std::vector<float> singleWeights;
-  // Per run: projections along the sweep, of its first group, which shares a station with the run before, and of all
-  // others: 2 x 8 x 8, column by column; empty where blocks are one station long.
+  // Per run: projections along the sweep (projectionPlace), column by column; empty where blocks are one station long.
   std::vector<std::vector<double>> along;
   std::vector<std::vector<float>> singleAlong;
 };
@@ -41,9 +39,15 @@ struct SelectiveInertia {
 // orthonormal in `mass` (per section node): sum of m p q. A field that the others hold (nodes in one line) is zero.
 Eigen::MatrixXd keptFields(const SweptBlock& block, const std::vector<int>& cluster, const std::vector<double>& mass);
 
-// The filter of eight stations whose masses are any: `mass` [node of the cluster][8]. Returns what KernelFilter
-// asks for.
-std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>& cluster,
+// Stations that share their inertia with this one.
+struct StationGroup {
+  int first = 0, count = 1;
+};
+StationGroup stationGroup(const SweptBlock& block, int station);
+
+// The filter of `stations` stations whose masses are any: `mass` [node of the cluster][station]. Returns what
+// KernelFilter asks for.
+std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int stations,
                                 const std::vector<double>& mass);
 
 // From the block's clusters, shortLength, masses and order.

@@ -12,15 +12,21 @@ namespace squat::elasticity {
 
 constexpr int stationChunk = 32;  // stations that state vectors keep together (SweptBlock.h)
 constexpr int rowBundle = 8;      // rows that share their coefficients in the first-level cache
-constexpr int mostRows = 16;      // in a bundle: a large cluster is one of its own
+constexpr int mostRows = 32;      // in a bundle: a large cluster is one of its own
+
+// SelectiveInertia: clusters share their inertia with 16 stations, [16 k, 16 k + 16), where these are of one run, else
+// with eight. Where a run's projections stand: on eight and on 16 stations; of the run's first group, which shares a
+// station with the run before, and of the others.
+constexpr int stationUnit = 8, mostStations = 16;
+constexpr int projectionPlace[2][2] = {{0, 64}, {128, 384}}, projectionsSize = 640;
 
 // Intervals of one length, [first, last), both multiples of 8.
 struct KernelRun {
   int first = 0, last = 0;
   const double* coefficients = nullptr;       // in the order of the rows
   const float* singleCoefficients = nullptr;  // the same
-  const double* along = nullptr;       // SelectiveInertia: projections of the first group and of the others, or null
-  const float* singleAlong = nullptr;  // the same
+  const double* along = nullptr;              // SelectiveInertia: projections along the sweep, or null
+  const float* singleAlong = nullptr;         // the same
 };
 
 // Rows [first, end) whose nodes share the inertia of short waves.
@@ -28,8 +34,8 @@ struct KernelCluster {
   int first = 0, end = 0;
 };
 
-// Filter of a cluster on eight stations whose masses are no product: weights in the amplitudes of six fields, then the
-// fields, [12][rows][8].
+// Filter of a cluster on its stations whose masses are no product: weights in the amplitudes of six fields, then the
+// fields, [12][rows][stations].
 struct KernelFilter {
   const double* values = nullptr;
   const float* singleValues = nullptr;
@@ -80,8 +86,9 @@ struct KernelCall {
   const double* clusterWeights = nullptr;
   const float* singleClusterWeights = nullptr;
   double shortShare = 1;
-  const int* ownFilter = nullptr;  // per cluster and eight stations: index into `filters` or -1; null: none has one
-  int stationGroups = 0;           // of eight, in the whole block
+  // Per cluster and eight stations, the first of those that share: index into `filters` or -1; null: none has one.
+  const int* ownFilter = nullptr;
+  int stationUnits = 0;  // of eight, in the whole block
   const KernelFilter* filters = nullptr;
   // One line, or null: per station += sum of w_a f_b - w_b f_a [N m], w = u + beta v, f = K w.
   double* turningMoment = nullptr;

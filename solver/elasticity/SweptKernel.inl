@@ -301,10 +301,22 @@ inline void findParts(const KernelCall& call, Group<typename Whole::Real>& group
     while (width > rest || (width > least && from % Whole::lanes != 0)) width /= 2;
     static_assert(most % least == 0);
     group.part[group.parts++] = {from, width, coefficientsOf(*run, typename Whole::Real{})};
-    if (const auto* along = alongOf(*run, typename Whole::Real{}))
-      for (int at = (from + 7) / 8 * 8; at < from + width; at += 8)
-        group.along[at / 8] = group.at + at == run->first ? along : along + 64;
     from += width;
+  }
+}
+
+// Stations of a group that share their inertia along the sweep.
+template <typename Real>
+inline void findAlong(const KernelCall& call, Group<Real>& group) {
+  const KernelRun* run = call.runs;
+  for (int at = 0; at < group.count;) {
+    const int station = group.at + at;
+    while (run->last <= station) ++run;
+    const bool isWide = station % mostStations == 0 && station + mostStations <= run->last;
+    const Real* along = alongOf(*run, Real{});
+    if (along) group.along[at / stationUnit] = along + projectionPlace[isWide][station != run->first];
+    group.alongStations[at / stationUnit] = isWide ? mostStations : stationUnit;
+    at += isWide ? mostStations : stationUnit;
   }
 }
 
@@ -331,6 +343,7 @@ inline void overGroups(const KernelCall& call, const Body& body) {
     group.state = placeOf(call, at), group.next = call.source + placeOf(call, stop);
     if (stop == end && call.after) group.next = call.after, group.nextNode = 3, group.nextLine = 1;
     findParts<Whole, Piece>(call, group);
+    if (call.clusterCount > 0) findAlong(call, group);
     body(group);
     at = stop;
   }

@@ -21,17 +21,17 @@ inline void amplitudes(const Real (*rows)[3][chunk], int count, const Real* weig
     for (int v = 0; v < V; ++v) Kind::store(sums[k] + at + v * Kind::lanes, sum[k][v]);
 }
 
-// Eight stations of the amplitudes by the projection along the sweep.
-template <typename Kind, typename Real = typename Kind::Real>
+// STATIONS of the amplitudes by the projection along the sweep.
+template <typename Kind, int STATIONS, typename Real = typename Kind::Real>
 inline void projectAlong(Real (&sums)[3][chunk], const Real* projection, int at) {
   using Packed = typename Kind::Packed;
-  constexpr int lanes = Kind::lanes, vectors = 8 / lanes;
+  constexpr int lanes = Kind::lanes, vectors = STATIONS / lanes;
   Packed sum[3][vectors];
   for (int k = 0; k < 3; ++k)
     for (int v = 0; v < vectors; ++v) sum[k][v] = Packed{};
-  for (int j = 0; j < 8; ++j)
+  for (int j = 0; j < STATIONS; ++j)
     for (int v = 0; v < vectors; ++v) {
-      const Packed column = Kind::loadLoose(projection + 8 * j + v * lanes);
+      const Packed column = Kind::loadLoose(projection + STATIONS * j + v * lanes);
 #pragma GCC unroll 3
       for (int k = 0; k < 3; ++k) sum[k][v] += sums[k][at + j] * column;
     }
@@ -56,19 +56,19 @@ inline void keepFields(Real (*rows)[3][chunk], int count, const Real* weights, R
     }
 }
 
-// Eight stations of a cluster by a filter of their own (KernelFilter); few at a time are.
+// Stations of a cluster by a filter of their own (KernelFilter); few at a time are.
 template <typename Real>
-inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, Real share, int c, int at,
-                        const Real (&before)[mostRows][8]) {
-  const Real* fields = values + 48 * count;
+inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, Real share, int c, int at, int stations,
+                        const Real (&before)[mostRows][chunk]) {
+  const Real* fields = values + 6 * count * stations;
   Real sum[6] = {};
   for (int k = 0; k < 6; ++k)
     for (int i = 0; i < count; ++i)
-      for (int s = 0; s < 8; ++s) sum[k] += values[(k * count + i) * 8 + s] * before[i][s];
+      for (int s = 0; s < stations; ++s) sum[k] += values[(k * count + i) * stations + s] * before[i][at + s];
   for (int i = 0; i < count; ++i)
-    for (int s = 0; s < 8; ++s) {
-      Real value = share * before[i][s];
-      for (int k = 0; k < 6; ++k) value += fields[(k * count + i) * 8 + s] * sum[k];
+    for (int s = 0; s < stations; ++s) {
+      Real value = share * before[i][at + s];
+      for (int k = 0; k < 6; ++k) value += fields[(k * count + i) * stations + s] * sum[k];
       rows[i][c][at + s] = value;
     }
 }
@@ -81,26 +81,33 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
   const int count = own.end - own.first;
   const Real* weights = clusterWeightsOf(call, Real{}) + 6 * static_cast<std::size_t>(own.first);
   const Real share = static_cast<Real>(call.shortShare);
-  const int* ownFilter = call.ownFilter ? call.ownFilter + index * call.stationGroups + group.at / 8 : nullptr;
+  const int* ownFilter = call.ownFilter ? call.ownFilter + index * call.stationUnits + group.at / stationUnit : nullptr;
   alignas(64) Real sums[3][chunk];
-  Real before[chunk / 8][mostRows][8];
+  Real before[mostRows][chunk];
+  bool hasOwn = false;
+  for (int at = 0; ownFilter && at < group.count; at += stationUnit) hasOwn |= ownFilter[at / stationUnit] >= 0;
   for (int c = 0; c < 3; ++c) {
+    if (hasOwn)
+      for (int i = 0; i < count; ++i)
+        for (int s = 0; s < group.count; ++s) before[i][s] = rows[i][c][s];
     int at = 0;
-    if (ownFilter)
-      for (; at < group.count; at += 8)
-        if (ownFilter[at / 8] >= 0)
-          for (int i = 0; i < count; ++i)
-            for (int s = 0; s < 8; ++s) before[at / 8][i][s] = rows[i][c][at + s];
-    for (at = 0; at + four <= group.count; at += four) amplitudes<Piece, 4>(rows, count, weights, c, at, sums);
+    for (; at + four <= group.count; at += four) amplitudes<Piece, 4>(rows, count, weights, c, at, sums);
     for (; at < group.count; at += Piece::lanes) amplitudes<Piece, 1>(rows, count, weights, c, at, sums);
-    for (at = 0; at < group.count; at += 8)
-      if (group.along[at / 8]) projectAlong<Piece>(sums, group.along[at / 8], at);
+    for (at = 0; at < group.count; at += stationUnit) {
+      const Real* projection = group.along[at / stationUnit];
+      if (!projection) continue;
+      if (group.alongStations[at / stationUnit] == mostStations)
+        projectAlong<Piece, mostStations>(sums, projection, at);
+      else
+        projectAlong<Piece, stationUnit>(sums, projection, at);
+    }
     for (at = 0; at + four <= group.count; at += four) keepFields<Piece, 4>(rows, count, weights, share, c, at, sums);
     for (; at < group.count; at += Piece::lanes) keepFields<Piece, 1>(rows, count, weights, share, c, at, sums);
-    if (ownFilter)
-      for (at = 0; at < group.count; at += 8)
-        if (ownFilter[at / 8] >= 0)
-          filterBlock(rows, count, filterOf(call.filters[ownFilter[at / 8]], Real{}), share, c, at, before[at / 8]);
+    if (hasOwn)
+      for (at = 0; at < group.count; at += stationUnit)
+        if (const int filter = ownFilter[at / stationUnit]; filter >= 0)
+          filterBlock(rows, count, filterOf(call.filters[filter], Real{}), share, c, at,
+                      group.alongStations[at / stationUnit], before);
   }
 }
 

@@ -103,9 +103,11 @@ template <typename Real>
 struct Group {
   int at = 0, count = 0, parts = 0;
   Part<Real> part[chunk / 4];
-  const Real* along[chunk / 8] = {};  // per eight stations: projection along the sweep, or null
-  std::size_t state = 0;              // of station `at` in line 0 of a state vector
-  const double* next = nullptr;       // displacement of node 0 at the station after the group
+  // Per eight stations: projection along the sweep of the 8 or 16 that begin here, or null.
+  const Real* along[chunk / stationUnit] = {};
+  int alongStations[chunk / stationUnit] = {};
+  std::size_t state = 0;         // of station `at` in line 0 of a state vector
+  const double* next = nullptr;  // displacement of node 0 at the station after the group
   std::size_t nextNode = 3 * chunk, nextLine = chunk;
 };
 

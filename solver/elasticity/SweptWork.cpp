@@ -7,8 +7,6 @@ namespace squat::elasticity {
 
 namespace {
 
-constexpr int vectorMultiple = 8;  // intervals that stay together
-
 // A node that turns with its body costs more than one along a line: its basis turns with the station and the step, its
 // moment is summed.
 constexpr double turningCost = 1.2;
@@ -93,19 +91,20 @@ std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& block
     return blocks[b].nodes * (blocks[b].kind == SweepKind::aroundAxis ? turningCost : 1.0);
   };
   double total = 0;
-  for (const int b : which) total += costAt(b) * (blocks[b].intervals / vectorMultiple);
+  for (const int b : which) total += costAt(b) * blocks[b].intervals;
   std::vector<std::vector<Segment>> lists(parts);
   double done = 0;
   for (const int b : which)
-    for (int at = 0; at < blocks[b].intervals; at += vectorMultiple) {
-      const double cost = costAt(b);
+    for (int at = 0, count = 0; at < blocks[b].intervals; at += count) {
+      count = std::min(mostStations, blocks[b].intervals - at);  // those that share their inertia stay together
+      const double cost = costAt(b) * count;
       // To the part in whose share the middle of these intervals lies.
       const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * cost) / total * parts));
       auto& list = lists[part];
       if (!list.empty() && list.back().block == b)
-        list.back().count += vectorMultiple;
+        list.back().count += count;
       else
-        list.push_back({b, at, vectorMultiple});
+        list.push_back({b, at, count});
       done += cost;
     }
   return lists;
@@ -183,7 +182,7 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     call.singleClusterWeights = block.inertia.singleWeights.data();
     call.shortShare = block.inertia.share;
     call.ownFilter = with.ownFilter, call.filters = with.filters;
-    call.stationGroups = (block.intervals + stationGroup - 1) / stationGroup;
+    call.stationUnits = block.intervals / stationUnit;
     if (ends) call.after = (*ends)[i].after.data();
     with.kernels->advanceStep(call);
     if (!block.closed && segment.first + segment.count == block.intervals)

@@ -47,11 +47,12 @@ double sumOf(const std::vector<double>& values) {
 }  // namespace
 
 std::vector<StationRun> fillGap(double gap, double length, double finerBefore, double finerAfter, double growth,
-                                int multiple) {
+                                int multiple, int whole) {
   // The fewest blocks of `multiple` intervals that can fill the gap; then the longest are cut, so that they just do.
   const double wanted = gap / multiple;
-  int count = 1;
-  while (sumOf(ladder(count, length, finerBefore, finerAfter, growth)) < wanted * (1 - 1e-9)) ++count;
+  const int step = std::max(1, whole / multiple);
+  int count = step;
+  while (sumOf(ladder(count, length, finerBefore, finerAfter, growth)) < wanted * (1 - 1e-9)) count += step;
   double low = 0, high = length;
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
@@ -84,7 +85,7 @@ Stations stationsOver(double start, const std::vector<Zone>& zones, double growt
     const bool coarserAfter = i + 1 < n && zones[i + 1].length > length;
     if (to[i] - from[i] <= 1e-9) continue;
     if (coarserBefore || coarserAfter) {
-      const int count = roundedUp((to[i] - from[i]) / length, multiple);
+      const int count = roundedUp((to[i] - from[i]) / length, std::max(multiple, zones[i].whole));
       const double extra = count * length - (to[i] - from[i]);
       if (coarserBefore) from[i] -= coarserAfter ? extra / 2 : extra, to[i - 1] = from[i];
       if (coarserAfter) to[i] = from[i] + count * length, from[i + 1] = to[i];
@@ -94,7 +95,7 @@ Stations stationsOver(double start, const std::vector<Zone>& zones, double growt
         i > 0 && zones[i - 1].length < length && !runs[i - 1].empty() ? runs[i - 1].back().length : 0;
     const double finerAfter =
         i + 1 < n && zones[i + 1].length < length && !runs[i + 1].empty() ? runs[i + 1].front().length : 0;
-    runs[i] = fillGap(to[i] - from[i], length, finerBefore, finerAfter, growth, multiple);
+    runs[i] = fillGap(to[i] - from[i], length, finerBefore, finerAfter, growth, multiple, zones[i].whole);
   }
   Stations stations;
   stations.start = start;

@@ -26,12 +26,14 @@ struct Stations {
 struct Zone {
   double to = 0;      // [m] end of the zone; it begins where the one before ended
   double length = 0;  // [m] wished interval length
+  int whole = 0;      // its intervals in all are a multiple of this; 0: of those of a run
 };
 
 // Runs that fill exactly `gap` with the fewest intervals of at most `length` that step down towards finer neighbours
-// (their interval length as laid, or 0 where there is none) by at most a factor `growth` a run.
+// (their interval length as laid, or 0 where there is none) by at most a factor `growth` a run. Runs have multiples of
+// `multiple` intervals; all together a multiple of `whole`, itself one of `multiple`, where that is given.
 std::vector<StationRun> fillGap(double gap, double length, double finerBefore, double finerAfter, double growth,
-                                int multiple);
+                                int multiple, int whole = 0);
 
 // Stations over neighbouring zones from `start`. Where lengths jump by more than `growth`, short runs with intermediate
 // lengths are taken from the coarser zone. Runs get multiples of `multiple` intervals, so that vectors along the

@@ -19,6 +19,7 @@ namespace {
 constexpr int vectorMultiple = 8;      // every run of stations fills whole vectors of any instruction set
 constexpr double runGrowth = 2.0;      // neighbouring runs differ by at most this factor
 constexpr double patchMargin = 0.020;  // [m] rolled mesh before the first and behind the last wheel position
+constexpr double patchEnd = 0.030;     // [m] behind the last one, as wished
 
 std::vector<double> evenly(double from, double to, int count) {
   std::vector<double> values;
@@ -53,6 +54,11 @@ void append(Model& model, elasticity::SweptBlock block) {
   block.offset = model.stateSize;
   model.stateSize += block.size();
   model.blocks.push_back(std::move(block));
+}
+
+// Where the fine zone of the defect begins, at or behind that of the start [m].
+double fineStart(const cases::CaseDescription& d) {
+  return std::max(-d.motion.runUp - d.mesh.fineStart, cases::DefectSurface(d.defect).first() - d.mesh.fineBefore);
 }
 
 // The rim rolls with the stations of the rail; the rest of the circumference is coarser.
@@ -101,49 +107,61 @@ void addSleepers(Model& model, int intervals) {
 
 }  // namespace
 
-RollingStretch rollingStretch(const cases::CaseDescription& d, double railStart, double railEnd) {
-  const cases::DefectSurface defect(d.defect);
-  const double start = -d.motion.runUp, end = d.motion.beyond + 0.030;
-  const double fineFrom = std::max(start - d.mesh.fineStart, defect.first() - d.mesh.fineBefore);
-  const double startTo = start + d.mesh.fineStart, h = d.mesh.contactSize, rolling = d.mesh.rollingSize;
-  const double far = d.mesh.farSize;
-  const auto laid = [&](double fineTo) {
-    std::vector<geometry::Zone> zones{{start - std::max(d.mesh.fineStart, patchMargin), far}};
-    if (startTo + 8 * rolling < fineFrom) {
-      zones.push_back({startTo, h});
-      zones.push_back({fineFrom, rolling});
+namespace {
+
+// Stations of the rail with a fine zone that ends at `fineTo`, in groups of `whole`.
+RollingStretch laidStretch(const cases::CaseDescription& d, double railStart, double railEnd, double fineTo,
+                           int whole) {
+  const double start = -d.motion.runUp, end = d.motion.beyond + patchEnd;
+  const double fineFrom = fineStart(d), startTo = start + d.mesh.fineStart;
+  const double h = d.mesh.contactSize, rolling = d.mesh.rollingSize, far = d.mesh.farSize;
+  std::vector<geometry::Zone> zones{{start - std::max(d.mesh.fineStart, patchMargin), far, whole}};
+  if (startTo + 8 * rolling < fineFrom) {
+    zones.push_back({startTo, h, whole});
+    zones.push_back({fineFrom, rolling, whole});
+  }
+  zones.push_back({std::min(fineTo, end), h, whole});
+  if (fineTo + 4 * rolling < end) zones.push_back({end, rolling, whole});
+  zones.push_back({railEnd, far});
+  RollingStretch stretch;
+  stretch.rail = geometry::stationsOver(railStart, zones, runGrowth, vectorMultiple);
+  // The rolled runs: all of at most the rolling length around the wheel's path.
+  double at = railStart;
+  bool first = true;
+  for (const auto& run : stretch.rail.runs) {
+    const double next = at + run.count * run.length;
+    if (next > start - 1e-9 - patchMargin / 2 && at < end - patchMargin / 2 &&
+        run.length < 1.01 * std::max(rolling, h)) {
+      if (first) stretch.from = at, first = false;
+      stretch.to = next;
+      stretch.rolled.push_back(run);
     }
-    zones.push_back({std::min(fineTo, end), h});
-    if (fineTo + 4 * rolling < end) zones.push_back({end, rolling});
-    zones.push_back({railEnd, far});
-    RollingStretch stretch;
-    stretch.rail = geometry::stationsOver(railStart, zones, runGrowth, vectorMultiple);
-    // The rolled runs: all of at most the rolling length around the wheel's path.
-    double at = railStart;
-    bool first = true;
-    for (const auto& run : stretch.rail.runs) {
-      const double next = at + run.count * run.length;
-      if (next > start - 1e-9 - patchMargin / 2 && at < end - patchMargin / 2 &&
-          run.length < 1.01 * std::max(rolling, h)) {
-        if (first) stretch.from = at, first = false;
-        stretch.to = next;
-        stretch.rolled.push_back(run);
-      }
-      at = next;
-    }
-    return stretch;
-  };
-  const double fineTo = std::max(defect.last() + d.mesh.fineBefore, fineFrom + h);
-  RollingStretch stretch = laid(fineTo);
-  // Where nothing is laid between fine zone and far rail, the fine zone reaches as far as the wheel rolls.
-  if (stretch.to < d.motion.beyond + patchMargin / 2 && fineTo < end) stretch = laid(end);
-  // Zones grow by rounding; on a short rail they can push each other over its end.
-  const double reached = stretch.rail.positions().back();
-  if (std::abs(reached - railEnd) > 1e-6 || stretch.rolled.empty())
-    throw CaseError({{"track.length", std::to_string(d.track.length) + " m",
-                      "such that fine, rolled and far elements find room beside each other",
-                      "Lengthen track.length, or lower mesh.fine_start, mesh.rolling_size or mesh.far_size"}});
+    at = next;
+  }
   return stretch;
+}
+
+}  // namespace
+
+RollingStretch rollingStretch(const cases::CaseDescription& d, double railStart, double railEnd) {
+  const double end = d.motion.beyond + patchEnd;
+  const double fineTo =
+      std::max(cases::DefectSurface(d.defect).last() + d.mesh.fineBefore, fineStart(d) + d.mesh.contactSize);
+  // Fine stations share their inertia in whole groups, which begin at whole groups from the rail's end: the time step
+  // is as long as the smallest group of the finest allows. The tiny mesh has no elements to spare for that.
+  const bool tiny = d.mesh.preset == static_cast<int>(cases::MeshPreset::tiny);
+  for (int whole = tiny ? vectorMultiple : elasticity::mostStations; whole >= vectorMultiple; whole /= 2) {
+    RollingStretch stretch = laidStretch(d, railStart, railEnd, fineTo, whole);
+    // Where nothing is laid between fine zone and far rail, the fine zone reaches as far as the wheel rolls.
+    if (stretch.to < d.motion.beyond + patchMargin / 2 && fineTo < end)
+      stretch = laidStretch(d, railStart, railEnd, end, whole);
+    // Zones grow by rounding; on a short rail they can push each other over its end.
+    const double reached = stretch.rail.positions().back();
+    if (std::abs(reached - railEnd) < 1e-6 && !stretch.rolled.empty()) return stretch;
+  }
+  throw CaseError({{"track.length", std::to_string(d.track.length) + " m",
+                    "such that fine, rolled and far elements find room beside each other",
+                    "Lengthen track.length, or lower mesh.fine_start, mesh.rolling_size or mesh.far_size"}});
 }
 
 RollingStretch addBlocks(Model& model, int sleeperIntervals) {
@@ -165,7 +183,7 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   const contact::Seat seat = contact::seatOf(d);
   rail.lean = seat.lean;
   model.rail = 0;
-  const double rolled = 1.02 * std::max(d.mesh.rollingSize, d.mesh.contactSize);  // the longest intervals that touch
+  const double rolled = 1.02 * std::max(d.mesh.rollingSize, 2 * d.mesh.contactSize);  // rolled over, or next to it
   slowShortWaves(d, rail, rolled, [](int) { return true; });
   append(model, std::move(rail));
 

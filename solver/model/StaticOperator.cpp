@@ -65,37 +65,67 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
   if (spinStiffness > 0) vehicle_.add(hubTurn(model), spinStiffness, 0);
   std::size_t most = 0;
   for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie));
-  tieWorkspace_.assign(most, 0.0);
+  for (int i = 0; i < team.size(); ++i) tieWorkspaces_.emplace_back(most, 0.0);
+}
+
+// One thread's share of the slave stations; the first one's holds station 0, to which ghosts belong.
+void StaticOperator::placeSlaves(double* u, int index) {
+  if (index == 0) elasticity::refreshGhosts(model_.blocks, u);
+  for (const auto& tie : model_.ties) {
+    const int stations = model_.blocks[tie.slaveBlock].stationCount;
+    const elasticity::StationSpan own{stations * index / team_.size(), stations * (index + 1) / team_.size()};
+    interpolateSlaves(tie, model_.blocks, u, tieWorkspaces_[static_cast<std::size_t>(index)].data(), own);
+  }
 }
 
 void StaticOperator::fillSlaves(double* u) {
-  elasticity::refreshGhosts(model_.blocks, u);
-  for (const auto& tie : model_.ties) elasticity::interpolateSlaves(tie, model_.blocks, u, tieWorkspace_.data());
+  for (int index = 0; index < team_.size(); ++index) placeSlaves(u, index);
 }
 
-void StaticOperator::reduceForces(double* r) {
+void StaticOperator::passTieForces(double* r) {
   for (const auto& tie : model_.ties) {
     const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
     elasticity::transferForces(
         tie, 1.0, [&](int i, int c) { return slave.line(r, tie.slaveNodes[i], c); },
-        [&](int node, int c) { return master.line(r, node, c); }, tieWorkspace_.data(), 0, master.stationCount,
+        [&](int node, int c) { return master.line(r, node, c); }, tieWorkspaces_.back().data(), 0, master.stationCount,
         {{0, slave.stationCount}});
   }
-  for (const auto [first, last] : notFree_) std::fill(r + first, r + last, 0.0);
+}
+
+void StaticOperator::clearNotFree(double* r, int index) const {
+  const std::size_t stretches = notFree_.size(), parts = static_cast<std::size_t>(team_.size());
+  const auto part = static_cast<std::size_t>(index);
+  for (std::size_t i = stretches * part / parts; i < stretches * (part + 1) / parts; ++i)
+    std::fill(r + notFree_[i][0], r + notFree_[i][1], 0.0);
+}
+
+void StaticOperator::reduceForces(double* r) {
+  passTieForces(r);
+  for (int index = 0; index < team_.size(); ++index) clearNotFree(r, index);
 }
 
 void StaticOperator::apply(double* u, double* result) {
-  fillSlaves(u);
   team_.run([&](int index) {
+    placeSlaves(u, index);
+    team_.barrier();
     elasticity::applySegments(work_[index], model_.blocks, kernels_, u, result, *scratch_[index]);
+    team_.barrier();
+    // Rail, sleepers and tread on the one side; wheel body and what hangs on it on the other.
+    if (index == 0) {
+      elasticity::addIrregularStiffness(model_.movedElements, u, result);
+      supports::addSpringStiffness(model_.pads, u, result);
+      supports::addSpringStiffness(model_.ballast, u, result);
+    }
+    if (index == team_.size() - 1) {
+      std::fill(result + model_.smallUnknowns, result + model_.stateSize, 0.0);
+      supports::addSpringStiffness(vehicle_, u, result);
+      passTieForces(result);
+    }
+    team_.barrier();
+    if (index == 0) supports::addSpringStiffness(contact_, u, result);
+    team_.barrier();
+    clearNotFree(result, index);
   });
-  std::fill(result + model_.smallUnknowns, result + model_.stateSize, 0.0);
-  elasticity::addIrregularStiffness(model_.movedElements, u, result);
-  supports::addSpringStiffness(model_.pads, u, result);
-  supports::addSpringStiffness(model_.ballast, u, result);
-  supports::addSpringStiffness(vehicle_, u, result);
-  supports::addSpringStiffness(contact_, u, result);
-  reduceForces(result);
 }
 
 AlignedVector StaticOperator::diagonal() const {

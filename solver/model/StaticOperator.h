@@ -36,6 +36,10 @@ class StaticOperator {
   void fillSlaves(double* u);
 
  private:
+  void placeSlaves(double* u, int index);
+  void passTieForces(double* r);
+  void clearNotFree(double* r, int index) const;
+
   const Model& model_;
   elasticity::KernelSet kernels_;
   ThreadTeam& team_;
@@ -45,7 +49,7 @@ class StaticOperator {
   supports::SpringSet vehicle_, contact_;
   std::vector<unsigned char> free_;
   std::vector<std::array<std::size_t, 2>> notFree_;  // stretches of the state: first and one past the last
-  AlignedVector tieWorkspace_;
+  std::vector<AlignedVector> tieWorkspaces_;         // per thread
 };
 
 // Weight of the model in state layout: gravity times mass, z down; the wheelset's at the given rotation.

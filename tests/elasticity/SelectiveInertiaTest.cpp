@@ -40,7 +40,9 @@ std::vector<std::pair<Places, bool>> blocksOf(const SweptBlock& block) {
   for (const auto& cluster : block.clusters)
     for (int s = 0; s < block.stationCount;) {
       const bool along = s < block.intervals && block.stations.runs[block.runOf(s)].length <= block.shortLength;
-      const int end = along ? s + 8 : s + 1;
+      // Sixteen where they begin at a multiple of 16 and are of one run, else eight.
+      const bool wide = along && s % 16 == 0 && s + 16 <= block.runIntervals[block.runOf(s)][1];
+      const int end = wide ? s + 16 : along ? s + 8 : s + 1;
       Places places;
       for (const int node : cluster)
         for (int k = s; k < end; ++k) places.emplace_back(node, k);
@@ -58,7 +60,7 @@ Eigen::MatrixXd keptOf(const SweptBlock& block, const Places& places, bool along
     const auto& p = block.section.nodes[node];
     const Eigen::RowVector3d across(1, 1e2 * p[0], 1e2 * p[1]);
     fields.row(i).head<3>() = across;
-    if (along) fields.row(i).tail<3>() = across * (s - places.front().second - 3.5);
+    if (along) fields.row(i).tail<3>() = across * (s - places.front().second);
   }
   return fields;
 }
@@ -223,20 +225,21 @@ TEST(SelectiveInertia, AddedMassIsFeltInFullByEveryMotion) {
   const auto& cluster = block.clusters[0];
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> value(0, 1);
-  const auto count = static_cast<Eigen::Index>(8 * cluster.size());
+  constexpr int stations = 16;
+  const auto count = static_cast<Eigen::Index>(stations * cluster.size());
   Eigen::VectorXd mass(count), added(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     mass[i] = 1e-3 * (0.2 + value(generator));
     added[i] = value(generator) < 0.3 ? 1e-2 * value(generator) : 0;
   }
   const auto effective = [&](const Eigen::VectorXd& m) {
-    const auto values = blockFilter(block, cluster, {m.data(), m.data() + count});
+    const auto values = blockFilter(block, cluster, stations, {m.data(), m.data() + count});
     const Eigen::Map<const Eigen::MatrixXd> weights(values.data(), count, 6),
         fields(values.data() + 6 * count, count, 6);
     const Eigen::MatrixXd filter = 0.1 * Eigen::MatrixXd::Identity(count, count) + fields * weights.transpose();
     Places places;
     for (const int node : cluster)
-      for (int s = 0; s < 8; ++s) places.emplace_back(node, s);
+      for (int s = 0; s < stations; ++s) places.emplace_back(node, s);
     const Eigen::MatrixXd expected = filterOf(keptOf(block, places, true), m);
     EXPECT_LT((filter - expected).cwiseAbs().maxCoeff(), 1e-9);
     return Eigen::MatrixXd(m.asDiagonal() * filter.inverse());
