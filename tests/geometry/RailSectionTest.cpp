@@ -57,6 +57,29 @@ TEST(RailSection, CrownIsMadeOfTangentArcs) {
   }
 }
 
+// Three columns of the band become one below: the outline, and with it the integrals, stays, the surface as well; twelve
+// columns of three rows of the head, of the web and of the foot become four. Every quad has an area.
+TEST(RailSection, CoarseWebKeepsOutlineAndBand) {
+  RailSectionSizes sizes = fine;
+  sizes.coarseBelow = true;
+  const auto coarse = railSectionMesh(sizes), whole = railSectionMesh(fine);
+  const auto a = sectionIntegrals(coarse), b = sectionIntegrals(whole);
+  EXPECT_NEAR(a.area, b.area, 1e-12);
+  EXPECT_NEAR(a.momentCC, b.momentCC, 1e-5 * b.momentCC);
+  EXPECT_NEAR(a.momentBB, b.momentBB, 1e-5 * b.momentBB);
+  EXPECT_LT(coarse.quads.size(), 0.78 * static_cast<double>(whole.quads.size()));
+  const auto above = [](const SectionMesh& mesh) {
+    return nodesWhere(mesh, [](const Point2& p) { return p[1] > -0.010; }, 0).size();
+  };
+  EXPECT_EQ(above(coarse), above(whole)) << "the patch, 7 mm long, has the same mesh under it";
+  for (int q = 0; q < static_cast<int>(coarse.quads.size()); ++q) EXPECT_GT(scaledJacobian(coarse, q), 0.3);
+  // Half a band of four columns has no three to join.
+  sizes.bandHalfWidth = 0.0052;
+  RailSectionSizes asBefore = sizes;
+  asBefore.coarseBelow = false;
+  EXPECT_EQ(railSectionMesh(sizes).quads.size(), railSectionMesh(asBefore).quads.size());
+}
+
 TEST(RailSection, ContactBandHasTheAskedSize) {
   const auto mesh = railSectionMesh(fine);
   const auto top = nodesWhere(

@@ -58,6 +58,15 @@ TEST(Stations, GapTakesNoMoreVectorsThanItNeeds) {
   EXPECT_EQ(count, 40);
 }
 
+// In groups of 16: one more vector of eight where the fewest were an odd number, the gap as exact as before.
+TEST(Stations, GapTakesWholeGroupsWhereAsked) {
+  int count = 0;
+  const auto runs = fillGap(0.64, 0.075, 0.0013, 0, 2.0, 8, 16);
+  for (const auto& run : runs) count += run.count;
+  EXPECT_EQ(count, 48);
+  EXPECT_NEAR(lengthOf(runs), 0.64, 1e-12);
+}
+
 TEST(Stations, ZonesKeepTheirEndsAndLengths) {
   const double start = -4.8, end = 5.2;
   const std::vector<Zone> zones{{-1.02, 0.075},  {-0.98, 0.0013}, {-0.045, 0.005},
