@@ -11,8 +11,8 @@ namespace squat::dynamics {
 namespace {
 
 // In the precision that the case asks for: all blocks but the wheel body. Rounding acts like forces of 6e-8 times
-// stiffness times displacement; where bodies turn, coarse and far from their middle, these have a resultant that works
-// on the rolling itself, and the energy drifts.
+// stiffness times displacement; in the coarse sectors of the wheel body, whose own motion says little about the nodes
+// far from its middle, these have a resultant that works on the rolling itself, and the energy drifts.
 elasticity::KernelSet kernelsAsAsked(const model::Model& model, const std::string& isa) {
   const bool single = model.description.mesh.precision == static_cast<int>(cases::ElementPrecision::single);
   return elasticity::kernelsFor(isa,

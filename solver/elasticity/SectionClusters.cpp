@@ -164,7 +164,7 @@ Clusters sectionClusters(const SweptBlock& block, const std::function<bool(int)>
   Clusters best;
   double least = plane.highestEigenvalue({});
   for (const double reach : {2.2, 3.0, 4.0, 6.0})
-    for (const std::size_t most : {16u, 20u, 24u, 26u, 28u, 30u, 32u}) {
+    for (const std::size_t most : {16u, 18u, 20u, 22u, 24u, 26u, 28u, 30u, 32u}) {
       const auto close = closeNeighbours(block, joins, reach * shortest);
       std::vector<int> starts = block.order.nodes;
       for (int turn = 0; turn < 2; ++turn, std::reverse(starts.begin(), starts.end())) {

@@ -53,8 +53,8 @@ void addElement(const SweptBlock& block, const std::array<int, 4>& quad, const M
   }
 }
 
-// The section node next to the centre of its quads' area.
-int middleNode(const geometry::SectionMesh& section) {
+// The section nodes next to the centre of its quads' area and farthest from it.
+std::array<int, 2> middleAndFar(const geometry::SectionMesh& section) {
   double area = 0, b = 0, c = 0;
   for (const auto& quad : section.quads)
     for (int k = 0; k < 4; ++k) {
@@ -62,10 +62,10 @@ int middleNode(const geometry::SectionMesh& section) {
       const double cross = p[0] * q[1] - q[0] * p[1];
       area += cross / 2, b += cross * (p[0] + q[0]) / 6, c += cross * (p[1] + q[1]) / 6;
     }
-  const auto far = [&](const geometry::Point2& p) { return std::hypot(p[0] - b / area, p[1] - c / area); };
-  return static_cast<int>(std::min_element(section.nodes.begin(), section.nodes.end(),
-                                           [&](const auto& p, const auto& q) { return far(p) < far(q); }) -
-                          section.nodes.begin());
+  const auto away = [&](const geometry::Point2& p) { return std::hypot(p[0] - b / area, p[1] - c / area); };
+  const auto [least, most] = std::minmax_element(section.nodes.begin(), section.nodes.end(),
+                                                 [&](const auto& p, const auto& q) { return away(p) < away(q); });
+  return {static_cast<int>(least - section.nodes.begin()), static_cast<int>(most - section.nodes.begin())};
 }
 
 }  // namespace
@@ -123,7 +123,8 @@ void prepareBlock(SweptBlock& block) {
     block.runIntervals.push_back({first, first + run.count});
     first += run.count;
   }
-  block.middle = middleNode(block.section);
+  const auto [middle, far] = middleAndFar(block.section);
+  block.middle = middle, block.far = far;
   block.inertia = selectiveInertia(block);
 }
 

@@ -73,7 +73,7 @@ struct SweptBlock {
   std::vector<std::vector<double>> rowCoefficients;  // the same numbers in the order of the kernels
   std::vector<std::vector<float>> singleCoefficients;  // and rounded
   std::vector<std::array<int, 2>> runIntervals;        // per run: first interval and one past the last
-  int middle = 0;                                      // section node next to the centre of mass
+  int middle = 0, far = 0;                             // section nodes next to the centre of mass and farthest from it
   SelectiveInertia inertia;
 
   std::size_t lines() const { return static_cast<std::size_t>(nodes) * 3; }

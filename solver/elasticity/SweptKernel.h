@@ -23,6 +23,7 @@ constexpr int projectionPlace[2][2] = {{0, 64}, {128, 384}}, projectionsSize = 6
 // Intervals of one length, [first, last), both multiples of 8.
 struct KernelRun {
   int first = 0, last = 0;
+  double length = 0;                          // in the unit of the stations
   const double* coefficients = nullptr;       // in the order of the rows
   const float* singleCoefficients = nullptr;  // the same
   const double* along = nullptr;              // SelectiveInertia: projections along the sweep, or null
@@ -52,7 +53,8 @@ struct KernelCall {
   const int* slots = nullptr;
   const int* gatherUpTo = nullptr;
   int window = 0;
-  int middle = 0;                   // node next to the section's centre
+  int middle = 0, far = 0;          // nodes next to the section's centre and farthest from it
+  const double* places = nullptr;   // nodes x 2: section coordinates [m]
   const KernelRun* runs = nullptr;  // of the whole block
   std::size_t stride = 0;           // of the lines of masses, forces and accelerations
   std::size_t chunkSize = 0;        // doubles of a chunk of the state vectors

@@ -9,49 +9,88 @@
 namespace squat::elasticity {
 namespace {
 
-// A rigid translation of each interval, in the local components of its two stations: it strains nothing, and without it
-// displacements are small enough to be rounded. The mean of one node's displacement at both stations; nothing beyond
-// the interval enters, so that it does not depend on where stretches are cut. The node stands in the middle of the
-// section: rigid rotations leave opposite errors on either side of it.
+// A rigid motion of each interval, in the local components of its two stations: it strains nothing, and without it
+// displacements are small enough to be rounded. What is left of a turn would be felt: rounding errors have a resultant,
+// and where bodies roll that does work. Taken from two nodes at both stations; nothing beyond the interval enters, so
+// that it does not depend on where stretches are cut.
+//   u = T + W x (0, b, c), b and c from the middle node: T and W on the left and on the right.
 template <typename Real>
-struct Translation {
-  Translation(const KernelCall&, const Group<Real>&) {}
+struct RigidMotion {
+  RigidMotion(const KernelCall&, const Group<Real>&) {}
 };
 template <>
-struct Translation<float> {
-  alignas(64) double left[3][chunk], right[3][chunk];
+struct RigidMotion<float> {
+  alignas(64) double left[3][chunk], right[3][chunk], leftTurn[3][chunk], rightTurn[3][chunk];
 
-  Translation(const KernelCall& call, const Group<float>& group) {
-    const int count = group.count;
-    const auto node = static_cast<std::size_t>(call.middle);
-    const double* u = call.source + group.state + node * 3 * chunk;
-    const double* next = group.next + node * group.nextNode;
-    double here[3] = {u[0], u[chunk], u[2 * chunk]};
-    for (int i = 0; i < count; ++i) {
-      double after[3];
-      for (int c = 0; c < 3; ++c) after[c] = i + 1 < count ? u[c * chunk + i + 1] : next[c * group.nextLine];
-      double cosine = 1, sine = 0;
+  RigidMotion(const KernelCall& call, const Group<float>& group) {
+    const KernelRun* run = call.runs;
+    const double* middle = call.places + 2 * call.middle;
+    const double acrossB = call.places[2 * call.far] - middle[0], acrossC = call.places[2 * call.far + 1] - middle[1];
+    const double size2 = acrossB * acrossB + acrossC * acrossC;
+    double hereM[3], hereF[3], m[3], f[3];
+    at(call, group, call.middle, 0, hereM), at(call, group, call.far, 0, hereF);
+    for (int i = 0; i < group.count; ++i) {
+      while (run->last <= group.at + i) ++run;
+      at(call, group, call.middle, i + 1, m), at(call, group, call.far, i + 1, f);
+      const double nextM[3] = {m[0], m[1], m[2]}, nextF[3] = {f[0], f[1], f[2]};
+      double cosine = 1, sine = 0, alongA = run->length, alongB = 0;  // from left to right, in the left one's basis
       if (call.cosines) {
         const double *cosines = call.cosines + group.at + i, *sines = call.sines + group.at + i;
         cosine = cosines[1] * cosines[0] + sines[1] * sines[0];
         sine = sines[1] * cosines[0] - cosines[1] * sines[0];
+        alongA = middle[0] * sine, alongB = middle[0] * (cosine - 1);
+        back(cosine, sine, m), back(cosine, sine, f);
       }
-      const double a = 0.5 * (here[0] + cosine * after[0] + sine * after[1]);
-      const double b = 0.5 * (here[1] + cosine * after[1] - sine * after[0]), c = 0.5 * (here[2] + after[2]);
-      left[0][i] = a, left[1][i] = b, left[2][i] = c;
-      right[0][i] = cosine * a - sine * b, right[1][i] = cosine * b + sine * a, right[2][i] = c;
-      for (int k = 0; k < 3; ++k) here[k] = after[k];
+      // W x along is how the middle moves from left to right, W x across how the far node moves beside it.
+      const double besideB = 0.5 * (hereF[1] + f[1] - hereM[1] - m[1]),
+                   besideC = 0.5 * (hereF[2] + f[2] - hereM[2] - m[2]);
+      const double turn[3] = {(besideC * acrossB - besideB * acrossC) / size2, (hereM[2] - m[2]) / alongA,
+                              (m[1] - hereM[1]) / alongA};
+      const double moved[3] = {-turn[2] * alongB, turn[2] * alongA, turn[0] * alongB - turn[1] * alongA};
+      double first[3], second[3], turned[3];
+      for (int k = 0; k < 3; ++k) {
+        const double mean = 0.5 * (hereM[k] + m[k]);
+        first[k] = mean - 0.5 * moved[k], second[k] = mean + 0.5 * moved[k], turned[k] = turn[k];
+      }
+      back(cosine, -sine, second), back(cosine, -sine, turned);
+      for (int k = 0; k < 3; ++k) {
+        left[k][i] = first[k], right[k][i] = second[k], leftTurn[k][i] = turn[k], rightTurn[k][i] = turned[k];
+        hereM[k] = nextM[k], hereF[k] = nextF[k];
+      }
     }
+  }
+
+  // Displacement of a node at station i of the group.
+  static void at(const KernelCall& call, const Group<float>& group, int node, int i, double* u) {
+    const auto n = static_cast<std::size_t>(node);
+    const double* line =
+        i < group.count ? call.source + group.state + n * 3 * chunk + i : group.next + n * group.nextNode;
+    const std::size_t step = i < group.count ? chunk : group.nextLine;
+    for (int c = 0; c < 3; ++c) u[c] = line[c * step];
+  }
+  // From the basis of the right station to that of the left; the other way round with the sine's sign turned.
+  static void back(double cosine, double sine, double* v) {
+    const double a = cosine * v[0] + sine * v[1];
+    v[1] = cosine * v[1] - sine * v[0], v[0] = a;
+  }
+  // Component c at a node beside the middle, on LANES stations from `at` on.
+  static Vector component(const double (&shift)[3][chunk], const double (&turn)[3][chunk], int c, double b, double cc,
+                          int at) {
+    if (c == 0) return load(shift[0] + at) + (load(turn[1] + at) * cc - load(turn[2] + at) * b);
+    return c == 1 ? load(shift[1] + at) - load(turn[0] + at) * cc : load(shift[2] + at) + load(turn[0] + at) * b;
   }
 };
 
 // Sums and differences of both stations of one node, part by part: d_a, s_b, s_c, s_a, d_b, d_c.
 template <typename Real>
-inline void gather(const KernelCall& call, const Group<Real>& group, const Translation<Real>& rigid, int node,
+inline void gather(const KernelCall& call, const Group<Real>& group, const RigidMotion<Real>& rigid, int node,
                    int slot) {
   Real* out = reinterpret_cast<Real*>(call.workspace) + slot * std::size_t{6 * chunk};
   const std::size_t lines = static_cast<std::size_t>(node) * 3 * chunk;
   const double *line = call.source + group.state + lines, *next = group.next + node * group.nextNode;
+  const double besideB = call.places[2 * node] - call.places[2 * call.middle],
+               besideC = call.places[2 * node + 1] - call.places[2 * call.middle + 1];
+#pragma GCC unroll 3
   for (int c = 0; c < 3; ++c, line += chunk, next += group.nextLine) {
     // Backwards, so that every line is read once: the station after a vector is the first of the one before.
     Vector after = splat(*next);
@@ -64,7 +103,8 @@ inline void gather(const KernelCall& call, const Group<Real>& group, const Trans
         const Vector here = load(line + at);
         Vector left = here, right = advanced(here, after);
         if constexpr (sizeof(Real) < sizeof(double))
-          left -= load(rigid.left[c] + at), right -= load(rigid.right[c] + at);
+          left -= rigid.component(rigid.left, rigid.leftTurn, c, besideB, besideC, at),
+              right -= rigid.component(rigid.right, rigid.rightTurn, c, besideB, besideC, at);
         storeAs(sums + i, right + left);
         storeAs(differences + i, right - left);
         after = here;
@@ -155,7 +195,7 @@ inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& 
                      const Rows& rows) {
   alignas(64) typename Whole::Real forces[mostRows][3][chunk];
   if (group.count < chunk) __builtin_memset(forces, 0, sizeof forces);
-  const Translation<typename Whole::Real> rigid(call, group);
+  const RigidMotion<typename Whole::Real> rigid(call, group);
   int gathered = 0, slot = 0;
   for (int bundle = 0; bundle < call.bundles; ++bundle) {
     const int first = call.bundleStart[bundle], end = call.bundleStart[bundle + 1];

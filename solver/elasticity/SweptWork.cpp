@@ -22,7 +22,8 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   call.slots = block.order.slots.data();
   call.gatherUpTo = block.order.gatherUpTo.data();
   call.window = block.order.window;
-  call.middle = block.middle;
+  call.middle = block.middle, call.far = block.far;
+  call.places = block.section.nodes.front().data();
   call.runs = scratch.runs[index].data();
   call.stride = block.stride;
   call.chunkSize = block.chunkSize();
@@ -117,8 +118,9 @@ KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
     auto& own = runs.emplace_back();
     for (std::size_t r = 0; r < block.runIntervals.size(); ++r) {
       const auto& along = block.inertia.along[r];
-      own.push_back({block.runIntervals[r][0], block.runIntervals[r][1], block.rowCoefficients[r].data(),
-                     block.singleCoefficients[r].data(), along.empty() ? nullptr : along.data(),
+      own.push_back({block.runIntervals[r][0], block.runIntervals[r][1], block.stations.runs[r].length,
+                     block.rowCoefficients[r].data(), block.singleCoefficients[r].data(),
+                     along.empty() ? nullptr : along.data(),
                      along.empty() ? nullptr : block.inertia.singleAlong[r].data()});
     }
   }

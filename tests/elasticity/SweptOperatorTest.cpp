@@ -190,21 +190,25 @@ TEST(SweptOperator, DoesNotDependOnThePartition) {
 }
 
 // Forces in single precision against those in double: sums of some 160 products of numbers that are rounded to 6e-8 of
-// themselves, so 2e-6 of the largest force is ample. A translation of a metre besides, a million times the
-// displacements that strain, changes nothing: it is taken off before anything is rounded.
-TEST(SweptOperator, SinglePrecisionInsideAgreesAndDoesNotSeeTranslations) {
+// themselves, so 2e-6 of the largest force is ample. Fields that strain by 1e-3 or so; a translation of a metre and a
+// turn by a tenth of a radian besides, each a thousand times the displacements that strain and more, change nothing:
+// they are taken off before anything is rounded.
+TEST(SweptOperator, SinglePrecisionInsideAgreesAndDoesNotSeeRigidMotions) {
   for (int which = 0; which < samples; ++which) {
     const Sample s = sample(which);
-    AlignedVector small = randomState(s, 4), moved = small;
-    for (double& value : small) value *= 1e-6;
-    for (const auto& block : s.blocks)
+    AlignedVector small(s.size, 0.0), moved(s.size, 0.0);
+    for (const auto& block : s.blocks) {
+      const auto strains = [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+        return 1e-3 * Eigen::Vector3d(p[0] * p[2] + 0.1 * p[1], p[1] * p[0] - 0.1 * p[2], p[2] - p[0] * p[1]);
+      };
+      setField(block, strains, small);
       setField(
           block,
-          [](const Eigen::Vector3d&) -> Eigen::Vector3d {
-            return {0.7, -0.3, 0.6};
+          [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+            return strains(p) + Eigen::Vector3d(0.7, -0.3, 0.6) + Eigen::Vector3d(0.06, -0.1, 0.04).cross(p);
           },
           moved);
-    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += small[i];
+    }
     for (const auto& isa : availableInstructionSets()) {
       const AlignedVector expected = applySwept(s.blocks, small, isa);
       for (const auto* u : {&small, &moved}) {

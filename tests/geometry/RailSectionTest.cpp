@@ -57,8 +57,8 @@ TEST(RailSection, CrownIsMadeOfTangentArcs) {
   }
 }
 
-// Three columns of the band become one below: the outline, and with it the integrals, stays, the surface as well; twelve
-// columns of three rows of the head, of the web and of the foot become four. Every quad has an area.
+// Three columns of the band become one below: the outline, and with it the integrals, stays, the surface as well;
+// twelve columns of three rows of the head, of the web and of the foot become four. Every quad has an area.
 TEST(RailSection, CoarseWebKeepsOutlineAndBand) {
   RailSectionSizes sizes = fine;
   sizes.coarseBelow = true;
@@ -69,7 +69,9 @@ TEST(RailSection, CoarseWebKeepsOutlineAndBand) {
   EXPECT_NEAR(a.momentBB, b.momentBB, 1e-5 * b.momentBB);
   EXPECT_LT(coarse.quads.size(), 0.78 * static_cast<double>(whole.quads.size()));
   const auto above = [](const SectionMesh& mesh) {
-    return nodesWhere(mesh, [](const Point2& p) { return p[1] > -0.010; }, 0).size();
+    return nodesWhere(
+               mesh, [](const Point2& p) { return p[1] > -0.010; }, 0)
+        .size();
   };
   EXPECT_EQ(above(coarse), above(whole)) << "the patch, 7 mm long, has the same mesh under it";
   for (int q = 0; q < static_cast<int>(coarse.quads.size()); ++q) EXPECT_GT(scaledJacobian(coarse, q), 0.3);
