@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "case/CaseFile.h"
 #include "dynamics/Rolling.h"
@@ -27,13 +28,16 @@ model::Model& modelOf(int mesh) {
   return it->second;
 }
 
-// The paper's mesh with more and more track: cost per element and step should not change.
-model::Model& longTrack(int metres) {
-  static std::map<int, model::Model> models;
-  const auto [it, isNew] = models.try_emplace(metres);
+// The paper's mesh with more and more track, at last with finer sections too: cost per element and step should not
+// change.
+model::Model& longTrack(int metres, bool fineSections) {
+  static std::map<std::pair<int, bool>, model::Model> models;
+  const auto [it, isNew] = models.try_emplace({metres, fineSections});
   if (isNew)
-    it->second =
-        model::buildModel(cases::loadCase("light-defect", {"paper", {{"track.length", std::to_string(metres)}}}));
+    it->second = model::buildModel(cases::loadCase("light-defect", {"paper",
+                                                                    {{"track.length", std::to_string(metres)},
+                                                                     {"mesh.section_size", fineSections ? "6" : "10"},
+                                                                     {"mesh.section_growth", "1.33"}}}));
   return it->second;
 }
 
@@ -117,9 +121,10 @@ int main(int argc, char** argv) {
         addRow((precision == cases::ElementPrecision::full ? "step" : "single_step") + tail, rounds / 4,
                [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads, precision); });
     }
-  for (const int metres : {10, 20, 40})
-    addRow("long_track/metres:" + std::to_string(metres), 30,
-           [=](benchmark::State& state) { wholeStep(state, longTrack(metres), 2, cases::ElementPrecision::full); });
+  for (const auto& [metres, fineSections] : {std::pair{10, false}, {40, false}, {60, true}})
+    addRow("long_track/metres:" + std::to_string(metres), 30, [=](benchmark::State& state) {
+      wholeStep(state, longTrack(metres, fineSections), 2, cases::ElementPrecision::full);
+    });
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }
