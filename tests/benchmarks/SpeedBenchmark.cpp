@@ -121,9 +121,9 @@ int main(int argc, char** argv) {
         addRow((precision == cases::ElementPrecision::full ? "step" : "single_step") + tail, rounds / 4,
                [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads, precision); });
     }
-  for (const auto& [metres, fineSections] : {std::pair{10, false}, {40, false}, {60, true}})
-    addRow("long_track/metres:" + std::to_string(metres), 30, [=](benchmark::State& state) {
-      wholeStep(state, longTrack(metres, fineSections), 2, cases::ElementPrecision::full);
+  for (const auto& track : {std::pair{10, false}, {40, false}, {60, true}})
+    addRow("long_track/metres:" + std::to_string(track.first), 30, [=](benchmark::State& state) {
+      wholeStep(state, longTrack(track.first, track.second), 2, cases::ElementPrecision::full);
     });
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
