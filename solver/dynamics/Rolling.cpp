@@ -305,13 +305,13 @@ void Rolling::hold(const std::vector<std::size_t>& unknowns) {
   for (const auto index : unknowns) state_.velocity[index] = 0, state_.displaced[index] = 0;
 }
 
-void Rolling::pushTrack(long k) {
+void Rolling::pushTrack() {
   double* u = state_.displaced.data();
   const double* v = state_.velocity.data();
   double power = addSpringForces(model_.ballast, u, v, forces_.data());
   power += addSpringForces(model_.pads, u, v, forces_.data());
   power += addSpringForces(model_.ends, u, v, forces_.data());
-  trackDamperPower_[k % 2] = power;
+  trackDamperPower_ = power;
 }
 
 void Rolling::placeSlaves(int index) {
@@ -376,7 +376,7 @@ void Rolling::advanceMasters(int index) {
                               state_.displaced.data(), state_.velocity.data(), *scratch_[index], &masterEnds_[index]);
 }
 
-void Rolling::finishStep(long k) {
+void Rolling::finishStep() {
   double* displaced = state_.displaced.data();
   const auto& d = model_.description;
   double* v = state_.velocity.data();
@@ -404,7 +404,7 @@ void Rolling::finishStep(long k) {
   ++state_.step;
   state_.time = static_cast<double>(state_.step) * step_;
   state_.sums.friction += step_ * view_.patch.frictionPower;
-  state_.sums.damping += step_ * (trackDamperPower_[k % 2] + vehicleDamperPower_);
+  state_.sums.damping += step_ * (trackDamperPower_ + vehicleDamperPower_);
   state_.sums.torqueWork += step_ * torque_ * (0.5 * (oldRate + state_.spinRate) + hubSpinRate_);
 
   // The new velocities stand in the basis of the new rotation.

@@ -56,11 +56,11 @@ class Rolling {
       for (long k = 0; k < steps; ++k) {
         if (index == 0) {
           if (k > 0) {
-            finishStep(k - 1);
+            finishStep();
             observe(view_);
           }
           pushWheelset();
-          pushTrack(k);
+          pushTrack();
         }
         placeSlaves(index);
         yieldLayer(index, first + k);
@@ -76,7 +76,7 @@ class Rolling {
         team_.barrier();
       }
     });
-    finishStep(steps - 1);
+    finishStep();
     observe(view_);
   }
 
@@ -99,15 +99,15 @@ class Rolling {
   std::vector<contact::PatchPoint> patchPoints() const;
 
  private:
-  void pushWheelset();     // contact, irregular elements, suspension, torque, spin
-  void pushTrack(long k);  // pads, ballast
+  void pushWheelset();  // contact, irregular elements, suspension, torque, spin
+  void pushTrack();     // pads, ballast
   void placeSlaves(int index);
   void yieldLayer(int index, long step);
   void readEnds(int index, bool ofSlaves);
   void advanceFine(int index);  // and what is tied to nothing
   void passTieForces(int index);
   void advanceMasters(int index);
-  void finishStep(long k);
+  void finishStep();
   void hold(const std::vector<std::size_t>& unknowns);
   void listNearPoints(const contact::WheelPlacement& wheel);
   void touch();
@@ -140,8 +140,7 @@ class Rolling {
   StepView view_;
   model::PlaneVector boxVelocity_, wheelVelocity_;
   double spinAcceleration_ = 0, referenceAcceleration_ = 0;
-  double trackDamperPower_[2] = {0, 0};  // [W] of even and odd steps: one is read while the other is made
-  double vehicleDamperPower_ = 0;        // [W]
+  double trackDamperPower_ = 0, vehicleDamperPower_ = 0;  // [W]
   struct TieShare {
     std::size_t tie = 0;
     elasticity::StationSpan masters;

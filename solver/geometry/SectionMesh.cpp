@@ -124,7 +124,7 @@ void BlockMesher::addBlock(const std::vector<Point2>& bottom, const std::vector<
 }
 
 // Three quads above, one below: two nodes within make a trapezoid on the coarse edge and three quads on it. They stand
-// as high as a fine quad is wide and a quarter, which leaves no corner below 35 degrees.
+// a quarter higher than a fine quad is wide: corners of 39 degrees where the row is a rectangle.
 void BlockMesher::addJoiningRow(const std::vector<int>& below, const std::vector<int>& above) {
   for (std::size_t k = 0; k + 1 < below.size(); ++k) {
     const int left = below[k], right = below[k + 1];

@@ -142,7 +142,8 @@ TEST(ContactInertia, TheStepOfTheBareMeshBearsClosedContact) {
     bare.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
   auto heavy = bare;
   inertia.apply(heavy[model.rail].data(), heavy[model.rim].data());
-  // Without the added mass the penalties break the step; with it they do not.
+  // Without the added mass the penalties break the step, by 13 % of the eigenvalue; with it they do not. Power steps
+  // find that value from below: 5 % are asked.
   EXPECT_GT(highestEigenvalue(model, op, bare), 1.05 * bound);
   EXPECT_LT(highestEigenvalue(model, op, heavy), bound);
   // An open patch gives every mass back.
