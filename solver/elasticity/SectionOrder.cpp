@@ -91,8 +91,8 @@ SectionOrder follow(const std::vector<Item>& items, const std::vector<int>& rowS
   int upTo = 0;
   for (std::size_t b = 0; b + 1 < result.bundleStart.size(); ++b) {
     const int first = result.bundleStart[b];
-    for (int i = first; i < result.bundleStart[b + 1]; ++i) upTo = std::max(upTo, newest[i] + 1);
-    result.gatherUpTo.push_back(upTo);
+    for (int i = first; i < result.bundleStart[b + 1]; ++i)
+      result.gatherUpTo.push_back(upTo = std::max(upTo, newest[i] + 1));
     result.window = std::max(result.window, upTo - oldest[first]);
   }
   for (int& slot : result.slots) slot %= result.window;

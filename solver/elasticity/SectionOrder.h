@@ -17,7 +17,7 @@ struct SectionOrder {
   std::vector<int> pairs;        // of each of them: index of the pair in the block's own order
   std::vector<int> slots;        // and the place of its column's node in the window
   std::vector<int> bundleStart;  // bundles + 1: first row of each bundle
-  std::vector<int> gatherUpTo;   // per bundle of rows: so many nodes of the order must stand in the window
+  std::vector<int> gatherUpTo;   // per row: so many nodes of the order must stand in the window
   int window = 0;                // nodes
   std::vector<KernelCluster> clusters;
 };

@@ -81,35 +81,54 @@ struct RigidMotion<float> {
   }
 };
 
-// Sums and differences of both stations of one node, part by part: d_a, s_b, s_c, s_a, d_b, d_c.
+// Sums and differences of both stations of one node in one part of N vectors: d_a, s_b, s_c, s_a, d_b, d_c. Every value
+// is read once: the station after a vector is the first of the next.
+template <int N, typename Real>
+inline void gatherPart(const double* lines, const double* next, std::size_t nextLine, const RigidMotion<Real>& rigid,
+                       double besideB, double besideC, int from, Real* out) {
+  constexpr int width = N * LANES;
+#pragma GCC unroll 3
+  for (int c = 0; c < 3; ++c, lines += chunk, next += nextLine) {
+    Real *sums = out + (c == 0 ? 3 : c) * width, *differences = out + (c == 0 ? 0 : c + 3) * width;
+    Vector here = load(lines);
+#pragma GCC unroll 16
+    for (int i = 0; i < width; i += LANES) {
+      const Vector after = i + LANES < width ? load(lines + i + LANES) : splat(*next);
+      Vector left = here, right = advanced(here, after);
+      if constexpr (sizeof(Real) < sizeof(double))
+        left -= rigid.component(rigid.left, rigid.leftTurn, c, besideB, besideC, from + i),
+            right -= rigid.component(rigid.right, rigid.rightTurn, c, besideB, besideC, from + i);
+      storeAs(sums + i, right + left);
+      storeAs(differences + i, right - left);
+      here = after;
+    }
+  }
+}
+
+// The same with as many vectors as the part has.
+template <int N, typename Real>
+inline void gatherOfWidth(int width, const double* lines, const double* next, std::size_t nextLine,
+                          const RigidMotion<Real>& rigid, double besideB, double besideC, int from, Real* out) {
+  if constexpr (N > 1)
+    if (width < N * LANES)
+      return gatherOfWidth<N / 2>(width, lines, next, nextLine, rigid, besideB, besideC, from, out);
+  gatherPart<N>(lines, next, nextLine, rigid, besideB, besideC, from, out);
+}
+
+// Of all parts, into one place of the window.
 template <typename Real>
 inline void gather(const KernelCall& call, const Group<Real>& group, const RigidMotion<Real>& rigid, int node,
                    int slot) {
   Real* out = reinterpret_cast<Real*>(call.workspace) + slot * std::size_t{6 * chunk};
-  const std::size_t lines = static_cast<std::size_t>(node) * 3 * chunk;
-  const double *line = call.source + group.state + lines, *next = group.next + node * group.nextNode;
+  const double *lines = call.source + group.state + static_cast<std::size_t>(node) * 3 * chunk,
+               *beyond = group.next + node * group.nextNode;
   const double besideB = call.places[2 * node] - call.places[2 * call.middle],
                besideC = call.places[2 * node + 1] - call.places[2 * call.middle + 1];
-#pragma GCC unroll 3
-  for (int c = 0; c < 3; ++c, line += chunk, next += group.nextLine) {
-    // Backwards, so that every line is read once: the station after a vector is the first of the one before.
-    Vector after = splat(*next);
-    for (int p = group.parts - 1; p >= 0; --p) {
-      const int from = group.part[p].offset, width = group.part[p].width;
-      Real *sums = out + 6 * from + (c == 0 ? 3 : c) * width,
-           *differences = out + 6 * from + (c == 0 ? 0 : c + 3) * width;
-      for (int i = width - LANES; i >= 0; i -= LANES) {
-        const int at = from + i;
-        const Vector here = load(line + at);
-        Vector left = here, right = advanced(here, after);
-        if constexpr (sizeof(Real) < sizeof(double))
-          left -= rigid.component(rigid.left, rigid.leftTurn, c, besideB, besideC, at),
-              right -= rigid.component(rigid.right, rigid.rightTurn, c, besideB, besideC, at);
-        storeAs(sums + i, right + left);
-        storeAs(differences + i, right - left);
-        after = here;
-      }
-    }
+  for (int p = 0; p < group.parts; ++p) {
+    const int from = group.part[p].offset, width = group.part[p].width;
+    const bool isLast = p + 1 == group.parts;
+    gatherOfWidth<chunk / LANES>(width, lines + from, isLast ? beyond : lines + from + width,
+                                 isLast ? group.nextLine : chunk, rigid, besideB, besideC, from, out + 6 * from);
   }
 }
 
@@ -131,19 +150,30 @@ inline Packed held(Packed value) {
   return value;
 }
 
+// Coefficients of a part's vectors: the same for all, or their own.
+template <typename Kind, int V, bool MIXED>
+struct Coefficients {
+  using Real = typename Kind::Real;
+  const Real* of[MIXED ? V : 1];
+  Coefficients(const Part<Real>& part, std::size_t from) {
+    for (int v = 0; v < (MIXED ? V : 1); ++v) of[v] = part.coefficients[v * Kind::lanes / 8] + from;
+  }
+  Real at(int v, std::size_t i) const { return of[MIXED ? v : 0][i]; }
+};
+
 // Inner force of one row's node on the stations of one part, and the carry to the next.
-template <typename Kind, int V, typename Real = typename Kind::Real>
-inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, Real (&force)[3][chunk]) {
+template <typename Kind, int V, bool MIXED = false, typename Real = typename Kind::Real>
+inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, Real* force) {
   using Packed = typename Kind::Packed;
   constexpr int lanes = Kind::lanes;
   Packed s[3][V], t[3][V];
   for (int c = 0; c < 3; ++c)
     for (int v = 0; v < V; ++v) s[c][v] = Packed{}, t[c][v] = Packed{};
   const Real* workspace = reinterpret_cast<const Real*>(call.workspace) + 6 * part.offset;
-  const Real* k = part.coefficients + 18 * static_cast<std::size_t>(call.rowStart[row]);
-  const int *slot = call.slots + call.rowStart[row], *end = call.slots + call.rowStart[row + 1];
-  for (; slot != end; ++slot, k += 18) {
-    const Real* in = workspace + *slot * std::size_t{6 * chunk};
+  const Coefficients<Kind, V, MIXED> k(part, 18 * static_cast<std::size_t>(call.rowStart[row]));
+  const int *slots = call.slots + call.rowStart[row], pairs = call.rowStart[row + 1] - call.rowStart[row];
+  for (std::size_t pair = 0, at = 0; pair < static_cast<std::size_t>(pairs); ++pair, at += 18) {
+    const Real* in = workspace + slots[pair] * std::size_t{6 * chunk};
 #pragma GCC unroll 3
     for (int column = 0; column < 3; ++column) {
       Packed x[V];
@@ -152,13 +182,13 @@ inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, 
 #pragma GCC unroll 3
       for (int line = 0; line < 3; ++line)
 #pragma GCC unroll 4
-        for (int v = 0; v < V; ++v) s[line][v] += k[3 * line + column] * x[v];
+        for (int v = 0; v < V; ++v) s[line][v] += k.at(v, at + 3 * line + column) * x[v];
 #pragma GCC unroll 4
       for (int v = 0; v < V; ++v) x[v] = held(Kind::load(in + ((column + 3) * V + v) * lanes));
 #pragma GCC unroll 3
       for (int line = 0; line < 3; ++line)
 #pragma GCC unroll 4
-        for (int v = 0; v < V; ++v) t[line][v] += k[9 + 3 * line + column] * x[v];
+        for (int v = 0; v < V; ++v) t[line][v] += k.at(v, at + 9 + 3 * line + column) * x[v];
     }
   }
   for (int c = 0; c < 3; ++c) {
@@ -167,7 +197,7 @@ inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, 
     for (int v = 0; v < V; ++v) {
       const Packed right = s[c][v] + t[c][v];
       const Packed left = c == 0 ? t[c][v] - s[c][v] : s[c][v] - t[c][v];
-      Kind::store(force[c] + part.offset + v * lanes, left + Kind::shifted(before, right));
+      Kind::store(force + c * chunk + part.offset + v * lanes, left + Kind::shifted(before, right));
       before = right;
     }
     *carry = before[lanes - 1];
@@ -176,33 +206,37 @@ inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, 
 
 // The same with as many vectors as the part has.
 template <typename Whole, typename Piece, int V = wide<Whole>, typename Real = typename Whole::Real>
-inline void forceOfPart(const KernelCall& call, const Part<Real>& part, int row, Real (&force)[3][chunk]) {
+inline void forceOfPart(const KernelCall& call, const Part<Real>& part, int row, Real* force) {
   if constexpr (V * Whole::lanes > narrow<Piece> * Piece::lanes) {
-    if (part.width == V * Whole::lanes)
-      innerForce<Whole, V>(call, part, row, force);
-    else
-      forceOfPart<Whole, Piece, V / 2>(call, part, row, force);
+    if (part.width < V * Whole::lanes) return forceOfPart<Whole, Piece, V / 2>(call, part, row, force);
+    constexpr int pieces = wide<Whole> * Whole::lanes / Piece::lanes;
+    if constexpr (V == wide<Whole>)
+      if (part.isMixed) return innerForce<Piece, pieces, true>(call, part, row, force);
+    innerForce<Whole, V>(call, part, row, force);
   } else {
     innerForce<Piece, narrow<Piece>>(call, part, row, force);
   }
 }
 
-// Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of a
-// bundle are collected, so that `rows(first, end, force)` meets whole lines: memory comes in long pieces then.
-// `ahead(node, from, width)` asks for what `rows` will need of a node in the next bundle.
-template <typename Whole, typename Piece, typename Ahead, typename Rows>
+// Forces of a bundle's rows.
+template <typename Real>
+struct Forces {
+  alignas(64) Real lines[mostRows][3][chunk];
+  explicit Forces(int stations) {
+    if (stations < chunk) __builtin_memset(lines, 0, sizeof lines);
+  }
+};
+
+// Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of row
+// first + i go to place(i, node), three lines of a chunk; rows(first, end) follows when they are whole, so that it
+// meets memory in long pieces. `ahead(node, from, width)` asks for what it will need of a node in the next bundle.
+template <typename Whole, typename Piece, typename Ahead, typename Place, typename Rows>
 inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const Ahead& ahead,
-                     const Rows& rows) {
-  alignas(64) typename Whole::Real forces[mostRows][3][chunk];
-  if (group.count < chunk) __builtin_memset(forces, 0, sizeof forces);
+                     const Place& place, const Rows& rows) {
   const RigidMotion<typename Whole::Real> rigid(call, group);
   int gathered = 0, slot = 0;
   for (int bundle = 0; bundle < call.bundles; ++bundle) {
     const int first = call.bundleStart[bundle], end = call.bundleStart[bundle + 1];
-    for (const int upTo = call.gatherUpTo[bundle]; gathered < upTo; ++gathered) {
-      gather(call, group, rigid, call.order[gathered], slot);
-      slot = slot + 1 == call.window ? 0 : slot + 1;
-    }
     const auto fetchFor = [&](int i, int from, int width) {
       const int later = i + end - first, soon = gathered + (i - first);
       if (later < call.nodes) ahead(call.order[later], from, width);
@@ -214,26 +248,37 @@ inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& 
     };
     for (int p = 0; p < group.parts; ++p)
       for (int i = first; i < end; ++i) {
+        for (const int upTo = call.gatherUpTo[i]; gathered < upTo; ++gathered) {
+          gather(call, group, rigid, call.order[gathered], slot);
+          slot = slot + 1 == call.window ? 0 : slot + 1;
+        }
         fetchFor(i, group.part[p].offset, group.part[p].width);
-        forceOfPart<Whole, Piece>(call, group.part[p], i, forces[i - first]);
+        forceOfPart<Whole, Piece>(call, group.part[p], i, place(i - first, call.order[i]));
       }
-    rows(first, end, forces);
+    rows(first, end);
   }
 }
 
 template <typename Whole, typename Piece>
 inline void applyGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
+  using Real = typename Whole::Real;
   double* out = call.force + group.state;
-  overRows<Whole, Piece>(
-      call, group, [](int, int, int) {},
-      [&](int first, int end, const typename Whole::Real(&force)[mostRows][3][chunk]) {
-        for (int row = first; row < end; ++row) {
-          double* lines = out + static_cast<std::size_t>(call.order[row]) * 3 * chunk;
-          for (int c = 0; c < 3; ++c)
-            for (int i = 0; i < group.count; i += LANES)
-              store(lines + c * chunk + i, widened(force[row - first][c] + i));
-        }
-      });
+  const auto nothingAhead = [](int, int, int) {};
+  const auto linesOf = [out](int node) { return out + static_cast<std::size_t>(node) * 3 * chunk; };
+  if constexpr (sizeof(Real) == sizeof(double)) {
+    overRows<Whole, Piece>(
+        call, group, nothingAhead, [&](int, int node) { return linesOf(node); }, [](int, int) {});
+  } else {
+    Forces<Real> forces(group.count);
+    overRows<Whole, Piece>(
+        call, group, nothingAhead, [&](int i, int) { return forces.lines[i][0]; },
+        [&](int first, int end) {
+          for (int row = first; row < end; ++row)
+            for (int c = 0; c < 3; ++c)
+              for (int i = 0; i < group.count; i += LANES)
+                store(linesOf(call.order[row]) + c * chunk + i, widened(forces.lines[row - first][c] + i));
+        });
+  }
 }
 
 // Line triple of a node's outer forces at the group's first station, or null.
@@ -310,6 +355,7 @@ inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n,
 template <typename Whole, typename Piece>
 inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
   int cluster = 0;
+  Forces<typename Whole::Real> forces(group.count);
   overRows<Whole, Piece>(
       call, group,
       [&](int node, int from, int width) {
@@ -321,26 +367,36 @@ inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Rea
         if (const int line = call.externalLine[node]; line >= 0)
           fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, from, width);
       },
-      [&](int first, int end, typename Whole::Real(&force)[mostRows][3][chunk]) {
+      [&](int i, int) { return forces.lines[i][0]; },
+      [&](int first, int end) {
+        auto& force = forces.lines;
         for (int row = first; row < end; ++row) accelerate(call, group, call.order[row], force[row - first]);
         if (call.clusterCount > 0) slowShortWaves<Piece>(call, group, first, end, cluster, force);
         for (int row = first; row < end; ++row) advanceNode(call, group, call.order[row], force[row - first]);
       });
 }
 
-// Cuts the stations of a group into parts, each within one run.
+// Cuts the stations of a group into parts: the widest there are, mixed where runs end within them; at the end of a
+// stretch narrower ones, each within one run.
 template <typename Whole, typename Piece>
 inline void findParts(const KernelCall& call, Group<typename Whole::Real>& group) {
   constexpr int most = wide<Whole> * Whole::lanes, least = narrow<Piece> * Piece::lanes;
+  static_assert(most % least == 0 && chunk % most == 0);
   const KernelRun* run = call.runs;
   for (int from = 0; from < group.count;) {
-    while (run->last <= group.at + from) ++run;
-    const int rest =
-        run->last - group.at - from < group.count - from ? run->last - group.at - from : group.count - from;
+    auto& part = group.part[group.parts++];
     int width = most;
-    while (width > rest || (width > least && from % Whole::lanes != 0)) width /= 2;
-    static_assert(most % least == 0);
-    group.part[group.parts++] = {from, width, coefficientsOf(*run, typename Whole::Real{})};
+    while (run->last <= group.at + from) ++run;
+    const int inRun = run->last - group.at - from;
+    while (width > group.count - from || (width > least && from % Whole::lanes != 0)) width /= 2;
+    part.isMixed = width == most && inRun < most;
+    while (!part.isMixed && width > inRun) width /= 2;
+    part.offset = from, part.width = width;
+    const KernelRun* here = run;
+    for (int i = 0; i < width; i += 8) {
+      while (here->last <= group.at + from + i) ++here;
+      part.coefficients[i / 8] = coefficientsOf(*here, typename Whole::Real{});
+    }
     from += width;
   }
 }
@@ -367,8 +423,9 @@ void carryOver(const KernelCall& call) {
   group.at = call.first - 8, group.count = 8;
   group.state = placeOf(call, group.at), group.next = call.source + placeOf(call, call.first);
   findParts<Whole, Piece>(call, group);
+  Forces<typename Whole::Real> none(group.count);
   overRows<Whole, Piece>(
-      call, group, [](int, int, int) {}, [](int, int, const typename Whole::Real(&)[mostRows][3][chunk]) {});
+      call, group, [](int, int, int) {}, [&](int i, int) { return none.lines[i][0]; }, [](int, int) {});
 }
 
 // The stretch chunk by chunk.

@@ -90,11 +90,12 @@ template <typename Whole, typename Piece>
 constexpr bool fills = chunk % (wide<Whole> * Whole::lanes) == 0 && 8 % (narrow<Piece> * Piece::lanes) == 0;
 static_assert(fills<Double, Double> && fills<Single, SinglePiece>);
 
-// Stations of a group that share coefficients.
+// Stations of a group that are worked on together: of one run, or every eight of a run of their own (a mixed part).
 template <typename Real>
 struct Part {
   int offset = 0, width = 0;  // first station in the group, and how many
-  const Real* coefficients = nullptr;
+  bool isMixed = false;
+  const Real* coefficients[chunk / 8] = {};  // of every eight stations
 };
 
 // The stations that are worked on at a time: those of one chunk. Rows go in bundles: within a bundle the coefficients

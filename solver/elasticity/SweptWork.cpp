@@ -17,7 +17,7 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   call.nodes = block.nodes;
   call.order = block.order.nodes.data();
   call.bundleStart = block.order.bundleStart.data();
-  call.bundles = static_cast<int>(block.order.gatherUpTo.size());
+  call.bundles = static_cast<int>(block.order.bundleStart.size()) - 1;
   call.rowStart = block.order.rowStart.data();
   call.slots = block.order.slots.data();
   call.gatherUpTo = block.order.gatherUpTo.data();
