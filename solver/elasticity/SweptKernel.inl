@@ -138,6 +138,13 @@ inline void fetch(const double* lines, std::size_t line, int from, int width) {
   for (int c = 0; c < 3; ++c)
     for (int i = from; i < from + width; i += 8) __builtin_prefetch(lines + c * line + i, 1, 2);
 }
+template <typename Real>
+inline void fetchSource(const KernelCall& call, const Group<Real>& group, int node, int from, int width) {
+  const auto n = static_cast<std::size_t>(node);
+  fetch(call.source + group.state + n * 3 * chunk, chunk, from, width);
+  if (from == 0)
+    for (int c = 0; c < 3; ++c) __builtin_prefetch(group.next + n * group.nextNode + c * group.nextLine, 0, 2);
+}
 
 // A value that stays in its register: without this the compiler loads it anew for each of its three products.
 template <typename Packed>
@@ -222,38 +229,30 @@ inline void forceOfPart(const KernelCall& call, const Part<Real>& part, int row,
 template <typename Real>
 struct Forces {
   alignas(64) Real lines[mostRows][3][chunk];
-  explicit Forces(int stations) {
-    if (stations < chunk) __builtin_memset(lines, 0, sizeof lines);
-  }
 };
 
 // Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of row
-// first + i go to place(i, node), three lines of a chunk; rows(first, end) follows when they are whole, so that it
-// meets memory in long pieces. `ahead(node, from, width)` asks for what it will need of a node in the next bundle.
-template <typename Whole, typename Piece, typename Ahead, typename Place, typename Rows>
-inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const Ahead& ahead,
-                     const Place& place, const Rows& rows) {
+// first + i go to place(i, node), three lines of a chunk. `between(done, all)` is called so often in a bundle, `all`
+// times, between the multiply-adds: memory that is asked for there costs little. rows(first, end) follows when the
+// forces of a bundle are whole.
+template <typename Whole, typename Piece, typename Place, typename Between, typename Rows>
+inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const Place& place,
+                     const Between& between, const Rows& rows) {
   const RigidMotion<typename Whole::Real> rigid(call, group);
   int gathered = 0, slot = 0;
   for (int bundle = 0; bundle < call.bundles; ++bundle) {
     const int first = call.bundleStart[bundle], end = call.bundleStart[bundle + 1];
-    const auto fetchFor = [&](int i, int from, int width) {
-      const int later = i + end - first, soon = gathered + (i - first);
-      if (later < call.nodes) ahead(call.order[later], from, width);
-      if (soon >= call.nodes) return;
-      const auto node = static_cast<std::size_t>(call.order[soon]);
-      fetch(call.source + group.state + node * 3 * chunk, chunk, from, width);
-      if (from == 0)
-        for (int c = 0; c < 3; ++c) __builtin_prefetch(group.next + node * group.nextNode + c * group.nextLine, 0, 2);
-    };
+    int done = 0;
     for (int p = 0; p < group.parts; ++p)
       for (int i = first; i < end; ++i) {
         for (const int upTo = call.gatherUpTo[i]; gathered < upTo; ++gathered) {
           gather(call, group, rigid, call.order[gathered], slot);
           slot = slot + 1 == call.window ? 0 : slot + 1;
         }
-        fetchFor(i, group.part[p].offset, group.part[p].width);
+        if (const int soon = gathered + (i - first); soon < call.nodes)
+          fetchSource(call, group, call.order[soon], group.part[p].offset, group.part[p].width);
         forceOfPart<Whole, Piece>(call, group.part[p], i, place(i - first, call.order[i]));
+        between(first, end, ++done);
       }
     rows(first, end);
   }
@@ -263,15 +262,15 @@ template <typename Whole, typename Piece>
 inline void applyGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
   using Real = typename Whole::Real;
   double* out = call.force + group.state;
-  const auto nothingAhead = [](int, int, int) {};
+  const auto nothingBetween = [](int, int, int) {};
   const auto linesOf = [out](int node) { return out + static_cast<std::size_t>(node) * 3 * chunk; };
   if constexpr (sizeof(Real) == sizeof(double)) {
     overRows<Whole, Piece>(
-        call, group, nothingAhead, [&](int, int node) { return linesOf(node); }, [](int, int) {});
+        call, group, [&](int, int node) { return linesOf(node); }, nothingBetween, [](int, int) {});
   } else {
-    Forces<Real> forces(group.count);
+    Forces<Real> forces;
     overRows<Whole, Piece>(
-        call, group, nothingAhead, [&](int i, int) { return forces.lines[i][0]; },
+        call, group, [&](int i, int) { return forces.lines[i][0]; }, nothingBetween,
         [&](int first, int end) {
           for (int row = first; row < end; ++row)
             for (int c = 0; c < 3; ++c)
@@ -288,13 +287,15 @@ inline double* outerForce(const KernelCall& call, const Group<Real>& group, int 
   return line < 0 ? nullptr : call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at;
 }
 
-// Inner force of a node becomes its acceleration, outer forces included; a slave's is left to its masters.
-template <typename Real>
-inline void accelerate(const KernelCall& call, const Group<Real>& group, int n, Real (&force)[3][chunk]) {
-  const int count = group.count;
+// Inner force of a node becomes its acceleration, outer forces included; a slave's is left to its masters. STATIONS:
+// of the group where they are a whole chunk (loops without an end to look for), else 0.
+template <int STATIONS, typename Real>
+inline void accelerateStations(const KernelCall& call, const Group<Real>& group, int n, Real (&force)[3][chunk]) {
+  const int count = STATIONS ? STATIONS : group.count;
   const std::size_t stride = call.stride;
   if (call.turningMoment) {
     const double* source = call.source + group.state + static_cast<std::size_t>(n) * 3 * chunk;
+#pragma GCC unroll 4
     for (int i = 0; i < count; i += LANES) {
       double* moment = call.turningMoment + group.at + i;
       store(moment, load(moment) +
@@ -310,6 +311,7 @@ inline void accelerate(const KernelCall& call, const Group<Real>& group, int n, 
   const double* inverse = call.inverseMass + placeOfMass(call, n, group.at);
   for (int c = 0; c < 3; ++c) {
     double* added = outer ? outer + c * stride : nullptr;
+#pragma GCC unroll 4
     for (int i = 0; i < count; i += LANES) {
       Vector total = -widened(force[c] + i);
       if (added) {
@@ -321,11 +323,19 @@ inline void accelerate(const KernelCall& call, const Group<Real>& group, int n, 
   }
 }
 
-// One node through the central difference on all stations of the group.
 template <typename Real>
-inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n, const Real (&own)[3][chunk]) {
+inline void accelerate(const KernelCall& call, const Group<Real>& group, int n, Real (&force)[3][chunk]) {
+  if (group.count == chunk)
+    accelerateStations<chunk>(call, group, n, force);
+  else
+    accelerateStations<0>(call, group, n, force);
+}
+
+// One node through the central difference on all stations of the group.
+template <int STATIONS, typename Real>
+inline void advanceStations(const KernelCall& call, const Group<Real>& group, int n, const Real (&own)[3][chunk]) {
   if (call.slave[n]) return;
-  const int count = group.count;
+  const int count = STATIONS ? STATIONS : group.count;
   const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
   const double* source = call.source + base;
   const double step = call.step, beta = call.beta, both = step + beta, cosine = call.cosine, sine = call.sine;
@@ -335,6 +345,7 @@ inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n,
   for (int c = 0; c < 3; ++c) {
     const double mask = call.fixedMask[3 * n + c], push = pushed[c];
     const double* body = call.acceleration + c * call.stride + group.at;
+#pragma GCC unroll 4
     for (int i = 0; i < count; i += LANES) {
       const Vector acceleration = widened(own[c] + i) + (load(body + i) + push);
       const Vector old = load(rates + c * chunk + i);
@@ -345,6 +356,7 @@ inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n,
   }
   if (sine == 0) return;
   for (double* lines : {rates, target})
+#pragma GCC unroll 4
     for (int i = 0; i < count; i += LANES) {
       const Vector a = load(lines + i), b = load(lines + chunk + i);
       store(lines + i, cosine * a + sine * b);
@@ -352,28 +364,56 @@ inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n,
     }
 }
 
+template <typename Real>
+inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n, const Real (&own)[3][chunk]) {
+  if (group.count == chunk)
+    advanceStations<chunk>(call, group, n, own);
+  else
+    advanceStations<0>(call, group, n, own);
+}
+
+// Asks for what a node's step will need: its velocity before it is advanced, a bundle after its force is found.
+template <typename Real>
+inline void fetchStep(const KernelCall& call, const Group<Real>& group, int node) {
+  const std::size_t base = group.state + static_cast<std::size_t>(node) * 3 * chunk;
+  fetch(call.velocity + base, chunk, 0, group.count);
+  if (call.target != call.source) fetch(call.target + base, chunk, 0, group.count);
+}
+template <typename Real>
+inline void fetchForce(const KernelCall& call, const Group<Real>& group, int node) {
+  for (int i = 0; i < group.count; i += 8)
+    __builtin_prefetch(call.inverseMass + placeOfMass(call, node, group.at) + i, 0, 2);
+  if (const int line = call.externalLine[node]; line >= 0)
+    fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, 0, group.count);
+}
+
+// The rows of a bundle are advanced while the forces of the next are found.
 template <typename Whole, typename Piece>
 inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
-  int cluster = 0;
-  Forces<typename Whole::Real> forces(group.count);
+  using Real = typename Whole::Real;
+  Forces<Real> both[2];
+  int now = 0, cluster = 0, waiting = 0, from = 0, advanced = 0;  // rows from .. from + waiting - 1 of the other
+  const auto advanceUpTo = [&](int count) {
+    for (; advanced < count; ++advanced) {
+      if (const int soon = from + advanced + 6; soon < call.nodes) fetchStep(call, group, call.order[soon]);
+      advanceNode(call, group, call.order[from + advanced], both[1 - now].lines[advanced]);
+    }
+  };
   overRows<Whole, Piece>(
-      call, group,
-      [&](int node, int from, int width) {
-        const std::size_t base = group.state + static_cast<std::size_t>(node) * 3 * chunk;
-        fetch(call.velocity + base, chunk, from, width);
-        if (call.target != call.source) fetch(call.target + base, chunk, from, width);
-        for (int i = from; i < from + width; i += 8)
-          __builtin_prefetch(call.inverseMass + placeOfMass(call, node, group.at) + i, 0, 2);
-        if (const int line = call.externalLine[node]; line >= 0)
-          fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, from, width);
+      call, group, [&](int i, int) { return both[now].lines[i][0]; },
+      [&](int first, int end, int done) {
+        const int rows = end - first, whole = done - (group.parts - 1) * rows;  // rows whose forces are whole
+        if (const int soon = first + whole + 6; whole > 0 && soon < call.nodes)
+          fetchForce(call, group, call.order[soon]);
+        if (whole > 0) accelerate(call, group, call.order[first + whole - 1], both[now].lines[whole - 1]);
+        advanceUpTo(waiting * done / (group.parts * rows));
       },
-      [&](int i, int) { return forces.lines[i][0]; },
       [&](int first, int end) {
-        auto& force = forces.lines;
-        for (int row = first; row < end; ++row) accelerate(call, group, call.order[row], force[row - first]);
+        auto& force = both[now].lines;
         if (call.clusterCount > 0) slowShortWaves<Piece>(call, group, first, end, cluster, force);
-        for (int row = first; row < end; ++row) advanceNode(call, group, call.order[row], force[row - first]);
+        now = 1 - now, from = first, waiting = end - first, advanced = 0;
       });
+  advanceUpTo(waiting);
 }
 
 // Cuts the stations of a group into parts: the widest there are, mixed where runs end within them; at the end of a
@@ -423,9 +463,9 @@ void carryOver(const KernelCall& call) {
   group.at = call.first - 8, group.count = 8;
   group.state = placeOf(call, group.at), group.next = call.source + placeOf(call, call.first);
   findParts<Whole, Piece>(call, group);
-  Forces<typename Whole::Real> none(group.count);
+  Forces<typename Whole::Real> none;
   overRows<Whole, Piece>(
-      call, group, [](int, int, int) {}, [&](int i, int) { return none.lines[i][0]; }, [](int, int) {});
+      call, group, [&](int i, int) { return none.lines[i][0]; }, [](int, int, int) {}, [](int, int) {});
 }
 
 // The stretch chunk by chunk.
