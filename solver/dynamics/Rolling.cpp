@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "model/ContactPenalty.h"
@@ -66,14 +67,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   law_ = {model::normalPenalty(d), model::tangentialPenalty(d), d.contact.friction};
   layerKernels_ = plasticity::layerKernelsFor(kernels.name);
-  std::vector<int> others, masters;
-  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-    const bool isMaster =
-        std::any_of(model.ties.begin(), model.ties.end(), [&](const auto& tie) { return tie.masterBlock == b; });
-    (isMaster ? masters : others).push_back(b);
-  }
-  fineWork_ = elasticity::partition(model.blocks, others, team.size());
-  masterWork_ = elasticity::partition(model.blocks, masters, team.size());
+  shareBlocks();
   for (int i = 0; i < team.size(); ++i) {
     fineEnds_.push_back(elasticity::segmentEnds(fineWork_[i], model.blocks));
     masterEnds_.push_back(elasticity::segmentEnds(masterWork_[i], model.blocks));
@@ -94,8 +88,9 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     elasticity::BlockStep with;
     with.kernels = static_cast<int>(b) == model.body ? &kernels_ : &askedKernels_;
-    hasSlaves_.push_back(
-        std::any_of(model.slave[b].begin(), model.slave[b].end(), [](auto tied) { return tied != 0; }));
+    const bool isAlone = wheelsetOfOne_ && static_cast<int>(b) == model.body;
+    endsLate_.push_back(isAlone ||
+                        std::any_of(model.slave[b].begin(), model.slave[b].end(), [](auto tied) { return tied != 0; }));
     inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
     with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();
@@ -113,6 +108,39 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   }
   shareTies();
   shareHeld();
+  shareTrack();
+}
+
+// Half of the sleepers come before the rail, the others after it: every thread has some, with their springs. Where one
+// thread can have the whole wheelset, it advances the wheel body when it is done with the rim, and nobody waits.
+void Rolling::shareBlocks() {
+  constexpr double tieCost = 1.8;  // of a node of the wheel body, ties and slaves included, to one along a line (seen)
+  const auto& blocks = model_.blocks;
+  std::vector<int> track, wheelset{model_.rim, model_.body};
+  for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
+    if (b != model_.rim && b != model_.body && b != model_.rail) track.push_back(b);
+  track.insert(track.begin() + static_cast<std::ptrdiff_t>(track.size() / 2), model_.rail);
+  auto all = track;
+  all.insert(all.end(), wheelset.begin(), wheelset.end());
+  const int threads = team_.size();
+  auto together = elasticity::partition(blocks, all, threads, model_.body, tieCost);
+  wheelsetOfOne_ = true;
+  for (int thread = 0; thread + 1 < threads; ++thread)
+    for (const auto& segment : together[thread])
+      wheelsetOfOne_ = wheelsetOfOne_ && segment.block != model_.rim && segment.block != model_.body;
+  if (wheelsetOfOne_) {
+    masterWork_.resize(static_cast<std::size_t>(threads));
+    masterWork_.back().push_back(together.back().back());
+    together.back().pop_back();
+    fineWork_ = std::move(together);
+    return;
+  }
+  all.pop_back();
+  fineWork_ = elasticity::partition(blocks, all, threads);
+  masterWork_ = elasticity::partition(blocks, {model_.body}, threads);
+  // Most of the rim is tied to the first sectors of the wheel body and goes to the last threads: what they pass each
+  // other stays in their own caches.
+  std::reverse(masterWork_.begin(), masterWork_.end());
 }
 
 // Who advances a tied node's stations places it, but for the first thread, which is busy with the contact: the last one
@@ -139,20 +167,29 @@ void Rolling::shareTies() {
   }
 }
 
+int Rolling::ownerOf(std::size_t unknown) const {
+  std::size_t b = 0;
+  while (b + 1 < model_.blocks.size() && model_.blocks[b + 1].offset <= unknown) ++b;
+  const int station = model_.blocks[b].unknownAt(unknown).station;
+  for (int thread = 0; thread < team_.size(); ++thread)
+    for (const auto* work : {&fineWork_[thread], &masterWork_[thread]})
+      for (const auto& segment : *work) {
+        const auto own = stationsOf(model_.blocks[segment.block], segment);
+        if (segment.block == static_cast<int>(b) && station >= own.first && station < own.last) return thread;
+      }
+  return 0;
+}
+
 void Rolling::shareHeld() {
   heldOf_.resize(static_cast<std::size_t>(team_.size()));
-  for (const auto index : model_.held) {
-    std::size_t b = 0;
-    while (b + 1 < model_.blocks.size() && model_.blocks[b + 1].offset <= index) ++b;
-    const int station = model_.blocks[b].unknownAt(index).station;
-    for (int thread = 0; thread < team_.size(); ++thread)
-      for (const auto* work : {&fineWork_[thread], &masterWork_[thread]})
-        for (const auto& segment : *work) {
-          const auto own = stationsOf(model_.blocks[segment.block], segment);
-          if (segment.block == static_cast<int>(b) && station >= own.first && station < own.last)
-            heldOf_[thread].push_back(index);
-        }
-  }
+  for (const auto unknown : model_.held) heldOf_[static_cast<std::size_t>(ownerOf(unknown))].push_back(unknown);
+}
+
+void Rolling::shareTrack() {
+  auto shared = supports::shareSprings({&model_.ballast, &model_.pads, &model_.ends}, team_.size(),
+                                       [this](std::size_t unknown) { return ownerOf(unknown); });
+  trackShares_ = std::move(shared.shares);
+  groupDamperPowers_.assign(shared.groups, 0.0);
 }
 
 void Rolling::start(const AlignedVector& displacement, const AlignedVector& velocity, double spinRate) {
@@ -305,13 +342,13 @@ void Rolling::hold(const std::vector<std::size_t>& unknowns) {
   for (const auto index : unknowns) state_.velocity[index] = 0, state_.displaced[index] = 0;
 }
 
-void Rolling::pushTrack() {
-  double* u = state_.displaced.data();
-  const double* v = state_.velocity.data();
-  double power = addSpringForces(model_.ballast, u, v, forces_.data());
-  power += addSpringForces(model_.pads, u, v, forces_.data());
-  power += addSpringForces(model_.ends, u, v, forces_.data());
-  trackDamperPower_ = power;
+void Rolling::pushTrack(int index) {
+  supports::addSpringForces(trackShares_[static_cast<std::size_t>(index)], state_.displaced.data(),
+                            state_.velocity.data(), forces_.data(), groupDamperPowers_.data());
+}
+
+void Rolling::sumTrackPower() {
+  trackDamperPower_ = std::accumulate(groupDamperPowers_.begin(), groupDamperPowers_.end(), 0.0);
 }
 
 void Rolling::placeSlaves(int index) {
@@ -330,10 +367,10 @@ void Rolling::yieldLayer(int index, long step) {
 
 // A step in place overwrites what neighbouring stretches need: each thread reads that first. Blocks with slaves come
 // when those are placed, the others before.
-void Rolling::readEnds(int index, bool ofSlaves) {
+void Rolling::readEnds(int index, bool late) {
   const auto read = [&](const std::vector<elasticity::Segment>& work, std::vector<elasticity::SegmentEnds>& ends) {
     for (std::size_t i = 0; i < work.size(); ++i)
-      if (hasSlaves_[work[i].block] == ofSlaves)
+      if (endsLate_[work[i].block] == late)
         elasticity::readEnd(work[i], model_.blocks, blockSteps_, state_.displaced.data(), *scratch_[index], ends[i]);
   };
   read(fineWork_[index], fineEnds_[index]);

@@ -29,6 +29,7 @@
 #include "model/WheelMotion.h"
 #include "model/WheelsetDamping.h"
 #include "plasticity/LayerWork.h"
+#include "supports/SpringShares.h"
 
 namespace squat::dynamics {
 
@@ -60,16 +61,18 @@ class Rolling {
             observe(view_);
           }
           pushWheelset();
-          pushTrack();
         }
-        placeSlaves(index);
+        pushTrack(index);
+        if (!wheelsetOfOne_) placeSlaves(index);
         yieldLayer(index, first + k);
         readEnds(index, false);
         team_.barrier();
+        if (index == 0) sumTrackPower();
+        if (wheelsetOfOne_) placeSlaves(index);
         readEnds(index, true);
-        team_.barrier();
+        if (!wheelsetOfOne_) team_.barrier();
         advanceFine(index);
-        team_.barrier();
+        if (!wheelsetOfOne_) team_.barrier();
         passTieForces(index);
         advanceMasters(index);
         hold(heldOf_[index]);
@@ -99,11 +102,12 @@ class Rolling {
   std::vector<contact::PatchPoint> patchPoints() const;
 
  private:
-  void pushWheelset();  // contact, irregular elements, suspension, torque, spin
-  void pushTrack();     // pads, ballast
+  void pushWheelset();        // contact, irregular elements, suspension, torque, spin
+  void pushTrack(int index);  // pads, ballast, rail ends
+  void sumTrackPower();
   void placeSlaves(int index);
   void yieldLayer(int index, long step);
-  void readEnds(int index, bool ofSlaves);
+  void readEnds(int index, bool late);
   void advanceFine(int index);  // and what is tied to nothing
   void passTieForces(int index);
   void advanceMasters(int index);
@@ -126,10 +130,11 @@ class Rolling {
   RollingState state_;
   AlignedVector forces_;
   std::vector<std::vector<elasticity::Segment>> fineWork_, masterWork_;
+  bool wheelsetOfOne_ = false;  // the last thread has all of it
   std::vector<std::vector<elasticity::SegmentEnds>> fineEnds_, masterEnds_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
-  std::vector<unsigned char> hasSlaves_;  // per block
+  std::vector<unsigned char> endsLate_;  // per block: its ends are read when slaves are placed
   model::WheelsetDamping wheelsetDamping_;
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
   std::vector<AlignedVector> inverseMass_;   // per block, in chunks
@@ -141,13 +146,18 @@ class Rolling {
   model::PlaneVector boxVelocity_, wheelVelocity_;
   double spinAcceleration_ = 0, referenceAcceleration_ = 0;
   double trackDamperPower_ = 0, vehicleDamperPower_ = 0;  // [W]
+  std::vector<double> groupDamperPowers_;  // [W] of each group of the track's springs, written while they push
   struct TieShare {
     std::size_t tie = 0;
     elasticity::StationSpan masters;
     std::vector<elasticity::StationSpan> slaves;
   };
+  int ownerOf(std::size_t unknown) const;  // thread that advances it
+  void shareBlocks();
   void shareTies();
   void shareHeld();
+  void shareTrack();
+  std::vector<supports::SpringShare> trackShares_;  // per thread
   std::vector<std::vector<std::size_t>> heldOf_;    // per thread: held unknowns of its stations
   std::vector<std::vector<TieShare>> tieShares_;    // per thread: master stations that it advances
   std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it places

@@ -8,8 +8,14 @@ namespace squat::elasticity {
 namespace {
 
 // A node that turns with its body costs more than one along a line: its basis turns with the station and the step, its
-// moment is summed.
-constexpr double turningCost = 1.2;
+// moment is summed. The last station of an open block goes alone and costs as much as several (seen on sleepers).
+constexpr double turningCost = 1.1, lastStationCost = 8;
+
+double costOf(const SweptBlock& block, int first, int count) {
+  const double turning = block.kind == SweepKind::aroundAxis ? turningCost : 1.0;
+  const bool endsOpen = !block.closed && first + count == block.intervals;
+  return block.nodes * turning * (count + (endsOpen ? lastStationCost : 0));
+}
 
 KernelCall callFor(const SweptBlock& block, int index, int first, int count, const double* source,
                    KernelScratch& scratch) {
@@ -33,6 +39,12 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   call.carry = scratch.carry.data();
   call.workspace = scratch.workspace.data();
   return call;
+}
+
+// Ends that nobody else reads or writes: those of an open block.
+bool beginsAlone(const SweptBlock& block, const Segment& segment) { return !block.closed && segment.first == 0; }
+bool endsAlone(const SweptBlock& block, const Segment& segment) {
+  return !block.closed && segment.first + segment.count == block.intervals;
 }
 
 // What the interval before `first` adds to that station; nothing at the open end of a block.
@@ -87,26 +99,26 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts) {
-  const auto costAt = [&](int b) {
-    return blocks[b].nodes * (blocks[b].kind == SweepKind::aroundAxis ? turningCost : 1.0);
+                                            int parts, int dear, double factor) {
+  const auto cost = [&](int b, int first, int count) {
+    return costOf(blocks[b], first, count) * (b == dear ? factor : 1.0);
   };
   double total = 0;
-  for (const int b : which) total += costAt(b) * blocks[b].intervals;
+  for (const int b : which) total += cost(b, 0, blocks[b].intervals);
   std::vector<std::vector<Segment>> lists(parts);
   double done = 0;
   for (const int b : which)
     for (int at = 0, count = 0; at < blocks[b].intervals; at += count) {
       count = std::min(mostStations, blocks[b].intervals - at);  // those that share their inertia stay together
-      const double cost = costAt(b) * count;
+      const double here = cost(b, at, count);
       // To the part in whose share the middle of these intervals lies.
-      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * cost) / total * parts));
+      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * here) / total * parts));
       auto& list = lists[part];
       if (!list.empty() && list.back().block == b)
         list.back().count += count;
       else
         list.push_back({b, at, count});
-      done += cost;
+      done += here;
     }
   return lists;
 }
@@ -136,7 +148,7 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
     auto call = callFor(block, segment.block, segment.first, segment.count, source, scratch);
     call.force = result + block.offset;
     kernels.applyStiffness(call);
-    if (!block.closed && segment.first + segment.count == block.intervals)
+    if (endsAlone(block, segment))
       for (int n = 0; n < block.nodes; ++n)
         for (int c = 0; c < 3; ++c) result[block.index(n, c, block.intervals)] = scratch.carry[3 * n + c];
   }
@@ -154,8 +166,11 @@ std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const
 void readEnd(const Segment& segment, const std::vector<SweptBlock>& blocks, const std::vector<BlockStep>& steps,
              const double* source, KernelScratch& scratch, SegmentEnds& end) {
   const auto& block = blocks[segment.block];
-  startCarry(block, segment.block, *steps[segment.block].kernels, segment.first, source, scratch);
-  std::copy_n(scratch.carry.begin(), 3 * block.nodes, end.carry.begin());
+  if (!beginsAlone(block, segment)) {
+    startCarry(block, segment.block, *steps[segment.block].kernels, segment.first, source, scratch);
+    std::copy_n(scratch.carry.begin(), 3 * block.nodes, end.carry.begin());
+  }
+  if (endsAlone(block, segment)) return;
   for (int n = 0; n < block.nodes; ++n)
     for (int c = 0; c < 3; ++c) end.after[3 * n + c] = source[block.index(n, c, segment.first + segment.count)];
 }
@@ -185,10 +200,9 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     call.shortShare = block.inertia.share;
     call.ownFilter = with.ownFilter, call.filters = with.filters;
     call.stationUnits = block.intervals / stationUnit;
-    if (ends) call.after = (*ends)[i].after.data();
+    if (ends && !endsAlone(block, segment)) call.after = (*ends)[i].after.data();
     with.kernels->advanceStep(call);
-    if (!block.closed && segment.first + segment.count == block.intervals)
-      advanceLastStation(block, with, step, source, target, velocity, scratch.carry);
+    if (endsAlone(block, segment)) advanceLastStation(block, with, step, source, target, velocity, scratch.carry);
     if (block.closed && segment.first == 0) refreshGhost(block, target);
   }
 }

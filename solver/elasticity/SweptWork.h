@@ -17,9 +17,10 @@ struct Segment {
   int block = 0, first = 0, count = 0;  // intervals, multiples of 8
 };
 
-// Cuts the intervals of the named blocks into `parts` lists of about equal cost.
+// Cuts the intervals of the named blocks into `parts` lists of about equal cost. The nodes of `dear` cost `factor`
+// times as much as others.
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts);
+                                            int parts, int dear = -1, double factor = 1);
 
 // Scratch memory of one thread.
 struct KernelScratch {

@@ -12,21 +12,6 @@ void SpringSet::add(const std::vector<std::pair<std::size_t, double>>& terms, do
   damping.push_back(c);
 }
 
-double addSpringForces(const SpringSet& set, const double* displacement, const double* velocity, double* forces) {
-  double dissipation = 0;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    double q = 0, rate = 0;
-    for (std::size_t t = set.start[i]; t < set.start[i + 1]; ++t) {
-      q += set.weight[t] * displacement[set.unknown[t]];
-      rate += set.weight[t] * velocity[set.unknown[t]];
-    }
-    const double force = set.stiffness[i] * q + set.damping[i] * rate;
-    dissipation += set.damping[i] * rate * rate;
-    for (std::size_t t = set.start[i]; t < set.start[i + 1]; ++t) forces[set.forceSlot[t]] -= set.weight[t] * force;
-  }
-  return dissipation;
-}
-
 void addSpringStiffness(const SpringSet& set, const double* u, double* result) {
   for (std::size_t i = 0; i < set.size(); ++i) {
     double q = 0;

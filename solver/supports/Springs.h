@@ -27,9 +27,6 @@ struct SpringPower {
   double dissipation = 0;  // [W]
 };
 
-// Adds the springs' forces to the force buffer; returns what their dashpots dissipate [W].
-double addSpringForces(const SpringSet& set, const double* displacement, const double* velocity, double* forces);
-
 // result += K u of the springs (state layout, no dashpots); for the equilibrium.
 void addSpringStiffness(const SpringSet& set, const double* u, double* result);
 void addSpringDiagonal(const SpringSet& set, double* diagonal);
