@@ -24,7 +24,7 @@ struct Chain {
 }  // namespace
 
 SharedSprings shareSprings(const std::vector<const SpringSet*>& sets, int shares,
-                                      const std::function<int(std::size_t unknown)>& ownerOf) {
+                           const std::function<int(std::size_t unknown)>& ownerOf) {
   Chain chain;
   std::unordered_map<std::size_t, std::size_t> firstAt;  // force slot: first spring that pushes there
   for (const auto* set : sets)

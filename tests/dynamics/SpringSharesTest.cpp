@@ -6,12 +6,11 @@
 #include <utility>
 #include <vector>
 
-
 namespace squat {
 namespace {
 
-// Three sleepers with two springs each to the ground and one to the rail, whose places are 10, 11 and 12; sleepers 1 and
-// 2 share place 11 there.
+// Three sleepers with two springs each to the ground and one to the rail, whose places are 10, 11 and 12; sleepers 1
+// and 2 share place 11 there.
 struct Track {
   supports::SpringSet ballast, pads;
 
@@ -49,10 +48,11 @@ std::vector<double> ramp(double first, double step) {
 
 TEST(SpringShares, WhatPushesAtACommonPlaceStaysTogether) {
   std::vector<std::size_t> asked;
-  const auto shared = Track().shared(2, [&](std::size_t unknown) { return asked.push_back(unknown), unknown < 2 ? 1 : 0; });
-  ASSERT_EQ(shared.groups, 2u);                          // the first sleeper; the other two by place 11
-  EXPECT_EQ(asked, (std::vector<std::size_t>{0, 2}));    // the first term of each
-  EXPECT_EQ(shared.shares[1].springs.size(), 3u);        // two of the ballast, a pad
+  const auto shared =
+      Track().shared(2, [&](std::size_t unknown) { return asked.push_back(unknown), unknown < 2 ? 1 : 0; });
+  ASSERT_EQ(shared.groups, 2u);                        // the first sleeper; the other two by place 11
+  EXPECT_EQ(asked, (std::vector<std::size_t>{0, 2}));  // the first term of each
+  EXPECT_EQ(shared.shares[1].springs.size(), 3u);      // two of the ballast, a pad
   EXPECT_EQ(shared.shares[0].springs.size(), 6u);
   EXPECT_EQ(shared.shares[0].groups, std::vector<std::size_t>{1});
   EXPECT_EQ(shared.shares[1].groups, std::vector<std::size_t>{0});
