@@ -30,9 +30,9 @@ ContactInertia::ContactInertia(const model::Model& model, double penalty, double
     side.clusterOf.assign(static_cast<std::size_t>(block.nodes), -1), side.rankOf = side.clusterOf;
     const auto& clusters = block.inertia.clusters;
     for (std::size_t k = 0; k < clusters.size(); ++k)
-      for (int row = clusters[k].first; row < clusters[k].end; ++row) {
-        side.clusterOf[block.order.nodes[row]] = static_cast<int>(k);
-        side.rankOf[block.order.nodes[row]] = row - clusters[k].first;
+      for (int place = clusters[k].first; place < clusters[k].end; ++place) {
+        side.clusterOf[block.order.members[place]] = static_cast<int>(k);
+        side.rankOf[block.order.members[place]] = place - clusters[k].first;
       }
     side.slotOf.assign(clusters.size() * static_cast<std::size_t>(side.units), -1);
     side.nextOf.assign(side.slotOf.size(), 0);
@@ -100,9 +100,9 @@ void ContactInertia::applyBlocks(Side& side, double* inverse) {
 
 void ContactInertia::weigh(Side& side, Touched& touched, double* inverse) const {
   const auto& block = *side.block;
-  const auto& rows = block.inertia.clusters[touched.key / side.units];
+  const auto& places = block.inertia.clusters[touched.key / side.units];
   const int first = touched.key % side.units * unit, stations = touched.stations;
-  const std::vector<int> nodes(block.order.nodes.begin() + rows.first, block.order.nodes.begin() + rows.end);
+  const std::vector<int> nodes(block.order.members.begin() + places.first, block.order.members.begin() + places.end);
   std::vector<double> mass;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (int s = 0; s < stations; ++s) {

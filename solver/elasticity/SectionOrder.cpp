@@ -1,7 +1,6 @@
 #include "elasticity/SectionOrder.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 
 namespace squat::elasticity {
@@ -28,60 +27,20 @@ std::vector<int> breadthFirst(const std::vector<int>& rowStart, const std::vecto
   return order;
 }
 
-struct Item {
-  std::vector<int> nodes;
-  bool isCluster = false;
-};
-
-// Clusters and nodes that stand alone.
-std::vector<Item> itemsOf(std::size_t nodes, const std::vector<std::vector<int>>& clusters) {
-  std::vector<Item> items;
-  std::vector<unsigned char> taken(nodes, 0);
-  for (const auto& cluster : clusters) {
-    items.push_back({cluster, true});
-    for (const int n : cluster) taken[static_cast<std::size_t>(n)] = 1;
-  }
-  for (std::size_t n = 0; n < nodes; ++n)
-    if (!taken[n]) items.push_back({{static_cast<int>(n)}, false});
-  return items;
-}
-
-// Pairs of items that hold a pair of nodes: row starts and columns.
-void pairsOfItems(const std::vector<Item>& items, const std::vector<int>& rowStart, const std::vector<int>& columns,
-                  std::vector<int>& itemStart, std::vector<int>& itemColumns) {
-  std::vector<int> itemOf(rowStart.size() - 1);
-  for (std::size_t i = 0; i < items.size(); ++i)
-    for (const int n : items[i].nodes) itemOf[n] = static_cast<int>(i);
-  itemStart.assign(1, 0);
-  for (const auto& item : items) {
-    std::set<int> others;
-    for (const int n : item.nodes)
-      for (int p = rowStart[n]; p < rowStart[n + 1]; ++p) others.insert(itemOf[columns[p]]);
-    itemColumns.insert(itemColumns.end(), others.begin(), others.end());
-    itemStart.push_back(static_cast<int>(itemColumns.size()));
-  }
-}
-
-SectionOrder follow(const std::vector<Item>& items, const std::vector<int>& rowStart, const std::vector<int>& columns) {
+SectionOrder follow(std::vector<int> order, const std::vector<int>& rowStart, const std::vector<int>& columns) {
   SectionOrder result;
-  auto& order = result.nodes;
-  result.bundleStart.push_back(0);
-  for (const auto& item : items) {
-    const int at = static_cast<int>(order.size()), end = at + static_cast<int>(item.nodes.size());
-    if (at > result.bundleStart.back() && end - result.bundleStart.back() > rowBundle) result.bundleStart.push_back(at);
-    if (item.isCluster) result.clusters.push_back({at, end});
-    order.insert(order.end(), item.nodes.begin(), item.nodes.end());
-  }
   const int nodes = static_cast<int>(order.size());
+  result.nodes = std::move(order);
+  for (int first = 0; first < nodes; first += rowBundle) result.bundleStart.push_back(first);
   result.bundleStart.push_back(nodes);
-  std::vector<int> place(nodes);
-  for (int i = 0; i < nodes; ++i) place[order[i]] = i;
+  std::vector<int> row(nodes);
+  for (int i = 0; i < nodes; ++i) row[result.nodes[i]] = i;
   result.rowStart.push_back(0);
   std::vector<int> oldest(nodes), newest(nodes);
   for (int i = 0; i < nodes; ++i) {
     oldest[i] = newest[i] = i;
-    for (int p = rowStart[order[i]]; p < rowStart[order[i] + 1]; ++p) {
-      const int at = place[columns[p]];
+    for (int p = rowStart[result.nodes[i]]; p < rowStart[result.nodes[i] + 1]; ++p) {
+      const int at = row[columns[p]];
       oldest[i] = std::min(oldest[i], at), newest[i] = std::max(newest[i], at);
       result.pairs.push_back(p), result.slots.push_back(at);
     }
@@ -99,23 +58,88 @@ SectionOrder follow(const std::vector<Item>& items, const std::vector<int>& rowS
   return result;
 }
 
+// Nodes that wait for each other, and the row of the last.
+struct Item {
+  std::vector<int> nodes;
+  int last = 0;
+  bool isCluster = false;
+};
+
+// Clusters and nodes that stand alone, as they become ready.
+std::vector<Item> itemsOf(const SectionOrder& order, const std::vector<std::vector<int>>& clusters) {
+  std::vector<Item> items;
+  std::vector<int> row(order.nodes.size());
+  std::vector<unsigned char> taken(order.nodes.size(), 0);
+  for (std::size_t i = 0; i < order.nodes.size(); ++i) row[order.nodes[i]] = static_cast<int>(i);
+  for (const auto& cluster : clusters) {
+    Item item{cluster, 0, true};
+    for (const int n : cluster) taken[n] = 1, item.last = std::max(item.last, row[n]);
+    items.push_back(std::move(item));
+  }
+  for (const int n : order.nodes)
+    if (!taken[n]) items.push_back({{n}, row[n], false});
+  std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.last < b.last; });
+  return items;
+}
+
+// Slots that follow each other, the first that are free.
+int takeSlots(std::vector<unsigned char>& taken, int count) {
+  int from = 0;
+  for (int i = 0; i < static_cast<int>(taken.size()) && i - from < count; ++i)
+    if (taken[i]) from = i + 1;
+  taken.resize(std::max(taken.size(), static_cast<std::size_t>(from + count)), 0);
+  std::fill_n(taken.begin() + from, count, 1);
+  return from;
+}
+
+// Goes through the rows as the kernels do (advanceGroup): slots are taken when the bundle of an item's first row begins
+// and free again when the bundle ends in which its last node has been advanced.
+void placeForces(const std::vector<Item>& items, SectionOrder& order) {
+  const int nodes = static_cast<int>(order.nodes.size());
+  std::vector<int> itemOf(nodes), slot(items.size(), -1), start;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    start.push_back(static_cast<int>(order.members.size()));
+    for (const int n : items[k].nodes) itemOf[n] = static_cast<int>(k), order.members.push_back(n);
+    if (items[k].isCluster) order.clusters.push_back({start.back(), static_cast<int>(order.members.size())});
+  }
+  start.push_back(nodes);
+  std::vector<unsigned char> taken;
+  std::size_t ready = 0, freed = 0;
+  int advanced = 0;
+  for (std::size_t b = 0; b + 1 < order.bundleStart.size(); ++b) {
+    for (int i = order.bundleStart[b]; i < order.bundleStart[b + 1]; ++i)
+      if (const int k = itemOf[order.nodes[i]]; slot[k] < 0)
+        slot[k] = takeSlots(taken, static_cast<int>(items[k].nodes.size()));
+    for (int i = order.bundleStart[b]; i < order.bundleStart[b + 1]; ++i) {
+      while (ready < items.size() && items[ready].last <= i) ++ready;
+      order.readyAfter.push_back(start[ready]);
+      advanced = std::min(advanced + advancedPerRow, start[ready]);
+    }
+    for (; freed < ready && start[freed + 1] <= advanced; ++freed)
+      std::fill_n(taken.begin() + slot[freed], items[freed].nodes.size(), 0);
+  }
+  order.forceSlots = static_cast<int>(taken.size());
+  std::vector<int> slotOf(nodes);
+  for (std::size_t k = 0; k < items.size(); ++k)
+    for (int place = start[k]; place < start[k + 1]; ++place) {
+      order.placeSlot.push_back(slot[k] + place - start[k]);
+      slotOf[order.members[place]] = order.placeSlot.back();
+    }
+  for (const int n : order.nodes) order.rowSlot.push_back(slotOf[n]);
+}
+
 }  // namespace
 
 SectionOrder sectionOrder(const std::vector<int>& rowStart, const std::vector<int>& columns,
                           const std::vector<std::vector<int>>& clusters) {
   for (const auto& cluster : clusters)
     if (cluster.size() > mostRows) throw std::invalid_argument("a cluster of section nodes has too many of them");
-  const auto items = itemsOf(rowStart.size() - 1, clusters);
-  std::vector<int> itemStart, itemColumns;
-  pairsOfItems(items, rowStart, columns, itemStart, itemColumns);
   SectionOrder best;
-  for (int start = 0; start < static_cast<int>(items.size()); ++start) {
-    std::vector<Item> visited;
-    for (const int i : breadthFirst(itemStart, itemColumns, start))
-      visited.push_back(items[static_cast<std::size_t>(i)]);
-    SectionOrder trial = follow(visited, rowStart, columns);
+  for (int start = 0; start + 1 < static_cast<int>(rowStart.size()); ++start) {
+    SectionOrder trial = follow(breadthFirst(rowStart, columns, start), rowStart, columns);
     if (best.nodes.empty() || trial.window < best.window) best = std::move(trial);
   }
+  placeForces(itemsOf(best, clusters), best);
   return best;
 }
 

@@ -23,7 +23,7 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& given, const Eigen::VectorXd&
 
 void addCluster(const SweptBlock& block, const KernelCluster& cluster, const std::vector<double>& mass,
                 SelectiveInertia& out) {
-  const std::vector<int> nodes(block.order.nodes.begin() + cluster.first, block.order.nodes.begin() + cluster.end);
+  const std::vector<int> nodes(block.order.members.begin() + cluster.first, block.order.members.begin() + cluster.end);
   const Eigen::MatrixXd kept = keptFields(block, nodes, mass);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (int k = 0; k < keptAcross; ++k) {
@@ -148,20 +148,20 @@ std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>&
 
 void slowShortWaves(const SweptBlock& block, double* acceleration) {
   const auto& inertia = block.inertia;
-  const auto at = [&](int row, int c, int s) -> double& {
-    return acceleration[block.index(block.order.nodes[row], c, s) - block.offset];
+  const auto at = [&](int place, int c, int s) -> double& {
+    return acceleration[block.index(block.order.members[place], c, s) - block.offset];
   };
   const auto amplitudes = [&](const KernelCluster& cluster, int c, int s) {
     std::array<double, keptAcross> sum{};
-    for (int row = cluster.first; row < cluster.end; ++row)
-      for (int k = 0; k < keptAcross; ++k) sum[k] += inertia.weights[2 * keptAcross * row + k] * at(row, c, s);
+    for (int place = cluster.first; place < cluster.end; ++place)
+      for (int k = 0; k < keptAcross; ++k) sum[k] += inertia.weights[2 * keptAcross * place + k] * at(place, c, s);
     return sum;
   };
   const auto filter = [&](const KernelCluster& cluster, int c, int s, const std::array<double, keptAcross>& sum) {
-    for (int row = cluster.first; row < cluster.end; ++row) {
-      double& value = at(row, c, s);
+    for (int place = cluster.first; place < cluster.end; ++place) {
+      double& value = at(place, c, s);
       value *= inertia.share;
-      for (int k = 0; k < keptAcross; ++k) value += inertia.weights[2 * keptAcross * row + keptAcross + k] * sum[k];
+      for (int k = 0; k < keptAcross; ++k) value += inertia.weights[2 * keptAcross * place + keptAcross + k] * sum[k];
     }
   };
   for (const auto& cluster : inertia.clusters)
@@ -190,14 +190,15 @@ void slowShortWavesAcross(const SweptBlock& block, double* acceleration) {
   for (const auto& cluster : inertia.clusters)
     for (int c = 0; c < 3; ++c) {
       std::array<double, keptAcross> amplitude{};
-      for (int row = cluster.first; row < cluster.end; ++row)
+      for (int place = cluster.first; place < cluster.end; ++place)
         for (int k = 0; k < keptAcross; ++k)
-          amplitude[k] += inertia.weights[2 * keptAcross * row + k] * acceleration[3 * block.order.nodes[row] + c];
-      for (int row = cluster.first; row < cluster.end; ++row) {
-        double& value = acceleration[3 * block.order.nodes[row] + c];
+          amplitude[k] +=
+              inertia.weights[2 * keptAcross * place + k] * acceleration[3 * block.order.members[place] + c];
+      for (int place = cluster.first; place < cluster.end; ++place) {
+        double& value = acceleration[3 * block.order.members[place] + c];
         value *= inertia.share;
         for (int k = 0; k < keptAcross; ++k)
-          value += inertia.weights[2 * keptAcross * row + keptAcross + k] * amplitude[k];
+          value += inertia.weights[2 * keptAcross * place + keptAcross + k] * amplitude[k];
       }
     }
 }

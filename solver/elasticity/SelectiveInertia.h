@@ -26,8 +26,8 @@ constexpr int keptAcross = 3, keptInBlock = 2 * keptAcross;
 
 struct SelectiveInertia {
   double share = 1;                     // of the inverse mass that short waves keep
-  std::vector<KernelCluster> clusters;  // rows of the kernels' order
-  // Per row: (1 - share) times its weights in the amplitudes of three fields, then the fields' values there.
+  std::vector<KernelCluster> clusters;  // places of the kernels' order
+  // Per place: (1 - share) times its weights in the amplitudes of three fields, then the fields' values there.
   std::vector<double> weights;
   std::vector<float> singleWeights;
   // Per run: projections along the sweep (projectionPlace), column by column; empty where blocks are one station long.

@@ -35,4 +35,7 @@ KernelSet kernelsFor(const std::string& isa, Precision precision) {
 // Six values of each station of a chunk per node.
 std::size_t kernelWorkspace(int window) { return static_cast<std::size_t>(window) * 6 * stationChunk; }
 
+// At least one row: the kernels leave what nobody asks for there.
+std::size_t forceWorkspace(int forceSlots) { return (static_cast<std::size_t>(forceSlots) + 1) * 3 * stationChunk; }
+
 }  // namespace squat::elasticity

@@ -10,9 +10,10 @@
 
 namespace squat::elasticity {
 
-constexpr int stationChunk = 32;  // stations that state vectors keep together (SweptBlock.h)
-constexpr int rowBundle = 8;      // rows that share their coefficients in the first-level cache
-constexpr int mostRows = 32;      // in a bundle: a large cluster is one of its own
+constexpr int stationChunk = 32;   // stations that state vectors keep together (SweptBlock.h)
+constexpr int rowBundle = 8;       // rows that share their coefficients in the first-level cache
+constexpr int mostRows = 32;       // nodes of a cluster
+constexpr int advancedPerRow = 2;  // nodes that are advanced after each row: they keep up and wait for clusters only
 
 // SelectiveInertia: clusters share their inertia with 16 stations, [16 k, 16 k + 16), where these are of one run, else
 // with eight. Where a run's projections stand: on eight and on 16 stations; of the run's first group, which shares a
@@ -30,7 +31,7 @@ struct KernelRun {
   const float* singleAlong = nullptr;         // the same
 };
 
-// Rows [first, end) whose nodes share the inertia of short waves.
+// Places [first, end) whose nodes share the inertia of short waves.
 struct KernelCluster {
   int first = 0, end = 0;
 };
@@ -46,13 +47,17 @@ struct KernelFilter {
 // the first value of the block.
 struct KernelCall {
   int nodes = 0;
-  const int* order = nullptr;  // SectionOrder, as are the next six
+  const int* order = nullptr;  // SectionOrder, as are the next ten
   const int* bundleStart = nullptr;
   int bundles = 0;
   const int* rowStart = nullptr;
   const int* slots = nullptr;
   const int* gatherUpTo = nullptr;
   int window = 0;
+  const int* members = nullptr;
+  const int* placeSlot = nullptr;
+  const int* rowSlot = nullptr;
+  const int* readyAfter = nullptr;
   int middle = 0, far = 0;          // nodes next to the section's centre and farthest from it
   const double* places = nullptr;   // nodes x 2: section coordinates [m]
   const KernelRun* runs = nullptr;  // of the whole block
@@ -63,6 +68,7 @@ struct KernelCall {
   const double *cosines = nullptr, *sines = nullptr;  // around an axis: of every station's angle; null along a line
   double* carry = nullptr;      // nodes x 3: what the interval before adds to station `first`; left for the next
   double* workspace = nullptr;  // kernelWorkspace(window) doubles, 64-byte aligned
+  double* waiting = nullptr;    // forceWorkspace(forceSlots) doubles, 64-byte aligned
   // Where `target` is `source`: displacements at station first + count as they were before this step, nodes x 3
   // (SegmentEnds), else null.
   const double* after = nullptr;
@@ -114,6 +120,7 @@ struct KernelSet {
 KernelSet kernelsFor(const std::string& isa, Precision precision = Precision::doubleInside);
 std::vector<std::string> availableInstructionSets();
 
-std::size_t kernelWorkspace(int window);  // doubles
+std::size_t kernelWorkspace(int window);     // doubles
+std::size_t forceWorkspace(int forceSlots);  // doubles
 
 }  // namespace squat::elasticity

@@ -225,36 +225,27 @@ inline void forceOfPart(const KernelCall& call, const Part<Real>& part, int row,
   }
 }
 
-// Forces of a bundle's rows.
-template <typename Real>
-struct Forces {
-  alignas(64) Real lines[mostRows][3][chunk];
-};
-
-// Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of row
-// first + i go to place(i, node), three lines of a chunk. `between(done, all)` is called so often in a bundle, `all`
-// times, between the multiply-adds: memory that is asked for there costs little. rows(first, end) follows when the
-// forces of a bundle are whole.
-template <typename Whole, typename Piece, typename Place, typename Between, typename Rows>
+// Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of a row
+// go to place(row), three lines of a chunk; whole(row) follows when they stand there on all stations: what it asks of
+// memory hides behind the multiply-adds of the next.
+template <typename Whole, typename Piece, typename Place, typename Then>
 inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const Place& place,
-                     const Between& between, const Rows& rows) {
+                     const Then& whole) {
   const RigidMotion<typename Whole::Real> rigid(call, group);
   int gathered = 0, slot = 0;
   for (int bundle = 0; bundle < call.bundles; ++bundle) {
     const int first = call.bundleStart[bundle], end = call.bundleStart[bundle + 1];
-    int done = 0;
     for (int p = 0; p < group.parts; ++p)
-      for (int i = first; i < end; ++i) {
-        for (const int upTo = call.gatherUpTo[i]; gathered < upTo; ++gathered) {
+      for (int row = first; row < end; ++row) {
+        for (const int upTo = call.gatherUpTo[row]; gathered < upTo; ++gathered) {
           gather(call, group, rigid, call.order[gathered], slot);
           slot = slot + 1 == call.window ? 0 : slot + 1;
         }
-        if (const int soon = gathered + (i - first); soon < call.nodes)
+        if (const int soon = gathered + (row - first); soon < call.nodes)
           fetchSource(call, group, call.order[soon], group.part[p].offset, group.part[p].width);
-        forceOfPart<Whole, Piece>(call, group.part[p], i, place(i - first, call.order[i]));
-        between(first, end, ++done);
+        forceOfPart<Whole, Piece>(call, group.part[p], row, place(row));
+        if (p + 1 == group.parts) whole(row);
       }
-    rows(first, end);
   }
 }
 
@@ -262,20 +253,17 @@ template <typename Whole, typename Piece>
 inline void applyGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
   using Real = typename Whole::Real;
   double* out = call.force + group.state;
-  const auto nothingBetween = [](int, int, int) {};
-  const auto linesOf = [out](int node) { return out + static_cast<std::size_t>(node) * 3 * chunk; };
+  const auto linesOf = [&](int row) { return out + static_cast<std::size_t>(call.order[row]) * 3 * chunk; };
   if constexpr (sizeof(Real) == sizeof(double)) {
-    overRows<Whole, Piece>(
-        call, group, [&](int, int node) { return linesOf(node); }, nothingBetween, [](int, int) {});
+    overRows<Whole, Piece>(call, group, linesOf, [](int) {});
   } else {
-    Forces<Real> forces;
+    alignas(64) Real forces[rowBundle][3][chunk];
     overRows<Whole, Piece>(
-        call, group, [&](int i, int) { return forces.lines[i][0]; }, nothingBetween,
-        [&](int first, int end) {
-          for (int row = first; row < end; ++row)
-            for (int c = 0; c < 3; ++c)
-              for (int i = 0; i < group.count; i += LANES)
-                store(linesOf(call.order[row]) + c * chunk + i, widened(forces.lines[row - first][c] + i));
+        call, group, [&](int row) { return forces[row % rowBundle][0]; },
+        [&](int row) {
+          for (int c = 0; c < 3; ++c)
+            for (int i = 0; i < group.count; i += LANES)
+              store(linesOf(row) + c * chunk + i, widened(forces[row % rowBundle][c] + i));
         });
   }
 }
@@ -387,33 +375,29 @@ inline void fetchForce(const KernelCall& call, const Group<Real>& group, int nod
     fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, 0, group.count);
 }
 
-// The rows of a bundle are advanced while the forces of the next are found.
+// Nodes are advanced between the rows, some after each, when they and those that they share their inertia with are
+// ready.
 template <typename Whole, typename Piece>
 inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
   using Real = typename Whole::Real;
-  Forces<Real> both[2];
-  int now = 0, cluster = 0, waiting = 0, from = 0, advanced = 0;  // rows from .. from + waiting - 1 of the other
-  const auto advanceUpTo = [&](int count) {
-    for (; advanced < count; ++advanced) {
-      if (const int soon = from + advanced + 6; soon < call.nodes) fetchStep(call, group, call.order[soon]);
-      advanceNode(call, group, call.order[from + advanced], both[1 - now].lines[advanced]);
+  constexpr int ahead = 6;  // nodes: memory needs the time of a few rows
+  int cluster = 0, advanced = 0;
+  const auto advanceUpTo = [&](int end) {
+    for (; advanced < end; ++advanced) {
+      if (advanced + ahead < call.nodes) fetchStep(call, group, call.members[advanced + ahead]);
+      advanceNode(call, group, call.members[advanced], *waiting<Real>(call, call.placeSlot[advanced]));
     }
   };
   overRows<Whole, Piece>(
-      call, group, [&](int i, int) { return both[now].lines[i][0]; },
-      [&](int first, int end, int done) {
-        const int rows = end - first, whole = done - (group.parts - 1) * rows;  // rows whose forces are whole
-        if (const int soon = first + whole + 6; whole > 0 && soon < call.nodes)
-          fetchForce(call, group, call.order[soon]);
-        if (whole > 0) accelerate(call, group, call.order[first + whole - 1], both[now].lines[whole - 1]);
-        advanceUpTo(waiting * done / (group.parts * rows));
-      },
-      [&](int first, int end) {
-        auto& force = both[now].lines;
-        if (call.clusterCount > 0) slowShortWaves<Piece>(call, group, first, end, cluster, force);
-        now = 1 - now, from = first, waiting = end - first, advanced = 0;
+      call, group, [&](int row) { return (*waiting<Real>(call, call.rowSlot[row]))[0]; },
+      [&](int row) {
+        if (row + ahead < call.nodes) fetchForce(call, group, call.order[row + ahead]);
+        accelerate(call, group, call.order[row], *waiting<Real>(call, call.rowSlot[row]));
+        const int ready = call.readyAfter[row];
+        slowShortWaves<Piece>(call, group, ready, cluster);
+        advanceUpTo(advanced + advancedPerRow < ready ? advanced + advancedPerRow : ready);
       });
-  advanceUpTo(waiting);
+  advanceUpTo(call.nodes);
 }
 
 // Cuts the stations of a group into parts: the widest there are, mixed where runs end within them; at the end of a
@@ -463,9 +447,8 @@ void carryOver(const KernelCall& call) {
   group.at = call.first - 8, group.count = 8;
   group.state = placeOf(call, group.at), group.next = call.source + placeOf(call, call.first);
   findParts<Whole, Piece>(call, group);
-  Forces<typename Whole::Real> none;
   overRows<Whole, Piece>(
-      call, group, [&](int i, int) { return none.lines[i][0]; }, [](int, int, int) {}, [](int, int) {});
+      call, group, [&](int) { return (*waiting<typename Whole::Real>(call, 0))[0]; }, [](int) {});
 }
 
 // The stretch chunk by chunk.

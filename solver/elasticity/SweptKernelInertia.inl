@@ -73,7 +73,7 @@ inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, R
     }
 }
 
-// Accelerations of a cluster's rows, short waves slowed (SelectiveInertia.h).
+// Accelerations of a cluster's nodes, short waves slowed (SelectiveInertia.h).
 template <typename Piece, typename Real = typename Piece::Real>
 inline void slowCluster(const KernelCall& call, const Group<Real>& group, int index, Real (*rows)[3][chunk]) {
   constexpr int four = 4 * Piece::lanes;
@@ -111,12 +111,11 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
   }
 }
 
-// Accelerations of a bundle's rows. `cluster` is the first that has not been met.
+// Accelerations of the clusters that are ready. `cluster` is the first that was not.
 template <typename Piece, typename Real = typename Piece::Real>
-inline void slowShortWaves(const KernelCall& call, const Group<Real>& group, int first, int end, int& cluster,
-                           Real (&rows)[mostRows][3][chunk]) {
-  for (; cluster < call.clusterCount && call.clusters[cluster].end <= end; ++cluster)
-    slowCluster<Piece>(call, group, cluster, rows + (call.clusters[cluster].first - first));
+inline void slowShortWaves(const KernelCall& call, const Group<Real>& group, int ready, int& cluster) {
+  for (; cluster < call.clusterCount && call.clusters[cluster].end <= ready; ++cluster)
+    slowCluster<Piece>(call, group, cluster, waiting<Real>(call, call.placeSlot[call.clusters[cluster].first]));
 }
 
 }  // namespace

@@ -112,6 +112,12 @@ struct Group {
   std::size_t nextNode = 3 * chunk, nextLine = chunk;
 };
 
+// Where the forces of nodes wait for each other: three lines of a chunk each.
+template <typename Real>
+inline Real (*waiting(const KernelCall& call, int slot))[3][chunk] {
+  return reinterpret_cast<Real(*)[3][chunk]>(call.waiting) + slot;
+}
+
 inline std::size_t placeOf(const KernelCall& call, int station) {
   return station / chunk * call.chunkSize + station % chunk;
 }

@@ -28,6 +28,8 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   call.slots = block.order.slots.data();
   call.gatherUpTo = block.order.gatherUpTo.data();
   call.window = block.order.window;
+  call.members = block.order.members.data(), call.placeSlot = block.order.placeSlot.data();
+  call.rowSlot = block.order.rowSlot.data(), call.readyAfter = block.order.readyAfter.data();
   call.middle = block.middle, call.far = block.far;
   call.places = block.section.nodes.front().data();
   call.runs = scratch.runs[index].data();
@@ -37,7 +39,7 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   call.source = source + block.offset;
   if (!block.cosines.empty()) call.cosines = block.cosines.data(), call.sines = block.sines.data();
   call.carry = scratch.carry.data();
-  call.workspace = scratch.workspace.data();
+  call.workspace = scratch.workspace.data(), call.waiting = scratch.waiting.data();
   return call;
 }
 
@@ -124,8 +126,11 @@ std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& block
 }
 
 KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
-  int most = 0, window = 0;
-  for (const auto& block : blocks) most = std::max(most, block.nodes), window = std::max(window, block.order.window);
+  int most = 0, window = 0, slots = 0;
+  for (const auto& block : blocks) {
+    most = std::max(most, block.nodes), window = std::max(window, block.order.window);
+    slots = std::max(slots, block.order.forceSlots);
+  }
   for (const auto& block : blocks) {
     auto& own = runs.emplace_back();
     for (std::size_t r = 0; r < block.runIntervals.size(); ++r) {
@@ -137,6 +142,7 @@ KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
     }
   }
   workspace.assign(kernelWorkspace(window), 0.0);
+  waiting.assign(forceWorkspace(slots), 0.0);
   carry.assign(static_cast<std::size_t>(most) * 3 + 8, 0.0);
 }
 

@@ -75,9 +75,9 @@ AlignedVector accelerations(const model::Model& model, const model::StaticOperat
         group = elasticity::stationGroup(block, first).count;
         std::vector<std::pair<int, int>> places;
         bool grown = false;
-        for (int row = cluster.first; row < cluster.end; ++row)
+        for (int place = cluster.first; place < cluster.end; ++place)
           for (int s = first; s < first + group; ++s) {
-            const int node = block.order.nodes[row];
+            const int node = block.order.members[place];
             places.emplace_back(node, s);
             grown |= std::abs(now(node, s) * model.mass[b][node * block.stride + s] - 1) > 1e-9;
           }
