@@ -111,17 +111,15 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   shareTrack();
 }
 
-// Half of the sleepers come before the rail, the others after it: every thread has some, with their springs. Where one
-// thread can have the whole wheelset, it advances the wheel body when it is done with the rim, and nobody waits.
+// The first thread, which is busy with the contact, has rail alone. Where the last can have the whole wheelset, it
+// advances the wheel body when it is done with the rim, and nobody waits.
 void Rolling::shareBlocks() {
   constexpr double tieCost = 1.8;  // of a node of the wheel body, ties and slaves included, to one along a line (seen)
   const auto& blocks = model_.blocks;
-  std::vector<int> track, wheelset{model_.rim, model_.body};
+  std::vector<int> all{model_.rail};
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
-    if (b != model_.rim && b != model_.body && b != model_.rail) track.push_back(b);
-  track.insert(track.begin() + static_cast<std::ptrdiff_t>(track.size() / 2), model_.rail);
-  auto all = track;
-  all.insert(all.end(), wheelset.begin(), wheelset.end());
+    if (b != model_.rim && b != model_.body && b != model_.rail) all.push_back(b);
+  all.push_back(model_.rim), all.push_back(model_.body);
   const int threads = team_.size();
   auto together = elasticity::partition(blocks, all, threads, model_.body, tieCost);
   wheelsetOfOne_ = true;
