@@ -33,9 +33,10 @@ TEST(RealStudy, killedHalfWayAndResumedGivesTheSameTable) {
   cases::CaseOverrides overrides;
   overrides.preset = "tiny";
   // As coarse and short as a run may be: about five seconds of one core each.
-  overrides.values = {{"motion.run_up", "0.05"},   {"motion.beyond", "0.07"},    {"track.length", "3"},
-                      {"mesh.section_size", "30"}, {"mesh.section_growth", "2"}, {"mesh.contact_size", "8"},
-                      {"mesh.rolling_size", "12"}, {"mesh.far_size", "200"},     {"mesh.wheel_sectors", "24"}};
+  overrides.values = {{"motion.run_up", "0.05"},    {"motion.beyond", "0.07"},    {"track.length", "3"},
+                      {"mesh.section_size", "30"},  {"mesh.section_growth", "2"}, {"mesh.contact_size", "8"},
+                      {"mesh.rolling_size", "12"},  {"mesh.far_size", "200"},     {"mesh.wheel_sectors", "24"},
+                      {"defect.wave_depth", "0.04"}};  // no wave deeper than the shallowest dip
   const auto definition = studyOf(std::string(SQUAT_SOURCE_DIR) + "/resources/cases/class-c-squat.toml", overrides,
                                   {"defect.length=20:60:3", "defect.depth=0.05:0.15:3"});
   simulation::RunOptions options;

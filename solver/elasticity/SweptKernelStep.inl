@@ -1,0 +1,140 @@
+// One step of the central difference, between the rows of the operator; after SweptKernelOperator.inl and
+// SweptKernelInertia.inl.
+
+namespace squat::elasticity {
+namespace {
+
+// Line triple of a node's outer forces at the group's first station, or null.
+template <typename Real>
+inline double* outerForce(const KernelCall& call, const Group<Real>& group, int node) {
+  const int line = call.externalLine[node];
+  return line < 0 ? nullptr : call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at;
+}
+
+// Inner force of a node becomes its acceleration, outer forces included; a slave's is left to its masters. STATIONS:
+// of the group where they are a whole chunk (loops without an end to look for), else 0.
+template <int STATIONS, typename Real>
+inline void accelerateStations(const KernelCall& call, const Group<Real>& group, int n, Real (&force)[3][chunk]) {
+  const int count = STATIONS ? STATIONS : group.count;
+  const std::size_t stride = call.stride;
+  if (call.turningMoment) {
+    const double* source = call.source + group.state + static_cast<std::size_t>(n) * 3 * chunk;
+#pragma GCC unroll 4
+    for (int i = 0; i < count; i += LANES) {
+      double* moment = call.turningMoment + group.at + i;
+      store(moment, load(moment) +
+                        (load(source + i) * widened(force[1] + i) - load(source + chunk + i) * widened(force[0] + i)));
+    }
+  }
+  double* outer = outerForce(call, group, n);
+  if (call.slave[n]) {
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < count; i += LANES) store(outer + c * stride + i, widened(force[c] + i));
+    return;
+  }
+  const double* inverse = call.inverseMass + placeOfMass(call, n, group.at);
+  for (int c = 0; c < 3; ++c) {
+    double* added = outer ? outer + c * stride : nullptr;
+#pragma GCC unroll 4
+    for (int i = 0; i < count; i += LANES) {
+      Vector total = -widened(force[c] + i);
+      if (added) {
+        total += load(added + i);
+        store(added + i, Vector{});
+      }
+      storeAs(force[c] + i, total * load(inverse + i));
+    }
+  }
+}
+
+template <typename Real>
+inline void accelerate(const KernelCall& call, const Group<Real>& group, int n, Real (&force)[3][chunk]) {
+  if (group.count == chunk)
+    accelerateStations<chunk>(call, group, n, force);
+  else
+    accelerateStations<0>(call, group, n, force);
+}
+
+// One node through the central difference on all stations of the group.
+template <int STATIONS, typename Real>
+inline void advanceStations(const KernelCall& call, const Group<Real>& group, int n, const Real (&own)[3][chunk]) {
+  if (call.slave[n]) return;
+  const int count = STATIONS ? STATIONS : group.count;
+  const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
+  const double* source = call.source + base;
+  const double step = call.step, beta = call.beta, both = step + beta, cosine = call.cosine, sine = call.sine;
+  const double spin = call.radialWeight ? call.spinAcceleration * call.radialWeight[n] : 0.0;
+  const double pushed[3] = {spin, 0, 0};
+  double *rates = call.velocity + base, *target = call.target + base;
+  for (int c = 0; c < 3; ++c) {
+    const double mask = call.fixedMask[3 * n + c], push = pushed[c];
+    const double* body = call.acceleration + c * call.stride + group.at;
+#pragma GCC unroll 4
+    for (int i = 0; i < count; i += LANES) {
+      const Vector acceleration = widened(own[c] + i) + (load(body + i) + push);
+      const Vector old = load(rates + c * chunk + i);
+      const Vector velocity = (old + step * acceleration) * mask;
+      store(rates + c * chunk + i, velocity);
+      store(target + c * chunk + i, load(source + c * chunk + i) - beta * old + both * velocity);
+    }
+  }
+  if (sine == 0) return;
+  for (double* lines : {rates, target})
+#pragma GCC unroll 4
+    for (int i = 0; i < count; i += LANES) {
+      const Vector a = load(lines + i), b = load(lines + chunk + i);
+      store(lines + i, cosine * a + sine * b);
+      store(lines + chunk + i, cosine * b - sine * a);
+    }
+}
+
+template <typename Real>
+inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n, const Real (&own)[3][chunk]) {
+  if (group.count == chunk)
+    advanceStations<chunk>(call, group, n, own);
+  else
+    advanceStations<0>(call, group, n, own);
+}
+
+// Ask for what a node will need: to be advanced, and before that, for its force to become its acceleration.
+template <typename Real>
+inline void fetchStep(const KernelCall& call, const Group<Real>& group, int node) {
+  const std::size_t base = group.state + static_cast<std::size_t>(node) * 3 * chunk;
+  fetch(call.velocity + base, chunk, 0, group.count);
+  if (call.target != call.source) fetch(call.target + base, chunk, 0, group.count);
+}
+template <typename Real>
+inline void fetchForce(const KernelCall& call, const Group<Real>& group, int node) {
+  for (int i = 0; i < group.count; i += 8)
+    __builtin_prefetch(call.inverseMass + placeOfMass(call, node, group.at) + i, 0, 2);
+  if (const int line = call.externalLine[node]; line >= 0)
+    fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, 0, group.count);
+}
+
+// Nodes are advanced between the rows, some after each, when they and those that they share their inertia with are
+// ready.
+template <typename Whole, typename Piece>
+inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
+  using Real = typename Whole::Real;
+  constexpr int ahead = 6;  // nodes: memory needs the time of a few rows
+  int cluster = 0, advanced = 0;
+  const auto advanceUpTo = [&](int end) {
+    for (; advanced < end; ++advanced) {
+      if (advanced + ahead < call.nodes) fetchStep(call, group, call.members[advanced + ahead]);
+      advanceNode(call, group, call.members[advanced], *waiting<Real>(call, call.placeSlot[advanced]));
+    }
+  };
+  overRows<Whole, Piece>(
+      call, group, [&](int row) { return (*waiting<Real>(call, call.rowSlot[row]))[0]; },
+      [&](int row) {
+        if (row + ahead < call.nodes) fetchForce(call, group, call.order[row + ahead]);
+        accelerate(call, group, call.order[row], *waiting<Real>(call, call.rowSlot[row]));
+        const int ready = call.readyAfter[row];
+        slowShortWaves<Piece>(call, group, ready, cluster);
+        advanceUpTo(advanced + advancedPerRow < ready ? advanced + advancedPerRow : ready);
+      });
+  advanceUpTo(call.nodes);
+}
+
+}  // namespace
+}  // namespace squat::elasticity
