@@ -12,8 +12,8 @@ namespace {
 
 constexpr int wide = 15, high = 13;
 
-// A sheet of nodes, each with its eight neighbours and itself; clusters of 4 x 4 but in the last rows, whose nodes stand
-// alone. Numbers are shuffled: 7 is prime to their count.
+// A sheet of nodes, each with its eight neighbours and itself; clusters of 4 x 4 but in the last rows, whose nodes
+// stand alone. Numbers are shuffled: 7 is prime to their count.
 struct Sheet {
   std::vector<int> rowStart{0}, columns;
   std::vector<std::vector<int>> clusters;
@@ -56,8 +56,8 @@ TEST(SectionOrder, EveryNodeHasOneRowAndOnePlace) {
   EXPECT_EQ(found, given);
 }
 
-// Neighbours are one front apart, and no front from a corner has more than wide + high - 1 nodes: two of them are enough,
-// whatever the clusters.
+// Neighbours are one front apart, and no front from a corner has more than wide + high - 1 nodes: two of them are
+// enough, whatever the clusters.
 TEST(SectionOrder, TheWindowIsThatOfTheSheetNotOfItsClusters) {
   const Sheet sheet;
   const int window = sectionOrder(sheet.rowStart, sheet.columns, sheet.clusters).window;
