@@ -126,18 +126,20 @@ inline void gather(const KernelCall& call, const Group<Real>& group, const Rigid
   }
 }
 
-// The processor's own prefetchers do not know the order of the nodes. Asks for one part of the lines of a node, each
-// part while that part of the bundle before is computed.
-inline void fetch(const double* lines, std::size_t line, int from, int width) {
+// The processor's own prefetchers do not know the order of the nodes: memory is asked for so many nodes ahead, which is
+// the time of a few rows.
+constexpr int fetchAhead = 6;
+
+// Three lines of a node.
+inline void fetch(const double* lines, std::size_t line, int stations) {
   for (int c = 0; c < 3; ++c)
-    for (int i = from; i < from + width; i += 8) __builtin_prefetch(lines + c * line + i, 1, 2);
+    for (int i = 0; i < stations; i += 8) __builtin_prefetch(lines + c * line + i, 1, 2);
 }
 template <typename Real>
-inline void fetchSource(const KernelCall& call, const Group<Real>& group, int node, int from, int width) {
+inline void fetchSource(const KernelCall& call, const Group<Real>& group, int node) {
   const auto n = static_cast<std::size_t>(node);
-  fetch(call.source + group.state + n * 3 * chunk, chunk, from, width);
-  if (from == 0)
-    for (int c = 0; c < 3; ++c) __builtin_prefetch(group.next + n * group.nextNode + c * group.nextLine, 0, 2);
+  fetch(call.source + group.state + n * 3 * chunk, chunk, group.count);
+  for (int c = 0; c < 3; ++c) __builtin_prefetch(group.next + n * group.nextNode + c * group.nextLine, 0, 2);
 }
 
 // A value that stays in its register: without this the compiler loads it anew for each of its three products.
@@ -235,8 +237,7 @@ inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& 
           gather(call, group, rigid, call.order[gathered], slot);
           slot = slot + 1 == call.window ? 0 : slot + 1;
         }
-        if (const int soon = gathered + (row - first); soon < call.nodes)
-          fetchSource(call, group, call.order[soon], group.part[p].offset, group.part[p].width);
+        if (p == 0 && gathered + fetchAhead < call.nodes) fetchSource(call, group, call.order[gathered + fetchAhead]);
         forceOfPart<Whole, Piece>(call, group.part[p], row, place(row));
         if (p + 1 == group.parts) whole(row);
       }

@@ -100,15 +100,15 @@ inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n,
 template <typename Real>
 inline void fetchStep(const KernelCall& call, const Group<Real>& group, int node) {
   const std::size_t base = group.state + static_cast<std::size_t>(node) * 3 * chunk;
-  fetch(call.velocity + base, chunk, 0, group.count);
-  if (call.target != call.source) fetch(call.target + base, chunk, 0, group.count);
+  fetch(call.velocity + base, chunk, group.count);
+  if (call.target != call.source) fetch(call.target + base, chunk, group.count);
 }
 template <typename Real>
 inline void fetchForce(const KernelCall& call, const Group<Real>& group, int node) {
   for (int i = 0; i < group.count; i += 8)
     __builtin_prefetch(call.inverseMass + placeOfMass(call, node, group.at) + i, 0, 2);
   if (const int line = call.externalLine[node]; line >= 0)
-    fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, 0, group.count);
+    fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, group.count);
 }
 
 // Nodes are advanced between the rows, some after each, when they and those that they share their inertia with are
@@ -116,18 +116,17 @@ inline void fetchForce(const KernelCall& call, const Group<Real>& group, int nod
 template <typename Whole, typename Piece>
 inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
   using Real = typename Whole::Real;
-  constexpr int ahead = 6;  // nodes: memory needs the time of a few rows
   int cluster = 0, advanced = 0;
   const auto advanceUpTo = [&](int end) {
     for (; advanced < end; ++advanced) {
-      if (advanced + ahead < call.nodes) fetchStep(call, group, call.members[advanced + ahead]);
+      if (advanced + fetchAhead < call.nodes) fetchStep(call, group, call.members[advanced + fetchAhead]);
       advanceNode(call, group, call.members[advanced], *waiting<Real>(call, call.placeSlot[advanced]));
     }
   };
   overRows<Whole, Piece>(
       call, group, [&](int row) { return (*waiting<Real>(call, call.rowSlot[row]))[0]; },
       [&](int row) {
-        if (row + ahead < call.nodes) fetchForce(call, group, call.order[row + ahead]);
+        if (row + fetchAhead < call.nodes) fetchForce(call, group, call.order[row + fetchAhead]);
         accelerate(call, group, call.order[row], *waiting<Real>(call, call.rowSlot[row]));
         const int ready = call.readyAfter[row];
         slowShortWaves<Piece>(call, group, ready, cluster);

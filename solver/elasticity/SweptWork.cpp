@@ -101,9 +101,9 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, int dear, double factor) {
+                                            int parts, int costly, double factor) {
   const auto cost = [&](int b, int first, int count) {
-    return costOf(blocks[b], first, count) * (b == dear ? factor : 1.0);
+    return costOf(blocks[b], first, count) * (b == costly ? factor : 1.0);
   };
   double total = 0;
   for (const int b : which) total += cost(b, 0, blocks[b].intervals);

@@ -17,10 +17,10 @@ struct Segment {
   int block = 0, first = 0, count = 0;  // intervals, multiples of 8
 };
 
-// Cuts the intervals of the named blocks into `parts` lists of about equal cost. The nodes of `dear` cost `factor`
-// times as much as others.
+// Cuts the intervals of the named blocks into `parts` lists of about equal cost. The nodes of block `costly` cost
+// `factor` times as much as others.
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, int dear = -1, double factor = 1);
+                                            int parts, int costly = -1, double factor = 1);
 
 // Scratch memory of one thread.
 struct KernelScratch {
@@ -52,8 +52,8 @@ struct BlockStep {
 // What a step in place needs of a segment's surroundings as they were before anybody wrote: room for it by
 // segmentEnds(), filled by readEnd() for every segment before anybody advances in place.
 struct SegmentEnds {
-  AlignedVector carry;        // what the interval before the segment adds, nodes x 3
-  std::vector<double> after;  // KernelCall
+  AlignedVector carry;        // what the interval before the segment adds, nodes x 3; zero at an open end
+  std::vector<double> after;  // KernelCall; not used at an open end, whose last station nobody else advances
 };
 
 std::vector<SegmentEnds> segmentEnds(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks);

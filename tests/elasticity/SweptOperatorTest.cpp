@@ -23,7 +23,7 @@ SweptBlock lineBlock(SweepKind kind) {
   block.name = "bar";
   block.kind = kind;
   block.section = gridSection({-0.03, -0.01, 0.005, 0.03}, {0, 0.02, 0.035}, 0.25);
-  // Three lengths, a count that fills no whole group of 32, so that all paths of the kernels are walked.
+  // A group of 32 intervals with three lengths, one with a single length; openArc() has a group that is not whole.
   block.stations = {-0.2, false, {{16, 0.0013}, {8, 0.0026}, {40, 0.005}}};
   block.material = steel;
   block.origin = {0.1, -0.2, 0.3};
