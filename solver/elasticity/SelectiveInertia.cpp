@@ -41,14 +41,16 @@ double massOfInterval(const SweptBlock& block, double length) {
   return block.kind == SweepKind::aroundAxis ? std::sin(length) : length;
 }
 
-// Projection on `stations` stations; `before`: mass of the interval ahead of the first, `own` of all others.
+// Weights and fields of `stations` stations; `before`: mass of the interval ahead of the first, `own` of all others.
 Eigen::MatrixXd alongProjection(int stations, double before, double own) {
-  Eigen::MatrixXd given(stations, 2);
+  Eigen::MatrixXd given(stations, keptAlong);
   Eigen::VectorXd mass = Eigen::VectorXd::Constant(stations, own);
   mass[0] = 0.5 * (before + own);
   for (int i = 0; i < stations; ++i) given.row(i) << 1, i - 0.5 * (stations - 1);
-  const Eigen::MatrixXd kept = orthonormal(given, mass);
-  return kept * kept.transpose() * mass.asDiagonal();
+  Eigen::MatrixXd weightsAndFields(stations, 2 * keptAlong);
+  weightsAndFields.rightCols(keptAlong) = orthonormal(given, mass);
+  weightsAndFields.leftCols(keptAlong) = mass.asDiagonal() * weightsAndFields.rightCols(keptAlong);
+  return weightsAndFields;
 }
 
 // Mass of each section node at a station amid a run: in proportion the same at every station.
@@ -174,11 +176,14 @@ void slowShortWaves(const SweptBlock& block, double* acceleration) {
           const auto r = static_cast<std::size_t>(block.runOf(first));
           const double* projection =
               inertia.along[r].data() + projectionPlace[count == mostStations][first != block.runIntervals[r][0]];
-          for (int i = 0; i < count; ++i)
-            for (int k = 0; k < keptAcross; ++k) {
-              along[i][k] = 0;
-              for (int j = 0; j < count; ++j) along[i][k] += projection[count * j + i] * sums[j][k];
+          for (int k = 0; k < keptAcross; ++k) {
+            for (int i = 0; i < count; ++i) along[i][k] = 0;
+            for (int field = 0; field < keptAlong; ++field) {
+              double amplitude = 0;
+              for (int j = 0; j < count; ++j) amplitude += projection[count * field + j] * sums[j][k];
+              for (int i = 0; i < count; ++i) along[i][k] += projection[count * (keptAlong + field) + i] * amplitude;
             }
+          }
         }
         for (int s = 0; s < count; ++s) filter(cluster, c, first + s, along[s]);
         first += count;

@@ -16,10 +16,11 @@ constexpr int mostRows = 32;       // nodes of a cluster
 constexpr int advancedPerRow = 2;  // nodes that are advanced after each row: they keep up and wait for clusters only
 
 // SelectiveInertia: clusters share their inertia with 16 stations, [16 k, 16 k + 16), where these are of one run, else
-// with eight. Where a run's projections stand: on eight and on 16 stations; of the run's first group, which shares a
-// station with the run before, and of the others.
-constexpr int stationUnit = 8, mostStations = 16;
-constexpr int projectionPlace[2][2] = {{0, 64}, {128, 384}}, projectionsSize = 640;
+// with eight. What is kept along the sweep, two fields: their weights in both amplitudes, then both fields, a line of
+// stations each. Where a run's stand: on eight and on 16 stations; of the run's first group, which shares a station
+// with the run before, and of the others.
+constexpr int stationUnit = 8, mostStations = 16, keptAlong = 2;
+constexpr int projectionPlace[2][2] = {{0, 32}, {64, 128}}, projectionsSize = 192;
 
 // Intervals of one length, [first, last), both multiples of 8.
 struct KernelRun {

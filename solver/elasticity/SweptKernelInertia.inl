@@ -21,22 +21,40 @@ inline void amplitudes(const Real (*rows)[3][chunk], int count, const Real* weig
     for (int v = 0; v < V; ++v) Kind::store(sums[k] + at + v * Kind::lanes, sum[k][v]);
 }
 
-// STATIONS of the amplitudes by the projection along the sweep.
+// The sum of all lanes, in each of them.
+template <typename Kind>
+inline typename Kind::Packed sumOfLanes(typename Kind::Packed x) {
+#pragma GCC unroll 4
+  for (int half = Kind::lanes / 2; half > 0; half /= 2) {
+    decltype(x == x) partner{};
+#pragma GCC unroll 16
+    for (int i = 0; i < Kind::lanes; ++i) partner[i] = i ^ half;
+    x += __builtin_shuffle(x, partner);
+  }
+  return x;
+}
+
+// What of STATIONS of the amplitudes is kept along the sweep (projectionPlace).
 template <typename Kind, int STATIONS, typename Real = typename Kind::Real>
-inline void projectAlong(Real (&sums)[3][chunk], const Real* projection, int at) {
+inline void projectAlong(Real (&sums)[3][chunk], const Real* kept, int at) {
   using Packed = typename Kind::Packed;
   constexpr int lanes = Kind::lanes, vectors = STATIONS / lanes;
-  Packed sum[3][vectors];
-  for (int k = 0; k < 3; ++k)
-    for (int v = 0; v < vectors; ++v) sum[k][v] = Packed{};
-  for (int j = 0; j < STATIONS; ++j)
-    for (int v = 0; v < vectors; ++v) {
-      const Packed column = Kind::loadLoose(projection + STATIONS * j + v * lanes);
+  const auto line = [&](int k, int v) { return Kind::loadLoose(kept + STATIONS * k + v * lanes); };
 #pragma GCC unroll 3
-      for (int k = 0; k < 3; ++k) sum[k][v] += sums[k][at + j] * column;
+  for (int k = 0; k < 3; ++k) {
+    Packed amplitude[keptAlong];
+#pragma GCC unroll 2
+    for (int field = 0; field < keptAlong; ++field) {
+      Packed weighed = line(field, 0) * Kind::load(sums[k] + at);
+#pragma GCC unroll 8
+      for (int v = 1; v < vectors; ++v) weighed += line(field, v) * Kind::load(sums[k] + at + v * lanes);
+      amplitude[field] = sumOfLanes<Kind>(weighed);
     }
-  for (int k = 0; k < 3; ++k)
-    for (int v = 0; v < vectors; ++v) Kind::store(sums[k] + at + v * lanes, sum[k][v]);
+#pragma GCC unroll 8
+    for (int v = 0; v < vectors; ++v)
+      Kind::store(sums[k] + at + v * lanes,
+                  amplitude[0] * line(keptAlong, v) + amplitude[1] * line(keptAlong + 1, v));
+  }
 }
 
 // What is kept in full, the rest by its share, at V vectors of stations.

@@ -72,10 +72,12 @@ inline void advanceStations(const KernelCall& call, const Group<Real>& group, in
 #pragma GCC unroll 4
     for (int i = 0; i < count; i += LANES) {
       const Vector acceleration = widened(own[c] + i) + (load(body + i) + push);
-      const Vector old = load(rates + c * chunk + i);
+      // Read before anything is written: lines of both vectors end in the same bits of their address, and a read that
+      // seems to follow a write to its own place waits for it.
+      const Vector old = load(rates + c * chunk + i), here = load(source + c * chunk + i);
       const Vector velocity = (old + step * acceleration) * mask;
       store(rates + c * chunk + i, velocity);
-      store(target + c * chunk + i, load(source + c * chunk + i) - beta * old + both * velocity);
+      store(target + c * chunk + i, here - beta * old + both * velocity);
     }
   }
   if (sine == 0) return;
