@@ -52,8 +52,7 @@ inline void projectAlong(Real (&sums)[3][chunk], const Real* kept, int at) {
     }
 #pragma GCC unroll 8
     for (int v = 0; v < vectors; ++v)
-      Kind::store(sums[k] + at + v * lanes,
-                  amplitude[0] * line(keptAlong, v) + amplitude[1] * line(keptAlong + 1, v));
+      Kind::store(sums[k] + at + v * lanes, amplitude[0] * line(keptAlong, v) + amplitude[1] * line(keptAlong + 1, v));
   }
 }
 

@@ -7,8 +7,11 @@
 
 #include "case/CaseFile.h"
 #include "gui/MadeUpRun.h"
+#include "render/SyntheticResult.h"
 #include "studio/CaseDocument.h"
+#include "studio/MessageBar.h"
 #include "studio/Recovery.h"
+#include "studio/StoppedRuns.h"
 
 namespace squat::studio {
 namespace {
@@ -96,6 +99,58 @@ TEST(Recovery, aProcessOfTheSameNumberIsAnother) {
   QFile::copy(folder.filePath(own), folder.filePath(own.section('-', 0, 0) + "-1-00000000.case"));
   EXPECT_TRUE(Recovery::take(folder.path()));
   EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList(own));
+}
+
+class UnsavedResult : public testing::Test {
+ protected:
+  std::unique_ptr<MainWindow> open(Answer answer = Answer::discard) {
+    StudioServices services = tests::services(50, answer);
+    services.recoveryFolder = folder_.filePath("recovery");
+    services.runsFolder = folder_.filePath("runs");
+    auto window = std::make_unique<MainWindow>(services);
+    window->openCase("light-defect");
+    return window;
+  }
+  QStringList kept() const { return QDir(folder_.filePath("recovery")).entryList({"*.h5"}, QDir::Files); }
+  QTemporaryDir folder_;
+};
+
+// The crash: what this process has kept, as if another had.
+TEST_F(UnsavedResult, isThereAgainAfterACrash) {
+  const QDir recovery(folder_.filePath("recovery"));
+  {
+    const auto window = open();
+    window->startRun();
+    ASSERT_TRUE(window->controller().waitFor(60000));
+    ASSERT_EQ(kept().size(), 1);
+    QString other = kept()[0];
+    other.replace(0, other.indexOf('-'), deadProcess);
+    ASSERT_TRUE(QFile::copy(recovery.filePath(kept()[0]), recovery.filePath(other)));
+  }
+  ASSERT_EQ(kept().size(), 1);  // what the user let go in order is gone
+  const auto window = open();
+  ASSERT_EQ(window->store().rowCount(), 1);
+  EXPECT_EQ(window->store().at(0).label, "light-defect (recovered)");
+  EXPECT_EQ(window->store().unsaved().size(), 1U);
+  EXPECT_EQ(window->store().at(0).result->time, tests::syntheticResult().time);
+  EXPECT_EQ(kept().size(), 1);  // the next crash may come before it is saved
+  ASSERT_TRUE(window->saveResultTo(0, folder_.filePath("saved.h5")));
+  EXPECT_TRUE(kept().isEmpty());
+}
+
+// A full disk, or here a folder in the way: the run can go on from its checkpoint, and the user is told.
+TEST_F(UnsavedResult, keepsItsCheckpointWhereItCannotBeWritten) {
+  const auto window = open();
+  QString checkpoint;
+  window->startRun();
+  checkpoint = StoppedRuns(folder_.filePath("runs")).file(window->document().description());
+  QFile file(checkpoint);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.close();
+  ASSERT_TRUE(QDir(folder_.filePath("recovery")).removeRecursively());
+  ASSERT_TRUE(window->controller().waitFor(60000));
+  EXPECT_TRUE(StoppedRuns::exists(checkpoint));
+  EXPECT_TRUE(window->messages()->text().contains("could not be written")) << window->messages()->text().toStdString();
 }
 
 }  // namespace

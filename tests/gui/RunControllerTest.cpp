@@ -15,7 +15,9 @@ namespace {
 // Phases are told before they begin, with nothing computed yet: no point of a curve.
 TEST(WorkerMonitor, theBeginningOfAPhaseIsNoSample) {
   WorkerMonitor monitor;
-  monitor.report({"rolling", 0.0});
+  Progress beginning;
+  beginning.phase = "rolling";
+  monitor.report(beginning);
   EXPECT_TRUE(monitor.takeNews().samples.empty());
   Progress rolling;
   rolling.phase = "rolling";

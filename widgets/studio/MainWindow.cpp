@@ -43,7 +43,8 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
     : QMainWindow(parent),
       services_(std::move(services)),
       controller_(services_.runner),
-      stopped_(services_.runsFolder) {
+      stopped_(services_.runsFolder),
+      unsaved_(services_.recoveryFolder) {
   if (!services_.asker) services_.asker = askWithBox;
   setObjectName("mainWindow");
   setAcceptDrops(true);
@@ -178,12 +179,21 @@ void MainWindow::beginRun(bool resume) {
   options.threads = services_.threads;
   options.checkpointPath = checkpoint_.toStdString();
   options.resume = resume;
-  controller_.start(document_.description(), document_.name().toStdString(), options);
+  unsavedFile_ = unsaved_.nextFile(document_.name());
+  controller_.start(document_.description(), document_.name().toStdString(), options,
+                    [file = unsavedFile_](const results::RunResult& result) { UnsavedResults::write(file, result); });
 }
 
 void MainWindow::keep(const ResultPointer& result) {
-  if (result->complete && !ending_) StoppedRuns::forget(checkpoint_);
+  const auto kept = std::make_shared<KeptFile>(unsavedFile_);
   if (ending_ || result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
+  if (result->complete) {
+    if (unsavedFile_.isEmpty() || QFileInfo::exists(unsavedFile_))
+      StoppedRuns::forget(checkpoint_);
+    else
+      messages_->warn(tr("The result could not be written to %1: it is lost if the program ends before you save it.")
+                          .arg(unsavedFile_));
+  }
   // What a run had when it was stopped is a part of what it has now, as far as it reaches.
   for (int row = store_.rowCount() - 1; resumed_ && row >= 0; --row) {
     const StoredRun& run = store_.at(row);
@@ -192,7 +202,7 @@ void MainWindow::keep(const ResultPointer& result) {
       store_.remove(row);
   }
   const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(++runsMade_);
-  store_.add({result, label, QString(), false, false});
+  store_.add({result, label, QString(), false, false, kept});
 }
 
 void MainWindow::showStopped() {
@@ -245,11 +255,9 @@ bool MainWindow::showTab(const QString& name) {
 }
 
 void MainWindow::offerRecovery() {
-  const auto found = Recovery::take(services_.recoveryFolder);
-  if (!found) return;
-  document_.startFrom(found->description, QString(), found->name, true);
-  messages_->say(
-      tr("Unsaved changes of “%1” were recovered: save them, or open another case to let them go.").arg(found->name));
+  QStringList said{recoverCase(), recoverResults()};
+  said.removeAll(QString());
+  if (!said.isEmpty()) messages_->say(said.join(' '));
 }
 
 // Cancels and waits; no result is kept, as the question said.

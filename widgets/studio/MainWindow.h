@@ -33,7 +33,7 @@ struct StudioServices {
   Runner runner;
   Comparison comparison;
   Asker asker;             // empty: a message box
-  QString recoveryFolder;  // of unsaved changes; empty: none
+  QString recoveryFolder;  // of unsaved changes and results; empty: none
   QString runsFolder;      // of runs that were stopped; empty: none
   int threads = 0;         // of a run; 0: all cores (the window goes first all the same)
 };
@@ -99,6 +99,8 @@ class MainWindow : public QMainWindow {
   void enableActions();
   void endRun();
   void offerRecovery();
+  QString recoverCase();  // what to say of it
+  QString recoverResults();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
 
   StudioServices services_;
@@ -106,7 +108,9 @@ class MainWindow : public QMainWindow {
   RunStore store_;
   RunController controller_;
   StoppedRuns stopped_;
+  UnsavedResults unsaved_;
   QString checkpoint_;    // of the run that is going on
+  QString unsavedFile_;   // where its result is kept
   bool resumed_ = false;  // the run that is going on
   Recovery* recovery_ = nullptr;
   MessageBar* messages_;

@@ -12,6 +12,7 @@
 #include "studio/ProfileEditor.h"
 #include "studio/ProfilePlot.h"
 #include "studio/RecentFiles.h"
+#include "studio/Recovery.h"
 
 namespace squat::studio {
 namespace {
@@ -191,6 +192,31 @@ void MainWindow::removeRun(int row) {
   const ResultPointer result = store_.at(row).result;
   const bool lost = std::find(unsaved.begin(), unsaved.end(), result) != unsaved.end();
   if (!lost || mayLeaveResults({result})) store_.remove(store_.rowOf(result));
+}
+
+QString MainWindow::recoverCase() {
+  const auto found = Recovery::take(services_.recoveryFolder);
+  if (!found) return {};
+  document_.startFrom(found->description, QString(), found->name, true);
+  return tr("Unsaved changes of “%1” were recovered: save them, or open another case to let them go.").arg(found->name);
+}
+
+QString MainWindow::recoverResults() {
+  int found = 0;
+  QStringList unreadable;
+  for (const QString& file : unsaved_.takeLeft()) try {
+      auto result = std::make_shared<results::RunResult>(results::readResult(file.toStdString()));
+      result->stem = UnsavedResults::stemOf(file).toStdString();
+      store_.add({result, UnsavedResults::stemOf(file) + tr(" (recovered)"), QString(), false, false,
+                  std::make_shared<KeptFile>(file)});
+      ++found;
+    } catch (const FileError& error) {
+      unreadable << QString::fromStdString(error.what());
+    }
+  QStringList said;
+  if (found == 1) said << tr("A result that had not been saved was recovered: save it if you want to keep it.");
+  if (found > 1) said << tr("%1 results that had not been saved were recovered: save those to keep.").arg(found);
+  return (said + unreadable).join(' ');
 }
 
 }  // namespace squat::studio

@@ -1,34 +1,18 @@
 #include "studio/Recovery.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QSaveFile>
 
 #include "case/CaseFile.h"
 #include "studio/CaseDocument.h"
+#include "studio/ProcessIdentity.h"
 
 namespace squat::studio {
 namespace {
 
 constexpr int delay = 3000;  // [ms] after the last change
 const QLatin1String ending(".case");
-
-QByteArray firstLine(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readLine() : QByteArray();
-}
-
-// Number, start and boot of a process, as a name of a file; numbers alone come back. Empty where there is none such.
-QString identityOf(const QString& process) {
-  const QByteArray stat = firstLine("/proc/" + process + "/stat");  // 1234 (its name) S ... the 22nd is the start
-  const auto fields = stat.mid(stat.lastIndexOf(')') + 2).split(' ');
-  if (fields.size() < 20) return {};
-  const QString boot = QString::fromLatin1(firstLine("/proc/sys/kernel/random/boot_id").left(8));
-  return QStringLiteral("%1-%2-%3").arg(process, QString::fromLatin1(fields[19]), boot);
-}
-
-bool isAlive(const QString& identity) { return identity == identityOf(identity.section('-', 0, 0)); }
 
 }  // namespace
 
@@ -45,10 +29,7 @@ Recovery::Recovery(CaseDocument& document, const QString& folder, QObject* paren
 
 Recovery::~Recovery() { QFile::remove(file()); }
 
-QString Recovery::file() const {
-  static const QString own = identityOf(QString::number(QCoreApplication::applicationPid()));
-  return QDir(folder_).filePath(own + ending);
-}
+QString Recovery::file() const { return QDir(folder_).filePath(ownIdentity() + ending); }
 
 // The first line is the name of the case, the rest the case file.
 void Recovery::saveNow() {

@@ -62,17 +62,19 @@ RunController::~RunController() {
 }
 
 void RunController::start(const cases::CaseDescription& description, const std::string& stem,
-                          const simulation::RunOptions& options) {
+                          const simulation::RunOptions& options,
+                          const std::function<void(const results::RunResult&)>& keep) {
   if (running_) return;
   running_ = true;
   monitor_ = std::make_unique<WorkerMonitor>();
   outcome_ = std::make_unique<Outcome>();
-  thread_ = std::thread([this, description, stem, options] {
+  thread_ = std::thread([this, description, stem, options, keep] {
     giveWayToTheWindow();
     try {
       outcome_->result = runner_(description, options, *monitor_, &outcome_->partial);
       outcome_->result.stem = stem;
       if (outcome_->result.title.empty()) outcome_->result.title = description.title;
+      if (keep) keep(outcome_->result);
     } catch (...) {
       outcome_->error = std::current_exception();
       outcome_->partial.stem = stem;

@@ -25,9 +25,11 @@ class RunController : public QObject {
   explicit RunController(Runner runner, QObject* parent = nullptr);
   ~RunController() override;  // cancels and waits
 
-  // The result carries `stem` and the case's title. Does nothing while a run is going on.
+  // The result carries `stem` and the case's title; `keep` gets it in the run's own thread, before finished(). Does
+  // nothing while a run is going on.
   void start(const cases::CaseDescription& description, const std::string& stem,
-             const simulation::RunOptions& options = {});
+             const simulation::RunOptions& options = {},
+             const std::function<void(const results::RunResult&)>& keep = nullptr);
   bool isRunning() const { return running_; }
   bool isPaused() const { return monitor_ && monitor_->isPaused(); }
   bool isStopping() const { return running_ && monitor_->isCancelled(); }

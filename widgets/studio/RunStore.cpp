@@ -76,7 +76,8 @@ void RunStore::setCurrent(int row) {
 ResultPointer RunStore::currentResult() const { return current_ < 0 ? nullptr : at(current_).result; }
 
 void RunStore::setPath(int row, const QString& path) {
-  runs_.at(static_cast<std::size_t>(row)).path = path;
+  auto& run = runs_.at(static_cast<std::size_t>(row));
+  run.path = path, run.kept.reset();
   Q_EMIT dataChanged(index(row), index(row));
 }
 

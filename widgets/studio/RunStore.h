@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "studio/RunController.h"
+#include "studio/UnsavedResults.h"
 
 namespace squat::studio {
 
@@ -15,6 +16,7 @@ struct StoredRun {
   QString path;           // empty: not in a file yet
   bool overlaid = false;  // drawn with the current one
   bool measured = false;
+  std::shared_ptr<KeptFile> kept = nullptr;  // for a crash, until the run has a path
 };
 
 // A list with check boxes: checked runs are overlaid on the current one.
