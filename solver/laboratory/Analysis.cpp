@@ -70,6 +70,15 @@ void noteUnseenBands(double rate, const signals::FeatureOptions& options, std::v
   if (!names.empty()) notes.push_back("left out, because the sampling rate is " + hertz(rate) + ": " + names);
 }
 
+// What rings on when the record ends is known to last so long, not how long.
+void noteUnendedVibration(const signals::Features& features, double end, std::vector<std::string>& notes) {
+  std::string names;
+  for (const auto& band : features.bands)
+    if (features.impactTime + band.freeVibration > end - 1 / band.band.low)
+      names += (names.empty() ? "" : ", ") + band.band.name;
+  if (!names.empty()) notes.push_back("free vibration goes on when the record ends: " + names);
+}
+
 // A window weighs the samples of a record that is not stationary differently; then the density's integral is another
 // mean square than the record's.
 void noteUnevenWindow(const signals::PowerSpectrum& spectrum, std::vector<std::string>& notes) {
@@ -135,6 +144,7 @@ SignalAnalysis analyseSignal(const measured::MeasuredSignal& signal, const Analy
   if (!features.impactTime) features.impactTime = result.filtered.timeAt(largestSample(result.filtered.values));
   features.speed = signals::speedAt(result.passage, *features.impactTime);
   result.features = signals::features(result.filtered, features);
+  noteUnendedVibration(result.features, result.filtered.timeAt(result.filtered.values.size() - 1), result.notes);
 
   signals::PowerSpectrumOptions spectrum = options.spectrum;
   if (spectrum.segment == 0 && result.filtered.values.size() > longestPeriodogram) spectrum.segment = usualSegment;

@@ -128,7 +128,8 @@ std::vector<std::pair<std::string, double>> featureRow(const Features& f, std::s
   for (const auto& band : f.bands) row.emplace_back("power " + band.band.name + square, band.power);
   for (const auto& band : f.bands) row.emplace_back("free vibration " + band.band.name + " [s]", band.freeVibration);
   for (std::size_t i = 0; i < peakCount; ++i) {
-    const SpectralPeak peak = i < f.peaks.size() ? f.peaks[i] : SpectralPeak{};
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const SpectralPeak peak = i < f.peaks.size() ? f.peaks[i] : SpectralPeak{none, none, none, none};
     const std::string which = "peak " + std::to_string(i + 1);
     row.emplace_back(which + " frequency [Hz]", peak.frequency);
     row.emplace_back(which + " width [Hz]", peak.width);

@@ -67,7 +67,8 @@ struct Features {
 Features features(const TimeSeries& series, const FeatureOptions& options = {});
 
 // The same as a row of a table: names with unit ("peak [m/s2]"; a signal of unknown unit has "unit" there) and values,
-// in a fixed order; `peakCount` frequencies. The spectrum is the one around the impact.
+// in a fixed order; `peakCount` frequencies, not a number beyond those there are. The spectrum is the one around the
+// impact.
 std::vector<std::pair<std::string, double>> featureRow(const Features& features, std::size_t peakCount = 4);
 
 // Root mean square over the n samples centred on each sample (fewer at the ends).

@@ -44,6 +44,28 @@ TEST(Analysis, oneFileFromEndToEnd) {
   EXPECT_THAT(folder.read("out/aba_spectrum.csv"), HasSubstr("frequency [Hz],whole record [(m/s2)2/Hz]"));
 }
 
+// A tone that does not decay, and one that is gone after a tenth of the record.
+TEST(Analysis, vibrationBeyondTheRecordIsNoted) {
+  const Folder folder;
+  const auto noted = [&](double decay) {
+    std::string text = "time [s],aba [m/s2]\n";
+    for (int i = 0; i < 5000; ++i) {
+      const double t = i / 25e3;
+      text +=
+          std::to_string(t) + "," + std::to_string(100 * std::exp(-decay * t) * std::sin(2 * M_PI * 300 * t)) + "\n";
+    }
+    AnalysisOptions options;
+    options.file.speed = 30;
+    Monitor monitor;
+    const auto analysis = analyse({folder.write("tone.csv", text)}, options, monitor);
+    for (const auto& note : analysis.signals.at(0).notes)
+      if (note.find("free vibration goes on") != std::string::npos) return note;
+    return std::string();
+  };
+  EXPECT_THAT(noted(0), HasSubstr("200-400 Hz"));
+  EXPECT_EQ(noted(200), "");
+}
+
 TEST(Analysis, repeatedRunsAreAligned) {
   const Folder folder;
   std::vector<std::string> files;

@@ -91,11 +91,22 @@ TEST(Features, rowHasNamesAndNumbers) {
   const auto series = sampled(3000, rate, [](double t) { return std::sin(2 * pi * 300 * t) * std::exp(-30 * t); });
   FeatureOptions options;
   options.bands = {{"my band", 250, 350}};
-  const auto row = featureRow(features(series, options), 2);
-  ASSERT_EQ(row.size(), 10u + 2 * 1 + 2 * 3 + 2);
+  const auto row = featureRow(features(series, options), 1);
+  ASSERT_EQ(row.size(), 10u + 2 * 1 + 1 * 3 + 2);
   EXPECT_EQ(row[2].first, "peak [m/s2]");
   EXPECT_EQ(row[10].first, "power my band [(m/s2)2]");
   for (const auto& [name, value] : row) EXPECT_TRUE(std::isfinite(value)) << name;
+}
+
+// A tone has one line: where a second would stand, no number does, nought least of all.
+TEST(Features, peaksThatAreNotThereAreNotANumber) {
+  const auto row = featureRow(features(sampled(6000, rate, [](double t) { return std::sin(2 * pi * 300 * t); })), 4);
+  const auto valueOf = [&](const std::string& name) {
+    return std::find_if(row.begin(), row.end(), [&](const auto& entry) { return entry.first == name; })->second;
+  };
+  EXPECT_NEAR(valueOf("peak 1 frequency [Hz]"), 300, 1);
+  EXPECT_TRUE(std::isnan(valueOf("peak 4 frequency [Hz]")));
+  EXPECT_TRUE(std::isnan(valueOf("peak 4 width [Hz]")));
 }
 
 // Bands that nobody asked for by name are left out of a slow record, with their places in the row kept.
