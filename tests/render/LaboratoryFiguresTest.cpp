@@ -5,9 +5,11 @@
 
 #include <filesystem>
 
+#include "plots/FigureBuilders.h"
 #include "plots/FigureFiles.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticLaboratory.h"
+#include "render/SyntheticResult.h"
 #include "render/WithoutDisplay.h"
 
 namespace squat {
@@ -71,6 +73,21 @@ TEST_F(LaboratoryFigures, everyAxisHasALabelAndSquaresAreRaised) {
         EXPECT_FALSE(axis->label().isEmpty()) << sheet.name << " " << panel->name().toStdString();
         EXPECT_FALSE(axis->label().contains("s2") || axis->label().contains(")2")) << axis->label().toStdString();
       }
+}
+
+// Measured signals may be anything; what nobody named a unit for says so.
+TEST_F(LaboratoryFigures, mapsTellTheUnitOfTheirSignal) {
+  auto result = tests::syntheticResult();
+  const auto scaleOf = [](const plots::Figure& figure) {
+    for (auto* element : figure.findChildren<QCPColorScale*>()) return element->axis()->label().toStdString();
+    return std::string("no scale");
+  };
+  for (auto& channel : result.signals)
+    if (channel.name == "aba_filtered") channel.unit = "V";
+  EXPECT_EQ(scaleOf(*plots::scalogramFigure(result, {})), "Wavelet power [(V)² s]");
+  EXPECT_EQ(scaleOf(*plots::amplitudeScalogramFigure(result, {})), "Wavelet power [(V)²]");
+  EXPECT_EQ(scaleOf(*plots::stftFigure(result, {}, 64)), "Power density [(V)²/Hz]");
+  EXPECT_EQ(scaleOf(*plots::scalogramFigure(tests::syntheticResult(), {})), "Wavelet power [(m/s²)² s]");
 }
 
 // Panels one by one: a label that a panel cuts would not show at the border of the sheet.

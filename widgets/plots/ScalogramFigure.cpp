@@ -5,6 +5,7 @@
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "plots/ScalogramGrid.h"
+#include "plots/UnitText.h"
 #include "signals/Resample.h"
 #include "signals/Stft.h"
 
@@ -116,14 +117,25 @@ std::unique_ptr<Figure> mapFigure(const results::RunResult& result, const Style&
   return figure;
 }
 
+// That of the signal that the map was made from: a measured one may be no acceleration.
+std::string signalUnit(const results::RunResult& result) {
+  for (const auto& channel : result.signals)
+    if (channel.name == "aba_filtered") return channel.unit;
+  return "m/s2";
+}
+
+QString scaleLabel(const QString& quantity, const results::RunResult& result) {
+  return quantity.arg(unitText(signalUnit(result)));
+}
+
 }  // namespace
 
 std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style) {
-  return mapFigure(result, style, "scalogram", "Wavelet power [(m/s²)² s]");
+  return mapFigure(result, style, "scalogram", scaleLabel("Wavelet power [(%1)² s]", result));
 }
 
 std::unique_ptr<Figure> amplitudeScalogramFigure(const results::RunResult& result, const Style& style) {
-  return mapFigure(result, style, "scalogram", "Wavelet power [(m/s²)²]");
+  return mapFigure(result, style, "scalogram", scaleLabel("Wavelet power [(%1)²]", result));
 }
 
 std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment,
@@ -139,7 +151,8 @@ std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style
   local.position = result.position;
   const std::vector<double>* values = result.signal("aba_filtered");
   if (values && values->size() == result.time.size() && values->size() > segment && result.time.size() > 1) {
-    signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, "aba_filtered", "m/s2"};
+    signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, "aba_filtered",
+                               signalUnit(result)};
     signals::StftOptions options;
     options.segment = segment;
     options.hop = std::max(hop > 0 ? hop : std::max<std::size_t>(1, segment / 32), values->size() / mostColumns);
@@ -153,7 +166,7 @@ std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style
     for (double time : stft.time)
       local.scalogramPosition.push_back(signals::interpolateLinear(result.time, result.position, time));
   }
-  return mapFigure(local, style, "stft", "Power density [(m/s²)²/Hz]");
+  return mapFigure(local, style, "stft", scaleLabel("Power density [(%1)²/Hz]", result));
 }
 
 }  // namespace squat::plots
