@@ -186,6 +186,10 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   if (c.track.length < 5 * c.track.sleeperSpacing)
     add(findings, c, Severity::problem, {"track.length", "track.sleeper_spacing"},
         limitText("track.length", "at least five sleeper spacings:", 5 * c.track.sleeperSpacing), "Lengthen the track");
+  if (c.pad.longitudinalStiffness == 0 && c.track.railEnds != static_cast<int>(RailEnds::clamped))
+    add(findings, c, Severity::problem, {"pad.longitudinal_stiffness", "track.rail_ends"},
+        "above 0 where track.rail_ends is not clamped",
+        "Nothing would hold the rail along the track; give the pads some stiffness or clamp its ends");
   if (c.pad.length > c.sleeper.width)
     add(findings, c, Severity::problem, {"pad.length", "sleeper.width"},
         limitText("pad.length", "at most sleeper.width =", c.sleeper.width), "A pad lies on its sleeper");

@@ -376,7 +376,8 @@ bool unload(Run& run, const dynamics::Rolling& rolling, ThreadTeam& team, const 
 
 void finish(Run& run, Clock::time_point start) {
   auto& r = run.result;
-  addSpectra(run.description, r);
+  const std::string lacking = addSpectra(run.description, r);
+  if (r.complete && !lacking.empty()) warn(run, lacking);  // a part of a run has seldom enough
   r.performance.push_back({"seconds", "s", "wall time of the whole run", secondsSince(start)});
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -61,8 +61,8 @@ void describeProfile(const cases::CaseDescription& description, results::RunResu
 void describePermanentChange(const dynamics::Rolling& rolling, const AlignedVector& unloaded,
                              results::RunResult& result);
 
-// PSD and scalogram of what has been recorded; leaves them empty where the record is too short.
-void addSpectra(const cases::CaseDescription& description, results::RunResult& result);
+// PSD and scalogram of what has been recorded. Returns why there are none, or an empty text.
+std::string addSpectra(const cases::CaseDescription& description, results::RunResult& result);
 
 constexpr double mostStepsPerSample = 1e5;  // the filter before the samples keeps some twenty samples of them
 

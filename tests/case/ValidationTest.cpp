@@ -100,6 +100,10 @@ TEST(Validation, RunWithinTheTrack) {
 TEST(Validation, TrackParts) {
   expectProblem({{"track.defect_from_sleeper", "0.31"}}, "track.defect_from_sleeper");
   expectProblem({{"pad.length", "0.3"}}, "pad.length");
+  expectProblem({{"pad.longitudinal_stiffness", "0"}}, "pad.longitudinal_stiffness");
+  expectProblem({{"pad.longitudinal_stiffness", "0"}, {"track.rail_ends", "absorbing"}}, "pad.longitudinal_stiffness");
+  EXPECT_THAT(validate(caseWith({{"pad.longitudinal_stiffness", "0"}, {"track.rail_ends", "clamped"}})).problems,
+              testing::IsEmpty());
   expectProblem({{"track.sleeper_spacing", "0.4"}, {"sleeper.width", "0.4"}}, "sleeper.width");
 }
 
