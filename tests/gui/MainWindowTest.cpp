@@ -5,11 +5,13 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QPushButton>
 #include <QTabBar>
 #include <QTemporaryDir>
@@ -19,6 +21,7 @@
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
+#include "studio/MeasuredDialog.h"
 #include "studio/MessageBar.h"
 #include "studio/ParameterForm.h"
 
@@ -210,6 +213,39 @@ TEST(MainWindow, everyRunOfAMeasuredFileIsOverlaidAndForcesAreNot) {
   EXPECT_EQ(window.store().rowCount(), 3);
   EXPECT_FALSE(window.openMeasured(folder.filePath("force.csv")));
   EXPECT_TRUE(window.messages()->text().contains("not an acceleration")) << window.messages()->text().toStdString();
+}
+
+// Two boxes and no time: the column and the rate are asked for, and a wrong answer asks again.
+TEST(MainWindow, aMeasuredFileThatDoesNotTellByItselfIsAskedAbout) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("boxes.csv");
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("left box [m/s2],right box [m/s2]\n");
+  for (int i = 0; i < 400; ++i)
+    file.write(QByteArray::number(std::sin(i * 0.3)) + ',' + QByteArray::number(2 * std::sin(i * 0.3)) + '\n');
+  file.close();
+  MainWindow window(tests::services());
+  window.show();
+  ASSERT_FALSE(window.openMeasured(path));
+  window.askHowToRead(path);
+  const QPointer<QDialog> dialog = window.findChild<MeasuredDialog*>();
+  ASSERT_TRUE(dialog);
+  EXPECT_TRUE(dialog->isVisible());
+  auto* reason = dialog->findChild<QLabel*>("reason");
+  EXPECT_TRUE(reason->text().contains("2 right box")) << reason->text().toStdString();
+  dialog->findChild<QLineEdit*>("column")->setText("right box");
+  dialog->accept();
+  EXPECT_TRUE(dialog->isVisible());
+  EXPECT_TRUE(reason->text().contains("rate")) << reason->text().toStdString();
+  EXPECT_EQ(window.store().rowCount(), 0);
+  dialog->findChild<QDoubleSpinBox*>("rate")->setValue(5000);
+  dialog->accept();
+  EXPECT_FALSE(dialog && dialog->isVisible());
+  ASSERT_EQ(window.store().rowCount(), 1);
+  const auto& overlaid = *window.store().at(0).result;
+  EXPECT_NEAR(overlaid.time[1] - overlaid.time[0], 1 / 5000.0, 1e-12);
+  EXPECT_NEAR((*overlaid.signal("aba"))[5], 2 * std::sin(1.5), 1e-5);
 }
 
 TEST(MainWindow, darkAndBackKeepsTheWindowAlive) {

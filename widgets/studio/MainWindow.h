@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <functional>
 
+#include "measured/SignalFile.h"
 #include "studio/CaseDocument.h"
 #include "studio/PaperPanel.h"
 #include "studio/RunController.h"
@@ -58,6 +59,7 @@ class MainWindow : public QMainWindow {
   bool openCase(const QString& nameOrPath);
   bool openResult(const QString& path);
   bool openMeasured(const QString& path);
+  void askHowToRead(const QString& path);  // a measured file that does not tell by itself
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);
@@ -101,6 +103,7 @@ class MainWindow : public QMainWindow {
   void offerRecovery();
   QString recoverCase();  // what to say of it
   QString recoverResults();
+  void overlay(const QString& path, const measured::SignalFileOptions& options);  // throws
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
 
   StudioServices services_;

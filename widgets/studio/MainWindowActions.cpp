@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -64,7 +65,7 @@ void MainWindow::makeFileMenu() {
   QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
     const QString path = QFileDialog::getOpenFileName(this, tr("Overlay a measured signal"), QString(),
                                                       tr("Signals (*.csv *.txt *.h5 *.mat);;All files (*)"));
-    if (!path.isEmpty()) openMeasured(path);
+    if (!path.isEmpty() && !openMeasured(path) && QFileInfo(path).isReadable()) askHowToRead(path);
   });
   connect(runs_, &RunsPanel::saveWished, saving, &QAction::trigger);
   connect(runs_, &RunsPanel::measuredWished, measured, &QAction::trigger);

@@ -6,6 +6,7 @@
 #include "core/Errors.h"
 #include "results/ResultFile.h"
 #include "studio/MainWindow.h"
+#include "studio/MeasuredDialog.h"
 #include "studio/MeasuredRun.h"
 #include "studio/MessageBar.h"
 #include "studio/PlaceToSave.h"
@@ -76,23 +77,45 @@ bool MainWindow::openResult(const QString& path) {
   return false;
 }
 
+void MainWindow::overlay(const QString& path, const measured::SignalFileOptions& options) {
+  const ResultPointer current = store_.currentResult();
+  const double speed = options.speed > 0 ? options.speed : document_.description().motion.speed;
+  const auto runs = measuredRuns(path, speed, current.get(), options);
+  messages_->hide();
+  QStringList notes;
+  for (const auto& run : runs) {
+    QString label = QFileInfo(path).completeBaseName();
+    if (runs.size() > 1) label += ": " + QString::fromStdString(run->title);
+    store_.add({run, label, QFileInfo(path).absoluteFilePath(), true, true});
+    for (const auto& note : run->warnings) notes << QString::fromStdString(note);
+  }
+  if (!notes.isEmpty()) messages_->say(tr("Overlaid: %1").arg(notes[0]), notes.join('\n'));
+}
+
 bool MainWindow::openMeasured(const QString& path) {
   try {
-    const ResultPointer current = store_.currentResult();
-    const auto runs = measuredRuns(path, document_.description().motion.speed, current.get());
-    QStringList notes;
-    for (const auto& run : runs) {
-      QString label = QFileInfo(path).completeBaseName();
-      if (runs.size() > 1) label += ": " + QString::fromStdString(run->title);
-      store_.add({run, label, QFileInfo(path).absoluteFilePath(), true, true});
-      for (const auto& note : run->warnings) notes << QString::fromStdString(note);
-    }
-    if (!notes.isEmpty()) messages_->say(tr("Overlaid: %1").arg(notes[0]), notes.join('\n'));
+    overlay(path, {});
     return true;
   } catch (const std::exception& error) {
     messages_->warn(QString::fromStdString(error.what()));
   }
   return false;
+}
+
+void MainWindow::askHowToRead(const QString& path) {
+  auto* dialog = new MeasuredDialog(
+      path, messages_->text(),
+      [this, path](const measured::SignalFileOptions& options) -> QString {
+        try {
+          overlay(path, options);
+          return {};
+        } catch (const std::exception& error) {
+          return QString::fromStdString(error.what());
+        }
+      },
+      this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
 }
 
 bool MainWindow::saveCaseTo(const QString& path) {

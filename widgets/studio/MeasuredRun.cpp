@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/Errors.h"
-#include "measured/SignalFile.h"
 #include "signals/Butterworth.h"
 #include "signals/SignalError.h"
 
@@ -75,8 +74,9 @@ std::shared_ptr<const results::RunResult> runOf(const measured::MeasuredSignal& 
 }  // namespace
 
 std::vector<std::shared_ptr<const results::RunResult>> measuredRuns(const QString& path, double speed,
-                                                                    const results::RunResult* reference) {
-  const auto read = measured::readSignals(path.toStdString());
+                                                                    const results::RunResult* reference,
+                                                                    const measured::SignalFileOptions& options) {
+  const auto read = measured::readSignals(path.toStdString(), options);
   if (read.empty()) throw FileError(path.toStdString(), "", "has no signal");
   std::vector<std::shared_ptr<const results::RunResult>> runs;
   for (const auto& signal : read) runs.push_back(runOf(signal, path.toStdString(), speed, reference));
