@@ -103,9 +103,9 @@ TEST(Resume, GoesOnFromTheCheckpointAfterEquilibrium) {
   EXPECT_THAT(listener.messages, HasSubstr("the newest checkpoint is not whole"));
   EXPECT_THAT(listener.messages, HasSubstr("begun on abacus"));
   EXPECT_THAT(listener.phases, Not(Contains("equilibrium")));
-  ASSERT_FALSE(resumed.warnings.empty());
-  EXPECT_THAT(resumed.warnings.back(), HasSubstr("begun on abacus"));
-  resumed.warnings.pop_back();
+  const auto foreign = std::erase_if(
+      resumed.warnings, [](const auto& warning) { return warning.find("begun on abacus") != std::string::npos; });
+  EXPECT_EQ(foreign, 1u);
   EXPECT_EQ(results::firstDifference(comparable(uninterrupted()), comparable(resumed)), "");
 }
 
