@@ -57,7 +57,8 @@ int main(int argc, char** argv) {
   services.comparison = comparedRows;
   if (!pictureOnly) {
     const QDir own(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
-    services.recoveryFolder = own.filePath("recovery");
+    // A home folder may be shared: what another machine's processes have left is not ours to take.
+    services.recoveryFolder = own.filePath("recovery/" + QString::fromLatin1(QSysInfo::machineUniqueId()));
     services.runsFolder = own.filePath("runs");
   }
   squat::studio::MainWindow window(services);

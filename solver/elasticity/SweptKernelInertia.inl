@@ -21,15 +21,19 @@ inline void amplitudes(const Real (*rows)[3][chunk], int count, const Real* weig
     for (int v = 0; v < V; ++v) Kind::store(sums[k] + at + v * Kind::lanes, sum[k][v]);
 }
 
-// The sum of all lanes, in each of them.
+// The sum of all lanes, in each of them: halves change places, then halves of these.
 template <typename Kind>
 inline typename Kind::Packed sumOfLanes(typename Kind::Packed x) {
-#pragma GCC unroll 4
-  for (int half = Kind::lanes / 2; half > 0; half /= 2) {
-    decltype(x == x) partner{};
-#pragma GCC unroll 16
-    for (int i = 0; i < Kind::lanes; ++i) partner[i] = i ^ half;
-    x += __builtin_shuffle(x, partner);
+  if constexpr (Kind::lanes == 8) {
+    x += __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
+    x += __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
+    x += __builtin_shufflevector(x, x, 1, 0, 3, 2, 5, 4, 7, 6);
+  } else if constexpr (Kind::lanes == 4) {
+    x += __builtin_shufflevector(x, x, 2, 3, 0, 1);
+    x += __builtin_shufflevector(x, x, 1, 0, 3, 2);
+  } else {
+    static_assert(Kind::lanes == 2);
+    x += __builtin_shufflevector(x, x, 1, 0);
   }
   return x;
 }

@@ -82,15 +82,15 @@ void describeProfile(const cases::CaseDescription& d, results::RunResult& result
 }
 
 std::string addSpectra(const cases::CaseDescription& d, results::RunResult& result) {
-  const auto tooShort = [](std::size_t samples, std::size_t least) {
-    return "no spectra: " + std::to_string(samples) + " samples around the defect, at least " + std::to_string(least) +
+  const auto tooShort = [](std::size_t samples, const char* where, std::size_t least) {
+    return "no spectra: " + std::to_string(samples) + " samples " + where + ", at least " + std::to_string(least) +
            " are needed; raise output.rate or lengthen motion.run_up and motion.beyond";
   };
   constexpr std::size_t leastRecord = 64, leastWindow = 32;
   const auto* filtered = result.signal("aba_filtered");
   const auto* wheel = result.signal("wheel_acceleration_filtered");
   if (!filtered) return "no spectra: nothing was recorded";
-  if (filtered->size() < leastRecord) return tooShort(filtered->size(), leastRecord);
+  if (filtered->size() < leastRecord) return tooShort(filtered->size(), "in the record", leastRecord);
   const double step = result.time[1] - result.time[0], speed = d.motion.speed;
   // Window of the paper's figures: from 0.1 m before to 0.28 m beyond the defect, as far as the record goes.
   result.psdFrom = std::max(-0.1, result.position.front()), result.psdTo = std::min(0.28, result.position.back());
@@ -104,7 +104,8 @@ std::string addSpectra(const cases::CaseDescription& d, results::RunResult& resu
     for (const auto& [values, out] : {std::pair{filtered, &result.psd}, std::pair{wheel, &result.psdWheel}}) {
       const signals::TimeSeries series{result.time.front(), step, *values, "", "m/s2"};
       const auto part = signals::cutOut(series, timeOf(result.psdFrom), timeOf(result.psdTo));
-      if (part.values.size() < leastWindow) return tooShort(part.values.size(), leastWindow);
+      if (part.values.size() < leastWindow)
+        return tooShort(part.values.size(), "from 0.1 m before to 0.28 m beyond the defect", leastWindow);
       options.transformLength = std::max<std::size_t>(8192, signals::fastLength(part.values.size()));
       const auto spectrum = signals::powerSpectrum(part, options);
       result.frequency = spectrum.frequency;

@@ -138,19 +138,37 @@ TEST_F(UnsavedResult, isThereAgainAfterACrash) {
   EXPECT_TRUE(kept().isEmpty());
 }
 
-// A full disk, or here a folder in the way: the run can go on from its checkpoint, and the user is told.
+// A full disk, or here a file where the folder should be: the run can go on from its checkpoint, and the user is told.
 TEST_F(UnsavedResult, keepsItsCheckpointWhereItCannotBeWritten) {
+  QFile inTheWay(folder_.filePath("recovery"));
+  ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
+  inTheWay.close();
   const auto window = open();
-  QString checkpoint;
   window->startRun();
-  checkpoint = StoppedRuns(folder_.filePath("runs")).file(window->document().description());
+  const QString checkpoint = StoppedRuns(folder_.filePath("runs")).file(window->document().description());
   QFile file(checkpoint);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.close();
-  ASSERT_TRUE(QDir(folder_.filePath("recovery")).removeRecursively());
   ASSERT_TRUE(window->controller().waitFor(60000));
   EXPECT_TRUE(StoppedRuns::exists(checkpoint));
   EXPECT_TRUE(window->messages()->text().contains("could not be written")) << window->messages()->text().toStdString();
+  ASSERT_TRUE(window->saveResultTo(0, folder_.filePath("saved.h5")));
+  EXPECT_FALSE(StoppedRuns::exists(checkpoint));  // nothing is left to go on with
+}
+
+// From a newer version, say: it is told once, and stays.
+TEST_F(UnsavedResult, thatCannotBeReadIsPutAside) {
+  ASSERT_TRUE(QDir().mkpath(folder_.filePath("recovery")));
+  QFile broken(folder_.filePath("recovery/") + deadProcess + "-1 run.h5");
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("no result");
+  broken.close();
+  const auto first = open();
+  EXPECT_EQ(first->store().rowCount(), 0);
+  EXPECT_EQ(QDir(folder_.filePath("recovery")).entryList({"*.unreadable"}, QDir::Files).size(), 1);
+  EXPECT_TRUE(tests::passes([&] { return first->messages()->text().contains("stays there"); }));
+  const auto second = open();
+  EXPECT_TRUE(second->messages()->text().isEmpty()) << second->messages()->text().toStdString();
 }
 
 }  // namespace

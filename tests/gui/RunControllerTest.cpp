@@ -126,5 +126,16 @@ TEST(RunController, survivesAnythingAtAnyMoment) {
   }
 }
 
+// Memory may be short while the result is written beside itself.
+TEST(RunController, aResultThatCannotBeKeptIsAResultAllTheSame) {
+  RunController controller(tests::madeUpRunner(5));
+  ResultPointer got;
+  QObject::connect(&controller, &RunController::finished, [&](const ResultPointer& result) { got = result; });
+  controller.start(cases::CaseDescription{}, "run", {}, [](const results::RunResult&) { throw std::bad_alloc(); });
+  ASSERT_TRUE(controller.waitFor(60000));
+  ASSERT_TRUE(got);
+  EXPECT_TRUE(got->complete);
+}
+
 }  // namespace
 }  // namespace squat::studio

@@ -47,7 +47,7 @@ TEST(Describe, SlowRunsHaveSpectraToo) {
   EXPECT_NEAR(result.frequency[static_cast<std::size_t>(peak)], 500, result.frequency[1]);
 }
 
-// 0.38 m at 150 m/s take 2.5 ms: 40 samples of 16 kHz, none of them beside the defect in this record of 70.
+// At 150 m/s and 16 kHz a sample every 9.4 mm, from -0.5 m on.
 TEST(Describe, ARecordTooShortForSpectraSaysWhatToDo) {
   const auto description = cases::loadCase("smooth-rail", {"tiny", {{"output.rate", "16"}, {"motion.speed", "150"}}});
   results::RunResult result;
@@ -61,8 +61,8 @@ TEST(Describe, ARecordTooShortForSpectraSaysWhatToDo) {
     for (auto& channel : part.signals) channel.values.resize(samples);
     return addSpectra(description, part);
   };
-  EXPECT_THAT(reasonWith(63), testing::HasSubstr("63 samples"));
-  EXPECT_THAT(reasonWith(64), testing::HasSubstr("raise output.rate"));  // 22 of them from -0.1 m on
+  EXPECT_THAT(reasonWith(63), testing::HasSubstr("63 samples in the record, at least 64"));
+  EXPECT_THAT(reasonWith(64), testing::HasSubstr("21 samples from 0.1 m before"));  // the 44th lies at -0.097 m
   EXPECT_EQ(reasonWith(0).find("no spectra"), 0u);
 }
 

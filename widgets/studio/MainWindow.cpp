@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTabWidget>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "studio/MessageBar.h"
@@ -257,7 +258,12 @@ bool MainWindow::showTab(const QString& name) {
 void MainWindow::offerRecovery() {
   QStringList said{recoverCase(), recoverResults()};
   said.removeAll(QString());
-  if (!said.isEmpty()) messages_->say(said.join(' '));
+  if (said.isEmpty()) return;
+  messages_->say(said.join(' '));
+  // A case that is opened from the command line hides it before anybody has seen it.
+  QTimer::singleShot(0, this, [this, said] {
+    if (messages_->isHidden()) messages_->say(said.join(' '));
+  });
 }
 
 // Cancels and waits; no result is kept, as the question said.

@@ -162,6 +162,11 @@ bool MainWindow::saveResultTo(int row, const QString& path) {
   }
   store_.setPath(row, QFileInfo(path).absoluteFilePath());
   addRecentFile(path);
+  // What could not be kept by itself has its checkpoint still.
+  const auto& result = *store_.at(row).result;
+  const QString checkpoint = stopped_.file(result.caseHash);
+  if (result.complete && !(controller_.isRunning() && checkpoint == checkpoint_)) StoppedRuns::forget(checkpoint);
+  showStopped();
   return true;
 }
 
@@ -229,12 +234,13 @@ QString MainWindow::recoverResults() {
   QStringList unreadable;
   for (const QString& file : unsaved_.takeLeft()) try {
       auto result = std::make_shared<results::RunResult>(results::readResult(file.toStdString()));
-      result->stem = UnsavedResults::stemOf(file).toStdString();
+      if (result->stem.empty()) result->stem = UnsavedResults::stemOf(file).toStdString();
       store_.add({result, UnsavedResults::stemOf(file) + tr(" (recovered)"), QString(), false, false,
                   std::make_shared<KeptFile>(file)});
       ++found;
-    } catch (const FileError& error) {
-      unreadable << QString::fromStdString(error.what());
+    } catch (const std::exception& error) {
+      unreadable << tr("%1 (a result that had not been saved stays there as %2)")
+                        .arg(QString::fromStdString(error.what()), UnsavedResults::putAside(file));
     }
   QStringList said;
   if (found == 1) said << tr("A result that had not been saved was recovered: save it if you want to keep it.");

@@ -79,7 +79,11 @@ std::vector<std::shared_ptr<const results::RunResult>> measuredRuns(const QStrin
   const auto read = measured::readSignals(path.toStdString(), options);
   if (read.empty()) throw FileError(path.toStdString(), "", "has no signal");
   std::vector<std::shared_ptr<const results::RunResult>> runs;
-  for (const auto& signal : read) runs.push_back(runOf(signal, path.toStdString(), speed, reference));
+  for (auto signal : read) {
+    if (signal.position.empty() && options.speed == 0)
+      signal.notes.push_back("it tells no speed: that of the case, " + QString::number(speed).toStdString() + " m/s");
+    runs.push_back(runOf(signal, path.toStdString(), speed, reference));
+  }
   return runs;
 }
 

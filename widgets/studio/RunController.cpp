@@ -74,10 +74,14 @@ void RunController::start(const cases::CaseDescription& description, const std::
       outcome_->result = runner_(description, options, *monitor_, &outcome_->partial);
       outcome_->result.stem = stem;
       if (outcome_->result.title.empty()) outcome_->result.title = description.title;
-      if (keep) keep(outcome_->result);
     } catch (...) {
       outcome_->error = std::current_exception();
       outcome_->partial.stem = stem;
+    }
+    try {
+      if (keep && !outcome_->error) keep(outcome_->result);
+    } catch (...) {
+      // The result is there all the same.
     }
     QMetaObject::invokeMethod(this, &RunController::conclude, Qt::QueuedConnection);
   });

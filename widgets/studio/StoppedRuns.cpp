@@ -22,8 +22,12 @@ StoppedRuns::StoppedRuns(const QString& folder) {
 }
 
 QString StoppedRuns::file(const cases::CaseDescription& description) const {
-  if (folder_.isEmpty()) return {};
-  return QDir(folder_).filePath(QString::fromStdString(cases::caseHash(description)) + ending);
+  return file(cases::caseHash(description));
+}
+
+QString StoppedRuns::file(const std::string& caseHash) const {
+  if (folder_.isEmpty() || caseHash.empty()) return {};
+  return QDir(folder_).filePath(QString::fromStdString(caseHash) + ending);
 }
 
 bool StoppedRuns::exists(const QString& file) {

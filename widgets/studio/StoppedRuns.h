@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "case/CaseDescription.h"
 
@@ -16,6 +17,7 @@ class StoppedRuns {
 
   // Where the run of this case keeps its state; empty where nothing is kept.
   QString file(const cases::CaseDescription& description) const;
+  QString file(const std::string& caseHash) const;
   bool has(const cases::CaseDescription& description) const { return exists(file(description)); }
   static bool exists(const QString& file);
   static void forget(const QString& file);  // nothing happens where there is none

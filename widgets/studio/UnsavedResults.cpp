@@ -3,7 +3,6 @@
 #include <QDir>
 #include <QFile>
 
-#include "core/Errors.h"
 #include "results/ResultFile.h"
 #include "studio/ProcessIdentity.h"
 
@@ -14,13 +13,17 @@ const QLatin1String ending(".h5");
 
 }  // namespace
 
-KeptFile::~KeptFile() { QFile::remove(path_); }
+KeptFile::~KeptFile() {
+  if (!path_.isEmpty()) QFile::remove(path_);
+}
 
 // Whose it is, a number, and behind a blank the stem, as far as a file's name takes it.
 QString UnsavedResults::nextFile(const QString& stem) {
-  if (folder_.isEmpty() || !QDir().mkpath(folder_)) return {};
+  if (folder_.isEmpty()) return {};
+  QDir().mkpath(folder_);      // where that fails, so does the writing, and that is noticed
   constexpr int longest = 60;  // a letter may take three bytes of the 255 that a name has
   QString name = stem.left(longest);
+  if (name.size() > 0 && name.back().isHighSurrogate()) name.chop(1);
   name.replace('/', '_');
   return QDir(folder_).filePath(QStringLiteral("%1-%2 %3").arg(ownIdentity()).arg(++made_).arg(name) + ending);
 }
@@ -33,8 +36,8 @@ void UnsavedResults::write(const QString& file, const results::RunResult& result
   if (file.isEmpty() || !result.complete) return;
   try {
     results::writeResult(file.toStdString(), result);
-  } catch (const FileError&) {
-    // The run's checkpoint stays then.
+  } catch (const std::exception&) {
+    // The disk is full, or memory is: the run's checkpoint stays then.
   }
 }
 
@@ -48,6 +51,11 @@ QStringList UnsavedResults::takeLeft() {
     if (QFile::rename(entry.filePath(), own)) taken << own;
   }
   return taken;
+}
+
+QString UnsavedResults::putAside(const QString& file) {
+  const QString aside = file + ".unreadable";
+  return QFile::rename(file, aside) ? aside : file;
 }
 
 }  // namespace squat::studio

@@ -28,13 +28,15 @@ class UnsavedResults {
  public:
   explicit UnsavedResults(QString folder) : folder_(std::move(folder)) {}  // empty: nothing is kept
 
-  // For the next result; empty where nothing is kept. Makes the folder.
+  // For the next result; empty where nothing is kept. Makes the folder where it can.
   QString nextFile(const QString& stem);
   static QString stemOf(const QString& file);
   // Writes a complete result there, any other not. Nothing is thrown: whether it could be written, the file tells.
   static void write(const QString& file, const results::RunResult& result);
   // What processes left that are no more, now files of this one.
   QStringList takeLeft();
+  // Out of the way of takeLeft(), for whoever can read it. Returns where it is.
+  static QString putAside(const QString& file);
 
  private:
   QString folder_;
