@@ -246,6 +246,7 @@ TEST(MainWindow, aMeasuredFileThatDoesNotTellByItselfIsAskedAbout) {
   const auto& overlaid = *window.store().at(0).result;
   EXPECT_NEAR(overlaid.time[1] - overlaid.time[0], 1 / 5000.0, 1e-12);
   EXPECT_NEAR((*overlaid.signal("aba"))[5], 2 * std::sin(1.5), 1e-5);
+  EXPECT_TRUE(window.messages()->text().contains("tells no speed")) << window.messages()->text().toStdString();
 }
 
 TEST(MainWindow, darkAndBackKeepsTheWindowAlive) {
