@@ -115,7 +115,7 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         closed->rim.push_back({t.treadNode[a], t.treadStation[side], t.treadWeight[2 * a + side] * area});
       }
     patch.vertical -= forceZ, patch.longitudinal += forceX, patch.lateral += forceY;
-    patch.spinMoment += radius * area * along;
+    patch.spinMoment += radius * area * (along + outwards * t.lead);
     const double x = s.pointX[t.point] - place.centreX - place.hubX, y = s.pointY[t.point], n = pressure * area;
     sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
     if (points) points->push_back({x, y, pressure, along, across, area, slips});

@@ -24,6 +24,43 @@ Sides treadSides(const elasticity::SweptBlock& rim, const TouchPoint& t, const d
           t.treadWeight[1] * first[t.treadStation[1]] + t.treadWeight[3] * second[t.treadStation[1]]};
 }
 
+// The interval in which an angle lies, looked for from interval k on; the angle is brought among the rim's own.
+int intervalAt(const elasticity::SweptBlock& rim, int k, double& angle) {
+  constexpr double full = 6.283185307179586;
+  if (std::abs(angle) > 1e4)
+    angle = std::remainder(angle, full);  // of a state that flies apart: it must end all the same
+  while (angle < rim.positions[k])
+    if (k > 0) {
+      --k;
+    } else {
+      angle += full, k = rim.intervals - 1;
+    }
+  while (angle >= rim.positions[k + 1])
+    if (k + 1 < rim.intervals) {
+      ++k;
+    } else {
+      angle -= full, k = 0;
+    }
+  return k;
+}
+
+// Takes the material at an angle, in interval k, with its bases as seen from the touch point, `lead` ahead.
+void meet(const Surfaces& s, const elasticity::SweptBlock& rim, int lateral, int k, double angle, double lead,
+          TouchPoint& t) {
+  const double u = (angle - rim.positions[k]) / (rim.positions[k + 1] - rim.positions[k]);
+  const int tread = s.treadColumn[lateral];
+  const double v = s.treadFraction[lateral];
+  t.treadNode[0] = s.treadLine[tread], t.treadNode[1] = s.treadLine[tread + 1];
+  t.treadStation[0] = k, t.treadStation[1] = k + 1 == rim.intervals ? 0 : k + 1;
+  t.treadWeight[0] = (1 - v) * (1 - u), t.treadWeight[1] = (1 - v) * u;
+  t.treadWeight[2] = v * (1 - u), t.treadWeight[3] = v * u;
+  for (int side = 0; side < 2; ++side) {
+    // Angles of half an element: the series errs by less than 1e-12.
+    const double d = rim.positions[k + side] - angle - lead, d2 = d * d;
+    t.turnCosine[side] = 1 - d2 / 2 * (1 - d2 / 12), t.turnSine[side] = d * (1 - d2 / 6 * (1 - d2 / 20));
+  }
+}
+
 }  // namespace
 
 double treadAlong(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state) {
@@ -96,40 +133,18 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   const double distance = std::sqrt(dx * dx + dz * dz);
   t.sine = dx / distance, t.cosine = -dz / distance;
 
-  // The tread's material point: stations of rail and rim roll on each other, so the search starts next to its end.
+  // The tread's material: first that whose reference place this is, then that whose displaced place it is. Stations of
+  // rail and rim roll on each other, so the search starts next to its end.
   double angle = std::asin(t.sine) + wheel.rotation;
-  const double full = 6.283185307179586;
-  if (std::abs(angle) > 1e4)
-    angle = std::remainder(angle, full);  // of a state that flies apart: it must end all the same
-  int k = interval - s.rolledInterval;
-  if (k < 0 || k >= rim.intervals) k = 0;
-  while (angle < rim.positions[k])
-    if (k > 0) {
-      --k;
-    } else {
-      angle += full, k = rim.intervals - 1;
-    }
-  while (angle >= rim.positions[k + 1])
-    if (k + 1 < rim.intervals) {
-      ++k;
-    } else {
-      angle -= full, k = 0;
-    }
-  const double u = (angle - rim.positions[k]) / (rim.positions[k + 1] - rim.positions[k]);
-  const int tread = s.treadColumn[lateral];
-  const double v = s.treadFraction[lateral];
-  t.treadNode[0] = s.treadLine[tread], t.treadNode[1] = s.treadLine[tread + 1];
-  t.treadStation[0] = k, t.treadStation[1] = k + 1 == rim.intervals ? 0 : k + 1;
-  t.treadWeight[0] = (1 - v) * (1 - u), t.treadWeight[1] = (1 - v) * u;
-  t.treadWeight[2] = v * (1 - u), t.treadWeight[3] = v * u;
-  for (int side = 0; side < 2; ++side) {
-    // Angles of half an element: the series errs by less than 1e-12.
-    const double d = rim.positions[k + side] - angle, d2 = d * d;
-    t.turnCosine[side] = 1 - d2 / 2 * (1 - d2 / 12), t.turnSine[side] = d * (1 - d2 / 6 * (1 - d2 / 20));
-  }
-
+  const int start = interval - s.rolledInterval;
+  int k = intervalAt(rim, start < 0 || start >= rim.intervals ? 0 : start, angle);
+  meet(s, rim, lateral, k, angle, 0, t);
+  t.lead = (treadAlong(rim, t, state) - (wheel.hubX * t.cosine + wheel.hubZ * t.sine)) / radius - wheel.turnAhead;
+  double material = angle - t.lead;
+  k = intervalAt(rim, k, material);
+  meet(s, rim, lateral, k, material, t.lead, t);
   const double radial = treadRadial(rim, t, state) - (wheel.hubX * t.sine - wheel.hubZ * t.cosine);
-  t.penetration = s.treadCosine * (radius - distance + radial);
+  t.penetration = s.treadCosine * (radius * (1 - 0.5 * t.lead * t.lead) - distance + radial);
   if (s.treadSine != 0) t.penetration += s.treadSine * (treadLateral(rim, t, state) - moved.y);
   return true;
 }

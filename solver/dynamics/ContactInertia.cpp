@@ -45,6 +45,26 @@ void ContactInertia::apply(double* railInverse, double* rimInverse) {
   applySide(sides_[1], closed_.rim, rimInverse);
 }
 
+double ContactInertia::addedInertia() const {
+  double sum = 0;
+  for (const auto& share : closed_.rim) {
+    const double radius = sides_[1].block->section.nodes[share.node][0];
+    sum += radius * radius * share.area;
+  }
+  return massPerArea_ * sum;
+}
+
+double ContactInertia::addedSpin(const double* velocity, double cosine, double sine) const {
+  const auto& block = *sides_[1].block;
+  double sum = 0;
+  for (const auto& share : closed_.rim) {
+    const std::size_t at = block.index(share.node, 0, share.station);
+    sum += block.section.nodes[share.node][0] * share.area *
+           (cosine * velocity[at] - sine * velocity[at + elasticity::SweptBlock::chunk]);
+  }
+  return massPerArea_ * sum;
+}
+
 void ContactInertia::applySide(Side& side, const std::vector<contact::AreaShare>& shares, double* inverse) {
   const auto& block = *side.block;
   const auto bare = [&](int node, int station) {

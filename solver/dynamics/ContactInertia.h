@@ -9,7 +9,8 @@
 // for 3x3 blocks the largest penalty times the node's share in the closed area, twice because the weights of either
 // body sum to one. That is some grams in a patch, about what the layer of elements under it weighs: nothing to a
 // wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy ledger leaves its motion out
-// (millijoules at the 0.4 m/s with which material enters the patch).
+// (millijoules at the 0.4 m/s with which material enters the patch), but not what it takes of the wheel's spin: tread
+// that leaves the patch of a driven wheel moves otherwise than tread that enters, some newtons of force.
 // Where short waves have more inertia, blocks with such nodes have a filter of their own, orthogonal in M + D: the
 // effective mass grows by D at least (SelectiveInertia.h).
 #pragma once
@@ -39,6 +40,11 @@ class ContactInertia {
   const int* ownFilter(int side) const { return sides_[side].slotOf.data(); }
   const elasticity::KernelFilter* filters(int side) const { return sides_[side].filters.data(); }
   double addedMass() const { return added_; }  // [kg] in both bodies together, as last applied
+  // What closed points add to the wheel: its inertia about the axis [kg m2], and its angular momentum [kg m2/s] against
+  // the rolling, sum of r v_alpha, in velocities (state layout) whose bases have turned since by an angle of this
+  // cosine and sine.
+  double addedInertia() const;
+  double addedSpin(const double* velocity, double cosine, double sine) const;
 
  private:
   static constexpr int most = elasticity::mostRows * elasticity::mostStations;

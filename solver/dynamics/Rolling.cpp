@@ -24,9 +24,9 @@ contact::ForceLines forceLines(const model::Model& model, int block, AlignedVect
   return {forces.data() + model.loaded[block].offset, model.loaded[block].lineOfNode.data()};
 }
 
-// Gravity in the local components of every station.
+// Gravity in the local components of every station; `drift` [m/s2] is added to it where the block turns.
 void fillGravity(const elasticity::SweptBlock& block, double gravity, const model::TurnedStations* turned,
-                 AlignedVector& lines) {
+                 const model::PlaneVector& drift, AlignedVector& lines) {
   for (int s = 0; s < block.stationCount; ++s) {
     switch (block.kind) {
       case elasticity::SweepKind::alongX:
@@ -37,8 +37,8 @@ void fillGravity(const elasticity::SweptBlock& block, double gravity, const mode
         lines[block.stride + s] = -gravity;
         break;
       case elasticity::SweepKind::aroundAxis:
-        lines[s] = -gravity * turned->sine[s];
-        lines[block.stride + s] = gravity * turned->cosine[s];
+        lines[s] = drift.x * turned->cosine[s] + (drift.z - gravity) * turned->sine[s];
+        lines[block.stride + s] = drift.x * turned->sine[s] - (drift.z - gravity) * turned->cosine[s];
         break;
     }
   }
@@ -79,7 +79,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const auto& block = model.blocks[b];
     acceleration_.emplace_back(3 * block.stride, 0.0);
-    fillGravity(block, d.motion.gravity, static_cast<int>(b) == model.rim ? &turnedRim_ : &turned_,
+    fillGravity(block, d.motion.gravity, static_cast<int>(b) == model.rim ? &turnedRim_ : &turned_, {},
                 acceleration_.back());
     radii_.emplace_back();
     if (block.kind == elasticity::SweepKind::aroundAxis)
@@ -213,7 +213,7 @@ void Rolling::restore(RollingState state) {
   wheelVelocity_ = ringMean(model_, model_.centre, turned_, state_.velocity.data());
   const auto wheel = wheelRolling(state_.displaced.data());
   view_.step = state_.step, view_.time = state_.time;
-  view_.position = wheel.placement.centreX + wheel.placement.hubX;
+  view_.position = wheel.placement.centreX + wheel.placement.hubX - wheel.speed * beta_;
   view_.spinRate = state_.spinRate;
 }
 
@@ -228,8 +228,13 @@ contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
   const auto& d = model_.description;
   const auto hub = ringMean(model_, model_.centre, turned_, displaced);
   contact::WheelRolling wheel;
-  wheel.placement = {model_.startX + d.motion.speed * state_.time, model_.wheelset.centreHeight, state_.rotation, hub.x,
-                     hub.z};
+  // Displacements u + beta v are those of a moment later: so must be the wheel's place.
+  wheel.placement = {model_.startX + d.motion.speed * (state_.time + beta_),
+                     model_.wheelset.centreHeight,
+                     state_.rotation,
+                     hub.x,
+                     hub.z,
+                     state_.spinRate * beta_};
   wheel.speed = d.motion.speed;
   wheel.spinRate = state_.spinRate;
   return wheel;
@@ -254,12 +259,13 @@ void Rolling::touch() {
   listNearPoints(wheel.placement);
   view_.step = state_.step;
   view_.time = state_.time;
-  view_.position = wheel.placement.centreX + wheel.placement.hubX;
+  view_.position = wheel.placement.centreX + wheel.placement.hubX - wheel.speed * beta_;
   view_.patch =
       rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel, displaced,
                   state_.velocity.data(), step_, state_.friction, forceLines(model_, model_.rail, forces_),
                   forceLines(model_, model_.rim, forces_), nullptr, &inertia_.closed(), &near_);
   inertia_.apply(inverseMass_[model_.rail].data(), inverseMass_[model_.rim].data());
+  addedSpin_ = inertia_.addedSpin(state_.velocity.data(), 1, 0);
   for (const auto& [side, b] : {std::pair{0, model_.rail}, std::pair{1, model_.rim}})
     blockSteps_[b].ownFilter = inertia_.ownFilter(side), blockSteps_[b].filters = inertia_.filters(side);
 }
@@ -319,15 +325,20 @@ void Rolling::pushVehicle() {
 void Rolling::pushWheelset() {
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
   turnStations(model_.blocks[model_.rim], state_.rotation, turnedRim_);
-  const double g = model_.description.motion.gravity;
-  fillGravity(model_.blocks[model_.body], g, &turned_, acceleration_[model_.body]);
-  fillGravity(model_.blocks[model_.rim], g, &turnedRim_, acceleration_[model_.rim]);
   touch();
   // On the contact's own lines.
   elasticity::addIrregularForces(model_.movedElements, state_.displaced.data(), forces_.data());
   pushVehicle();
-  referenceAcceleration_ = (torque_ + view_.patch.spinMoment) / model_.wheelset.inertia;
-  spinAcceleration_ = referenceAcceleration_ + state_.turningMoment / model_.wheelset.inertia;
+  const auto& w = model_.wheelset;
+  referenceAcceleration_ = (torque_ + view_.patch.spinMoment + state_.addedMoment) / w.inertia;
+  spinAcceleration_ = referenceAcceleration_ + state_.turningMoment / w.inertia;
+  // The reference turns about its centre of mass.
+  const double share = -referenceAcceleration_ / w.turningMass, c = std::cos(state_.rotation),
+               s = std::sin(state_.rotation);
+  const model::PlaneVector drift{share * (c * w.leverX + s * w.leverZ), share * (c * w.leverZ - s * w.leverX)};
+  const double g = model_.description.motion.gravity;
+  fillGravity(model_.blocks[model_.body], g, &turned_, drift, acceleration_[model_.body]);
+  fillGravity(model_.blocks[model_.rim], g, &turnedRim_, drift, acceleration_[model_.rim]);
   const double rate = state_.spinRate + step_ * spinAcceleration_;
   for (const int b : {model_.rim, model_.body}) {
     blockSteps_[b].spinAcceleration = referenceAcceleration_;
@@ -436,6 +447,9 @@ void Rolling::finishStep() {
   state_.turningMoment = 0;
   for (auto& line : turningMoment_)
     for (double& moment : line) state_.turningMoment += std::exchange(moment, 0.0);
+  const auto& turn = blockSteps_[model_.rim];
+  state_.addedMoment = (inertia_.addedSpin(v, turn.cosine, turn.sine) - addedSpin_) / step_ -
+                       referenceAcceleration_ * inertia_.addedInertia();
   ++state_.step;
   state_.time = static_cast<double>(state_.step) * step_;
   state_.sums.friction += step_ * view_.patch.frictionPower;

@@ -10,11 +10,12 @@
 // and springs collect forces; each thread adds the forces of plastic strain to the stations that it advances. The start
 // is elastic: what yields under the wheel at rest flows in the first step.
 //
-// Spin of the wheelset: in the turning reference every mass feels +a' r along alpha, I a' = torque + moment of the
-// outer forces with undisplaced arms, so that no mean spin gathers in the displacements. The reference turns with rate
-// w, I w' = I a' - S, S the moment of the inner forces about the displaced places, sum of (e x u) . f: the power w S is
-// what the stored energy, which knows the displacements in the turning basis, misses of the inner forces' work. S is
-// taken from the step before.
+// Spin of the wheelset: in the turning reference every mass feels +a' r along alpha,
+//   I a' = torque + moment of the outer forces with undisplaced arms + what the contact's added inertia resists,
+// so that no mean spin gathers in the displacements; the reference turns about its centre of mass, which lumped masses
+// leave some micrometres beside the axis. It turns with rate w, I w' = I a' - S, S the moment of the inner forces about
+// the displaced places, sum of (e x u) . f: the power w S is what the stored energy, which knows the displacements in
+// the turning basis, misses of the inner forces' work. S and the added inertia's moment are taken from the step before.
 #pragma once
 
 #include <array>
@@ -163,7 +164,7 @@ class Rolling {
   std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it places
   std::vector<AlignedVector> tieWorkspaces_;        // per thread
   std::array<AlignedVector, 2> turningMoment_;      // of rim and body: what each station adds to -S
-  double torque_ = 0, hubSpinRate_ = 0;
+  double torque_ = 0, hubSpinRate_ = 0, addedSpin_ = 0;
 };
 
 }  // namespace squat::dynamics

@@ -21,7 +21,8 @@ struct RollingState {
   contact::FrictionHistory friction;
   plasticity::LayerState plastic;  // empty where nothing may yield
   EnergySums sums;
-  double turningMoment = 0;  // [N m] -S of the last step: inner forces about displaced places (Rolling.h)
+  // Of the last step (Rolling.h), [N m]: -S, inner forces about displaced places; what the contact's inertia resists.
+  double turningMoment = 0, addedMoment = 0;
 };
 
 }  // namespace squat::dynamics

@@ -98,8 +98,11 @@ void addMasses(Model& model) {
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
     for (int n = 0; n < block.nodes; ++n)
-      for (int s = 0; s < block.stationCount; ++s)
-        figures.inertia += model.mass[b][n * block.stride + s] * std::pow(block.section.nodes[n][0], 2);
+      for (int s = 0; s < block.stationCount; ++s) {
+        const double mass = model.mass[b][n * block.stride + s], radius = block.section.nodes[n][0];
+        figures.inertia += mass * radius * radius, figures.turningMass += mass;
+        figures.leverX += mass * radius * block.cosines[s], figures.leverZ += mass * radius * block.sines[s];
+      }
   }
   requireMass(model);
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {

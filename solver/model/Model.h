@@ -35,7 +35,10 @@ struct Ring {
 };
 
 struct WheelsetFigures {
-  double inertia = 0;       // [kg m2] about the axis, everything that turns
+  double inertia = 0;  // [kg m2] about the axis, everything that turns
+  // [kg m] sum of m r e_alpha in x and z before anything has turned, and [kg] of m: masses lumped at stations of
+  // different distances are not quite in balance.
+  double leverX = 0, leverZ = 0, turningMass = 0;
   double mass = 0;          // [kg] solids, axle box and discs
   double solidMass = 0;     // [kg] as meshed
   double centreHeight = 0;  // [m] of the axis above the running surface

@@ -122,13 +122,12 @@ void EnergyLedger::before(const dynamics::Rolling& rolling) {
   const double power = rolling.beta() * damping.sum(), time = rolling.state().time;
   if (started_) materialDamping_ += 0.5 * (power + lastDampingPower_) * (time - lastTime_);
   lastDampingPower_ = power, lastTime_ = time;
-  const auto& sums = rolling.state().sums;
   pending_ = {};
+  addSums(rolling);
   pending_.kinetic = 0.5 * kineticEnergy(rolling);
   pending_.strain = 0.5 * energies.sum() + springs;
-  pending_.friction = sums.friction;
-  pending_.damping = sums.damping + materialDamping_;
-  pending_.external = sums.torqueWork + fall;
+  pending_.damping += materialDamping_;
+  pending_.external += fall;
   // Plastic strain: the solids' energy is that of the elastic strain alone, hardening stores a part of what flow takes.
   const auto flow = plasticity::layerEnergy(model.layer, rolling.state().plastic, rolling.layerForces(), u.data());
   shares_.rail += flow.elastic + flow.hardening;
@@ -136,7 +135,16 @@ void EnergyLedger::before(const dynamics::Rolling& rolling) {
   pending_.plastic = flow.dissipated;
 }
 
+// Half the work of a step is done when its displacement stands.
+void EnergyLedger::addSums(const dynamics::Rolling& rolling) {
+  const auto& sums = rolling.state().sums;
+  pending_.friction += 0.5 * sums.friction;
+  pending_.damping += 0.5 * sums.damping;
+  pending_.external += 0.5 * sums.torqueWork;
+}
+
 void EnergyLedger::after(const dynamics::Rolling& rolling) {
+  addSums(rolling);
   pending_.kinetic += 0.5 * kineticEnergy(rolling);
   pending_.contact = rolling.view().patch.storedEnergy;
   if (!started_) first_ = pending_, started_ = true;

@@ -1,7 +1,8 @@
 // solver/simulation/EnergyLedger.h - where the energy is, where it went, and whether the books close.
 //
-// Kinetic energy counts from that of the reference motion (constant), at full steps as the mean of both half steps. The
-// residual is change of kinetic, strain and contact energy plus everything dissipated minus the work of torque and
+// Kinetic energy counts from that of the reference motion (constant), at full steps as the mean of both half steps;
+// so does what friction, dashpots and torque have done, whose last half is done after the displacement. The residual is
+// change of kinetic, strain and contact energy plus everything dissipated minus the work of torque and
 // weight; it is judged against the strain energy at the start plus all dissipation.
 #pragma once
 
@@ -41,6 +42,7 @@ class EnergyLedger {
     double kinetic = 0, strain = 0, contact = 0, friction = 0, damping = 0, external = 0, plastic = 0;
   };
   double kineticEnergy(const dynamics::Rolling& rolling) const;
+  void addSums(const dynamics::Rolling& rolling);
   double reference_ = 0;  // [J] strain energy at the start
   double firstSpin_ = 0;
   double materialDamping_ = 0, lastDampingPower_ = 0, lastTime_ = 0;

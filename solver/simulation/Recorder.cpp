@@ -98,7 +98,7 @@ void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
   tree.add("/rolling/closed", std::vector<std::int64_t>(s.friction.closed.begin(), s.friction.closed.end()), "1");
   tree.add("/rolling/small",
            std::vector<double>{static_cast<double>(s.step), s.time, s.rotation, s.spinRate, s.sums.friction,
-                               s.sums.damping, s.sums.torqueWork, s.turningMoment},
+                               s.sums.damping, s.sums.torqueWork, s.turningMoment, s.addedMoment},
            "1");
 }
 
@@ -148,7 +148,7 @@ dynamics::RollingState loadRolling(const results::ArrayTree& tree) {
   const auto& small = results::valuesOf<double>(tree, "/rolling/small", "checkpoint");
   s.step = static_cast<long>(small.at(0)), s.time = small.at(1), s.rotation = small.at(2), s.spinRate = small.at(3);
   s.sums = {small.at(4), small.at(5), small.at(6)};
-  s.turningMoment = small.at(7);
+  s.turningMoment = small.at(7), s.addedMoment = small.at(8);
   return s;
 }
 

@@ -15,7 +15,7 @@ constexpr const char* kStart = "/start";
 // The order of unknowns in /rolling/displaced and /rolling/velocity (elasticity/SweptBlock.h) and of /rolling/small:
 // raise it with them.
 constexpr const char* kLayoutName = "state_layout";
-constexpr int kLayout = 4;
+constexpr int kLayout = 5;
 
 bool belongsToTheStart(const std::string& path) {
   return path.starts_with("/equilibrium/") || path.starts_with("/modes/") ||

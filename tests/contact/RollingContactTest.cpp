@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "case/CaseFile.h"
@@ -53,6 +54,13 @@ class RollingContactTest : public testing::Test {
         for (int c = 0; c < 3; ++c) displaced_[rim.index(n, c, s)] = local[c];
       }
     wheel_.placement.hubX = along, wheel_.placement.hubZ = -depth;
+  }
+
+  // Turns the rim's displacements, without moving the wheel's centre.
+  void spin(double angle) {
+    const auto& rim = tiny().blocks[tiny().rim];
+    for (int n = 0; n < rim.nodes; ++n)
+      for (int s = 0; s < rim.stationCount; ++s) displaced_[rim.index(n, 0, s)] += angle * rim.section.nodes[n][0];
   }
 
   PatchState roll(const ContactLaw& with = law, const std::vector<RailPoint>* among = nullptr) {
@@ -156,7 +164,7 @@ TEST_F(RollingContactTest, FrictionlessForcesPointAtTheAxis) {
     const auto patch = roll({law.normalPenalty, law.tangentialPenalty, 0});
     for (const auto& p : points_) EXPECT_EQ(std::hypot(p.tractionX, p.tractionY), 0);
     EXPECT_EQ(patch.frictionPower, 0);
-    EXPECT_EQ(patch.spinMoment, 0);
+    EXPECT_NEAR(patch.spinMoment, 0, 1e-15 * patch.vertical);
     // Symmetric about the wheel's centre but for where the Gauss points lie.
     double moment = 0;
     for (const auto& p : points_) moment += p.pressure * p.area * p.x;
@@ -173,10 +181,66 @@ TEST_F(RollingContactTest, OnlyTheWheelsPlaceCounts) {
   EXPECT_NEAR(roll().vertical, force, 1e-6 * force);
   wheel_.placement.centreZ += approach;
   lower(approach);
-  const auto& rim = tiny().blocks[tiny().rim];
-  for (int n = 0; n < rim.nodes; ++n)
-    for (int s = 0; s < rim.stationCount; ++s) displaced_[rim.index(n, 0, s)] += 1e-4 * rim.section.nodes[n][0];
+  // Displacements along the tread lie beside its circle: 1e-5^2 R / 2 of 8e-5 m, twice that of the force, 6e-7.
+  spin(1e-5);
   EXPECT_NEAR(roll().vertical, force, 1e-6 * force);
+}
+
+// A bump of the tread presses where its material has moved, whether the reference turns it there or the displacements.
+// 2 % of the bump: its own direction turns, and material between stations lies on their chord.
+TEST_F(RollingContactTest, MeetsTheMaterialThatHasMovedThere) {
+  constexpr double bump = 2e-5;
+  const auto& rim = tiny().blocks[tiny().rim];
+  const auto below = std::upper_bound(rim.positions.begin(), rim.positions.end(), 0.0);
+  const double turn = 0.4 * (below[1] - below[0]);
+  const auto raise = [&] {
+    for (const int n : tiny().surfaces.treadLine) displaced_[rim.index(n, 1, below - rim.positions.begin())] += bump;
+  };
+  const ContactLaw smooth{law.normalPenalty, law.tangentialPenalty, 0};
+  raise();
+  roll(smooth);
+  const auto unturned = points_;
+  wheel_.placement.rotation = turn;
+  lower(approach), raise();
+  roll(smooth);
+  const auto turned = points_;
+  wheel_.placement.rotation = 0;
+  lower(approach), raise();
+  for (int n = 0; n < rim.nodes; ++n)
+    for (int s = 0; s < rim.stationCount; ++s) {
+      displaced_[rim.index(n, 0, s)] -= std::sin(turn) * rim.section.nodes[n][0];
+      displaced_[rim.index(n, 1, s)] -= (1 - std::cos(turn)) * rim.section.nodes[n][0];
+    }
+  roll(smooth);
+  ASSERT_EQ(points_.size(), turned.size());
+  double moved = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    EXPECT_NEAR(points_[i].pressure, turned[i].pressure, 0.02 * law.normalPenalty * bump) << points_[i].x;
+    if (i < unturned.size()) moved = std::max(moved, std::abs(unturned[i].pressure - turned[i].pressure));
+  }
+  EXPECT_GT(moved, 0.2 * law.normalPenalty * bump);
+}
+
+// The moment about the axis is that of the rim's forces with the arms of its reference, also where the tread has moved
+// along: then the normal force has an arm of just that. 1e-5: tread between stations lies on their chord.
+TEST_F(RollingContactTest, TheSpinFeelsTheForcesOnTheRim) {
+  const auto& rim = tiny().blocks[tiny().rim];
+  const auto moment = [&] {
+    double sum = 0;
+    for (int n = 0; n < rim.nodes; ++n)
+      for (int s = 0; rimLines_[n] >= 0 && s < rim.stationCount; ++s)
+        sum -= rim.section.nodes[n][0] * rimBuffer_[static_cast<std::size_t>(rimLines_[n]) * 3 * rim.stride + s];
+    return sum;
+  };
+  constexpr double turn = 2e-4;
+  const double radius = tiny().surfaces.radius;
+  spin(turn);
+  auto patch = roll({law.normalPenalty, law.tangentialPenalty, 0});
+  EXPECT_NEAR(patch.spinMoment, patch.vertical * radius * turn, 1e-3 * patch.vertical * radius * turn);
+  EXPECT_NEAR(patch.spinMoment, moment(), 1e-5 * patch.vertical * radius * turn);
+  slide(0.3);
+  for (int k = 0; k < 5; ++k) patch = roll();
+  EXPECT_NEAR(patch.spinMoment, moment(), 1e-5 * std::abs(patch.spinMoment));
 }
 
 TEST_F(RollingContactTest, SticksWithTheTangentialPenaltyBelowTheCone) {
