@@ -10,11 +10,14 @@ namespace {
 // A node that turns with its body costs more than one along a line: its basis turns with the station and the step, its
 // moment is summed. The last station of an open block goes alone and costs as much as several (seen on sleepers).
 constexpr double turningCost = 1.1, lastStationCost = 8;
+// A stretch computes eight stations of the interval before it, one vector at a time, and reads its ends first (seen).
+constexpr double beginCost = 12;
 
 double costOf(const SweptBlock& block, int first, int count) {
   const double turning = block.kind == SweepKind::aroundAxis ? turningCost : 1.0;
   const bool endsOpen = !block.closed && first + count == block.intervals;
-  return block.nodes * turning * (count + (endsOpen ? lastStationCost : 0));
+  const bool ringBegins = block.closed && first == 0;
+  return block.nodes * turning * (count + (endsOpen ? lastStationCost : 0) + (ringBegins ? beginCost : 0));
 }
 
 KernelCall callFor(const SweptBlock& block, int index, int first, int count, const double* source,
@@ -101,7 +104,7 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, int costly, double factor) {
+                                            int parts, int costly, double factor, double firstShare) {
   const auto cost = [&](int b, int first, int count) {
     return costOf(blocks[b], first, count) * (b == costly ? factor : 1.0);
   };
@@ -114,7 +117,8 @@ std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& block
       count = std::min(mostStations, blocks[b].intervals - at);  // those that share their inertia stay together
       const double here = cost(b, at, count);
       // To the part in whose share the middle of these intervals lies.
-      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * here) / total * parts));
+      const double share = (done + 0.5 * here) / total * (parts - 1 + firstShare);  // in those of the others
+      const int part = share < firstShare ? 0 : std::min(parts - 1, 1 + static_cast<int>(share - firstShare));
       auto& list = lists[part];
       if (!list.empty() && list.back().block == b)
         list.back().count += count;
