@@ -130,7 +130,7 @@ void ContactInertia::weigh(Side& side, Touched& touched, double* inverse) const 
       mass.push_back(bare + massPerArea_ * touched.areas[i * stations + s]);
       inverse[placeOf(block, nodes[i], first + s)] = 1 / mass.back();
     }
-  touched.values = elasticity::blockFilter(block, nodes, stations, mass);
+  elasticity::blockFilter(block, nodes, stations, mass, touched.values);
   touched.singleValues.assign(touched.values.begin(), touched.values.end());
 }
 

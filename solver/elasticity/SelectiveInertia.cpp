@@ -115,37 +115,78 @@ StationGroup stationGroup(const SweptBlock& block, int station) {
   return {station / stationUnit * stationUnit, stationUnit};
 }
 
-std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int stations,
-                                const std::vector<double>& mass) {
-  const auto count = static_cast<Eigen::Index>(mass.size()), rows = static_cast<Eigen::Index>(cluster.size());
-  Eigen::Matrix<double, Eigen::Dynamic, keptInBlock> given(count, keptInBlock);
-  geometry::Point2 middle{0, 0};
+namespace {
+
+using Square = std::array<std::array<double, keptInBlock>, keptInBlock>;
+
+// Rows T with T G T^t = 1, each a combination of those before it: by Cholesky, without a field that the others hold.
+Square orthonormalRows(const Square& gram) {
+  Square lower{}, rows{};
+  for (int k = 0; k < keptInBlock; ++k) {
+    for (int j = 0; j < k; ++j) {
+      if (lower[j][j] == 0) continue;
+      double sum = gram[k][j];
+      for (int l = 0; l < j; ++l) sum -= lower[k][l] * lower[j][l];
+      lower[k][j] = sum / lower[j][j];
+    }
+    double left = gram[k][k];
+    for (int j = 0; j < k; ++j) left -= lower[k][j] * lower[k][j];
+    if (!(left > 1e-6 * gram[k][k])) continue;
+    lower[k][k] = std::sqrt(left);
+    rows[k][k] = 1;
+    for (int j = 0; j < k; ++j)
+      for (int l = 0; l < keptInBlock; ++l) rows[k][l] -= lower[k][j] * rows[j][l];
+    for (double& value : rows[k]) value /= lower[k][k];
+  }
+  return rows;
+}
+
+}  // namespace
+
+// Fields are products of (1, b, c) and (1, a), each scaled to its reach: so are their moments.
+void blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int stations,
+                 const std::vector<double>& mass, std::vector<double>& values) {
+  const std::size_t rows = cluster.size(), size = mass.size();
+  geometry::Point2 middle{0, 0}, reach{0, 0};
   for (const int n : cluster)
     for (int k = 0; k < 2; ++k) middle[k] += block.section.nodes[n][k] / static_cast<double>(rows);
-  for (Eigen::Index i = 0; i < rows; ++i) {
+  for (const int n : cluster)
+    for (int k = 0; k < 2; ++k) reach[k] = std::max(reach[k], std::abs(block.section.nodes[n][k] - middle[k]));
+  const auto across = [&](std::size_t i) {
     const auto& p = block.section.nodes[cluster[i]];
+    return std::array<double, keptAcross>{1, reach[0] > 0 ? (p[0] - middle[0]) / reach[0] : 0,
+                                          reach[1] > 0 ? (p[1] - middle[1]) / reach[1] : 0};
+  };
+  const double half = 0.5 * (stations - 1);
+  Square gram{};
+  for (std::size_t i = 0; i < rows; ++i) {
+    double moment[3] = {0, 0, 0};
     for (int s = 0; s < stations; ++s) {
-      const double along = s - 0.5 * (stations - 1), b = (p[0] - middle[0]) * 1e3, c = (p[1] - middle[1]) * 1e3;
-      given.row(i * stations + s) << 1, b, c, along, along * b, along * c;
+      const double m = mass[i * stations + s], a = (s - half) / half;
+      moment[0] += m, moment[1] += m * a, moment[2] += m * a * a;
+    }
+    const auto q = across(i);
+    for (int j = 0; j < keptInBlock; ++j)
+      for (int k = 0; k <= j; ++k)
+        gram[j][k] += moment[j / keptAcross + k / keptAcross] * q[j % keptAcross] * q[k % keptAcross];
+  }
+  const Square kept = orthonormalRows(gram);
+  values.resize(2 * keptInBlock * size);
+  const double taken = 1 - block.inertia.share;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto q = across(i);
+    for (int k = 0; k < keptInBlock; ++k) {
+      const auto& t = kept[k];
+      const double constant = t[0] * q[0] + t[1] * q[1] + t[2] * q[2], linear = t[3] * q[0] + t[4] * q[1] + t[5] * q[2];
+      double* weights = values.data() + k * size + i * stations;
+      double* fields = weights + keptInBlock * size;
+      const double* own = mass.data() + i * stations;
+      for (int s = 0; s < stations; ++s) {
+        fields[s] = constant + (s - half) / half * linear;
+        weights[s] = taken * own[s] * fields[s];
+      }
     }
   }
-  const Eigen::Map<const Eigen::VectorXd> own(mass.data(), count);
-  // Gram and Schmidt in the masses: small, well scaled, and without a factorisation that allocates.
-  Eigen::Matrix<double, Eigen::Dynamic, keptInBlock> kept = given;
-  for (int k = 0; k < keptInBlock; ++k) {
-    const double before = kept.col(k).dot(own.cwiseProduct(kept.col(k)));
-    for (int pass = 0; pass < 2; ++pass)
-      for (int j = 0; j < k; ++j) kept.col(k) -= kept.col(j).dot(own.cwiseProduct(kept.col(k))) * kept.col(j);
-    const double left = kept.col(k).dot(own.cwiseProduct(kept.col(k)));
-    if (left > 1e-6 * before)
-      kept.col(k) /= std::sqrt(left);
-    else
-      kept.col(k).setZero();
-  }
-  std::vector<double> values(2 * keptInBlock * mass.size());
-  Eigen::Map<Eigen::MatrixXd>(values.data(), count, keptInBlock) = (1 - block.inertia.share) * own.asDiagonal() * kept;
-  Eigen::Map<Eigen::MatrixXd>(values.data() + keptInBlock * count, count, keptInBlock) = kept;
-  return values;
 }
 
 void slowShortWaves(const SweptBlock& block, double* acceleration) {

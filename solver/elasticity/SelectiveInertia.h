@@ -23,6 +23,7 @@ struct SweptBlock;
 
 constexpr double shortShare = 0.1;  // of their inverse mass that short waves keep
 constexpr int keptAcross = 3, keptInBlock = 2 * keptAcross;
+static_assert(keptInBlock == keptInFilter);
 
 struct SelectiveInertia {
   double share = 1;                     // of the inverse mass that short waves keep
@@ -45,10 +46,10 @@ struct StationGroup {
 };
 StationGroup stationGroup(const SweptBlock& block, int station);
 
-// The filter of `stations` stations whose masses are any: `mass` [node of the cluster][station]. Returns what
-// KernelFilter asks for.
-std::vector<double> blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int stations,
-                                const std::vector<double>& mass);
+// The filter of `stations` stations whose masses are any: `mass` [node of the cluster][station]. Fills `values` with
+// what KernelFilter asks for.
+void blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int stations,
+                 const std::vector<double>& mass, std::vector<double>& values);
 
 // From the block's clusters, shortLength, masses and order.
 SelectiveInertia selectiveInertia(const SweptBlock& block);

@@ -77,21 +77,32 @@ inline void keepFields(Real (*rows)[3][chunk], int count, const Real* weights, R
     }
 }
 
-// Stations of a cluster by a filter of their own (KernelFilter); few at a time are.
-template <typename Real>
+// Stations of a cluster by a filter of their own (KernelFilter).
+template <typename Kind, typename Real = typename Kind::Real>
 inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, Real share, int c, int at, int stations,
                         const Real (&before)[mostRows][chunk]) {
-  const Real* fields = values + 6 * count * stations;
-  Real sum[6] = {};
-  for (int k = 0; k < 6; ++k)
+  using Packed = typename Kind::Packed;
+  const std::size_t size = static_cast<std::size_t>(count) * stations;
+  Packed sum[keptInFilter];
+#pragma GCC unroll 6
+  for (int k = 0; k < keptInFilter; ++k) sum[k] = Packed{};
+  const auto overStations = [&](const Real* from, const auto& body) {
     for (int i = 0; i < count; ++i)
-      for (int s = 0; s < stations; ++s) sum[k] += values[(k * count + i) * stations + s] * before[i][at + s];
-  for (int i = 0; i < count; ++i)
-    for (int s = 0; s < stations; ++s) {
-      Real value = share * before[i][at + s];
-      for (int k = 0; k < 6; ++k) value += fields[(k * count + i) * stations + s] * sum[k];
-      rows[i][c][at + s] = value;
-    }
+      for (int s = 0; s < stations; s += Kind::lanes, from += Kind::lanes) body(i, at + s, from);
+  };
+  overStations(values, [&](int i, int s, const Real* from) {
+    const Packed x = Kind::load(before[i] + s);
+#pragma GCC unroll 6
+    for (int k = 0; k < keptInFilter; ++k) sum[k] += Kind::loadLoose(from + k * size) * x;
+  });
+#pragma GCC unroll 6
+  for (int k = 0; k < keptInFilter; ++k) sum[k] = sumOfLanes<Kind>(sum[k]);
+  overStations(values + keptInFilter * size, [&](int i, int s, const Real* from) {
+    Packed value = share * Kind::load(before[i] + s);
+#pragma GCC unroll 6
+    for (int k = 0; k < keptInFilter; ++k) value += Kind::loadLoose(from + k * size) * sum[k];
+    Kind::store(rows[i][c] + s, value);
+  });
 }
 
 // Accelerations of a cluster's nodes, short waves slowed (SelectiveInertia.h).
@@ -104,7 +115,7 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
   const Real share = static_cast<Real>(call.shortShare);
   const int* ownFilter = call.ownFilter ? call.ownFilter + index * call.stationUnits + group.at / stationUnit : nullptr;
   alignas(64) Real sums[3][chunk];
-  Real before[mostRows][chunk];
+  alignas(64) Real before[mostRows][chunk];
   bool hasOwn = false;
   for (int at = 0; ownFilter && at < group.count; at += stationUnit) hasOwn |= ownFilter[at / stationUnit] >= 0;
   for (int c = 0; c < 3; ++c) {
@@ -127,8 +138,8 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
     if (hasOwn)
       for (at = 0; at < group.count; at += stationUnit)
         if (const int filter = ownFilter[at / stationUnit]; filter >= 0)
-          filterBlock(rows, count, filterOf(call.filters[filter], Real{}), share, c, at,
-                      group.alongStations[at / stationUnit], before);
+          filterBlock<Piece>(rows, count, filterOf(call.filters[filter], Real{}), share, c, at,
+                             group.alongStations[at / stationUnit], before);
   }
 }
 

@@ -233,7 +233,8 @@ TEST(SelectiveInertia, AddedMassIsFeltInFullByEveryMotion) {
     added[i] = value(generator) < 0.3 ? 1e-2 * value(generator) : 0;
   }
   const auto effective = [&](const Eigen::VectorXd& m) {
-    const auto values = blockFilter(block, cluster, stations, {m.data(), m.data() + count});
+    std::vector<double> values;
+    blockFilter(block, cluster, stations, {m.data(), m.data() + count}, values);
     const Eigen::Map<const Eigen::MatrixXd> weights(values.data(), count, 6),
         fields(values.data() + 6 * count, count, 6);
     const Eigen::MatrixXd filter = 0.1 * Eigen::MatrixXd::Identity(count, count) + fields * weights.transpose();
