@@ -114,15 +114,17 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
 // The first thread, which is busy with the contact, has rail alone. Where the last can have the whole wheelset, it
 // advances the wheel body when it is done with the rim, and nobody waits.
 void Rolling::shareBlocks() {
-  constexpr double tieCost = 2.2;  // of a node of the wheel body, ties and slaves included, to one along a line (seen)
-  constexpr double besidesContact = 0.92;  // of what the others advance (seen)
+  constexpr double tieCost = 2.2;   // of a node of the wheel body, ties and slaves included, to one along a line (seen)
+  constexpr double patch = 1.1e-4;  // [m2]
+  const double contactSize = model_.description.mesh.contactSize;
+  const double contactCost = 2500 + 256 * patch / (contactSize * contactSize);  // in nodes along a line (seen)
   const auto& blocks = model_.blocks;
   std::vector<int> all{model_.rail};
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
     if (b != model_.rim && b != model_.body && b != model_.rail) all.push_back(b);
   all.push_back(model_.rim), all.push_back(model_.body);
   const int threads = team_.size();
-  auto together = elasticity::partition(blocks, all, threads, model_.body, tieCost, besidesContact);
+  auto together = elasticity::partition(blocks, all, threads, model_.body, tieCost, contactCost);
   wheelsetOfOne_ = true;
   for (int thread = 0; thread + 1 < threads; ++thread)
     for (const auto& segment : together[thread])

@@ -104,21 +104,20 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, int costly, double factor, double firstShare) {
+                                            int parts, int costly, double factor, double besides) {
   const auto cost = [&](int b, int first, int count) {
     return costOf(blocks[b], first, count) * (b == costly ? factor : 1.0);
   };
-  double total = 0;
+  double total = besides;
   for (const int b : which) total += cost(b, 0, blocks[b].intervals);
   std::vector<std::vector<Segment>> lists(parts);
-  double done = 0;
+  double done = besides;
   for (const int b : which)
     for (int at = 0, count = 0; at < blocks[b].intervals; at += count) {
       count = std::min(mostStations, blocks[b].intervals - at);  // those that share their inertia stay together
       const double here = cost(b, at, count);
       // To the part in whose share the middle of these intervals lies.
-      const double share = (done + 0.5 * here) / total * (parts - 1 + firstShare);  // in those of the others
-      const int part = share < firstShare ? 0 : std::min(parts - 1, 1 + static_cast<int>(share - firstShare));
+      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * here) / total * parts));
       auto& list = lists[part];
       if (!list.empty() && list.back().block == b)
         list.back().count += count;

@@ -18,9 +18,9 @@ struct Segment {
 };
 
 // Cuts the intervals of the named blocks into `parts` lists of about equal cost. The nodes of block `costly` cost
-// `factor` times as much as others; the first list gets `firstShare` times as much as the others.
+// `factor` times as much as others; who has the first list has work of cost `besides` as well (a node along a line: 1).
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, int costly = -1, double factor = 1, double firstShare = 1);
+                                            int parts, int costly = -1, double factor = 1, double besides = 0);
 
 // Scratch memory of one thread.
 struct KernelScratch {
