@@ -34,7 +34,7 @@ struct PatchState {
   double vertical = 0;           // [N] of the wheel on the rail, downwards
   double longitudinal = 0;       // [N] of the wheel on the rail, along x
   double lateral = 0;            // [N]
-  double spinMoment = 0;         // [N m] on the wheel about y with the reference arms X
+  double spinMoment = 0;         // [N m] on the wheel about y, arms those of its reference
   double length = 0, width = 0;  // [m] 2 sqrt(5 <x^2>), 2 sqrt(5 <y^2>) of the pressure
   double storedEnergy = 0;       // [J] in the penalties
   double frictionPower = 0;      // [W] dissipated

@@ -27,8 +27,8 @@ Sides treadSides(const elasticity::SweptBlock& rim, const TouchPoint& t, const d
 // The interval in which an angle lies, looked for from interval k on; the angle is brought among the rim's own.
 int intervalAt(const elasticity::SweptBlock& rim, int k, double& angle) {
   constexpr double full = 6.283185307179586;
-  if (std::abs(angle) > 1e4)
-    angle = std::remainder(angle, full);  // of a state that flies apart: it must end all the same
+  if (std::abs(angle) > 4 * full)
+    angle = std::remainder(angle, full);  // of a state that flies apart: it must end all the same, and soon
   while (angle < rim.positions[k])
     if (k > 0) {
       --k;
@@ -144,7 +144,8 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   k = intervalAt(rim, k, material);
   meet(s, rim, lateral, k, material, t.lead, t);
   const double radial = treadRadial(rim, t, state) - (wheel.hubX * t.sine - wheel.hubZ * t.cosine);
-  t.penetration = s.treadCosine * (radius * (1 - 0.5 * t.lead * t.lead) - distance + radial);
+  const double behind = t.lead + wheel.turnAhead;  // at the instant of the displacements
+  t.penetration = s.treadCosine * (radius * (1 - 0.5 * behind * behind) - distance + radial);
   if (s.treadSine != 0) t.penetration += s.treadSine * (treadLateral(rim, t, state) - moved.y);
   return true;
 }

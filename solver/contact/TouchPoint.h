@@ -24,9 +24,11 @@ struct WheelPlacement {
 //   gap_n = cos gap + sin (u_wheel - u_rail) . e_y.
 // u_wheel is that of the material whose displaced place the rail's point is. Its reference place lies behind that by
 //   lead = (u_wheel - u_hub) . e_alpha / R:
-// some micrometres, but times load and speed a hundred watts. The pressure acts along n: the slope that the displaced
-// tread has against its circle is left out, whose power with the slip is some 15 W of a driven wheel's 800 kW (seen).
-// Neither a spin of the wheel's displacement field nor a translation is felt but for where it takes the material.
+// some micrometres of tread, but times load and speed a hundred watts. Seen in the bases of the wheel's rotation, which
+// are those of `turnAhead` before, it lies so much less behind: TouchPoint::lead. The pressure acts along n: the slope
+// that the displaced tread has against its circle is left out, whose power with the slip is some 15 W of a driven
+// wheel's 800 kW (seen). Neither a spin of the wheel's displacement field nor a translation is felt but for where it
+// takes the material.
 struct TouchPoint {
   std::size_t point = 0;
   double penetration = 0;
@@ -57,7 +59,8 @@ struct RailMotion {
 RailMotion railAcross(const Surfaces& surfaces, const elasticity::SweptBlock& rail, const TouchPoint& touch,
                       const double* state);
 
-// The penetration's derivative as terms (state index, weight): what a spring between the two surfaces acts on.
+// The penetration's derivative, but for the tread's slope, as terms (state index, weight): what a spring between the
+// two surfaces acts on.
 std::vector<std::pair<std::size_t, double>> penetrationTerms(const Surfaces& surfaces,
                                                              const elasticity::SweptBlock& rail,
                                                              const elasticity::SweptBlock& rim,

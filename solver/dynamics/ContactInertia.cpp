@@ -58,9 +58,9 @@ double ContactInertia::addedSpin(const double* velocity, double cosine, double s
   const auto& block = *sides_[1].block;
   double sum = 0;
   for (const auto& share : closed_.rim) {
-    const std::size_t at = block.index(share.node, 0, share.station);
     sum += block.section.nodes[share.node][0] * share.area *
-           (cosine * velocity[at] - sine * velocity[at + elasticity::SweptBlock::chunk]);
+           (cosine * velocity[block.index(share.node, 0, share.station)] -
+            sine * velocity[block.index(share.node, 1, share.station)]);
   }
   return massPerArea_ * sum;
 }

@@ -9,8 +9,10 @@
 // for 3x3 blocks the largest penalty times the node's share in the closed area, twice because the weights of either
 // body sum to one. That is some grams in a patch, about what the layer of elements under it weighs: nothing to a
 // wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy ledger leaves its motion out
-// (millijoules at the 0.4 m/s with which material enters the patch), but not what it takes of the wheel's spin: tread
-// that leaves the patch of a driven wheel moves otherwise than tread that enters, some newtons of force.
+// (millijoules at the 0.4 m/s with which material enters the patch). But tread that leaves the patch of a driven wheel
+// moves otherwise than tread that enters, which takes some newtons of force and, times the speed, 45 W: the moment
+//   sum of r D dv_alpha/dt - a' sum of r^2 D
+// is given to the turning reference one step later (Rolling.h); the weight of D is left out.
 // Where short waves have more inertia, blocks with such nodes have a filter of their own, orthogonal in M + D: the
 // effective mass grows by D at least (SelectiveInertia.h).
 #pragma once

@@ -114,10 +114,13 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
 // The first thread, which is busy with the contact, has rail alone. Where the last can have the whole wheelset, it
 // advances the wheel body when it is done with the rim, and nobody waits.
 void Rolling::shareBlocks() {
-  constexpr double tieCost = 2.2;   // of a node of the wheel body, ties and slaves included, to one along a line (seen)
-  constexpr double patch = 1.1e-4;  // [m2]
+  constexpr double tieCost = 2.2;  // of a node of the wheel body, ties and slaves included, to one along a line (seen)
+  // What the first thread's stations under the contact cost besides, in nodes along a line, by the patch's area
+  // (README: half axes 7 and 5.2 mm) over that of a face: fitted with two threads, where the last waited for it; left
+  // out for more.
+  constexpr double patchArea = 1.1e-4;  // [m2]
   const double contactSize = model_.description.mesh.contactSize;
-  const double contactCost = 2500 + 256 * patch / (contactSize * contactSize);  // in nodes along a line (seen)
+  const double contactCost = team_.size() == 2 ? 2500 + 256 * patchArea / (contactSize * contactSize) : 0;
   const auto& blocks = model_.blocks;
   std::vector<int> all{model_.rail};
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
@@ -216,7 +219,7 @@ void Rolling::restore(RollingState state) {
   wheelVelocity_ = ringMean(model_, model_.centre, turned_, state_.velocity.data());
   const auto wheel = wheelRolling(state_.displaced.data());
   view_.step = state_.step, view_.time = state_.time;
-  view_.position = wheel.placement.centreX + wheel.placement.hubX - wheel.speed * beta_;
+  view_.position = positionOf(wheel);
   view_.spinRate = state_.spinRate;
 }
 
@@ -243,6 +246,11 @@ contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
   return wheel;
 }
 
+// At the instant of view_.time: the placement is beta later.
+double Rolling::positionOf(const contact::WheelRolling& wheel) const {
+  return wheel.placement.centreX + wheel.placement.hubX - wheel.speed * beta_;
+}
+
 // Points that may touch soon are looked for some microseconds ahead. Surfaces approach each other with the rolling, by
 // speed times reach over radius, and with a metre per second or two as elements spring and bodies bounce.
 void Rolling::listNearPoints(const contact::WheelPlacement& wheel) {
@@ -262,7 +270,7 @@ void Rolling::touch() {
   listNearPoints(wheel.placement);
   view_.step = state_.step;
   view_.time = state_.time;
-  view_.position = wheel.placement.centreX + wheel.placement.hubX - wheel.speed * beta_;
+  view_.position = positionOf(wheel);
   view_.patch =
       rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel, displaced,
                   state_.velocity.data(), step_, state_.friction, forceLines(model_, model_.rail, forces_),

@@ -119,6 +119,7 @@ class Rolling {
   void pushVehicle();
   model::PlaneVector boxVelocity() const;
   contact::WheelRolling wheelRolling(const double* displaced) const;
+  double positionOf(const contact::WheelRolling& wheel) const;
 
   const model::Model& model_;
   elasticity::KernelSet kernels_, askedKernels_;  // the latter in the precision that the case asks for

@@ -131,7 +131,7 @@ Square orthonormalRows(const Square& gram) {
     }
     double left = gram[k][k];
     for (int j = 0; j < k; ++j) left -= lower[k][j] * lower[k][j];
-    if (!(left > 1e-6 * gram[k][k])) continue;
+    if (!(left > 1e-6 * gram[k][k])) continue;  // less than a thousandth beside the others (keptFields)
     lower[k][k] = std::sqrt(left);
     rows[k][k] = 1;
     for (int j = 0; j < k; ++j)
@@ -143,7 +143,8 @@ Square orthonormalRows(const Square& gram) {
 
 }  // namespace
 
-// Fields are products of (1, b, c) and (1, a), each scaled to its reach: so are their moments.
+// Fields are products of (1, b, c) and (1, a), each scaled to its reach: their moments along are summed for each node,
+// then multiplied. Nodes in one line but for rounding have no reach beside it.
 void blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int stations,
                  const std::vector<double>& mass, std::vector<double>& values) {
   const std::size_t rows = cluster.size(), size = mass.size();
@@ -152,10 +153,11 @@ void blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int s
     for (int k = 0; k < 2; ++k) middle[k] += block.section.nodes[n][k] / static_cast<double>(rows);
   for (const int n : cluster)
     for (int k = 0; k < 2; ++k) reach[k] = std::max(reach[k], std::abs(block.section.nodes[n][k] - middle[k]));
+  const double least = 1e-9 * std::max(reach[0], reach[1]);
   const auto across = [&](std::size_t i) {
     const auto& p = block.section.nodes[cluster[i]];
-    return std::array<double, keptAcross>{1, reach[0] > 0 ? (p[0] - middle[0]) / reach[0] : 0,
-                                          reach[1] > 0 ? (p[1] - middle[1]) / reach[1] : 0};
+    return std::array<double, keptAcross>{1, reach[0] > least ? (p[0] - middle[0]) / reach[0] : 0,
+                                          reach[1] > least ? (p[1] - middle[1]) / reach[1] : 0};
   };
   const double half = 0.5 * (stations - 1);
   Square gram{};

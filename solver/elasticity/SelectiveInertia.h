@@ -22,8 +22,6 @@ namespace squat::elasticity {
 struct SweptBlock;
 
 constexpr double shortShare = 0.1;  // of their inverse mass that short waves keep
-constexpr int keptAcross = 3, keptInBlock = 2 * keptAcross;
-static_assert(keptInBlock == keptInFilter);
 
 struct SelectiveInertia {
   double share = 1;                     // of the inverse mass that short waves keep

@@ -19,7 +19,7 @@ constexpr int advancedPerRow = 2;  // nodes that are advanced after each row: th
 // with eight. What is kept along the sweep, two fields: their weights in both amplitudes, then both fields, a line of
 // stations each. Where a run's stand: on eight and on 16 stations; of the run's first group, which shares a station
 // with the run before, and of the others.
-constexpr int stationUnit = 8, mostStations = 16, keptAlong = 2, keptInFilter = 6;
+constexpr int stationUnit = 8, mostStations = 16, keptAlong = 2;
 constexpr int projectionPlace[2][2] = {{0, 32}, {64, 128}}, projectionsSize = 192;
 
 // Intervals of one length, [first, last), both multiples of 8.
@@ -38,7 +38,8 @@ struct KernelCluster {
 };
 
 // Filter of a cluster on its stations whose masses are no product: weights in the amplitudes of six fields, then the
-// fields, [12][rows][stations].
+// fields, [2][keptInBlock][rows][stations].
+constexpr int keptAcross = 3, keptInBlock = keptAcross * keptAlong;
 struct KernelFilter {
   const double* values = nullptr;
   const float* singleValues = nullptr;

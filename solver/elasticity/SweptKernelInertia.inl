@@ -82,10 +82,11 @@ template <typename Kind, typename Real = typename Kind::Real>
 inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, Real share, int c, int at, int stations,
                         const Real (&before)[mostRows][chunk]) {
   using Packed = typename Kind::Packed;
+  static_assert(stationUnit % Kind::lanes == 0);
   const std::size_t size = static_cast<std::size_t>(count) * stations;
-  Packed sum[keptInFilter];
+  Packed sum[keptInBlock];
 #pragma GCC unroll 6
-  for (int k = 0; k < keptInFilter; ++k) sum[k] = Packed{};
+  for (int k = 0; k < keptInBlock; ++k) sum[k] = Packed{};
   const auto overStations = [&](const Real* from, const auto& body) {
     for (int i = 0; i < count; ++i)
       for (int s = 0; s < stations; s += Kind::lanes, from += Kind::lanes) body(i, at + s, from);
@@ -93,14 +94,14 @@ inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, R
   overStations(values, [&](int i, int s, const Real* from) {
     const Packed x = Kind::load(before[i] + s);
 #pragma GCC unroll 6
-    for (int k = 0; k < keptInFilter; ++k) sum[k] += Kind::loadLoose(from + k * size) * x;
+    for (int k = 0; k < keptInBlock; ++k) sum[k] += Kind::loadLoose(from + k * size) * x;
   });
 #pragma GCC unroll 6
-  for (int k = 0; k < keptInFilter; ++k) sum[k] = sumOfLanes<Kind>(sum[k]);
-  overStations(values + keptInFilter * size, [&](int i, int s, const Real* from) {
+  for (int k = 0; k < keptInBlock; ++k) sum[k] = sumOfLanes<Kind>(sum[k]);
+  overStations(values + keptInBlock * size, [&](int i, int s, const Real* from) {
     Packed value = share * Kind::load(before[i] + s);
 #pragma GCC unroll 6
-    for (int k = 0; k < keptInFilter; ++k) value += Kind::loadLoose(from + k * size) * sum[k];
+    for (int k = 0; k < keptInBlock; ++k) value += Kind::loadLoose(from + k * size) * sum[k];
     Kind::store(rows[i][c] + s, value);
   });
 }

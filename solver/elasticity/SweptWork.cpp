@@ -10,7 +10,8 @@ namespace {
 // A node that turns with its body costs more than one along a line: its basis turns with the station and the step, its
 // moment is summed. The last station of an open block goes alone and costs as much as several (seen on sleepers).
 constexpr double turningCost = 1.1, lastStationCost = 8;
-// A stretch computes eight stations of the interval before it, one vector at a time, and reads its ends first (seen).
+// Who begins a ring computes eight stations of the interval before it, one vector at a time, and reads its ends first
+// (seen). That others begin within a block as well is not counted.
 constexpr double beginCost = 12;
 
 double costOf(const SweptBlock& block, int first, int count) {

@@ -138,13 +138,13 @@ void EnergyLedger::before(const dynamics::Rolling& rolling) {
 // Half the work of a step is done when its displacement stands.
 void EnergyLedger::addSums(const dynamics::Rolling& rolling) {
   const auto& sums = rolling.state().sums;
-  pending_.friction += 0.5 * sums.friction;
   pending_.damping += 0.5 * sums.damping;
   pending_.external += 0.5 * sums.torqueWork;
 }
 
 void EnergyLedger::after(const dynamics::Rolling& rolling) {
   addSums(rolling);
+  pending_.friction = rolling.state().sums.friction;  // of the slip that has led to this displacement
   pending_.kinetic += 0.5 * kineticEnergy(rolling);
   pending_.contact = rolling.view().patch.storedEnergy;
   if (!started_) first_ = pending_, started_ = true;
@@ -152,13 +152,16 @@ void EnergyLedger::after(const dynamics::Rolling& rolling) {
   time_.push_back(lastTime_);
 }
 
+double EnergyLedger::residual(const Sample& s) const {
+  return (s.kinetic + s.strain + s.contact) - (first_.kinetic + first_.strain + first_.contact) +
+         (s.friction + s.damping + s.plastic) - (first_.friction + first_.damping + first_.plastic) -
+         (s.external - first_.external);
+}
+
 double EnergyLedger::relativeResidual() const {
   if (samples_.empty()) return 0;
   const auto& s = samples_.back();
-  const double residual = (s.kinetic + s.strain + s.contact) - (first_.kinetic + first_.strain + first_.contact) +
-                          (s.friction + s.damping + s.plastic) - (first_.friction + first_.damping + first_.plastic) -
-                          (s.external - first_.external);
-  return residual / (reference_ + s.friction + s.damping + s.plastic);
+  return residual(s) / (reference_ + s.friction + s.damping + s.plastic);
 }
 
 double EnergyLedger::largestRelativeResidual() const {
@@ -182,10 +185,8 @@ std::vector<results::Channel> EnergyLedger::channels() const {
                                      {"external", "J", "work of torque and weight so far", {}},
                                      {"residual", "J", "what the books do not explain", {}}};
   for (const auto& s : samples_) {
-    const double residual = (s.kinetic + s.strain + s.contact) - (first_.kinetic + first_.strain + first_.contact) +
-                            (s.friction + s.damping + s.plastic) - (s.external - first_.external);
     const double values[8] = {
-        s.kinetic, s.strain, s.contact, s.friction, s.damping, s.plastic, s.external - first_.external, residual};
+        s.kinetic, s.strain, s.contact, s.friction, s.damping, s.plastic, s.external - first_.external, residual(s)};
     for (int i = 0; i < 8; ++i) list[i].values.push_back(values[i]);
   }
   return list;

@@ -1,9 +1,9 @@
 // solver/simulation/EnergyLedger.h - where the energy is, where it went, and whether the books close.
 //
-// Kinetic energy counts from that of the reference motion (constant), at full steps as the mean of both half steps;
-// so does what friction, dashpots and torque have done, whose last half is done after the displacement. The residual is
-// change of kinetic, strain and contact energy plus everything dissipated minus the work of torque and
-// weight; it is judged against the strain energy at the start plus all dissipation.
+// Kinetic energy counts from that of the reference motion (constant), at full steps as the mean of both half steps; so
+// does what dashpots and torque have done: half the work of a step is done when its displacement stands. The residual
+// is change of kinetic, strain and contact energy plus everything dissipated minus the work of torque and weight; it is
+// judged against the strain energy at the start plus all dissipation.
 #pragma once
 
 #include <vector>
@@ -43,7 +43,8 @@ class EnergyLedger {
   };
   double kineticEnergy(const dynamics::Rolling& rolling) const;
   void addSums(const dynamics::Rolling& rolling);
-  double reference_ = 0;  // [J] strain energy at the start
+  double residual(const Sample& sample) const;  // [J]
+  double reference_ = 0;                        // [J] strain energy at the start
   double firstSpin_ = 0;
   double materialDamping_ = 0, lastDampingPower_ = 0, lastTime_ = 0;
   Sample first_, pending_;

@@ -125,9 +125,10 @@ void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling
   const double step = small[0];
   if (!(step >= 0 && step <= static_cast<double>(lastStep)))
     throw FileError(file, "/rolling/small", "names a step beyond the end of the run");
+  const double change = rolling.stepSize() / rolling.model().wheelset.inertia;  // of the spin by a moment
   if (!(std::abs(small[1] - step * rolling.stepSize()) < 1e-9) || !(std::abs(small[2]) < mostRotation) ||
-      !(std::abs(small[3]) < mostSpin))
-    throw FileError(file, "/rolling/small", "names a time, rotation or spin that no run of this case has");
+      !(std::abs(small[3]) < mostSpin) || !((std::abs(small[7]) + std::abs(small[8])) * change < mostSpin))
+    throw FileError(file, "/rolling/small", "names a time, rotation, spin or moment that no run of this case has");
   const auto ledger = results::valuesOf<double>(tree, "/ledger", file).size();
   if (ledger < 13 || (ledger - 13) % 8 != 0) throw FileError(file, "/ledger", "has a wrong length");
 }

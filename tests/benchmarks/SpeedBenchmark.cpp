@@ -122,9 +122,11 @@ int main(int argc, char** argv) {
                [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads, precision); });
     }
   for (const auto& track : {std::pair{10, false}, {40, false}, {60, true}})
-    addRow("long_track/metres:" + std::to_string(track.first), 30, [=](benchmark::State& state) {
-      wholeStep(state, longTrack(track.first, track.second), 2, cases::ElementPrecision::full);
-    });
+    for (const auto precision : {cases::ElementPrecision::full, cases::ElementPrecision::single})
+      addRow((precision == cases::ElementPrecision::full ? "long_track/metres:" : "single_long_track/metres:") +
+                 std::to_string(track.first),
+             30,
+             [=](benchmark::State& state) { wholeStep(state, longTrack(track.first, track.second), 2, precision); });
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

@@ -164,7 +164,7 @@ TEST_F(RollingContactTest, FrictionlessForcesPointAtTheAxis) {
     const auto patch = roll({law.normalPenalty, law.tangentialPenalty, 0});
     for (const auto& p : points_) EXPECT_EQ(std::hypot(p.tractionX, p.tractionY), 0);
     EXPECT_EQ(patch.frictionPower, 0);
-    EXPECT_NEAR(patch.spinMoment, 0, 1e-15 * patch.vertical);
+    EXPECT_NEAR(patch.spinMoment, 0, 1e-15 * patch.vertical);  // the arm: rounding of 0.08 mm
     // Symmetric about the wheel's centre but for where the Gauss points lie.
     double moment = 0;
     for (const auto& p : points_) moment += p.pressure * p.area * p.x;
@@ -173,7 +173,7 @@ TEST_F(RollingContactTest, FrictionlessForcesPointAtTheAxis) {
   }
 }
 
-// A rigid translation of the reference or of the displacement is the same; a turn of the displacements is nothing.
+// A rigid translation of the reference or of the displacement is the same; a turn of an even tread is nothing.
 TEST_F(RollingContactTest, OnlyTheWheelsPlaceCounts) {
   const double force = roll().vertical;
   lower(0);
@@ -211,13 +211,20 @@ TEST_F(RollingContactTest, MeetsTheMaterialThatHasMovedThere) {
       displaced_[rim.index(n, 0, s)] -= std::sin(turn) * rim.section.nodes[n][0];
       displaced_[rim.index(n, 1, s)] -= (1 - std::cos(turn)) * rim.section.nodes[n][0];
     }
-  roll(smooth);
-  ASSERT_EQ(points_.size(), turned.size());
+  const auto expectTurned = [&] {
+    roll(smooth);
+    ASSERT_EQ(points_.size(), turned.size());
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      EXPECT_NEAR(points_[i].pressure, turned[i].pressure, 0.02 * law.normalPenalty * bump) << points_[i].x;
+  };
+  expectTurned();
+  // Or the reference turns it there until the instant of the displacements.
+  lower(approach), raise();
+  wheel_.placement.turnAhead = turn;
+  expectTurned();
   double moved = 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    EXPECT_NEAR(points_[i].pressure, turned[i].pressure, 0.02 * law.normalPenalty * bump) << points_[i].x;
-    if (i < unturned.size()) moved = std::max(moved, std::abs(unturned[i].pressure - turned[i].pressure));
-  }
+  for (std::size_t i = 0; i < std::min(turned.size(), unturned.size()); ++i)
+    moved = std::max(moved, std::abs(unturned[i].pressure - turned[i].pressure));
   EXPECT_GT(moved, 0.2 * law.normalPenalty * bump);
 }
 

@@ -195,6 +195,11 @@ TEST(HostileCheckpoint, WhatDoesNotFitIsRefusedByName) {
       EXPECT_THAT(refusal([&](ArrayTree& s) { numbers(s, "/rolling/small")[which] = value; }),
                   HasSubstr("/rolling/small"))
           << which << ", " << value;
+  // Moments that would turn the wheel as fast in one step.
+  for (const std::size_t which : {7u, 8u})
+    EXPECT_THAT(refusal([&](ArrayTree& s) { numbers(s, "/rolling/small")[which] = -1e300; }),
+                HasSubstr("/rolling/small"))
+        << which;
   // As many steps a sample as no filter's memory holds.
   EXPECT_THAT(refusal([](ArrayTree& s) {
                 auto& steps = numbers(s, "/steps");

@@ -1,4 +1,4 @@
-// A frictionless, undamped impact of the wheel on the track keeps its energy.
+// Energy is kept: through a frictionless, undamped impact, and where a torque drives the wheel (below).
 // Theory: conservation of energy; the central difference keeps it to second order in the step. The wheelset is
 // thrown on the rail while it rolls; kinetic, strain and contact energy and the work of the weight must close.
 // Tolerance 0.1 % of the strain energy at equilibrium.
@@ -24,6 +24,13 @@ cases::CaseDescription conservativeCase() {
     support->damping = support->lateralDamping = support->longitudinalDamping = 0;
   d.suspension.damping = d.suspension.longitudinalDamping = 0;
   return d;
+}
+
+std::vector<double> valuesOf(const EnergyLedger& ledger, const std::string& name) {
+  for (const auto& channel : ledger.channels())
+    if (channel.name == name && !channel.values.empty()) return channel.values;
+  ADD_FAILURE() << "no " << name;
+  return {0};
 }
 
 TEST(ImpactEnergy, IsKeptThroughAnImpact) {
@@ -60,11 +67,12 @@ TEST(ImpactEnergy, IsKeptThroughAnImpact) {
     rolling.advance(39, watch);
   }
   EXPECT_GT(most, 1.8 * load);
-  EXPECT_LT(ledger.largestRelativeResidual(), 1e-3);
+  for (const double value : valuesOf(ledger, "residual"))
+    EXPECT_LT(std::abs(value), 1e-3 * start.equilibrium.strainEnergy);
   RecordProperty("relative_residual", std::to_string(ledger.largestRelativeResidual()));
 }
 
-// A driven wheel: the torque's work, 4 kJ, goes into travel, spin, strain and slip. Theory: conservation of energy.
+// A driven wheel: the torque's work goes into travel, spin, strain and slip. Theory: conservation of energy.
 // 0.05 J: what the books may miss is the power of slip along the slope of the deformed tread, which the contact leaves
 // out (0.03 J seen). Without any of these it is 0.08 to 0.2 J, each seen by taking it out: the displaced material and
 // its arm, the wheel's place at the instant of u + beta v, the angular momentum of the contact's added inertia, the
@@ -90,15 +98,14 @@ TEST(DrivenWheel, KeepsTheBooks) {
     rolling.advance(199, ignore);
   }
   double most = 0;
-  for (const auto& channel : ledger.channels()) {
-    if (channel.name == "residual") {
-      for (const double value : channel.values) most = std::max(most, std::abs(value));
-    }
-    if (channel.name == "external") {
-      EXPECT_GT(channel.values.back(), 2000);
-    }
+  for (const double value : valuesOf(ledger, "residual")) {
+    EXPECT_LT(std::abs(value), 0.05);
+    most = std::max(most, std::abs(value));
   }
-  EXPECT_LT(most, 0.05);
+  // Traction times speed from the middle of the ramp on. 2 %: creepage, and the weight of wheels that rise and fall.
+  const double work =
+      0.2 * start.equilibrium.contactForce * description.motion.speed * (ledger.times().back() - 0.5e-3);
+  EXPECT_NEAR(valuesOf(ledger, "external").back(), work, 0.02 * work);
   RecordProperty("residual_joule", std::to_string(most));
 }
 
