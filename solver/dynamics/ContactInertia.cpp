@@ -57,11 +57,10 @@ double ContactInertia::addedInertia() const {
 double ContactInertia::addedSpin(const double* velocity, double cosine, double sine) const {
   const auto& block = *sides_[1].block;
   double sum = 0;
-  for (const auto& share : closed_.rim) {
+  for (const auto& share : closed_.rim)
     sum += block.section.nodes[share.node][0] * share.area *
            (cosine * velocity[block.index(share.node, 0, share.station)] -
             sine * velocity[block.index(share.node, 1, share.station)]);
-  }
   return massPerArea_ * sum;
 }
 

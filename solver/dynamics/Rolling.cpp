@@ -115,12 +115,12 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
 // advances the wheel body when it is done with the rim, and nobody waits.
 void Rolling::shareBlocks() {
   constexpr double tieCost = 2.2;  // of a node of the wheel body, ties and slaves included, to one along a line (seen)
-  // What the first thread's stations under the contact cost besides, in nodes along a line, by the patch's area
-  // (README: half axes 7 and 5.2 mm) over that of a face: fitted with two threads, where the last waited for it; left
-  // out for more.
+  // What the first thread's stations under the contact cost besides, in nodes along a line: some, and 64 for each of
+  // the four points of a face within the patch (half axes 7 and 5.2 mm). Fitted with two threads, where the last waited
+  // for it; left out for more.
   constexpr double patchArea = 1.1e-4;  // [m2]
   const double contactSize = model_.description.mesh.contactSize;
-  const double contactCost = team_.size() == 2 ? 2500 + 256 * patchArea / (contactSize * contactSize) : 0;
+  const double contactCost = team_.size() == 2 ? 2500 + 64 * 4 * patchArea / (contactSize * contactSize) : 0;
   const auto& blocks = model_.blocks;
   std::vector<int> all{model_.rail};
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
