@@ -98,19 +98,18 @@ inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n,
     advanceStations<0>(call, group, n, own);
 }
 
-// Ask for what a node will need: to be advanced, and before that, for its force to become its acceleration.
+// Asks for what a node will need: to be advanced, and before that, for its force to become its acceleration.
 template <typename Real>
-inline void fetchStep(const KernelCall& call, const Group<Real>& group, int node) {
+inline void askStep(const KernelCall& call, const Group<Real>& group, int node) {
   const std::size_t base = group.state + static_cast<std::size_t>(node) * 3 * chunk;
-  fetch(call.velocity + base, chunk, group.count);
-  if (call.target != call.source) fetch(call.target + base, chunk, group.count);
+  askLines(call.velocity + base, chunk, group.count);
+  if (call.target != call.source) askLines(call.target + base, chunk, group.count);
 }
 template <typename Real>
-inline void fetchForce(const KernelCall& call, const Group<Real>& group, int node) {
-  for (int i = 0; i < group.count; i += 8)
-    __builtin_prefetch(call.inverseMass + placeOfMass(call, node, group.at) + i, 0, 2);
+inline void askForce(const KernelCall& call, const Group<Real>& group, int node) {
+  for (int i = 0; i < group.count; i += 8) ask(call.inverseMass + placeOfMass(call, node, group.at) + i);
   if (const int line = call.externalLine[node]; line >= 0)
-    fetch(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, group.count);
+    askLines(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, group.count);
 }
 
 // Nodes are advanced between the rows, some after each, when they and those that they share their inertia with are
@@ -121,14 +120,14 @@ inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Rea
   int cluster = 0, advanced = 0;
   const auto advanceUpTo = [&](int end) {
     for (; advanced < end; ++advanced) {
-      if (advanced + fetchAhead < call.nodes) fetchStep(call, group, call.members[advanced + fetchAhead]);
+      if (advanced + stepAhead < call.nodes) askStep(call, group, call.members[advanced + stepAhead]);
       advanceNode(call, group, call.members[advanced], *waiting<Real>(call, call.placeSlot[advanced]));
     }
   };
   overRows<Whole, Piece>(
       call, group, [&](int row) { return (*waiting<Real>(call, call.rowSlot[row]))[0]; },
       [&](int row) {
-        if (row + fetchAhead < call.nodes) fetchForce(call, group, call.order[row + fetchAhead]);
+        if (row + stepAhead < call.nodes) askForce(call, group, call.order[row + stepAhead]);
         accelerate(call, group, call.order[row], *waiting<Real>(call, call.rowSlot[row]));
         const int ready = call.readyAfter[row];
         slowShortWaves<Piece>(call, group, ready, cluster);
