@@ -86,18 +86,25 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
       for (const auto& p : block.section.nodes) radii_.back().push_back(p[0]);
   }
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    const auto& block = model.blocks[b];
     elasticity::BlockStep with;
     with.kernels = static_cast<int>(b) == model.body ? &kernels_ : &askedKernels_;
     const bool isAlone = wheelsetOfOne_ && static_cast<int>(b) == model.body;
     endsLate_.push_back(isAlone ||
                         std::any_of(model.slave[b].begin(), model.slave[b].end(), [](auto tied) { return tied != 0; }));
-    inverseMass_.push_back(elasticity::inChunks(model.blocks[b], model.inverseMass[b].data()));
+    inverseMass_.push_back(elasticity::inChunks(block, model.inverseMass[b].data()));
     with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();
     with.lineOfNode = model.loaded[b].lineOfNode.data();
+    evenInverse_.push_back(elasticity::evenInverseMass(block, model.inverseMass[b].data(), with.lineOfNode));
+    with.evenInverse = evenInverse_.back().data();
     with.slave = model.slave[b].data();
     with.force = forces_.data() + model.loaded[b].offset;
-    with.acceleration = acceleration_[b].data();
+    // Along a line gravity is the same everywhere; who is held there is held after each step (hold()).
+    if (block.kind == elasticity::SweepKind::aroundAxis)
+      with.acceleration = acceleration_[b].data();
+    else
+      for (int c = 0; c < 3; ++c) with.evenAcceleration[c] = acceleration_[b][c * block.stride];
     with.radialWeight = radii_[b].empty() ? nullptr : radii_[b].data();
     with.beta = beta;
     blockSteps_.push_back(with);

@@ -140,7 +140,8 @@ class Rolling {
   model::WheelsetDamping wheelsetDamping_;
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
   std::vector<AlignedVector> inverseMass_;   // per block, in chunks
-  std::vector<std::vector<double>> radii_;   // per block: of section nodes, around the axis
+  std::vector<std::vector<double>> evenInverse_;
+  std::vector<std::vector<double>> radii_;  // per block: of section nodes, around the axis
   model::TurnedStations turned_, turnedRim_;
   plasticity::LayerKernels layerKernels_;
   plasticity::LayerForces layerForces_;

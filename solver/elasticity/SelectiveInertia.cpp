@@ -35,21 +35,16 @@ void addCluster(const SweptBlock& block, const KernelCluster& cluster, const std
     }
 }
 
-// What an interval gives to the mass of its stations, up to the section's share. Around the axis elements are flat
-// between their stations.
-double massOfInterval(const SweptBlock& block, double length) {
-  return block.kind == SweepKind::aroundAxis ? std::sin(length) : length;
-}
-
-// Weights and fields of `stations` stations; `before`: mass of the interval ahead of the first, `own` of all others.
+// Weights and fields of `stations` stations, for accelerations times the station's mass (SweptKernel.h): there the
+// fields of the accelerations are the weights. `before`: mass of the interval ahead of the first, `own` of all others.
 Eigen::MatrixXd alongProjection(int stations, double before, double own) {
   Eigen::MatrixXd given(stations, keptAlong);
   Eigen::VectorXd mass = Eigen::VectorXd::Constant(stations, own);
   mass[0] = 0.5 * (before + own);
   for (int i = 0; i < stations; ++i) given.row(i) << 1, i - 0.5 * (stations - 1);
   Eigen::MatrixXd weightsAndFields(stations, 2 * keptAlong);
-  weightsAndFields.rightCols(keptAlong) = orthonormal(given, mass);
-  weightsAndFields.leftCols(keptAlong) = mass.asDiagonal() * weightsAndFields.rightCols(keptAlong);
+  weightsAndFields.leftCols(keptAlong) = orthonormal(given, mass);
+  weightsAndFields.rightCols(keptAlong) = mass.asDiagonal() * weightsAndFields.leftCols(keptAlong);
   return weightsAndFields;
 }
 
@@ -221,10 +216,10 @@ void slowShortWaves(const SweptBlock& block, double* acceleration) {
               inertia.along[r].data() + projectionPlace[count == mostStations][first != block.runIntervals[r][0]];
           for (int k = 0; k < keptAcross; ++k) {
             for (int i = 0; i < count; ++i) along[i][k] = 0;
-            for (int field = 0; field < keptAlong; ++field) {
+            for (int field = 0; field < keptAlong; ++field) {  // here of accelerations themselves
               double amplitude = 0;
-              for (int j = 0; j < count; ++j) amplitude += projection[count * field + j] * sums[j][k];
-              for (int i = 0; i < count; ++i) along[i][k] += projection[count * (keptAlong + field) + i] * amplitude;
+              for (int j = 0; j < count; ++j) amplitude += projection[count * (keptAlong + field) + j] * sums[j][k];
+              for (int i = 0; i < count; ++i) along[i][k] += projection[count * field + i] * amplitude;
             }
           }
         }

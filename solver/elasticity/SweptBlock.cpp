@@ -68,6 +68,16 @@ std::array<int, 2> middleAndFar(const geometry::SectionMesh& section) {
   return {static_cast<int>(least - section.nodes.begin()), static_cast<int>(most - section.nodes.begin())};
 }
 
+AlignedVector stationMass(const SweptBlock& block) {
+  AlignedVector mass(block.stride, 0.0);
+  for (std::size_t r = 0; r < block.runIntervals.size(); ++r)
+    for (int s = block.runIntervals[r][0]; s < block.runIntervals[r][1]; ++s) {
+      const double half = 0.5 * massOfInterval(block, block.stations.runs[r].length);
+      mass[s] += half, mass[block.closed && s + 1 == block.intervals ? 0 : s + 1] += half;
+    }
+  return mass;
+}
+
 }  // namespace
 
 int SweptBlock::runOf(int interval) const {
@@ -125,7 +135,12 @@ void prepareBlock(SweptBlock& block) {
   }
   const auto [middle, far] = middleAndFar(block.section);
   block.middle = middle, block.far = far;
+  block.stationMass = stationMass(block);
   block.inertia = selectiveInertia(block);
+}
+
+double massOfInterval(const SweptBlock& block, double length) {
+  return block.kind == SweepKind::aroundAxis ? std::sin(length) : length;
 }
 
 Eigen::Matrix3d localBasis(const SweptBlock& block, double position) {

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "case/CaseDescription.h"
+#include "core/AlignedVector.h"
 #include "elasticity/Hexahedron.h"
 #include "elasticity/SectionOrder.h"
 #include "elasticity/SelectiveInertia.h"
@@ -63,14 +64,15 @@ struct SweptBlock {
   // Filled by prepareBlock().
   int nodes = 0, intervals = 0, stationCount = 0;
   bool closed = false;
-  std::size_t stride = 0;                            // stations of a whole line, multiple of 8, ghost station included
-  std::size_t offset = 0;                            // of the block in a state vector
-  std::vector<double> positions;                     // intervals + 1 station positions
-  std::vector<double> cosines, sines;                // around the axis: of them
-  std::vector<int> rowStart, columns;                // pairs of section nodes: nodes + 1, pairs
-  std::vector<std::vector<double>> coefficients;     // per run: 18 per pair: S row-major, then T
-  SectionOrder order;                                // of the kernels
-  std::vector<std::vector<double>> rowCoefficients;  // the same numbers in the order of the kernels
+  std::size_t stride = 0;              // stations of a whole line, multiple of 8, ghost station included
+  std::size_t offset = 0;              // of the block in a state vector
+  std::vector<double> positions;       // intervals + 1 station positions
+  std::vector<double> cosines, sines;  // around the axis: of them
+  AlignedVector stationMass;  // per station: its share of the section's mass along the sweep, in the stations' unit
+  std::vector<int> rowStart, columns;                  // pairs of section nodes: nodes + 1, pairs
+  std::vector<std::vector<double>> coefficients;       // per run: 18 per pair: S row-major, then T
+  SectionOrder order;                                  // of the kernels
+  std::vector<std::vector<double>> rowCoefficients;    // the same numbers in the order of the kernels
   std::vector<std::vector<float>> singleCoefficients;  // and rounded
   std::vector<std::array<int, 2>> runIntervals;        // per run: first interval and one past the last
   int middle = 0, far = 0;                             // section nodes next to the centre of mass and farthest from it
@@ -121,6 +123,10 @@ Matrix24 elementStiffness(const SweptBlock& block, int quad, double intervalLeng
 
 // Turns the 24 local displacements of an element into axes of the interval's middle.
 Matrix24 localToMiddle(const SweptBlock& block, double intervalLength);
+
+// What an interval gives to the mass of its two stations together, up to the section's share: its length, around the
+// axis, where elements are flat between their stations, the sine of its angle.
+double massOfInterval(const SweptBlock& block, double length);
 
 // The lumped mass of the block: one value per node and station, at node * stride + station.
 // The ghost station of a closed block is left at zero.

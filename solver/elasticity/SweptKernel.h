@@ -15,6 +15,9 @@ constexpr int rowBundle = 8;       // rows that share their coefficients in the 
 constexpr int mostRows = 32;       // nodes of a cluster
 constexpr int advancedPerRow = 2;  // nodes that are advanced after each row: they keep up and wait for clusters only
 
+// Between the force and the velocity of a node stand its accelerations times its station's mass (SweptBlock.h): for
+// nodes with a mass of the section alone that is their force times one number (evenInverse).
+
 // SelectiveInertia: clusters share their inertia with 16 stations, [16 k, 16 k + 16), where these are of one run, else
 // with eight. What is kept along the sweep, two fields: their weights in both amplitudes, then both fields, a line of
 // stations each. Where a run's stand: on eight and on 16 stations; of the run's first group, which shares a station
@@ -79,14 +82,19 @@ struct KernelCall {
   double* force = nullptr;
 
   // advanceStep: one step of the central difference for the same stations.
-  const double* inverseMass = nullptr;      // one value for each node and station, in chunks
-  const double* fixedMask = nullptr;        // nodes x 3: 1 free, 0 held
-  const int* externalLine = nullptr;        // per node: line triple in `external`, or -1
-  const unsigned char* slave = nullptr;     // per node: 1: not advanced, its inner force is left in `external` instead
-  double* external = nullptr;               // triples of lines; added to the inner force and cleared
-  double* velocity = nullptr;               // in place
-  double* target = nullptr;                 // new u + beta v; may be `source`
-  const double* acceleration = nullptr;     // 3 lines: body acceleration of each station in local components
+  const double* stationMass = nullptr;   // one line
+  const double* inverseMass = nullptr;   // one value for each node and station, in chunks
+  const double* evenInverse = nullptr;   // per node: inverse mass times station mass, or 0: as in inverseMass
+  const double* fixedMask = nullptr;     // nodes x 3: 1 free, 0 held
+  const int* externalLine = nullptr;     // per node: line triple in `external`, or -1
+  const unsigned char* slave = nullptr;  // per node: 1: not advanced, its inner force is left in `external` instead
+  double* external = nullptr;            // triples of lines; added to the inner force and cleared
+  double* velocity = nullptr;            // in place
+  double* target = nullptr;              // new u + beta v; may be `source`
+  // 3 lines: body acceleration of each station in local components; null: evenAcceleration at all stations, no line is
+  // held, and there is no spin.
+  const double* acceleration = nullptr;
+  double evenAcceleration[3] = {};
   const double* radialWeight = nullptr;     // per node: radius for the spin, or null
   double spinAcceleration = 0;              // [rad/s2] added times radius to a
   double step = 0, beta = 0;                // [s]

@@ -61,7 +61,8 @@ void carryOver(const KernelCall& call) {
   group.state = placeOf(call, group.at), group.next = call.source + placeOf(call, call.first);
   findParts<Whole, Piece>(call, group);
   overRows<Whole, Piece>(
-      call, group, [&](int) { return (*waiting<typename Whole::Real>(call, 0))[0]; }, [](int) {});
+      call, group, [&](int) { return (*waiting<typename Whole::Real>(call, 0))[0]; }, [](int) { return Unscaled{}; },
+      [](int) {});
 }
 
 // The stretch chunk by chunk.
@@ -89,7 +90,10 @@ void applyStiffness(const KernelCall& call) {
 
 template <typename Whole, typename Piece>
 void advanceStep(const KernelCall& call) {
-  overGroups<Whole, Piece>(call, [&](const auto& group) { advanceGroup<Whole, Piece>(call, group); });
+  overGroups<Whole, Piece>(call, [&](auto& group) {
+    for (int i = 0; i < group.count; ++i) group.stepOver[i] = call.step / call.stationMass[group.at + i];
+    advanceGroup<Whole, Piece>(call, group);
+  });
 }
 
 // Twelve independent chains hide the latency of the multiply-add; what comes out is the peak of one core.

@@ -77,10 +77,10 @@ inline void keepFields(Real (*rows)[3][chunk], int count, const Real* weights, R
     }
 }
 
-// Stations of a cluster by a filter of their own (KernelFilter).
+// Stations of a cluster by a filter of their own (KernelFilter), from accelerations to those times station masses.
 template <typename Kind, typename Real = typename Kind::Real>
 inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, Real share, int c, int at, int stations,
-                        const Real (&before)[mostRows][chunk]) {
+                        const Real (&before)[mostRows][chunk], const double* stationMass) {
   using Packed = typename Kind::Packed;
   static_assert(stationUnit % Kind::lanes == 0);
   const std::size_t size = static_cast<std::size_t>(count) * stations;
@@ -103,6 +103,7 @@ inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, R
 #pragma GCC unroll 6
     for (int k = 0; k < keptInBlock; ++k) value += Kind::loadLoose(from + k * size) * sum[k];
     Kind::store(rows[i][c] + s, value);
+    for (int k = s; k < s + Kind::lanes; ++k) rows[i][c][k] *= static_cast<Real>(stationMass[k]);
   });
 }
 
@@ -117,12 +118,13 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
   const int* ownFilter = call.ownFilter ? call.ownFilter + index * call.stationUnits + group.at / stationUnit : nullptr;
   alignas(64) Real sums[3][chunk];
   alignas(64) Real before[mostRows][chunk];
+  const double* stationMass = call.stationMass + group.at;
   bool hasOwn = false;
   for (int at = 0; ownFilter && at < group.count; at += stationUnit) hasOwn |= ownFilter[at / stationUnit] >= 0;
   for (int c = 0; c < 3; ++c) {
     if (hasOwn)
       for (int i = 0; i < count; ++i)
-        for (int s = 0; s < group.count; ++s) before[i][s] = rows[i][c][s];
+        for (int s = 0; s < group.count; ++s) before[i][s] = rows[i][c][s] / static_cast<Real>(stationMass[s]);
     int at = 0;
     for (; at + four <= group.count; at += four) amplitudes<Piece, 4>(rows, count, weights, c, at, sums);
     for (; at < group.count; at += Piece::lanes) amplitudes<Piece, 1>(rows, count, weights, c, at, sums);
@@ -140,7 +142,7 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
       for (at = 0; at < group.count; at += stationUnit)
         if (const int filter = ownFilter[at / stationUnit]; filter >= 0)
           filterBlock<Piece>(rows, count, filterOf(call.filters[filter], Real{}), share, c, at,
-                             group.alongStations[at / stationUnit], before);
+                             group.alongStations[at / stationUnit], before, stationMass);
   }
 }
 

@@ -166,9 +166,20 @@ struct Coefficients {
   Real at(int v, std::size_t i) const { return of[MIXED ? v : 0][i]; }
 };
 
-// Inner force of one row's node on the stations of one part, and the carry to the next.
-template <typename Kind, int V, bool MIXED = false, typename Real = typename Kind::Real>
-inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, Real* force) {
+// Forces as they are.
+struct Unscaled {};
+template <typename Packed>
+inline Packed scaled(Packed force, Unscaled) {
+  return force;
+}
+template <typename Packed, typename Real>
+inline Packed scaled(Packed force, Real factor) {
+  return force * factor;
+}
+
+// Inner force of one row's node on the stations of one part, times a factor, and the carry to the next.
+template <typename Kind, int V, bool MIXED = false, typename Factor, typename Real = typename Kind::Real>
+inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, Real* force, Factor factor) {
   using Packed = typename Kind::Packed;
   constexpr int lanes = Kind::lanes;
   Packed s[3][V], t[3][V];
@@ -202,7 +213,7 @@ inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, 
     for (int v = 0; v < V; ++v) {
       const Packed right = s[c][v] + t[c][v];
       const Packed left = c == 0 ? t[c][v] - s[c][v] : s[c][v] - t[c][v];
-      Kind::store(force + c * chunk + part.offset + v * lanes, left + Kind::shifted(before, right));
+      Kind::store(force + c * chunk + part.offset + v * lanes, scaled(left + Kind::shifted(before, right), factor));
       before = right;
     }
     *carry = before[lanes - 1];
@@ -210,25 +221,25 @@ inline void innerForce(const KernelCall& call, const Part<Real>& part, int row, 
 }
 
 // The same with as many vectors as the part has.
-template <typename Whole, typename Piece, int V = wide<Whole>, typename Real = typename Whole::Real>
-inline void forceOfPart(const KernelCall& call, const Part<Real>& part, int row, Real* force) {
+template <typename Whole, typename Piece, int V = wide<Whole>, typename Factor, typename Real = typename Whole::Real>
+inline void forceOfPart(const KernelCall& call, const Part<Real>& part, int row, Real* force, Factor factor) {
   if constexpr (V * Whole::lanes > narrow<Piece> * Piece::lanes) {
-    if (part.width < V * Whole::lanes) return forceOfPart<Whole, Piece, V / 2>(call, part, row, force);
+    if (part.width < V * Whole::lanes) return forceOfPart<Whole, Piece, V / 2>(call, part, row, force, factor);
     constexpr int pieces = wide<Whole> * Whole::lanes / Piece::lanes;
     if constexpr (V == wide<Whole>)
-      if (part.isMixed) return innerForce<Piece, pieces, true>(call, part, row, force);
-    innerForce<Whole, V>(call, part, row, force);
+      if (part.isMixed) return innerForce<Piece, pieces, true>(call, part, row, force, factor);
+    innerForce<Whole, V>(call, part, row, force, factor);
   } else {
-    innerForce<Piece, narrow<Piece>>(call, part, row, force);
+    innerForce<Piece, narrow<Piece>>(call, part, row, force, factor);
   }
 }
 
 // Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of a row
-// go to place(row), three lines of a chunk; whole(row) follows when they stand there on all stations: what it asks of
-// memory hides behind the multiply-adds of the next.
-template <typename Whole, typename Piece, typename Place, typename Then>
+// go to place(row), three lines of a chunk, times factorOf(row); whole(row) follows when they stand there on all
+// stations: what it asks of memory hides behind the multiply-adds of the next.
+template <typename Whole, typename Piece, typename Place, typename FactorOf, typename Then>
 inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const Place& place,
-                     const Then& whole) {
+                     const FactorOf& factorOf, const Then& whole) {
   const RigidMotion<typename Whole::Real> rigid(call, group);
   int gathered = 0, slot = 0;
   for (int bundle = 0; bundle < call.bundles; ++bundle) {
@@ -240,7 +251,7 @@ inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& 
           slot = slot + 1 == call.window ? 0 : slot + 1;
         }
         if (p == 0 && gathered + sourceAhead < call.nodes) askSource(call, group, call.order[gathered + sourceAhead]);
-        forceOfPart<Whole, Piece>(call, group.part[p], row, place(row));
+        forceOfPart<Whole, Piece>(call, group.part[p], row, place(row), factorOf(row));
         if (p + 1 == group.parts) whole(row);
       }
   }
@@ -250,13 +261,14 @@ template <typename Whole, typename Piece>
 inline void applyGroup(const KernelCall& call, const Group<typename Whole::Real>& group) {
   using Real = typename Whole::Real;
   double* out = call.force + group.state;
+  const auto asTheyAre = [](int) { return Unscaled{}; };
   const auto linesOf = [&](int row) { return out + static_cast<std::size_t>(call.order[row]) * 3 * chunk; };
   if constexpr (sizeof(Real) == sizeof(double)) {
-    overRows<Whole, Piece>(call, group, linesOf, [](int) {});
+    overRows<Whole, Piece>(call, group, linesOf, asTheyAre, [](int) {});
   } else {
     alignas(64) Real forces[rowBundle][3][chunk];
     overRows<Whole, Piece>(
-        call, group, [&](int row) { return forces[row % rowBundle][0]; },
+        call, group, [&](int row) { return forces[row % rowBundle][0]; }, asTheyAre,
         [&](int row) {
           for (int c = 0; c < 3; ++c)
             for (int i = 0; i < group.count; i += LANES)

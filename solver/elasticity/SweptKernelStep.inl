@@ -11,8 +11,12 @@ inline double* outerForce(const KernelCall& call, const Group<Real>& group, int 
   return line < 0 ? nullptr : call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at;
 }
 
-// Inner force of a node becomes its acceleration, outer forces included; a slave's is left to its masters. STATIONS:
-// of the group where they are a whole chunk (loops without an end to look for), else 0.
+inline double evenInverse(const KernelCall& call, int node) { return call.evenInverse ? call.evenInverse[node] : 0.0; }
+// Nodes whose forces are scaled when they are found: where nothing else is to be done with them.
+inline bool isScaled(const KernelCall& call, int node) { return !call.turningMoment && evenInverse(call, node) != 0; }
+
+// Inner force of a node becomes its acceleration times station mass, outer forces included; a slave's is left to its
+// masters. STATIONS: of the group where they are a whole chunk (loops without an end to look for), else 0.
 template <int STATIONS, typename Real>
 inline void accelerateStations(const KernelCall& call, const Group<Real>& group, int n, Real (&force)[3][chunk]) {
   const int count = STATIONS ? STATIONS : group.count;
@@ -32,7 +36,13 @@ inline void accelerateStations(const KernelCall& call, const Group<Real>& group,
       for (int i = 0; i < count; i += LANES) store(outer + c * stride + i, widened(force[c] + i));
     return;
   }
-  const double* inverse = call.inverseMass + placeOfMass(call, n, group.at);
+  if (const double even = evenInverse(call, n); even != 0) {
+    for (int c = 0; c < 3; ++c)
+#pragma GCC unroll 4
+      for (int i = 0; i < count; i += LANES) storeAs(force[c] + i, -even * widened(force[c] + i));
+    return;
+  }
+  const double *inverse = call.inverseMass + placeOfMass(call, n, group.at), *mass = call.stationMass + group.at;
   for (int c = 0; c < 3; ++c) {
     double* added = outer ? outer + c * stride : nullptr;
 #pragma GCC unroll 4
@@ -42,7 +52,7 @@ inline void accelerateStations(const KernelCall& call, const Group<Real>& group,
         total += load(added + i);
         store(added + i, Vector{});
       }
-      storeAs(force[c] + i, total * load(inverse + i));
+      storeAs(force[c] + i, total * load(inverse + i) * load(mass + i));
     }
   }
 }
@@ -55,8 +65,8 @@ inline void accelerate(const KernelCall& call, const Group<Real>& group, int n, 
     accelerateStations<0>(call, group, n, force);
 }
 
-// One node through the central difference on all stations of the group.
-template <int STATIONS, typename Real>
+// One node through the central difference on all stations of the group. EVEN: with the same body acceleration.
+template <int STATIONS, bool EVEN, typename Real>
 inline void advanceStations(const KernelCall& call, const Group<Real>& group, int n, const Real (&own)[3][chunk]) {
   if (call.slave[n]) return;
   const int count = STATIONS ? STATIONS : group.count;
@@ -67,15 +77,17 @@ inline void advanceStations(const KernelCall& call, const Group<Real>& group, in
   const double pushed[3] = {spin, 0, 0};
   double *rates = call.velocity + base, *target = call.target + base;
   for (int c = 0; c < 3; ++c) {
-    const double mask = call.fixedMask[3 * n + c], push = pushed[c];
-    const double* body = call.acceleration + c * call.stride + group.at;
+    const double mask = EVEN ? 1 : call.fixedMask[3 * n + c], push = EVEN ? call.evenAcceleration[c] : pushed[c];
+    const double* body = EVEN ? nullptr : call.acceleration + c * call.stride + group.at;
+    const Vector evenly = splat(step * push);
 #pragma GCC unroll 4
     for (int i = 0; i < count; i += LANES) {
-      const Vector acceleration = widened(own[c] + i) + (load(body + i) + push);
+      const Vector gained =
+          widened(own[c] + i) * load(group.stepOver + i) + (EVEN ? evenly : Vector(step * (load(body + i) + push)));
       // Read before anything is written: lines of both vectors end in the same bits of their address, and a read that
       // seems to follow a write to its own place waits for it.
       const Vector old = load(rates + c * chunk + i), here = load(source + c * chunk + i);
-      const Vector velocity = (old + step * acceleration) * mask;
+      const Vector velocity = EVEN ? Vector(old + gained) : Vector((old + gained) * mask);
       store(rates + c * chunk + i, velocity);
       store(target + c * chunk + i, here - beta * old + both * velocity);
     }
@@ -92,10 +104,11 @@ inline void advanceStations(const KernelCall& call, const Group<Real>& group, in
 
 template <typename Real>
 inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n, const Real (&own)[3][chunk]) {
+  const bool isEven = !call.acceleration;
   if (group.count == chunk)
-    advanceStations<chunk>(call, group, n, own);
+    isEven ? advanceStations<chunk, true>(call, group, n, own) : advanceStations<chunk, false>(call, group, n, own);
   else
-    advanceStations<0>(call, group, n, own);
+    isEven ? advanceStations<0, true>(call, group, n, own) : advanceStations<0, false>(call, group, n, own);
 }
 
 // Asks for what a node will need: to be advanced, and before that, for its force to become its acceleration.
@@ -107,6 +120,7 @@ inline void askStep(const KernelCall& call, const Group<Real>& group, int node) 
 }
 template <typename Real>
 inline void askForce(const KernelCall& call, const Group<Real>& group, int node) {
+  if (evenInverse(call, node) != 0) return;
   for (int i = 0; i < group.count; i += 8) ask(call.inverseMass + placeOfMass(call, node, group.at) + i);
   if (const int line = call.externalLine[node]; line >= 0)
     askLines(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, group.count);
@@ -127,8 +141,12 @@ inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Rea
   overRows<Whole, Piece>(
       call, group, [&](int row) { return (*waiting<Real>(call, call.rowSlot[row]))[0]; },
       [&](int row) {
+        return isScaled(call, call.order[row]) ? static_cast<Real>(-evenInverse(call, call.order[row])) : Real{1};
+      },
+      [&](int row) {
         if (row + stepAhead < call.nodes) askForce(call, group, call.order[row + stepAhead]);
-        accelerate(call, group, call.order[row], *waiting<Real>(call, call.rowSlot[row]));
+        if (!isScaled(call, call.order[row]))
+          accelerate(call, group, call.order[row], *waiting<Real>(call, call.rowSlot[row]));
         const int ready = call.readyAfter[row];
         slowShortWaves<Piece>(call, group, ready, cluster);
         advanceUpTo(advanced + advancedPerRow < ready ? advanced + advancedPerRow : ready);

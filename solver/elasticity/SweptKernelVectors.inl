@@ -107,8 +107,9 @@ struct Group {
   // Per eight stations: projection along the sweep of the 8 or 16 that begin here, or null.
   const Real* along[chunk / stationUnit] = {};
   int alongStations[chunk / stationUnit] = {};
-  std::size_t state = 0;         // of station `at` in line 0 of a state vector
-  const double* next = nullptr;  // displacement of node 0 at the station after the group
+  alignas(64) double stepOver[chunk];  // a step: over the mass of each station
+  std::size_t state = 0;               // of station `at` in line 0 of a state vector
+  const double* next = nullptr;        // displacement of node 0 at the station after the group
   std::size_t nextNode = 3 * chunk, nextLine = chunk;
 };
 

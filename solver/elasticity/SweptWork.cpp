@@ -38,6 +38,7 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   call.places = block.section.nodes.front().data();
   call.runs = scratch.runs[index].data();
   call.stride = block.stride;
+  call.stationMass = block.stationMass.data();
   call.chunkSize = block.chunkSize();
   call.first = first, call.count = count;
   call.source = source + block.offset;
@@ -93,10 +94,12 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
   for (int n = 0; n < block.nodes; ++n) {
     if (with.slave[n]) continue;
     for (int c = 0; c < 3; ++c) {
-      const double acceleration = accelerations[3 * n + c] + with.acceleration[c * block.stride + s];
+      const double acceleration =
+          accelerations[3 * n + c] +
+          (with.acceleration ? with.acceleration[c * block.stride + s] : with.evenAcceleration[c]);
       const std::size_t here = block.index(n, c, s);
       const double old = velocity[here];
-      velocity[here] = (old + step * acceleration) * with.freeMask[3 * n + c];
+      velocity[here] = (old + step * acceleration) * (with.acceleration ? with.freeMask[3 * n + c] : 1.0);
       target[here] = source[here] - with.beta * old + (step + with.beta) * velocity[here];
     }
   }
@@ -197,10 +200,11 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     else
       startCarry(block, segment.block, *with.kernels, segment.first, source, scratch);
     auto call = callFor(block, segment.block, segment.first, segment.count, source, scratch);
-    call.inverseMass = with.inverseMass, call.fixedMask = with.freeMask;
+    call.inverseMass = with.inverseMass, call.evenInverse = with.evenInverse, call.fixedMask = with.freeMask;
     call.externalLine = with.lineOfNode, call.slave = with.slave, call.external = with.force;
     call.velocity = velocity + block.offset, call.target = target + block.offset;
     call.acceleration = with.acceleration, call.radialWeight = with.radialWeight;
+    std::copy_n(with.evenAcceleration, 3, call.evenAcceleration);
     call.spinAcceleration = with.spinAcceleration, call.step = step, call.beta = with.beta;
     call.cosine = with.cosine, call.sine = with.sine;
     call.turningMoment = with.turningMoment;
@@ -224,6 +228,21 @@ AlignedVector inChunks(const SweptBlock& block, const double* lines) {
       values[(s / SweptBlock::chunk * block.nodes + n) * SweptBlock::chunk + s % SweptBlock::chunk] =
           lines[n * block.stride + s];
   return values;
+}
+
+// Products are the same but for rounding.
+std::vector<double> evenInverseMass(const SweptBlock& block, const double* inverseLines, const int* lineOfNode) {
+  std::vector<double> even(block.nodes, 0.0);
+  for (int n = 0; n < block.nodes; ++n) {
+    if (lineOfNode[n] >= 0) continue;
+    const double* inverse = inverseLines + n * block.stride;
+    const double first = inverse[0] * block.stationMass[0];
+    bool isEven = true;
+    for (int s = 0; s < block.stationCount; ++s)
+      isEven = isEven && std::abs(inverse[s] * block.stationMass[s] - first) <= 1e-12 * first;
+    if (isEven) even[n] = first;
+  }
+  return even;
 }
 
 void refreshGhosts(const std::vector<SweptBlock>& blocks, double* state) {

@@ -37,13 +37,15 @@ void applySegments(const std::vector<Segment>& segments, const std::vector<Swept
 struct BlockStep {
   const KernelSet* kernels = nullptr;
   const double* inverseMass = nullptr;  // as from inChunks()
+  const double* evenInverse = nullptr;  // as from evenInverseMass(); null: inverseMass alone
   const double* freeMask = nullptr;     // nodes x 3
   const int* lineOfNode = nullptr;      // into the force lines
   const unsigned char* slave = nullptr;
   double* force = nullptr;         // triples of lines, cleared when read
   const int* ownFilter = nullptr;  // KernelCall, as is the next
   const KernelFilter* filters = nullptr;
-  const double* acceleration = nullptr;  // 3 lines
+  const double* acceleration = nullptr;  // 3 lines; null: KernelCall
+  double evenAcceleration[3] = {};
   const double* radialWeight = nullptr;
   double spinAcceleration = 0, beta = 0, cosine = 1, sine = 0;
   double* turningMoment = nullptr;  // closed blocks: KernelCall
@@ -68,6 +70,10 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
 
 // One value for each node and station, from lines of `stride` to the chunks of the state layout.
 AlignedVector inChunks(const SweptBlock& block, const double* lines);
+
+// Per node: inverse mass times station mass where that is one number at all stations and no outer force may act (no
+// line), else 0. `inverseLines` in lines of `stride`.
+std::vector<double> evenInverseMass(const SweptBlock& block, const double* inverseLines, const int* lineOfNode);
 
 // Copies station 0 of closed blocks to their ghost station.
 void refreshGhosts(const std::vector<SweptBlock>& blocks, double* state);
