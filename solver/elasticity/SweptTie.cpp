@@ -82,39 +82,67 @@ void addStation(const Place& at, SweptTie& tie) {
     tie.stretchEnd.push_back(station + 1);
   tie.stretchOf.push_back(static_cast<int>(tie.stretchEnd.size()) - 1);
   s.left.push_back(at.left), s.right.push_back(at.right);
-  s.leftCosine.push_back(at.leftCosine), s.leftSine.push_back(at.leftSine);
-  s.rightCosine.push_back(at.rightCosine), s.rightSine.push_back(at.rightSine);
   s.leftWeight.push_back(at.leftWeight), s.rightWeight.push_back(at.rightWeight);
   s.extrapolation.push_back(at.extrapolation);
+  const double e = at.extrapolation;
+  const Two left{at.leftCosine, at.leftSine}, right{at.rightCosine, at.rightSine},
+      across{at.leftWeight, at.rightWeight};
+  s.turned.push_back({left, right, e * left, e * right, across, e * across});
 }
+
+// Components a and b together: times the cosine of a turn, and as they are times its sine.
+struct InPlane {
+  Two straight, across;
+  InPlane(double a, double b) : straight{a, b}, across{b, -a} {}
+  Two turned(Two cosineAndSine) const { return cosineAndSine[0] * straight + cosineAndSine[1] * across; }
+};
 
 // One column on `count` stations from `from` on: its masters' displacement, turned and weighted, three lines of
 // tieStations. The masters' values are the same on a whole stretch.
 void interpolateColumn(const SweptTie& tie, const SweptTie::Column& column, const SweptBlock& master,
                        const double* state, int from, int count, double* out) {
   const auto& at = tie.stations;
-  const bool hasInner = column.inner >= 0;
-  for (int first = from; first < from + count;) {
-    const int last = std::min(from + count, tie.stretchEnd[tie.stretchOf[first]]);
+  const int innerNode = column.inner >= 0 ? column.inner : column.outer;
+  for (int first = from, last = from; first < from + count; first = last) {
+    last = std::min(from + count, tie.stretchEnd[tie.stretchOf[first]]);
     double outer[3][2], excess[3][2];  // component, left and right; excess of the outer over the inner
     for (int c = 0; c < 3; ++c) {
-      const auto line = master.line(state, column.outer, c);
-      const auto inner = master.line(state, hasInner ? column.inner : column.outer, c);
+      const auto line = master.line(state, column.outer, c), inner = master.line(state, innerNode, c);
       outer[c][0] = line[at.left[first]], outer[c][1] = line[at.right[first]];
       excess[c][0] = outer[c][0] - inner[at.left[first]], excess[c][1] = outer[c][1] - inner[at.right[first]];
     }
+    const InPlane left(outer[0][0], outer[1][0]), right(outer[0][1], outer[1][1]),
+        leftExcess(excess[0][0], excess[1][0]), rightExcess(excess[0][1], excess[1][1]);
+    const Two lateral{outer[2][0], outer[2][1]}, lateralExcess{excess[2][0], excess[2][1]};
     for (int s = first; s < last; ++s) {
-      const double e = at.extrapolation[s];
-      const double leftA = outer[0][0] + e * excess[0][0], rightA = outer[0][1] + e * excess[0][1];
-      const double leftB = outer[1][0] + e * excess[1][0], rightB = outer[1][1] + e * excess[1][1];
-      const double leftC = outer[2][0] + e * excess[2][0], rightC = outer[2][1] + e * excess[2][1];
+      const auto& by = at.turned[s];
+      const Two plane = (left.turned(by.left) + right.turned(by.right)) +
+                        (leftExcess.turned(by.leftBeyond) + rightExcess.turned(by.rightBeyond));
+      const Two sides = by.across * lateral + by.acrossBeyond * lateralExcess;
       double* to = out + (s - from);
-      to[0] = at.leftCosine[s] * leftA + at.leftSine[s] * leftB + at.rightCosine[s] * rightA + at.rightSine[s] * rightB;
-      to[tieStations] =
-          at.leftCosine[s] * leftB - at.leftSine[s] * leftA + at.rightCosine[s] * rightB - at.rightSine[s] * rightA;
-      to[2 * tieStations] = at.leftWeight[s] * leftC + at.rightWeight[s] * rightC;
+      to[0] = plane[0], to[tieStations] = plane[1], to[2 * tieStations] = sides[0] + sides[1];
     }
-    first = last;
+  }
+}
+
+// A tied node's line on stations [from, from + count) from the columns that it lies between.
+void interpolateLine(const SweptTie& tie, std::size_t i, int c, const double* columns, int from, int count,
+                     StateLine<double> line) {
+  const int begin = tie.entryStart[i], end = tie.entryStart[i + 1];
+  const auto valuesOf = [&](int e) {
+    return columns + (3 * static_cast<std::size_t>(tie.entryColumn[e]) + c) * tieStations;
+  };
+  for (int at = from, stop = from; at < from + count; at = stop) {  // within a chunk a line is one piece
+    stop = std::min(from + count, (at / SweptBlock::chunk + 1) * SweptBlock::chunk);
+    double* const to = &line[at];
+    const int here = at - from, stations = stop - at;
+    const double *one = valuesOf(begin) + here, weight = tie.entryWeight[begin];
+    if (end - begin == 2) {
+      const double *other = valuesOf(begin + 1) + here, otherWeight = tie.entryWeight[begin + 1];
+      for (int k = 0; k < stations; ++k) to[k] = weight * one[k] + otherWeight * other[k];
+      continue;
+    }
+    for (int k = 0; k < stations; ++k) to[k] = weight * one[k];
   }
 }
 
@@ -183,18 +211,9 @@ void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& block
       interpolateColumn(tie, tie.columns[j], master, state, from, count, workspace + 3 * j * most);
     for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
       for (int c = 0; c < 3; ++c) {
-        double sum[most] = {};
-        for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e) {
-          const double* value = workspace + (3 * static_cast<std::size_t>(tie.entryColumn[e]) + c) * most;
-          for (int k = 0; k < count; ++k) sum[k] += tie.entryWeight[e] * value[k];
-        }
         const auto line = slave.line(state, tie.slaveNodes[i], c);
         for (int k = from + most; k < std::min(from + 2 * most, span.last); k += 8) __builtin_prefetch(&line[k], 1, 2);
-        for (int at = from; at < from + count;) {  // within a chunk a line is one piece
-          const int stop = std::min(from + count, (at / SweptBlock::chunk + 1) * SweptBlock::chunk);
-          std::copy(sum + (at - from), sum + (stop - from), &line[at]);
-          at = stop;
-        }
+        interpolateLine(tie, i, c, workspace, from, count, line);
       }
   }
   if (slave.closed && span.first == 0)

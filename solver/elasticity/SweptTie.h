@@ -16,6 +16,9 @@ namespace squat::elasticity {
 
 constexpr int tieStations = 64;
 
+// Two numbers that are worked on together.
+typedef double Two __attribute__((vector_size(16)));
+
 // Stations [first, last).
 struct StationSpan {
   int first = 0, last = 0;
@@ -34,11 +37,17 @@ struct SweptTie {
   std::vector<int> entryStart, entryColumn;
   std::vector<double> entryWeight;
 
-  // Per slave station: master stations left and right of it, and weights. Those along components a and b are times the
-  // turn from the master's to the slave's basis.
+  // Per slave station: master stations left and right of it, and their weights.
   struct Stations {
     std::vector<int> left, right;
-    std::vector<double> leftCosine, leftSine, rightCosine, rightSine, leftWeight, rightWeight, extrapolation;
+    std::vector<double> leftWeight, rightWeight, extrapolation;
+    // The same as they are multiplied: for components a and b cosine and sine of the turn from the master's to the
+    // slave's basis times the weight, for c the left and the right weight; and all times the extrapolation.
+    struct Turned {
+      Two left, right, leftBeyond, rightBeyond;
+      Two across, acrossBeyond;
+    };
+    std::vector<Turned> turned;
   };
   Stations stations;
   // Slave stations between the same two master stations follow each other: stretches of at most tieStations, by their
