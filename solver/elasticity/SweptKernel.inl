@@ -13,8 +13,15 @@
 namespace squat::elasticity {
 namespace {
 
-// Cuts the stations of a group into parts: the widest there are, mixed where runs end within them; at the end of a
-// stretch narrower ones, each within one run.
+// Whether `count` stations from `first` on, which `run` holds, change their run in the middle alone.
+inline bool halvesAreEven(const KernelRun* run, int first, int count) {
+  if (run->last < first + count / 2) return false;
+  while (run->last <= first + count / 2) ++run;
+  return run->last >= first + count;
+}
+
+// Cuts the stations of a group into parts: the widest there are, mixed where runs end within them but for their middle;
+// at the end of a stretch narrower ones, each within one run.
 template <typename Whole, typename Piece>
 inline void findParts(const KernelCall& call, Group<typename Whole::Real>& group) {
   constexpr int most = wide<Whole> * Whole::lanes, least = narrow<Piece> * Piece::lanes;
@@ -26,7 +33,7 @@ inline void findParts(const KernelCall& call, Group<typename Whole::Real>& group
     while (run->last <= group.at + from) ++run;
     const int inRun = run->last - group.at - from;
     while (width > group.count - from || (width > least && from % Whole::lanes != 0)) width /= 2;
-    part.isMixed = width == most && inRun < most;
+    part.isMixed = width == most && inRun < most && !halvesAreEven(run, group.at + from, most);
     while (!part.isMixed && width > inRun) width /= 2;
     part.offset = from, part.width = width;
     const KernelRun* here = run;

@@ -23,7 +23,7 @@ struct StretchSums {
       const double alongC = force[2 * tieStations + s - from];
       c.across += by.across * alongC, c.acrossBeyond += by.acrossBeyond * alongC;
     }
-    const auto turnBack = [](Two cosineA, Two cosineB, double (&to)[3][2], int side) {
+    const auto turnBack = [](Two cosineA, Two cosineB, double(&to)[3][2], int side) {
       to[0][side] = cosineA[0] - cosineB[1], to[1][side] = cosineA[1] + cosineB[0];
     };
     turnBack(a.left, b.left, outer, 0), turnBack(a.right, b.right, outer, 1);

@@ -69,13 +69,14 @@ void refreshGhost(const SweptBlock& block, double* state) {
 
 // The last station of an open block has only its left interval: the carry.
 void advanceLastStation(const SweptBlock& block, const BlockStep& with, double step, const double* source,
-                        double* target, double* velocity, const AlignedVector& carry) {
+                        double* target, double* velocity, KernelScratch& scratch) {
   const int s = block.intervals;
+  const double* carry = scratch.carry.data();
   const auto outerForce = [&](int n) {
     const int triple = with.lineOfNode[n];
     return triple < 0 ? nullptr : with.force + static_cast<std::size_t>(triple) * 3 * block.stride + s;
   };
-  std::vector<double> accelerations(block.lines());
+  double* accelerations = scratch.lastAccelerations.data();
   for (int n = 0; n < block.nodes; ++n) {
     const double inverse =
         with.inverseMass[(s / SweptBlock::chunk * block.nodes + n) * SweptBlock::chunk + s % SweptBlock::chunk];
@@ -90,7 +91,7 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
       accelerations[3 * n + c] = total * inverse;
     }
   }
-  slowShortWavesAcross(block, accelerations.data());
+  slowShortWavesAcross(block, accelerations);
   for (int n = 0; n < block.nodes; ++n) {
     if (with.slave[n]) continue;
     for (int c = 0; c < 3; ++c) {
@@ -151,6 +152,7 @@ KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
   workspace.assign(kernelWorkspace(window), 0.0);
   waiting.assign(forceWorkspace(slots), 0.0);
   carry.assign(static_cast<std::size_t>(most) * 3 + 8, 0.0);
+  lastAccelerations.assign(static_cast<std::size_t>(most) * 3, 0.0);
 }
 
 void applySegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,
@@ -216,7 +218,7 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     call.stationUnits = block.intervals / stationUnit;
     if (ends && !endsAlone(block, segment)) call.after = (*ends)[i].after.data();
     with.kernels->advanceStep(call);
-    if (endsAlone(block, segment)) advanceLastStation(block, with, step, source, target, velocity, scratch.carry);
+    if (endsAlone(block, segment)) advanceLastStation(block, with, step, source, target, velocity, scratch);
     if (block.closed && segment.first == 0) refreshGhost(block, target);
   }
 }

@@ -25,7 +25,7 @@ std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& block
 // Scratch memory of one thread.
 struct KernelScratch {
   explicit KernelScratch(const std::vector<SweptBlock>& blocks);
-  AlignedVector workspace, waiting, carry;
+  AlignedVector workspace, waiting, carry, lastAccelerations;
   std::vector<std::vector<KernelRun>> runs;  // per block
 };
 

@@ -235,8 +235,7 @@ void expectTheStepByDefinition(const Sample& sample) {
         const auto kernels = kernelsFor(isa, precision);
         AlignedVector velocity(sample.size, 0.0), target = sample.displaced;
         std::vector<BlockStep> steps;
-        for (std::size_t b = 0; b < sample.blocks.size(); ++b)
-          steps.push_back(data[b].step(sample, b, kernels, even));
+        for (std::size_t b = 0; b < sample.blocks.size(); ++b) steps.push_back(data[b].step(sample, b, kernels, even));
         KernelScratch scratch(sample.blocks);
         constexpr double step = 1e-7;
         for (const auto& segments : partition(sample.blocks, {0, 1}, parts))
