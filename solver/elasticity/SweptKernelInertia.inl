@@ -108,9 +108,10 @@ inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, R
 }
 
 // Accelerations of a cluster's nodes, short waves slowed (SelectiveInertia.h).
-template <typename Piece, typename Real = typename Piece::Real>
+template <typename Whole, typename Piece, typename Real = typename Piece::Real>
 inline void slowCluster(const KernelCall& call, const Group<Real>& group, int index, Real (*rows)[3][chunk]) {
-  constexpr int four = 4 * Piece::lanes;
+  // As many of the widest vectors as leave the sums of three fields in registers.
+  constexpr int vectors = chunk / Whole::lanes < 4 ? chunk / Whole::lanes : 4, most = vectors * Whole::lanes;
   const auto& own = call.clusters[index];
   const int count = own.end - own.first;
   const Real* weights = clusterWeightsOf(call, Real{}) + 6 * static_cast<std::size_t>(own.first);
@@ -126,7 +127,7 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
       for (int i = 0; i < count; ++i)
         for (int s = 0; s < group.count; ++s) before[i][s] = rows[i][c][s] / static_cast<Real>(stationMass[s]);
     int at = 0;
-    for (; at + four <= group.count; at += four) amplitudes<Piece, 4>(rows, count, weights, c, at, sums);
+    for (; at + most <= group.count; at += most) amplitudes<Whole, vectors>(rows, count, weights, c, at, sums);
     for (; at < group.count; at += Piece::lanes) amplitudes<Piece, 1>(rows, count, weights, c, at, sums);
     for (at = 0; at < group.count; at += stationUnit) {
       const Real* projection = group.along[at / stationUnit];
@@ -136,7 +137,8 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
       else
         projectAlong<Piece, stationUnit>(sums, projection, at);
     }
-    for (at = 0; at + four <= group.count; at += four) keepFields<Piece, 4>(rows, count, weights, share, c, at, sums);
+    for (at = 0; at + most <= group.count; at += most)
+      keepFields<Whole, vectors>(rows, count, weights, share, c, at, sums);
     for (; at < group.count; at += Piece::lanes) keepFields<Piece, 1>(rows, count, weights, share, c, at, sums);
     if (hasOwn)
       for (at = 0; at < group.count; at += stationUnit)
@@ -147,10 +149,10 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
 }
 
 // Accelerations of the clusters that are ready. `cluster` is the first that was not.
-template <typename Piece, typename Real = typename Piece::Real>
+template <typename Whole, typename Piece, typename Real = typename Piece::Real>
 inline void slowShortWaves(const KernelCall& call, const Group<Real>& group, int ready, int& cluster) {
   for (; cluster < call.clusterCount && call.clusters[cluster].end <= ready; ++cluster)
-    slowCluster<Piece>(call, group, cluster, waiting<Real>(call, call.placeSlot[call.clusters[cluster].first]));
+    slowCluster<Whole, Piece>(call, group, cluster, waiting<Real>(call, call.placeSlot[call.clusters[cluster].first]));
 }
 
 }  // namespace

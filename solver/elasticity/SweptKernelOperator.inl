@@ -14,57 +14,66 @@ struct RigidMotion {
 };
 template <>
 struct RigidMotion<float> {
-  alignas(64) double left[3][chunk], right[3][chunk], leftTurn[3][chunk], rightTurn[3][chunk];
+  // Of both stations together and of their difference, which does not depend on the place along a straight line.
+  alignas(64) double shiftSum[3][chunk], shiftDifference[3][chunk], turnSum[3][chunk], turnDifference[3][chunk];
 
   RigidMotion(const KernelCall& call, const Group<float>& group) {
+    alignas(64) double lengths[chunk];
     const KernelRun* run = call.runs;
+    for (int i = 0; i < group.count; ++i) {
+      while (run->last <= group.at + i) ++run;
+      lengths[i] = run->length;
+    }
     const double* middle = call.places + 2 * call.middle;
     const double acrossB = call.places[2 * call.far] - middle[0], acrossC = call.places[2 * call.far + 1] - middle[1];
     const double size2 = acrossB * acrossB + acrossC * acrossC;
-    double hereM[3], hereF[3], m[3], f[3];
-    at(call, group, call.middle, 0, hereM), at(call, group, call.far, 0, hereF);
-    for (int i = 0; i < group.count; ++i) {
-      while (run->last <= group.at + i) ++run;
-      at(call, group, call.middle, i + 1, m), at(call, group, call.far, i + 1, f);
-      const double nextM[3] = {m[0], m[1], m[2]}, nextF[3] = {f[0], f[1], f[2]};
-      double cosine = 1, sine = 0, alongA = run->length, alongB = 0;  // from left to right, in the left one's basis
+    for (int i = 0; i < group.count; i += LANES) {
+      Vector hereM[3], hereF[3], m[3], f[3];
+      bothEnds(call, group, call.middle, i, hereM, m), bothEnds(call, group, call.far, i, hereF, f);
+      Vector cosine = splat(1), sine{}, alongA = load(lengths + i), alongB{};  // from left to right, in the left basis
       if (call.cosines) {
         const double *cosines = call.cosines + group.at + i, *sines = call.sines + group.at + i;
-        cosine = cosines[1] * cosines[0] + sines[1] * sines[0];
-        sine = sines[1] * cosines[0] - cosines[1] * sines[0];
+        const Vector c = Double::loadLoose(cosines), s = Double::loadLoose(sines);
+        const Vector nextC = Double::loadLoose(cosines + 1), nextS = Double::loadLoose(sines + 1);
+        cosine = nextC * c + nextS * s;
+        sine = nextS * c - nextC * s;
         alongA = middle[0] * sine, alongB = middle[0] * (cosine - 1);
         back(cosine, sine, m), back(cosine, sine, f);
       }
       // W x along is how the middle moves from left to right, W x across how the far node moves beside it.
-      const double besideB = 0.5 * (hereF[1] + f[1] - hereM[1] - m[1]),
+      const Vector besideB = 0.5 * (hereF[1] + f[1] - hereM[1] - m[1]),
                    besideC = 0.5 * (hereF[2] + f[2] - hereM[2] - m[2]);
-      const double turn[3] = {(besideC * acrossB - besideB * acrossC) / size2, (hereM[2] - m[2]) / alongA,
+      const Vector turn[3] = {(besideC * acrossB - besideB * acrossC) / size2, (hereM[2] - m[2]) / alongA,
                               (m[1] - hereM[1]) / alongA};
-      const double moved[3] = {-turn[2] * alongB, turn[2] * alongA, turn[0] * alongB - turn[1] * alongA};
-      double first[3], second[3], turned[3];
+      const Vector moved[3] = {-turn[2] * alongB, turn[2] * alongA, turn[0] * alongB - turn[1] * alongA};
+      Vector first[3], second[3], turned[3];
       for (int k = 0; k < 3; ++k) {
-        const double mean = 0.5 * (hereM[k] + m[k]);
+        const Vector mean = 0.5 * (hereM[k] + m[k]);
         first[k] = mean - 0.5 * moved[k], second[k] = mean + 0.5 * moved[k], turned[k] = turn[k];
       }
-      back(cosine, -sine, second), back(cosine, -sine, turned);
+      if (call.cosines) back(cosine, -sine, second), back(cosine, -sine, turned);
       for (int k = 0; k < 3; ++k) {
-        left[k][i] = first[k], right[k][i] = second[k], leftTurn[k][i] = turn[k], rightTurn[k][i] = turned[k];
-        hereM[k] = nextM[k], hereF[k] = nextF[k];
+        store(shiftSum[k] + i, second[k] + first[k]), store(shiftDifference[k] + i, second[k] - first[k]);
+        store(turnSum[k] + i, turned[k] + turn[k]), store(turnDifference[k] + i, turned[k] - turn[k]);
       }
     }
   }
 
-  // Displacement of a node at station i of the group.
-  static void at(const KernelCall& call, const Group<float>& group, int node, int i, double* u) {
+  // Displacements of a node at LANES stations from station i of the group on, and at the stations after them.
+  static void bothEnds(const KernelCall& call, const Group<float>& group, int node, int i, Vector* here,
+                       Vector* after) {
     const auto n = static_cast<std::size_t>(node);
-    const double* line =
-        i < group.count ? call.source + group.state + n * 3 * chunk + i : group.next + n * group.nextNode;
-    const std::size_t step = i < group.count ? chunk : group.nextLine;
-    for (int c = 0; c < 3; ++c) u[c] = line[c * step];
+    for (int c = 0; c < 3; ++c) {
+      const double* line = call.source + group.state + (3 * n + c) * chunk + i;
+      here[c] = load(line);
+      const Vector next = i + LANES < group.count ? load(line + LANES)
+                                                  : splat(group.next[n * group.nextNode + c * group.nextLine]);
+      after[c] = advanced(here[c], next);
+    }
   }
   // From the basis of the right station to that of the left; the other way round with the sine's sign turned.
-  static void back(double cosine, double sine, double* v) {
-    const double a = cosine * v[0] + sine * v[1];
+  static void back(Vector cosine, Vector sine, Vector* v) {
+    const Vector a = cosine * v[0] + sine * v[1];
     v[1] = cosine * v[1] - sine * v[0], v[0] = a;
   }
   // Component c at a node beside the middle, on LANES stations from `at` on.
@@ -77,7 +86,7 @@ struct RigidMotion<float> {
 
 // Sums and differences of both stations of one node in one part of N vectors: d_a, s_b, s_c, s_a, d_b, d_c. Every value
 // is read once: the station after a vector is the first of the next.
-template <int N, typename Real>
+template <int N, bool STRAIGHT, typename Real>
 inline void gatherPart(const double* lines, const double* next, std::size_t nextLine, const RigidMotion<Real>& rigid,
                        double besideB, double besideC, int from, Real* out) {
   constexpr int width = N * LANES;
@@ -88,31 +97,35 @@ inline void gatherPart(const double* lines, const double* next, std::size_t next
 #pragma GCC unroll 16
     for (int i = 0; i < width; i += LANES) {
       const Vector after = i + LANES < width ? load(lines + i + LANES) : splat(*next);
-      Vector left = here, right = advanced(here, after);
-      if constexpr (sizeof(Real) < sizeof(double))
-        left -= rigid.component(rigid.left, rigid.leftTurn, c, besideB, besideC, from + i),
-            right -= rigid.component(rigid.right, rigid.rightTurn, c, besideB, besideC, from + i);
-      storeAs(sums + i, right + left);
-      storeAs(differences + i, right - left);
+      const Vector right = advanced(here, after);
+      Vector sum = right + here, difference = right - here;
+      if constexpr (sizeof(Real) < sizeof(double)) {
+        sum -= rigid.component(rigid.shiftSum, rigid.turnSum, c, besideB, besideC, from + i);
+        difference -=
+            STRAIGHT ? load(rigid.shiftDifference[c] + from + i)
+                     : rigid.component(rigid.shiftDifference, rigid.turnDifference, c, besideB, besideC, from + i);
+      }
+      storeAs(sums + i, sum);
+      storeAs(differences + i, difference);
       here = after;
     }
   }
 }
 
 // The same with as many vectors as the part has.
-template <int N, typename Real>
+template <int N, bool STRAIGHT, typename Real>
 inline void gatherOfWidth(int width, const double* lines, const double* next, std::size_t nextLine,
                           const RigidMotion<Real>& rigid, double besideB, double besideC, int from, Real* out) {
   if constexpr (N > 1)
     if (width < N * LANES)
-      return gatherOfWidth<N / 2>(width, lines, next, nextLine, rigid, besideB, besideC, from, out);
-  gatherPart<N>(lines, next, nextLine, rigid, besideB, besideC, from, out);
+      return gatherOfWidth<N / 2, STRAIGHT>(width, lines, next, nextLine, rigid, besideB, besideC, from, out);
+  gatherPart<N, STRAIGHT>(lines, next, nextLine, rigid, besideB, besideC, from, out);
 }
 
 // Of all parts, into one place of the window.
-template <typename Real>
-inline void gather(const KernelCall& call, const Group<Real>& group, const RigidMotion<Real>& rigid, int node,
-                   int slot) {
+template <bool STRAIGHT, typename Real>
+inline void gatherParts(const KernelCall& call, const Group<Real>& group, const RigidMotion<Real>& rigid, int node,
+                        int slot) {
   Real* out = reinterpret_cast<Real*>(call.workspace) + slot * std::size_t{6 * chunk};
   const double *lines = call.source + group.state + static_cast<std::size_t>(node) * 3 * chunk,
                *beyond = group.next + node * group.nextNode;
@@ -121,9 +134,18 @@ inline void gather(const KernelCall& call, const Group<Real>& group, const Rigid
   for (int p = 0; p < group.parts; ++p) {
     const int from = group.part[p].offset, width = group.part[p].width;
     const bool isLast = p + 1 == group.parts;
-    gatherOfWidth<chunk / LANES>(width, lines + from, isLast ? beyond : lines + from + width,
-                                 isLast ? group.nextLine : chunk, rigid, besideB, besideC, from, out + 6 * from);
+    gatherOfWidth<chunk / LANES, STRAIGHT>(width, lines + from, isLast ? beyond : lines + from + width,
+                                           isLast ? group.nextLine : chunk, rigid, besideB, besideC, from,
+                                           out + 6 * from);
   }
+}
+template <typename Real>
+inline void gather(const KernelCall& call, const Group<Real>& group, const RigidMotion<Real>& rigid, int node,
+                   int slot) {
+  if (sizeof(Real) == sizeof(double) || !call.cosines)  // doubles are as they are along any line
+    gatherParts<true>(call, group, rigid, node, slot);
+  else
+    gatherParts<false>(call, group, rigid, node, slot);
 }
 
 // Memory is asked for so many nodes ahead, about a microsecond: the processor's own prefetchers come too late where

@@ -148,7 +148,7 @@ inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Rea
         if (!isScaled(call, call.order[row]))
           accelerate(call, group, call.order[row], *waiting<Real>(call, call.rowSlot[row]));
         const int ready = call.readyAfter[row];
-        slowShortWaves<Piece>(call, group, ready, cluster);
+        slowShortWaves<Whole, Piece>(call, group, ready, cluster);
         advanceUpTo(advanced + advancedPerRow < ready ? advanced + advancedPerRow : ready);
       });
   advanceUpTo(call.nodes);
