@@ -23,6 +23,9 @@ class CoarseSpace {
   int size() const { return unknowns_; }
   // Z^T K Z without contact springs; call once. False when the monitor has cancelled it.
   bool assemble(model::StaticOperator& op, Monitor& monitor);
+  // The same from a space that has assembled it for the same model at the same rotation.
+  void adopt(const Eigen::MatrixXd& stiffness) { matrix_ = stiffness; }
+  const Eigen::MatrixXd& stiffness() const { return matrix_; }
   // Adds the contact springs' share and factorises.
   void factorise(const supports::SpringSet& contact);
   // The correction Z y, y = (Z^T K Z)^-1 Z^T r, and what it has in common with the residual, r.Z y.

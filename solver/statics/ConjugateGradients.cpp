@@ -38,7 +38,7 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
     const auto norms = orderedSum(team, n, Norms{}, [&](std::size_t begin, std::size_t end) {
       Norms sum;
       for (std::size_t i = begin; i < end; ++i) {
-        x[i] += alpha * p[i], r[i] -= alpha * q[i];
+        r[i] -= alpha * q[i];
         sum.residual2 += r[i] * r[i], sum.weighted += r[i] * inverse[i] * r[i];
       }
       return sum;
@@ -46,6 +46,7 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
     solution.residual = std::sqrt(norms.residual2);
     const auto correction = coarse.correctionOf(team, r.data());
     if (solution.residual < target || solution.iterations >= mostIterations) {
+      for (std::size_t i = 0; i < n; ++i) x[i] += alpha * p[i];
       // A last coarse correction leaves no resultant force on any coarse field, rigid motions of the wheelset among
       // them.
       coarse.prolong(team, correction.y, x.data());
@@ -55,11 +56,12 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
       solution.cancelled = true;
       return solution;
     }
-    // z = D^-1 r + Z y is never stored: r.z is known, and p takes it as it comes.
+    // z = D^-1 r + Z y is never stored: r.z is known, and p takes it as it comes. The solution takes the last p when
+    // that is read anyway.
     const double next = norms.weighted + correction.product, beta = rz > 0 ? next / rz : 0;
     rz = next;
     orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) p[i] = inverse[i] * r[i] + beta * p[i];
+      for (std::size_t i = begin; i < end; ++i) x[i] += alpha * p[i], p[i] = inverse[i] * r[i] + beta * p[i];
       return 0.0;
     });
     coarse.prolong(team, correction.y, p.data());

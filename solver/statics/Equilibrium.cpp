@@ -122,6 +122,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
     return e;
   }
 
+  e.coarseStiffness = coarse.stiffness();
   AlignedVector r(n, 0.0), change(n, 0.0);
   double startNorm = 0;
   std::size_t closedBefore = 0;
@@ -223,7 +224,10 @@ AlignedVector equilibriumRate(const model::Model& model, const elasticity::Kerne
 
   model::StaticOperator op(model, kernels, team, 0, 1e8, true);
   CoarseSpace coarse(model, op);
-  if (!coarse.assemble(op, monitor)) return AlignedVector(change.size(), 0.0);
+  if (e.coarseStiffness.rows() == coarse.size())
+    coarse.adopt(e.coarseStiffness);
+  else if (!coarse.assemble(op, monitor))
+    return AlignedVector(change.size(), 0.0);
   op.contactSprings() =
       evaluateContact(model, op.turned(), e.displacement.data(), e.wheelX, 0, model::normalPenalty(model.description))
           .springs;

@@ -5,6 +5,7 @@
 // held and taken out of the result.
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 
 #include "contact/TouchPoint.h"
@@ -31,6 +32,7 @@ struct Equilibrium {
   double halfAxisRolling = 0, halfAxisLateral = 0;  // [m] sqrt(5 <x^2>), sqrt(5 <y^2>) of the pressure
   double peakPressure = 0;                          // [Pa] 3 N / (2 pi a b)
   double strainEnergy = 0;                          // [J] solids, springs and contact
+  Eigen::MatrixXd coarseStiffness;                  // as from CoarseSpace::stiffness(), for equilibriumRate()
   int newtonSteps = 0, iterations = 0;
   bool cancelled = false;
 };
