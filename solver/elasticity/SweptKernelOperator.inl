@@ -66,8 +66,8 @@ struct RigidMotion<float> {
     for (int c = 0; c < 3; ++c) {
       const double* line = call.source + group.state + (3 * n + c) * chunk + i;
       here[c] = load(line);
-      const Vector next = i + LANES < group.count ? load(line + LANES)
-                                                  : splat(group.next[n * group.nextNode + c * group.nextLine]);
+      const Vector next =
+          i + LANES < group.count ? load(line + LANES) : splat(group.next[n * group.nextNode + c * group.nextLine]);
       after[c] = advanced(here[c], next);
     }
   }
@@ -101,9 +101,9 @@ inline void gatherPart(const double* lines, const double* next, std::size_t next
       Vector sum = right + here, difference = right - here;
       if constexpr (sizeof(Real) < sizeof(double)) {
         sum -= rigid.component(rigid.shiftSum, rigid.turnSum, c, besideB, besideC, from + i);
-        difference -=
-            STRAIGHT ? load(rigid.shiftDifference[c] + from + i)
-                     : rigid.component(rigid.shiftDifference, rigid.turnDifference, c, besideB, besideC, from + i);
+        difference -= STRAIGHT
+                          ? load(rigid.shiftDifference[c] + from + i)
+                          : rigid.component(rigid.shiftDifference, rigid.turnDifference, c, besideB, besideC, from + i);
       }
       storeAs(sums + i, sum);
       storeAs(differences + i, difference);

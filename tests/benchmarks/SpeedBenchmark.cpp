@@ -21,10 +21,13 @@ namespace {
 
 const char* const meshes[] = {"tiny", "draft", "standard", "paper"};
 
-model::Model& modelOf(int mesh) {
-  static std::map<int, model::Model> models;
-  const auto [it, isNew] = models.try_emplace(mesh);
-  if (isNew) it->second = model::buildModel(cases::loadCase("light-defect", {meshes[mesh], {}}));
+// `selective`: with more inertia for short waves, as runs have it, or without.
+model::Model& modelOf(int mesh, bool selective = true) {
+  static std::map<std::pair<int, bool>, model::Model> models;
+  const auto [it, isNew] = models.try_emplace({mesh, selective});
+  if (isNew)
+    it->second = model::buildModel(
+        cases::loadCase("light-defect", {meshes[mesh], {{"mesh.selective_inertia", selective ? "true" : "false"}}}));
   return it->second;
 }
 
@@ -120,6 +123,9 @@ int main(int argc, char** argv) {
       for (const auto precision : {cases::ElementPrecision::full, cases::ElementPrecision::single})
         addRow((precision == cases::ElementPrecision::full ? "step" : "single_step") + tail, rounds / 4,
                [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads, precision); });
+      addRow("bare_step" + tail, rounds / 4, [=](benchmark::State& state) {
+        wholeStep(state, modelOf(mesh, false), threads, cases::ElementPrecision::full);
+      });
     }
   for (const auto& track : {std::pair{10, false}, {40, false}, {60, true}})
     for (const auto precision : {cases::ElementPrecision::full, cases::ElementPrecision::single})

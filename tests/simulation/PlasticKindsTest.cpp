@@ -1,4 +1,7 @@
 // Kinds of plastic rails beside each other, whole runs.
+#include <algorithm>
+#include <cmath>
+
 #include "simulation/PlasticRun.h"
 
 namespace squat {
@@ -9,12 +12,23 @@ using testing::scalar;
 using testing::softRail;
 using testing::yielded;
 
-// A yield stress that nothing reaches: the elastic run, to the bit.
+// A yield stress that nothing reaches: the elastic run, but for round-off.
 TEST(PlasticKinds, WithoutYieldItIsTheElasticRun) {
-  const auto hard = run(softRail({{"rail.yield_stress", "10"}}));
-  const auto elastic = run(softRail({{"rail.plastic", "false"}}));
+  const auto hard = run(softRail({{"rail.yield_stress", "10"}, {"mesh.precision", "double"}}));
+  const auto elastic = run(softRail({{"rail.plastic", "false"}, {"mesh.precision", "double"}}));
   ASSERT_EQ(hard.signals.size(), elastic.signals.size());
-  for (std::size_t c = 0; c < hard.signals.size(); ++c) EXPECT_EQ(hard.signals[c].values, elastic.signals[c].values);
+  // Nodes of the layer have lines of outer forces, and so their inverse masses as such, not as products: they differ by
+  // round-off, 1e-16, which 1e4 steps and contact that opens and closes carry on.
+  for (std::size_t c = 0; c < hard.signals.size(); ++c) {
+    const auto &with = hard.signals[c].values, &without = elastic.signals[c].values;
+    ASSERT_EQ(with.size(), without.size());
+    double largest = 0, different = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+      largest = std::max(largest, std::abs(without[i]));
+      different = std::max(different, std::abs(with[i] - without[i]));
+    }
+    EXPECT_LT(different, 1e-9 * largest) << elastic.signals[c].name;
+  }
   EXPECT_EQ(scalar(hard.plasticity, "largest_equivalent_strain"), 0);
   EXPECT_TRUE(elastic.plasticity.empty());
   EXPECT_TRUE(elastic.permanent.empty());
