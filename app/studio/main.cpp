@@ -11,6 +11,7 @@
 #include "case/ShippedCases.h"
 #include "commands/ExitCodes.h"
 #include "commands/PaperTable.h"
+#include "core/SteadyMemory.h"
 #include "simulation/RunCase.h"
 #include "studio/Arguments.h"
 #include "studio/MainWindow.h"
@@ -30,6 +31,7 @@ std::vector<squat::studio::ComparedRow> comparedRows(const squat::results::RunRe
 }  // namespace
 
 int main(int argc, char** argv) {
+  squat::keepMemorySteady();
   const bool pictureOnly = squat::studio::wantsScreenshot(argc, argv);
   const bool noDisplay = qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
   // A picture needs no display, so one that is named but not there must not matter.
