@@ -31,7 +31,8 @@ struct KernelRun {
   double length = 0;                          // in the unit of the stations
   const double* coefficients = nullptr;       // in the order of the rows
   const float* singleCoefficients = nullptr;  // the same
-  const double* along = nullptr;              // SelectiveInertia: projections along the sweep, or null
+  const double* along = nullptr;              // SelectiveInertia: projections along the sweep (of accelerations times
+                                              // station mass), or null
   const float* singleAlong = nullptr;         // the same
 };
 

@@ -107,7 +107,7 @@ inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, R
   });
 }
 
-// Accelerations of a cluster's nodes, short waves slowed (SelectiveInertia.h).
+// Accelerations of a cluster's nodes, times station mass, short waves slowed (SelectiveInertia.h).
 template <typename Whole, typename Piece, typename Real = typename Piece::Real>
 inline void slowCluster(const KernelCall& call, const Group<Real>& group, int index, Real (*rows)[3][chunk]) {
   // As many of the widest vectors as leave the sums of three fields in registers.

@@ -38,7 +38,7 @@ struct BlockStep {
   const KernelSet* kernels = nullptr;
   const double* inverseMass = nullptr;  // as from inChunks()
   const double* evenInverse = nullptr;  // as from evenInverseMass(); null: inverseMass alone
-  const double* freeMask = nullptr;     // nodes x 3
+  const double* freeMask = nullptr;     // nodes x 3; not looked at without `acceleration`
   const int* lineOfNode = nullptr;      // into the force lines
   const unsigned char* slave = nullptr;
   double* force = nullptr;         // triples of lines, cleared when read
@@ -72,7 +72,8 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
 AlignedVector inChunks(const SweptBlock& block, const double* lines);
 
 // Per node: inverse mass times station mass where that is one number at all stations and no outer force may act (no
-// line), else 0. `inverseLines` in lines of `stride`.
+// line), else 0. `inverseLines` in lines of `stride`. Masses that change during the run must be those of nodes with
+// lines.
 std::vector<double> evenInverseMass(const SweptBlock& block, const double* inverseLines, const int* lineOfNode);
 
 // Copies station 0 of closed blocks to their ghost station.
