@@ -53,7 +53,7 @@ void addContact(Rows& rows) {
   rows.push_back(number(
       "contact.normal_penalty", none, 2.5, {0.1, 50}, [](Case& c) -> double& { return c.contact.normalPenalty; },
       "normal contact stiffness per area, in units of Young's modulus / element size",
-      "assumed: softer widens the patch, stiffer gives chequered pressures"));
+      "assumed: softer widens the patch, stiffer gives chequered pressures and in the end shorter steps"));
   rows.push_back(number(
       "contact.tangential_penalty", none, 1, {0.01, 10}, [](Case& c) -> double& { return c.contact.tangentialPenalty; },
       "tangential contact stiffness as a share of the normal one", "assumed"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "elasticity/SelectiveInertia.h"
+#include "model/ContactPenalty.h"
 
 namespace squat::dynamics {
 
@@ -19,6 +20,15 @@ std::size_t placeOf(const elasticity::SweptBlock& block, int node, int station) 
 }
 
 }  // namespace
+
+double stiffestPenalty(const cases::CaseDescription& d) {
+  return std::max(model::normalPenalty(d), model::tangentialPenalty(d));
+}
+
+double eigenvalueOfStiffContact(const cases::CaseDescription& d) {
+  const double density = std::min(d.rail.material.density, d.wheelset.material.density);
+  return 2 * stiffestPenalty(d) / (mostLayers * density * d.mesh.contactSize);
+}
 
 ContactInertia::ContactInertia(const model::Model& model, double penalty, double step, double beta)
     : massPerArea_(0.25 * (step * step + 2 * beta * step) * 2 * penalty) {

@@ -7,12 +7,15 @@
 //   D - (dt^2 + 2 beta dt) / 4 K_c >= 0,
 // for then x.(K + K_c) x <= 4 / (dt^2 + 2 beta dt) x.(M + D) x for every x. D is diagonal: by the bound of Gershgorin
 // for 3x3 blocks the largest penalty times the node's share in the closed area, twice because the weights of either
-// body sum to one. That is some grams in a patch, about what the layer of elements under it weighs: nothing to a
-// wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy ledger leaves its motion out
-// (millijoules at the 0.4 m/s with which material enters the patch). But tread that leaves the patch of a driven wheel
-// moves otherwise than tread that enters, which takes some newtons of force and, times the speed, 45 W: the moment
+// body sum to one. That is some grams in a patch, with the usual penalties what four layers of elements weigh: nothing
+// to a wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy ledger leaves its motion
+// out (millijoules at the 0.4 m/s with which material enters the patch). But tread that leaves the patch of a driven
+// wheel moves otherwise than tread that enters, which takes some newtons of force and, times the speed, 45 W: the
+// moment
 //   sum of r D dv_alpha/dt - a' sum of r^2 D
 // is given to the turning reference one step later (Rolling.h); the weight of D is left out.
+// Masses that come and go may be heavy only so far: where stiff penalties asked for 30 (tiny) to 150 (draft) layers of
+// elements, runs did not close their ledger or broke off. Beyond ten layers the step is shortened instead (StableStep).
 // Where short waves have more inertia, blocks with such nodes have a filter of their own, orthogonal in M + D: the
 // effective mass grows by D at least (SelectiveInertia.h).
 #pragma once
@@ -26,6 +29,14 @@
 #include "model/Model.h"
 
 namespace squat::dynamics {
+
+// The larger of the normal and the tangential penalty [Pa/m]: what the added mass is for.
+double stiffestPenalty(const cases::CaseDescription& description);
+
+// Smallest 4 / (dt^2 + 2 beta dt) [rad2/s2] with which the added mass stays below mostLayers layers of contact
+// elements: D per area = (dt^2 + 2 beta dt) / 4 * 2 k <= mostLayers * density * size.
+constexpr double mostLayers = 10;
+double eigenvalueOfStiffContact(const cases::CaseDescription& description);
 
 class ContactInertia {
  public:

@@ -54,8 +54,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
       team_(team),
       step_(step),
       beta_(beta),
-      inertia_(model, std::max(model::normalPenalty(model.description), model::tangentialPenalty(model.description)),
-               step, beta),
+      inertia_(model, stiffestPenalty(model.description), step, beta),
       wheelsetDamping_(model, step) {
   const auto& d = model.description;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/OrderedSum.h"
+#include "dynamics/ContactInertia.h"
 #include "elasticity/SelectiveInertia.h"
 #include "model/StaticOperator.h"
 
@@ -160,6 +161,10 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
     if (shorter > bound * (1 - 1e-3)) break;
     bound = shorter;
     result.place = model::placeName(model, highest.place) + ", by its dampers";
+  }
+  if (const double byContact = stepFor(eigenvalueOfStiffContact(model.description)); byContact < bound) {
+    bound = byContact;
+    result.place = "the contact, by its penalties";
   }
   result.step = safety * bound;
   return result;

@@ -1,6 +1,7 @@
 // solver/dynamics/StableStep.h - the largest stable step of the central difference, from the assembled operator:
-// solids, ties, supports, suspension, dashpots. Contact does not shorten it: see ContactInertia.h. Short waves count
-// with the inertia that the case gives them: see SelectiveInertia.h.
+// solids, ties, supports, suspension, dashpots. Contact shortens it only where penalties are so stiff that the mass
+// which answers for them would be too heavy: see ContactInertia.h. Short waves count with the inertia that the case
+// gives them: see SelectiveInertia.h.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ struct StableStep {
   double highestFrequency = 0;  // [rad/s] of the undamped model, contact open
   double beta = 0;              // [s] stiffness-proportional damping that the case asks for
   double step = 0;              // [s] with safety and damping: 0.95 (2/w) (sqrt(1 + z^2) - z), z = beta w / 2;
-                                //     shorter where dashpots of pads, ballast, ends or vehicle ask for it
+                                //     shorter where dashpots of pads, ballast, ends or vehicle ask for it, or
+                                //     penalties of the contact
   std::string place;            // block and position that set it
   int iterations = 0;
 };

@@ -152,5 +152,34 @@ TEST(ContactInertia, TheStepOfTheBareMeshBearsClosedContact) {
   EXPECT_EQ(heavy, bare);
 }
 
+// Penalties so stiff that the mass which answers for them would outweigh ten layers of elements shorten the step
+// instead. Of the penalty k an area carries (dt^2 + 2 beta dt) k / 2: the bound of the central difference for a spring
+// between two bodies of that mass each. The step stays by its safety of 5 % (its square by 10) below what ten layers
+// ask.
+TEST(ContactInertia, StiffPenaltiesShortenTheStep) {
+  const auto kernels = elasticity::kernelsFor("");
+  ThreadTeam team(1);
+  Monitor quiet;
+  const auto layersOf = [&](const char* normal, const char* tangential, std::string& place) {
+    const auto model = model::buildModel(cases::loadCase(
+        "smooth-rail", {"tiny", {{"contact.normal_penalty", normal}, {"contact.tangential_penalty", tangential}}}));
+    const auto stable = stableStep(model, kernels, team, quiet);
+    place = stable.place;
+    const auto& rail = model.description.rail.material;
+    const double size = model.description.mesh.contactSize,
+                 penalty = std::stod(normal) * std::max(1.0, std::stod(tangential)) * rail.young / size;
+    return 0.5 * penalty * (stable.step * stable.step + 2 * stable.beta * stable.step) / (rail.density * size);
+  };
+  std::string place, stiffPlace;
+  EXPECT_LT(layersOf("2.5", "1", place), 5);
+  for (const auto& [normal, tangential] : {std::pair{"50", "1"}, std::pair{"10", "10"}, std::pair{"50", "0.5"}}) {
+    const double layers = layersOf(normal, tangential, stiffPlace);
+    EXPECT_LT(layers, 10) << normal << " " << tangential;
+    EXPECT_GT(layers, 9) << normal << " " << tangential;
+    EXPECT_EQ(stiffPlace, "the contact, by its penalties");
+  }
+  EXPECT_NE(place, stiffPlace);
+}
+
 }  // namespace
 }  // namespace squat::dynamics
