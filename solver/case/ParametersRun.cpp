@@ -59,7 +59,9 @@ void addContact(Rows& rows) {
       "tangential contact stiffness as a share of the normal one", "assumed"));
   rows.push_back(number(
       "damping.fraction", none, 0.1, {0, 1}, [](Case& c) -> double& { return c.damping.fraction; },
-      "stiffness-proportional damping as a share of critical at the highest frequency of the mesh",
+      "stiffness-proportional damping as a share of critical at the highest frequency of the mesh, short waves with "
+      "their "
+      "own inertia",
       "paper, section 2: its coefficient 0.1 read as this share (0.1 s would be 314 times critical at 1 kHz)"));
   rows.push_back(number(
       "damping.beta", microsecond, 0, {0, 100}, [](Case& c) -> double& { return c.damping.beta; },

@@ -17,10 +17,13 @@ namespace {
 
 constexpr double safety = 0.95;  // Lanczos values approach from below
 
-// Accelerations of the model: inverse mass of every free unknown, zero elsewhere, and the inertia of short waves.
+// Accelerations of the model: inverse mass of every free unknown, zero elsewhere, and the inertia of short waves, or
+// without that.
+enum class ShortWaves { slowed, asTheyAre };
 class Accelerations {
  public:
-  Accelerations(const model::Model& model, model::StaticOperator& op) : model_(model), inverse_(model.stateSize, 0.0) {
+  Accelerations(const model::Model& model, model::StaticOperator& op, ShortWaves shortWaves)
+      : model_(model), shortWaves_(shortWaves), inverse_(model.stateSize, 0.0) {
     const auto& free = op.freeUnknowns();
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
       const auto& block = model.blocks[b];
@@ -33,9 +36,10 @@ class Accelerations {
     }
   }
 
-  // F M^-1 f.
+  // F M^-1 f, or M^-1 f.
   void find(const AlignedVector& force, AlignedVector& acceleration) const {
     for (std::size_t i = 0; i < inverse_.size(); ++i) acceleration[i] = force[i] * inverse_[i];
+    if (shortWaves_ == ShortWaves::asTheyAre) return;
     for (const auto& block : model_.blocks) elasticity::slowShortWaves(block, acceleration.data() + block.offset);
   }
 
@@ -53,6 +57,7 @@ class Accelerations {
 
  private:
   const model::Model& model_;
+  ShortWaves shortWaves_;
   AlignedVector inverse_;
 };
 
@@ -129,18 +134,33 @@ supports::SpringSet dashpotsAsSprings(const model::Model& model, const model::St
   return springs;
 }
 
+// Beta [s]. A share of critical counts at the highest frequency of the mesh as it is: more inertia for short waves is
+// to change nothing else, and by lowering that frequency it would raise the damping of all others.
+double dampingOf(const model::Model& model, model::StaticOperator& op, const Highest& highest, Monitor& monitor,
+                 int& iterations) {
+  const auto& damping = model.description.damping;
+  if (damping.beta > 0) return damping.beta;
+  const bool isSlowed = std::any_of(model.blocks.begin(), model.blocks.end(),
+                                    [](const auto& block) { return !block.inertia.clusters.empty(); });
+  double eigenvalue = highest.value;
+  if (isSlowed && damping.fraction > 0) {
+    const Highest bare = highestEigenvalue(op, Accelerations(model, op, ShortWaves::asTheyAre), monitor);
+    eigenvalue = bare.value, iterations += bare.iterations;
+  }
+  return 2 * damping.fraction / std::sqrt(eigenvalue);
+}
+
 }  // namespace
 
 StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                       Monitor& monitor) {
   model::StaticOperator op(model, kernels, team, 0, 0, false);
-  const Accelerations accelerations(model, op);
+  const Accelerations accelerations(model, op, ShortWaves::slowed);
   Highest highest = highestEigenvalue(op, accelerations, monitor);
   StableStep result;
   result.iterations = highest.iterations;
   result.highestFrequency = std::sqrt(highest.value);
-  const auto& damping = model.description.damping;
-  result.beta = damping.beta > 0 ? damping.beta : 2 * damping.fraction / result.highestFrequency;
+  result.beta = dampingOf(model, op, highest, monitor, result.iterations);
   // dt^2 + 2 beta dt = 4 / w^2.
   const auto stepFor = [&](double eigenvalue) {
     const double root = std::sqrt(eigenvalue), z = 0.5 * result.beta * root;

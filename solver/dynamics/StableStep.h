@@ -15,7 +15,8 @@ namespace squat::dynamics {
 
 struct StableStep {
   double highestFrequency = 0;  // [rad/s] of the undamped model, contact open
-  double beta = 0;              // [s] stiffness-proportional damping that the case asks for
+  double beta = 0;              // [s] stiffness-proportional damping that the case asks for: a share of critical counts
+                                //     at the highest frequency without more inertia for short waves
   double step = 0;              // [s] with safety and damping: 0.95 (2/w) (sqrt(1 + z^2) - z), z = beta w / 2;
                                 //     shorter where dashpots of pads, ballast, ends or vehicle ask for it, or
                                 //     penalties of the contact

@@ -3,7 +3,7 @@
 // Direct harmonic solution of the track without the wheelset (TrackSystem.h, HarmonicResponse.h), over a sleeper and at
 // midspan near the middle of the track. Force spread over 10 x 10 mm of the running surface, response the mean
 // displacement of the section: what a beam theory can be compared with. Pads, ballast and absorbing ends damp; the
-// material's own damping, 6e-5 of critical at 1 kHz by default, is left out.
+// material's own damping, some 1e-4 of critical at 1 kHz by default, is left out.
 #pragma once
 
 #include <complex>

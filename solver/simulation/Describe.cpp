@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "case/DefectSurface.h"
 #include "contact/ContactSurfaces.h"
@@ -58,6 +59,7 @@ void describeMesh(const model::Model& model, const dynamics::StableStep& stable,
       {"step", "s", "as run", step},
       {"highest_frequency", "rad/s", "of the assembled model, undamped, contact open", stable.highestFrequency},
       {"beta", "s", "stiffness-proportional damping", stable.beta},
+      {"damping_at_1_khz", "1", "of critical, by that damping", std::numbers::pi * 1000 * stable.beta},
       {"wheelset_mass", "kg", "half wheelset", model.wheelset.mass},
       {"wheelset_solid_mass", "kg", "of it meshed as solid", model.wheelset.solidMass},
       {"wheelset_inertia", "kg m2", "about the axis", model.wheelset.inertia},
