@@ -29,14 +29,25 @@ constexpr PaperLine kSquatLines[] = {{"line at 130-320 Hz", 130, 320, "130-320 H
 
 bool startsWith(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
 
-std::vector<signals::SpectralPeak> strongLines(const RunResult& result) {
-  signals::PowerSpectrum spectrum;
-  spectrum.frequency = result.frequency;
-  spectrum.density = result.psd;
-  if (spectrum.frequency.size() < 3) return {};
-  auto lines = signals::spectralPeaks(spectrum, 50, 2000, 0.05);
-  if (lines.size() > 6) lines.resize(6);
-  return lines;
+struct Lines {
+  std::vector<signals::SpectralPeak> peaks;
+  double apart = 0;  // [Hz] nearer lines are one: Hann's main lobe is two steps of 1/T wide either way
+};
+
+// From 0.1 m before the defect to `after` behind it, as far as the record goes.
+Lines strongLines(const RunResult& result, double after) {
+  signals::FeatureOptions options;
+  options.after = after;
+  try {
+    const auto spectrum = laboratory::runFeatures(result, options).spectrum;
+    Lines lines{signals::spectralPeaks(spectrum, 50, 2000, 0.05), 0};
+    if (lines.peaks.size() > 6) lines.peaks.resize(6);
+    const double step = (result.time.back() - result.time.front()) / static_cast<double>(result.time.size() - 1);
+    lines.apart = 2 / (static_cast<double>(spectrum.segmentLength) * step);
+    return lines;
+  } catch (const signals::SignalError&) {  // too short, constant
+    return {};
+  }
 }
 
 std::string listed(const std::vector<signals::SpectralPeak>& lines) {
@@ -57,11 +68,16 @@ void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* c
 }
 
 void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
-  const auto lines = strongLines(result);
-  rows.push_back({"strongest lines of the PSD", listed(lines), "", ""});
+  constexpr double figure = 0.28, lowLines = 0.58, lowest = 320;  // [m], [m], [Hz] as `squat validate` judges
+  const auto strong = strongLines(result, figure);
+  rows.push_back({"strongest lines of the PSD", listed(strong.peaks),
+                  strong.peaks.empty() ? "" : "told apart from " + number(std::round(strong.apart), "Hz on"), ""});
   const bool light = startsWith(result.stem, "light-defect");
   if (!light && !startsWith(result.stem, "class-c-squat")) return;
   for (const auto& wanted : light ? kLightLines : kSquatLines) {
+    const bool isLow = wanted.low < lowest && !result.position.empty();
+    const auto lines =
+        strongLines(result, isLow ? std::clamp(result.position.back() - 0.02, figure, lowLines) : figure).peaks;
     const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
       return line.frequency >= wanted.low && line.frequency <= wanted.high;
     });

@@ -1,13 +1,27 @@
 #include "laboratory/RunFeatures.h"
 
-#include <cmath>
+#include <optional>
 
 #include "signals/SignalError.h"
 
 namespace squat::laboratory {
 
+namespace {
+
+// [s] when the wheel centre stands over the deepest point, between the samples before and after it.
+std::optional<double> timeAtTheDefect(const results::RunResult& result) {
+  for (std::size_t i = 1; i < result.position.size(); ++i) {
+    const double before = result.position[i - 1], after = result.position[i];
+    if (before <= 0 && after > 0)
+      return result.time[i - 1] + (result.time[i] - result.time[i - 1]) * before / (before - after);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 signals::Features runFeatures(const results::RunResult& result, signals::FeatureOptions options,
-                              const std::string& channel, double reach) {
+                              const std::string& channel) {
   const auto* values = result.signal(channel);
   if (!values) throw signals::SignalError("the result has no signal '" + channel + "'");
   if (values->size() != result.time.size() || values->size() != result.position.size() || values->size() < 2)
@@ -19,13 +33,7 @@ signals::Features runFeatures(const results::RunResult& result, signals::Feature
   for (const auto& entry : result.signals)
     if (entry.name == channel) series.unit = entry.unit;
   if (result.speed > 0) options.speed = result.speed;
-  if (!options.impactTime) {
-    std::optional<std::size_t> largest;
-    for (std::size_t i = 0; i < values->size(); ++i)
-      if (std::abs(result.position[i]) <= reach && (!largest || std::abs((*values)[i]) > std::abs((*values)[*largest])))
-        largest = i;
-    if (largest) options.impactTime = series.timeAt(*largest);
-  }
+  if (!options.impactTime) options.impactTime = timeAtTheDefect(result);
   return signals::features(series, options);
 }
 

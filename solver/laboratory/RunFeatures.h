@@ -6,9 +6,10 @@
 
 namespace squat::laboratory {
 
-// Of a channel of the result, with the impact at the largest absolute value within `reach` of the defect's deepest
-// point. Throws SignalError where the result has no such channel or is too short.
+// Of a channel of the result. The impact is where the wheel centre passes the defect's deepest point, which a computed
+// run knows: its largest value may be a later swing of the ringing. In a record that ends before, the largest value.
+// Throws SignalError where the result has no such channel or is too short.
 signals::Features runFeatures(const results::RunResult& result, signals::FeatureOptions options = {},
-                              const std::string& channel = "aba_filtered", double reach = 0.15);
+                              const std::string& channel = "aba_filtered");
 
 }  // namespace squat::laboratory

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "signals/Butterworth.h"
 #include "signals/FourierTransform.h"
@@ -11,7 +12,7 @@ namespace squat::signals {
 namespace {
 
 struct Fall {
-  std::size_t length = 0;  // samples from the top to the last one at or above the level
+  std::size_t top = 0, length = 0;  // the largest value, samples from it to the last one at or above the level
   bool ended = true;
 };
 
@@ -24,9 +25,9 @@ Fall fallOf(const std::vector<double>& values, std::size_t first, std::size_t la
   for (std::size_t i = top; i <= last; ++i) {
     below = values[i] >= level * values[top] ? 0 : below + 1;
     if (below == 0) end = i;
-    if (below >= quiet) return {end - top, true};
+    if (below >= quiet) return {top, end - top, true};
   }
-  return {end - top, false};
+  return {top, end - top, false};
 }
 
 // The filter's answer to a kick in the middle of a record that is long enough for it to ring out.
@@ -39,9 +40,17 @@ std::size_t ownFall(double step, const Band& band, double level) {
   return std::max<std::size_t>(1, fallOf(values, n / 4, n - 1, level, n / 8).length);
 }
 
+// Mean of the phase's advance from sample to sample, weighed by power [Hz].
+double meanFrequency(const std::vector<std::complex<double>>& signal, std::size_t first, std::size_t last,
+                     double step) {
+  std::complex<double> advance = 0;
+  for (std::size_t i = first; i < last && i + 1 < signal.size(); ++i) advance += std::conj(signal[i]) * signal[i + 1];
+  return std::arg(advance) / (2 * std::numbers::pi * step);
+}
+
 }  // namespace
 
-std::vector<double> envelope(const TimeSeries& series) {
+std::vector<std::complex<double>> analyticSignal(const TimeSeries& series) {
   const std::size_t n = series.values.size();
   std::vector<Complex> values(fastLength(2 * n));  // zeros behind: the end does not reach round to the beginning
   std::copy(series.values.begin(), series.values.end(), values.begin());
@@ -51,8 +60,13 @@ std::vector<double> envelope(const TimeSeries& series) {
     values[k] *= (unpaired ? 1.0 : 2 * k < values.size() ? 2.0 : 0.0) / static_cast<double>(values.size());
   }
   ComplexTransform(values.size(), Direction::backward).inPlace(values.data());
-  std::vector<double> result(n);
-  for (std::size_t i = 0; i < n; ++i) result[i] = std::abs(values[i]);
+  values.resize(n);
+  return {values.begin(), values.end()};
+}
+
+std::vector<double> envelope(const TimeSeries& series) {
+  std::vector<double> result;
+  for (const auto& value : analyticSignal(series)) result.push_back(std::abs(value));
   return result;
 }
 
@@ -60,10 +74,16 @@ BandDecay bandDecay(const TimeSeries& series, double from, double to, const Band
   if (!(level > 0 && level < 1)) throw SignalError("the level of a decay must lie between 0 and 1");
   const TimeSeries part = cutOut(series, from, to);
   const auto first = static_cast<std::size_t>(std::llround((part.start - series.start) / series.step));
-  const auto values = envelope(bandPass(series, band.low, band.high));
+  const auto signal = analyticSignal(bandPass(series, band.low, band.high));
+  std::vector<double> values;
+  for (const auto& value : signal) values.push_back(std::abs(value));
   const std::size_t own = ownFall(series.step, band, level);
-  const auto fall = fallOf(values, first, first + part.values.size() - 1, level, std::max<std::size_t>(1, own / 2));
-  return {static_cast<double>(fall.length) * series.step, static_cast<double>(own) * series.step, fall.ended};
+  const std::size_t whole = signal.size() > own / 2 ? signal.size() - 1 - own / 2 : 0;
+  const std::size_t last = std::max(first, std::min(first + part.values.size() - 1, whole));
+  const auto fall = fallOf(values, first, last, level, std::max<std::size_t>(1, own / 2));
+  const std::size_t end = fall.top + fall.length, ring = std::min(fall.top + own, end);
+  return {static_cast<double>(fall.length) * series.step, static_cast<double>(own) * series.step, fall.ended,
+          meanFrequency(signal, ring < end ? ring : fall.top, std::max(end, fall.top + 1), series.step)};
 }
 
 }  // namespace squat::signals

@@ -95,6 +95,7 @@ std::optional<double> freeVibration(const RunResult& result, const Statement& st
   // Half the filter's own ringing before the impact belongs to it.
   const double ahead = 0.5 / (band.high - band.low);
   const auto decay = signals::bandDecay(series, impact - ahead, result.time.back(), band);
+  if (decay.ratio() >= statement.low && (decay.frequency < band.low || decay.frequency > band.high)) return 0;
   // A record that ends while the band still rings can show that it rings long, not that it does not.
   if (!decay.ended && decay.ratio() < statement.low) return std::nullopt;
   return decay.ratio();
@@ -154,7 +155,8 @@ std::optional<Lines> strongLines(const RunResult& result, const Statement& state
     for (const auto& peak : signals::spectralPeaks(features.spectrum, lowest, highest, share))
       lines.frequencies.push_back(peak.frequency);
     const auto rate = static_cast<double>(result.time.size() - 1) / (result.time.back() - result.time.front());
-    lines.resolution = rate / static_cast<double>(features.spectrum.segmentLength);
+    // Hann's main lobe is four steps of 1/T wide: lines nearer than half of that are one.
+    lines.resolution = 2 * rate / static_cast<double>(features.spectrum.segmentLength);
     return lines;
   } catch (const signals::SignalError&) {  // too short, constant
     return std::nullopt;

@@ -18,7 +18,8 @@ namespace squat::validation {
 //                   a line to one statement only
 //   lines_within    number of peaks (1 %) in the band         band_power      [(m/s2)2] integral over the band
 //   band_share      of the integral of the whole spectrum
-//   free_vibration  how many times longer the band rings after the impact than its filter after a kick; 1: a kick
+//   free_vibration  how many times longer the band rings after the impact than its filter after a kick; 1: a kick; 0:
+//                   what rings as long is a stronger line beside the band
 //   impact_top      [Hz] highest frequency with 5 % of the scalogram's largest power, within 10 mm of the deepest point
 //                   of the defect
 //   quiet           [m/s2] largest deviation from the mean over 0.2 m before the defect (-0.24 to -0.04 m)
