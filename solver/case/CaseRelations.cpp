@@ -55,6 +55,32 @@ void add(std::vector<Finding>& findings, const Case& description, Severity sever
 
 }  // namespace
 
+// The solid half of a wheelset: volume [m3] and the integral of the squared radius over it [m5], times density its
+// inertia about the axis.
+struct WheelsetSolid {
+  double volume = 0, squaredRadii = 0;
+};
+WheelsetSolid wheelsetSolid(const Wheelset& w) {
+  WheelsetSolid solid;
+  const auto addRing = [&](double outer, double inner, double length) {
+    const double squares = outer * outer + inner * inner, area = pi * (outer * outer - inner * inner);
+    solid.volume += area * length, solid.squaredRadii += 0.5 * squares * area * length;
+  };
+  addRing(w.radius, w.rimInnerRadius, w.rimWidth);
+  addRing(w.hubRadius, w.boreRadius, w.hubWidth);
+  addRing(w.axleRadius, w.boreRadius, w.trackCentre - 0.5 * w.hubWidth);
+  addRing(w.shoulderRadius, w.boreRadius, w.shoulderEnd - 0.5 * w.hubWidth);
+  addRing(w.journalRadius, w.boreRadius, w.journalEnd - w.shoulderEnd);
+  // Thickness of the web linear in the radius: its mean, by Pappus taken at the middle of the annulus plus the taper's
+  // share. Its squared radius is that of an even web: a taper shifts it by little.
+  const double atHub = w.webHubThickness > 0 ? w.webHubThickness : w.webThickness;
+  const double middle = 0.5 * (w.rimInnerRadius + w.hubRadius), depth = w.rimInnerRadius - w.hubRadius;
+  const double web = 2 * pi * depth * (middle * 0.5 * (w.webThickness + atHub) + depth * (w.webThickness - atHub) / 12);
+  solid.volume += web;
+  solid.squaredRadii += 0.5 * (w.rimInnerRadius * w.rimInnerRadius + w.hubRadius * w.hubRadius) * web;
+  return solid;
+}
+
 void checkMaterials(const Case& c, std::vector<Finding>& findings) {
   const bool below = c.rail.tangentModulus < c.rail.material.young;
   if (!below)
@@ -122,19 +148,7 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
             " mm",
         "The bearing reaches from " + rounded(inner * 1e3) + " to " + rounded(outer * 1e3) +
             " mm; move it, shorten it or lengthen the journal");
-  const auto ring = [](double outerRadius, double innerRadius, double length) {
-    return pi * (outerRadius * outerRadius - innerRadius * innerRadius) * length;
-  };
-  // Thickness linear in the radius: its mean, by Pappus taken at the middle of the annulus plus the taper's share.
-  const double middle = 0.5 * (w.rimInnerRadius + w.hubRadius), depth = w.rimInnerRadius - w.hubRadius;
-  const double web =
-      2 * pi * depth * (middle * 0.5 * (w.webThickness + hubThickness) + depth * (w.webThickness - hubThickness) / 12);
-  const double volume = ring(w.radius, w.rimInnerRadius, w.rimWidth) + web +
-                        ring(w.hubRadius, w.boreRadius, w.hubWidth) +
-                        ring(w.axleRadius, w.boreRadius, w.trackCentre - 0.5 * w.hubWidth) +
-                        ring(w.shoulderRadius, w.boreRadius, w.shoulderEnd - 0.5 * w.hubWidth) +
-                        ring(w.journalRadius, w.boreRadius, w.journalEnd - w.shoulderEnd);
-  const double least = volume * w.material.density + w.axleBoxMass;
+  const double least = wheelsetSolid(w).volume * w.material.density + w.axleBoxMass;
   if (w.totalMass < least)
     add(findings, c, Severity::problem,
         {"wheelset.total_mass", "wheelset.axle_box_mass", "wheelset.density", "wheelset.radius"},
@@ -336,9 +350,14 @@ void checkTraction(const Case& c, std::vector<Finding>& findings) {
           "The torque spins the wheel: it exceeds what friction can carry");
     return;
   }
-  // Part of the torque spins up the wheelset itself: F = T/R / (1 + I/(m R^2)). I of rim and web as a disc.
-  const double mass = c.wheelset.totalMass + c.suspension.sprungMass, radius = c.wheelset.radius;
-  const double inertia = 0.06 * c.wheelset.totalMass;  // [kg m2]: 55 for the heavy passenger wheelset of 950 kg
+  // Part of the torque spins up the wheelset itself: F = T/R / (1 + I/(m R^2)). I of the solid parts, and of discs and
+  // box at the radii of axle and journal.
+  const auto& w = c.wheelset;
+  const double mass = w.totalMass + c.suspension.sprungMass, radius = w.radius;
+  const auto solid = wheelsetSolid(w);
+  const double discs = std::max(0.0, w.totalMass - w.axleBoxMass - w.material.density * solid.volume);
+  const double inertia = w.material.density * solid.squaredRadii + discs * w.axleRadius * w.axleRadius +
+                         w.axleBoxMass * w.journalRadius * w.journalRadius;  // [kg m2]
   const double force = std::abs(c.motion.torque) / radius / (1 + inertia / (mass * radius * radius));
   const double share = load > 0 ? force / load : 0;
   if (share > 0.95 * limit)

@@ -48,8 +48,8 @@ TEST(BandDecay, aVibrationRingsLonger) {
   }
 }
 
-// A strong line beside the band passes its flanks and rings on when the band itself is quiet: its frequency tells. 784 Hz
-// pass this filter with 3 % of their amplitude (order 4 forward and back: 1 / (1 + 1.54^8)).
+// A strong line beside the band passes its flanks and rings on when the band itself is quiet: its frequency tells. 784
+// Hz pass this filter with 3 % of their amplitude (order 4 forward and back: 1 / (1 + 1.54^8)).
 TEST(BandDecay, whatRingsHasAFrequency) {
   EXPECT_NEAR(bandDecay(tone(0.02), 0.045, 0.19, band).frequency, 1000, 1);
   const auto beside = sampled(5000, rate, [&](double t) {

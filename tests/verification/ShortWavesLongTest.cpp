@@ -1,6 +1,6 @@
 // More inertia for short waves (elasticity/SelectiveInertia.h) is felt by no axle box: the same run with all waves as
-// they are, at every sample of a passage of 13 ms, long enough for a shift of frequency or a change of damping to add up.
-// Half a percent is asked of all that makes runs faster; 0.33 % is seen, on the mesh with the longest blocks.
+// they are, at every sample of a passage of 13 ms, long enough for a shift of frequency or a change of damping to add
+// up. Half a percent is asked of all that makes runs faster; 0.33 % is seen, on the mesh with the longest blocks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
