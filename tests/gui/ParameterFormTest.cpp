@@ -3,6 +3,7 @@
 
 #include <QLineEdit>
 #include <QTest>
+#include <QToolButton>
 
 #include "case/ParameterTable.h"
 #include "studio/CaseDocument.h"
@@ -61,6 +62,45 @@ TEST_F(Form, aWrongValueIsFlaggedWhileTypingAndBlocksTheRun) {
   QTest::keyClick(line("pad.stiffness"), Qt::Key_Return);
   EXPECT_TRUE(form_.blockers().isEmpty());
   EXPECT_DOUBLE_EQ(document_.description().pad.stiffness, 800e6);
+}
+
+// The user means to mend the text, not to lose it because something else was edited meanwhile.
+TEST_F(Form, aRefusedTextStaysUntilItsOwnValueChanges) {
+  const auto refuse = [this] {
+    type("motion.speed", "35,5");
+    QTest::keyClick(line("motion.speed"), Qt::Key_Return);
+  };
+  refuse();
+  type("contact.friction", "0.4");
+  QTest::keyClick(line("contact.friction"), Qt::Key_Return);
+  EXPECT_DOUBLE_EQ(document_.description().contact.friction, 0.4);
+  EXPECT_EQ(line("motion.speed")->text(), "35,5");
+  EXPECT_FALSE(form_.row("motion.speed")->reason().isEmpty());
+  EXPECT_EQ(form_.blockers().size(), 1);
+  document_.undoStack().undo();  // of the friction
+  EXPECT_EQ(line("motion.speed")->text(), "35,5");
+  document_.setParameter("motion.speed", "32");
+  EXPECT_EQ(line("motion.speed")->text(), "32");
+  EXPECT_TRUE(form_.blockers().isEmpty()) << form_.blockers().join("; ").toStdString();
+  refuse();
+  document_.undoStack().undo();  // back to 30
+  EXPECT_EQ(line("motion.speed")->text(), "30");
+  refuse();
+  document_.startNew();  // has the same speed
+  EXPECT_EQ(line("motion.speed")->text(), "30");
+  EXPECT_TRUE(form_.refusals().isEmpty());
+}
+
+// Also where the value has never left its default.
+TEST_F(Form, aRefusedTextCanBeReset) {
+  type("motion.speed", "400");
+  QTest::keyClick(line("motion.speed"), Qt::Key_Return);
+  auto* reset = form_.row("motion.speed")->findChild<QToolButton*>();
+  ASSERT_TRUE(reset && reset->isVisible());
+  QTest::mouseClick(reset, Qt::LeftButton);
+  EXPECT_EQ(line("motion.speed")->text(), "30");
+  EXPECT_TRUE(form_.blockers().isEmpty());
+  EXPECT_FALSE(reset->isVisible());
 }
 
 TEST_F(Form, relationsAreFlaggedAtTheirKey) {

@@ -65,6 +65,7 @@ void CaseDocument::startFrom(const cases::CaseDescription& description, const QS
   undo_.clear();
   become(std::make_shared<const cases::CaseDescription>(description));
   if (modified) undo_.resetClean();
+  Q_EMIT replaced();
   Q_EMIT titleChanged();
 }
 

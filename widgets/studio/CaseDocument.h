@@ -46,6 +46,7 @@ class CaseDocument : public QObject {
 
  Q_SIGNALS:
   void changed();       // the description
+  void replaced();      // by that of another case: what belonged to the one before goes
   void titleChanged();  // name, path or whether it is modified
 
  private:

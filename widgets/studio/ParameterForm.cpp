@@ -10,6 +10,13 @@
 #include "studio/ParameterRow.h"
 
 namespace squat::studio {
+namespace {
+
+QString sentence(const ParameterRow& row) {
+  return QStringLiteral("%1: %2").arg(QString::fromStdString(row.parameter().key), row.reason());
+}
+
+}  // namespace
 
 ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
   search_ = new QLineEdit(this);
@@ -38,6 +45,9 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   connect(search_, &QLineEdit::textChanged, this, &ParameterForm::filter);
   connect(changedOnly_, &QCheckBox::toggled, this, &ParameterForm::filter);
   connect(&document_, &CaseDocument::changed, this, &ParameterForm::update);
+  connect(&document_, &CaseDocument::replaced, this, [this] {
+    for (ParameterRow* each : rows_) each->dropRefused();
+  });
   update();
 }
 
@@ -123,8 +133,14 @@ void ParameterForm::filter() {
 QStringList ParameterForm::blockers() const {
   QStringList reasons = unplaced_;
   for (const ParameterRow* each : rows_)
-    if (!each->reason().isEmpty())
-      reasons << QStringLiteral("%1: %2").arg(QString::fromStdString(each->parameter().key), each->reason());
+    if (!each->reason().isEmpty()) reasons << sentence(*each);
+  return reasons;
+}
+
+QStringList ParameterForm::refusals() const {
+  QStringList reasons;
+  for (const ParameterRow* each : rows_)
+    if (each->isRefused()) reasons << sentence(*each);
   return reasons;
 }
 

@@ -20,6 +20,8 @@ class ParameterForm : public QWidget {
 
   // One sentence for each reason why the case cannot be run; empty: it can.
   QStringList blockers() const;
+  // Those of them that are texts which the case has not taken: what is seen is not what would be saved.
+  QStringList refusals() const;
   ParameterRow* row(const std::string& key) const;
   const std::vector<ParameterRow*>& rows() const { return rows_; }
 

@@ -54,7 +54,10 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   name_->setMinimumWidth(wide ? 40 : 120);
   name_->setWordWrap(!wide);  // long names take a second line, not the room of the whole form
   setToolTip(toolTipText());
-  connect(reset_, &QToolButton::clicked, this, [this] { document_.resetParameter(parameter_.key); });
+  connect(reset_, &QToolButton::clicked, this, [this] {
+    dropRefused();
+    document_.resetParameter(parameter_.key);
+  });
   showValue();
 }
 
@@ -86,9 +89,13 @@ void ParameterRow::makeEditor() {
   editor_->setMinimumWidth(choice_ ? 116 : 90);
 }
 
+// A text that the user still has to mend is not taken away by a change of something else.
 void ParameterRow::showValue() {
   const std::string text = cases::valueText(document_.description(), parameter_);
-  if (line_) {
+  const bool dropsRefused = isRefused() && text != value_;
+  value_ = text;
+  if (dropsRefused) wrongText_.clear();
+  if (line_ && !isRefused()) {
     QString shown = QString::fromStdString(text);
     if (parameter_.kind == cases::Kind::points) {
       const auto* points = std::get_if<4>(&parameter_.access);
@@ -110,11 +117,15 @@ void ParameterRow::showValue() {
   QFont font = name_->font();
   font.setBold(changed_);
   name_->setFont(font);
-  reset_->setVisible(changed_ && !cases::isList(parameter_));
-  const bool wasWrong = !wrongText_.isEmpty();
-  wrongText_.clear();
   showReason();
-  if (wasWrong) Q_EMIT reasonChanged();
+  if (dropsRefused) Q_EMIT reasonChanged();
+}
+
+void ParameterRow::dropRefused() {
+  if (!isRefused()) return;
+  wrongText_.clear();
+  showValue();
+  Q_EMIT reasonChanged();
 }
 
 void ParameterRow::showRelation(const QString& reason) {
@@ -137,11 +148,13 @@ void ParameterRow::commit(const QString& text) {
     Q_EMIT reasonChanged();
     return;
   }
+  dropRefused();
   showValue();
 }
 
 void ParameterRow::showReason() {
   const QString text = reason();
+  reset_->setVisible((changed_ || isRefused()) && !cases::isList(parameter_));
   why_->setText(text);
   why_->setVisible(!text.isEmpty());
   why_->setStyleSheet(QStringLiteral("color: %1; font-size: small;").arg(wrongColour));

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QToolButton>
 #include <QWidget>
+#include <string>
 
 #include "case/ParameterTable.h"
 
@@ -21,11 +22,13 @@ class ParameterRow : public QWidget {
 
   const cases::Parameter& parameter() const { return parameter_; }
   QString label() const;
-  bool isChanged() const { return changed_; }  // differs from the default
+  bool isChanged() const { return changed_; }               // differs from the default
+  bool isRefused() const { return !wrongText_.isEmpty(); }  // what stands in the editor is not what the case holds
+  void dropRefused();
   // What stands in the editor and cannot be taken, else what validation says of the value; empty: nothing.
   QString reason() const { return wrongText_.isEmpty() ? relation_ : wrongText_; }
 
-  void showValue();                             // from the document; drops a wrong text
+  void showValue();                             // from the document; a refused text stays while the value does
   void showRelation(const QString& reason);     // from validation
   bool matches(const QString& searched) const;  // key, label or documentation
   QWidget* editor() const { return editor_; }
@@ -50,6 +53,7 @@ class ParameterRow : public QWidget {
   QLabel* why_;
   QToolButton* reset_;
   QString wrongText_, relation_;
+  std::string value_;  // of the document, as last seen
   bool changed_ = false;
 };
 
