@@ -175,6 +175,46 @@ TEST(MainWindow, aValueThatIsStillBeingTypedCounts) {
   EXPECT_EQ(window.document().description().motion.speed, 41);
 }
 
+// What is seen cannot be saved: then nothing is, and the user is told. On leaving it counts as a change.
+TEST(MainWindow, aRefusedTextIsNotSavedAsTheValueBefore) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("mine.toml");
+  int questions = 0;
+  Answer answer = Answer::cancel;
+  StudioServices services = tests::services();
+  services.asker = [&](QWidget*, const QString&, const QString&) {
+    ++questions;
+    return answer;
+  };
+  MainWindow window(services);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  ASSERT_TRUE(window.saveCaseTo(path));
+  ASSERT_FALSE(window.isWindowModified());
+  QFile file(path);
+  ASSERT_TRUE(file.remove());
+  auto* line = window.form()->findChild<QLineEdit*>("motion.speed");
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, "400");
+  EXPECT_FALSE(window.saveCase());
+  EXPECT_FALSE(file.exists());
+  EXPECT_TRUE(window.messages()->text().contains("not saved")) << window.messages()->text().toStdString();
+  EXPECT_TRUE(window.isWindowModified());
+  EXPECT_EQ(line->text(), "400");
+  EXPECT_FALSE(window.close());
+  window.findChild<QAction*>("new")->trigger();
+  EXPECT_EQ(questions, 2);
+  EXPECT_EQ(line->text(), "400");
+  answer = Answer::save;
+  EXPECT_FALSE(window.close());  // it cannot be saved
+  answer = Answer::discard;
+  window.findChild<QAction*>("new")->trigger();
+  EXPECT_EQ(line->text(), "30");
+  EXPECT_FALSE(window.isWindowModified());
+  EXPECT_TRUE(window.saveCaseTo(path));
+}
+
 // The resumed run takes the place of its earlier part, and rows move, while the question about another stands.
 TEST(MainWindow, theRunThatWasAskedAboutIsRemoved) {
   StudioServices services = tests::services();

@@ -124,7 +124,10 @@ void MainWindow::makeDocks() {
 
 void MainWindow::connectParts() {
   connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::showTitle);
-  connect(form_, &ParameterForm::blockersChanged, this, [this] { run_->setBlockers(form_->blockers()); });
+  connect(form_, &ParameterForm::blockersChanged, this, [this] {
+    run_->setBlockers(form_->blockers());
+    showTitle();
+  });
   run_->setBlockers(form_->blockers());
   connect(run_, &RunPanel::runWished, this, &MainWindow::startRun);
   connect(run_, &RunPanel::goOnWished, this, &MainWindow::goOnWithRun);
@@ -147,7 +150,7 @@ void MainWindow::connectParts() {
 
 void MainWindow::showTitle() {
   setWindowTitle(tr("%1[*] - Squat Studio").arg(document_.name()));
-  setWindowModified(document_.isModified());
+  setWindowModified(hasUnsavedChanges());
   setWindowFilePath(document_.path());
 }
 

@@ -91,7 +91,9 @@ class MainWindow : public QMainWindow {
   void fillRecentMenu();
   void showTitle();
   void takeWhatIsTyped();
-  bool mayLeaveCase();  // saves, or the user lets the changes go
+  bool hasUnsavedChanges() const;  // of the case, also those that the form could not take
+  bool isTaken();                  // all that is typed; else says what is not, and that nothing is saved
+  bool mayLeaveCase();             // saves, or the user lets the changes go
   bool mayLeaveResults(const std::vector<ResultPointer>& results);
   bool mayLeaveAllResults();
   void removeRun(int row);

@@ -9,6 +9,7 @@
 #include "studio/MeasuredDialog.h"
 #include "studio/MeasuredRun.h"
 #include "studio/MessageBar.h"
+#include "studio/ParameterForm.h"
 #include "studio/PlaceToSave.h"
 #include "studio/ProfileEditor.h"
 #include "studio/ProfilePlot.h"
@@ -62,7 +63,7 @@ bool MainWindow::openResult(const QString& path) {
     if (result->stem.empty()) result->stem = label.toStdString();
     addRecentFile(path);
     store_.add({result, label, QFileInfo(path).absoluteFilePath(), false, false});
-    if (result->caseToml.empty() || document_.isModified()) return true;
+    if (result->caseToml.empty() || hasUnsavedChanges()) return true;
     // The case that made the result, to be looked at and changed.
     document_.startFrom(cases::parseCaseOfResult(result->caseToml, path.toStdString()), QString(), label, false);
     profile_->plot()->fit();
@@ -118,7 +119,18 @@ void MainWindow::askHowToRead(const QString& path) {
   dialog->open();
 }
 
+bool MainWindow::hasUnsavedChanges() const { return document_.isModified() || !form_->refusals().isEmpty(); }
+
+// The case would be saved with the value before, which is not the one on the screen.
+bool MainWindow::isTaken() {
+  const QStringList refused = form_->refusals();
+  if (refused.isEmpty()) return true;
+  messages_->warn(tr("The case is not saved: mend what is marked in the form first."), refused.join('\n'));
+  return false;
+}
+
 bool MainWindow::saveCaseTo(const QString& path) {
+  if (!isTaken()) return false;
   try {
     document_.save(path);
   } catch (const CaseError& error) {
@@ -139,6 +151,7 @@ bool MainWindow::saveCase() {
 
 bool MainWindow::saveCaseAs() {
   takeWhatIsTyped();
+  if (!isTaken()) return false;
   const QString path = placeToSave(this, tr("Save the case"), document_.name() + ".toml", tr("Cases (*.toml)"));
   return !path.isEmpty() && saveCaseTo(path);
 }
@@ -172,7 +185,7 @@ bool MainWindow::saveResultTo(int row, const QString& path) {
 
 bool MainWindow::mayLeaveCase() {
   takeWhatIsTyped();
-  if (!document_.isModified()) return true;
+  if (!hasUnsavedChanges()) return true;
   switch (services_.asker(this, tr("“%1” has unsaved changes.").arg(document_.name()), tr("Discard"))) {
     case Answer::save:
       return saveCase();
