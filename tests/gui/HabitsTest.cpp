@@ -4,12 +4,16 @@
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
@@ -20,6 +24,9 @@
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "render/SyntheticResult.h"
+#include "studio/ParameterForm.h"
+#include "studio/ProfileEditor.h"
+#include "studio/SignalsPanel.h"
 
 namespace squat::studio {
 namespace {
@@ -114,6 +121,86 @@ TEST(Habits, tabWalksThroughTheForm) {
         at = i;
       }
   EXPECT_GE(at, 3u);
+}
+
+// Who scrolls means to scroll; what has the focus may be turned.
+TEST(Habits, theWheelScrollsAndChangesNothing) {
+  MainWindow window(tests::services());
+  ASSERT_TRUE(window.openCase("light-defect"));
+  window.store().add(madeUp("run"));
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  QApplication::setActiveWindow(&window);
+  window.findChild<QLineEdit*>("parameterSearch")->setFocus();
+  const auto before = window.document().description();
+  const auto settings = window.signalsPanel()->settings();
+  int turned = 0;
+  for (QWidget* panel : {static_cast<QWidget*>(window.form()), static_cast<QWidget*>(window.profile()),
+                         static_cast<QWidget*>(window.signalsPanel())})
+    for (auto* widget : panel->findChildren<QWidget*>())
+      if (widget->inherits("QComboBox") || widget->inherits("QAbstractSpinBox") || widget->inherits("QSlider")) {
+        tests::turnWheel(*widget);
+        ++turned;
+      }
+  EXPECT_GT(turned, 20);
+  EXPECT_TRUE(sameCase(window.document().description(), before));
+  EXPECT_EQ(window.signalsPanel()->settings().cutoff, settings.cutoff);
+  EXPECT_EQ(window.signalsPanel()->settings().segment, settings.segment);
+  EXPECT_EQ(window.signalsPanel()->settings().window, settings.window);
+  const auto* scroll = window.form()->findChild<QScrollArea*>();
+  EXPECT_GT(scroll->verticalScrollBar()->value(), 0);
+  auto* lateral = window.form()->findChild<QComboBox*>("defect.lateral");
+  ASSERT_TRUE(lateral);
+  lateral->setFocus();
+  lateral->setCurrentIndex(0);
+  tests::turnWheel(*lateral);
+  EXPECT_EQ(lateral->currentIndex(), 1);
+}
+
+// A field that has nothing typed in it has nothing to undo: the keys are those of the case.
+TEST(Habits, undoInAFieldUndoesTheCase) {
+  MainWindow window(tests::services());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  const auto speed = [&] { return window.document().description().motion.speed; };
+  auto* line = window.form()->findChild<QLineEdit*>("motion.speed");
+  const auto typeSpeed = [&](const QString& text) {
+    line->setFocus();
+    line->selectAll();
+    tests::type(window, text);
+  };
+  typeSpeed("40");
+  tests::press(window, Qt::Key_Return);
+  ASSERT_EQ(speed(), 40);
+  ASSERT_TRUE(line->hasFocus());
+  tests::press(window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(speed(), 30);
+  EXPECT_EQ(line->text(), "30");
+  tests::press(window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(speed(), 40);
+  EXPECT_EQ(line->text(), "40");
+  typeSpeed("55");
+  tests::press(window, Qt::Key_Z, Qt::ControlModifier);  // of the typing
+  EXPECT_EQ(speed(), 40);
+  EXPECT_NE(line->text(), "55");
+}
+
+TEST(Habits, undoInASpinBoxUndoesTheCase) {
+  MainWindow window(tests::services());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  const auto length = [&] { return window.document().description().defect.length; };
+  const double before = length();
+  auto* number = window.profile()->findChild<QDoubleSpinBox*>("number defect.length");
+  ASSERT_TRUE(number && number->isVisible());
+  number->setFocus();
+  number->selectAll();
+  tests::type(window, "33");
+  tests::press(window, Qt::Key_Return);
+  ASSERT_DOUBLE_EQ(length(), 0.033);
+  tests::press(window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_DOUBLE_EQ(length(), before);
+  EXPECT_DOUBLE_EQ(number->value(), 1e3 * before);
 }
 
 TEST(Habits, aDroppedCaseIsOpened) {

@@ -1,5 +1,6 @@
 #include "gui/Hands.h"
 
+#include <QtTest/qtestspontaneevent.h>
 #include <QAbstractButton>
 #include <QApplication>
 #include <QFileDialog>
@@ -10,6 +11,7 @@
 #include <QMessageBox>
 #include <QTest>
 #include <QTimer>
+#include <QWheelEvent>
 #include <QWindow>
 #include <stdexcept>
 
@@ -64,6 +66,15 @@ void drag(QWidget& target, const QPoint& from, const QPoint& to) {
   QTest::mousePress(window.windowHandle(), Qt::LeftButton, {}, place(0));
   for (const double share : {0.25, 0.5, 0.75, 1.0}) QTest::mouseMove(window.windowHandle(), place(share));
   QTest::mouseRelease(window.windowHandle(), Qt::LeftButton, {}, place(1));
+}
+
+// Only what comes from the window system goes on to parents.
+void turnWheel(QWidget& target) {
+  const QPointF centre = QRectF(target.rect()).center();
+  QWheelEvent turn(centre, target.mapToGlobal(centre), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                   false);
+  QSpontaneKeyEvent::setSpontaneous(&turn);
+  qApp->notify(&target, &turn);
 }
 
 void clickMenu(QWidget& window, const QStringList& titles) {

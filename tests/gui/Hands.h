@@ -19,6 +19,10 @@ void type(QWidget& window, const QString& text);  // ASCII
 void click(QWidget& target);
 void drag(QWidget& target, const QPoint& from, const QPoint& to);  // places in the target
 
+// One notch towards the user over the target, which may be out of sight. What it does not take goes to what it stands
+// in.
+void turnWheel(QWidget& target);
+
 // Opens the menus one after the other with the mouse and clicks the last entry. Titles without "&".
 void clickMenu(QWidget& window, const QStringList& titles);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "studio/CaseDocument.h"
+#include "studio/EditorHabits.h"
 #include "studio/ParameterRow.h"
 
 namespace squat::studio {
@@ -36,6 +37,8 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   auto* inside = new QWidget(scroll);
   makeGroups(inside);
   scroll->setWidget(inside);
+  letWheelPass(*inside);
+  leaveUndoToWindow(*inside);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addLayout(top);

@@ -11,6 +11,7 @@
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "studio/CaseDocument.h"
+#include "studio/EditorHabits.h"
 #include "studio/ProfileModel.h"
 
 namespace squat::studio {
@@ -72,6 +73,8 @@ ShapeControls::ShapeControls(CaseDocument& document, QWidget* parent) : QWidget(
   addMeasure("defect.wave_count", 0, 6);
   addMeasure("defect.height_scale", 0, 3);
   addMeasure("defect.half_width", 4, 36);
+  letWheelPass(*this);
+  leaveUndoToWindow(*this);
   connect(&document_, &CaseDocument::changed, this, &ShapeControls::update);
   update();
 }

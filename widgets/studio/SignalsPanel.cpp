@@ -19,6 +19,7 @@
 #include "case/CaseFile.h"
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
+#include "studio/EditorHabits.h"
 #include "studio/FigureView.h"
 #include "studio/FlowLayout.h"
 #include "studio/SignalFigures.h"
@@ -66,6 +67,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     const QString from = name;
     connect(view, &FigureView::rangeChanged, this, [this, from](const QCPRange& range) { link(from, range); });
   }
+  letWheelPass(*this);
   connect(tabs_, &QTabWidget::currentChanged, this,
           [this] { rebuild(tabTitles().value(tabs_->currentIndex()).first); });
   connect(&store_, &RunStore::currentChanged, this, [this] {
