@@ -160,7 +160,7 @@ TEST_F(WorkingDay, fromOpeningToReopening) {
   }
   {
     FileDialogTyping typing(folder_.filePath("day.h5"));
-    press(window_, Qt::Key_E, Qt::ControlModifier);
+    press(window_, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_TRUE(typing.done());
   }
   {

@@ -60,7 +60,7 @@ void MainWindow::makeFileMenu() {
   menu->addSeparator();
   add(menu, tr("&Save case"), QKeySequence::Save, "save", this, [this] { saveCase(); });
   add(menu, tr("Save case &as…"), QKeySequence("Ctrl+Shift+S"), "saveAs", this, [this] { saveCaseAs(); });
-  QAction* saving = add(menu, tr("Save r&esult…"), QKeySequence("Ctrl+E"), "saveResult", this,
+  QAction* saving = add(menu, tr("Save r&esult…"), QKeySequence("Ctrl+Shift+R"), "saveResult", this,
                         [this] { saveResult(store_.currentResult()); });
   QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
     const QString path = QFileDialog::getOpenFileName(this, tr("Overlay a measured signal"), QString(),
