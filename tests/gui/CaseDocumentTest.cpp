@@ -122,6 +122,18 @@ TEST(CaseDocument, aPresetBringsItsSizes) {
   EXPECT_EQ(document.description().mesh.contactSize, before);
 }
 
+TEST(CaseDocument, aPresetLeavesWhatTheUserHasSet) {
+  CaseDocument document;
+  const double runUp = document.description().motion.runUp;
+  document.setParameter("motion.beyond", "0.6");
+  document.setParameter("mesh.preset", "tiny");
+  EXPECT_DOUBLE_EQ(document.description().motion.beyond, 0.6);
+  EXPECT_LT(document.description().motion.runUp, runUp);  // was that of the preset and is again
+  document.resetParameter("mesh.preset");
+  EXPECT_DOUBLE_EQ(document.description().motion.beyond, 0.6);
+  EXPECT_DOUBLE_EQ(document.description().motion.runUp, runUp);
+}
+
 TEST(CaseDocument, savedAndOpenedIsEqual) {
   const QTemporaryDir folder;
   CaseDocument document;

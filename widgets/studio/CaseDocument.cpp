@@ -38,6 +38,18 @@ std::optional<CaseProblem> readProfile(cases::CaseDescription& description, cons
   }
 }
 
+// What differs from the preset before was set by the user and stays, as where the command line chooses another preset.
+void takePreset(cases::CaseDescription& after, const cases::CaseDescription& before) {
+  cases::CaseDescription preset = before;
+  cases::applyPreset(preset, static_cast<cases::MeshPreset>(before.mesh.preset));
+  cases::applyPreset(after, static_cast<cases::MeshPreset>(after.mesh.preset));
+  for (const auto& row : cases::presetTable()) {
+    const cases::Parameter& parameter = *cases::findParameter(row.key);
+    const std::string own = cases::valueText(before, parameter);
+    if (own != cases::valueText(preset, parameter)) cases::trySetValue(after, parameter, own);
+  }
+}
+
 }  // namespace
 
 CaseDocument::CaseDocument(QObject* parent) : QObject(parent), undo_(this) {
@@ -87,7 +99,7 @@ std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, co
     if (auto problem = readProfile(after, QFileInfo(path_).dir().filePath(QString::fromStdString(text))))
       return problem;
   }
-  if (key == "mesh.preset") cases::applyPreset(after, static_cast<cases::MeshPreset>(after.mesh.preset));
+  if (key == "mesh.preset") takePreset(after, description());
   edit(tr("Change %1").arg(QString::fromStdString(key)), after);
   return std::nullopt;
 }
@@ -97,7 +109,7 @@ void CaseDocument::resetParameter(const std::string& key) {
   if (!parameter) return;
   cases::CaseDescription after = description();
   cases::setToDefault(after, *parameter);
-  if (key == "mesh.preset") cases::applyPreset(after, static_cast<cases::MeshPreset>(after.mesh.preset));
+  if (key == "mesh.preset") takePreset(after, description());
   edit(tr("Reset %1").arg(QString::fromStdString(key)), after);
 }
 

@@ -36,7 +36,7 @@ class CaseDocument : public QObject {
   void save(const QString& path);
 
   // Text in the unit of the case file. A wrong text changes nothing and comes back as the problem. A new mesh preset
-  // brings its sizes with it.
+  // brings its sizes with it, except those that the user has set otherwise than the one before.
   std::optional<CaseProblem> setParameter(const std::string& key, const std::string& text);
   void resetParameter(const std::string& key);
 
