@@ -300,6 +300,28 @@ TEST(RunStore, removingKeepsACurrentRun) {
   EXPECT_FALSE(store.currentResult());
 }
 
+// A measured signal is laid over a run; it is never the run that is shown, saved and compared with.
+TEST(RunStore, aMeasuredSignalIsNeverTheCurrentRun) {
+  RunStore store;
+  store.add({synthetic(), "measured first", {}, true, true});
+  EXPECT_EQ(store.current(), -1);
+  store.remove(0);
+  store.add({synthetic(), "one", {}, false, false});
+  for (const char* label : {"measured", "measured too"}) store.add({synthetic(), label, {}, true, true});
+  store.add({synthetic(), "two", {}, false, false});
+  store.setCurrent(0);
+  store.remove(0);
+  ASSERT_GE(store.current(), 0);
+  EXPECT_EQ(store.at(store.current()).label, "two");
+  store.remove(store.current());
+  EXPECT_EQ(store.current(), -1);
+  EXPECT_EQ(store.rowCount(), 2);
+  store.add({synthetic(), "three", {}, false, false});
+  store.add({synthetic(), "four", {}, false, false});
+  store.remove(3);
+  EXPECT_EQ(store.at(store.current()).label, "three");  // the one before, where none comes after
+}
+
 // By the mouse, as a user does: the box overlays, the name makes the run the current one.
 TEST(RunsPanel, tickingARunDoesNotMakeItTheCurrentOne) {
   RunStore store;

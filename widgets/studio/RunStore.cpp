@@ -50,7 +50,7 @@ int RunStore::add(StoredRun run) {
   beginInsertRows({}, row, row);
   runs_.push_back(std::move(run));
   endInsertRows();
-  if (measured && current_ >= 0)
+  if (measured)
     Q_EMIT overlaysChanged();
   else
     setCurrent(row);
@@ -62,8 +62,20 @@ void RunStore::remove(int row) {
   beginRemoveRows({}, row, row);
   runs_.erase(runs_.begin() + row);
   endRemoveRows();
-  if (current_ > row || current_ == rowCount()) --current_;
+  if (current_ > row)
+    --current_;
+  else if (current_ == row)
+    current_ = computedNear(row);
   Q_EMIT currentChanged();
+}
+
+// A measured signal is laid over a run and is none itself.
+int RunStore::computedNear(int row) const {
+  for (int below = row; below < rowCount(); ++below)
+    if (!at(below).measured) return below;
+  for (int above = row - 1; above >= 0; --above)
+    if (!at(above).measured) return above;
+  return -1;
 }
 
 void RunStore::setCurrent(int row) {

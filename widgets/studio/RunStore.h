@@ -47,6 +47,7 @@ class RunStore : public QAbstractListModel {
   void overlaysChanged();
 
  private:
+  int computedNear(int row) const;  // the next computed run from this row on, else the one before; -1: none
   std::vector<StoredRun> runs_;
   int current_ = -1;
 };
