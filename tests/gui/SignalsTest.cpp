@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
+#include <QLabel>
 #include <QListView>
 #include <QSpinBox>
 #include <QStyleOptionViewItem>
@@ -55,6 +56,52 @@ TEST(Signals, whatCannotBeDoneIsSaidAndTheOldStays) {
   const auto same = analysed(*result, settings, problem);
   EXPECT_FALSE(problem.empty());
   EXPECT_EQ(same->psd, result->psd);
+}
+
+// The low-pass has nothing to do with the stretch of the spectrum.
+TEST(Signals, aWrongStretchCostsTheSpectrumAlone) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({synthetic(), "run", {}, false, false});
+  panel.findChild<QDoubleSpinBox*>("psdFrom")->setValue(800);  // to 280
+  const auto* problem = panel.findChild<QLabel*>("signalProblem");
+  EXPECT_TRUE(problem->text().contains("spectrum")) << problem->text().toStdString();
+  EXPECT_TRUE(problem->text().contains("800 mm")) << problem->text().toStdString();
+  const auto curve = [&] { return *panel.view("aba")->figure()->graph(0)->data(); };
+  const auto largest = [&] {
+    double value = 0;
+    for (const QCPGraphData& point : curve()) value = std::max(value, std::abs(point.value));
+    return value;
+  };
+  panel.showTab("aba");
+  const double before = largest();
+  panel.findChild<QDoubleSpinBox*>("cutoff")->setValue(100);  // below both lines of the made-up run
+  EXPECT_LT(largest(), 0.5 * before);
+  panel.findChild<QDoubleSpinBox*>("psdFrom")->setValue(-100);
+  EXPECT_TRUE(problem->text().isEmpty()) << problem->text().toStdString();
+}
+
+TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({synthetic(), "run", {}, false, false});
+  const QStringList alongTrack{"aba", "contact_force", "stft", "scalogram"};
+  std::vector<QCPRange> before;
+  for (const auto& name : alongTrack) {
+    panel.showTab(name);
+    before.push_back(panel.view(name)->figure()->xAxis->range());
+  }
+  panel.showTab("psd");
+  const int points = panel.view("psd")->figure()->graph(0)->dataCount();
+  panel.findChild<QDoubleSpinBox*>("psdTo")->setValue(50);
+  EXPECT_LT(panel.view("psd")->figure()->graph(0)->dataCount(), points);  // a shorter stretch resolves less
+  for (int i = 0; i < alongTrack.size(); ++i) {
+    panel.showTab(alongTrack[i]);
+    panel.view(alongTrack[i])->resetZoom();
+    const QCPRange after = panel.view(alongTrack[i])->figure()->xAxis->range();
+    EXPECT_DOUBLE_EQ(after.lower, before[static_cast<std::size_t>(i)].lower) << alongTrack[i].toStdString();
+    EXPECT_DOUBLE_EQ(after.upper, before[static_cast<std::size_t>(i)].upper) << alongTrack[i].toStdString();
+  }
 }
 
 TEST(Signals, overlaidRunsAreDrawnWithTheCurrentOne) {

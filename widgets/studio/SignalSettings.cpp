@@ -1,6 +1,7 @@
 #include "studio/SignalSettings.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "signals/Butterworth.h"
 #include "signals/ContinuousWavelet.h"
@@ -25,10 +26,24 @@ void filter(results::RunResult& result, const std::string& raw, const std::strin
   target->values = signals::lowPass(series, cutoff).values;
 }
 
+// In the unit that the user types.
+std::string millimetres(double metres) { return std::to_string(std::lround(1e3 * metres)) + " mm"; }
+
+void requireSamples(const results::RunResult& result, double from, double to) {
+  const auto within = std::count_if(result.position.begin(), result.position.end(),
+                                    [&](double position) { return position >= from && position <= to; });
+  constexpr int fewest = 2;
+  if (within >= fewest) return;
+  throw signals::SignalError("its stretch, from " + millimetres(from) + " to " + millimetres(to) +
+                             ", holds no part of the record, which reaches from " +
+                             millimetres(result.position.front()) + " to " + millimetres(result.position.back()));
+}
+
 std::vector<double> spectrum(results::RunResult& result, const std::string& name, const SignalSettings& settings) {
   const auto* values = result.signal(name);
   if (!values || values->size() != result.time.size() || values->size() < 2) return {};
   const signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, name, "m/s2"};
+  requireSamples(result, settings.from, settings.to);
   const double from = signals::interpolateLinear(result.position, result.time, settings.from);
   const double to = signals::interpolateLinear(result.position, result.time, settings.to);
   signals::PowerSpectrumOptions options;
@@ -41,6 +56,16 @@ std::vector<double> spectrum(results::RunResult& result, const std::string& name
   return std::move(density.density);
 }
 
+// The stretch that the other figures show (psdFrom, psdTo) stays that of the run.
+void takeSpectra(results::RunResult& result, const SignalSettings& settings) {
+  const auto wheel = spectrum(result, "wheel_acceleration_filtered", settings);
+  auto box = spectrum(result, "aba_filtered", settings);
+  if (box.empty()) return;
+  result.psd = std::move(box);
+  result.psdWheel = wheel.size() == result.psd.size() ? wheel : std::vector<double>();
+  result.psdWindow = settings.window;
+}
+
 }  // namespace
 
 std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
@@ -50,18 +75,15 @@ std::shared_ptr<const results::RunResult> analysed(const results::RunResult& res
   try {
     filter(*changed, "aba", "aba_filtered", settings.cutoff);
     filter(*changed, "wheel_acceleration", "wheel_acceleration_filtered", settings.cutoff);
-    const auto wheel = spectrum(*changed, "wheel_acceleration_filtered", settings);
-    auto box = spectrum(*changed, "aba_filtered", settings);
-    if (!box.empty()) {
-      changed->psd = std::move(box);
-      changed->psdWheel = wheel.size() == changed->psd.size() ? wheel : std::vector<double>();
-      changed->psdFrom = settings.from;
-      changed->psdTo = settings.to;
-      changed->psdWindow = settings.window;
-    }
   } catch (const signals::SignalError& error) {
     problem = error.what();
     return std::make_shared<const results::RunResult>(result);
+  }
+  try {
+    takeSpectra(*changed, settings);
+  } catch (const signals::SignalError& error) {  // the filtered signals are none the worse for it
+    problem = std::string("The spectrum stays as it was: ") + error.what();
+    changed->frequency = result.frequency;
   }
   return changed;
 }

@@ -17,7 +17,8 @@ struct SignalSettings {
 };
 
 // The result with aba_filtered, wheel_acceleration_filtered and both spectra computed anew. Where that cannot be done
-// (no raw signal, cut-off above half the rate, empty stretch) these stay as they are and `problem` says why.
+// (no raw signal, cut-off above half the rate) these stay as they are and `problem` says why; where only the stretch of
+// the spectra is wrong, only they do. The stretch that other figures show (psdFrom, psdTo) is that of the run.
 std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
                                                    std::string& problem);
 

@@ -145,6 +145,7 @@ QWidget* SignalsPanel::makeControls() {
   connect(all, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
   flow->addWidget(all);
   problem_ = new QLabel(bar);
+  problem_->setObjectName("signalProblem");
   problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
   problem_->setWordWrap(true);
   rows->addWidget(problem_);
@@ -170,6 +171,8 @@ QWidget* SignalsPanel::makePage(const QString& name, FigureView* view) {
     flow->addTogether({new QLabel(tr("Window")), window_});
     from_ = number(tr("Stretch of the spectrum, from"), "mm", -5000, 5000, settings_.from * 1e3);
     to_ = number(tr("Stretch of the spectrum, to"), "mm", -5000, 5000, settings_.to * 1e3);
+    from_->setObjectName("psdFrom");
+    to_->setObjectName("psdTo");
     for (QDoubleSpinBox* box : {from_, to_}) connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("from")), from_});
     flow->addTogether({new QLabel(tr("to")), to_});
