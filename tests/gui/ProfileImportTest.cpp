@@ -28,6 +28,26 @@ TEST(ProfileImport, unitsAreWordsNotLetters) {
     EXPECT_DOUBLE_EQ(suggestedChoices(std::string("x [mm];") + heading + "\n0;0\n5;1\n").heightUnit, metres) << heading;
 }
 
+// Instruments write remarks above the heading, or make the heading a remark.
+TEST(ProfileImport, unitsAreThoseOfTheHeadingBelowRemarks) {
+  for (const char* head : {"# laser 3, Tuesday\n# line 17\nx [m];z [um]\n", "# line 17\n# x [m];z [um]\n"}) {
+    const ImportChoices choices = suggestedChoices(std::string(head) + "0;0\n0.5;-20\n1;0\n");
+    EXPECT_DOUBLE_EQ(choices.positionUnit, 1) << head;
+    EXPECT_DOUBLE_EQ(choices.heightUnit, 1e-6) << head;
+  }
+}
+
+TEST(ProfileImport, otherColumnsNeedNoNumbers) {
+  const std::string text = "x [mm];z [mm];remark\n0;0;good\n5;-0,1;a dip, I think\n10;0;\n";
+  const ImportChoices choices = suggestedChoices(text);
+  EXPECT_TRUE(choices.decimalComma);
+  const ImportedProfile profile = importProfile(text, choices);
+  ASSERT_TRUE(profile.problem.empty()) << profile.problem;
+  EXPECT_EQ(profile.skippedLines, 1);
+  ASSERT_EQ(profile.points.size(), 3u);
+  EXPECT_NEAR(profile.points[1].height, -1e-4, 1e-15);
+}
+
 TEST(ProfileImport, levellingTakesTheLineOff) {
   ImportChoices choices;
   choices.levelling = Levelling::throughEnds;

@@ -53,10 +53,31 @@ std::optional<double> numberOf(std::string cell, bool decimalComma) {
   return value;
 }
 
-bool allNumbers(const std::vector<std::string>& cells, bool decimalComma) {
-  return cells.size() >= 2 && std::all_of(cells.begin(), cells.end(), [&](const std::string& cell) {
-           return numberOf(cell, decimalComma).has_value();
-         });
+// Position and height as they stand there; what else the line tells (a name, a remark) does not matter.
+std::optional<std::pair<double, double>> numbersOf(const std::vector<std::string>& cells, const ImportChoices& choices,
+                                                   bool decimalComma) {
+  const auto place = static_cast<std::size_t>(choices.positionColumn);
+  const auto rise = static_cast<std::size_t>(choices.heightColumn);
+  if (cells.size() <= std::max(place, rise)) return std::nullopt;
+  const auto position = numberOf(cells[place], decimalComma), height = numberOf(cells[rise], decimalComma);
+  if (!position || !height) return std::nullopt;
+  return std::pair{*position, *height};
+}
+
+bool isDecimalComma(const std::string& cell) {
+  return cell.find(',') != std::string::npos && numberOf(cell, true).has_value();
+}
+
+// The first line that is no remark; where that holds numbers already, the remark above it.
+std::string headingOf(const std::vector<std::string>& lines, const ImportChoices& choices) {
+  std::string above;
+  for (const auto& line : lines) {
+    if (line.find_first_not_of(" \t") == std::string::npos) continue;
+    if (line[0] != '#')
+      return numbersOf(cellsOf(line, choices.delimiter), choices, choices.decimalComma) ? above : line;
+    above = line;
+  }
+  return above;
 }
 
 char findDelimiter(const std::vector<std::string>& lines) {
@@ -121,20 +142,19 @@ ImportChoices suggestedChoices(const std::string& text) {
   const auto lines = linesOf(text);
   choices.delimiter = findDelimiter(lines);
   if (choices.delimiter != ',') {
-    for (const auto& line : lines)
-      if (line.find(',') != std::string::npos && allNumbers(cellsOf(line, choices.delimiter), true))
-        choices.decimalComma = true;
+    for (const auto& line : lines) {
+      const auto cells = cellsOf(line, choices.delimiter);
+      if (line[0] != '#' && std::any_of(cells.begin(), cells.end(), isDecimalComma)) choices.decimalComma = true;
+    }
   }
-  if (!lines.empty()) {
-    const auto header = cellsOf(lines[0], choices.delimiter);
-    const auto unitOf = [](const std::string& cell, double standard) {
-      for (const auto& [name, metres] : {std::pair{"um", 1e-6}, {"µm", 1e-6}, {"mm", 1e-3}, {"m", 1.0}})
-        if (hasWord(cell, name)) return metres;
-      return standard;
-    };
-    if (header.size() > 0) choices.positionUnit = unitOf(header[0], 1e-3);
-    if (header.size() > 1) choices.heightUnit = unitOf(header[1], 1e-3);
-  }
+  const auto header = cellsOf(headingOf(lines, choices), choices.delimiter);
+  const auto unitOf = [](const std::string& cell, double standard) {
+    for (const auto& [name, metres] : {std::pair{"um", 1e-6}, {"µm", 1e-6}, {"mm", 1e-3}, {"m", 1.0}})
+      if (hasWord(cell, name)) return metres;
+    return standard;
+  };
+  if (header.size() > 0) choices.positionUnit = unitOf(header[0], 1e-3);
+  if (header.size() > 1) choices.heightUnit = unitOf(header[1], 1e-3);
   return choices;
 }
 
@@ -147,27 +167,23 @@ ImportedProfile importProfile(const std::string& text, const ImportChoices& choi
   if (choices.skippedLines >= 0)
     line = static_cast<std::size_t>(choices.skippedLines);
   else
-    while (line < lines.size() && !allNumbers(cellsOf(lines[line], result.delimiter), comma)) ++line;
+    while (line < lines.size() && !numbersOf(cellsOf(lines[line], result.delimiter), choices, comma)) ++line;
   result.skippedLines = static_cast<int>(std::min(line, lines.size()));
   for (std::size_t i = 0; i < std::min(lines.size(), previewLines); ++i) {
     result.head.push_back(cellsOf(lines[i], result.delimiter));
     result.columns = std::max(result.columns, static_cast<int>(result.head.back().size()));
   }
   if (lines.size() > mostLines) result.problem = "more than 100000 lines: thin the file out first";
-  const auto needed = static_cast<std::size_t>(std::max(choices.positionColumn, choices.heightColumn));
   for (; line < lines.size() && result.problem.empty(); ++line) {
     if (lines[line].find_first_not_of(" \t") == std::string::npos || lines[line][0] == '#') continue;
-    const auto cells = cellsOf(lines[line], result.delimiter);
-    const auto position =
-        cells.size() > needed ? numberOf(cells[static_cast<std::size_t>(choices.positionColumn)], comma) : std::nullopt;
-    const auto height =
-        cells.size() > needed ? numberOf(cells[static_cast<std::size_t>(choices.heightColumn)], comma) : std::nullopt;
-    if (!position || !height) {
+    const auto numbers = numbersOf(cellsOf(lines[line], result.delimiter), choices, comma);
+    if (!numbers) {
       result.problem = "line " + std::to_string(line + 1) + ": no two numbers in the chosen columns";
       break;
     }
-    result.points.push_back({*position * choices.positionUnit * (choices.reverse ? -1 : 1),
-                             *height * choices.heightUnit * choices.heightScale * (choices.flip ? -1 : 1)});
+    const auto [position, height] = *numbers;
+    result.points.push_back({position * choices.positionUnit * (choices.reverse ? -1 : 1),
+                             height * choices.heightUnit * choices.heightScale * (choices.flip ? -1 : 1)});
   }
   auto& points = result.points;
   std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.position < b.position; });
