@@ -91,6 +91,15 @@ TEST_F(Form, aRefusedTextStaysUntilItsOwnValueChanges) {
   EXPECT_TRUE(form_.refusals().isEmpty());
 }
 
+// 30.5 m/s is allowed: it is not the number that is wrong.
+TEST_F(Form, aDecimalCommaIsCalledWhatItIs) {
+  type("motion.speed", "30,5");
+  EXPECT_TRUE(form_.row("motion.speed")->reason().contains("decimal point"))
+      << form_.row("motion.speed")->reason().toStdString();
+  type("motion.speed", "300");
+  EXPECT_FALSE(form_.row("motion.speed")->reason().contains("decimal point"));
+}
+
 // Also where the value has never left its default.
 TEST_F(Form, aRefusedTextCanBeReset) {
   type("motion.speed", "400");

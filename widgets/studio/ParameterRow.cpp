@@ -1,6 +1,7 @@
 #include "studio/ParameterRow.h"
 
 #include <QGridLayout>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 
 #include "case/ParameterValue.h"
@@ -12,8 +13,11 @@ namespace {
 
 QString sentence(const CaseProblem& problem) {
   QString text = QString::fromStdString(problem.value);
+  static const QRegularExpression decimalComma("\\d,\\d");
+  const QString advice =
+      decimalComma.match(text).hasMatch() ? ". " + QString::fromStdString(problem.advice) : QString();
   if (text.size() > 40) text = text.left(40) + QChar(0x2026);
-  return QObject::tr("“%1”: allowed is %2").arg(text, QString::fromStdString(problem.allowed));
+  return QObject::tr("“%1”: allowed is %2").arg(text, QString::fromStdString(problem.allowed)) + advice;
 }
 
 }  // namespace
