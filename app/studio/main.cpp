@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
   }
   squat::studio::MainWindow window(services);
   if (arguments.dark) window.setDark(true);
+  if (pictureOnly) window.resize(squat::studio::MainWindow::usualSize);  // a picture needs no screen
   if (!arguments.size.isEmpty()) window.resize(arguments.size);
   const bool opened = arguments.file.isEmpty() || window.openAny(arguments.file);
   if (!arguments.tab.isEmpty()) window.showTab(arguments.tab);

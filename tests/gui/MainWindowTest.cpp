@@ -13,6 +13,7 @@
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <QScreen>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
@@ -41,6 +42,16 @@ TEST(MainWindow, everyTabShowsSomething) {
     EXPECT_GT(tests::inkShare(window.grab().toImage()), 0.1) << name.toStdString();
   }
   EXPECT_FALSE(window.showTab("nowhere"));
+}
+
+// No larger than the screen, as far as its parts can be that small: the first start has no layout to restore.
+TEST(MainWindow, theFirstWindowFitsTheScreen) {
+  MainWindow window(tests::services());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  const QSize most = window.screen()->availableSize().expandedTo(window.minimumSizeHint());
+  EXPECT_LE(window.width(), most.width());
+  EXPECT_LE(window.height(), most.height());
 }
 
 // What a text needs is what its widget has: nothing is cut, also in a small window.

@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QTabWidget>
 #include <QTimer>
@@ -58,7 +59,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
   makeViewMenu();
   makeHelpMenu();
   connectParts();
-  resize(1500, 920);
+  resize(usualSize.boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value("geometry").toByteArray());
   restoreState(settings.value("state").toByteArray());

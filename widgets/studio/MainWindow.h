@@ -42,6 +42,7 @@ struct StudioServices {
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
+  static constexpr QSize usualSize{1500, 920};  // where the screen has room for it
   explicit MainWindow(StudioServices services, QWidget* parent = nullptr);
   ~MainWindow() override;
 
