@@ -1,6 +1,8 @@
 // Unsaved changes after a crash.
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -10,6 +12,7 @@
 #include "render/SyntheticResult.h"
 #include "studio/CaseDocument.h"
 #include "studio/MessageBar.h"
+#include "studio/ProcessIdentity.h"
 #include "studio/Recovery.h"
 #include "studio/StoppedRuns.h"
 
@@ -99,6 +102,34 @@ TEST(Recovery, aProcessOfTheSameNumberIsAnother) {
   QFile::copy(folder.filePath(own), folder.filePath(own.section('-', 0, 0) + "-1-00000000.case"));
   EXPECT_TRUE(Recovery::take(folder.path()));
   EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList(own));
+}
+
+QByteArray firstLine(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readLine() : QByteArray();
+}
+
+// A process that has ended stands in the table of processes until the one that started it asks: it runs no more.
+TEST(Recovery, aProcessThatHasEndedIsNotAlive) {
+  int pipe[2];
+  ASSERT_EQ(::pipe(pipe), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    char byte = 0;
+    ::close(pipe[1]);
+    [[maybe_unused]] const auto waited = ::read(pipe[0], &byte, 1);
+    ::_exit(0);
+  }
+  ASSERT_GT(child, 0);
+  const QString stat = QStringLiteral("/proc/%1/stat").arg(child);
+  const auto fields = firstLine(stat).split(' ');
+  const QString identity =
+      QStringLiteral("%1-%2-%3").arg(child).arg(QString(fields.value(21)), ownIdentity().section('-', 2));
+  EXPECT_TRUE(isAlive(identity));
+  ::close(pipe[0]), ::close(pipe[1]);
+  EXPECT_TRUE(tests::passes([&] { return firstLine(stat).contains(") Z "); }));
+  EXPECT_FALSE(isAlive(identity));
+  ::waitpid(child, nullptr, 0);
 }
 
 class UnsavedResult : public testing::Test {
