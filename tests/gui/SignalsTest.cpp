@@ -293,6 +293,32 @@ TEST(Signals, peaksAreMarked) {
   }
 }
 
+// A text that is cut off reads as another number. The impact stands where the text has the least room on either side.
+TEST(Signals, textsAtMarksAreWhole) {
+  for (const double shift : {-0.095, 0.02, 0.15, 0.17, 0.27}) {
+    auto moved = tests::syntheticResult();
+    for (double& position : moved.position) position += shift;
+    RunStore store;
+    SignalsPanel panel(store, figureStyle(false));
+    panel.show();
+    store.add({std::make_shared<const results::RunResult>(moved), "run", {}, false, false});
+    for (const int width : {280, 320, 480})
+      for (const char* name : {"aba", "contact_force", "scalogram"}) {
+        panel.showTab(name);
+        plots::Figure& figure = *panel.view(name)->figure();
+        figure.setFixedSize(width, 260);
+        figure.replot(QCustomPlot::rpImmediateRefresh);
+        const QRectF room = QRectF(figure.axisRect()->rect()).adjusted(-1, -1, 1, 1);
+        for (int i = 0; i < figure.itemCount(); ++i) {
+          const auto* text = qobject_cast<QCPItemText*>(figure.item(i));
+          if (!text || !text->realVisibility()) continue;
+          EXPECT_TRUE(room.contains(QRectF(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition())))
+              << name << ' ' << width << ' ' << shift << ": " << text->text().toStdString();
+        }
+      }
+  }
+}
+
 // The made-up run rings at 300 Hz and 1000 Hz: a wavelet spreads a line over some percent.
 TEST(Signals, markedLinesAreWhereTheLinesAre) {
   RunStore store;

@@ -13,6 +13,41 @@ namespace {
 constexpr int mostMarks = 3;
 constexpr double leastShare = 0.1;  // of the strongest
 
+// A text at a mark. Which side has room is known only when the figure has its size, on the screen or in a file.
+class MarkText : public QCPItemText {
+ public:
+  MarkText(plots::Figure& figure, double x, double y, bool above) : QCPItemText(&figure), x_(x), y_(y), above_(above) {}
+
+ protected:
+  void draw(QCPPainter* painter) override {
+    if (place(*painter)) QCPItemText::draw(painter);
+  }
+
+ private:
+  // False where the mark is out of sight or the whole text has no room: a part of it would be another number.
+  bool place(QCPPainter& painter) {
+    position->setCoords(x_, y_);
+    const QPointF mark = position->pixelPosition();
+    const QRectF room = clipRect();
+    painter.setFont(font());
+    const QSizeF size = painter.fontMetrics().size(0, text()).grownBy(padding());
+    if (!room.contains(mark) || size.width() > room.width() || size.height() > room.height()) return false;
+    const bool fitsLeft = mark.x() - size.width() >= room.left(), fitsRight = mark.x() + size.width() <= room.right();
+    const bool wishesLeft = mark.x() > room.left() + 0.65 * room.width();  // by the right edge it is looked for there
+    const bool toLeft = wishesLeft ? fitsLeft || !fitsRight : fitsLeft && !fitsRight;
+    const double start =
+        std::clamp(toLeft ? mark.x() - size.width() : mark.x(), room.left(), room.right() - size.width());
+    const double upper =
+        std::clamp(above_ ? mark.y() - size.height() : mark.y(), room.top(), room.bottom() - size.height());
+    setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    position->setPixelPosition({start, upper});
+    return true;
+  }
+
+  double x_, y_;
+  bool above_;
+};
+
 void addMark(plots::Figure& figure, double x, double y, const QString& text, bool above, const QColor& ground) {
   auto* ring = new QCPItemTracer(&figure);
   ring->setStyle(QCPItemTracer::tsCircle);
@@ -21,12 +56,7 @@ void addMark(plots::Figure& figure, double x, double y, const QString& text, boo
   ring->setBrush(Qt::NoBrush);
   ring->position->setCoords(x, y);
   ring->setSelectable(false);
-  auto* label = new QCPItemText(&figure);
-  const QCPRange across = figure.xAxis->range();
-  // Near the right edge the text stands left of the mark, so that it is not cut off.
-  const bool left = x > across.lower + 0.65 * across.size();
-  label->setPositionAlignment((left ? Qt::AlignRight : Qt::AlignLeft) | (above ? Qt::AlignBottom : Qt::AlignTop));
-  label->position->setCoords(x, y);
+  auto* label = new MarkText(figure, x, y, above);
   label->setFont(figure.style().tickFont());
   label->setColor(figure.style().text);
   label->setBrush(ground);
