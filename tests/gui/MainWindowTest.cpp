@@ -121,6 +121,17 @@ TEST(MainWindow, everyActionHasAName) {
   }
 }
 
+TEST(MainWindow, figuresAreExportedOnceThereIsSomethingToSee) {
+  MainWindow window(tests::services());
+  const auto enabled = [&](const char* name) { return window.findChild<QAction*>(name)->isEnabled(); };
+  const auto* button = window.findChild<QPushButton*>("exportAllButton");
+  for (const char* name : {"copyFigure", "exportFigure", "exportAll"}) EXPECT_FALSE(enabled(name)) << name;
+  EXPECT_FALSE(button->isEnabled());
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  for (const char* name : {"copyFigure", "exportFigure", "exportAll"}) EXPECT_TRUE(enabled(name)) << name;
+  EXPECT_TRUE(button->isEnabled());
+}
+
 TEST(MainWindow, aWrongFileIsAMessageNotABox) {
   const QTemporaryDir folder;
   QFile file(folder.filePath("wrong.toml"));

@@ -137,6 +137,7 @@ void MainWindow::connectParts() {
   connect(&controller_, &RunController::ended, this, &MainWindow::showStopped);
   showStopped();
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
+  connect(&store_, &RunStore::overlaysChanged, this, &MainWindow::enableActions);
   connect(&controller_, &RunController::finished, this, &MainWindow::keep);
   connect(&controller_, &RunController::failed, this,
           [this](const QString& sentence, const QString& details, const ResultPointer& soFar) {
@@ -220,11 +221,13 @@ void MainWindow::showStopped() {
 // What can do nothing now says so.
 void MainWindow::enableActions() {
   const bool running = controller_.isRunning(), result = store_.currentResult() != nullptr;
+  const bool figures = result || !store_.overlays().empty();
   const auto enable = [this](const char* name, bool on) {
     if (auto* action = findChild<QAction*>(name)) action->setEnabled(on);
   };
   for (const char* name : {"pauseAction", "cancelAction"}) enable(name, running);
   for (const char* name : {"saveResult", "modelPicture", "vtkSeries"}) enable(name, result);
+  for (const char* name : {"copyFigure", "exportFigure", "exportAll"}) enable(name, figures);
 }
 
 void MainWindow::setDark(bool dark) {

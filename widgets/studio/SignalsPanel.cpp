@@ -139,11 +139,11 @@ QWidget* SignalsPanel::makeControls() {
     for (const auto& [name, view] : views_) view->setCursors(on);
   });
   flow->addWidget(cursors_);
-  auto* all = new QPushButton(tr("Export all…"));
-  all->setObjectName("exportAllButton");
-  all->setToolTip(tr("Every figure as seen, as PNG, SVG, PDF and CSV"));
-  connect(all, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
-  flow->addWidget(all);
+  exportAll_ = new QPushButton(tr("Export all…"));
+  exportAll_->setObjectName("exportAllButton");
+  exportAll_->setToolTip(tr("Every figure as seen, as PNG, SVG, PDF and CSV"));
+  connect(exportAll_, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
+  flow->addWidget(exportAll_);
   problem_ = new QLabel(bar);
   problem_->setObjectName("signalProblem");
   problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
@@ -247,6 +247,7 @@ void SignalsPanel::update() {
   shown_ = current ? analysed(*current, settings_, problem) : noRun(tr("No run yet: press F5, or open a result"));
   problem_->setText(QString::fromStdString(problem));
   problem_->setVisible(!problem.empty());
+  exportAll_->setEnabled(current || !store_.overlays().empty());
   // Only what is seen is drawn now; the rest when its tab is opened.
   for (const auto& name : names()) stale_[name] = true;
   rebuild(tabTitles().value(tabs_->currentIndex()).first);

@@ -13,6 +13,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QPushButton;
 class QSpinBox;
 class QTabWidget;
 
@@ -64,6 +65,7 @@ class SignalsPanel : public QWidget {
   QDoubleSpinBox *cutoff_, *from_, *to_;
   QSpinBox *segment_, *hop_;
   QComboBox *axis_, *window_, *map_;
+  QPushButton* exportAll_;
   QCheckBox* cursors_;
   QLabel* problem_;
 };
