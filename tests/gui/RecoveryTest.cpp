@@ -3,6 +3,7 @@
 
 #include <sys/wait.h>
 #include <unistd.h>
+#include <QAction>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -10,9 +11,12 @@
 #include "case/CaseFile.h"
 #include "gui/MadeUpRun.h"
 #include "render/SyntheticResult.h"
+#include "results/ResultFile.h"
 #include "studio/CaseDocument.h"
 #include "studio/MessageBar.h"
 #include "studio/ProcessIdentity.h"
+#include "studio/ProfileEditor.h"
+#include "studio/ProfilePlot.h"
 #include "studio/Recovery.h"
 #include "studio/StoppedRuns.h"
 
@@ -88,6 +92,26 @@ TEST(Recovery, whatWasRecoveredIsKeptAtOnce) {
   MainWindow window(services);
   EXPECT_EQ(window.document().description().motion.speed, 21);
   EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+}
+
+TEST(Recovery, aRecoveredCaseIsSeenAsAnOpenedOne) {
+  const QTemporaryDir folder;
+  CaseDocument document;
+  document.setParameter("defect.length", "90");
+  QFile kept(folder.filePath(QString(deadProcess) + ".case"));
+  ASSERT_TRUE(kept.open(QIODevice::WriteOnly));
+  kept.write("# x\n" + QByteArray::fromStdString(cases::writeCase(document.description())));
+  kept.close();
+  StudioServices services = tests::services();
+  services.recoveryFolder = folder.path();
+  MainWindow window(services);
+  const QCPRange seen = window.profile()->plot()->xAxis->range();
+  window.profile()->plot()->fit();
+  EXPECT_DOUBLE_EQ(seen.lower, window.profile()->plot()->xAxis->range().lower);
+  EXPECT_DOUBLE_EQ(seen.upper, window.profile()->plot()->xAxis->range().upper);
+  EXPECT_TRUE(window.messages()->text().contains("recovered"));
+  window.findChild<QAction*>("new")->trigger();  // lets it go
+  EXPECT_TRUE(window.messages()->text().isEmpty()) << window.messages()->text().toStdString();
 }
 
 // A number of a process comes back: a copy from before is told by its start, and offered although "its" process lives.
@@ -167,6 +191,24 @@ TEST_F(UnsavedResult, isThereAgainAfterACrash) {
   EXPECT_EQ(kept().size(), 1);  // the next crash may come before it is saved
   ASSERT_TRUE(window->saveResultTo(0, folder_.filePath("saved.h5")));
   EXPECT_TRUE(kept().isEmpty());
+}
+
+TEST_F(UnsavedResult, isSpokenOfUntilItIsSavedOrLetGo) {
+  for (const bool save : {false, true}) {
+    ASSERT_TRUE(QDir().mkpath(folder_.filePath("recovery")));
+    const QString left = folder_.filePath("recovery/") + deadProcess + "-1-00000000-1 run.h5";
+    results::writeResult(left.toStdString(), tests::syntheticResult());
+    const auto window = open();
+    EXPECT_TRUE(tests::passes([&] { return window->messages()->text().contains("recovered"); }));
+    ASSERT_EQ(window->store().rowCount(), 1);
+    window->document().setParameter("motion.speed", "21");
+    EXPECT_TRUE(window->messages()->text().contains("recovered"));
+    if (save)
+      window->saveResultTo(0, folder_.filePath("saved.h5"));
+    else
+      window->store().remove(0);
+    EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
+  }
 }
 
 // A full disk, or here a file where the folder should be: the run can go on from its checkpoint, and the user is told.

@@ -44,7 +44,8 @@ class UndoFilter : public QObject {
 void letWheelPass(QWidget& part) {
   auto* filter = new WheelFilter(&part);
   for (auto* editor : part.findChildren<QWidget*>()) {
-    const bool turns = editor->inherits("QComboBox") || editor->inherits("QAbstractSpinBox") || editor->inherits("QSlider");
+    const bool turns =
+        editor->inherits("QComboBox") || editor->inherits("QAbstractSpinBox") || editor->inherits("QSlider");
     if (!turns) continue;
     editor->setFocusPolicy(Qt::StrongFocus);  // the wheel alone does not give the focus either
     editor->installEventFilter(filter);

@@ -266,11 +266,15 @@ void MainWindow::offerRecovery() {
   QStringList said{recoverCase(), recoverResults()};
   said.removeAll(QString());
   if (said.isEmpty()) return;
-  messages_->say(said.join(' '));
+  recoverySaid_ = said.join(' ');
+  messages_->say(recoverySaid_);
   // A case that is opened from the command line hides it before anybody has seen it.
-  QTimer::singleShot(0, this, [this, said] {
-    if (messages_->isHidden()) messages_->say(said.join(' '));
+  QTimer::singleShot(0, this, [this] {
+    if (messages_->isHidden()) messages_->say(recoverySaid_);
   });
+  connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::hideSettledRecovery);
+  connect(&store_, &RunStore::rowsRemoved, this, &MainWindow::hideSettledRecovery);
+  connect(&store_, &RunStore::dataChanged, this, &MainWindow::hideSettledRecovery);
 }
 
 // Cancels and waits; no result is kept, as the question said.

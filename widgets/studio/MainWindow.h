@@ -104,7 +104,8 @@ class MainWindow : public QMainWindow {
   void enableActions();
   void endRun();
   void offerRecovery();
-  QString recoverCase();  // what to say of it
+  void hideSettledRecovery();  // once what was recovered is saved or let go
+  QString recoverCase();       // what to say of it
   QString recoverResults();
   void overlay(const QString& path, const measured::SignalFileOptions& options);  // throws
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
@@ -132,6 +133,9 @@ class MainWindow : public QMainWindow {
   QMenu* recent_ = nullptr;
   QAction *darkAction_ = nullptr, *goOnAction_ = nullptr;
   bool closing_ = false, ending_ = false;
+  bool caseRecovered_ = false;
+  std::vector<std::weak_ptr<const results::RunResult>> resultsRecovered_;
+  QString recoverySaid_;
   int runsMade_ = 0;
 };
 

@@ -235,10 +235,22 @@ void MainWindow::removeRun(int row) {
   if (!lost || mayLeaveResults({result})) store_.remove(store_.rowOf(result));
 }
 
+void MainWindow::hideSettledRecovery() {
+  if (!caseRecovered_ && resultsRecovered_.empty()) return;  // it tells of files that cannot be read
+  if (messages_->text() != recoverySaid_ || (caseRecovered_ && document_.isModified())) return;
+  const auto unsaved = store_.unsaved();
+  const bool waits = std::any_of(resultsRecovered_.begin(), resultsRecovered_.end(), [&](const auto& each) {
+    return std::find(unsaved.begin(), unsaved.end(), each.lock()) != unsaved.end();
+  });
+  if (!waits) messages_->hide();
+}
+
 QString MainWindow::recoverCase() {
   const auto found = Recovery::take(services_.recoveryFolder);
   if (!found) return {};
   document_.startFrom(found->description, QString(), found->name, true);
+  profile_->plot()->fit();
+  caseRecovered_ = true;
   return tr("Unsaved changes of “%1” were recovered: save them, or open another case to let them go.").arg(found->name);
 }
 
@@ -250,6 +262,7 @@ QString MainWindow::recoverResults() {
       if (result->stem.empty()) result->stem = UnsavedResults::stemOf(file).toStdString();
       store_.add({result, UnsavedResults::stemOf(file) + tr(" (recovered)"), QString(), false, false,
                   std::make_shared<KeptFile>(file)});
+      resultsRecovered_.push_back(result);
       ++found;
     } catch (const std::exception& error) {
       unreadable << tr("%1 (a result that had not been saved stays there as %2)")
