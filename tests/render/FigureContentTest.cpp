@@ -1,6 +1,7 @@
 // What figures show, asked from the objects.
 #include <gtest/gtest.h>
 
+#include <QRegularExpression>
 #include <cmath>
 
 #include "plots/Application.h"
@@ -113,6 +114,39 @@ TEST_F(FigureContent, zoomedCurvesStayInsideTheAxesOfTheSvg) {
   const QByteArray svg = plots::toSvg(*figure);
   EXPECT_TRUE(svg.contains("<clipPath"));
   EXPECT_GE(svg.count("clip-path=\"url(#"), 2);
+}
+
+// Runs that are laid over each other are told apart by what stands at the end of their names.
+TEST_F(FigureContent, namesInALegendAreWhole) {
+  auto figure = plots::abaPositionFigure(result_, plots::lightStyle());
+  const QStringList names{"light-defect #1", "light-defect-two #2", "a third run of this case #3", "measured-tim.csv"};
+  for (const auto& name : names) plots::addCurve(*figure, {{0, 1}, {0, 1}, name, 2});
+  const QSize units = figure->printedUnits();
+  figure->settleLayout(units);
+  const QFontMetrics metrics(figure->style().tickFont());
+  const QRect seen(QPoint(0, 0), units);
+  std::vector<QRect> places;
+  for (const auto& name : names)
+    for (int i = 0; i < figure->legend->itemCount(); ++i) {
+      auto* item = qobject_cast<QCPPlottableLegendItem*>(figure->legend->item(i));
+      if (!item || item->plottable()->name() != name) continue;
+      EXPECT_TRUE(seen.contains(item->rect())) << name.toStdString();
+      EXPECT_GE(item->rect().width(), metrics.boundingRect(name).width()) << name.toStdString();
+      for (const QRect& other : places) EXPECT_FALSE(other.intersects(item->rect())) << name.toStdString();
+      places.push_back(item->rect());
+    }
+  EXPECT_EQ(places.size(), 4u);
+}
+
+TEST_F(FigureContent, aNameLongerThanTheFigureKeepsBothEnds) {
+  auto figure = plots::abaPositionFigure(result_, plots::lightStyle());
+  const QString name = "light-defect with a corrugation and sleepers of timber, 40 m/s, at the third attempt #4";
+  plots::addCurve(*figure, {{0, 1}, {0, 1}, name, 2});
+  const QString drawn = QString::fromUtf8(plots::toSvg(*figure));
+  EXPECT_FALSE(drawn.contains(name));
+  EXPECT_TRUE(drawn.contains(QRegularExpression(">light-defect[^<]*" + QString(QChar(0x2026)) + "[^<]*#4<")))
+      << drawn.left(3000).toStdString();
+  EXPECT_EQ(figure->graph(figure->graphCount() - 1)->name(), name);  // for tables
 }
 
 TEST_F(FigureContent, exactlyAsSeenTakesTheSizeOnScreen) {

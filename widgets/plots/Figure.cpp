@@ -2,6 +2,7 @@
 
 #include "plots/AxisTicker.h"
 #include "plots/CaptionElement.h"
+#include "plots/LegendRows.h"
 
 namespace squat::plots {
 
@@ -13,6 +14,7 @@ Figure::Figure(const QString& name, const Style& style, QWidget* parent)
   addLayer("front", layer("main"));
   layOut();
   styleAxes();
+  connect(this, &QCustomPlot::beforeReplot, this, [this] { fitLegend(*legend, viewport().width()); });
 }
 
 QSize Figure::printedUnits() const {
@@ -73,6 +75,7 @@ void Figure::styleAxes() {
 void Figure::settleLayout(QSize units) {
   const QRect before = viewport();
   setViewport(QRect(QPoint(0, 0), units));
+  fitLegend(*legend, units.width());
   for (int pass = 0; pass < 3; ++pass) updateLayout();
   setViewport(before);
 }
