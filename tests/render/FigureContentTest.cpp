@@ -116,6 +116,21 @@ TEST_F(FigureContent, zoomedCurvesStayInsideTheAxesOfTheSvg) {
   EXPECT_GE(svg.count("clip-path=\"url(#"), 2);
 }
 
+// Positions of a line are counted in kilometres; the ticks stand for what they are, to the digit.
+TEST_F(FigureContent, ticksFarFromZeroAreToldApart) {
+  const plots::Figure figure("far", plots::lightStyle());
+  for (const QCPRange range : {QCPRange(12345600, 12345700), QCPRange(-1e6 - 0.4, -1e6 + 0.4), QCPRange(-40, 90)}) {
+    QVector<double> ticks;
+    QVector<QString> texts;
+    figure.xAxis->ticker()->generate(range, QLocale::c(), 'g', figure.xAxis->numberPrecision(), ticks, nullptr, &texts);
+    ASSERT_GT(ticks.size(), 2);
+    ASSERT_EQ(texts.size(), ticks.size());
+    for (int i = 0; i < ticks.size(); ++i)
+      EXPECT_NEAR(QString(texts[i]).replace(QChar(0x2212), '-').toDouble(), ticks[i], 1e-6 * range.size())
+          << texts[i].toStdString();
+  }
+}
+
 // Runs that are laid over each other are told apart by what stands at the end of their names.
 TEST_F(FigureContent, namesInALegendAreWhole) {
   auto figure = plots::abaPositionFigure(result_, plots::lightStyle());
