@@ -18,6 +18,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/Errors.h"
 #include "gui/MadeUpRun.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
@@ -25,6 +26,7 @@
 #include "studio/MeasuredDialog.h"
 #include "studio/MessageBar.h"
 #include "studio/ParameterForm.h"
+#include "studio/ParameterRow.h"
 
 namespace squat::studio {
 namespace {
@@ -235,6 +237,25 @@ TEST(MainWindow, aRefusedTextIsNotSavedAsTheValueBefore) {
   EXPECT_EQ(line->text(), "30");
   EXPECT_FALSE(window.isWindowModified());
   EXPECT_TRUE(window.saveCaseTo(path));
+}
+
+// Some limits are known only once the mesh is made: they are marked where the others are, until the case changes.
+TEST(MainWindow, whatARunFindsWrongIsMarkedInTheForm) {
+  StudioServices services = tests::services();
+  services.runner = [](const cases::CaseDescription&, const simulation::RunOptions&, Monitor&,
+                       results::RunResult*) -> results::RunResult {
+    throw CaseError({{"motion.beyond", "3 m", "at most 2.48 m for this wheel", "Shorten it"}});
+  };
+  MainWindow window(services);
+  window.show();
+  const auto reason = [&] { return window.form()->row("motion.beyond")->reason(); };
+  window.startRun();
+  ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }));
+  EXPECT_TRUE(reason().contains("at most 2.48 m")) << reason().toStdString();
+  EXPECT_FALSE(window.form()->blockers().isEmpty());
+  window.document().setParameter("motion.beyond", "0.4");
+  EXPECT_TRUE(reason().isEmpty()) << reason().toStdString();
+  EXPECT_TRUE(window.form()->blockers().isEmpty());
 }
 
 // The resumed run takes the place of its earlier part, and rows move, while the question about another stands.

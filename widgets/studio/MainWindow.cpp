@@ -16,6 +16,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "case/CaseFile.h"
 #include "studio/MessageBar.h"
 #include "studio/ParameterForm.h"
 #include "studio/ProfileEditor.h"
@@ -139,6 +140,9 @@ void MainWindow::connectParts() {
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
   connect(&store_, &RunStore::overlaysChanged, this, &MainWindow::enableActions);
   connect(&controller_, &RunController::finished, this, &MainWindow::keep);
+  connect(&controller_, &RunController::refused, this, [this](const std::vector<CaseProblem>& problems) {
+    if (cases::writeCase(document_.description()) == running_) form_->mark(problems);  // else it may be mended already
+  });
   connect(&controller_, &RunController::failed, this,
           [this](const QString& sentence, const QString& details, const ResultPointer& soFar) {
             messages_->warn(sentence, details);
@@ -180,6 +184,7 @@ void MainWindow::beginRun(bool resume) {
     return;
   if (controller_.isRunning()) return;  // events have passed meanwhile
   checkpoint_ = stopped_.file(document_.description());
+  running_ = cases::writeCase(document_.description());
   resumed_ = resume;
   simulation::RunOptions options;
   options.threads = services_.threads;

@@ -118,6 +118,7 @@ class MainWindow : public QMainWindow {
   UnsavedResults unsaved_;
   QString checkpoint_;    // of the run that is going on
   QString unsavedFile_;   // where its result is kept
+  std::string running_;   // the case of that run
   bool resumed_ = false;  // the run that is going on
   Recovery* recovery_ = nullptr;
   MessageBar* messages_;

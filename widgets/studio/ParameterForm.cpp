@@ -17,6 +17,11 @@ QString sentence(const ParameterRow& row) {
   return QStringLiteral("%1: %2").arg(QString::fromStdString(row.parameter().key), row.reason());
 }
 
+QString relation(const CaseProblem& problem) {
+  return QObject::tr("needs %1 – %2")
+      .arg(QString::fromStdString(problem.allowed), QString::fromStdString(problem.advice));
+}
+
 }  // namespace
 
 ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(parent), document_(document) {
@@ -107,15 +112,18 @@ void ParameterForm::update() {
     each->showValue();
   }
   for (const auto& problem : document_.validation().problems) {
-    const QString text =
-        QStringLiteral("%1 %2").arg(QString::fromStdString(problem.allowed).prepend(tr("needs ")),
-                                    QString::fromStdString(problem.advice).prepend(QChar(0x2013) + QString(" ")));
     if (ParameterRow* flagged = row(problem.key))
-      flagged->showRelation(text);
+      flagged->showRelation(relation(problem));
     else
       unplaced_ << QString::fromStdString(toText(problem));
   }
   if (changedOnly_->isChecked()) filter();
+  Q_EMIT blockersChanged();
+}
+
+void ParameterForm::mark(const std::vector<CaseProblem>& problems) {
+  for (const auto& problem : problems)
+    if (ParameterRow* flagged = row(problem.key)) flagged->showRelation(relation(problem));
   Q_EMIT blockersChanged();
 }
 

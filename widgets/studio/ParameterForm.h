@@ -8,6 +8,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "core/Errors.h"
+
 namespace squat::studio {
 
 class CaseDocument;
@@ -22,6 +24,8 @@ class ParameterForm : public QWidget {
   QStringList blockers() const;
   // Those of them that are texts which the case has not taken: what is seen is not what would be saved.
   QStringList refusals() const;
+  // Marks what only a run could find, until the case changes.
+  void mark(const std::vector<CaseProblem>& problems);
   ParameterRow* row(const std::string& key) const;
   const std::vector<ParameterRow*>& rows() const { return rows_; }
 

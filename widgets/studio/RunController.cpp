@@ -27,6 +27,7 @@ void giveWayToTheWindow() {
 
 struct Description {
   QString sentence, details;
+  std::vector<CaseProblem> problems;  // of the case, where it is that
 };
 
 Description describe(const std::exception_ptr& error) {
@@ -35,17 +36,18 @@ Description describe(const std::exception_ptr& error) {
   } catch (const CaseError& wrong) {
     QStringList lines;
     for (const auto& problem : wrong.problems()) lines << QString::fromStdString(toText(problem));
-    return {QObject::tr("The case cannot be run: %1").arg(lines.value(0)), lines.join('\n')};
+    return {QObject::tr("The case cannot be run: %1").arg(lines.value(0)), lines.join('\n'), wrong.problems()};
   } catch (const RunError& failure) {
     return {QObject::tr("The run failed: %1").arg(QString::fromStdString(failure.what())),
             QObject::tr("step %1, %2 ms, %3")
                 .arg(failure.step())
                 .arg(failure.time() * 1e3, 0, 'g', 6)
-                .arg(QString::fromStdString(failure.place()))};
+                .arg(QString::fromStdString(failure.place())),
+            {}};
   } catch (const std::bad_alloc&) {
-    return {QObject::tr("The run failed: not enough memory. Choose a coarser mesh or a shorter track."), {}};
+    return {QObject::tr("The run failed: not enough memory. Choose a coarser mesh or a shorter track."), {}, {}};
   } catch (const std::exception& other) {
-    return {QObject::tr("The run failed: %1").arg(QString::fromStdString(other.what())), {}};
+    return {QObject::tr("The run failed: %1").arg(QString::fromStdString(other.what())), {}, {}};
   }
 }
 
@@ -119,6 +121,7 @@ void RunController::conclude() {
       outcome->partial.complete = false;
       soFar = std::make_shared<const results::RunResult>(std::move(outcome->partial));
     }
+    if (!text.problems.empty()) Q_EMIT refused(text.problems);
     Q_EMIT failed(text.sentence, text.details, soFar);
   } else {
     Q_EMIT finished(std::make_shared<const results::RunResult>(std::move(outcome->result)));

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "case/CaseDescription.h"
+#include "core/Errors.h"
 #include "results/RunResult.h"
 #include "simulation/RunCase.h"
 #include "studio/WorkerMonitor.h"
@@ -44,6 +45,8 @@ class RunController : public QObject {
   void news(const squat::studio::WorkerMonitor::News& news);  // about 20 times a second
   // Complete or cancelled (result->complete tells).
   void finished(squat::studio::ResultPointer result);
+  // The case turned out to be none that can be run; failed() follows.
+  void refused(const std::vector<squat::CaseProblem>& problems);
   // What failed and why, in one sentence; details for those who ask; what there was so far (may be null).
   void failed(const QString& sentence, const QString& details, squat::studio::ResultPointer soFar);
   void ended();  // after finished() or failed()
