@@ -236,7 +236,14 @@ TEST(MainWindow, aRefusedTextIsNotSavedAsTheValueBefore) {
   window.findChild<QAction*>("new")->trigger();
   EXPECT_EQ(line->text(), "30");
   EXPECT_FALSE(window.isWindowModified());
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, "4,0");
+  EXPECT_FALSE(window.saveCaseTo(path));
+  line->selectAll();
+  QTest::keyClicks(line, "40\r");
   EXPECT_TRUE(window.saveCaseTo(path));
+  EXPECT_TRUE(window.messages()->text().isEmpty()) << window.messages()->text().toStdString();
 }
 
 // Some limits are known only once the mesh is made: they are marked where the others are, until the case changes.

@@ -25,6 +25,8 @@ QString allProblems(const CaseError& error) {
   return lines.join('\n');
 }
 
+QString notSaved() { return QObject::tr("The case is not saved: mend what is marked in the form first."); }
+
 }  // namespace
 
 bool MainWindow::openAny(const QString& path) {
@@ -125,7 +127,7 @@ bool MainWindow::hasUnsavedChanges() const { return document_.isModified() || !f
 bool MainWindow::isTaken() {
   const QStringList refused = form_->refusals();
   if (refused.isEmpty()) return true;
-  messages_->warn(tr("The case is not saved: mend what is marked in the form first."), refused.join('\n'));
+  messages_->warn(notSaved(), refused.join('\n'));
   return false;
 }
 
@@ -134,12 +136,13 @@ bool MainWindow::saveCaseTo(const QString& path) {
   try {
     document_.save(path);
   } catch (const CaseError& error) {
-    messages_->warn(tr("The case is not saved: mend what is marked in the form first."), allProblems(error));
+    messages_->warn(notSaved(), allProblems(error));
     return false;
   } catch (const FileError& error) {
     messages_->warn(QString::fromStdString(error.what()));
     return false;
   }
+  if (messages_->text() == notSaved()) messages_->hide();
   addRecentFile(path);
   return true;
 }
