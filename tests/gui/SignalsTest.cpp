@@ -293,6 +293,19 @@ TEST(Signals, peaksAreMarked) {
   }
 }
 
+// Texts that are seen and do not lie wholly within the axes.
+QStringList cutTexts(plots::Figure& figure) {
+  figure.replot(QCustomPlot::rpImmediateRefresh);
+  const QRectF room = QRectF(figure.axisRect()->rect()).adjusted(-1, -1, 1, 1);
+  QStringList cut;
+  for (int i = 0; i < figure.itemCount(); ++i) {
+    const auto* text = qobject_cast<QCPItemText*>(figure.item(i));
+    if (!text || !text->realVisibility()) continue;
+    if (!room.contains(QRectF(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition()))) cut << text->text();
+  }
+  return cut;
+}
+
 // A text that is cut off reads as another number. The impact stands where the text has the least room on either side.
 TEST(Signals, textsAtMarksAreWhole) {
   for (const double shift : {-0.095, 0.02, 0.15, 0.17, 0.27}) {
@@ -307,16 +320,23 @@ TEST(Signals, textsAtMarksAreWhole) {
         panel.showTab(name);
         plots::Figure& figure = *panel.view(name)->figure();
         figure.setFixedSize(width, 260);
-        figure.replot(QCustomPlot::rpImmediateRefresh);
-        const QRectF room = QRectF(figure.axisRect()->rect()).adjusted(-1, -1, 1, 1);
-        for (int i = 0; i < figure.itemCount(); ++i) {
-          const auto* text = qobject_cast<QCPItemText*>(figure.item(i));
-          if (!text || !text->realVisibility()) continue;
-          EXPECT_TRUE(room.contains(QRectF(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition())))
-              << name << ' ' << width << ' ' << shift << ": " << text->text().toStdString();
-        }
+        const QStringList cut = cutTexts(figure);
+        EXPECT_TRUE(cut.isEmpty()) << name << ' ' << width << ' ' << shift << ": " << cut.join("; ").toStdString();
       }
   }
+}
+
+TEST(Signals, namesOfPeaksAreWholeWithOverlaidRuns) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  panel.resize(480, 400);
+  panel.show();
+  for (const char* label : {"first", "second"}) store.add({synthetic(), label, {}, false, false});
+  store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
+  panel.showTab("psd");
+  QTest::qWait(30);
+  const QStringList cut = cutTexts(*panel.view("psd")->figure());
+  EXPECT_TRUE(cut.isEmpty()) << cut.join("; ").toStdString();
 }
 
 // The made-up run rings at 300 Hz and 1000 Hz: a wavelet spreads a line over some percent.

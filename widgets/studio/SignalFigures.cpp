@@ -44,7 +44,8 @@ void addOverlays(plots::Figure& figure, const QString& name, const results::RunR
   }
   if (colour == 2) return;
   plots::fitValues(figure);
-  if (name == "psd") figure.yAxis->setRange(0, figure.yAxis->range().upper);
+  constexpr double roomForNames = 1.12;  // of the peaks, as in the figure of one run
+  if (name == "psd") figure.yAxis->setRange(0, roomForNames * figure.yAxis->range().upper);
   if (name == "contact_force") plots::keepZeroInSight(figure);
 }
 
