@@ -1,6 +1,7 @@
 // The form: every key, wrong values in place, reset.
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QLineEdit>
 #include <QTest>
 #include <QToolButton>
@@ -106,6 +107,9 @@ TEST_F(Form, aRefusedTextCanBeReset) {
   QTest::keyClick(line("motion.speed"), Qt::Key_Return);
   auto* reset = form_.row("motion.speed")->findChild<QToolButton*>();
   ASSERT_TRUE(reset && reset->isVisible());
+  form_.findChild<QCheckBox*>("changedOnly")->setChecked(true);  // only what was changed
+  EXPECT_TRUE(line("motion.speed")->isVisible());
+  form_.findChild<QCheckBox*>("changedOnly")->setChecked(false);
   QTest::mouseClick(reset, Qt::LeftButton);
   EXPECT_EQ(line("motion.speed")->text(), "30");
   EXPECT_TRUE(form_.blockers().isEmpty());

@@ -31,6 +31,7 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   search_->setAccessibleName(tr("Search parameters"));
   search_->setObjectName("parameterSearch");
   changedOnly_ = new QCheckBox(tr("changed"), this);
+  changedOnly_->setObjectName("changedOnly");
   changedOnly_->setToolTip(tr("Show only what differs from the default"));
   auto* top = new QHBoxLayout;
   top->addWidget(search_);
@@ -132,7 +133,8 @@ void ParameterForm::filter() {
   for (const Group& group : groups_) {
     bool any = false;
     for (ParameterRow* each : group.rows) {
-      const bool shown = each->matches(searched) && (!changedOnly_->isChecked() || each->isChanged());
+      const bool edited = each->isChanged() || each->isRefused();
+      const bool shown = each->matches(searched) && (edited || !changedOnly_->isChecked());
       each->setVisible(shown);
       any = any || shown;
     }
