@@ -5,7 +5,7 @@
 
 namespace squat::verification {
 
-constexpr double kShift = 0.04, kDecibels = 1.5;
+constexpr double kShift = 0.04, kDecibels = 1.5, kDegrees = 8;
 
 // How far `expected` [dB] lies outside the solid's levels within 4 % of a frequency.
 double levelDifference(const receptance::TrackReceptance& solid, const std::vector<std::complex<double>>& values,

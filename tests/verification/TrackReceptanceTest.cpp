@@ -8,6 +8,9 @@
 // (SectionFlexibility.h) and stands in series with the beam's pads. Without it the beam lies 4.5 dB off at 900 Hz.
 // Tolerances: 4 % of a resonance's frequency; 1.5 dB of the level farther than 4 % from the beam's resonances, once a
 // shift of 4 % is allowed for: the sleepers of the solid are coarse, and web and foot pass the load on along the rail.
+// Levels away from resonances hardly feel the dampers; phases do: 8 degrees, with the same shift (4.1 seen here, 6.9 on
+// ten metres to 2000 Hz; half the pads' damping in the solid alone gives 14, half as much again 11, seven tenths of the
+// ballast's 9).
 #include <gtest/gtest.h>
 
 #include "case/CaseFile.h"
