@@ -283,6 +283,29 @@ void applyOverrides(CaseDescription& description, const CaseOverrides& overrides
   }
 }
 
+// A profile that nothing asks to roll over would go unnoticed: the shape must be chosen where the profile is named, in
+// the file or with --set. A case that states another shape may keep its points (the studio writes such).
+void checkProfileIsUsed(const CaseDescription& description, const std::vector<Stated>& stated,
+                        const CaseOverrides& overrides, Problems& problems) {
+  if (description.defect.shape == static_cast<int>(DefectShape::profile)) return;
+  const auto levelOf = [&](std::string_view key) { return overrideOf(overrides, key) ? 2 : find(stated, key) ? 1 : 0; };
+  const int chosen = levelOf("defect.shape");
+  const auto& defect = description.defect;
+  const std::pair<const char*, bool> profiles[] = {{"defect.file", !defect.file.empty()},
+                                                   {"defect.points", !defect.points.empty()},
+                                                   {"defect.lines", !defect.lines.empty()}};
+  for (const auto& [key, given] : profiles) {
+    const int level = levelOf(key);
+    if (!given || level <= chosen || problems.concern({"defect.shape"})) continue;
+    const Stated* line = level == 1 ? find(stated, key) : nullptr;
+    problems.add({"defect.shape", valueText(description, *findParameter("defect.shape")),
+                  std::string("profile where ") + key + " is given",
+                  level == 2 ? std::string("Add --set defect.shape=profile, or leave --set ") + key + " out"
+                             : std::string("Write shape = \"profile\" beside it, or take ") + key + " out"},
+                 level == 2 ? " (--set)" : lineNote(line ? line->line : 0));
+  }
+}
+
 // Points in the case go before the file; a file given by --set goes before points of the case.
 void readProfile(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
                  Problems& problems) {
@@ -339,6 +362,7 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   applyPreset(description, static_cast<MeshPreset>(preset));
   applyStated(description, statements.stated, filePreset, preset, problems);
   applyOverrides(description, overrides, problems);
+  if (finished) checkProfileIsUsed(description, statements.stated, overrides, problems);
   readProfile(description, overrides, folder, problems);
   for (auto& finding : finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {

@@ -231,6 +231,9 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   if (sampled && !d.lines.empty() && static_cast<LateralShape>(d.lateral) != LateralShape::uniform)
     add(findings, c, Severity::problem, {"defect.lateral", "defect.lines"}, "uniform where defect.lines are given",
         "The lines say what the defect is like across the rail");
+  if (!sampled && shape != DefectShape::none && !(d.file.empty() && d.points.empty() && d.lines.empty()))
+    add(findings, c, Severity::warning, {"defect.shape", "defect.file", "defect.points", "defect.lines"},
+        "profile, for the wheel to roll over the given one", "The profile is kept, not used");
   if (shape == DefectShape::cut && 2 * d.ramp > d.length)
     add(findings, c, Severity::problem, {"defect.ramp", "defect.length"},
         limitText("defect.ramp", "at most half of defect.length:", 0.5 * d.length),

@@ -221,6 +221,26 @@ TEST_F(CaseFolder, MissingFilesAreFileErrors) {
   }
 }
 
+// Who names a profile wants to roll over it; only who chooses another shape in the same place has one that rests.
+TEST_F(CaseFolder, AProfileIsNeverIgnoredInSilence) {
+  const std::string points = "[[0, 0], [10, -0.2], [20, 0]]";
+  for (const std::string& text : {std::string("file = 'none.csv'\n"), "points = " + points + "\n"})
+    EXPECT_THAT(problemsOf("[defect]\n" + text),
+                testing::ElementsAre(testing::Field(&CaseProblem::key, "defect.shape (line 2)")))
+        << text;
+  const CaseOverrides file{"", {{"defect.file", "none.csv"}}};
+  EXPECT_THAT(problemsOf("[defect]\nshape = 'cosine'", file),
+              testing::ElementsAre(testing::Field(&CaseProblem::key, "defect.shape (--set)")));
+  EXPECT_THAT(problemsOf("", {"", {{"defect.points", points}}}), testing::SizeIs(1));
+
+  const auto other = parseCase("[defect]\nshape = 'cosine'\nfile = 'none.csv'\npoints = " + points, "x");
+  EXPECT_EQ(writeCase(parseCase(writeCase(other), "y")), writeCase(other));
+  EXPECT_EQ(parseCaseOfResult(writeCase(other), "result").defect.points.size(), 3u);
+  const CaseOverrides smooth{"", {{"defect.shape", "none"}}};
+  EXPECT_NO_THROW(parseCase("[defect]\nshape = 'profile'\npoints = " + points, "x", {}, smooth));
+  EXPECT_EQ(parseUnfinishedCase("[defect]\nfile = 'none.csv'", "x").defect.file, "none.csv");
+}
+
 TEST_F(CaseFolder, MistakesOfTheCaseComeBeforeThoseOfItsProfile) {
   const auto path = write("one.toml", "[defect]\nshape = 'profile'\nfile = 'none.csv'\n[pad]\nstiffness = -1\n");
   EXPECT_THROW(readCase(path), CaseError);

@@ -210,6 +210,7 @@ TEST(Validation, CoarseProfiles) {
       {{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [15, -0.1], [30, -0.2], [45, -0.1], [60, 0]]"}},
       "defect.points");
   expectWarning({{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [30, 0.1], [60, 0]]"}}, "defect.points");
+  expectWarning({{"defect.points", "[[0, 0], [30, -0.1], [60, 0]]"}}, "defect.shape");  // kept, not used
   expectWarning({{"defect.shape", "profile"},
                  {"defect.level", "false"},
                  {"defect.points", "[[0, 0.01], [5, -0.05], [10, -0.1], [15, -0.05], [20, 0]]"}},
