@@ -10,7 +10,6 @@
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
-#include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "laboratory/Analysis.h"
 #include "laboratory/AnalysisFiles.h"
@@ -91,10 +90,10 @@ int analyse(const AnalyseOptions& given) {
     printTable(analysis);
   if (InterruptGuard::asked()) return kCancelled;
   if (given.folder.empty()) return kDone;
-  makeFolder(given.folder);
+  const auto tables = laboratory::writeAnalysis(analysis, given.folder);
   std::FILE* const list = given.json ? stderr : stdout;
   std::fprintf(list, "\nwritten:\n");
-  for (const auto& path : laboratory::writeAnalysis(analysis, given.folder)) std::fprintf(list, "  %s\n", path.c_str());
+  for (const auto& path : tables) std::fprintf(list, "  %s\n", path.c_str());
   for (const auto& path : writeAnalysisFigures(analysis, given.folder, given.figures))
     std::fprintf(list, "  %s\n", path.c_str());
   return kDone;

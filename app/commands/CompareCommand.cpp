@@ -10,7 +10,6 @@
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
-#include "core/DurableFile.h"
 #include "laboratory/ComparisonFiles.h"
 #include "laboratory/FileComparison.h"
 
@@ -52,9 +51,9 @@ int compare(const CompareOptions& given) {
   for (const auto& pair : pairs) printTable(pair);
   if (InterruptGuard::asked()) return kCancelled;
   if (given.folder.empty()) return kDone;
-  makeFolder(given.folder);
+  const auto tables = laboratory::writeComparisons(pairs, given.folder);
   std::printf("written:\n");
-  for (const auto& path : laboratory::writeComparisons(pairs, given.folder)) std::printf("  %s\n", path.c_str());
+  for (const auto& path : tables) std::printf("  %s\n", path.c_str());
   for (const auto& path : writeComparisonFigures(pairs, options.smooth, given.folder, given.figures))
     std::printf("  %s\n", path.c_str());
   return kDone;

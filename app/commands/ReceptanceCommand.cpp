@@ -60,6 +60,10 @@ void print(const receptance::TrackReceptance& result) {
 
 int run(const ReceptanceCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
+  const auto stem = options.folder + "/" + cases::caseStem(options.caseOptions.name);
+  const std::vector<std::string> tables{stem + "-receptance.h5", stem + "-receptance.csv",
+                                        stem + "-wheelset-modes.csv"};
+  keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), tables);
   makeFolder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
@@ -67,13 +71,11 @@ int run(const ReceptanceCommandOptions& options) {
   monitor.clearLine();
   if (!result.complete) return kCancelled;
   print(result);
-  const auto stem = options.folder + "/" + cases::caseStem(options.caseOptions.name);
-  receptance::writeReceptance(stem + "-receptance.h5", result, cases::writeCase(description));
-  writeDurably(stem + "-receptance.csv", receptance::receptanceCsv(result));
-  writeDurably(stem + "-wheelset-modes.csv", receptance::modesCsv(result));
+  receptance::writeReceptance(tables[0], result, cases::writeCase(description));
+  writeDurably(tables[1], receptance::receptanceCsv(result));
+  writeDurably(tables[2], receptance::modesCsv(result));
   std::printf("\nwritten:\n");
-  for (const char* end : {"-receptance.h5", "-receptance.csv", "-wheelset-modes.csv"})
-    std::printf("  %s%s\n", stem.c_str(), end);
+  for (const auto& path : tables) std::printf("  %s\n", path.c_str());
   for (const auto& path :
        writeReceptanceFigure(result, cases::caseStem(options.caseOptions.name) + "-receptance", description.title,
                              cases::caseHash(description), options.folder, options.figures))

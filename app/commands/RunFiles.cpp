@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "case/ShippedCases.h"
+#include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
@@ -35,19 +35,9 @@ bool concerns(const FileError& error, const std::string& checkpoint) {
 }  // namespace
 
 void keepInputs(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description) {
-  const fs::path file = cases::findCase(caseName), named = description.defect.file;
-  std::vector<fs::path> inputs{file};
-  // A profile is named relative to its case, or to here where --set names it.
-  if (!named.empty()) inputs.insert(inputs.end(), {file.parent_path() / named, named});
-  const auto outputs = {files.result(),         files.signals(),    files.partialResult(),
-                        files.partialSignals(), files.checkpoint(), files.checkpoint() + ".previous"};
-  for (const auto& input : inputs)
-    for (const auto& output : outputs) {
-      std::error_code ignored;
-      if (fs::equivalent(input, output, ignored))
-        throw CaseError({{"-o", output, "a folder in which no file of the run replaces what the case is read from",
-                          "Choose another folder, for example -o out"}});
-    }
+  squat::keepInputs(cases::filesOfCase(caseName, description.defect.file),
+                    {files.result(), files.signals(), files.partialResult(), files.partialSignals(), files.checkpoint(),
+                     files.checkpoint() + ".previous"});
 }
 
 std::optional<results::RunResult> completeResult(const RunFiles& files) {

@@ -42,6 +42,10 @@ CaseDescription parseCaseOfResult(std::string_view text, const std::string& orig
 // A path to a case file, or the name of a shipped case ("light-defect").
 CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& overrides = {});
 
+// The files that a case is read from: its own, and the profile that it names, which is looked for beside the case, or
+// here where --set names it.
+std::vector<std::string> filesOfCase(const std::string& nameOrPath, const std::string& profile);
+
 // Name of the result for a case: the file's name without its ending.
 std::string caseStem(const std::string& nameOrPath);
 

@@ -396,6 +396,13 @@ CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& ove
   return readCase(findCase(nameOrPath), overrides);
 }
 
+std::vector<std::string> filesOfCase(const std::string& nameOrPath, const std::string& profile) {
+  const auto file = findCase(nameOrPath);
+  std::vector<std::string> files{file.string()};
+  if (!profile.empty()) files.insert(files.end(), {(file.parent_path() / profile).string(), profile});
+  return files;
+}
+
 std::string caseStem(const std::string& nameOrPath) { return std::filesystem::path(nameOrPath).stem().string(); }
 
 }  // namespace squat::cases

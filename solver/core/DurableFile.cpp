@@ -158,6 +158,16 @@ void writeDurably(const std::string& path, std::string_view text) {
   writeDurably(path, std::as_bytes(std::span(text)));
 }
 
+void keepInputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  for (const auto& input : inputs)
+    for (const auto& output : outputs) {
+      std::error_code ignored;
+      if (fs::equivalent(input, output, ignored))
+        throw CaseError({{"-o", output, "a folder in which no file that is written replaces one that was read",
+                          "Choose another folder, for example -o out"}});
+    }
+}
+
 void makeFolder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);

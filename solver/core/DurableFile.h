@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace squat {
 
@@ -18,6 +19,9 @@ enum class Previous { replaced, kept };  // kept: the file that stood there goes
 void writeDurably(const std::string& path, std::span<const std::byte> bytes,
                   const std::function<void(const std::string&)>& verify = {}, Previous previous = Previous::replaced);
 void writeDurably(const std::string& path, std::string_view text);
+
+// Throws CaseError where one of `outputs` is one of `inputs`, under whatever name: what was read is not to be replaced.
+void keepInputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
 // Makes the folder and its parents; FileError where that cannot be done.
 void makeFolder(const std::string& folder);

@@ -140,12 +140,13 @@ std::vector<std::string> writeAnalysis(const Analysis& analysis, const std::stri
   }
   if (analysis.inTime) files.emplace_back("aligned_time.csv", alignedCsv(*analysis.inTime));
   if (analysis.inPosition) files.emplace_back("aligned_position.csv", alignedCsv(*analysis.inPosition));
-  makeFolder(folder);
+  std::vector<std::string> inputs;
+  for (const auto& signal : analysis.signals) inputs.push_back(signal.file);
   std::vector<std::string> paths;
-  for (const auto& [name, text] : files) {
-    paths.push_back(folder + "/" + name);
-    writeDurably(paths.back(), std::string_view(text));
-  }
+  for (const auto& [name, text] : files) paths.push_back(folder + "/" + name);
+  keepInputs(inputs, paths);
+  makeFolder(folder);
+  for (std::size_t i = 0; i < files.size(); ++i) writeDurably(paths[i], std::string_view(files[i].second));
   return paths;
 }
 

@@ -30,6 +30,7 @@ std::string alignedCsv(const signals::AlignedRuns& runs);
 
 // Writes features.csv, features.json, RUN_spectrum.csv for each signal, and aligned_time.csv, aligned_position.csv
 // where there are several runs. Everything is made before anything is written, each file durably. Returns the paths.
+// Throws CaseError where a table would replace a file that was analysed.
 std::vector<std::string> writeAnalysis(const Analysis& analysis, const std::string& folder);
 
 // Name without characters that a file name should not have; distinct names stay distinct within one call of

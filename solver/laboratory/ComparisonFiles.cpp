@@ -80,12 +80,13 @@ std::vector<std::string> writeComparisons(const std::vector<FileComparison>& com
     files.emplace_back(name + "_overlay.csv", overlayCsv(entry.comparison));
     files.emplace_back(name + "_spectra.csv", spectraCsv(entry.comparison));
   }
-  makeFolder(folder);
+  std::vector<std::string> inputs;
+  for (const auto& entry : comparisons) inputs.insert(inputs.end(), {entry.firstFile, entry.secondFile});
   std::vector<std::string> paths;
-  for (const auto& [name, text] : files) {
-    paths.push_back(folder + "/" + name);
-    writeDurably(paths.back(), std::string_view(text));
-  }
+  for (const auto& [name, text] : files) paths.push_back(folder + "/" + name);
+  keepInputs(inputs, paths);
+  makeFolder(folder);
+  for (std::size_t i = 0; i < files.size(); ++i) writeDurably(paths[i], std::string_view(files[i].second));
   return paths;
 }
 

@@ -16,7 +16,7 @@ std::string overlayCsv(const signals::Comparison& comparison);
 std::string spectraCsv(const signals::Comparison& comparison);
 
 // comparison.csv, comparison.json, NAME_overlay.csv and NAME_spectra.csv for each pair; returns the paths. Everything
-// is made before anything is written.
+// is made before anything is written. Throws CaseError where a table would replace a file that was compared.
 std::vector<std::string> writeComparisons(const std::vector<FileComparison>& comparisons, const std::string& folder);
 
 }  // namespace squat::laboratory

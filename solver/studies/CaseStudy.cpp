@@ -4,6 +4,7 @@
 
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "laboratory/RunFeatures.h"
 
@@ -69,6 +70,10 @@ FeatureRow studyFeatures(const results::RunResult& result) {
 
 StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOverrides& overrides, const CaseRunner& run,
                         const StudyOptions& options, Monitor& monitor) {
+  auto inputs = cases::filesOfCase(definition.caseName, cases::loadCase(definition.caseName, overrides).defect.file);
+  for (const auto& variation : definition.variations)
+    if (variation.key == "defect.file") inputs.insert(inputs.end(), variation.values.begin(), variation.values.end());
+  keepInputs(inputs, studyFiles(options.folder));
   const StudyRunner runner = [&](const StudyPoint& point, Monitor& own) -> std::optional<FeatureRow> {
     // The case is read anew for every point: an edit in between would mix two cases in one table.
     if (const auto hash = cases::caseHash(cases::loadCase(definition.caseName, overrides)); hash != definition.caseHash)

@@ -26,7 +26,7 @@ cases::CaseDescription caseAt(const StudyDefinition& definition, const cases::Ca
 FeatureRow studyFeatures(const results::RunResult& result);
 
 // Runs the study with `run` for each case: simulation::runCase with the options of the caller. An incomplete result
-// counts as cancelled.
+// counts as cancelled. Throws CaseError where a file of the study would replace what the case is read from.
 using CaseRunner = std::function<results::RunResult(const cases::CaseDescription&, const StudyPoint&, Monitor&)>;
 StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOverrides& overrides, const CaseRunner& run,
                         const StudyOptions& options, Monitor& monitor);

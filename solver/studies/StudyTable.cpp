@@ -121,6 +121,8 @@ std::string tableText(const StudyTable& table) {
   return text;
 }
 
+std::vector<std::string> studyFiles(const std::string& folder) { return {tablePath(folder), identityPath(folder)}; }
+
 void writeTable(const StudyTable& table, const std::string& folder) {
   const std::string identity = identityText(table.definition);
   if (!std::filesystem::exists(identityPath(folder)) || readWholeFile(identityPath(folder), largestFile) != identity)
@@ -129,7 +131,13 @@ void writeTable(const StudyTable& table, const std::string& folder) {
 }
 
 std::optional<StudyTable> readTable(const StudyDefinition& definition, const std::string& folder) {
-  if (!std::filesystem::exists(identityPath(folder))) return std::nullopt;
+  if (!std::filesystem::exists(identityPath(folder))) {
+    if (std::filesystem::exists(tablePath(folder)))
+      throw CaseError({{"output", tablePath(folder), "a folder without a study.csv that nothing belongs to",
+                        "Its study.json is missing: it may be anybody's table. Put that back, or choose another "
+                        "folder with -o"}});
+    return std::nullopt;
+  }
   Json identity;
   try {
     identity = Json::parse(readWholeFile(identityPath(folder), largestFile));

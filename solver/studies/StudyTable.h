@@ -38,8 +38,12 @@ void writeTable(const StudyTable& table, const std::string& folder);
 // CSV text of the table.
 std::string tableText(const StudyTable& table);
 
+// The paths of both.
+std::vector<std::string> studyFiles(const std::string& folder);
+
 // What stands in the folder; nothing where there is no study yet. Throws CaseError where the folder holds a study of
-// another case or with other values, FileError where its files are damaged (line).
+// another case or with other values, or a study.csv of which nothing tells what it is, FileError where its files are
+// damaged (line).
 std::optional<StudyTable> readTable(const StudyDefinition& definition, const std::string& folder);
 
 }  // namespace squat::studies

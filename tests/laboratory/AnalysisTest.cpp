@@ -154,6 +154,24 @@ TEST(Analysis, cancelledKeepsWhatIsThere) {
   EXPECT_EQ(analysis.notes.size(), 1u);
 }
 
+// The tables of a file that has the name of one of them, in its own folder: the measurement must stay.
+TEST(AnalysisFiles, neverReplaceWhatWasAnalysed) {
+  const Folder folder;
+  std::filesystem::create_symlink(folder.path(), folder.path("link"));
+  for (const std::string name : {"features.csv", "aba_spectrum.csv", "aligned_time.csv"}) {
+    const auto text = runTable(0.08, 60, 30);
+    const auto file = folder.write(name, text), other = folder.write("other.csv", runTable(0.09, 50, 30));
+    const auto files = name == "aligned_time.csv" ? std::vector{file, other} : std::vector{file};
+    Monitor monitor;
+    const auto analysis = analyse(files, {}, monitor);
+    for (const auto& out : {folder.path(), folder.path("link")})
+      EXPECT_THROW(writeAnalysis(analysis, out), CaseError) << name;
+    EXPECT_EQ(folder.read(name), text);
+    std::filesystem::remove(file);
+    EXPECT_EQ(folder.files(), 2u) << "nothing is written where one table must not be";  // the link and the other file
+  }
+}
+
 TEST(AnalysisFiles, namesAreSafe) {
   EXPECT_EQ(safeFileName("../a b: \"c\""), "a_b_c");
   EXPECT_EQ(safeFileName(""), "signal");

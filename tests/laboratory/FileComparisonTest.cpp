@@ -51,6 +51,18 @@ TEST(FileComparison, defectBesideSmooth) {
   for (const double ratio : pairs[0].comparison.bandRatio) EXPECT_GT(ratio, 1000);
 }
 
+TEST(FileComparison, neverReplacesWhatWasCompared) {
+  const Folder folder;
+  const auto text = runTable(0.08, 60, 30);
+  const auto computed = folder.write("comparison.csv", text);
+  const auto measured = folder.write("measured_aba_overlay.csv", runTable(0.1, 40, 29, 1000));
+  Monitor monitor;
+  const auto pairs = compareFiles(computed, {measured}, {}, monitor);
+  EXPECT_THROW(writeComparisons(pairs, folder.path()), CaseError);
+  EXPECT_EQ(folder.read("comparison.csv"), text);
+  EXPECT_NO_THROW(writeComparisons(pairs, folder.path("out")));
+}
+
 TEST(FileComparison, refusesBadInput) {
   const Folder folder;
   const auto one = folder.write("one.csv", runTable(0.08, 60, 30));

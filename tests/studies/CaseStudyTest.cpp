@@ -51,6 +51,26 @@ TEST(CaseStudy, keysAreThoseOfTheTable) {
   }
 }
 
+// A measured profile may be called study.csv; and a study.csv without its study.json may be anybody's.
+TEST(CaseStudy, neverReplacesWhatIsNotItsOwn) {
+  const auto folder =
+      (std::filesystem::temp_directory_path() / ("squat-study-inputs-" + std::to_string(::getpid()))).string();
+  makeFolder(folder);
+  const std::string profile = "position [mm],height [um]\n0,0\n10,-100\n20,0\n";
+  writeDurably(folder + "/dip.toml", "[defect]\nshape = \"profile\"\nfile = \"study.csv\"\n");
+  writeDurably(folder + "/study.csv", profile);
+  Monitor monitor;
+  const CaseRunner runner = [](const auto& description, const auto&, Monitor&) { return pretend(description); };
+  const auto own = studyOf(folder + "/dip.toml", {}, {"motion.speed=27,30"});
+  EXPECT_THROW(runCaseStudy(own, {}, runner, {folder, 1, false}, monitor), CaseError);
+  const auto other = studyOf(lightDefect, {}, {"motion.speed=27,30"});
+  EXPECT_THROW(runCaseStudy(other, {}, runner, {folder, 1, false}, monitor), CaseError);
+  EXPECT_EQ(readWholeFile(folder + "/study.csv", 1000), profile);
+  EXPECT_FALSE(std::filesystem::exists(folder + "/study.json"));
+  EXPECT_EQ(runCaseStudy(own, {}, runner, {folder + "/out", 1, false}, monitor).count(RowState::done), 2u);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(CaseStudy, runsEveryPoint) {
   const auto folder =
       (std::filesystem::temp_directory_path() / ("squat-case-study-" + std::to_string(::getpid()))).string();
