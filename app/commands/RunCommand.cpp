@@ -83,10 +83,13 @@ int run(const RunCommandOptions& options) {
   keepInputs(files, options.caseOptions.name, description);
   if (!options.noFigures) checkFigureNames(options.figures, options.formats);
   prepareFolder(files);
-  if (options.run.resume && alreadyDone(files, cases::caseHash(description))) {
+  const auto hash = cases::caseHash(description);
+  if (options.run.resume && alreadyDone(files, hash)) {
     std::printf("%s is complete already\n", files.result().c_str());
     return kDone;
   }
+  if (!options.run.resume)
+    for (const auto& line : keepOtherCases(files, hash)) std::fprintf(stderr, "%s\n", line.c_str());
 
   auto runOptions = options.run;
   runOptions.checkpointPath = files.checkpoint();

@@ -40,6 +40,32 @@ void keepInputs(const RunFiles& files, const std::string& caseName, const cases:
                      files.checkpoint() + ".previous"});
 }
 
+std::vector<std::string> keepOtherCases(const RunFiles& files, const std::string& hash) {
+  std::optional<results::ArrayTree> state;
+  try {
+    state = results::readCheckpoint(files.checkpoint());
+  } catch (const FileError&) {
+    // nothing goes on from a damaged one
+  }
+  if (state)
+    if (const auto found = results::textAttribute(state->attributes, "case_hash", hash); found != hash)
+      throw CaseError({{"-o", files.checkpoint() + " (case " + found + ")",
+                        "a folder without the checkpoint of another case (this one is " + hash + ")",
+                        "Choose another folder, go on with that run (its case with --resume), or remove the file"}});
+  std::vector<std::string> lines;
+  for (const auto& path : {files.result(), files.partialResult()}) {
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) continue;
+    try {
+      if (const auto found = results::readResult(path).caseHash; found != hash)
+        lines.push_back(path + " is of another case (" + found + "): this run (" + hash + ") replaces it");
+    } catch (const FileError&) {
+      // no result of this program: nothing to say about its case
+    }
+  }
+  return lines;
+}
+
 std::optional<results::RunResult> completeResult(const RunFiles& files) {
   std::error_code ignored;
   if (!fs::exists(files.result(), ignored)) return std::nullopt;

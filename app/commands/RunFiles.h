@@ -28,6 +28,10 @@ void prepareFolder(const RunFiles& files);
 // profile that it names.
 void keepInputs(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description);
 
+// For a run that begins anew. Throws CaseError where the checkpoint of another case's stopped run stands: hours that
+// somebody may want to go on from. Returns one line for each result of another case that will be replaced.
+std::vector<std::string> keepOtherCases(const RunFiles& files, const std::string& hash);
+
 // Runs the case with checkpoints among the files. Goes on from the one that stands there where it fits; one of another
 // case or version is taken away, and that is told.
 results::RunResult runOrGoOn(const cases::CaseDescription& description, simulation::RunOptions options,

@@ -72,6 +72,35 @@ TEST(RunFiles, WhatTheCaseIsReadFromIsNeverReplaced) {
   EXPECT_NO_THROW(keepInputs({folder.path(), "other"}, folder / "dip.toml", description));
 }
 
+// Hours of another case's stopped run, against a folder name typed once more.
+TEST(RunFiles, TheCheckpointOfAnotherCaseIsNotLost) {
+  const TemporaryFolder folder;
+  const RunFiles files{folder.path(), "case"};
+  EXPECT_THAT(keepOtherCases(files, "12345678"), ElementsAre());
+  results::ArrayTree stopped;
+  results::setAttribute(stopped.attributes, "case_hash", std::string("12345678"));
+  results::writeCheckpoint(files.checkpoint(), stopped);
+  EXPECT_THAT(keepOtherCases(files, "12345678"), ElementsAre()) << "its own run begins anew";
+  try {
+    keepOtherCases(files, "87654321");
+    FAIL() << "another case's checkpoint would be lost";
+  } catch (const CaseError& error) {
+    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr(files.checkpoint()), ::testing::HasSubstr("-o"),
+                                               ::testing::HasSubstr("--resume")));
+  }
+  writeDurably(files.checkpoint(), "half writ");
+  EXPECT_THAT(keepOtherCases(files, "87654321"), ElementsAre()) << "nothing goes on from a damaged one";
+}
+
+TEST(RunFiles, AResultOfAnotherCaseIsReplacedAndThatIsTold) {
+  const TemporaryFolder folder;
+  const RunFiles files{folder.path(), "case"};
+  writeRunFiles(files, sampleResult());
+  const auto own = results::readResult(files.result()).caseHash;
+  EXPECT_THAT(keepOtherCases(files, own), ElementsAre());
+  EXPECT_THAT(keepOtherCases(files, "another"), ElementsAre(::testing::HasSubstr(files.result())));
+}
+
 TEST(RunFiles, ACheckpointOfAnotherCaseGivesWay) {
   const TemporaryFolder folder;
   const RunFiles files{folder.path(), "case"};

@@ -34,6 +34,8 @@ TEST_P(Interrupt, OneSignalStopsCleanlyAndTheRunCanGoOn) {
   EXPECT_TRUE(results::readCheckpoint(folder / "light-defect.checkpoint").has_value());
 
   std::string output;
+  EXPECT_EQ(testing::call(shortRun(folder.path(), {"--set", "motion.speed=29"}), &output), 2);
+  EXPECT_THAT(output, HasSubstr("checkpoint of another case"));
   EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume"}), &output), 0) << output;
   EXPECT_TRUE(results::readResult(result).complete);
   EXPECT_FALSE(std::filesystem::exists(folder / "light-defect.checkpoint"));
