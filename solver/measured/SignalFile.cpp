@@ -30,10 +30,27 @@ std::string listOf(const TextTable& table) {
   return text;
 }
 
+// Case counts only where names differ in nothing else. Two columns of one name are no choice that could be guessed.
+std::size_t oneNamed(const TextTable& table, const std::string& wanted) {
+  const std::string name(trimmed(wanted)), lower = lowerCase(name);
+  std::vector<std::size_t> found, exact;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto& own = table.columns[c].name;
+    if (!own.empty() && lowerCase(own) == lower) found.push_back(c);
+    if (!own.empty() && own == name) exact.push_back(c);
+  }
+  if (exact.size() == 1) return exact.front();
+  if (found.size() > 1)
+    throw FileError(table.path, "",
+                    "has " + std::to_string(found.size()) + " columns '" + name + "': " + std::to_string(found[0] + 1) +
+                        " and " + std::to_string(found[1] + 1),
+                    "Name the one to read by its number");
+  return found.empty() ? none : found.front();
+}
+
 std::size_t findColumn(const TextTable& table, const std::string& wanted) {
+  if (const std::size_t c = oneNamed(table, wanted); c != none) return c;
   const std::string lower = lowerCase(trimmed(wanted));
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    if (!table.columns[c].name.empty() && lowerCase(table.columns[c].name) == lower) return c;
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(lower.data(), lower.data() + lower.size(), number);
   if (error == std::errc() && end == lower.data() + lower.size() && number >= 1 && number <= table.columns.size())
@@ -99,8 +116,8 @@ Roles rolesOf(const TextTable& table, const SignalFileOptions& options) {
   } else if (rest.size() == 1) {
     roles.signals = rest;
   } else {
-    for (const std::size_t c : rest)
-      if (lowerCase(table.columns[c].name) == "aba") roles.signals = {c};
+    const std::size_t aba = oneNamed(table, "aba");
+    if (std::find(rest.begin(), rest.end(), aba) != rest.end()) roles.signals = {aba};
     if (roles.signals.empty())
       throw FileError(table.path, "", rest.empty() ? "has no column besides its axes" : "has several columns of values",
                       "Name the one to read; its columns are " + listOf(table));

@@ -153,6 +153,20 @@ TEST(SignalFile, severalRuns) {
   ASSERT_EQ(readSignals(again.path()).size(), 2u);
 }
 
+// Which of two columns of one name is meant, only their numbers tell: by default and by name alike.
+TEST(SignalFile, columnsOfOneNameAreToldApartByNumber) {
+  const std::string twice = "t,aba,aba\n0,1,4\n0.1,2,5\n0.2,3,6\n";
+  SignalFileOptions options;
+  for (const auto* column : {"", "aba", "ABA"}) {
+    options.column = column;
+    EXPECT_THAT(complaint(twice, options), HasSubstr("'" + std::string(*column ? column : "aba") + "': 2 and 3"));
+  }
+  options.column = "3";
+  EXPECT_THAT(only(twice, options).series.values, ElementsAre(4, 5, 6));
+  options.column = "Left";  // names that differ in case are two names
+  EXPECT_THAT(only("t,left,Left\n0,1,4\n0.1,2,5\n0.2,3,6\n", options).series.values, ElementsAre(4, 5, 6));
+}
+
 TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n0.2,3\n0.7,4\n0.8,5\n"), HasSubstr("line 5: a gap of 500 ms"));
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,nan\n0.2,3\n"), HasSubstr("line 3: 'aba' has no number here"));
