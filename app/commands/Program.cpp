@@ -1,8 +1,12 @@
 #include "commands/Program.h"
 
+#include <fcntl.h>
 #include <signal.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -35,11 +39,29 @@ int act(const Action& action) {
   }
 }
 
+// A file opened later would take the number of a closed stdout, and what is printed would end up in it. What nobody
+// wants to see goes nowhere instead.
+void keepStandardStreamsOpen() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(number, F_GETFD) < 0 && errno == EBADF) static_cast<void>(::open("/dev/null", O_RDWR));
+}
+
+// A table that a full disk cut short must not pass for a whole one.
+int withOutputWritten(int code) {
+  errno = 0;
+  const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  if (!failed) return code;
+  std::fprintf(stderr, "squat: the output could not be written whole%s%s\n", errno != 0 ? ": " : "",
+               errno != 0 ? std::strerror(errno) : "");
+  return code == kDone ? kFileWrong : code;
+}
+
 }  // namespace
 
 int runProgram(int argc, char** argv) {
   ::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of size is an error of writing, not the end of the program
   ::signal(SIGPIPE, SIG_DFL);
+  keepStandardStreamsOpen();
   CLI::App program("Rolls a wheel over a rail-head defect and shows what the axle box feels.", "squat");
   program.set_version_flag("--version", "squat " SQUAT_VERSION);
   program.require_subcommand(1);
@@ -59,12 +81,12 @@ int runProgram(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help, --version
-    return program.exit(success);
+    return withOutputWritten(program.exit(success));
   } catch (const CLI::ParseError& error) {
     std::fprintf(stderr, "squat: the call is wrong: %s\nTry squat --help\n", error.what());
     return kCaseWrong;
   }
-  return act(action);
+  return withOutputWritten(act(action));
 }
 
 }  // namespace squat::commands

@@ -1,6 +1,9 @@
 // Runs that find no room: the disk fills up while they roll, the folder of the checkpoints is gone.
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
 
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
@@ -48,6 +51,24 @@ TEST(Starved, AFullDiskCostsNeitherTheEarlierResultNorTheProgramsLife) {
   EXPECT_THAT(output, HasSubstr(path + ": cannot be written"));
   EXPECT_THAT(output, HasSubstr("bytes needed"));
   EXPECT_EQ(readWholeFile(path, kMost), before);
+}
+
+// /dev/full is a disk without room. A shell as users have it: the program cannot see where its output goes.
+TEST(Starved, OutputThatIsLostIsTold) {
+  const TemporaryFolder folder;
+  const auto call = [&](const std::string& words) {
+    const int status = std::system((std::string(SQUAT_PROGRAM) + " " + words + " 2> " + (folder / "told")).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  for (const char* words : {"describe light-defect", "describe light-defect --json", "--version", "--help"}) {
+    EXPECT_EQ(call(std::string(words) + " > /dev/full"), 4) << words;
+    EXPECT_THAT(readWholeFile(folder / "told", kMost), HasSubstr("could not be written")) << words;
+    EXPECT_EQ(call(std::string(words) + " >&-"), 0) << "nobody wants to see it: " << words;
+  }
+  EXPECT_EQ(call("describe no-such-case > /dev/full"), 4);
+  EXPECT_EQ(call("describe --bogus > /dev/full"), 2);
+  EXPECT_EQ(call("describe light-defect | head -c 1 > " + (folder / "head")), 0);
+  EXPECT_EQ(readWholeFile(folder / "told", kMost), "") << "who reads the beginning only wants no more";
 }
 
 TEST(Starved, ARunOutlivesTheFolderOfItsCheckpoints) {
