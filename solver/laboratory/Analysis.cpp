@@ -14,7 +14,8 @@
 namespace squat::laboratory {
 namespace {
 
-constexpr std::size_t mostColumns = 2000;  // of a picture
+constexpr std::size_t mostColumns = 2000, mostRows = 1000;  // of a picture
+constexpr double slowestWave = 1e-5;                        // of the sampling rate: longer wavelets outgrow the memory
 constexpr std::size_t longestPeriodogram = 16384, usualSegment = 8192;
 
 std::size_t largestSample(const std::vector<double>& values) {
@@ -43,9 +44,29 @@ std::optional<signals::Stft> stftOf(const signals::TimeSeries& series, signals::
   return signals::shortTimeTransform(series, options);
 }
 
+// Below one wave in the record a row shows nothing but its ends.
+void raiseLowest(const signals::TimeSeries& series, double& lowest, std::vector<std::string>& notes) {
+  const double seconds = static_cast<double>(series.values.size()) * series.step;
+  const double longest = std::max(1 / seconds, slowestWave * series.rate());
+  if (!(lowest < longest)) return;
+  lowest = longest;
+  notes.push_back("the scalogram begins at " + hertz(longest) +
+                  (longest * seconds > 1.5 ? ", 1e-5 of the sampling rate" : ", one wave in the record"));
+}
+
+// More rows than a picture can show take memory and time alone.
+void limitVoices(signals::WaveletOptions& options, std::vector<std::string>& notes) {
+  const double octaves = std::log2(options.highest / options.lowest);
+  if (!(options.voicesPerOctave * octaves > mostRows)) return;
+  options.voicesPerOctave = std::max(1.0, std::floor(mostRows / octaves));
+  notes.push_back("the scalogram has " + std::to_string(std::lround(options.voicesPerOctave)) +
+                  " voices per octave: " + std::to_string(mostRows) + " rows are the most");
+}
+
 signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::WaveletOptions options,
                                std::vector<std::string>& notes) {
   const double half = series.rate() / 2;
+  raiseLowest(series, options.lowest, notes);
   if (options.highest > half) {
     notes.push_back("the scalogram ends at " + hertz(half) + ", half the sampling rate");
     options.highest = half;
@@ -54,6 +75,7 @@ signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::Wavel
     options.lowest = options.highest / 8;
     notes.push_back("the scalogram begins at " + hertz(options.lowest) + ", three octaves below its end");
   }
+  limitVoices(options, notes);
   if (options.cell == 0) options.cell = (series.values.size() + mostColumns - 1) / mostColumns;
   return signals::scalogram(series, options);
 }

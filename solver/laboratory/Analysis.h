@@ -21,7 +21,8 @@ struct AnalysisOptions {
   signals::FeatureOptions features;        // `speed` is taken from the file or from file.speed
   signals::PowerSpectrumOptions spectrum;  // of the whole record; segment 0: 8192 samples where it is longer than 16384
   signals::StftOptions stft{signals::Window::hann, 0, 0, 0};  // segment 0: 10 ms; hop 0: at most 2000 columns
-  signals::WaveletOptions wavelet;  // cell 0: at most 2000 columns; highest is lowered to half the rate
+  signals::WaveletOptions wavelet;  // cell 0: at most 2000 columns; highest is lowered to half the rate, lowest raised
+                                    // to one wave in the record and 1e-5 of the rate, voices lowered to 1000 rows
   bool align = true;                // where there is more than one run
   signals::AlignmentOptions alignment;
   AnalysisOptions() { wavelet.cell = 0; }

@@ -120,6 +120,31 @@ TEST(Analysis, slowRatesAreNotedAndAskedBandsRefused) {
   EXPECT_LE(analysis.signals[0].scalogram.frequency.back(), 500);
 }
 
+// 0.24 s hold one wave of 4.17 Hz; the wavelet of 0.001 Hz lasts hours, and took gigabytes over it.
+TEST(Analysis, theScalogramKeepsToWhatTheRecordCanShow) {
+  const Folder folder;
+  const auto file = folder.write("run.csv", runTable(0.08, 60, 30));
+  AnalysisOptions options;
+  options.wavelet.lowest = 1e-3;
+  options.wavelet.voicesPerOctave = 200;
+  Monitor monitor;
+  const auto signal = analyse({file}, options, monitor).signals.at(0);
+  EXPECT_NEAR(signal.scalogram.frequency.front(), 1 / 0.24, 1e-9);
+  EXPECT_LE(signal.scalogram.frequency.size(), 1001u);
+  EXPECT_THAT(signal.notes, ::testing::Contains(HasSubstr("one wave in the record")));
+  EXPECT_THAT(signal.notes, ::testing::Contains(HasSubstr("1000 rows are the most")));
+  EXPECT_THAT(analyse({file}, {}, monitor).signals.at(0).notes,
+              ::testing::Not(::testing::Contains(HasSubstr("begins"))));
+
+  // Of a long record the sampling rate limits what a wavelet may cost.
+  std::string text = "t,aba\n";
+  for (int i = 0; i < 300000; ++i) text += std::to_string(i / 1e3) + "," + std::to_string(i % 7) + "\n";
+  options.file.speed = 30;
+  options.wavelet.lowest = 1e-4, options.wavelet.highest = 0.1, options.wavelet.voicesPerOctave = 2;
+  const auto slow = analyse({folder.write("slow.csv", text)}, options, monitor).signals.at(0);
+  EXPECT_NEAR(slow.scalogram.frequency.front(), 0.01, 1e-6);
+}
+
 TEST(Analysis, badInputIsOneMessageAndNoFile) {
   const Folder folder;
   Monitor monitor;
