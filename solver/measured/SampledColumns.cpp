@@ -37,10 +37,10 @@ class Builder {
     trimEnd();
     if (in_.signal.size() < 2)
       fail("", "holds " + std::to_string(in_.signal.size()) + " samples of '" + in_.name + "'; at least 2 are needed");
-    requireFinite(in_.signal, in_.name);
-    requireFinite(in_.time, "time");
-    requireFinite(in_.position, "position");
-    requireFinite(in_.speed, "speed");
+    requireUsable(in_.signal, in_.name);
+    requireUsable(in_.time, "time");
+    requireUsable(in_.position, "position");
+    requireUsable(in_.speed, "speed");
     for (std::size_t i = 0; i < in_.speed.size(); ++i)
       if (in_.speed[i] <= 0)
         fail(in_.place(i), "the speed is " + numberText(in_.speed[i]) + " m/s, not a positive number",
@@ -79,12 +79,20 @@ class Builder {
       if (!column->empty()) column->resize(n);
   }
 
-  void requireFinite(const std::vector<double>& values, const std::string& name) const {
+  void requireUsable(const std::vector<double>& values, const std::string& name) const {
     const auto bad = std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
     if (bad != values.end())
       fail(in_.place(static_cast<std::size_t>(bad - values.begin())),
            "'" + name + "' has no number here (a gap, not-a-number or text)",
            "Fill the gap, cut the file there, or choose another column");
+    // Densities are squares over short times: these still stay within the range of double.
+    constexpr double largest = 1e100;
+    const auto huge =
+        std::find_if(values.begin(), values.end(), [](double value) { return std::abs(value) > largest; });
+    if (huge != values.end())
+      fail(in_.place(static_cast<std::size_t>(huge - values.begin())),
+           "'" + name + "' is " + numberText(*huge) + " here, too large to compute with",
+           "Values up to 1e100 are read; mend the sample, or check the unit");
   }
 
   // Turns a falling chainage round and draws straight lines through repeated values (a coarse encoder).

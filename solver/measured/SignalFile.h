@@ -43,8 +43,8 @@ struct MeasuredSignal {
 // HDF5: a dataset of one or two dimensions, a group of datasets, a result file of this program; MATLAB 7.3 files.
 //
 // Throws FileError with line or object: unreadable, no table, wrong column, a gap or a not-a-number in a column that is
-// used, a time or position that does not rise, no sampling rate, fewer than 2 samples, an axis in an
-// unknown unit. Limit: 4 GB of text, 384 MB of HDF5 values, 190 MB in one dataset.
+// used, a value beyond 1e100, a time or position that does not rise, no sampling rate, fewer than 2 samples, an axis in
+// an unknown unit. Limit: 4 GB of text, 384 MB of HDF5 values, 190 MB in one dataset.
 std::vector<MeasuredSignal> readSignals(const std::string& path, const SignalFileOptions& options = {});
 
 }  // namespace squat::measured

@@ -169,6 +169,8 @@ TEST(SignalFile, columnsOfOneNameAreToldApartByNumber) {
 
 TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n0.2,3\n0.7,4\n0.8,5\n"), HasSubstr("line 5: a gap of 500 ms"));
+  EXPECT_THAT(complaint("t,aba\n0,1\n0.1,-1e307\n0.2,3\n"), HasSubstr("line 3: 'aba' is -1e+307 here, too large"));
+  EXPECT_EQ(complaint("t,aba\n0,1\n0.1,-1e99\n0.2,3\n"), "");
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,nan\n0.2,3\n"), HasSubstr("line 3: 'aba' has no number here"));
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,\n0.2,3\n"), HasSubstr("line 3"));
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,oops\n0.2,3\n"), HasSubstr("line 3"));
