@@ -9,6 +9,7 @@
 #include "core/Errors.h"
 #include "measured/ColumnRoles.h"
 #include "results/Hdf5.h"
+#include "results/ResultTree.h"
 
 namespace squat::measured {
 namespace {
@@ -218,7 +219,13 @@ std::vector<MeasuredSignal> readHdf5Signals(const std::string& path, const Signa
   const ArrayTree tree = results::readHdf5(path, limits);
   Finder finder(path, tree, options);
   const TextTable table = finder.table();
-  return signalsOf(table, finder.options(table));
+  auto signals = signalsOf(table, finder.options(table));
+  if (results::textAttribute(tree.attributes, "schema") == results::kResultSchema &&
+      results::numberAttribute(tree.attributes, "complete", 1) != 1)
+    for (auto& signal : signals)
+      signal.notes.push_back("the run is not complete (" + results::textAttribute(tree.attributes, "stop_reason") +
+                             "): what came later is missing");
+  return signals;
 }
 
 }  // namespace squat::measured

@@ -104,6 +104,23 @@ TEST(Hdf5Signals, resultFile) {
   EXPECT_DOUBLE_EQ(readSignals(file.path(), options)[0].series.values[5], 65.2);
 }
 
+// A run that was stopped half-way lacks what the defect leaves behind: features of it are of another thing.
+TEST(Hdf5Signals, anIncompleteRunIsNoted) {
+  const auto notesOf = [](bool complete) {
+    results::ArrayTree tree;
+    setAttribute(tree.attributes, "schema", std::string("squat-result"));
+    setAttribute(tree.attributes, "complete", std::int64_t{complete});
+    setAttribute(tree.attributes, "stop_reason", std::string(complete ? "" : "cancelled"));
+    tree.add("/signals/time", std::vector<double>{0, 1, 2, 3}, "s");
+    tree.add("/signals/aba", std::vector<double>{0, 1, 2, 1}, "m/s2");
+    const auto bytes = results::encodeHdf5(tree, "test");
+    const tests::TemporaryFile file(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), ".h5");
+    return readSignals(file.path()).at(0).notes;
+  };
+  EXPECT_THAT(notesOf(true), ::testing::IsEmpty());
+  EXPECT_THAT(notesOf(false), ::testing::ElementsAre(HasSubstr("not complete (cancelled)")));
+}
+
 // Forty samples with rate and speed beside them, as a file.
 void writeSamples(const std::string& path, double rate, const char* rateUnit, double speed, const char* speedUnit) {
   results::ArrayTree tree;
