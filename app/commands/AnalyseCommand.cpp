@@ -7,6 +7,7 @@
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
+#include "commands/NumberRange.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
@@ -112,7 +113,7 @@ void addAnalyseCommand(CLI::App& program, Action& action) {
   command
       ->add_option("--low-pass", analysis.lowPass,
                    "Zero-phase low-pass before everything else; 0: none (default: 2000)")
-      ->check(CLI::Range(0.0, 1e7))
+      ->check(between(0.0, 1e7))
       ->type_name("HZ");
   command->add_option("--band", options->bands, "A further band: 250-350 or name=250-350; may be repeated")
       ->allow_extra_args(false)
@@ -122,10 +123,10 @@ void addAnalyseCommand(CLI::App& program, Action& action) {
   command->add_option("--detrend", options->detrend, "none, constant or linear (default: constant)")->type_name("NAME");
   command
       ->add_option("--segment", analysis.spectrum.segment, "Samples of a segment of Welch's average (default: chosen)")
-      ->check(CLI::Range(0, 1 << 30))
+      ->check(zeroOrBetween(2, 1 << 30))
       ->type_name("N");
   command->add_option("--overlap", analysis.spectrum.overlap, "Share of a segment (default: 0.5)")
-      ->check(CLI::Range(0.0, 0.99))
+      ->check(between(0.0, 0.99))
       ->type_name("SHARE");
   command
       ->add_option("--stft-segment", analysis.stft.segment,
@@ -138,13 +139,13 @@ void addAnalyseCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 1 << 24))
       ->type_name("N");
   command->add_option("--voices", analysis.wavelet.voicesPerOctave, "Voices per octave of the scalogram (default: 16)")
-      ->check(CLI::Range(1.0, 200.0))
+      ->check(between(1.0, 200.0))
       ->type_name("N");
   command->add_option("--lowest", analysis.wavelet.lowest, "Lowest frequency of the scalogram (default: 50)")
-      ->check(CLI::Range(1e-3, 1e7))
+      ->check(between(1e-3, 1e7))
       ->type_name("HZ");
   command->add_option("--highest", analysis.wavelet.highest, "Highest frequency of the scalogram (default: 2500)")
-      ->check(CLI::Range(1e-3, 1e7))
+      ->check(between(1e-3, 1e7))
       ->type_name("HZ");
   command->add_flag("--amplitude", options->amplitude,
                     "Scalogram of amplitudes: a tone of amplitude 1 gives 1 (default: equation 1 of the paper)");

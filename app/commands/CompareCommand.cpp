@@ -7,6 +7,7 @@
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
+#include "commands/NumberRange.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
@@ -72,7 +73,7 @@ void addCompareCommand(CLI::App& program, Action& action) {
       ->type_name("NAME");
   addSignalOptions(*command, options->signal);
   command->add_option("--low-pass", options->comparison.lowPass, "Zero-phase low-pass of both; 0: none (default: 2000)")
-      ->check(CLI::Range(0.0, 1e7))
+      ->check(between(0.0, 1e7))
       ->type_name("HZ");
   addFigureOptions(*command, options->figures);
   command->add_flag("--by-position", options->comparison.comparison.inPosition, "Aligns over position instead of time");

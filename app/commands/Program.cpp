@@ -23,7 +23,15 @@ int told(const char* kind, const std::exception& error, int code) {
   return code;
 }
 
-int act(const Action& action) {
+// What to do where the memory is too small depends on what was called.
+const char* memoryAdvice(const CLI::App& program) {
+  for (const char* name : {"analyse", "compare"})
+    if (program.got_subcommand(name)) return "the run failed: not enough memory; cut the record, or read fewer columns";
+  if (program.got_subcommand("render")) return "the run failed: not enough memory; draw fewer figures at once";
+  return "the run failed: not enough memory; choose a coarser mesh (--mesh draft)";
+}
+
+int act(const Action& action, const CLI::App& program) {
   try {
     return action();
   } catch (const CaseError& error) {
@@ -33,7 +41,7 @@ int act(const Action& action) {
   } catch (const FileError& error) {
     return told("a file is wrong", error, kFileWrong);
   } catch (const std::bad_alloc& error) {
-    return told("the run failed: not enough memory; choose a coarser mesh (--mesh draft)", error, kRunFailed);
+    return told(memoryAdvice(program), error, kRunFailed);
   } catch (const std::exception& error) {
     return told("the run failed", error, kRunFailed);
   }
@@ -86,7 +94,7 @@ int runProgram(int argc, char** argv) {
     std::fprintf(stderr, "squat: the call is wrong: %s\nTry squat --help\n", error.what());
     return kCaseWrong;
   }
-  return withOutputWritten(act(action));
+  return withOutputWritten(act(action, program));
 }
 
 }  // namespace squat::commands

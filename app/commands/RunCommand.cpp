@@ -10,6 +10,7 @@
 #include "commands/ExitCodes.h"
 #include "commands/FigureOutput.h"
 #include "commands/Interrupt.h"
+#include "commands/NumberRange.h"
 #include "commands/PaperTable.h"
 #include "commands/RunFiles.h"
 #include "commands/TerminalMonitor.h"
@@ -129,7 +130,7 @@ void addRunCommand(CLI::App& program, Action& action) {
   command->add_flag("--resume", options->run.resume, "Goes on from the checkpoint, where there is one");
   command
       ->add_option("--checkpoint-every", options->run.checkpointSeconds, "Seconds between checkpoints (default: 300)")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(between(0.0, 1e6))
       ->type_name("SECONDS");
   command->add_option("--figures", options->figures, "Names of figures, comma between them (default: all)")
       ->delimiter(',')

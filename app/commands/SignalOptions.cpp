@@ -1,5 +1,6 @@
 #include "commands/SignalOptions.h"
 
+#include "commands/NumberRange.h"
 #include "laboratory/OptionText.h"
 
 namespace squat::commands {
@@ -15,7 +16,7 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
   command.add_option("--run-column", file.runColumn, "Column that tells repeated runs apart")->type_name("NAME");
   command.add_option("--object", file.object, "Path inside an HDF5 file")->type_name("PATH");
   command.add_option("--rate", file.rate, "Sampling rate, where the file has no time column")
-      ->check(CLI::Range(1.0, 1e8))
+      ->check(between(1.0, 1e8))
       ->type_name("HZ");
   command.add_option("--speed", options.speed, "Speed where the file has none: 30, \"30 m/s\" or \"108 km/h\"")
       ->type_name("SPEED");
