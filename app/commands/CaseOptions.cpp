@@ -28,6 +28,17 @@ void addCaseOptions(CLI::App& command, CaseOptions& options) {
 
 namespace {
 
+// A key that is set twice has one value that its user did not mean.
+void checkOnce(const cases::CaseOverrides& overrides, const std::string& key, const std::string& value,
+               std::vector<CaseProblem>& problems) {
+  const auto refuse = [&](const std::string& other) {
+    problems.push_back({"--set", key + "=" + value, "each key once", "It is set by " + other + " too: leave one out"});
+  };
+  for (const auto& [name, text] : overrides.values)
+    if (name == key) return refuse("--set " + name + "=" + text);
+  if (key == "mesh.preset" && !overrides.preset.empty()) refuse("--mesh " + overrides.preset);
+}
+
 // Takes what is well formed into `overrides`; returns the rest.
 std::vector<CaseProblem> takeSets(const CaseOptions& options, cases::CaseOverrides& overrides) {
   overrides.preset = options.mesh;
@@ -36,8 +47,10 @@ std::vector<CaseProblem> takeSets(const CaseOptions& options, cases::CaseOverrid
     const auto split = set.find('=');
     if (split == std::string::npos || split == 0)
       problems.push_back({"--set", set, "KEY=VALUE", "Write for example --set motion.speed=30"});
-    else
+    else {
+      checkOnce(overrides, set.substr(0, split), set.substr(split + 1), problems);
       overrides.values.emplace_back(set.substr(0, split), set.substr(split + 1));
+    }
   }
   return problems;
 }
