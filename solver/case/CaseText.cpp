@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case/DecimalNumber.h"
+#include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
 #include "case/PointsText.h"
 
@@ -38,6 +39,18 @@ std::string shortValue(const CaseDescription& description, const Parameter& para
 bool isDefault(const CaseDescription& description, const Parameter& parameter) {
   const std::string standard = isList(parameter) ? "[]" : parameter.standardText;
   return valueText(description, parameter) == standard;
+}
+
+// Where the value is from. What a preset sets is the preset's own as long as nobody changed it.
+std::string sourceText(const CaseDescription& description, const Parameter& parameter) {
+  for (const auto& row : presetTable())
+    if (row.key == parameter.key) {
+      CaseDescription own = defaultCase();
+      applyPreset(own, static_cast<MeshPreset>(description.mesh.preset));
+      if (valueText(own, parameter) != valueText(description, parameter)) return "stated in the case";
+      return "mesh preset " + valueText(description, *findParameter("mesh.preset"));
+    }
+  return parameter.source;
 }
 
 std::string rangeText(const Parameter& parameter) {
@@ -93,7 +106,7 @@ std::string describeTable(const CaseDescription& description) {
     }
     const char* star = isDefault(description, parameter) ? "  " : "* ";
     text += star + padded(parameter.key, 34) + " " + padded(shortValue(description, parameter), 18) + " " +
-            padded(rangeText(parameter), 18) + " " + parameter.doc + " [" + parameter.source + "]\n";
+            padded(rangeText(parameter), 18) + " " + parameter.doc + " [" + sourceText(description, parameter) + "]\n";
   }
   return text;
 }
@@ -113,7 +126,7 @@ std::string describeJson(const CaseDescription& description) {
     row["max"] = isNumber ? Json(parameter.maximum) : Json(nullptr);
     row["doc"] = parameter.doc;
     row["group"] = parameter.group;
-    row["source"] = parameter.source;
+    row["source"] = sourceText(description, parameter);
     row["kind"] = kinds[static_cast<int>(parameter.kind)];
     if (parameter.kind == Kind::choice) row["choices"] = parameter.choices;
     all.push_back(std::move(row));

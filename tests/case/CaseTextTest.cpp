@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
 
 namespace squat::cases {
@@ -58,6 +59,18 @@ TEST(CaseText, TableNamesEveryKeyAndMarksChanges) {
   EXPECT_THAT(table, HasSubstr("* pad.stiffness"));
   EXPECT_THAT(table, HasSubstr("550 MN/m"));
   EXPECT_THAT(table, testing::Not(HasSubstr("* pad.damping")));
+}
+
+// A value of the preset paper is not one of the preset draft.
+TEST(CaseText, MeshValuesAreFromThePresetThatIsChosen) {
+  CaseDescription description = defaultCase();
+  applyPreset(description, MeshPreset::paper);
+  setValue(description, "mesh.far_size", "60");
+  const std::string table = describeTable(description);
+  EXPECT_THAT(table, HasSubstr("[mesh preset paper]"));
+  EXPECT_THAT(table, testing::Not(HasSubstr("[mesh preset draft]")));
+  EXPECT_THAT(table, testing::ContainsRegex("mesh.far_size [^\n]*stated in the case"));
+  EXPECT_THAT(describeJson(description), HasSubstr("\"mesh preset paper\""));
 }
 
 }  // namespace
