@@ -13,13 +13,12 @@ namespace {
 
 struct DescribeOptions {
   CaseOptions caseOptions;
-  bool json = false;
+  bool json = false, defaults = false;  // defaults: no case is named
 };
 
 int describe(const DescribeOptions& options) {
-  const auto description = options.caseOptions.name.empty()
-                               ? cases::parseCase("", "defaults", {}, caseOverrides(options.caseOptions))
-                               : readCase(options.caseOptions);
+  const auto description = options.defaults ? cases::parseCase("", "defaults", {}, caseOverrides(options.caseOptions))
+                                            : readCase(options.caseOptions);
   const auto text = options.json ? cases::describeJson(description) : cases::describeTable(description);
   std::fputs(text.c_str(), stdout);
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
@@ -34,7 +33,10 @@ void addDescribeCommand(CLI::App& program, Action& action) {
   addCaseOptions(*command, options->caseOptions);
   command->get_option("case")->required(false);
   command->add_flag("--json", options->json, "As JSON, for programs");
-  command->callback([options, &action] { action = [options] { return describe(*options); }; });
+  command->callback([options, command, &action] {
+    options->defaults = command->count("case") == 0;
+    action = [options] { return describe(*options); };
+  });
 }
 
 }  // namespace squat::commands

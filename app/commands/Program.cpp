@@ -4,12 +4,16 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
+#include "case/ParameterTable.h"
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
 #include "core/Errors.h"
@@ -64,6 +68,37 @@ int withOutputWritten(int code) {
   return code == kDone ? kFileWrong : code;
 }
 
+// The words of the call; "help [command]" stands for "[command] --help".
+std::vector<std::string> wordsOf(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() || words.front() != "help") return words;
+  words.erase(words.begin());
+  words.push_back("--help");
+  return words;
+}
+
+// A command that there is not, with the nearest one; empty where all are known.
+std::string unknownCommand(const CLI::App& program, const std::vector<std::string>& words) {
+  const CLI::App* level = &program;
+  for (const auto& word : words) {
+    const auto commands = level->get_subcommands([](const CLI::App*) { return true; });
+    if (commands.empty() || word.empty() || word.front() == '-') return {};
+    const CLI::App* nearest = nullptr;
+    int smallest = 2 + static_cast<int>(word.size()) / 4;  // farther than that is another word
+    std::string names;
+    for (const auto* command : commands) {
+      const int distance = cases::editDistance(word, command->get_name());
+      if (distance < smallest) nearest = command, smallest = distance;
+      names += (names.empty() ? "" : ", ") + command->get_name();
+    }
+    if (smallest > 0 || !nearest)
+      return "'" + word + "' is no command" +
+             (nearest ? "; did you mean " + nearest->get_name() + "?" : "; there are " + names);
+    level = nearest;
+  }
+  return {};
+}
+
 }  // namespace
 
 int runProgram(int argc, char** argv) {
@@ -86,8 +121,14 @@ int runProgram(int argc, char** argv) {
   addValidateCommand(program, action);
   program.footer(
       "Exit codes: 0 done, 2 the case or the call is wrong, 3 the run failed, 4 a file is wrong, 130 cancelled");
+  auto words = wordsOf(argc, argv);
+  if (const auto unknown = unknownCommand(program, words); !unknown.empty()) {
+    std::fprintf(stderr, "squat: the call is wrong: %s\nTry squat --help\n", unknown.c_str());
+    return kCaseWrong;
+  }
+  std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
-    program.parse(argc, argv);
+    program.parse(words);
   } catch (const CLI::Success& success) {  // --help, --version
     return withOutputWritten(program.exit(success));
   } catch (const CLI::ParseError& error) {

@@ -113,18 +113,6 @@ std::vector<Parameter> makeTable() {
   return table;
 }
 
-int editDistance(std::string_view a, std::string_view b) {
-  std::vector<int> previous(b.size() + 1), current(b.size() + 1);
-  std::iota(previous.begin(), previous.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    current[0] = static_cast<int>(i) + 1;
-    for (std::size_t j = 0; j < b.size(); ++j)
-      current[j + 1] = std::min({previous[j] + (a[i] != b[j]), previous[j + 1] + 1, current[j] + 1});
-    std::swap(previous, current);
-  }
-  return previous[b.size()];
-}
-
 std::string_view lastPart(std::string_view key) { return key.substr(key.rfind('.') + 1); }
 
 }  // namespace
@@ -142,6 +130,18 @@ const Parameter* findParameter(std::string_view key) {
   }();
   const auto found = index.find(key);
   return found == index.end() ? nullptr : found->second;
+}
+
+int editDistance(std::string_view a, std::string_view b) {
+  std::vector<int> previous(b.size() + 1), current(b.size() + 1);
+  std::iota(previous.begin(), previous.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    current[0] = static_cast<int>(i) + 1;
+    for (std::size_t j = 0; j < b.size(); ++j)
+      current[j + 1] = std::min({previous[j] + (a[i] != b[j]), previous[j + 1] + 1, current[j] + 1});
+    std::swap(previous, current);
+  }
+  return previous[b.size()];
 }
 
 std::string nearestKey(std::string_view key) {

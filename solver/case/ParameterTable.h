@@ -45,6 +45,9 @@ const std::vector<Parameter>& parameterTable();
 
 const Parameter* findParameter(std::string_view key);  // nullptr: no such key
 
+// Letters changed, added or left out from one word to the other.
+int editDistance(std::string_view a, std::string_view b);
+
 // The known key with the smallest edit distance; a key of another table with the same last part counts as near.
 // Empty where nothing is near.
 std::string nearestKey(std::string_view key);

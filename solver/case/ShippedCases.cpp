@@ -23,6 +23,16 @@ fs::path besideProgram() {
   return error ? fs::path() : program.parent_path().parent_path() / "share" / "squat-studio";
 }
 
+// What stands under the name of a case instead of a file; empty where nothing does.
+std::string otherThan(const std::string& path) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+    return "cannot be looked at: " + error.message();
+  if (fs::is_directory(status)) return "is a folder, not a case file";
+  return fs::exists(status) ? "is no regular file" : "";
+}
+
 }  // namespace
 
 fs::path resourcesFolder() {
@@ -49,9 +59,11 @@ fs::path findCase(const std::string& nameOrPath) {
   const bool isName = nameOrPath.find_first_of("/\\") == std::string::npos && !nameOrPath.empty();
   fs::path shipped = resourcesFolder() / "cases" / (nameOrPath + ".toml");
   if (isName && fs::is_regular_file(shipped, error)) return shipped;
+  const auto other = otherThan(nameOrPath);
   std::string names;
   for (const auto& name : shippedCases()) names += (names.empty() ? "" : ", ") + name;
-  throw FileError(nameOrPath, "", "no such case file or shipped case",
+  throw FileError(nameOrPath.empty() ? "''" : nameOrPath, "",
+                  other.empty() ? "no such case file or shipped case" : other,
                   "Give a path to a case file or one of: " + (names.empty() ? "(no shipped cases found)" : names));
 }
 
