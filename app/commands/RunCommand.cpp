@@ -78,6 +78,36 @@ void keepPart(const RunFiles& files, const results::RunResult& partial) {
   }
 }
 
+// Numbers first: they are seen even where no file can be written.
+std::vector<std::string> printAndWrite(const RunCommandOptions& options, const RunFiles& files,
+                                       const results::RunResult& result) {
+  if (options.verbose) std::printf("%s\n%s\n", modesTable(result).c_str(), phasesTable(result).c_str());
+  std::printf("%s", paperTable(result).c_str());
+  std::fflush(stdout);
+  std::vector<std::string> written;
+  try {
+    written = writeRunFiles(files, result);
+  } catch (const FileError&) {
+    if (const auto path = writeSignalsAlone(files, result))
+      std::fprintf(stderr, "the signals alone are kept: %s\n", path->c_str());
+    throw;
+  }
+  for (auto& path : drawFigures(options, result)) written.push_back(std::move(path));
+  return written;
+}
+
+// A run that was cancelled ahead of its first sample has nothing to keep, and replaces nothing.
+bool hasNothing(const RunFiles& files, const results::RunResult& result) {
+  std::error_code ignored;
+  return result.time.empty() && (!canGoOn(files) || std::filesystem::exists(files.result(), ignored));
+}
+
+int tellCancelled(const RunFiles& files, const char* what) {
+  std::fprintf(stderr, "cancelled: %s%s\n", what,
+               canGoOn(files) ? "; squat run --resume goes on from here" : "; there is no checkpoint to go on from");
+  return kCancelled;
+}
+
 int run(const RunCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
@@ -108,14 +138,10 @@ int run(const RunCommandOptions& options) {
   }
   monitor.clearLine();
   result.stem = files.stem;
-  auto written = writeRunFiles(files, result);
-  for (auto& path : drawFigures(options, result)) written.push_back(std::move(path));
-  if (options.verbose) std::printf("%s\n%s\n", modesTable(result).c_str(), phasesTable(result).c_str());
-  std::printf("%s", paperTable(result).c_str());
-  printWritten(written);
-  if (result.complete) return kDone;
-  std::fprintf(stderr, "cancelled: the result is marked incomplete; squat run --resume goes on from here\n");
-  return kCancelled;
+  if (!result.complete && hasNothing(files, result))
+    return tellCancelled(files, "nothing was recorded yet, no file is written");
+  printWritten(printAndWrite(options, files, result));
+  return result.complete ? kDone : tellCancelled(files, "the result is marked incomplete");
 }
 
 }  // namespace

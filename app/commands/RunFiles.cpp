@@ -98,6 +98,20 @@ void prepareFolder(const RunFiles& files) {
   fs::remove(probe, ignored);
 }
 
+bool canGoOn(const RunFiles& files) {
+  std::error_code ignored;
+  return fs::exists(files.checkpoint(), ignored) || fs::exists(files.checkpoint() + ".previous", ignored);
+}
+
+std::optional<std::string> writeSignalsAlone(const RunFiles& files, const results::RunResult& result) {
+  try {
+    results::writeSignalTable(files.partialSignals(), result);
+    return files.partialSignals();
+  } catch (const FileError&) {
+    return std::nullopt;
+  }
+}
+
 std::vector<std::string> writeRunFiles(const RunFiles& files, const results::RunResult& result) {
   const bool final = result.complete || mayBeReplacedByAPart(files.result());
   const auto resultPath = final ? files.result() : files.partialResult();

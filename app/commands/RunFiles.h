@@ -41,6 +41,13 @@ results::RunResult runOrGoOn(const cases::CaseDescription& description, simulati
 // is no result or is damaged: it may be somebody's, and is not replaced unasked.
 std::optional<results::RunResult> completeResult(const RunFiles& files);
 
+// Whether a run goes on from here with --resume.
+bool canGoOn(const RunFiles& files);
+
+// Where the result could not be written: the signals alone, as STEM.partial.csv, which need a hundredth of the room.
+// The path; nothing where they do not fit either.
+std::optional<std::string> writeSignalsAlone(const RunFiles& files, const results::RunResult& result);
+
 // Writes result and signals, and returns the paths written. A complete result replaces whatever stood there and removes
 // partial files and checkpoint; an incomplete one takes the final name only where nothing or another incomplete result
 // of this program stands, else STEM.partial.h5.

@@ -47,6 +47,19 @@ TEST_P(Interrupt, OneSignalStopsCleanlyAndTheRunCanGoOn) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM));
 
+// Nothing was recorded, nothing can go on: no file is written, and no way on is promised.
+TEST(InterruptEarly, LeavesNothingAndPromisesNothing) {
+  const TemporaryFolder folder;
+  Program program(shortRun(folder.path()));
+  ASSERT_TRUE(program.waitForOutput("mesh")) << program.output();
+  program.signal(SIGINT);
+  EXPECT_EQ(program.wait(), 130) << program.output();
+  EXPECT_THAT(program.output(), HasSubstr("cancelled: nothing was recorded yet"));
+  EXPECT_THAT(program.output(), ::testing::Not(HasSubstr("goes on from here")));
+  EXPECT_THAT(program.output(), ::testing::Not(HasSubstr("written:")));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 // The second signal is another one: two of a kind that come at once are one to the kernel. A clean stop would leave a
 // result that is marked unfinished; a second signal leaves nothing. A second is promised, looked for in processor time:
 // the wall clock would tell of the machine's other work.

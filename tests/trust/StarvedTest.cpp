@@ -51,6 +51,10 @@ TEST(Starved, AFullDiskCostsNeitherTheEarlierResultNorTheProgramsLife) {
   EXPECT_THAT(output, HasSubstr(path + ": cannot be written"));
   EXPECT_THAT(output, HasSubstr("bytes needed"));
   EXPECT_EQ(readWholeFile(path, kMost), before);
+  // What was computed is not lost with it: the numbers are seen, the signals fit.
+  EXPECT_THAT(output, HasSubstr("contact force at equilibrium"));
+  EXPECT_THAT(output, HasSubstr(folder / "light-defect.partial.csv"));
+  EXPECT_THAT(readWholeFile(folder / "light-defect.partial.csv", kMost), ::testing::StartsWith("time [s],"));
 }
 
 // /dev/full is a disk without room. A shell as users have it: the program cannot see where its output goes.
