@@ -6,6 +6,7 @@
 
 #include "measured/ColumnRoles.h"
 #include "measured/TextNumber.h"
+#include "measured/Utf8Text.h"
 
 namespace squat::measured {
 namespace {
@@ -63,7 +64,7 @@ void readHeader(const std::vector<std::string_view>& lines, TableLayout& layout)
     splitRow(withoutMarker(lines[i]), layout, fields);
     if (fields.size() != layout.fields) continue;
     auto& row = rows.emplace_back();
-    for (const auto field : fields) row.emplace_back(trimmed(field));
+    for (const auto field : fields) row.push_back(asUtf8(trimmed(field)));
   }
   if (rows.empty()) return;
   const auto unitsOnly = [](const std::vector<std::string>& row) {

@@ -13,7 +13,7 @@ struct TableLayout {
   char decimal = '.';
   std::size_t fields = 0;
   std::size_t firstLine = 0;       // index into the lines of the first row of numbers
-  std::vector<std::string> names;  // per column; empty without header
+  std::vector<std::string> names;  // per column, in UTF-8; empty without header
   std::vector<std::string> units;  // per column; empty texts where none
   std::vector<bool> numeric;       // columns that held numbers at the end of the lines looked at
 };

@@ -167,6 +167,18 @@ TEST(SignalFile, columnsOfOneNameAreToldApartByNumber) {
   EXPECT_THAT(only("t,left,Left\n0,1,4\n0.1,2,5\n0.2,3,6\n", options).series.values, ElementsAre(4, 5, 6));
 }
 
+// A header in Latin-1, as older programs write it: the name comes out in UTF-8, and the unit is known.
+TEST(SignalFile, namesAreUtf8WhateverTheFileIsIn) {
+  const auto signal = only("t [\xB5s];Achslager \xE4u\xDF\x65ren [m/s\xB2]\n0;1\n40;2\n80;3\n");
+  EXPECT_EQ(signal.run, "Achslager \xC3\xA4u\xC3\x9F\x65ren");
+  EXPECT_EQ(signal.series.unit, "m/s2");
+  EXPECT_NEAR(signal.series.rate(), 25000, 1e-6);
+  SignalFileOptions options;
+  options.column = "\xC3\xA4";
+  EXPECT_EQ(only("t,\xC3\xA4,b\n0,1,0\n1,2,0\n2,3,0\n", options).run, "\xC3\xA4") << "UTF-8 stays as it is";
+  EXPECT_EQ(only("t,\xE4,b\n0,1,0\n1,2,0\n2,3,0\n", options).run, "\xC3\xA4");
+}
+
 TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n0.2,3\n0.7,4\n0.8,5\n"), HasSubstr("line 5: a gap of 500 ms"));
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,-1e307\n0.2,3\n"), HasSubstr("line 3: 'aba' is -1e+307 here, too large"));
