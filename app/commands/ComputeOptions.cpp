@@ -1,5 +1,9 @@
 #include "commands/ComputeOptions.h"
 
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
 #include "case/ParameterTable.h"
 
 namespace squat::commands {
@@ -10,8 +14,30 @@ CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& he
       ->type_name("PRESET");
 }
 
+namespace {
+
+constexpr int mostThreads = 1024;
+
+// Threads wait for each other at every step: far more than there are cores bring a run to a crawl. The numbers of a
+// result do not depend on how many there are, so fewer than asked for do no harm.
+std::string limitThreads(std::string& input) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const int most = std::max(8, 4 * cores);
+  int threads = 0;
+  if (CLI::detail::lexical_cast(input, threads) && threads > most && threads <= mostThreads) {
+    std::fprintf(stderr, "note: %d threads instead of %d, the machine has %d cores\n", most, threads, cores);
+    input = std::to_string(most);
+  }
+  return {};
+}
+
+}  // namespace
+
 void addThreads(CLI::App& command, int& threads, const std::string& help) {
-  command.add_option("--threads", threads, help)->check(CLI::Range(1, 1024))->type_name("N");
+  command.add_option("--threads", threads, help)
+      ->check(CLI::Range(1, mostThreads))
+      ->transform(CLI::Validator(limitThreads, ""))
+      ->type_name("N");
 }
 
 void addInstructionSet(CLI::App& command, std::string& isa) {

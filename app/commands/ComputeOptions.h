@@ -9,7 +9,7 @@ namespace squat::commands {
 // --mesh; `help` says what it falls back to. The names are those of the parameter table.
 CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& help);
 
-// --threads; 0 where none are named.
+// --threads; 0 where none are named. Many more than the machine has cores are lowered, and a line says so.
 void addThreads(CLI::App& command, int& threads, const std::string& help = "Threads (default: all cores)");
 
 // --isa; empty where none is named: the best that the processor has.

@@ -1,10 +1,10 @@
+#include "commands/FigureNames.h"
 #include "commands/LaboratoryFigures.h"
 
 namespace squat::commands {
 
 void addFigureOptions(CLI::App& command, FigureChoice& choice, bool mayBeNone) {
-  command.add_option("--format", choice.formats, "png, svg, pdf (default: all)")
-      ->delimiter(',')
+  addList(command, "--format", choice.formats, "png, svg, pdf (default: all)")
       ->check(CLI::IsMember({"png", "svg", "pdf"}))
       ->type_name("FORMAT,...");
   command.add_option("--colours", choice.colours, "Colours of scalograms: viridis, cividis or jet (default: viridis)")

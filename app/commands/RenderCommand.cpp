@@ -2,6 +2,7 @@
 
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
+#include "commands/FigureNames.h"
 #include "commands/FigureOutput.h"
 #include "core/DurableFile.h"
 #include "results/ResultFile.h"
@@ -31,12 +32,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<RenderOptions>();
   command->add_option("result", options->result, "Result file")->required()->type_name("RESULT.h5");
   command->add_option("-o,--output", options->folder, "Folder for the figures (default: here)")->type_name("DIR");
-  command->add_option("--figures", options->figures, "Names of figures, comma between them (default: all)")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  command->add_option("--format", options->formats, "png, svg, pdf (default: all)")
-      ->delimiter(',')
-      ->type_name("FORMAT,...");
+  addFigureNames(*command, options->figures, options->formats);
   command->callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

@@ -8,6 +8,7 @@
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
+#include "commands/FigureNames.h"
 #include "commands/FigureOutput.h"
 #include "commands/Interrupt.h"
 #include "commands/NumberRange.h"
@@ -158,12 +159,7 @@ void addRunCommand(CLI::App& program, Action& action) {
       ->add_option("--checkpoint-every", options->run.checkpointSeconds, "Seconds between checkpoints (default: 300)")
       ->check(between(0.0, 1e6))
       ->type_name("SECONDS");
-  command->add_option("--figures", options->figures, "Names of figures, comma between them (default: all)")
-      ->delimiter(',')
-      ->type_name("NAME,...");
-  command->add_option("--format", options->formats, "png, svg, pdf (default: all)")
-      ->delimiter(',')
-      ->type_name("FORMAT,...");
+  addFigureNames(*command, options->figures, options->formats);
   command->add_flag("--no-figures", options->noFigures, "Draws no figures");
   command->add_flag("--verbose", options->verbose,
                     "Prints the natural modes of the half wheelset and the time of each phase as well");

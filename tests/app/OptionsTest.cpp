@@ -1,0 +1,49 @@
+// Options as they reach a command.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "commands/ComputeOptions.h"
+#include "commands/FigureNames.h"
+
+namespace squat::commands {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(FigureNames, CountOnce) {
+  CLI::App app;
+  std::vector<std::string> figures, formats;
+  addFigureNames(app, figures, formats);
+  app.parse("--figures psd,aba,psd --format png,png --figures aba");
+  EXPECT_THAT(figures, ElementsAre("psd", "aba"));
+  EXPECT_THAT(formats, ElementsAre("png"));
+}
+
+// What is asked for `words`, and what is said.
+std::pair<int, std::string> threadsOf(const std::string& words) {
+  CLI::App app;
+  int threads = 0;
+  addThreads(app, threads);
+  ::testing::internal::CaptureStderr();
+  app.parse(words);
+  return {threads, ::testing::internal::GetCapturedStderr()};
+}
+
+TEST(Threads, AreLimitedByTheMachineAndThatIsTold) {
+  EXPECT_EQ(threadsOf("").first, 0);
+  EXPECT_EQ(threadsOf("--threads 3"), std::pair(3, std::string()));
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const auto [threads, told] = threadsOf("--threads 1024");
+  EXPECT_LE(threads, std::max(8, 4 * cores));
+  if (threads < 1024) EXPECT_THAT(told, HasSubstr("instead of 1024"));
+  EXPECT_THROW(threadsOf("--threads 0"), CLI::ValidationError);
+  ::testing::internal::GetCapturedStderr();
+  EXPECT_THROW(threadsOf("--threads 5000"), CLI::ValidationError);
+  ::testing::internal::GetCapturedStderr();
+}
+
+}  // namespace
+}  // namespace squat::commands
