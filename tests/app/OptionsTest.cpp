@@ -5,7 +5,9 @@
 #include <thread>
 
 #include "commands/ComputeOptions.h"
+#include "commands/ExitCodes.h"
 #include "commands/FigureNames.h"
+#include "commands/Program.h"
 
 namespace squat::commands {
 namespace {
@@ -20,6 +22,15 @@ TEST(FigureNames, CountOnce) {
   app.parse("--figures psd,aba,psd --format png,png --figures aba");
   EXPECT_THAT(figures, ElementsAre("psd", "aba"));
   EXPECT_THAT(formats, ElementsAre("png"));
+}
+
+// A script's empty variable is no wish for the defaults.
+TEST(Describe, AnEmptyNameIsNoCase) {
+  std::string words[] = {"squat", "describe", ""};
+  char* argv[] = {words[0].data(), words[1].data(), words[2].data()};
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(runProgram(3, argv), kFileWrong);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(), HasSubstr("no such case file"));
 }
 
 // What is asked for `words`, and what is said.
