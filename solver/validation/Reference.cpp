@@ -101,6 +101,13 @@ void readSensitivity(const json& all, Reference& reference, std::string& place) 
   });
 }
 
+// What the library says, without the name of its kind of error in front.
+std::string wordsOf(const json::exception& error) {
+  const std::string text = error.what();
+  const auto end = text.find("] ");
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 }  // namespace
 
 const ReferenceRun* Reference::run(const std::string& name) const {
@@ -138,7 +145,7 @@ Reference readReference(const std::string& path) {
     readSensitivity(all, reference, place);
     return reference;
   } catch (const json::exception& error) {
-    throw FileError(path, place, error.what());
+    throw FileError(path, place, wordsOf(error), "Compare it with the file of the paper's statements (schema 2)");
   } catch (const std::invalid_argument& error) {
     throw FileError(path, place, error.what());
   }

@@ -12,7 +12,9 @@
 namespace squat::validation {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::TemporaryFolder;
 
 std::string refusal(const std::string& text) {
@@ -103,6 +105,7 @@ TEST(Reference, AToleranceIsAShareOfTheExpectedValue) {
 TEST(Reference, MistakesAreNamed) {
   EXPECT_THAT(refusal("{"), HasSubstr("paper.json"));
   EXPECT_THAT(refusal(R"({"schema": "other"})"), HasSubstr("no reference"));
+  EXPECT_THAT(refusal("{}"), AllOf(HasSubstr("key 'schema' not found"), Not(HasSubstr("exception"))));
   EXPECT_THAT(refusal(R"({"schema": "squat-reference", "schema_version": 3})"), HasSubstr("newer"));
   const std::string head = R"({"section": "1", "statement": "t", "unit": "1", "reason": "r", )";
   EXPECT_EQ(refusal(with(head + R"("run": "a", "measure": "maximum", "low": 1, "high": 2})")), "accepted");
