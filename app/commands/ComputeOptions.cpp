@@ -22,7 +22,7 @@ constexpr int mostThreads = 1024;
 // result do not depend on how many there are, so fewer than asked for do no harm.
 std::string limitThreads(std::string& input) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int most = std::max(8, 4 * cores);
+  const int most = usefulThreads(cores);
   int threads = 0;
   if (CLI::detail::lexical_cast(input, threads) && threads > most && threads <= mostThreads) {
     std::fprintf(stderr, "note: %d threads instead of %d, the machine has %d cores\n", most, threads, cores);
@@ -32,6 +32,8 @@ std::string limitThreads(std::string& input) {
 }
 
 }  // namespace
+
+int usefulThreads(int cores) { return std::max(8, 4 * cores); }
 
 void addThreads(CLI::App& command, int& threads, const std::string& help) {
   command.add_option("--threads", threads, help)

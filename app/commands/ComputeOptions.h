@@ -9,6 +9,9 @@ namespace squat::commands {
 // --mesh; `help` says what it falls back to. The names are those of the parameter table.
 CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& help);
 
+// As many threads as are taken on a machine of so many cores.
+int usefulThreads(int cores);
+
 // --threads; 0 where none are named. Many more than the machine has cores are lowered, and a line says so.
 void addThreads(CLI::App& command, int& threads, const std::string& help = "Threads (default: all cores)");
 

@@ -64,6 +64,7 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
     std::printf("%s stands already\n", files.result().c_str());
     return result;
   }
+  for (const auto& line : keepOtherCases(files, cases::caseHash(description))) monitor.message(line);
   monitor.message("run " + name);
   auto result = runOrGoOn(description, options.run, files, monitor);
   monitor.clearLine();

@@ -76,8 +76,12 @@ void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
   if (!light && !startsWith(result.stem, "class-c-squat")) return;
   for (const auto& wanted : light ? kLightLines : kSquatLines) {
     const bool isLow = wanted.low < lowest && !result.position.empty();
-    const auto lines =
-        strongLines(result, isLow ? std::clamp(result.position.back() - 0.02, figure, lowLines) : figure).peaks;
+    const auto seen = isLow ? strongLines(result, std::clamp(result.position.back() - 0.02, figure, lowLines)) : strong;
+    if (seen.apart == 0) {
+      rows.push_back({wanted.name, kNone, wanted.statement, ""});
+      continue;
+    }
+    const auto& lines = seen.peaks;
     const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
       return line.frequency >= wanted.low && line.frequency <= wanted.high;
     });

@@ -79,20 +79,26 @@ void keepPart(const RunFiles& files, const results::RunResult& partial) {
   }
 }
 
-// Numbers first: they are seen even where no file can be written.
-std::vector<std::string> printAndWrite(const RunCommandOptions& options, const RunFiles& files,
-                                       const results::RunResult& result) {
+void printTables(const RunCommandOptions& options, const results::RunResult& result) {
   if (options.verbose) std::printf("%s\n%s\n", modesTable(result).c_str(), phasesTable(result).c_str());
   std::printf("%s", paperTable(result).c_str());
   std::fflush(stdout);
+}
+
+// Files first: a reader of the output that has gone ends the program. Numbers are seen even where no file can be
+// written.
+std::vector<std::string> writeAndPrint(const RunCommandOptions& options, const RunFiles& files,
+                                       const results::RunResult& result) {
   std::vector<std::string> written;
   try {
     written = writeRunFiles(files, result);
   } catch (const FileError&) {
     if (const auto path = writeSignalsAlone(files, result))
       std::fprintf(stderr, "the signals alone are kept: %s\n", path->c_str());
+    printTables(options, result);
     throw;
   }
+  printTables(options, result);
   for (auto& path : drawFigures(options, result)) written.push_back(std::move(path));
   return written;
 }
@@ -141,7 +147,7 @@ int run(const RunCommandOptions& options) {
   result.stem = files.stem;
   if (!result.complete && hasNothing(files, result))
     return tellCancelled(files, "nothing was recorded yet, no file is written");
-  printWritten(printAndWrite(options, files, result));
+  printWritten(writeAndPrint(options, files, result));
   return result.complete ? kDone : tellCancelled(files, "the result is marked incomplete");
 }
 

@@ -75,8 +75,13 @@ std::optional<results::RunResult> make(const ValidateOptions& options, const val
 bool makeAll(const ValidateOptions& options, const validation::Reference& reference, Results& results,
              TerminalMonitor& monitor) {
   bool well = true;
-  // Hours later would be the wrong moment to find a foreign result.
-  for (const auto& run : reference.runs) finished({options.folder, run.name}, cases::caseHash(caseOf(options, run)));
+  // Hours later would be the wrong moment to find a foreign result, or the checkpoint of another case.
+  for (const auto& run : reference.runs) {
+    const auto description = caseOf(options, run);
+    const RunFiles files{options.folder, run.name};
+    keepInputs(files, run.caseName, description);
+    if (!finished(files, cases::caseHash(description))) keepOtherCases(files, cases::caseHash(description));
+  }
   for (const auto& run : reference.runs) {
     try {
       if (auto result = make(options, run, monitor)) results.emplace(run.name, std::move(*result));

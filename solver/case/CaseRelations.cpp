@@ -53,8 +53,6 @@ void add(std::vector<Finding>& findings, const Case& description, Severity sever
   findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});
 }
 
-}  // namespace
-
 // The solid half of a wheelset: volume [m3] and the integral of the squared radius over it [m5], times density its
 // inertia about the axis.
 struct WheelsetSolid {
@@ -80,6 +78,8 @@ WheelsetSolid wheelsetSolid(const Wheelset& w) {
   solid.squaredRadii += 0.5 * (w.rimInnerRadius * w.rimInnerRadius + w.hubRadius * w.hubRadius) * web;
   return solid;
 }
+
+}  // namespace
 
 void checkMaterials(const Case& c, std::vector<Finding>& findings) {
   const bool below = c.rail.tangentModulus < c.rail.material.young;

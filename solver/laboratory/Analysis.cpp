@@ -66,7 +66,6 @@ void limitVoices(signals::WaveletOptions& options, std::vector<std::string>& not
 signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::WaveletOptions options,
                                std::vector<std::string>& notes) {
   const double half = series.rate() / 2;
-  raiseLowest(series, options.lowest, notes);
   if (options.highest > half) {
     notes.push_back("the scalogram ends at " + hertz(half) + ", half the sampling rate");
     options.highest = half;
@@ -75,6 +74,10 @@ signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::Wavel
     options.lowest = options.highest / 8;
     notes.push_back("the scalogram begins at " + hertz(options.lowest) + ", three octaves below its end");
   }
+  raiseLowest(series, options.lowest, notes);
+  if (options.lowest >= options.highest)
+    throw signals::SignalError("a scalogram up to " + hertz(options.highest) + " begins at " + hertz(options.lowest) +
+                               " in a record of this length and rate; raise its highest frequency");
   limitVoices(options, notes);
   if (options.cell == 0) options.cell = (series.values.size() + mostColumns - 1) / mostColumns;
   return signals::scalogram(series, options);

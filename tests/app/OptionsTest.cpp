@@ -46,9 +46,9 @@ std::pair<int, std::string> threadsOf(const std::string& words) {
 TEST(Threads, AreLimitedByTheMachineAndThatIsTold) {
   EXPECT_EQ(threadsOf("").first, 0);
   EXPECT_EQ(threadsOf("--threads 3"), std::pair(3, std::string()));
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  for (const auto& [cores, most] : {std::pair(1, 8), std::pair(2, 8), std::pair(16, 64), std::pair(200, 800)})
+    EXPECT_EQ(usefulThreads(cores), most);
   const auto [threads, told] = threadsOf("--threads 1024");
-  EXPECT_LE(threads, std::max(8, 4 * cores));
   EXPECT_THAT(told, threads < 1024 ? HasSubstr("instead of 1024") : HasSubstr(""));
   EXPECT_THROW(threadsOf("--threads 0"), CLI::ValidationError);
   ::testing::internal::GetCapturedStderr();

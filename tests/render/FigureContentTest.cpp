@@ -119,7 +119,8 @@ TEST_F(FigureContent, zoomedCurvesStayInsideTheAxesOfTheSvg) {
 // Positions of a line are counted in kilometres; the ticks stand for what they are, to the digit.
 TEST_F(FigureContent, ticksFarFromZeroAreToldApart) {
   const plots::Figure figure("far", plots::lightStyle());
-  for (const QCPRange range : {QCPRange(12345600, 12345700), QCPRange(-1e6 - 0.4, -1e6 + 0.4), QCPRange(-40, 90)}) {
+  for (const QCPRange range : {QCPRange(12345600, 12345700), QCPRange(12345600, 12345613),
+                               QCPRange(-1e6 - 0.4, -1e6 + 0.4), QCPRange(-40, 90)}) {
     QVector<double> ticks;
     QVector<QString> texts;
     figure.xAxis->ticker()->generate(range, QLocale::c(), 'g', figure.xAxis->numberPrecision(), ticks, nullptr, &texts);

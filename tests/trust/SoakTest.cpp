@@ -25,10 +25,12 @@ double residentBytes(pid_t process) {
   return resident * 4096;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+// What a tenth of the values lie below: a run has less memory in some phases and 5 % more in others, and which of both
+// is the median depends on how busy the machine is. What is never given back raises the lowest as well.
+double lowTenth(std::vector<double> values) {
+  const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
+  std::nth_element(values.begin(), tenth, values.end());
+  return *tenth;
 }
 
 TEST(Soak, TwoHundredCasesOnePoisoned) {
@@ -51,10 +53,10 @@ TEST(Soak, TwoHundredCasesOnePoisoned) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), kRuns + 1);
   EXPECT_THAT(program.output(), HasSubstr("199 of 200 runs done"));
   EXPECT_THAT(program.output(), HasSubstr("failed: output.time_step=9"));
-  // The middle of the last third against the middle of the second: the first holds what is loaded once.
+  // The last third against the second: the first holds what is loaded once.
   const auto third = static_cast<std::ptrdiff_t>(memory.size() / 3);
-  const double second = median({memory.begin() + third, memory.begin() + 2 * third});
-  const double last = median({memory.begin() + 2 * third, memory.end()});
+  const double second = lowTenth({memory.begin() + third, memory.begin() + 2 * third});
+  const double last = lowTenth({memory.begin() + 2 * third, memory.end()});
   EXPECT_NEAR(last / second, 1, 0.02);
 }
 

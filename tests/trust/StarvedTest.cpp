@@ -75,6 +75,16 @@ TEST(Starved, OutputThatIsLostIsTold) {
   EXPECT_EQ(readWholeFile(folder / "told", kMost), "") << "who reads the beginning only wants no more";
 }
 
+// Whoever was to read the numbers has gone: the run stands in its files all the same.
+TEST(Starved, AReaderThatHasGoneCostsNoRun) {
+  const TemporaryFolder folder;
+  std::string words = SQUAT_PROGRAM;
+  for (const auto& word : testing::shortRun(folder.path())) words += " " + word;
+  std::system((words + " 2> /dev/null | true").c_str());
+  EXPECT_TRUE(results::isCompleteResult(folder / "light-defect.h5"));
+  EXPECT_THAT(readWholeFile(folder / "light-defect.csv", kMost), ::testing::StartsWith("time [s],"));
+}
+
 TEST(Starved, ARunOutlivesTheFolderOfItsCheckpoints) {
   class Messages : public Monitor {
    public:

@@ -20,10 +20,18 @@ class AxisTicker : public QCPAxisTicker {
     if (ticks.size() > 1 && format != 'f') {
       const double step = (ticks.last() - ticks.first()) / (ticks.size() - 1);
       const double largest = std::max(std::abs(ticks.first()), std::abs(ticks.last()));
-      const int lastDigit = static_cast<int>(std::floor(std::log10(step) + 1e-9));
-      if (step > 0 && std::log10(largest) - lastDigit >= precision) format = 'f', precision = std::max(0, -lastDigit);
+      if (step > 0 && std::log10(largest) - lastDigit(step) >= precision)
+        format = 'f', precision = std::max(0, -lastDigit(step));
     }
     return QCPAxisTicker::createLabelVector(ticks, locale, format, precision);
+  }
+
+ private:
+  // Power of ten of the last digit of a step: steps are 1, 2, 2.5 or 5 times one.
+  static int lastDigit(double step) {
+    const int first = static_cast<int>(std::floor(std::log10(step) + 1e-9));
+    const double leading = step / std::pow(10.0, first);
+    return std::abs(leading - std::round(leading)) < 1e-6 ? first : first - 1;
   }
 };
 

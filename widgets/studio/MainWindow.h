@@ -105,7 +105,9 @@ class MainWindow : public QMainWindow {
   void endRun();
   void offerRecovery();
   void hideSettledRecovery();  // once what was recovered is saved or let go
-  QString recoverCase();       // what to say of it
+  bool recoveredResultWaits() const;
+  void hideWordsOfOldCase();
+  QString recoverCase();  // what to say of it
   QString recoverResults();
   void overlay(const QString& path, const measured::SignalFileOptions& options);  // throws
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);

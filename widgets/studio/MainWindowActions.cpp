@@ -13,7 +13,6 @@
 #include "case/ShippedCases.h"
 #include "studio/FigureView.h"
 #include "studio/MainWindow.h"
-#include "studio/MessageBar.h"
 #include "studio/ProfileEditor.h"
 #include "studio/ProfilePlot.h"
 #include "studio/RecentFiles.h"
@@ -40,7 +39,7 @@ void MainWindow::makeFileMenu() {
   add(menu, tr("&New case"), QKeySequence::New, "new", this, [this] {
     if (!mayLeaveCase()) return;
     document_.startNew();
-    messages_->hide();  // what it says is of the case before
+    hideWordsOfOldCase();
     profile_->plot()->fit();
   });
   add(menu, tr("&Open…"), QKeySequence::Open, "open", this, [this] {

@@ -53,7 +53,7 @@ bool MainWindow::openCase(const QString& nameOrPath) {
     return false;
   }
   if (!document_.path().isEmpty()) addRecentFile(document_.path());
-  messages_->hide();
+  hideWordsOfOldCase();
   profile_->plot()->fit();
   return true;
 }
@@ -241,11 +241,19 @@ void MainWindow::removeRun(int row) {
 void MainWindow::hideSettledRecovery() {
   if (!caseRecovered_ && resultsRecovered_.empty()) return;  // it tells of files that cannot be read
   if (messages_->text() != recoverySaid_ || (caseRecovered_ && document_.isModified())) return;
+  if (!recoveredResultWaits()) messages_->hide();
+}
+
+bool MainWindow::recoveredResultWaits() const {
   const auto unsaved = store_.unsaved();
-  const bool waits = std::any_of(resultsRecovered_.begin(), resultsRecovered_.end(), [&](const auto& each) {
+  return std::any_of(resultsRecovered_.begin(), resultsRecovered_.end(), [&](const auto& each) {
     return std::find(unsaved.begin(), unsaved.end(), each.lock()) != unsaved.end();
   });
-  if (!waits) messages_->hide();
+}
+
+// Another case is there: what is said of the one before goes, but not that a recovered result is still to be saved.
+void MainWindow::hideWordsOfOldCase() {
+  if (messages_->text() != recoverySaid_ || !recoveredResultWaits()) messages_->hide();
 }
 
 QString MainWindow::recoverCase() {

@@ -58,9 +58,13 @@ std::vector<double> spectrum(results::RunResult& result, const std::string& name
 
 // The stretch that the other figures show (psdFrom, psdTo) stays that of the run.
 void takeSpectra(results::RunResult& result, const SignalSettings& settings) {
+  auto before = result.frequency;
   const auto wheel = spectrum(result, "wheel_acceleration_filtered", settings);
   auto box = spectrum(result, "aba_filtered", settings);
-  if (box.empty()) return;
+  if (box.empty()) {
+    result.frequency = std::move(before);  // that of the spectrum that stays
+    return;
+  }
   result.psd = std::move(box);
   result.psdWheel = wheel.size() == result.psd.size() ? wheel : std::vector<double>();
   result.psdWindow = settings.window;
