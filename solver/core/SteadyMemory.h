@@ -17,4 +17,12 @@ inline void keepMemorySteady() {
 #endif
 }
 
+// Between the runs of a study: rows that stay lie between what a run has given back, and pages of the heap that hold
+// nothing more would stay with the process, some 15 kB a run (seen).
+inline void giveBackFreeMemory() {
+#if defined(__GLIBC__)
+  ::malloc_trim(0);
+#endif
+}
+
 }  // namespace squat

@@ -6,6 +6,7 @@
 #include "case/ParameterValue.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "core/SteadyMemory.h"
 #include "laboratory/RunFeatures.h"
 
 namespace squat::studies {
@@ -80,6 +81,7 @@ StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOver
       throw CaseError({{"case", definition.caseName + " (" + hash + ")",
                         "the case that the study began with (" + definition.caseHash + ")",
                         "It was changed meanwhile: put it back, or begin a study of its own in another folder"}});
+    giveBackFreeMemory();
     const auto result = run(caseAt(definition, overrides, point), point, own);
     if (!result.complete) return std::nullopt;
     return studyFeatures(result);
