@@ -134,6 +134,11 @@ void addOutput(Rows& rows) {
   rows.push_back(wholeNumber(
       "output.cwt_voices", 16, {4, 64}, [](Case& c) -> double& { return c.output.cwtVoices; },
       "scales per octave of the scalogram", "assumed"));
+  rows.push_back(number(
+      "output.rail_accelerometer", metre, 0, {-60, 60}, [](Case& c) -> double& { return c.output.railAccelerometer; },
+      "location of an accelerometer on the rail foot, along the track from the deepest point of the defect; a second "
+      "one is on the nearest sleeper",
+      "assumed: at the defect"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "signals/ContinuousWavelet.h"
 #include "signals/FourierTransform.h"
 #include "signals/PowerSpectrum.h"
-#include "simulation/RunParts.h"
+#include "simulation/Describe.h"
 
 namespace squat::simulation {
 

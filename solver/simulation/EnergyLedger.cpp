@@ -10,6 +10,8 @@ namespace squat::simulation {
 
 namespace {
 
+constexpr std::size_t kPackedHead = 20;  // numbers ahead of the entries: six sums, the first entry, the one begun
+
 struct SolidEnergies {
   double rail = 0, wheelset = 0, sleepers = 0;
   double sum() const { return rail + wheelset + sleepers; }
@@ -198,9 +200,13 @@ std::vector<double> EnergyLedger::pack() const {
   const auto put = [&](const Sample& s) {
     numbers.insert(numbers.end(), {s.kinetic, s.strain, s.contact, s.friction, s.damping, s.external, s.plastic});
   };
-  put(first_);
+  put(first_), put(pending_);
   for (std::size_t i = 0; i < samples_.size(); ++i) numbers.push_back(time_[i]), put(samples_[i]);
   return numbers;
+}
+
+bool EnergyLedger::isPacked(const std::vector<double>& numbers) {
+  return numbers.size() >= kPackedHead && (numbers.size() - kPackedHead) % 8 == 0;
 }
 
 void EnergyLedger::unpack(const std::vector<double>& numbers) {
@@ -210,9 +216,9 @@ void EnergyLedger::unpack(const std::vector<double>& numbers) {
     return Sample{numbers[at],     numbers[at + 1], numbers[at + 2], numbers[at + 3],
                   numbers[at + 4], numbers[at + 5], numbers[at + 6]};
   };
-  first_ = get(6);
+  first_ = get(6), pending_ = get(13);
   time_.clear(), samples_.clear();
-  for (std::size_t at = 13; at + 8 <= numbers.size(); at += 8)
+  for (std::size_t at = kPackedHead; at + 8 <= numbers.size(); at += 8)
     time_.push_back(numbers[at]), samples_.push_back(get(at + 1));
 }
 

@@ -23,6 +23,7 @@ class EnergyLedger {
 
   double relativeResidual() const;         // of the last sample
   double largestRelativeResidual() const;  // so far
+  std::size_t entries() const { return samples_.size(); }
   std::vector<double> times() const { return time_; }
   std::vector<results::Channel> channels() const;
 
@@ -33,8 +34,9 @@ class EnergyLedger {
   Shares shares() const { return shares_; }
   void setShares(const Shares& shares) { shares_ = shares; }
 
-  // For checkpoints: everything as rows of numbers.
+  // For checkpoints: everything as rows of numbers, an entry begun by before() included. isPacked: of a right length.
   std::vector<double> pack() const;
+  static bool isPacked(const std::vector<double>& numbers);
   void unpack(const std::vector<double>& numbers);
 
  private:

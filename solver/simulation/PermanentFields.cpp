@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/RunParts.h"
+#include "simulation/Describe.h"
 
 namespace squat::simulation {
 

@@ -3,19 +3,27 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "case/CaseFile.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
-#include "simulation/RunParts.h"
+#include "simulation/CheckpointWriter.h"
+#include "simulation/Describe.h"
+#include "simulation/DivergenceGuard.h"
+#include "simulation/EnergyObserver.h"
+#include "simulation/FieldRecorder.h"
+#include "simulation/ProgressReporter.h"
+#include "simulation/RollingLoop.h"
+#include "simulation/RollingStateFile.h"
+#include "simulation/RunStart.h"
+#include "simulation/SignalRecorder.h"
 #include "simulation/SurfaceFields.h"
 #include "statics/QuietStart.h"
 #include "statics/UnloadedShape.h"
@@ -29,10 +37,11 @@ namespace squat::simulation {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double frameFrom = -0.06, frameTo = 0.12;  // [m] stretch about the defect of which frames are kept
-constexpr int frames = 12;
-constexpr long mostStepsAtOnce = 24;  // cancel is asked at least this often
-constexpr int samplesPerLedger = 5;   // output samples between entries of the ledger
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr long maximumStepsAtOnce = 24;  // cancel is asked at least this often
+constexpr int samplesPerLedger = 5;      // output samples between entries of the energy balance
 
 std::string utcNow() {
   const std::time_t now = std::time(nullptr);
@@ -104,200 +113,91 @@ long stepsPerSample(const cases::CaseDescription& d, const dynamics::StableStep&
                       "0 or at most " + std::to_string(stable.step * 1e6) + " us: the stable step of this mesh",
                       "Leave it at 0 for the stable step; it is set by " + stable.place}});
   const double wished = d.output.timeStep > 0 ? d.output.timeStep : stable.step;
-  if (sample / wished > mostStepsPerSample)
+  if (sample / wished > maximumStepsPerSample)
     throw CaseError({{"output.time_step", std::to_string(d.output.timeStep * 1e6) + " us",
-                      "0 or at least " + std::to_string(sample / mostStepsPerSample * 1e6) + " us",
+                      "0 or at least " + std::to_string(sample / maximumStepsPerSample * 1e6) + " us",
                       "Leave it at 0 for the stable step; it is set by " + stable.place}});
   return std::max(2L, static_cast<long>(std::ceil(sample / wished - 1e-9)));
 }
 
-// The rolling phase: the loop, its observers and its checkpoints.
-class RollingPhase {
- public:
-  RollingPhase(Run& run, dynamics::Rolling& rolling, const SurfaceFields* fields, const RunStart& start,
-               double startStrain)
-      : run_(run),
-        rolling_(rolling),
-        fields_(fields),
-        start_(start),
-        perSample_(start.stepsPerSample),
-        recorder_(rolling.stepSize(), static_cast<std::size_t>(start.stepsPerSample)),
-        ledger_(rolling, startStrain) {
-    const auto& m = run.description.motion;
-    const double duration = (m.runUp + m.beyond) / m.speed;
-    samples_ = static_cast<long>(std::floor(duration * run.description.output.rate)) + 1;
-    total_ = samples_ * perSample_ + static_cast<long>(std::ceil(recorder_.wait() / rolling.stepSize()));
+long samplesOf(const cases::CaseDescription& d) {
+  return static_cast<long>(std::floor((d.motion.runUp + d.motion.beyond) / d.motion.speed * d.output.rate)) + 1;
+}
+
+// The filter of the signals waits for what comes behind the last sample.
+long lastStepOf(const cases::CaseDescription& d, const dynamics::Rolling& rolling, const RunStart& start) {
+  const SignalRecorder recorder(rolling, static_cast<std::size_t>(start.stepsPerSample));
+  return samplesOf(d) * start.stepsPerSample + static_cast<long>(std::ceil(recorder.wait() / rolling.stepSize()));
+}
+
+// Everything that looks at the rolling, in the order in which it looks.
+struct RollingRun {
+  RollingRun(Run& run, dynamics::Rolling& rolling, const SurfaceFields* fields, const RunStart& start,
+             double startStrain)
+      : ledger(rolling, startStrain),
+        recorder(rolling, static_cast<std::size_t>(start.stepsPerSample)),
+        energy(ledger, samplesPerLedger * start.stepsPerSample),
+        guard(rolling, ledger, start.stepsPerSample, maximumStepsAtOnce),
+        firstStep(rolling.state().step),
+        lastStep(lastStepOf(run.description, rolling, start)),
+        progress(rolling, lastStep, recorder, ledger, clock, run.monitor),
+        checkpoint({run.options.checkpointPath, run.options.checkpointSeconds}, start, observers, run.result, clock,
+                   [&run](const std::string& text) { warn(run, text); }) {
+    observers = {&recorder, &energy, &guard};
+    if (fields) observers.push_back(&frames.emplace(*fields, run.result, start.stepsPerSample, maximumStepsAtOnce));
+    observers.insert(observers.end(), {&progress, &checkpoint});
   }
+  RollingRun(const RollingRun&) = delete;
+  RollingRun& operator=(const RollingRun&) = delete;
 
-  // True when it ran to its end, false when cancelled.
-  bool go() {
-    started_ = Clock::now(), lastCheckpoint_ = started_, firstStep_ = rolling_.state().step;
-    guard_.goOnFrom(rolling_.state().time);
-    DivergenceGuard::checkEverything(rolling_);
-    if (firstStep_ == 0) checkpoint();
-    const auto observe = [this](const dynamics::StepView& view) { recorder_.observe(view); };
-    long atOnce = 1;  // the first step alone: a state from a file is judged before it can fly apart
-    while (rolling_.state().step < total_) {
-      const long done = rolling_.state().step;
-      if (done % (samplesPerLedger * perSample_) == 0) {
-        ledger_.before(rolling_);
-        rolling_.advance(1, observe);
-        ledger_.after(rolling_);
-        DivergenceGuard::checkEverything(rolling_);
-      } else {
-        rolling_.advance(std::min({atOnce, toNextLook(done), total_ - done}), observe);
-      }
-      atOnce = mostStepsAtOnce;
-      guard_.check(rolling_, ledger_);
-      // Pictures are taken at the same steps however often the run was stopped.
-      if (rolling_.state().step % perSample_ % mostStepsAtOnce == 0) takePictures();
-      tell();
-      const auto asked = Clock::now();
-      while (run_.monitor.paused() && !run_.monitor.cancelled()) wait();
-      const auto rested = Clock::now() - asked;  // no part of the run
-      started_ += rested, lastCheckpoint_ += rested;
-      if (run_.monitor.cancelled()) {
-        checkpoint();
-        return false;
-      }
-      if (!run_.options.checkpointPath.empty() && secondsSince(lastCheckpoint_) > run_.options.checkpointSeconds)
-        checkpoint();
-    }
-    if (!rolling_.model().layer.empty()) checkpoint();  // unloading follows, and can be cancelled too
-    return true;
-  }
-
-  void store() {
-    auto& r = run_.result;
-    recorder_.store(r, run_.description.output.filterCutoff);
-    const std::size_t wanted = std::min<std::size_t>(static_cast<std::size_t>(samples_), r.time.size());
-    r.time.resize(wanted), r.position.resize(wanted);
-    for (auto& channel : r.signals) channel.values.resize(wanted);
-    r.energyTime = ledger_.times();
-    r.energy = ledger_.channels();
-    const auto shares = ledger_.shares();
-    r.equilibrium.push_back({"strain_energy_rail", "J", "at the end", shares.rail});
-    r.equilibrium.push_back({"strain_energy_wheelset", "J", "at the end", shares.wheelset});
-    r.equilibrium.push_back({"strain_energy_sleepers", "J", "at the end", shares.sleepers});
-    r.equilibrium.push_back({"strain_energy_springs", "J", "at the end", shares.springs});
-    const long steps = rolling_.state().step - firstStep_;
-    const double seconds = secondsSince(started_);
-    r.performance.push_back({"steps", "1", "", static_cast<double>(rolling_.state().step)});
-    r.performance.push_back({"rolling_seconds", "s", "wall time", seconds});
-    r.performance.push_back({"element_updates_per_second", "1/s", "elements times steps over wall time of the rolling",
-                             static_cast<double>(steps) * static_cast<double>(rolling_.model().elements()) / seconds});
-    r.performance.push_back({"energy_residual", "1", "largest, of strain energy at the start plus all dissipation",
-                             ledger_.largestRelativeResidual()});
-  }
-
-  // A state that has gone astray never replaces a good checkpoint (RunError). One that cannot be written is no reason
-  // to lose the run: that is told, the earlier one stays, and the run goes on.
-  void checkpoint() {
-    if (run_.options.checkpointPath.empty()) return;
-    DivergenceGuard::checkEverything(rolling_);
-    results::ArrayTree tree;
-    setAttribute(tree.attributes, "case_hash", run_.result.caseHash);
-    setAttribute(tree.attributes, "code_version", run_.result.codeVersion);
-    setAttribute(tree.attributes, "isa", run_.result.isa);
-    saveRolling(rolling_, tree);
-    recorder_.save(tree);
-    const auto shares = ledger_.shares();
-    tree.add("/ledger", ledger_.pack(), "1");
-    tree.add("/ledger_shares", std::vector<double>{shares.rail, shares.wheelset, shares.sleepers, shares.springs}, "J");
-    saveStart(start_, run_.result, tree);
-    savePictures(run_.result, tree);
-    try {
-      results::writeCheckpoint(run_.options.checkpointPath, std::move(tree));
-    } catch (const FileError& error) {
-      if (!std::exchange(toldOfCheckpoint_, true))
-        warn(run_, std::string("the run goes on without this checkpoint: ") + error.what());
-    }
-    lastCheckpoint_ = Clock::now();
-  }
-
-  // Goes on from a checkpoint. Throws FileError for one that does not fit this run, before anything is taken from it.
-  void load(const results::ArrayTree& tree) {
-    const auto& file = run_.options.checkpointPath;
-    requireFittingState(tree, rolling_, total_, file);
-    rolling_.restore(loadRolling(tree));
-    recorder_.load(tree, file);
-    ledger_.unpack(results::valuesOf<double>(tree, "/ledger", file));
-    if (tree.find("/ledger_shares")) {
-      const auto& shares = results::valuesOf<double>(tree, "/ledger_shares", file);
-      if (shares.size() != 4) throw FileError(file, "/ledger_shares", "has a wrong length");
-      ledger_.setShares({shares[0], shares[1], shares[2], shares[3]});
-    }
-    loadPictures(tree, file, run_.result);
-  }
-
- private:
-  void wait() { std::this_thread::sleep_for(std::chrono::milliseconds(50)); }
-
-  double referencePosition() const {
-    return rolling_.model().startX + run_.description.motion.speed * rolling_.state().time;
-  }
-
-  bool has(const std::string& name) const {
-    return std::any_of(run_.result.snapshots.begin(), run_.result.snapshots.end(),
-                       [&](const auto& s) { return s.name == name; });
-  }
-
-  void picture(const std::string& name) {
-    const double travel = rolling_.view().position - rolling_.model().startX;
-    run_.result.snapshots.push_back(fields_->snapshot(name, rolling_.displacement(), rolling_.state().time, travel,
-                                                      rolling_.state().rotation, rolling_.state().plastic));
-    run_.result.patches.push_back(patchSnapshot(name, rolling_));
-  }
-
-  // Steps to the next place of a fixed grid, laid anew in every sample.
-  long toNextLook(long done) const {
-    const long offset = done % perSample_;
-    return std::min(perSample_ - offset, mostStepsAtOnce - offset % mostStepsAtOnce);
-  }
-
-  void takePictures() {
-    if (!fields_) return;
-    const double x = referencePosition();
-    if (x >= 0 && !has("impact")) picture("impact");
-    const int frame = static_cast<int>(std::floor((x - frameFrom) / (frameTo - frameFrom) * frames));
-    if (x < frameFrom || frame >= frames) return;
-    char name[24];
-    std::snprintf(name, sizeof name, "frame %02d", frame);
-    if (!has(name)) picture(name);
-  }
-
-  void tell() {
-    const long done = rolling_.state().step;
-    const double seconds = secondsSince(started_);
-    if (seconds - lastTold_ < 0.1 && done < total_) return;
-    lastTold_ = seconds;
-    Progress p;
-    p.phase = "rolling";
-    p.fraction = static_cast<double>(done) / static_cast<double>(total_);
-    p.simulatedTime = rolling_.state().time;
-    const double rate = static_cast<double>(done - firstStep_) / std::max(seconds, 1e-3);
-    if (seconds > 0.5) p.remainingSeconds = static_cast<double>(total_ - done) / std::max(rate, 1e-3);
-    p.elementUpdatesPerSecond = rate * static_cast<double>(rolling_.model().elements());
-    p.position = rolling_.view().position;
-    p.contactForce = rolling_.view().patch.vertical;
-    p.axleBoxAcceleration = recorder_.latestAxleBox();
-    p.accelerationPosition = p.simulatedTime > recorder_.wait() ? recorder_.latestPosition() : p.position;
-    p.energyResidual = ledger_.relativeResidual();
-    run_.monitor.report(p);
-  }
-
-  Run& run_;
-  dynamics::Rolling& rolling_;
-  const SurfaceFields* fields_;
-  RunStart start_;
-  bool toldOfCheckpoint_ = false;
-  long perSample_, samples_ = 0, total_ = 0, firstStep_ = 0;
-  Recorder recorder_;
-  EnergyLedger ledger_;
-  DivergenceGuard guard_;
-  Clock::time_point started_, lastCheckpoint_;
-  double lastTold_ = -1;
+  EnergyLedger ledger;
+  RunClock clock;
+  SignalRecorder recorder;
+  EnergyObserver energy;
+  DivergenceGuard guard;
+  std::optional<FieldRecorder> frames;
+  long firstStep, lastStep;
+  ProgressReporter progress;
+  CheckpointWriter checkpoint;
+  Observers observers;
 };
+
+// True when it ran to its end, false when cancelled.
+bool rollToTheEnd(Run& run, dynamics::Rolling& rolling, RollingRun& parts) {
+  DivergenceGuard::checkEverything(rolling);
+  const bool complete = roll(rolling, parts.lastStep, parts.observers, run.monitor, parts.clock) == LoopEnd::done;
+  // Unloading of a rail that yields follows, and can be cancelled too.
+  if (!complete || !rolling.model().layer.empty()) parts.checkpoint.write(rolling);
+  return complete;
+}
+
+void store(Run& run, const dynamics::Rolling& rolling, const RollingRun& parts) {
+  auto& r = run.result;
+  parts.recorder.store(r, static_cast<std::size_t>(samplesOf(run.description)), run.description.output.filterCutoff);
+  r.energyTime = parts.ledger.times();
+  r.energy = parts.ledger.channels();
+  const auto shares = parts.ledger.shares();
+  r.equilibrium.push_back({"strain_energy_rail", "J", "at the end", shares.rail});
+  r.equilibrium.push_back({"strain_energy_wheelset", "J", "at the end", shares.wheelset});
+  r.equilibrium.push_back({"strain_energy_sleepers", "J", "at the end", shares.sleepers});
+  r.equilibrium.push_back({"strain_energy_springs", "J", "at the end", shares.springs});
+  const auto steps = static_cast<double>(rolling.state().step - parts.firstStep);
+  const double seconds = parts.clock.seconds();
+  r.performance.push_back({"steps", "1", "", static_cast<double>(rolling.state().step)});
+  r.performance.push_back({"rolling_seconds", "s", "wall time", seconds});
+  r.performance.push_back({"element_updates_per_second", "1/s", "elements times steps over wall time of the rolling",
+                           steps * static_cast<double>(rolling.model().elements()) / seconds});
+  r.performance.push_back({"energy_residual", "1", "largest, of strain energy at the start plus all dissipation",
+                           parts.ledger.largestRelativeResidual()});
+}
+
+// Resumes from a checkpoint. Throws FileError for one that does not fit this run, before anything is taken from it.
+void restore(Run& run, dynamics::Rolling& rolling, const RunStart& start, const results::ArrayTree& tree) {
+  const auto& file = run.options.checkpointPath;
+  requireFittingState(tree, rolling, lastStepOf(run.description, rolling, start), file);
+  rolling.restore(loadRolling(tree));
+  loadPictures(tree, file, run.result);
+}
 
 std::optional<results::ArrayTree> readMatchingCheckpoint(Run& run) {
   if (!run.options.resume || run.options.checkpointPath.empty()) return {};
@@ -430,11 +330,13 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
   if (fields && !checkpoint)
     run.result.snapshots.push_back(fields->snapshot("equilibrium", displacement, 0, 0, 0, rolling.state().plastic));
 
-  RollingPhase phase(run, rolling, fields.get(), beginning.steps, beginning.quiet.equilibrium.strainEnergy);
-  if (checkpoint) phase.load(*checkpoint);
+  if (checkpoint) restore(run, rolling, beginning.steps, *checkpoint);
+  RollingRun parts(run, rolling, fields.get(), beginning.steps, beginning.quiet.equilibrium.strainEnergy);
+  if (checkpoint)
+    for (auto* observer : parts.observers) observer->load(*checkpoint, options.checkpointPath);
   try {
-    bool complete = run.timed("rolling", [&] { return phase.go(); });
-    phase.store();
+    bool complete = run.timed("rolling", [&] { return rollToTheEnd(run, rolling, parts); });
+    store(run, rolling, parts);
     markSpin(run, model.surfaces.radius);
     if (complete && !model.layer.empty())
       complete = run.timed("unloading", [&] { return unload(run, rolling, team, fields.get()); });
@@ -442,7 +344,7 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
     run.result.stopReason = complete ? "done" : "cancelled";
     run.timed("spectra", [&] { return finish(run, start), 0; });
   } catch (const RunError& error) {
-    if (run.result.time.empty()) phase.store();
+    if (run.result.time.empty()) store(run, rolling, parts);
     run.result.stopReason = std::string("failed: ") + error.what();
     finish(run, start);
     if (partial) *partial = run.result;

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "case/CaseFile.h"
-#include "simulation/RunParts.h"
+#include "simulation/Describe.h"
 
 namespace squat::simulation {
 namespace {

@@ -168,7 +168,7 @@ TEST(Divergence, ACheckpointWithANotANumberIsRefused) {
 // Near equilibrium the energy is stationary: stretching all displacements by 20 % adds 4 % of the strain energy.
 TEST(Divergence, EnergyFromNowhereIsCaught) {
   const TemporaryFolder folder;
-  expectStoppedSoon(folder, "energy ledger", goOn(folder, [](ArrayTree& state) {
+  expectStoppedSoon(folder, "energy balance", goOn(folder, [](ArrayTree& state) {
                       for (double& value : numbers(state, "/rolling/displaced")) value *= 1.2;
                     }));
 }

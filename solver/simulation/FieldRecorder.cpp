@@ -1,60 +1,60 @@
-// What a checkpoint holds besides the state of the rolling: how the run was begun, and the pictures taken so far.
+#include "simulation/FieldRecorder.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/Errors.h"
-#include "results/ResultTree.h"
-#include "simulation/RunParts.h"
 
 namespace squat::simulation {
 
 namespace {
 
-// Figures of the start are kept in the layout of the result file below this group.
-constexpr const char* kStart = "/start";
-// The order of unknowns in /rolling/displaced and /rolling/velocity (elasticity/SweptBlock.h) and of /rolling/small:
-// raise it with them.
-constexpr const char* kLayoutName = "state_layout";
-constexpr int kLayout = 5;
-
-bool belongsToTheStart(const std::string& path) {
-  return path.starts_with("/equilibrium/") || path.starts_with("/modes/") ||
-         (path.starts_with("/mesh/") && !path.starts_with("/mesh/surface/"));
-}
+constexpr double frameFrom = -0.06, frameTo = 0.12;  // [m] stretch about the defect of which frames are kept
+constexpr int frames = 12;
 
 }  // namespace
 
-void saveStart(const RunStart& start, const results::RunResult& result, results::ArrayTree& tree) {
-  setAttribute(tree.attributes, kLayoutName, std::int64_t{kLayout});
-  tree.add("/steps", std::vector<double>{static_cast<double>(start.stepsPerSample), start.step, start.beta}, "1");
-  results::RunResult figures;
-  figures.equilibrium = result.equilibrium, figures.meshFigures = result.meshFigures, figures.modes = result.modes;
-  for (auto& array : results::toTree(figures).arrays)
-    if (belongsToTheStart(array.path))
-      tree.arrays.push_back(std::move(array)), tree.arrays.back().path.insert(0, kStart);
+long FieldRecorder::nextStep(long done) const {
+  const long offset = done % perSample_;
+  return done + std::min(perSample_ - offset, grid_ - offset % grid_);
 }
 
-RunStart loadStart(const results::ArrayTree& tree, const std::string& file, double rate, results::RunResult& result) {
-  if (numberAttribute(tree.attributes, kLayoutName) != kLayout)
-    throw FileError(file, std::string("attribute ") + kLayoutName, "was written by another version of the program",
-                    "Use that version, or start the run anew without --resume");
-  results::ArrayTree figures;
-  setAttribute(figures.attributes, "schema", std::string(results::kResultSchema));
-  setAttribute(figures.attributes, "schema_version", std::int64_t{results::kResultVersion});
-  for (const auto& array : tree.arrays)
-    if (array.path.starts_with(kStart)) {
-      figures.arrays.push_back(array);
-      figures.arrays.back().path.erase(0, std::string(kStart).size());
-    }
-  const auto& steps = results::valuesOf<double>(tree, "/steps", file);
-  if (steps.size() != 3 || !(steps[0] >= 2 && steps[0] <= mostStepsPerSample) || steps[0] != std::floor(steps[0]) ||
-      !(std::abs(steps[0] * steps[1] * rate - 1) < 1e-9) || !(steps[2] >= 0))
-    throw FileError(file, "/steps", "does not fit the output rate of this case", "Start anew without --resume");
-  auto read = results::fromTree(std::move(figures), file);
-  result.equilibrium = std::move(read.equilibrium);
-  result.meshFigures = std::move(read.meshFigures);
-  result.modes = std::move(read.modes);
-  return RunStart{static_cast<long>(steps[0]), steps[1], steps[2]};
+void FieldRecorder::onStep(const dynamics::Rolling& rolling) {
+  if (rolling.state().step % perSample_ % grid_ != 0) return;
+  const auto& model = rolling.model();
+  const double x = model.startX + model.description.motion.speed * rolling.state().time;
+  if (x >= 0 && !has("impact")) take("impact", rolling);
+  const int frame = static_cast<int>(std::floor((x - frameFrom) / (frameTo - frameFrom) * frames));
+  if (x < frameFrom || frame >= frames) return;
+  char name[24];
+  std::snprintf(name, sizeof name, "frame %02d", frame);
+  if (!has(name)) take(name, rolling);
+}
+
+bool FieldRecorder::has(const std::string& name) const {
+  return std::any_of(result_.snapshots.begin(), result_.snapshots.end(), [&](const auto& s) { return s.name == name; });
+}
+
+void FieldRecorder::take(const std::string& name, const dynamics::Rolling& rolling) {
+  const double travel = rolling.view().position - rolling.model().startX;
+  result_.snapshots.push_back(fields_.snapshot(name, rolling.displacement(), rolling.state().time, travel,
+                                               rolling.state().rotation, rolling.state().plastic));
+  result_.patches.push_back(patchSnapshot(name, rolling));
+}
+
+results::PatchSnapshot patchSnapshot(const std::string& name, const dynamics::Rolling& rolling) {
+  results::PatchSnapshot shot;
+  shot.name = name, shot.time = rolling.state().time;
+  shot.position = rolling.view().position;
+  for (const auto& p : rolling.patchPoints()) {
+    shot.x.push_back(static_cast<float>(p.x)), shot.y.push_back(static_cast<float>(p.y));
+    shot.pressure.push_back(static_cast<float>(p.pressure));
+    shot.tractionX.push_back(static_cast<float>(p.tractionX)),
+        shot.tractionY.push_back(static_cast<float>(p.tractionY));
+    shot.slipping.push_back(p.slips), shot.area.push_back(static_cast<float>(p.area));
+  }
+  return shot;
 }
 
 void savePictures(const results::RunResult& result, results::ArrayTree& tree) {

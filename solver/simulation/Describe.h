@@ -1,0 +1,28 @@
+// solver/simulation/Describe.h - figures of mesh, equilibrium, modes and profile as they stand in a result, and
+// spectra.
+#pragma once
+
+#include <string>
+
+#include "dynamics/Rolling.h"
+#include "dynamics/StableStep.h"
+#include "results/RunResult.h"
+#include "statics/Equilibrium.h"
+
+namespace squat::simulation {
+
+void describeEquilibrium(const model::Model& model, const statics::Equilibrium& equilibrium,
+                         results::RunResult& result);
+void describeMesh(const model::Model& model, const dynamics::StableStep& stable, double step,
+                  results::RunResult& result);
+void describeModes(const cases::CaseDescription& description, results::RunResult& result);
+void describeProfile(const cases::CaseDescription& description, results::RunResult& result);
+
+// What plastic flow leaves behind: fields of the unloaded rail and their largest values. `unloaded`: state layout.
+void describePermanentChange(const dynamics::Rolling& rolling, const AlignedVector& unloaded,
+                             results::RunResult& result);
+
+// PSD and scalogram of what has been recorded. Returns why there are none, or an empty text.
+std::string addSpectra(const cases::CaseDescription& description, results::RunResult& result);
+
+}  // namespace squat::simulation

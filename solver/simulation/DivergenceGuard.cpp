@@ -1,0 +1,77 @@
+#include "simulation/DivergenceGuard.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Errors.h"
+#include "model/InvertedElement.h"
+
+namespace squat::simulation {
+
+DivergenceGuard::DivergenceGuard(const dynamics::Rolling& rolling, const EnergyLedger& ledger, long perSample,
+                                 long grid)
+    : ledger_(ledger),
+      perSample_(perSample),
+      grid_(grid),
+      firstStep_(rolling.state().step),
+      lastContact_(rolling.state().time) {}
+
+// The first step alone: a state from a file is judged before it can fly apart. Then a fixed grid, laid anew in every
+// sample.
+long DivergenceGuard::nextStep(long done) const {
+  if (done == firstStep_) return done + 1;
+  const long offset = done % perSample_;
+  return done + std::min(perSample_ - offset, grid_ - offset % grid_);
+}
+
+void DivergenceGuard::onStep(const dynamics::Rolling& rolling) {
+  if (ledger_.entries() != entries_) {
+    entries_ = ledger_.entries();
+    checkEverything(rolling);
+  }
+  check(rolling);
+}
+
+void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling) {
+  constexpr double absurd = 1e4;  // [m], [m/s] beyond the speed of sound in steel; a not-a-number is not below it
+  const auto& state = rolling.state();
+  for (const auto* values : {&state.displaced, &state.velocity})
+    for (std::size_t i = 0; i < values->size(); ++i)
+      if (!(std::abs((*values)[i]) < absurd))
+        throw RunError("the run diverges: a displacement or velocity is not a number or grows without bound",
+                       state.step, state.time, model::placeName(rolling.model(), i));
+  if (!(std::abs(state.rotation) < maximumRotation) || !(std::abs(state.spinRate) < maximumAngularVelocity))
+    throw RunError("the run diverges: the angular velocity of the wheel grows without bound", state.step, state.time,
+                   "wheelset");
+  if (const auto place = model::invertedElement(rolling.model(), rolling.displacement()); !place.empty())
+    throw RunError("an element is turned inside out", state.step, state.time, place);
+}
+
+void DivergenceGuard::check(const dynamics::Rolling& rolling) {
+  const auto& view = rolling.view();
+  const auto& state = rolling.state();
+  const auto fail = [&](const std::string& what, const std::string& place) {
+    throw RunError(what, state.step, state.time, place);
+  };
+  const auto diverges = [&] {
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < state.velocity.size(); ++i)
+      if (!(std::abs(state.velocity[i]) <= std::abs(state.velocity[worst]))) worst = i;
+    fail("the run diverges: a velocity is not a number or grows without bound",
+         model::placeName(rolling.model(), worst));
+  };
+  if (!std::isfinite(view.patch.vertical) || !std::isfinite(view.boxAcceleration.z) ||
+      !(std::abs(state.spinRate) < maximumAngularVelocity))
+    diverges();
+  if (view.patch.deepest > 2e-3)
+    fail("runaway penetration of " + std::to_string(view.patch.deepest * 1e3) + " mm", "contact");
+  if (std::abs(view.patch.vertical) > 1e3 * rolling.wheelLoad()) diverges();
+  if (view.patch.points > 0) lastContact_ = state.time;
+  if (state.time - lastContact_ > 0.010) fail("the wheel has lost contact for 10 ms", "contact");
+  if (std::abs(ledger_.relativeResidual()) > 0.005)
+    fail("the energy balance does not close: error " + std::to_string(100 * ledger_.relativeResidual()) +
+             " % of the strain energy at the start plus all dissipation",
+         "energy");
+}
+
+}  // namespace squat::simulation

@@ -1,0 +1,35 @@
+// solver/simulation/DivergenceGuard.h - stops a run that has gone astray.
+#pragma once
+
+#include "simulation/EnergyLedger.h"
+#include "simulation/StepObserver.h"
+
+namespace squat::simulation {
+
+// No wheel turns further on the longest track, or faster at the highest speed, even where it slips.
+constexpr double maximumRotation = 1e4, maximumAngularVelocity = 1e5;  // [rad], [rad/s]
+
+// Throws RunError for a value that is not a number, runaway penetration, contact lost for good, an energy balance that
+// does not close, an element turned inside out.
+class DivergenceGuard : public StepObserver {
+ public:
+  // Looks at every `grid`-th step of a sample of `perSample` steps; at all numbers and elements at the steps of the
+  // energy balance. A run that resumes in mid-air has not lost contact since the beginning of time.
+  DivergenceGuard(const dynamics::Rolling& rolling, const EnergyLedger& ledger, long perSample, long grid);
+
+  long nextStep(long done) const override;
+  void onStep(const dynamics::Rolling& rolling) override;
+
+  // What only all numbers and all elements show; also before each checkpoint and for a state that comes from a file.
+  static void checkEverything(const dynamics::Rolling& rolling);
+
+ private:
+  void check(const dynamics::Rolling& rolling);
+
+  const EnergyLedger& ledger_;
+  long perSample_, grid_, firstStep_;
+  std::size_t entries_ = 0;
+  double lastContact_;  // [s]
+};
+
+}  // namespace squat::simulation

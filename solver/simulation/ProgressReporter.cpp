@@ -1,0 +1,36 @@
+#include "simulation/ProgressReporter.h"
+
+#include <algorithm>
+
+namespace squat::simulation {
+
+ProgressReporter::ProgressReporter(const dynamics::Rolling& rolling, long lastStep, const SignalRecorder& signals,
+                                   const EnergyLedger& ledger, const RunClock& clock, Monitor& monitor)
+    : firstStep_(rolling.state().step),
+      lastStep_(lastStep),
+      signals_(signals),
+      ledger_(ledger),
+      clock_(clock),
+      monitor_(monitor) {}
+
+void ProgressReporter::onStep(const dynamics::Rolling& rolling) {
+  const long done = rolling.state().step;
+  const double seconds = clock_.seconds();
+  if (seconds - lastReport_ < 0.1 && done < lastStep_) return;
+  lastReport_ = seconds;
+  Progress p;
+  p.phase = "rolling";
+  p.fraction = static_cast<double>(done) / static_cast<double>(lastStep_);
+  p.simulatedTime = rolling.state().time;
+  const double rate = static_cast<double>(done - firstStep_) / std::max(seconds, 1e-3);
+  if (seconds > 0.5) p.remainingSeconds = static_cast<double>(lastStep_ - done) / std::max(rate, 1e-3);
+  p.elementUpdatesPerSecond = rate * static_cast<double>(rolling.model().elements());
+  p.position = rolling.view().position;
+  p.contactForce = rolling.view().patch.vertical;
+  p.axleBoxAcceleration = signals_.latest("aba");
+  p.accelerationPosition = p.simulatedTime > signals_.wait() ? signals_.latest("position") : p.position;
+  p.energyResidual = ledger_.relativeResidual();
+  monitor_.report(p);
+}
+
+}  // namespace squat::simulation

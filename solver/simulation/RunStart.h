@@ -1,0 +1,24 @@
+// solver/simulation/RunStart.h - how a run was begun: found ahead of the rolling, kept in its checkpoints, so that
+// nothing of it is done twice and the steps stay the same on another instruction set.
+#pragma once
+
+#include <string>
+
+#include "results/ArrayTree.h"
+#include "results/RunResult.h"
+
+namespace squat::simulation {
+
+constexpr double maximumStepsPerSample = 1e5;  // the filter before the samples keeps some twenty samples of them
+
+struct RunStart {
+  long stepsPerSample = 0;
+  double step = 0, beta = 0;  // [s]
+};
+
+// With the figures of mesh, equilibrium and modes. Loading throws FileError where they are missing or damaged, do not
+// fit the output rate [Hz], or the checkpoint keeps its state in the order of another version.
+void saveStart(const RunStart& start, const results::RunResult& result, results::ArrayTree& tree);
+RunStart loadStart(const results::ArrayTree& tree, const std::string& file, double rate, results::RunResult& result);
+
+}  // namespace squat::simulation
