@@ -14,6 +14,9 @@ namespace squat::cases {
 // Value as text in the unit of the case file, without quotes: "1300", "true", "cosine". Points: "[[0, -0.1], [5, 0]]".
 std::string valueText(const CaseDescription& description, const Parameter& parameter);
 
+// Only for parameters whose value is a list (isList).
+bool isEmptyList(const CaseDescription& description, const Parameter& parameter);
+
 // Sets a value from such text. Returns the problem, and leaves the description as it was, where the text is of the
 // wrong type, not finite, out of range or not a known name.
 std::optional<CaseProblem> trySetValue(CaseDescription& description, const Parameter& parameter, std::string_view text);
