@@ -176,7 +176,7 @@ class Statements {
         one.typeProblem = CaseProblem{key, typeName(node), allowedText(*parameter), formAdvice(node, *parameter)};
     } else {
       // Looking for the nearest key takes its time; a list of thousands is not read by anybody.
-      one.typeProblem = ++unknown_ <= mostProblems ? unknownKey(key, typeName(node)) : CaseProblem{key, {}, {}, {}};
+      one.typeProblem = ++unknown_ <= mostProblems ? unknownKey(key) : CaseProblem{key, {}, {}, {}};
     }
     stated.push_back(std::move(one));
   }
@@ -286,7 +286,7 @@ void applyOverrides(CaseDescription& description, const CaseOverrides& overrides
   for (const auto& [key, text] : overrides.values) {
     const Parameter* parameter = findParameter(key);
     if (!parameter)
-      problems.add(unknownKey(key, text), " (--set)");
+      problems.add(unknownKey(key), " (--set)");
     else if (auto wrong = trySetValue(description, *parameter, text))
       problems.add(*wrong, " (--set)");
   }

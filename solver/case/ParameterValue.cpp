@@ -205,7 +205,7 @@ std::optional<CaseProblem> trySetValue(CaseDescription& description, const Param
 
 void setValue(CaseDescription& description, std::string_view key, std::string_view text) {
   const Parameter* parameter = findParameter(key);
-  if (!parameter) throw CaseError({unknownKey(key, text)});
+  if (!parameter) throw CaseError({unknownKey(key)});
   if (auto wrong = trySetValue(description, *parameter, text)) throw CaseError({*wrong});
 }
 
@@ -223,9 +223,8 @@ std::optional<CaseProblem> checkRange(const CaseDescription& description, const 
   return trySetValue(copy, parameter, valueText(description, parameter));
 }
 
-CaseProblem unknownKey(std::string_view key, std::string_view value) {
+CaseProblem unknownKey(std::string_view key) {
   const std::string near = nearestKey(key);
-  static_cast<void>(value);
   return {shown(key), "", "",
           "unknown key; " + (near.empty() ? "squat describe lists all keys" : "did you mean " + near + "?")};
 }

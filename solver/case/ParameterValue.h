@@ -36,6 +36,6 @@ std::optional<CaseProblem> checkRange(const CaseDescription& description, const 
 std::string allowedText(const Parameter& parameter);
 
 // The problem "unknown key" with the nearest known key as advice.
-CaseProblem unknownKey(std::string_view key, std::string_view value);
+CaseProblem unknownKey(std::string_view key);
 
 }  // namespace squat::cases

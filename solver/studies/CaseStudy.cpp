@@ -18,7 +18,7 @@ namespace {
 void checkValues(const Variation& variation, std::vector<CaseProblem>& problems) {
   const auto* parameter = cases::findParameter(variation.key);
   if (!parameter) {
-    problems.push_back(cases::unknownKey(variation.key, variation.values.front()));
+    problems.push_back(cases::unknownKey(variation.key));
     return;
   }
   auto description = cases::defaultCase();
