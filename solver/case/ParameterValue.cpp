@@ -42,7 +42,7 @@ std::string numberAdvice(const Parameter& parameter, std::string_view text) {
     return "Write a decimal point instead of the comma" +
            (parseQuantity(pointed, parameter) ? ": " + pointed : std::string());
   const auto units = knownUnits(parameter);
-  return units.empty() ? "Write a number" : "Write a number, with one of these units if any: " + units;
+  return units.empty() ? "Write a number" : "Write a number, optionally with a unit: " + units;
 }
 
 std::optional<CaseProblem> setNumber(CaseDescription& description, const Parameter& parameter, std::string_view text) {
