@@ -1,5 +1,8 @@
 #include "commands/CaseOptions.h"
 
+#include <cstdio>
+
+#include "case/Applicability.h"
 #include "case/ShippedCases.h"
 #include "core/Errors.h"
 
@@ -21,7 +24,9 @@ void addCaseOptions(CLI::App& command, CaseOptions& options) {
       ->type_name("CASE");
   command.add_option("--mesh", options.mesh, "Mesh preset: tiny, draft, standard or paper")->type_name("PRESET");
   command
-      .add_option("--set", options.sets, "Changes one key of the case, in the unit of the case file; may be repeated")
+      .add_option("--set", options.sets,
+                  "Sets one key of the case, in the unit of the case file or with a unit (motion.speed=\"108 km/h\"); "
+                  "repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -32,7 +37,7 @@ namespace {
 void checkOnce(const cases::CaseOverrides& overrides, const std::string& key, const std::string& value,
                std::vector<CaseProblem>& problems) {
   const auto refuse = [&](const std::string& other) {
-    problems.push_back({"--set", key + "=" + value, "each key once", "It is set by " + other + " too: leave one out"});
+    problems.push_back({"--set " + key + "=" + value, "", "", "already set by " + other + "; remove one of them"});
   };
   for (const auto& [name, text] : overrides.values)
     if (name == key) return refuse("--set " + name + "=" + text);
@@ -46,13 +51,24 @@ std::vector<CaseProblem> takeSets(const CaseOptions& options, cases::CaseOverrid
   for (const auto& set : options.sets) {
     const auto split = set.find('=');
     if (split == std::string::npos || split == 0)
-      problems.push_back({"--set", set, "KEY=VALUE", "Write for example --set motion.speed=30"});
+      problems.push_back({"--set", set, "KEY=VALUE", "Example: --set motion.speed=30"});
     else {
       checkOnce(overrides, set.substr(0, split), set.substr(split + 1), problems);
       overrides.values.emplace_back(set.substr(0, split), set.substr(split + 1));
     }
   }
   return problems;
+}
+
+// Validation warns of a value that has no effect where it differs from the default; a key that is typed and has no
+// effect is worth a warning even where it does not.
+void reportUselessSets(const cases::CaseDescription& description, const cases::CaseOverrides& overrides) {
+  for (const auto& [key, value] : overrides.values) {
+    const auto& parameter = *cases::findParameter(key);
+    if (!cases::applies(description, parameter) && !cases::valueWithoutEffect(description, parameter))
+      std::fprintf(stderr, "warning: --set %s=%s: %s\n", key.c_str(), value.c_str(),
+                   cases::reasonWithoutEffect(description, parameter).c_str());
+  }
 }
 
 }  // namespace
@@ -67,10 +83,14 @@ cases::CaseOverrides caseOverrides(const CaseOptions& options) {
 cases::CaseDescription readCase(const CaseOptions& options) {
   cases::CaseOverrides overrides;
   auto problems = takeSets(options, overrides);
-  if (problems.empty()) return cases::loadCase(options.name, overrides);
+  if (problems.empty()) {
+    const auto description = cases::loadCase(options.name, overrides);
+    reportUselessSets(description, overrides);
+    return description;
+  }
   try {
     cases::loadCase(options.name, overrides);
-  } catch (const CaseError& others) {  // all mistakes at once
+  } catch (const CaseError& others) {  // all errors are reported together
     problems.insert(problems.end(), others.problems().begin(), others.problems().end());
   }
   throw CaseError(problems);

@@ -21,7 +21,7 @@ void addCaseOptions(CLI::App& command, CaseOptions& options);
 // The changes alone. Throws CaseError for a --set that is no KEY=VALUE.
 cases::CaseOverrides caseOverrides(const CaseOptions& options);
 
-// The case with all changes. Throws CaseError (all mistakes at once) and FileError.
+// The case with all changes. Throws CaseError (all errors together) and FileError.
 cases::CaseDescription readCase(const CaseOptions& options);
 
 }  // namespace squat::commands

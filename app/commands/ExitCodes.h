@@ -1,4 +1,4 @@
-// app/commands/ExitCodes.h - what the program tells a script.
+// app/commands/ExitCodes.h - exit codes for scripts.
 #pragma once
 
 namespace squat::commands {

@@ -22,32 +22,39 @@ namespace squat::commands {
 
 namespace {
 
-int told(const char* kind, const std::exception& error, int code) {
+int reported(const char* kind, const std::exception& error, int code) {
   std::fprintf(stderr, "squat: %s: %s\n", kind, error.what());
   return code;
+}
+
+// Errors of the call are CaseErrors as well: their keys are options.
+const char* kindOf(const CaseError& error) {
+  const auto isOption = [](const CaseProblem& problem) { return problem.key.starts_with('-'); };
+  const auto& all = error.problems();
+  return std::all_of(all.begin(), all.end(), isOption) ? "invalid option" : "invalid case";
 }
 
 // What to do where the memory is too small depends on what was called.
 const char* memoryAdvice(const CLI::App& program) {
   for (const char* name : {"analyse", "compare"})
-    if (program.got_subcommand(name)) return "the run failed: not enough memory; cut the record, or read fewer columns";
-  if (program.got_subcommand("render")) return "the run failed: not enough memory; draw fewer figures at once";
-  return "the run failed: not enough memory; choose a coarser mesh (--mesh draft)";
+    if (program.got_subcommand(name)) return "run failed: out of memory; shorten the record or read fewer columns";
+  if (program.got_subcommand("render")) return "run failed: out of memory; draw fewer figures per call";
+  return "run failed: out of memory; use a coarser mesh (--mesh draft)";
 }
 
 int act(const Action& action, const CLI::App& program) {
   try {
     return action();
   } catch (const CaseError& error) {
-    return told("the case is wrong", error, kCaseWrong);
+    return reported(kindOf(error), error, kCaseWrong);
   } catch (const RunError& error) {
-    return told("the run failed", error, kRunFailed);
+    return reported("run failed", error, kRunFailed);
   } catch (const FileError& error) {
-    return told("a file is wrong", error, kFileWrong);
+    return reported("invalid file", error, kFileWrong);
   } catch (const std::bad_alloc& error) {
-    return told(memoryAdvice(program), error, kRunFailed);
+    return reported(memoryAdvice(program), error, kRunFailed);
   } catch (const std::exception& error) {
-    return told("the run failed", error, kRunFailed);
+    return reported("run failed", error, kRunFailed);
   }
 }
 
@@ -58,12 +65,12 @@ void keepStandardStreamsOpen() {
     if (::fcntl(number, F_GETFD) < 0 && errno == EBADF) static_cast<void>(::open("/dev/null", O_RDWR));
 }
 
-// A table that a full disk cut short must not pass for a whole one.
+// A table that a full disk cut short must not pass for a complete one.
 int withOutputWritten(int code) {
   errno = 0;
   const bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
   if (!failed) return code;
-  std::fprintf(stderr, "squat: the output could not be written whole%s%s\n", errno != 0 ? ": " : "",
+  std::fprintf(stderr, "squat: cannot write the complete output%s%s\n", errno != 0 ? ": " : "",
                errno != 0 ? std::strerror(errno) : "");
   return code == kDone ? kFileWrong : code;
 }
@@ -77,7 +84,7 @@ std::vector<std::string> wordsOf(int argc, char** argv) {
   return words;
 }
 
-// A command that there is not, with the nearest one; empty where all are known.
+// The message for an unknown command, with the nearest one; empty where all are known.
 std::string unknownCommand(const CLI::App& program, const std::vector<std::string>& words) {
   const CLI::App* level = &program;
   for (const auto& word : words) {
@@ -92,8 +99,8 @@ std::string unknownCommand(const CLI::App& program, const std::vector<std::strin
       names += (names.empty() ? "" : ", ") + command->get_name();
     }
     if (smallest > 0 || !nearest)
-      return "'" + word + "' is no command" +
-             (nearest ? "; did you mean " + nearest->get_name() + "?" : "; there are " + names);
+      return "unknown command '" + word + "'; " +
+             (nearest ? "did you mean " + nearest->get_name() + "?" : "choose one of " + names);
     level = nearest;
   }
   return {};
@@ -105,7 +112,7 @@ int runProgram(int argc, char** argv) {
   ::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of size is an error of writing, not the end of the program
   ::signal(SIGPIPE, SIG_DFL);
   keepStandardStreamsOpen();
-  CLI::App program("Rolls a wheel over a rail-head defect and shows what the axle box feels.", "squat");
+  CLI::App program("Rolls a wheel over a rail-head defect and computes the axle box acceleration.", "squat");
   program.set_version_flag("--version", "squat " SQUAT_VERSION);
   program.require_subcommand(1);
   program.failure_message(CLI::FailureMessage::help);
@@ -119,11 +126,10 @@ int runProgram(int argc, char** argv) {
   addStudyCommand(program, action);
   addReceptanceCommand(program, action);
   addValidateCommand(program, action);
-  program.footer(
-      "Exit codes: 0 done, 2 the case or the call is wrong, 3 the run failed, 4 a file is wrong, 130 cancelled");
+  program.footer("Exit codes: 0 success, 2 invalid case or call, 3 run failed, 4 invalid file, 130 cancelled");
   auto words = wordsOf(argc, argv);
   if (const auto unknown = unknownCommand(program, words); !unknown.empty()) {
-    std::fprintf(stderr, "squat: the call is wrong: %s\nTry squat --help\n", unknown.c_str());
+    std::fprintf(stderr, "squat: invalid call: %s\nTry squat --help\n", unknown.c_str());
     return kCaseWrong;
   }
   std::reverse(words.begin(), words.end());  // as the parser takes them
@@ -132,7 +138,7 @@ int runProgram(int argc, char** argv) {
   } catch (const CLI::Success& success) {  // --help, --version
     return withOutputWritten(program.exit(success));
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "squat: the call is wrong: %s\nTry squat --help\n", error.what());
+    std::fprintf(stderr, "squat: invalid call: %s\nTry squat --help\n", error.what());
     return kCaseWrong;
   }
   return withOutputWritten(act(action, program));

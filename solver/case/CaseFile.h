@@ -1,4 +1,4 @@
-// solver/case/CaseFile.h - cases as TOML files: reading with all mistakes collected, writing with every key filled in.
+// solver/case/CaseFile.h - cases as TOML files: reading with all errors collected, writing with every key filled in.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ struct CaseOverrides {
 // defaults. A mesh key that the file states with just the value that its own preset gives (as every written case does)
 // counts as not stated, so that --mesh acts on written cases too.
 // A profile named by defect.file is read, relative to the file's folder, unless the case has defect.points or lines.
-// Throws CaseError with every mistake in keys, types, ranges and relations (Validation.h); FileError where the file or
+// Throws CaseError with every error in keys, types, ranges and relations (Validation.h); FileError where the file or
 // the profile cannot be read, is no TOML (with line), is larger than 4 MB or of a newer schema.
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides = {});
 
@@ -32,11 +32,11 @@ CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides&
 CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder = {},
                           const CaseOverrides& overrides = {});
 
-// The same for a case that is still being mended: relations between its values may be broken.
+// The same for a case that is still being edited: relations between its values may be broken.
 CaseDescription parseUnfinishedCase(std::string_view text, const std::string& origin);
 
-// The case that a result carries. Opens no file, whatever it names: results come from strangers, and the case has the
-// points of its profile.
+// The case that a result carries. Opens no file, whatever it names: results are untrusted files, and the case has
+// the points of its profile.
 CaseDescription parseCaseOfResult(std::string_view text, const std::string& origin);
 
 // A path to a case file, or the name of a shipped case ("light-defect").

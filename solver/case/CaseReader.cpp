@@ -68,7 +68,7 @@ const char* typeName(const toml::node& node) {
     case toml::node_type::array:
       return "an array";
     case toml::node_type::string:
-      return "a text";
+      return "a string";
     case toml::node_type::integer:
     case toml::node_type::floating_point:
       return "a number";
@@ -117,6 +117,8 @@ std::optional<std::string> linesText(const toml::node& node, const Source& sourc
 std::optional<std::string> textFor(const toml::node& node, Kind kind, const Source& source) {
   switch (kind) {
     case Kind::number:
+      if (const auto* quantity = node.as_string(); quantity && !parseDecimal(quantity->get()))
+        return quantity->get();  // "108 km/h"; a plain number stands without quotes
       return numberText(node, source);
     case Kind::boolean:
       if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
@@ -131,6 +133,13 @@ std::optional<std::string> textFor(const toml::node& node, Kind kind, const Sour
       return linesText(node, source);
   }
   return std::nullopt;
+}
+
+std::string formAdvice(const toml::node& node, const Parameter& parameter) {
+  const auto* array = node.as_array();
+  if (parameter.kind == Kind::number && array) return "Write a decimal point, no comma";
+  if (parameter.kind == Kind::choice || parameter.kind == Kind::text) return "Put the text between quotes";
+  return isList(parameter) ? "Write pairs of numbers in brackets, with decimal points" : "Write it without quotes";
 }
 
 std::string lineNote(std::size_t line) { return line == 0 ? "" : " (line " + std::to_string(line) + ")"; }
@@ -164,10 +173,10 @@ class Statements {
       if (auto text = textFor(node, parameter->kind, source_))
         one.text = std::move(*text);
       else
-        one.typeProblem = CaseProblem{key, typeName(node), allowedText(*parameter), "Write the value in this form"};
+        one.typeProblem = CaseProblem{key, typeName(node), allowedText(*parameter), formAdvice(node, *parameter)};
     } else {
       // Looking for the nearest key takes its time; a list of thousands is not read by anybody.
-      one.typeProblem = ++unknown_ <= mostProblems ? unknownKey(key, typeName(node)) : CaseProblem{key, {}, {}, {}};
+      one.typeProblem = ++unknown_ <= mostProblems ? unknownKey(key) : CaseProblem{key, {}, {}, {}};
     }
     stated.push_back(std::move(one));
   }
@@ -195,7 +204,7 @@ class Problems {
   void throwIfAny() const {
     if (problems_.empty()) return;
     auto all = problems_;
-    if (more_ > 0) all.push_back({"...", std::to_string(more_) + " more mistakes", "", "Mend these first"});
+    if (more_ > 0) all.push_back({std::to_string(more_) + " more errors", "", "", "fix these first"});
     throw CaseError(std::move(all));
   }
   bool empty() const { return problems_.empty(); }
@@ -241,7 +250,7 @@ int wantedPreset(const CaseOverrides& overrides, int filePreset, Problems& probl
   if (name.empty()) return filePreset;
   const int index = presetIndex(name);
   if (index >= 0) return index;
-  if (!set) problems.add({"--mesh", name, allowedText(*findParameter("mesh.preset")), "Choose one of the names"});
+  if (!set) problems.add({"--mesh", name, allowedText(*findParameter("mesh.preset")), ""});
   return filePreset;  // a wrong --set is reported where all of them are set
 }
 
@@ -254,7 +263,7 @@ void checkSchema(const toml::table& table, const std::string& origin, Problems& 
                  lineNote(node->source().begin.line));
   } else if (number->get() > caseSchema) {
     throw FileError(origin, "line " + std::to_string(node->source().begin.line),
-                    "the case is of schema " + std::to_string(number->get()) + ", this program reads up to " +
+                    "case schema " + std::to_string(number->get()) + " is newer than the supported schema " +
                         std::to_string(caseSchema),
                     "Use a newer version of Squat Studio");
   }
@@ -277,7 +286,7 @@ void applyOverrides(CaseDescription& description, const CaseOverrides& overrides
   for (const auto& [key, text] : overrides.values) {
     const Parameter* parameter = findParameter(key);
     if (!parameter)
-      problems.add(unknownKey(key, text), " (--set)");
+      problems.add(unknownKey(key), " (--set)");
     else if (auto wrong = trySetValue(description, *parameter, text))
       problems.add(*wrong, " (--set)");
   }
@@ -299,9 +308,9 @@ void checkProfileIsUsed(const CaseDescription& description, const std::vector<St
     if (!given || level <= chosen || problems.concern({"defect.shape"})) continue;
     const Stated* line = level == 1 ? find(stated, key) : nullptr;
     problems.add({"defect.shape", valueText(description, *findParameter("defect.shape")),
-                  std::string("profile where ") + key + " is given",
-                  level == 2 ? std::string("Add --set defect.shape=profile, or leave --set ") + key + " out"
-                             : std::string("Write shape = \"profile\" beside it, or take ") + key + " out"},
+                  std::string("profile if ") + key + " is given",
+                  level == 2 ? std::string("Add --set defect.shape=profile, or remove --set ") + key
+                             : std::string("Add shape = \"profile\", or remove ") + key},
                  level == 2 ? " (--set)" : lineNote(line ? line->line : 0));
   }
 }
@@ -330,27 +339,54 @@ void readProfile(CaseDescription& description, const CaseOverrides& overrides, c
   }
 }
 
+std::string_view lineOf(std::string_view text, std::size_t number) {
+  for (; number > 1 && !text.empty(); --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+// What to write instead of "key = 0,15" and "key = 108 km/h", which are no TOML. Empty where it is neither.
+std::string valueAdvice(std::string_view line) {
+  const auto blanks = " \t\r";
+  line = line.substr(0, line.find('#'));
+  const auto equals = line.find('=');
+  const auto from = line.find_first_not_of(blanks, equals == std::string_view::npos ? line.size() : equals + 1);
+  if (from == std::string_view::npos) return {};
+  const auto value = line.substr(from, line.find_last_not_of(blanks) + 1 - from);
+  const auto number = value.substr(0, value.find_first_not_of("+-.0123456789eE"));
+  const auto rest = value.substr(number.size());
+  if (!parseDecimal(number) || rest.empty()) return {};
+  if (rest.front() != ',') return "Put a value with a unit between quotes: \"" + std::string(value) + "\"";
+  const auto decimals = rest.substr(1, rest.find_first_not_of("0123456789", 1) - 1);
+  if (decimals.empty()) return {};
+  return "Write a decimal point: " + std::string(number) + "." + std::string(decimals);
+}
+
 toml::table parsedToml(std::string_view text, const std::string& origin) {
   if (mostKeyParts(text) > mostParts)
-    throw FileError(origin, "", "has a key of more than " + std::to_string(mostParts) + " parts",
-                    "Keys of a case have two, like pad.stiffness");
-  if (const auto foreign = firstForeignByte(text); foreign != std::string_view::npos)
-    throw FileError(origin, "line " + std::to_string(1 + std::count(text.begin(), text.begin() + foreign, '\n')),
-                    "has a letter beyond ASCII outside quotes", "Put texts between quotes");
+    throw FileError(origin, "", "key with more than " + std::to_string(mostParts) + " parts",
+                    "Keys of a case have two parts, like pad.stiffness");
+  if (const auto foreign = firstForeignByte(text); foreign.position != std::string_view::npos) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(foreign.position), '\n');
+    const bool outside = foreign.where == ForeignByte::Where::outsideStrings;
+    throw FileError(origin, "line " + std::to_string(line),
+                    outside ? "non-ASCII character outside quotes" : "non-ASCII character after a backslash",
+                    outside ? "Put text between quotes" : "Write the text on one line, without the backslash");
+  }
   try {
     toml::parse_result parsed = toml::parse(text, origin);
     if (parsed) return std::move(parsed).table();
     throw FileError(origin, "line " + std::to_string(parsed.error().source().begin.line),
-                    "is no valid TOML: " + std::string(parsed.error().description()));
+                    "invalid TOML: " + std::string(parsed.error().description()),
+                    valueAdvice(lineOf(text, parsed.error().source().begin.line)));
   } catch (const TomlAssertion& failed) {
-    throw FileError(origin, "", std::string("is no valid TOML: ") + failed.what());
+    throw FileError(origin, "", std::string("invalid TOML: ") + failed.what());
   }
 }
 
 CaseDescription parse(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
                       const CaseOverrides& overrides, bool finished) {
   if (text.size() > largestFile)
-    throw FileError(origin, "", "is larger than 4 MB", "Put long profiles into a CSV file and name it as defect.file");
+    throw FileError(origin, "", "larger than 4 MB", "Put long profiles into a CSV file and give it as defect.file");
   const toml::table table = parsedToml(text, origin);
   Problems problems;
   checkSchema(table, origin, problems);

@@ -1,4 +1,4 @@
-// Relations between keys of a case. The first key of a finding is the one that its user should change.
+// Relations between keys of a case. The first key of a finding is the one that the user should change.
 #include "case/CaseRelations.h"
 
 #include <algorithm>
@@ -49,8 +49,16 @@ std::string limitText(const std::string& key, const char* relation, double limit
 void add(std::vector<Finding>& findings, const Case& description, Severity severity, Keys keys, std::string allowed,
          std::string advice) {
   const Parameter& parameter = *findParameter(keys.front());
-  const std::string value = isList(parameter) ? "the profile" : withUnit(valueText(description, parameter), parameter);
+  const std::string value = isList(parameter) ? "" : withUnit(valueText(description, parameter), parameter);
   findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});
+}
+
+// A profile that is longer than any defect is most likely given in another unit.
+std::string unitHint(const Case& c, const DefectSurface& surface) {
+  constexpr double longest = 3;  // [m]; instruments measure 1 to 1.2 m at once
+  const double length = surface.last() - surface.first();
+  if (c.defect.shape != static_cast<int>(DefectShape::profile) || length <= longest) return {};
+  return ". The profile is " + rounded(length) + " m long: check the unit of its positions";
 }
 
 // The solid half of a wheelset: volume [m3] and the integral of the squared radius over it [m5], times density its
@@ -86,7 +94,7 @@ void checkMaterials(const Case& c, std::vector<Finding>& findings) {
   if (!below)
     add(findings, c, Severity::problem, {"rail.tangent_modulus", "rail.young_modulus"},
         limitText("rail.tangent_modulus", "below rail.young_modulus =", c.rail.material.young),
-        "Beyond yield a material is softer than before");
+        "A material is softer beyond yield");
 }
 
 void checkWheelset(const Case& c, std::vector<Finding>& findings) {
@@ -103,7 +111,7 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
       {w.boreRadius, w.shoulderRadius, "wheelset.bore_radius", "wheelset.shoulder_radius",
        "The bore runs through the step"},
       {w.journalRadius, w.seatRadius, "wheelset.journal_radius", "wheelset.seat_radius",
-       "Steps of the axle get thinner outwards"},
+       "The axle gets thinner outwards"},
       {w.shoulderRadius, w.hubRadius, "wheelset.shoulder_radius", "wheelset.hub_radius", "The hub sits on the axle"},
       {w.axleRadius, w.hubRadius, "wheelset.axle_radius", "wheelset.hub_radius", "The hub sits on the axle"},
       {w.seatRadius, w.hubRadius, "wheelset.seat_radius", "wheelset.hub_radius", "The hub sits on the wheel seat"},
@@ -121,11 +129,14 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
       {0.5 * w.hubWidth, w.trackCentre, "wheelset.hub_width", "wheelset.track_centre",
        "The hub ends before the symmetry plane"},
   };
+  const auto isHalf = [](std::string_view key) { return key == "wheelset.hub_width"; };  // compared by its half
   for (const auto& order : orders)
     if (!(order.smaller < order.larger))
       add(findings, c, Severity::problem, {order.smallerKey, order.largerKey},
-          limitText(order.smallerKey, (std::string("less than allowed by ") + order.largerKey + ":").c_str(),
-                    order.larger * (std::string(order.smallerKey) == "wheelset.hub_width" ? 2 : 1)),
+          limitText(
+              order.smallerKey,
+              (std::string(isHalf(order.smallerKey) ? "below twice " : "below ") + order.largerKey + " =").c_str(),
+              order.larger * (isHalf(order.smallerKey) ? 2 : 1)),
           order.advice);
   const double hubThickness = w.webHubThickness > 0 ? w.webHubThickness : w.webThickness;
   const double room = 0.5 * (w.hubWidth - hubThickness) - 0.002;  // [m] elements beside the web need a width
@@ -135,25 +146,27 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
         limitText(thickness, "at most", w.hubWidth - 0.004), "The web meets the hub within its width");
   } else if (std::abs(w.webOffset) > room)
     add(findings, c, Severity::problem, {"wheelset.web_offset", "wheelset.web_hub_thickness", "wheelset.hub_width"},
-        limitText("wheelset.web_offset", "either way at most", room), "The web meets the hub within its width");
+        "between -" + limitText("wheelset.web_offset", "", room).substr(1) + " and" +
+            limitText("wheelset.web_offset", "", room),
+        "The web meets the hub within its width");
   if (w.bearingStiffness > 0 && w.axleBoxMass < 1)
     add(findings, c, Severity::problem, {"wheelset.axle_box_mass", "wheelset.bearing_stiffness"},
-        limitText("wheelset.axle_box_mass", "at least", 1), "A box on a bearing spring needs a mass");
+        limitText("wheelset.axle_box_mass", "at least", 1), "An axle box on a bearing spring needs a mass");
   const double inner = w.bearingCentre - 0.5 * w.bearingWidth, outer = w.bearingCentre + 0.5 * w.bearingWidth;
   constexpr double slack = 1e-9;  // [m] against round-off of the sums
   if (inner < w.shoulderEnd - slack || outer > w.journalEnd + slack)
     add(findings, c, Severity::problem,
         {"wheelset.bearing_centre", "wheelset.bearing_width", "wheelset.shoulder_end", "wheelset.journal_end"},
-        "bearing within the journal, from " + rounded(w.shoulderEnd * 1e3) + " to " + rounded(w.journalEnd * 1e3) +
-            " mm",
-        "The bearing reaches from " + rounded(inner * 1e3) + " to " + rounded(outer * 1e3) +
-            " mm; move it, shorten it or lengthen the journal");
+        "such that the bearing lies on the journal, " + rounded(w.shoulderEnd * 1e3) + " to " +
+            rounded(w.journalEnd * 1e3) + " mm",
+        "The bearing extends from " + rounded(inner * 1e3) + " to " + rounded(outer * 1e3) +
+            " mm: move it, shorten it or lengthen the journal");
   const double least = wheelsetSolid(w).volume * w.material.density + w.axleBoxMass;
   if (w.totalMass < least)
     add(findings, c, Severity::problem,
         {"wheelset.total_mass", "wheelset.axle_box_mass", "wheelset.density", "wheelset.radius"},
-        limitText("wheelset.total_mass", "at least the solid parts and the axle box:", least),
-        "Raise the total mass or make the parts lighter");
+        limitText("wheelset.total_mass", "at least the mass of the solid parts and the axle box:", least),
+        "Increase the total mass or make the parts lighter");
 }
 
 void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
@@ -162,48 +175,50 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   if (c.defect.shape == static_cast<int>(DefectShape::dipWithWave) && c.defect.waveCount > 0 &&
       c.defect.waveDepth > c.defect.depth)
     add(findings, c, Severity::problem, {"defect.wave_depth", "defect.depth"},
-        limitText("defect.wave_depth", "at most defect.depth:", c.defect.depth),
-        "Positions count from the dip, the deepest place; give waves that are deeper as defect.points");
+        limitText("defect.wave_depth", "at most defect.depth =", c.defect.depth),
+        "Positions are measured from the dip as the deepest location; describe deeper waves with defect.points");
   if (std::abs(c.track.defectFromSleeper) > 0.5 * c.track.sleeperSpacing)
     add(findings, c, Severity::problem, {"track.defect_from_sleeper", "track.sleeper_spacing"},
         "-" + rounded(0.5 * c.track.sleeperSpacing) + " to " + rounded(0.5 * c.track.sleeperSpacing) + " m",
-        "It counts from the nearest sleeper: at most half of track.sleeper_spacing");
+        "It is measured from the nearest sleeper: at most half of track.sleeper_spacing");
   const double centre = trackCentre(c);
+  const std::string unit = unitHint(c, surface);
   if (c.motion.runUp > half - centre - endMargin)
     add(findings, c, Severity::problem, {"motion.run_up", "track.length"},
         limitText("motion.run_up", "at most", half - centre - endMargin),
-        "The run starts too near the end of the rail; lengthen track.length or shorten the run-up");
+        "The run starts too close to the end of the rail: increase track.length or shorten the run-up" + unit);
   if (c.motion.beyond > half + centre - endMargin)
     add(findings, c, Severity::problem, {"motion.beyond", "track.length"},
         limitText("motion.beyond", "at most", half + centre - endMargin),
-        "The run ends too near the end of the rail; lengthen track.length or shorten the run");
+        "The run ends too close to the end of the rail: increase track.length or shorten the run" + unit);
   if (surface.first() < centre - half || surface.last() > centre + half)
     add(findings, c, Severity::problem, {"track.length", "defect.length", "defect.points", "defect.file"},
         limitText("track.length", "at least", 2 * std::max(centre - surface.first(), surface.last() - centre)),
-        "The defect reaches outside the track");
+        "The defect extends beyond the track" + unit);
   // Beyond a creepage of 1 % friction is exhausted all over the patch.
   const double rolling = c.motion.speed / c.wheelset.radius;
   if (c.motion.angularVelocity > 0 && std::abs(c.motion.angularVelocity / rolling - 1) > 0.01)
     add(findings, c, Severity::warning, {"motion.angular_velocity", "motion.speed", "wheelset.radius"},
-        limitText("motion.angular_velocity", "0, or within 1 % of speed / radius:", rolling),
-        "The wheel slides from the start; 0 lets it roll freely at any speed");
+        limitText("motion.angular_velocity", "0 or within 1 % of speed / radius =", rolling),
+        "The wheel slides from the start; 0 gives free rolling at any speed");
   // The patch (half length 7 mm) must be off the defect when the wheel starts.
   constexpr double patch = 0.01;
   if (c.motion.runUp < patch - surface.first())
     add(findings, c, Severity::problem, {"motion.run_up", "defect.length", "defect.points", "defect.file"},
         limitText("motion.run_up", "at least", patch - surface.first()),
-        "The wheel would start on the defect; lengthen the run-up");
+        "The wheel would start on the defect: increase the run-up" + unit);
   if (c.motion.beyond < surface.last())
     add(findings, c, Severity::warning, {"motion.beyond", "defect.length", "defect.points", "defect.file"},
         limitText("motion.beyond", "at least", surface.last()),
-        "The run, and the fine mesh with it, ends before the end of the defect");
+        "The run and the fine mesh end before the end of the defect" + unit);
   if (c.track.length < 5 * c.track.sleeperSpacing)
     add(findings, c, Severity::problem, {"track.length", "track.sleeper_spacing"},
-        limitText("track.length", "at least five sleeper spacings:", 5 * c.track.sleeperSpacing), "Lengthen the track");
+        limitText("track.length", "at least five sleeper spacings:", 5 * c.track.sleeperSpacing),
+        "Increase track.length");
   if (c.pad.longitudinalStiffness == 0 && c.track.railEnds != static_cast<int>(RailEnds::clamped))
     add(findings, c, Severity::problem, {"pad.longitudinal_stiffness", "track.rail_ends"},
-        "above 0 where track.rail_ends is not clamped",
-        "Nothing would hold the rail along the track; give the pads some stiffness or clamp its ends");
+        "above 0 unless track.rail_ends is clamped",
+        "Nothing would hold the rail along the track: give the pads some stiffness or clamp the ends");
   if (c.pad.length > c.sleeper.width)
     add(findings, c, Severity::problem, {"pad.length", "sleeper.width"},
         limitText("pad.length", "at most sleeper.width =", c.sleeper.width), "A pad lies on its sleeper");
@@ -214,11 +229,11 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   if (c.sleeper.halfLength < c.wheelset.trackCentre + 0.5 * c.pad.width)
     add(findings, c, Severity::problem, {"sleeper.half_length", "wheelset.track_centre", "pad.width"},
         limitText("sleeper.half_length", "at least", c.wheelset.trackCentre + 0.5 * c.pad.width),
-        "The rail must stand on the sleeper");
+        "The sleeper must support the whole pad");
   if (c.output.filterCutoff > 0.4 * c.output.rate)
     add(findings, c, Severity::problem, {"output.filter_cutoff", "output.rate"},
         limitText("output.filter_cutoff", "at most 0.4 of output.rate:", 0.4 * c.output.rate),
-        "Lower the cut-off or raise the rate");
+        "Decrease the cut-off or increase the rate");
 }
 
 void checkDefect(const Case& c, std::vector<Finding>& findings) {
@@ -227,13 +242,10 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   const bool sampled = shape == DefectShape::profile;
   if (sampled && d.points.size() < 2 && d.lines.empty())
     add(findings, c, Severity::problem, {"defect.points", "defect.lines", "defect.file", "defect.shape"},
-        "at least two points", "Name a CSV file as defect.file or write the points");
+        "at least two points", "Give a CSV file as defect.file, or write the points into the case");
   if (sampled && !d.lines.empty() && static_cast<LateralShape>(d.lateral) != LateralShape::uniform)
-    add(findings, c, Severity::problem, {"defect.lateral", "defect.lines"}, "uniform where defect.lines are given",
-        "The lines say what the defect is like across the rail");
-  if (!sampled && shape != DefectShape::none && !(d.file.empty() && d.points.empty() && d.lines.empty()))
-    add(findings, c, Severity::warning, {"defect.shape", "defect.file", "defect.points", "defect.lines"},
-        "profile, for the wheel to roll over the given one", "The profile is kept, not used");
+    add(findings, c, Severity::problem, {"defect.lateral", "defect.lines"}, "uniform if defect.lines is given",
+        "The lines already define the shape across the rail");
   if (shape == DefectShape::cut && 2 * d.ramp > d.length)
     add(findings, c, Severity::problem, {"defect.ramp", "defect.length"},
         limitText("defect.ramp", "at most half of defect.length:", 0.5 * d.length),
@@ -244,30 +256,30 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   const std::string depthKey = sampled ? pointsKey : "defect.depth";
   // A face that drops more than half its length would fold the elements below it.
   constexpr double steepestPossible = 0.5, steepestSensible = 0.1;
-  const std::string found = "; this one has " + rounded(surface.steepest());
+  const std::string found = " (its maximum slope is " + rounded(surface.steepest()) + ")";
   if (surface.steepest() > steepestPossible)
     add(findings, c, Severity::problem, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.5",
-        "The profile is steeper than the mesh can carry" + found + ": make it longer or shallower");
+        "The profile is too steep for the mesh" + found + ": make it longer or shallower");
   else if (surface.steepest() > steepestSensible)
     add(findings, c, Severity::warning, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.1",
         "The mesh smooths steeper profiles" + found);
   if (c.rail.plastic && surface.depth() > c.rail.plasticDepth)
     add(findings, c, Severity::problem, {depthKey, "rail.plastic_depth", "defect.file"},
         "at most rail.plastic_depth = " + rounded(c.rail.plasticDepth * 1e3) + " mm",
-        "The defect, " + rounded(surface.depth() * 1e3) + " mm deep, is deeper than the layer that may yield");
+        "The defect, " + rounded(surface.depth() * 1e3) + " mm deep, is deeper than the elastoplastic layer");
   if (d.moveNodes && surface.depth() > 2 * c.mesh.contactSize)
     add(findings, c, Severity::problem, {depthKey, "mesh.contact_size", "defect.move_nodes", "defect.file"},
         "at most twice mesh.contact_size = " + rounded(2e3 * c.mesh.contactSize) + " mm",
-        "The defect is deeper than the fine layer whose nodes are moved; set defect.move_nodes = false or make it "
+        "The defect is deeper than the fine layer whose nodes are moved: set defect.move_nodes to false or make it "
         "shallower");
   if (sampled && surface.profileSpacing() > surface.dipLength() / 8)
     add(findings, c, Severity::warning, {pointsKey, "defect.file"},
-        "points at most " + rounded(surface.dipLength() * 1e3 / 8) + " mm apart",
+        "sampled with points at most " + rounded(surface.dipLength() * 1e3 / 8) + " mm apart",
         "Points of the profile are " + rounded(surface.profileSpacing() * 1e3) +
-            " mm apart, more than an eighth of the dip: its shape is guessed between them (monotone cubic)");
+            " mm apart, more than an eighth of the dip: between them its shape is interpolated (monotone cubic)");
   if (sampled && surface.depth() == 0)
-    add(findings, c, Severity::warning, {pointsKey, "defect.file"}, "a dip below the surface",
-        "The profile has no point below the surface: heights count up positive");
+    add(findings, c, Severity::warning, {pointsKey, "defect.file"}, "below the surface somewhere",
+        "The profile has no point below the surface: heights are positive upwards");
   const auto endsAway = [](const std::vector<ProfilePoint>& points) {
     return points.size() > 1 && (points.front().height != 0 || points.back().height != 0);
   };
@@ -298,7 +310,7 @@ void checkSeat(const Case& c, std::vector<Finding>& findings) {
   };
   const Keys keys{key, "rail.inclination", "wheelset.cone", "motion.lateral_offset"};
   if (std::abs(touch) > crownEnd) {
-    add(findings, c, Severity::problem, keys, between(crownEnd), found + ", beyond its middle arc R300");
+    add(findings, c, Severity::problem, keys, between(crownEnd), found + ", beyond the middle arc R300");
     return;
   }
   const double load = (c.wheelset.totalMass + c.suspension.sprungMass) * c.motion.gravity;
@@ -307,8 +319,9 @@ void checkSeat(const Case& c, std::vector<Finding>& findings) {
   withBand.push_back("mesh.band_half_width");
   if (std::abs(touch) + half > c.mesh.bandHalfWidth)
     add(findings, c, Severity::problem, withBand, between(std::max(0.0, c.mesh.bandHalfWidth - half)),
-        found + " and its patch reaches " + rounded(1e3 * (std::abs(touch) + half)) +
-            " mm, beyond the fine band: raise mesh.band_half_width = " + rounded(1e3 * c.mesh.bandHalfWidth) + " mm");
+        found + " and its contact patch extends to " + rounded(1e3 * (std::abs(touch) + half)) +
+            " mm, beyond the fine band: increase mesh.band_half_width = " + rounded(1e3 * c.mesh.bandHalfWidth) +
+            " mm");
 }
 
 void checkMesh(const Case& c, std::vector<Finding>& findings) {
@@ -316,22 +329,23 @@ void checkMesh(const Case& c, std::vector<Finding>& findings) {
   if (m.rollingSize < m.contactSize)
     add(findings, c, Severity::problem, {"mesh.rolling_size", "mesh.contact_size"},
         limitText("mesh.rolling_size", "at least mesh.contact_size =", m.contactSize),
-        "Coarsen between start and defect");
+        "Elements between start and defect are not finer than at the defect");
   if (m.farSize < m.rollingSize)
     add(findings, c, Severity::problem, {"mesh.far_size", "mesh.rolling_size"},
-        limitText("mesh.far_size", "at least mesh.rolling_size =", m.rollingSize), "Coarsen away from the wheel");
+        limitText("mesh.far_size", "at least mesh.rolling_size =", m.rollingSize),
+        "Elements far from the wheel are not finer than near it");
   if (m.farSize > 0.5 * c.track.sleeperSpacing)
     add(findings, c, Severity::problem, {"mesh.far_size", "track.sleeper_spacing"},
         limitText("mesh.far_size", "at most half of track.sleeper_spacing:", 0.5 * c.track.sleeperSpacing),
-        "Two elements between sleepers are the least that bends");
+        "Bending needs at least two elements between sleepers");
   if (m.sectionSize < m.contactSize)
     add(findings, c, Severity::problem, {"mesh.section_size", "mesh.contact_size"},
         limitText("mesh.section_size", "at least mesh.contact_size =", m.contactSize),
-        "The section is coarser than its band");
+        "The section is not finer than its contact band");
   if (m.rimDepth >= c.wheelset.radius - c.wheelset.rimInnerRadius)
     add(findings, c, Severity::problem, {"mesh.rim_depth", "wheelset.radius", "wheelset.rim_inner_radius"},
-        limitText("mesh.rim_depth", "below the thickness of the rim:", c.wheelset.radius - c.wheelset.rimInnerRadius),
-        "The fine rim ends within the rim");
+        limitText("mesh.rim_depth", "below the thickness of the rim,", c.wheelset.radius - c.wheelset.rimInnerRadius),
+        "The fine part of the rim ends within the rim");
   if (m.bandHalfWidth > 0.4 * c.wheelset.rimWidth)
     add(findings, c, Severity::problem, {"mesh.band_half_width", "wheelset.rim_width"},
         limitText("mesh.band_half_width", "at most 0.4 of wheelset.rim_width:", 0.4 * c.wheelset.rimWidth),
@@ -339,8 +353,8 @@ void checkMesh(const Case& c, std::vector<Finding>& findings) {
   const DefectSurface surface(c.defect);
   if (surface.dipLength() > 0 && m.contactSize > surface.dipLength() / 4)
     add(findings, c, Severity::warning, {"mesh.contact_size", "defect.length", "defect.points", "defect.file"},
-        limitText("mesh.contact_size", "at most a quarter of the dip:", surface.dipLength() / 4),
-        "The mesh is too coarse to show the defect's shape");
+        limitText("mesh.contact_size", "at most a quarter of the length of the dip:", surface.dipLength() / 4),
+        "The mesh is too coarse to resolve the shape of the defect");
 }
 
 void checkTraction(const Case& c, std::vector<Finding>& findings) {
@@ -350,7 +364,7 @@ void checkTraction(const Case& c, std::vector<Finding>& findings) {
     if (std::abs(c.motion.tractionCoefficient) > limit)
       add(findings, c, Severity::warning, {"motion.traction_coefficient", "contact.friction"},
           limitText("motion.traction_coefficient", "at most contact.friction =", limit),
-          "The torque spins the wheel: it exceeds what friction can carry");
+          "The torque exceeds the adhesion limit: the wheel slips");
     return;
   }
   // Part of the torque spins up the wheelset itself: F = T/R / (1 + I/(m R^2)). I of the solid parts, and of discs and
@@ -366,10 +380,11 @@ void checkTraction(const Case& c, std::vector<Finding>& findings) {
   if (share > 0.95 * limit)
     add(findings, c, Severity::warning,
         {"motion.torque", "contact.friction", "suspension.sprung_mass", "wheelset.total_mass", "motion.gravity"},
-        limitText("motion.torque", "well below friction, at most",
-                  0.95 * limit * load * radius * (1 + inertia / (mass * radius * radius))),
-        "The traction would be " + rounded(share) + " of the load with friction " + rounded(limit) +
-            (share > limit ? ": the torque spins the wheel" : ": the patch slips nearly everywhere"));
+        limitText("motion.torque", "at most", 0.95 * limit * load * radius * (1 + inertia / (mass * radius * radius))),
+        "It demands a traction of " + rounded(share) + " of the wheel load, which " +
+            (share > limit ? "exceeds the adhesion limit (friction " + rounded(limit) + "): the wheel slips"
+                           : "nearly reaches the adhesion limit (friction " + rounded(limit) +
+                                 "): most of the contact patch slips"));
 }
 
 }  // namespace squat::cases::relations

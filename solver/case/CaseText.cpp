@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "case/Applicability.h"
 #include "case/DecimalNumber.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
@@ -19,8 +20,10 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-std::string shortValue(const CaseDescription& description, const Parameter& parameter) {
-  std::string text = valueText(description, parameter);
+std::string defaultText(const Parameter& parameter) { return isList(parameter) ? "[]" : parameter.standardText; }
+
+// A value as text in the unit of the case file, short enough for a table.
+std::string shortText(const Parameter& parameter, std::string text) {
   if (parameter.kind == Kind::points) {
     const auto count = std::count(text.begin(), text.end(), '[') - 1;
     return std::to_string(count) + " points";
@@ -36,21 +39,25 @@ std::string shortValue(const CaseDescription& description, const Parameter& para
   return parameter.unit == "-" || parameter.unit.empty() ? text : text + " " + parameter.unit;
 }
 
-bool isDefault(const CaseDescription& description, const Parameter& parameter) {
-  const std::string standard = isList(parameter) ? "[]" : parameter.standardText;
-  return valueText(description, parameter) == standard;
+// What a key has where nobody sets it: the table's default, or what the mesh preset sets, and where that is from.
+struct Default {
+  std::string text, source;
+};
+Default defaultOf(const CaseDescription& description, const Parameter& parameter) {
+  for (const auto& row : presetTable())
+    if (row.key == parameter.key)
+      return {row.values.at(static_cast<std::size_t>(description.mesh.preset)),
+              "mesh preset " + valueText(description, *findParameter("mesh.preset")) + "; " + parameter.source};
+  return {defaultText(parameter), parameter.source};
 }
 
-// Where the value is from. What a preset sets is the preset's own as long as nobody changed it.
-std::string sourceText(const CaseDescription& description, const Parameter& parameter) {
-  for (const auto& row : presetTable())
-    if (row.key == parameter.key) {
-      CaseDescription own = defaultCase();
-      applyPreset(own, static_cast<MeshPreset>(description.mesh.preset));
-      if (valueText(own, parameter) != valueText(description, parameter)) return "stated in the case";
-      return "mesh preset " + valueText(description, *findParameter("mesh.preset"));
-    }
-  return parameter.source;
+std::string sourceText(const CaseDescription& description, const Parameter& parameter, const SetKeys& set) {
+  const auto own = defaultOf(description, parameter);
+  const bool setHere = std::find(set.begin(), set.end(), parameter.key) != set.end();
+  if (!setHere && valueText(description, parameter) == own.text) return own.source;
+  const std::string who = setHere ? "set here" : "set in the case";
+  if (own.text.empty() || isList(parameter)) return who;
+  return who + "; default " + shortText(parameter, own.text) + ": " + own.source;
 }
 
 std::string rangeText(const Parameter& parameter) {
@@ -96,7 +103,7 @@ Json valueJson(const Parameter& parameter, const std::string& text) {
 
 }  // namespace
 
-std::string describeTable(const CaseDescription& description) {
+std::string describeTable(const CaseDescription& description, const SetKeys& set) {
   std::string text, group;
   for (const auto& parameter : parameterTable()) {
     if (parameter.group != group) {
@@ -104,29 +111,34 @@ std::string describeTable(const CaseDescription& description) {
       group = parameter.group;
       text += "[" + group + "]\n";
     }
-    const char* star = isDefault(description, parameter) ? "  " : "* ";
-    text += star + padded(parameter.key, 34) + " " + padded(shortValue(description, parameter), 18) + " " +
-            padded(rangeText(parameter), 18) + " " + parameter.doc + " [" + sourceText(description, parameter) + "]\n";
+    const std::string value = valueText(description, parameter);
+    const char* star = value == defaultText(parameter) ? "  " : "* ";
+    const char* effect = applies(description, parameter) ? "" : "no effect here; ";
+    text += star + padded(parameter.key, 34) + " " + padded(shortText(parameter, value), 18) + " " +
+            padded(rangeText(parameter), 18) + " " + parameter.doc + " [" + effect +
+            sourceText(description, parameter, set) + "]\n";
   }
   return text;
 }
 
-std::string describeJson(const CaseDescription& description) {
+std::string describeJson(const CaseDescription& description, const SetKeys& set) {
   Json all = Json::array();
   for (const auto& parameter : parameterTable()) {
     const bool isNumber = parameter.kind == Kind::number;
     constexpr const char* kinds[] = {"number", "choice", "text", "boolean", "points", "lines"};
-    const std::string standard = isList(parameter) ? "[]" : parameter.standardText;
     Json row;
     row["key"] = parameter.key;
     row["value"] = valueJson(parameter, valueText(description, parameter));
     row["unit"] = parameter.unit;
-    row["default"] = valueJson(parameter, standard);
+    row["default"] = valueJson(parameter, defaultText(parameter));
     row["min"] = isNumber ? Json(parameter.minimum) : Json(nullptr);
     row["max"] = isNumber ? Json(parameter.maximum) : Json(nullptr);
     row["doc"] = parameter.doc;
     row["group"] = parameter.group;
-    row["source"] = sourceText(description, parameter);
+    row["source"] = sourceText(description, parameter, set);
+    row["default_source"] = defaultOf(description, parameter).source;
+    row["applies"] = applies(description, parameter);
+    row["applies_if"] = parameter.condition.empty() ? Json(nullptr) : Json(conditionText(parameter.condition));
     row["kind"] = kinds[static_cast<int>(parameter.kind)];
     if (parameter.kind == Kind::choice) row["choices"] = parameter.choices;
     all.push_back(std::move(row));

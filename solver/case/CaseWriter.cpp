@@ -69,9 +69,8 @@ std::string lastPart(const std::string& key) { return key.substr(key.rfind('.') 
 }  // namespace
 
 std::string writeCase(const CaseDescription& description) {
-  std::string text =
-      "# A case of Squat Studio. Numbers are in the unit named behind them.\nschema = " + std::to_string(caseSchema) +
-      "\n";
+  std::string text = "# A case of Squat Studio. Numbers are in the unit given in the comment.\nschema = " +
+                     std::to_string(caseSchema) + "\n";
   std::string group = "case";
   for (const auto& parameter : parameterTable()) {
     if (parameter.group != group) {
@@ -86,7 +85,8 @@ std::string writeCase(const CaseDescription& description) {
 void saveCase(const CaseDescription& description, const std::filesystem::path& path) {
   const std::string text = writeCase(description);
   const auto reads = [&](const std::string& beside) {
-    if (writeCase(readCase(beside)) != text) throw FileError(path.string(), "", "does not read back as it was written");
+    if (writeCase(readCase(beside)) != text)
+      throw FileError(path.string(), "", "the written file does not read back correctly");
   };
   writeDurably(path.string(), std::as_bytes(std::span(text)), reads);
 }

@@ -36,6 +36,11 @@ Parameter points(const char* key, std::vector<ProfilePoint>& (*access)(CaseDescr
 Parameter lines(const char* key, std::vector<ProfileLine>& (*access)(CaseDescription&), const char* doc,
                 const char* source);
 
+// The same row with a condition: it has an effect only where another key is, or is not, one of these values. Several
+// conditions must all hold.
+Parameter appliesIf(const char* key, std::vector<std::string> values, Parameter parameter);
+Parameter appliesUnless(const char* key, std::vector<std::string> values, Parameter parameter);
+
 using Rows = std::vector<Parameter>;
 Rows trackRows();    // track, rail, pad, sleeper, ballast
 Rows vehicleRows();  // wheelset, suspension

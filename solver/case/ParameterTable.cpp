@@ -4,6 +4,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "case/Applicability.h"
 #include "case/DecimalNumber.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterRows.h"
@@ -88,6 +89,24 @@ Parameter lines(const char* key, std::vector<ProfileLine>& (*access)(CaseDescrip
   return parameter;
 }
 
+namespace {
+
+Parameter withRequirement(Requirement requirement, Parameter parameter) {
+  if (parameter.condition.empty()) parameter.condition.emplace_back();
+  for (auto& alternative : parameter.condition) alternative.insert(alternative.begin(), requirement);
+  return parameter;
+}
+
+}  // namespace
+
+Parameter appliesIf(const char* key, std::vector<std::string> values, Parameter parameter) {
+  return withRequirement({key, Requirement::Relation::isOneOf, std::move(values)}, std::move(parameter));
+}
+
+Parameter appliesUnless(const char* key, std::vector<std::string> values, Parameter parameter) {
+  return withRequirement({key, Requirement::Relation::isNot, std::move(values)}, std::move(parameter));
+}
+
 }  // namespace rows
 
 namespace {
@@ -110,6 +129,8 @@ std::vector<Parameter> makeTable() {
         parameter.standardText = preset.values[static_cast<std::size_t>(MeshPreset::draft)];
         parameter.standard = parseDecimal(parameter.standardText).value_or(parameter.standard);
       }
+  for (auto& parameter : table)
+    if (!parameter.condition.empty()) parameter.doc += "; applies if " + conditionText(parameter.condition);
   return table;
 }
 

@@ -20,6 +20,16 @@ using Access = std::variant<double& (*)(CaseDescription&), int& (*)(CaseDescript
                             std::string& (*)(CaseDescription&), std::vector<ProfilePoint>& (*)(CaseDescription&),
                             std::vector<ProfileLine>& (*)(CaseDescription&)>;
 
+// Another key, and the values of it with which a key has an effect.
+struct Requirement {
+  enum class Relation { isOneOf, isNot };
+  std::string key;
+  Relation relation = Relation::isOneOf;
+  std::vector<std::string> values;  // as the case file states them; "[]": an empty list
+};
+// When a key has an effect: where every requirement of one of the alternatives is met. Empty: always.
+using Condition = std::vector<std::vector<Requirement>>;
+
 struct Parameter {
   std::string key;   // path in the case file, e.g. "pad.stiffness"
   std::string unit;  // of the value in the case file, e.g. "MN/m"; "-" for a pure number, empty where there is none
@@ -30,9 +40,10 @@ struct Parameter {
   std::vector<std::string> choices;               // names a choice may take
   std::string standardText;  // default of every kind as the case file would state it, without quotes
   std::string group;         // table of the case file: "pad"; "case" for the keys above all tables
-  std::string doc;           // one line
+  std::string doc;           // one line, with the condition under which the key applies
   std::string source;        // evidence of the default: "paper, Table 1", "literature: ...", "assumed: ..."
   Access access;
+  Condition condition;  // Applicability.h
 };
 
 // Points and lines: texts of many numbers, empty by default.

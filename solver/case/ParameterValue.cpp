@@ -5,6 +5,7 @@
 
 #include "case/DecimalNumber.h"
 #include "case/PointsText.h"
+#include "case/Quantity.h"
 
 namespace squat::cases {
 
@@ -35,17 +36,24 @@ CaseProblem problem(const Parameter& parameter, std::string_view value, std::str
 }
 
 std::string numberAdvice(const Parameter& parameter, std::string_view text) {
-  if (text.find(',') != std::string_view::npos) return "Write a decimal point, not a comma";
-  return "Write a plain number" + (parameter.unit == "-" ? std::string() : " in " + parameter.unit);
+  std::string pointed(text);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  if (pointed != text)
+    return "Write a decimal point instead of the comma" +
+           (parseQuantity(pointed, parameter) ? ": " + pointed : std::string());
+  const auto units = knownUnits(parameter);
+  return units.empty() ? "Write a number" : "Write a number, optionally with a unit: " + units;
 }
 
 std::optional<CaseProblem> setNumber(CaseDescription& description, const Parameter& parameter, std::string_view text) {
-  const auto typed = parseDecimal(text);
-  const auto si = parseDecimal(text, parameter.powerOfTen);
-  if (!typed || !si) return problem(parameter, text, numberAdvice(parameter, text));
+  const auto si = parseQuantity(text, parameter);
+  const auto typed = si ? parseDecimal(formatDecimal(*si, parameter.powerOfTen)) : std::nullopt;
+  if (!typed) return problem(parameter, text, numberAdvice(parameter, text));
   if (parameter.integer && *typed != std::floor(*typed)) return problem(parameter, text, "Write a whole number");
   if (*typed < parameter.minimum || *typed > parameter.maximum)
-    return problem(parameter, text, "Choose a value within the range; its unit is " + parameter.unit);
+    return problem(
+        parameter, text,
+        "Choose a value within the range" + (parameter.unit == "-" ? "" : "; the unit is " + parameter.unit));
   if (auto* number = member<double>(description, parameter)) *number = *si;
   if (auto* number = member<int>(description, parameter)) *number = static_cast<int>(*typed);
   return std::nullopt;
@@ -96,8 +104,9 @@ bool isUtf8(std::string_view text) {
 
 std::optional<CaseProblem> setText(CaseDescription& description, const Parameter& parameter, std::string_view text) {
   if (text.size() > longestText) return problem(parameter, text, "Shorten the text");
-  if (!isUtf8(text)) return problem(parameter, "text that is no UTF-8", "Write the text in UTF-8");
-  if (hasControlCharacters(text)) return problem(parameter, "text with control characters", "Remove them");
+  if (!isUtf8(text)) return problem(parameter, "not UTF-8", "Write the text in UTF-8");
+  if (hasControlCharacters(text))
+    return problem(parameter, "text with control characters", "Remove the control characters");
   *member<std::string>(description, parameter) = text;
   return std::nullopt;
 }
@@ -114,8 +123,9 @@ std::optional<CaseProblem> setPoints(CaseDescription& description, const Paramet
 std::optional<CaseProblem> setLines(CaseDescription& description, const Parameter& parameter, std::string_view text) {
   auto lines = parseLines(text, parameter.powerOfTen);
   if (!lines)
-    return problem(parameter, text,
-                   "Write lateral position and points of each line like [[-10, [[0, 0], [5, -0.1], [10, 0]]], ...]");
+    return problem(
+        parameter, text,
+        "Write the lateral position and the points of each line like [[-10, [[0, 0], [5, -0.1], [10, 0]]], ...]");
   const std::string wrong = linesMistake(*lines);
   if (!wrong.empty()) return problem(parameter, text, wrong);
   *member<std::vector<ProfileLine>>(description, parameter) = std::move(*lines);
@@ -127,8 +137,8 @@ std::optional<CaseProblem> setLines(CaseDescription& description, const Paramete
 std::string allowedText(const Parameter& parameter) {
   switch (parameter.kind) {
     case Kind::number:
-      return formatDecimal(parameter.minimum) + " to " + formatDecimal(parameter.maximum) +
-             (parameter.unit == "-" ? "" : " " + parameter.unit) + (parameter.integer ? ", whole numbers" : "");
+      return (parameter.integer ? "a whole number, " : "") + formatDecimal(parameter.minimum) + " to " +
+             formatDecimal(parameter.maximum) + (parameter.unit == "-" ? "" : " " + parameter.unit);
     case Kind::choice: {
       std::string text = "one of ";
       for (const auto& name : parameter.choices) text += (name == parameter.choices.front() ? "" : ", ") + name;
@@ -137,7 +147,7 @@ std::string allowedText(const Parameter& parameter) {
     case Kind::boolean:
       return "true or false";
     case Kind::text:
-      return "a text";
+      return "text";
     case Kind::points:
       return "pairs of position and height in " + parameter.unit + ", positions ascending";
     case Kind::lines:
@@ -169,6 +179,11 @@ std::string valueText(const CaseDescription& description, const Parameter& param
   return {};
 }
 
+bool isEmptyList(const CaseDescription& description, const Parameter& parameter) {
+  if (const auto* points = member<std::vector<ProfilePoint>>(description, parameter)) return points->empty();
+  return member<std::vector<ProfileLine>>(description, parameter)->empty();
+}
+
 std::optional<CaseProblem> trySetValue(CaseDescription& description, const Parameter& parameter,
                                        std::string_view text) {
   switch (parameter.kind) {
@@ -190,7 +205,7 @@ std::optional<CaseProblem> trySetValue(CaseDescription& description, const Param
 
 void setValue(CaseDescription& description, std::string_view key, std::string_view text) {
   const Parameter* parameter = findParameter(key);
-  if (!parameter) throw CaseError({unknownKey(key, text)});
+  if (!parameter) throw CaseError({unknownKey(key)});
   if (auto wrong = trySetValue(description, *parameter, text)) throw CaseError({*wrong});
 }
 
@@ -208,10 +223,10 @@ std::optional<CaseProblem> checkRange(const CaseDescription& description, const 
   return trySetValue(copy, parameter, valueText(description, parameter));
 }
 
-CaseProblem unknownKey(std::string_view key, std::string_view value) {
+CaseProblem unknownKey(std::string_view key) {
   const std::string near = nearestKey(key);
-  return {shown(key), shown(value), "a known key",
-          near.empty() ? "Remove it; squat describe lists every key" : "Did you mean " + near + "?"};
+  return {shown(key), "", "",
+          "unknown key; " + (near.empty() ? "squat describe lists all keys" : "did you mean " + near + "?")};
 }
 
 }  // namespace squat::cases

@@ -14,6 +14,9 @@ namespace squat::cases {
 // Value as text in the unit of the case file, without quotes: "1300", "true", "cosine". Points: "[[0, -0.1], [5, 0]]".
 std::string valueText(const CaseDescription& description, const Parameter& parameter);
 
+// Only for parameters whose value is a list (isList).
+bool isEmptyList(const CaseDescription& description, const Parameter& parameter);
+
 // Sets a value from such text. Returns the problem, and leaves the description as it was, where the text is of the
 // wrong type, not finite, out of range or not a known name.
 std::optional<CaseProblem> trySetValue(CaseDescription& description, const Parameter& parameter, std::string_view text);
@@ -33,6 +36,6 @@ std::optional<CaseProblem> checkRange(const CaseDescription& description, const 
 std::string allowedText(const Parameter& parameter);
 
 // The problem "unknown key" with the nearest known key as advice.
-CaseProblem unknownKey(std::string_view key, std::string_view value);
+CaseProblem unknownKey(std::string_view key);
 
 }  // namespace squat::cases

@@ -6,70 +6,112 @@ namespace squat::cases::rows {
 using Case = CaseDescription;
 
 namespace {
+
 constexpr const char* wave = "paper, section 4.1: wave of 27 mm behind the class C squat";
-constexpr const char* shape = "assumed";
+constexpr const char* assumed = "assumed";
+
+Parameter analytic(Parameter row) {
+  return appliesIf("defect.shape", {"cut", "cosine", "w-shape", "dip-with-wave"}, std::move(row));
+}
+Parameter dipWithWave(Parameter row) { return appliesIf("defect.shape", {"dip-with-wave"}, std::move(row)); }
+Parameter profile(Parameter row) { return appliesIf("defect.shape", {"profile"}, std::move(row)); }
+Parameter anyDefect(Parameter row) { return appliesUnless("defect.shape", {"none"}, std::move(row)); }
+
+// A defect that is the same all across the rail has no centre.
+Parameter variesAcross(Parameter row) {
+  using Relation = Requirement::Relation;
+  const Requirement defect{"defect.shape", Relation::isNot, {"none"}};
+  row.condition = {{defect, {"defect.lateral", Relation::isOneOf, {"parabolic"}}},
+                   {defect, {"defect.lines", Relation::isNot, {"[]"}}}};
+  return row;
+}
+
+void addShape(Rows& rows) {
+  rows.push_back(choice(
+      "defect.shape", {"none", "cut", "cosine", "w-shape", "dip-with-wave", "profile"}, 2,
+      [](Case& c) -> int& { return c.defect.shape; },
+      "shape along the rail: smooth rail, analytic shape or sampled profile",
+      "assumed: the paper's profiles are not published as numbers"));
+  rows.push_back(analytic(number(
+      "defect.length", millimetre, 50, {2, 1000}, [](Case& c) -> double& { return c.defect.length; },
+      "length of the dip along the rail", "paper, section 3: light defect of about 50 mm in the measured profile")));
+  rows.push_back(analytic(number(
+      "defect.depth", millimetre, 0.15, {0, 5}, [](Case& c) -> double& { return c.defect.depth; },
+      "depth of the dip, positive", "assumed: the paper gives lengths, not depths")));
+  rows.push_back(
+      appliesIf("defect.shape", {"cut"},
+                number(
+                    "defect.ramp", millimetre, 2, {0.1, 500}, [](Case& c) -> double& { return c.defect.ramp; },
+                    "length of each ramp of the cut, within its length", assumed)));
+  rows.push_back(dipWithWave(
+      appliesUnless("defect.wave_count", {"0"},
+                    number(
+                        "defect.wave_length", millimetre, 27, {2, 500},
+                        [](Case& c) -> double& { return c.defect.waveLength; }, "length of one trailing wave", wave))));
+  rows.push_back(dipWithWave(appliesUnless(
+      "defect.wave_count", {"0"},
+      number(
+          "defect.wave_depth", millimetre, 0.05, {0, 5}, [](Case& c) -> double& { return c.defect.waveDepth; },
+          "depth of the trailing waves", assumed))));
+  rows.push_back(dipWithWave(wholeNumber(
+      "defect.wave_count", 1, {0, 20}, [](Case& c) -> double& { return c.defect.waveCount; },
+      "number of trailing waves", wave)));
+  rows.push_back(
+      appliesIf("defect.shape", {"w-shape"},
+                number(
+                    "defect.middle_height", none, 0.3, {0, 1}, [](Case& c) -> double& { return c.defect.middleHeight; },
+                    "height of the middle ridge as a fraction of the depth", assumed)));
+}
+
+void addAcross(Rows& rows) {
+  rows.push_back(anyDefect(choice(
+      "defect.lateral", {"uniform", "parabolic"}, 0, [](Case& c) -> int& { return c.defect.lateral; },
+      "shape across the rail", "paper, sections 3 and 4.1: uniform")));
+  rows.push_back(
+      appliesIf("defect.lateral", {"parabolic"},
+                number(
+                    "defect.half_width", millimetre, 20, {2, 36}, [](Case& c) -> double& { return c.defect.halfWidth; },
+                    "lateral distance from the centre at which the defect ends", assumed)));
+  rows.push_back(variesAcross(number(
+      "defect.lateral_centre", millimetre, 0, {-35, 35}, [](Case& c) -> double& { return c.defect.lateralCentre; },
+      "lateral position of the defect's centre on the crown, outwards positive",
+      "assumed: the middle; paper, section 4.2: the class C squat lay on the side of the rail, by an amount not "
+      "given")));
+}
+
+void addProfile(Rows& rows) {
+  rows.push_back(profile(text(
+      "defect.file", [](Case& c) -> std::string& { return c.defect.file; },
+      "CSV file of the profile: position and height, or heights at several lateral positions; relative to the case "
+      "file; not read if the case contains defect.points or defect.lines",
+      assumed)));
+  rows.push_back(profile(boolean(
+      "defect.level", true, [](Case& c) -> bool& { return c.defect.level; },
+      "take the line through the first and last point as the undisturbed surface", assumed)));
+  rows.push_back(profile(number(
+      "defect.height_scale", none, 1, {0, 10}, [](Case& c) -> double& { return c.defect.heightScale; },
+      "factor on all heights of the profile", "1: as measured")));
+  rows.push_back(
+      profile(appliesIf("defect.lines", {"[]"},
+                        points(
+                            "defect.points", [](Case& c) -> std::vector<ProfilePoint>& { return c.defect.points; },
+                            "pairs of position and height, negative below the surface", assumed))));
+  rows.push_back(profile(lines(
+      "defect.lines", [](Case& c) -> std::vector<ProfileLine>& { return c.defect.lines; },
+      "several profiles side by side, each with its lateral position and its points", assumed)));
+  rows.push_back(anyDefect(boolean(
+      "defect.move_nodes", false, [](Case& c) -> bool& { return c.defect.moveNodes; },
+      "true: move the surface nodes of the rail; false: put the profile into the gap function of the contact",
+      "assumed: same result at these depths, less work; the paper moves the nodes")));
+}
+
 }  // namespace
 
 Rows defectRows() {
   Rows rows;
-  rows.push_back(choice(
-      "defect.shape", {"none", "cut", "cosine", "w-shape", "dip-with-wave", "profile"}, 2,
-      [](Case& c) -> int& { return c.defect.shape; },
-      "smooth rail, analytic shape, or sampled profile (defect.file or defect.points)",
-      "assumed: the figures with the paper's profiles are not public"));
-  rows.push_back(number(
-      "defect.length", millimetre, 50, {2, 1000}, [](Case& c) -> double& { return c.defect.length; },
-      "length of the dip along the rail (analytic shapes)",
-      "paper, section 3: light defect of about 50 mm in the measured profile"));
-  rows.push_back(number(
-      "defect.depth", millimetre, 0.15, {0, 5}, [](Case& c) -> double& { return c.defect.depth; },
-      "depth of the dip, positive (analytic shapes)", "assumed: the paper gives lengths, not depths"));
-  rows.push_back(number(
-      "defect.ramp", millimetre, 2, {0.1, 500}, [](Case& c) -> double& { return c.defect.ramp; },
-      "length of each ramp of a cut, within its length", shape));
-  rows.push_back(number(
-      "defect.wave_length", millimetre, 27, {2, 500}, [](Case& c) -> double& { return c.defect.waveLength; },
-      "length of a wave that follows the dip", wave));
-  rows.push_back(number(
-      "defect.wave_depth", millimetre, 0.05, {0, 5}, [](Case& c) -> double& { return c.defect.waveDepth; },
-      "depth of the waves that follow the dip", shape));
-  rows.push_back(wholeNumber(
-      "defect.wave_count", 1, {0, 20}, [](Case& c) -> double& { return c.defect.waveCount; },
-      "number of waves that follow the dip", wave));
-  rows.push_back(number(
-      "defect.middle_height", none, 0.3, {0, 1}, [](Case& c) -> double& { return c.defect.middleHeight; },
-      "w-shape: height of the middle ridge as a share of the depth", shape));
-  rows.push_back(choice(
-      "defect.lateral", {"uniform", "parabolic"}, 0, [](Case& c) -> int& { return c.defect.lateral; },
-      "shape across the rail", "paper, sections 3 and 4.1: uniform"));
-  rows.push_back(number(
-      "defect.half_width", millimetre, 20, {2, 36}, [](Case& c) -> double& { return c.defect.halfWidth; },
-      "parabolic: lateral distance at which the defect has faded out", shape));
-  rows.push_back(number(
-      "defect.lateral_centre", millimetre, 0, {-35, 35}, [](Case& c) -> double& { return c.defect.lateralCentre; },
-      "sideways shift of the defect on the crown, outwards positive: a squat beside the middle of the rail",
-      "paper, section 4.2: the class C squat lay on the side of the rail; by how much is not given"));
-  rows.push_back(text(
-      "defect.file", [](Case& c) -> std::string& { return c.defect.file; },
-      "CSV file with position and height of the profile, or heights at several lateral positions, relative to the case "
-      "file; only named, not read, where defect.points or defect.lines stand in the case",
-      shape));
-  rows.push_back(boolean(
-      "defect.level", true, [](Case& c) -> bool& { return c.defect.level; },
-      "profile: take the line through its first and last point as the undisturbed surface", shape));
-  rows.push_back(number(
-      "defect.height_scale", none, 1, {0, 10}, [](Case& c) -> double& { return c.defect.heightScale; },
-      "profile: factor on all heights, for studies of the depth", "1: as measured"));
-  rows.push_back(points(
-      "defect.points", [](Case& c) -> std::vector<ProfilePoint>& { return c.defect.points; },
-      "profile: pairs of position and height, heights below the surface negative", shape));
-  rows.push_back(lines(
-      "defect.lines", [](Case& c) -> std::vector<ProfileLine>& { return c.defect.lines; },
-      "profile: several profiles side by side, each its lateral position and its points; before defect.points", shape));
-  rows.push_back(boolean(
-      "defect.move_nodes", false, [](Case& c) -> bool& { return c.defect.moveNodes; },
-      "move the surface nodes of the rail as the paper does, or put the profile into the gap of the contact",
-      "assumed: the same at these depths, and cheaper"));
+  addShape(rows);
+  addAcross(rows);
+  addProfile(rows);
   return rows;
 }
 

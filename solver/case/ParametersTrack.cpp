@@ -13,17 +13,18 @@ constexpr const char* section2 = "paper, section 2";
 void addTrack(Rows& rows) {
   rows.push_back(number(
       "track.length", metre, 10, {2, 60}, [](Case& c) -> double& { return c.track.length; },
-      "length of the rail in the model, its middle near that of the run", section2));
+      "length of the rail in the model; its middle lies near that of the run", section2));
   rows.push_back(number(
       "track.sleeper_spacing", metre, 0.6, {0.4, 1}, [](Case& c) -> double& { return c.track.sleeperSpacing; },
-      "distance of neighbouring sleepers", table1));
+      "distance between sleepers", table1));
   rows.push_back(number(
       "track.defect_from_sleeper", metre, 0, {-0.5, 0.5}, [](Case& c) -> double& { return c.track.defectFromSleeper; },
-      "the paper's L: deepest point of the defect relative to the nearest sleeper centre, in rolling direction",
+      "distance from the nearest sleeper centre to the deepest point of the defect, in rolling direction (the paper's "
+      "L)",
       "assumed: over a sleeper; the paper gives no value"));
   rows.push_back(choice(
       "track.rail_ends", {"free", "clamped", "absorbing"}, 0, [](Case& c) -> int& { return c.track.railEnds; },
-      "what holds the rail at its two ends", "assumed: the paper does not say"));
+      "boundary condition of both ends of the rail", "assumed: the paper does not say"));
 }
 
 void addRail(Rows& rows) {
@@ -38,25 +39,35 @@ void addRail(Rows& rows) {
       "mass density of the rail", table1));
   rows.push_back(number(
       "rail.inclination", none, 0, {0, 0.1}, [](Case& c) -> double& { return c.rail.inclination; },
-      "slope of the rail's foot, its head leaning towards the track centre; the paper: 0.025",
-      "assumed: upright; with the tread's cone the same, all but the lateral load is"));
+      "inclination of the rail towards the track centre",
+      "assumed: upright, which changes little but the lateral load if wheelset.cone is the same; paper, section 2: "
+      "0.025"));
   rows.push_back(boolean(
       "rail.plastic", false, [](Case& c) -> bool& { return c.rail.plastic; },
-      "surface layer of the rail head may yield (bilinear) or stays elastic",
-      "assumed: off; the contact stays elastic at rest, but may yield where it slips under full traction and at a "
-      "defect"));
-  rows.push_back(number(
-      "rail.yield_stress", gigapascal, 0.8, {0.05, 10}, [](Case& c) -> double& { return c.rail.yieldStress; },
-      "yield stress of the surface layer", table1));
-  rows.push_back(number(
-      "rail.tangent_modulus", gigapascal, 21, {0, 2000}, [](Case& c) -> double& { return c.rail.tangentModulus; },
-      "tangent modulus of the surface layer beyond yield, below Young's modulus", table1));
-  rows.push_back(number(
-      "rail.plastic_depth", millimetre, 5, {0.5, 20}, [](Case& c) -> double& { return c.rail.plasticDepth; },
-      "depth of the surface layer that may yield", "assumed: the paper does not say"));
-  rows.push_back(choice(
-      "rail.hardening", {"isotropic", "kinematic"}, 0, [](Case& c) -> int& { return c.rail.hardening; },
-      "hardening of the surface layer", "assumed: the paper does not say"));
+      "bilinear elastoplastic surface layer of the rail head; false: elastic",
+      "assumed: elastic, which holds at rest but not where the contact slips under full traction or at a defect; "
+      "paper, "
+      "section 2: elastoplastic"));
+  rows.push_back(appliesIf(
+      "rail.plastic", {"true"},
+      number(
+          "rail.yield_stress", gigapascal, 0.8, {0.05, 10}, [](Case& c) -> double& { return c.rail.yieldStress; },
+          "yield stress of the surface layer", table1)));
+  rows.push_back(appliesIf(
+      "rail.plastic", {"true"},
+      number(
+          "rail.tangent_modulus", gigapascal, 21, {0, 2000}, [](Case& c) -> double& { return c.rail.tangentModulus; },
+          "tangent modulus of the surface layer beyond yield, below Young's modulus", table1)));
+  rows.push_back(appliesIf(
+      "rail.plastic", {"true"},
+      number(
+          "rail.plastic_depth", millimetre, 5, {0.5, 20}, [](Case& c) -> double& { return c.rail.plasticDepth; },
+          "depth of the elastoplastic surface layer", "assumed: the paper does not say")));
+  rows.push_back(
+      appliesIf("rail.plastic", {"true"},
+                choice(
+                    "rail.hardening", {"isotropic", "kinematic"}, 0, [](Case& c) -> int& { return c.rail.hardening; },
+                    "hardening rule of the surface layer", "assumed: the paper does not say")));
 }
 
 void addPad(Rows& rows) {
@@ -69,22 +80,22 @@ void addPad(Rows& rows) {
   rows.push_back(number(
       "pad.longitudinal_stiffness", stiffness, 130, {0, 20000},
       [](Case& c) -> double& { return c.pad.longitudinalStiffness; },
-      "stiffness of a rail pad along the rail, per rail seat", "assumed: a tenth of the vertical"));
+      "stiffness of a rail pad along the rail, per rail seat", "assumed: one tenth of the vertical"));
   rows.push_back(number(
       "pad.longitudinal_damping", damping, 4.5, {0, 2000}, [](Case& c) -> double& { return c.pad.longitudinalDamping; },
-      "damping of a rail pad along the rail, per rail seat", "assumed: a tenth of the vertical"));
+      "damping of a rail pad along the rail, per rail seat", "assumed: one tenth of the vertical"));
   rows.push_back(number(
       "pad.lateral_stiffness", stiffness, 130, {0, 20000}, [](Case& c) -> double& { return c.pad.lateralStiffness; },
-      "stiffness of a rail pad across the rail, per rail seat", "assumed: a tenth of the vertical"));
+      "stiffness of a rail pad across the rail, per rail seat", "assumed: one tenth of the vertical"));
   rows.push_back(number(
       "pad.lateral_damping", damping, 4.5, {0, 2000}, [](Case& c) -> double& { return c.pad.lateralDamping; },
-      "damping of a rail pad across the rail, per rail seat", "assumed: a tenth of the vertical"));
+      "damping of a rail pad across the rail, per rail seat", "assumed: one tenth of the vertical"));
   rows.push_back(number(
       "pad.length", metre, 0.16, {0.02, 0.4}, [](Case& c) -> double& { return c.pad.length; },
-      "footprint of the pad along the rail", "literature: 0.14 to 0.18 m"));
+      "length of the pad along the rail", "literature: 0.14 to 0.18 m"));
   rows.push_back(number(
       "pad.width", metre, 0.14, {0.02, 0.14}, [](Case& c) -> double& { return c.pad.width; },
-      "footprint of the pad across the rail, at most the rail's foot", "literature: width of the foot"));
+      "width of the pad across the rail, at most that of the rail's foot", "literature: width of the foot"));
 }
 
 void addSleeper(Rows& rows) {
@@ -97,17 +108,17 @@ void addSleeper(Rows& rows) {
       "Poisson's ratio of the sleeper", "literature: concrete"));
   rows.push_back(number(
       "sleeper.density", density, 2450, {200, 20000}, [](Case& c) -> double& { return c.sleeper.material.density; },
-      "mass density of the sleeper; with the block's size it makes the mass",
+      "mass density of the sleeper; times its volume it gives the mass",
       "paper, Table 1: 244 kg a sleeper, 122 kg in the half track"));
   rows.push_back(number(
       "sleeper.half_length", metre, 1.26, {0.9, 1.5}, [](Case& c) -> double& { return c.sleeper.halfLength; },
       "from the track centre to the end of the sleeper", "assumed: concrete sleeper of 2.52 m"));
   rows.push_back(number(
       "sleeper.width", metre, 0.26, {0.1, 0.4}, [](Case& c) -> double& { return c.sleeper.width; },
-      "width of the sleeper, along the rail", "assumed: block that has the paper's mass"));
+      "width of the sleeper, along the rail", "assumed: block with the paper's mass"));
   rows.push_back(number(
       "sleeper.height", metre, 0.152, {0.08, 0.35}, [](Case& c) -> double& { return c.sleeper.height; },
-      "height of the sleeper", "assumed: block that has the paper's mass"));
+      "height of the sleeper", "assumed: block with the paper's mass"));
 }
 
 void addBallast(Rows& rows) {

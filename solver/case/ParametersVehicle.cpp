@@ -8,7 +8,7 @@ using Case = CaseDescription;
 namespace {
 
 constexpr const char* table1 = "paper, Table 1";
-constexpr const char* steps = "assumed: common passenger wheelset; no drawing of the paper's is public";
+constexpr const char* steps = "assumed: common passenger wheelset; no drawing of the paper's wheelset is public";
 
 void addWheel(Rows& rows) {
   rows.push_back(number(
@@ -25,8 +25,8 @@ void addWheel(Rows& rows) {
       "nominal rolling radius", "paper, section 2"));
   rows.push_back(number(
       "wheelset.cone", none, 0, {-0.05, 0.15}, [](Case& c) -> double& { return c.wheelset.cone; },
-      "slope of the tread, its radius falling outwards; the paper: 0.025. It touches the rail where the slopes agree",
-      "assumed: as rail.inclination"));
+      "conicity of the tread, its radius decreasing outwards; it touches the rail where the slopes agree",
+      "assumed: as rail.inclination; paper, section 2: 0.025"));
   rows.push_back(number(
       "wheelset.rim_width", millimetre, 135, {60, 200}, [](Case& c) -> double& { return c.wheelset.rimWidth; },
       "width of the rim", steps));
@@ -39,10 +39,10 @@ void addWheel(Rows& rows) {
   rows.push_back(number(
       "wheelset.web_hub_thickness", millimetre, 0, {0, 100},
       [](Case& c) -> double& { return c.wheelset.webHubThickness; },
-      "thickness of the web at the hub, straight in between; 0: as at the rim", steps));
+      "thickness of the web at the hub, linear in between; 0: as at the rim", steps));
   rows.push_back(number(
       "wheelset.web_offset", millimetre, 0, {-100, 100}, [](Case& c) -> double& { return c.wheelset.webOffset; },
-      "middle of the web at the hub, outwards from that at the rim: a conical web", steps));
+      "offset of the web at the hub from that at the rim, outwards positive (conical web)", steps));
   rows.push_back(number(
       "wheelset.hub_radius", millimetre, 140, {80, 300}, [](Case& c) -> double& { return c.wheelset.hubRadius; },
       "outer radius of the hub", steps));
@@ -83,31 +83,37 @@ void addAxle(Rows& rows) {
   rows.push_back(number(
       "wheelset.bearing_stiffness", stiffness, 0, {0, 100000},
       [](Case& c) -> double& { return c.wheelset.bearingStiffness; },
-      "radial stiffness of the bearing between journal and axle box; 0: rigid, the box is spread over the bearing seat",
+      "radial stiffness of the bearing between journal and axle box; 0: rigid, with the box spread over the bearing "
+      "seat",
       "no evidence for the paper's; roller bearings have about 500 to 2000 MN/m (unverified)"));
-  rows.push_back(number(
-      "wheelset.bearing_damping", damping, 0, {0, 1000}, [](Case& c) -> double& { return c.wheelset.bearingDamping; },
-      "radial damping of the bearing; counts where wheelset.bearing_stiffness is not 0", "no evidence"));
+  rows.push_back(appliesUnless("wheelset.bearing_stiffness", {"0"},
+                               number(
+                                   "wheelset.bearing_damping", damping, 0, {0, 1000},
+                                   [](Case& c) -> double& { return c.wheelset.bearingDamping; },
+                                   "radial damping of the bearing", "no evidence")));
   rows.push_back(number(
       "wheelset.axle_box_mass", kilogram, 150, {0, 1000}, [](Case& c) -> double& { return c.wheelset.axleBoxMass; },
       "mass of axle box and bearing", "literature: 100 to 150 kg"));
   rows.push_back(number(
       "wheelset.total_mass", kilogram, 950, {200, 5000}, [](Case& c) -> double& { return c.wheelset.totalMass; },
-      "mass of the half wheelset; what solid parts and axle box leave sits as brake discs on the axle",
+      "mass of the half wheelset; the mass beyond solid parts and axle box acts as brake discs on the axle",
       "literature: heavy passenger wheelset"));
   rows.push_back(number(
       "wheelset.track_centre", metre, 0.75, {0.5, 1.2}, [](Case& c) -> double& { return c.wheelset.trackCentre; },
-      "from the wheel plane to the symmetry plane", "literature: contact points 1.5 m apart"));
+      "distance from the wheel plane to the symmetry plane of the track", "literature: contact points 1.5 m apart"));
 }
 
 void addWheelsetDamping(Rows& rows) {
   rows.push_back(number(
       "wheelset.damping_ratio", none, 0, {0, 0.2}, [](Case& c) -> double& { return c.wheelset.dampingRatio; },
-      "share of critical damping of every flexible mode of the half wheelset below wheelset.damping_limit",
-      "no evidence; 0 is the undamped steel of the paper's material data"));
-  rows.push_back(number(
-      "wheelset.damping_limit", hertz, 2000, {50, 5000}, [](Case& c) -> double& { return c.wheelset.dampingLimit; },
-      "modes of the half wheelset up to here are damped", "paper, section 3: the band that is looked at"));
+      "damping ratio of every flexible mode of the half wheelset below wheelset.damping_limit",
+      "no evidence; 0: undamped steel, as in the paper's material data"));
+  rows.push_back(appliesUnless(
+      "wheelset.damping_ratio", {"0"},
+      number(
+          "wheelset.damping_limit", hertz, 2000, {50, 5000}, [](Case& c) -> double& { return c.wheelset.dampingLimit; },
+          "frequency up to which modes of the half wheelset are damped",
+          "paper, section 3: upper limit of the band studied")));
 }
 
 void addSuspension(Rows& rows) {
@@ -123,11 +129,11 @@ void addSuspension(Rows& rows) {
   rows.push_back(number(
       "suspension.longitudinal_stiffness", stiffness, 20, {0.01, 1000},
       [](Case& c) -> double& { return c.suspension.longitudinalStiffness; },
-      "longitudinal guidance of the axle box: carries the traction to the sprung mass",
+      "longitudinal stiffness of the axle guidance, which transmits the traction to the sprung mass",
       "assumed: usual order of axle guidance"));
   rows.push_back(number(
       "suspension.longitudinal_damping", damping, 20, {0, 1000},
-      [](Case& c) -> double& { return c.suspension.longitudinalDamping; }, "damping of the longitudinal guidance",
+      [](Case& c) -> double& { return c.suspension.longitudinalDamping; }, "longitudinal damping of the axle guidance",
       "assumed"));
 }
 

@@ -96,12 +96,12 @@ std::string formatLines(const std::vector<ProfileLine>& lines, int powerOfTen) {
 
 std::string linesMistake(const std::vector<ProfileLine>& lines) {
   constexpr double edge = 0.036;  // [m] half the width of the head
-  if (lines.size() == 1) return "Give at least two lines; a single profile goes into defect.points";
+  if (lines.size() == 1) return "Give at least two lines, or use defect.points for a single profile";
   if (lines.size() > mostLines) return "Give at most " + std::to_string(mostLines) + " lines";
   std::size_t all = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string which = "Line " + std::to_string(i + 1) + ": ";
-    if (!(std::abs(lines[i].lateral) <= edge)) return which + "lateral positions go from -36 to 36 mm";
+    if (!(std::abs(lines[i].lateral) <= edge)) return which + "the lateral position must be -36 to 36 mm";
     if (i > 0 && !(lines[i].lateral > lines[i - 1].lateral)) return which + "lateral positions must ascend";
     if (lines[i].points.empty()) return which + "Give at least two points";
     if (const std::string wrong = pointsMistake(lines[i].points); !wrong.empty()) return which + wrong;
@@ -125,9 +125,10 @@ std::string pointsMistake(const std::vector<ProfilePoint>& points) {
   if (points.size() > mostPoints) return "Give at most " + std::to_string(mostPoints) + " points";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string which = "Point " + std::to_string(i + 1) + ": ";
-    if (!(std::abs(points[i].position) <= farthest)) return which + "positions go from -1000 to 1000 km";
-    if (!(std::abs(points[i].height) <= highest)) return which + "heights go from -50 to 50 mm; check the unit";
-    if (i > 0 && points[i].position == points[i - 1].position) return which + "has the position of the one before";
+    if (!(std::abs(points[i].position) <= farthest))
+      return which + "the position must be -1000 to 1000 km; check the unit";
+    if (!(std::abs(points[i].height) <= highest)) return which + "the height must be -50 to 50 mm; check the unit";
+    if (i > 0 && points[i].position == points[i - 1].position) return which + "same position as the one before";
     if (i > 0 && points[i].position < points[i - 1].position) return which + "positions must ascend";
   }
   return {};

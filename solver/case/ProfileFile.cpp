@@ -121,9 +121,9 @@ class ProfileParser {
     std::string_view line;
     while (nextLine(line)) addRow(line);
     if (lines_.front().points.size() < 2)
-      fail("has fewer than two points", "Give at least two lines of position and height");
+      fail("fewer than two points", "Give at least two lines of position and height");
     if (lines_.size() > 1)
-      if (const std::string wrong = linesMistake(lines_); !wrong.empty()) fail("cannot be used", wrong);
+      if (const std::string wrong = linesMistake(lines_); !wrong.empty()) fail("unusable lines", wrong);
     return std::move(lines_);
   }
 
@@ -135,9 +135,9 @@ class ProfileParser {
   void checkEncoding() {
     if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);
     if (rest_.substr(0, 2) == "\xFF\xFE" || rest_.substr(0, 2) == "\xFE\xFF")
-      fail("is UTF-16 text", "Save it as UTF-8 or plain text");
+      fail("UTF-16 text", "Save it as UTF-8 or plain text");
     if (rest_.substr(0, 4096).find('\0') != std::string_view::npos)
-      fail("is no text file", "Export the profile as CSV");
+      fail("not a text file", "Export the profile as CSV");
   }
 
   // The next line that is neither empty nor a comment.
@@ -147,7 +147,7 @@ class ProfileParser {
       line = rest_.substr(0, end);
       rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
       ++number_;
-      if (line.size() > longestLine) fail("is longer than 1 MB", "Put one point on a line");
+      if (line.size() > longestLine) fail("line longer than 1 MB", "Put one point on a line");
       const std::string_view content = trimmed(line);
       if (!content.empty() && content.front() != '#') return true;
     }
@@ -156,7 +156,7 @@ class ProfileParser {
 
   void readHeader() {
     std::string_view line;
-    if (!nextLine(line)) fail("is empty", "Write a header with units and at least two points");
+    if (!nextLine(line)) fail("empty file", "Write a header with units and at least two points");
     line = withoutLineEnd(line);
     for (const char candidate : {',', '\t', ';'})
       if (line.find(candidate) != std::string_view::npos) delimiter_ = candidate;
@@ -177,37 +177,37 @@ class ProfileParser {
   }
 
   void checkColumns(const std::vector<std::string_view>& fields, const std::vector<Column>& columns) const {
-    const std::string example = "Write a header like: position [mm]; height [mm]";
+    const std::string example = "Write a header such as: position [mm]; height [mm]";
     if (std::any_of(fields.begin(), fields.end(), [](auto field) { return parseDecimal(field).has_value(); }))
-      fail("has no header with units", example);
+      fail("no header with units", example);
     const bool sideBySide = columns.size() > 2 && columns.size() <= mostLines + 1 &&
                             std::all_of(columns.begin() + 1, columns.end(),
                                         [](const Column& column) { return lateralOf(column.name).has_value(); });
     if (columns.size() != 2 && !sideBySide)
-      fail("has " + std::to_string(columns.size()) + (columns.size() == 1 ? " column" : " columns") +
-               " where two are expected",
-           "Keep position and height, divided by a comma, a semicolon or a tab; several columns of heights name their "
-           "lateral positions: y = -10 mm [mm]");
+      fail(std::to_string(columns.size()) + (columns.size() == 1 ? " column" : " columns") + " where two are expected",
+           "Keep position and height, separated by a comma, a semicolon or a tab; the header of several height columns "
+           "must give their lateral positions: y = -10 mm [mm]");
     for (std::size_t i = 0; i < columns.size(); ++i)
-      if (!columns[i].power) fail("header " + shown(fields[i]) + " names no unit m, mm or um", example);
+      if (!columns[i].power) fail("header " + shown(fields[i]) + " has no unit m, mm or um", example);
     for (const auto& column : columns)
       if (column.name.find("depth") != std::string::npos)
-        fail("header names a depth; heights are needed, up positive", "Change the signs and name the column height");
+        fail("the header says depth, but heights are required (positive upwards)",
+             "Reverse the signs and name the column height");
   }
 
   void addRow(std::string_view line) {
     auto& first = lines_.front().points;
     if (first.size() * lines_.size() >= mostPoints)
-      fail("has more than " + std::to_string(mostPoints) + " points", "Thin it out");
+      fail("more than " + std::to_string(mostPoints) + " points", "Use a larger step");
     auto fields = fieldsOf(withoutLineEnd(line), delimiter_);
     if (fields.size() != powers_.size()) failForColumns(fields.size());
     if (swapped_) std::swap(fields[0], fields[1]);
     const double position = numberIn(fields[0], powers_[0]);
     if (std::abs(position) > farthest) fail("position " + shown(fields[0]) + " is beyond 1000 km", "Check the unit");
     if (!first.empty() && position == first.back().position)
-      fail("position " + shown(fields[0]) + " stands there twice", "Keep one height for each position");
+      fail("position " + shown(fields[0]) + " appears twice", "Keep one height for each position");
     if (!first.empty() && position < first.back().position)
-      fail("position " + shown(fields[0]) + " is smaller than the one before", "Sort the lines by position");
+      fail("position " + shown(fields[0]) + " is smaller than the previous one", "Sort the lines by position");
     for (std::size_t i = 1; i < fields.size(); ++i) {
       const double height = numberIn(fields[i], powers_[i]);
       if (std::abs(height) > highest)
@@ -219,25 +219,26 @@ class ProfileParser {
   [[noreturn]] void failForColumns(std::size_t count) const {
     const std::string expected = powers_.size() == 2 ? "two" : std::to_string(powers_.size());
     const std::string what =
-        "has " + std::to_string(count) + (count == 1 ? " column" : " columns") + " where " + expected + " are expected";
+        std::to_string(count) + (count == 1 ? " column" : " columns") + " where " + expected + " are expected";
     if (count > powers_.size() && delimiter_ == ',')
       fail(what, "With a decimal comma, use a semicolon or a tab between the columns");
-    fail(what, powers_.size() == 2 ? "Keep position and height" : "Give each line as many numbers as the header names");
+    fail(what, powers_.size() == 2 ? "Keep position and height"
+                                   : "Give as many numbers in each line as the header has columns");
   }
 
   // One decimal mark for the whole file: a second one would be a thousands separator.
   double numberIn(std::string_view field, int power) {
-    if (field.empty()) fail("a number is missing", "Give position and height on each line");
+    if (field.empty()) fail("missing number", "Give position and height on each line");
     std::string text(field.substr(0, 100));
     const std::size_t mark = text.find_first_of(".,");
     if (mark != std::string::npos) {
       if (decimalMark_ == 0) decimalMark_ = text[mark];
       if (text.find_first_of(decimalMark_ == '.' ? "," : ".") != std::string::npos)
-        fail(shown(field) + ": decimal points and commas are mixed", "Use one of them, without thousands separators");
+        fail(shown(field) + ": mixed decimal points and commas", "Use one of them, without thousands separators");
       text[mark] = '.';
     }
     const auto value = parseDecimal(text, power);
-    if (!value) fail(shown(field) + " is no number", "Write plain decimal numbers");
+    if (!value) fail(shown(field) + " is not a number", "Write plain decimal numbers");
     return *value;
   }
 
@@ -264,8 +265,8 @@ std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path) {
 std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin) {
   auto lines = parseProfileLines(text, origin);
   if (lines.size() > 1)
-    throw FileError(origin, "", "has " + std::to_string(lines.size()) + " profiles side by side where one is expected",
-                    "Name it as defect.file of a case, or keep one column of heights");
+    throw FileError(origin, "", std::to_string(lines.size()) + " profiles side by side where one is expected",
+                    "Give it as defect.file of a case, or keep one column of heights");
   return std::move(lines.front().points);
 }
 

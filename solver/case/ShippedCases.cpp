@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "case/ParameterTable.h"
 #include "core/Errors.h"
 
 namespace squat::cases {
@@ -28,9 +29,19 @@ std::string otherThan(const std::string& path) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
-    return "cannot be looked at: " + error.message();
+    return "cannot be accessed: " + error.message();
   if (fs::is_directory(status)) return "is a folder, not a case file";
-  return fs::exists(status) ? "is no regular file" : "";
+  return fs::exists(status) ? "not a regular file" : "";
+}
+
+// The name with the smallest edit distance; empty where none is near.
+std::string nearestCase(const std::string& name, const std::vector<std::string>& all) {
+  if (name.size() > 100) return {};
+  std::string nearest;
+  int smallest = 2 + static_cast<int>(name.size()) / 4;  // farther than that is another word
+  for (const auto& other : all)
+    if (const int distance = editDistance(name, other); distance < smallest) nearest = other, smallest = distance;
+  return nearest;
 }
 
 }  // namespace
@@ -60,11 +71,14 @@ fs::path findCase(const std::string& nameOrPath) {
   fs::path shipped = resourcesFolder() / "cases" / (nameOrPath + ".toml");
   if (isName && fs::is_regular_file(shipped, error)) return shipped;
   const auto other = otherThan(nameOrPath);
+  const auto all = shippedCases();
   std::string names;
-  for (const auto& name : shippedCases()) names += (names.empty() ? "" : ", ") + name;
-  throw FileError(nameOrPath.empty() ? "''" : nameOrPath, "",
-                  other.empty() ? "no such case file or shipped case" : other,
-                  "Give a path to a case file or one of: " + (names.empty() ? "(no shipped cases found)" : names));
+  for (const auto& name : all) names += (names.empty() ? "" : ", ") + name;
+  const auto near = other.empty() ? nearestCase(fs::path(nameOrPath).stem().string(), all) : std::string();
+  throw FileError(
+      nameOrPath.empty() ? "''" : nameOrPath, "", other.empty() ? "no such case file or shipped case" : other,
+      (near.empty() ? "" : "Did you mean " + near + "? ") +
+          "Give the path of a case file or one of: " + (names.empty() ? "(no shipped cases found)" : names));
 }
 
 }  // namespace squat::cases

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "case/Applicability.h"
 #include "case/CaseRelations.h"
 #include "case/ParameterValue.h"
 
@@ -35,6 +36,8 @@ Validation validate(const CaseDescription& description) {
     auto& list = finding.severity == Severity::problem ? result.problems : result.warnings;
     list.push_back(std::move(finding.problem));
   }
+  for (const auto& parameter : parameterTable())
+    if (auto warning = valueWithoutEffect(description, parameter)) result.warnings.push_back(std::move(*warning));
   return result;
 }
 

@@ -4,12 +4,21 @@
 
 namespace squat {
 
-std::string toText(const CaseProblem& problem) {
-  std::string text = problem.key + " = " + problem.value;
-  if (!problem.allowed.empty()) text += ": allowed is " + problem.allowed;
-  if (!problem.advice.empty()) text += ". " + problem.advice;
+namespace {
+
+std::string sentence(const CaseProblem& problem, const std::string& verb) {
+  std::string text = problem.key;
+  if (!problem.value.empty()) text += " is " + problem.value;
+  if (!problem.allowed.empty()) text += (problem.value.empty() ? " " : ", ") + verb + " be " + problem.allowed;
+  if (!problem.advice.empty()) text += (problem.allowed.empty() ? ": " : ". ") + problem.advice;
   return text;
 }
+
+}  // namespace
+
+std::string toText(const CaseProblem& problem) { return sentence(problem, "must"); }
+
+std::string toWarning(const CaseProblem& problem) { return sentence(problem, "should"); }
 
 namespace {
 

@@ -89,7 +89,7 @@ void warn(Run& run, const std::string& text) {
 void refuseOrWarn(Run& run) {
   const auto validation = cases::validate(run.description);
   if (!validation.problems.empty()) throw CaseError(validation.problems);
-  for (const auto& warning : validation.warnings) warn(run, toText(warning));
+  for (const auto& warning : validation.warnings) warn(run, toWarning(warning));
 }
 
 void identify(Run& run, const elasticity::KernelSet& kernels, int threads) {
@@ -229,7 +229,8 @@ void markSpin(Run& run, double radius) {
   r.equilibrium.push_back({"largest_creepage", "1", "spin times radius over speed, less one", most});
   if (std::abs(most) < spinning) return;
   char text[160];
-  std::snprintf(text, sizeof text, "the wheel spins: its rim runs %.1f %% %s than the train; lower the torque",
+  std::snprintf(text, sizeof text,
+                "the wheel slips: its circumference moves %.1f %% %s than the train; reduce the torque",
                 100 * std::abs(most), most > 0 ? "faster" : "slower");
   r.warnings.push_back(text);
   run.monitor.message(std::string("warning: ") + text);

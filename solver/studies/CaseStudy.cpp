@@ -1,7 +1,9 @@
 #include "studies/CaseStudy.h"
 
 #include <algorithm>
+#include <map>
 
+#include "case/Applicability.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "core/DurableFile.h"
@@ -16,12 +18,39 @@ namespace {
 void checkValues(const Variation& variation, std::vector<CaseProblem>& problems) {
   const auto* parameter = cases::findParameter(variation.key);
   if (!parameter) {
-    problems.push_back(cases::unknownKey(variation.key, variation.values.front()));
+    problems.push_back(cases::unknownKey(variation.key));
     return;
   }
   auto description = cases::defaultCase();
   for (const auto& value : variation.values)
     if (auto problem = cases::trySetValue(description, *parameter, value)) problems.push_back(*problem);
+}
+
+// A grid of which no point can be run is an error; single points that cannot become failed rows. So is a key that has
+// an effect at no point: its rows would all be equal.
+void checkGrid(const StudyDefinition& definition, const cases::CaseOverrides& overrides) {
+  std::vector<CaseProblem> problems;
+  std::map<std::string, std::string> withoutEffect;  // key and why
+  for (const auto& variation : definition.variations) withoutEffect[variation.key];
+  bool canBeRun = false;
+  for (const auto& point : gridOf(definition)) {
+    try {
+      const auto description = caseAt(definition, overrides, point);
+      canBeRun = true;
+      for (auto item = withoutEffect.begin(); item != withoutEffect.end();) {
+        const auto& parameter = *cases::findParameter(item->first);
+        if (item->second.empty()) item->second = cases::reasonWithoutEffect(description, parameter);
+        item = cases::applies(description, parameter) ? withoutEffect.erase(item) : std::next(item);
+      }
+    } catch (const CaseError& error) {
+      if (problems.empty()) problems = error.problems();
+    }
+    if (canBeRun && withoutEffect.empty()) return;
+  }
+  if (!canBeRun) throw CaseError(problems);
+  problems.clear();
+  for (const auto& [key, reason] : withoutEffect) problems.push_back({"--vary " + key, "", "", reason});
+  throw CaseError(problems);
 }
 
 }  // namespace
@@ -39,16 +68,8 @@ StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverride
     }
   }
   if (!problems.empty()) throw CaseError(problems);
-  // A grid of which no point can be run is a mistake; single points that cannot become failed rows.
-  for (const auto& point : gridOf(definition)) {
-    try {
-      caseAt(definition, overrides, point);
-      return definition;
-    } catch (const CaseError& error) {
-      if (problems.empty()) problems = error.problems();
-    }
-  }
-  throw CaseError(problems);
+  checkGrid(definition, overrides);
+  return definition;
 }
 
 cases::CaseDescription caseAt(const StudyDefinition& definition, const cases::CaseOverrides& overrides,

@@ -122,9 +122,10 @@ TEST(CaseFile, ReportsAllMistakesAtOnceWithTheirLines) {
   std::vector<std::string> keys;
   for (const auto& problem : problems) {
     keys.push_back(problem.key);
+    EXPECT_FALSE(problem.advice.empty()) << problem.key;
+    if (problem.advice.starts_with("unknown key")) continue;  // of which nothing is allowed
     EXPECT_FALSE(problem.value.empty()) << problem.key;
     EXPECT_FALSE(problem.allowed.empty()) << problem.key;
-    EXPECT_FALSE(problem.advice.empty()) << problem.key;
   }
   EXPECT_THAT(keys,
               testing::ElementsAre("pad.stiffness (line 2)", "pad.stifness (line 3)", "rail.yield_stress (line 5)",
@@ -153,7 +154,7 @@ TEST(CaseFile, UnknownKeysNameTheNearest) {
 }
 
 TEST(CaseFile, RefusesWrongTypes) {
-  EXPECT_EQ(problemsOf("[pad]\nstiffness = '1300'")[0].value, "a text");
+  EXPECT_EQ(problemsOf("[pad]\nstiffness = '1300'")[0].value, "a string");
   EXPECT_EQ(problemsOf("[pad]\nstiffness = [1300]")[0].value, "an array");
   EXPECT_EQ(problemsOf("[pad]\nstiffness = 1979-05-27")[0].value, "a date or time");
   EXPECT_EQ(problemsOf("[rail]\nplastic = 1")[0].value, "a number");
@@ -167,7 +168,7 @@ TEST(CaseFile, RefusesWrongTypes) {
 
 TEST(CaseFile, RefusesWrongOverrides) {
   const auto problems =
-      problemsOf("", {"fine", {{"motion.speed", "30 m/s"}, {"motion.sped", "30"}, {"mesh.preset2", "x"}}});
+      problemsOf("", {"fine", {{"motion.speed", "30 mph"}, {"motion.sped", "30"}, {"mesh.preset2", "x"}}});
   ASSERT_EQ(problems.size(), 4u);
   EXPECT_EQ(problems[0].key, "--mesh");
   EXPECT_THAT(problems[0].allowed, HasSubstr("tiny, draft, standard, paper"));

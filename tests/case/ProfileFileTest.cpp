@@ -117,7 +117,7 @@ TEST(ProfileFile, RefusesTooFewAndAbsurdPoints) {
 
 TEST(ProfileFile, RefusesOtherEncodings) {
   EXPECT_THAT(refusal(std::string("\xFF\xFEx\0;\0z\0", 8)), HasSubstr("UTF-16"));
-  EXPECT_THAT(refusal(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("no text"));
+  EXPECT_THAT(refusal(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("not a text file"));
 }
 
 // Several profiles side by side: the headers name their lateral positions.

@@ -1,9 +1,10 @@
-// Relations between keys: what is refused and what is only said.
+// Relations between keys: what is refused and what brings a warning.
 #include "case/Validation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "case/MeshPresets.h"
@@ -28,7 +29,8 @@ void expectProblem(const Settings& settings, const std::string& key) {
   const Validation validation = validate(caseWith(settings));
   EXPECT_THAT(validation.problems, Contains(Field(&CaseProblem::key, key)));
   for (const auto& problem : validation.problems) {
-    EXPECT_FALSE(problem.value.empty() || problem.allowed.empty() || problem.advice.empty()) << toText(problem);
+    EXPECT_FALSE(problem.allowed.empty() || problem.advice.empty()) << toText(problem);
+    EXPECT_EQ(problem.value.empty(), isList(*findParameter(problem.key))) << toText(problem);
   }
 }
 
@@ -169,7 +171,7 @@ TEST(Validation, BadInputSaysKeyValueAndLimit) {
   // A cosine of 4 mm depth over 20 mm drops by pi times 4 / 20.
   expectSaid({{"defect.depth", "4"}, {"defect.length", "20"}}, "defect.depth", "4 mm", "slopes up to 0.5");
   expectSaid({{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [15, -0.1], [30, -0.2], [45, -0.1], [60, 0]]"}},
-             "defect.points", "the profile", "15 mm apart, more than an eighth of the dip");
+             "defect.points", "", "15 mm apart, more than an eighth of the dip");
   expectSaid({{"track.length", "3"},
               {"motion.run_up", "0.6"},
               {"defect.shape", "profile"},
@@ -210,7 +212,7 @@ TEST(Validation, CoarseProfiles) {
       {{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [15, -0.1], [30, -0.2], [45, -0.1], [60, 0]]"}},
       "defect.points");
   expectWarning({{"defect.shape", "profile"}, {"defect.points", "[[0, 0], [30, 0.1], [60, 0]]"}}, "defect.points");
-  expectWarning({{"defect.points", "[[0, 0], [30, -0.1], [60, 0]]"}}, "defect.shape");  // kept, not used
+  expectWarning({{"defect.points", "[[0, 0], [30, -0.1], [60, 0]]"}}, "defect.points");  // no effect
   expectWarning({{"defect.shape", "profile"},
                  {"defect.level", "false"},
                  {"defect.points", "[[0, 0.01], [5, -0.05], [10, -0.1], [15, -0.05], [20, 0]]"}},
@@ -226,8 +228,8 @@ TEST(Validation, Meshes) {
   expectWarning({{"mesh.contact_size", "5"}, {"defect.length", "15"}, {"defect.depth", "0.05"}}, "mesh.contact_size");
 }
 
-// The default follows the speed; a spin that does not is a wheel that slides all the way.
-TEST(Validation, AWheelThatSlidesFromTheStartIsTold) {
+// The default follows the speed; an angular velocity that does not makes the wheel slide all the way.
+TEST(Validation, AWheelThatSlidesFromTheStartBringsAWarning) {
   EXPECT_TRUE(validate(caseWith({{"motion.speed", "25"}, {"motion.torque", "0"}})).warnings.empty());
   const auto sliding = validate(caseWith({{"motion.speed", "25"}, {"motion.angular_velocity", "65.2"}}));
   ASSERT_FALSE(sliding.warnings.empty());
@@ -255,18 +257,48 @@ TEST(Validation, FilterBelowHalfTheRate) {
 
 // Full slip: torque / radius, less the share that spins up the wheelset, against friction times load
 // (8950 kg * 9.81 m/s2 * 0.3 = 26.34 kN). 12450.49 N m give 26.42 kN = 0.3009 of the load, just beyond it: with the
-// 46.3 kg m2 that the balance of torque, traction and spin of three runs on `tiny` gives, 27.07 kN / (1 + 0.0245).
-TEST(Validation, TorqueThatSpinsTheWheelIsSaidNotRefused) {
-  expectWarning({{"motion.traction_coefficient", "0"}}, "motion.torque");
-  expectWarning({{"motion.traction_coefficient", "0.35"}}, "motion.traction_coefficient");
-  const auto spinning = validate(caseWith({{"motion.traction_coefficient", "0"}, {"motion.torque", "14000"}}));
-  const auto paper = validate(caseWith({{"motion.traction_coefficient", "0"}}));
+// 46.3 kg m2 that the balance of torque, traction and angular velocity of three runs on `tiny` gives, 27.07 kN / (1 +
+// 0.0245).
+TEST(Validation, TorqueBeyondTheAdhesionLimitBringsAWarning) {
+  const char *torque = "motion.torque", *coefficient = "motion.traction_coefficient";
+  expectWarning({{coefficient, "0.35"}}, coefficient);
+  const auto slipping = validate(caseWith({{coefficient, "0"}, {torque, "14000"}}));
+  const auto paper = validate(caseWith({{coefficient, "0"}, {torque, "12450.49"}}));
+  const auto nearly = validate(caseWith({{coefficient, "0"}, {torque, "12300"}}));
   ASSERT_EQ(paper.warnings.size(), 1u);
-  EXPECT_THAT(paper.warnings[0].advice, HasSubstr("0.301 of the load"));
-  ASSERT_EQ(spinning.warnings.size(), 1u);
-  EXPECT_THAT(spinning.warnings[0].advice, HasSubstr("spins the wheel"));
+  EXPECT_EQ(paper.warnings[0].key, torque);
+  EXPECT_THAT(paper.warnings[0].advice, HasSubstr("0.301 of the wheel load"));
+  EXPECT_THAT(paper.warnings[0].advice, HasSubstr("exceeds the adhesion limit"));
+  ASSERT_EQ(slipping.warnings.size(), 1u);
+  EXPECT_THAT(slipping.warnings[0].advice, HasSubstr("exceeds the adhesion limit"));
+  ASSERT_EQ(nearly.warnings.size(), 1u);
+  EXPECT_THAT(nearly.warnings[0].advice, HasSubstr("nearly reaches the adhesion limit"));
   EXPECT_TRUE(validate(caseWith({{"motion.traction_coefficient", "0"}, {"motion.torque", "11000"}})).warnings.empty());
   EXPECT_TRUE(validate(caseWith({{"contact.friction", "0.25"}})).warnings.empty());
+}
+
+// A newcomer's first case, and what the studio opens with: defaults, on any mesh.
+TEST(Validation, TheDefaultCaseBringsNoWarning) {
+  for (const auto preset : {MeshPreset::tiny, MeshPreset::draft, MeshPreset::standard, MeshPreset::paper}) {
+    CaseDescription description = defaultCase();
+    applyPreset(description, preset);
+    for (const auto& warning : validate(description).warnings) ADD_FAILURE() << toText(warning);
+  }
+}
+
+// A profile of 40 mm, its positions taken for metres: 40 m of track would be needed.
+TEST(Validation, AProfileInTheWrongUnitIsRecognised) {
+  const auto problems =
+      validate(caseWith({{"defect.shape", "profile"},
+                         {"defect.points", "[[0, 0], [5000, -0.1], [20000, -0.2], [35000, -0.1], [40000, 0]]"}}))
+          .problems;
+  for (const char* key : {"track.length", "motion.run_up"}) {
+    const auto problem = std::find_if(problems.begin(), problems.end(), [&](const auto& p) { return p.key == key; });
+    ASSERT_NE(problem, problems.end()) << key;
+    EXPECT_THAT(problem->advice, HasSubstr("40 m long: check the unit"));
+  }
+  const auto long_ = validate(caseWith({{"track.length", "3"}, {"motion.run_up", "1"}})).problems;
+  for (const auto& problem : long_) EXPECT_THAT(problem.advice, testing::Not(HasSubstr("unit"))) << toText(problem);
 }
 
 }  // namespace

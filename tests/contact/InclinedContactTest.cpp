@@ -12,6 +12,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "contact/RollingContact.h"
 #include "model/Model.h"
@@ -34,7 +35,7 @@ struct Stand {
 
   Stand(const std::string& inclination, const std::string& cone, const std::string& offset) {
     model = model::buildModel(cases::loadCase(
-        "smooth-rail",
+        tests::fixtureCase("smooth-rail"),
         {"tiny", {{"rail.inclination", inclination}, {"wheelset.cone", cone}, {"motion.lateral_offset", offset}}}));
     displaced.assign(model.stateSize, 0.0), velocity.assign(model.stateSize, 0.0);
     history.traction.assign(2 * model.surfaces.points(), 0.0);

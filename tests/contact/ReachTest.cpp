@@ -3,6 +3,7 @@
 // by trying every point of the path outside this program. The patch reaches 7 mm beyond (Hertz, 87.8 kN).
 #include <gtest/gtest.h>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "model/Model.h"
 
@@ -15,12 +16,12 @@ struct Dip {
 };
 
 double reachOf(const Dip& dip) {
-  const auto description = cases::loadCase("smooth-rail", {"tiny",
-                                                           {{"defect.shape", "cosine"},
-                                                            {"defect.length", dip.length},
-                                                            {"defect.depth", dip.depth},
-                                                            {"motion.run_up", "0.2"},
-                                                            {"motion.beyond", "0.2"}}});
+  const auto description = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny",
+                                                                               {{"defect.shape", "cosine"},
+                                                                                {"defect.length", dip.length},
+                                                                                {"defect.depth", dip.depth},
+                                                                                {"motion.run_up", "0.2"},
+                                                                                {"motion.beyond", "0.2"}}});
   return model::buildModel(description).surfaces.reach;
 }
 

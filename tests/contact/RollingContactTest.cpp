@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "model/Model.h"
 
@@ -14,7 +15,7 @@ namespace squat::contact {
 namespace {
 
 const model::Model& tiny() {
-  static const model::Model model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+  static const model::Model model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   return model;
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "contact/TouchPoint.h"
 #include "dynamics/StableStep.h"
@@ -128,7 +129,7 @@ double highestEigenvalue(const model::Model& model, model::StaticOperator& op,
 
 // 4 / (dt^2 + 2 beta dt) is the largest eigenvalue that the central difference with damping on w = u + beta v bears.
 TEST(ContactInertia, TheStepOfTheBareMeshBearsClosedContact) {
-  const auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+  const auto model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   const auto kernels = elasticity::kernelsFor("");
   ThreadTeam team(2);
   Monitor quiet;
@@ -161,8 +162,9 @@ TEST(ContactInertia, StiffPenaltiesShortenTheStep) {
   ThreadTeam team(1);
   Monitor quiet;
   const auto layersOf = [&](const char* normal, const char* tangential, std::string& place) {
-    const auto model = model::buildModel(cases::loadCase(
-        "smooth-rail", {"tiny", {{"contact.normal_penalty", normal}, {"contact.tangential_penalty", tangential}}}));
+    const auto model = model::buildModel(
+        cases::loadCase(tests::fixtureCase("smooth-rail"),
+                        {"tiny", {{"contact.normal_penalty", normal}, {"contact.tangential_penalty", tangential}}}));
     const auto stable = stableStep(model, kernels, team, quiet);
     place = stable.place;
     const auto& rail = model.description.rail.material;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "dynamics/StableStep.h"
 #include "elasticity/SelectiveInertia.h"
@@ -24,7 +25,7 @@ struct Started {
 const Started& smooth() {
   static const Started started = [] {
     Started s;
-    s.model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+    s.model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
     ThreadTeam team(1);
     Monitor quiet;
     s.stable = stableStep(s.model, elasticity::kernelsFor(""), team, quiet);
@@ -111,7 +112,8 @@ TEST(Rolling, StartsQuietly) {
 // The stable step against the highest frequency of the bare rail by power steps, all waves with their own inertia:
 // contact and pads only add to it, and both come from below; 0.1 % for what the Lanczos steps leave.
 TEST(StableStep, CoversTheBareRail) {
-  const auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{"mesh.selective_inertia", "false"}}}));
+  const auto model = model::buildModel(
+      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"mesh.selective_inertia", "false"}}}));
   ThreadTeam team(1);
   Monitor quiet;
   const auto stable = stableStep(model, elasticity::kernelsFor(""), team, quiet);
@@ -153,7 +155,8 @@ double mobilityOf(const model::Model& model, const supports::SpringSet& springs,
 // 2 / (c w.M^-1 w) (Rayleigh quotient of M^-1 C). With the strongest pads of the case's range that is less than
 // what the solids bear. At the step found the rail moves as it should; at that of the solids it flies apart.
 TEST(StableStep, FollowsStrongDashpots) {
-  const auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{"pad.damping", "2000"}}}));
+  const auto model =
+      model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"pad.damping", "2000"}}}));
   const auto kernels = elasticity::kernelsFor("");
   ThreadTeam team(1);
   Monitor quiet;

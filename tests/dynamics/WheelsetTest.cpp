@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "core/Errors.h"
 #include "dynamics/Rolling.h"
@@ -19,7 +20,7 @@ namespace {
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 cases::CaseDescription caseWith(Settings settings) {
-  auto d = cases::loadCase("smooth-rail", {"tiny", settings});
+  auto d = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", settings});
   d.motion.gravity = d.motion.torque = d.motion.tractionCoefficient = 0;
   d.suspension.stiffness = d.suspension.longitudinalStiffness = 1e3;  // 2 Hz: free
   d.suspension.damping = d.suspension.longitudinalDamping = 0;
@@ -27,7 +28,7 @@ cases::CaseDescription caseWith(Settings settings) {
 }
 
 std::vector<model::HarmonicMode> bending(const Settings& settings) {
-  auto modes = model::wheelsetModes(cases::loadCase("smooth-rail", {"tiny", settings}), 2000, 1);
+  auto modes = model::wheelsetModes(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", settings}), 2000, 1);
   std::erase_if(modes, [](const auto& mode) { return mode.harmonic != 1; });
   return modes;
 }
@@ -73,7 +74,7 @@ struct Free {
 // of the shares, less of the frequency.
 TEST(WheelsetModes, SoftBearingMakesTwoMassesOnASpring) {
   const auto modes = bending({{"wheelset.bearing_stiffness", "0.1"}});
-  const auto w = cases::loadCase("smooth-rail").wheelset;
+  const auto w = cases::loadCase(tests::fixtureCase("smooth-rail")).wheelset;
   const double rest = w.totalMass - w.axleBoxMass;
   const double expected = std::sqrt(1e5 * (1 / w.axleBoxMass + 1 / rest)) / (2 * std::numbers::pi);
   ASSERT_FALSE(modes.empty());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "core/Errors.h"
 #include "model/BuildBlocks.h"
@@ -17,7 +18,7 @@ class PresetMesh : public testing::TestWithParam<const char*> {
  protected:
   static Model blocksOf(const char* preset) {
     Model model;
-    model.description = cases::loadCase("light-defect", {preset, {}});
+    model.description = cases::loadCase(tests::fixtureCase("light-defect"), {preset, {}});
     addBlocks(model);
     return model;
   }
@@ -61,7 +62,7 @@ TEST_P(PresetMesh, RailAndWheelAreWhole) {
 // Stations of wheel and rail stand opposite each other where they roll on each other.
 TEST_P(PresetMesh, RimRollsOnTheRailsStations) {
   Model model;
-  model.description = cases::loadCase("light-defect", {GetParam(), {}});
+  model.description = cases::loadCase(tests::fixtureCase("light-defect"), {GetParam(), {}});
   const auto stretch = addBlocks(model);
   const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
   const auto first = std::lower_bound(rail.positions.begin(), rail.positions.end(), stretch.from - 1e-9);
@@ -96,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(AllPresets, PresetMesh, testing::Values("tiny", "draft"
 TEST(FineStations, ComeInWholeGroups) {
   for (const char* preset : {"draft", "standard", "paper"}) {
     Model model;
-    model.description = cases::loadCase("light-defect", {preset, {}});
+    model.description = cases::loadCase(tests::fixtureCase("light-defect"), {preset, {}});
     addBlocks(model);
     for (const int b : {model.rail, model.rim}) {
       const auto& block = model.blocks[b];
@@ -113,7 +114,7 @@ TEST(FineStations, ComeInWholeGroups) {
 
 RollingStretch stretchOf(const Settings& settings) {
   Model model;
-  model.description = cases::loadCase("smooth-rail", {"tiny", settings});
+  model.description = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", settings});
   return addBlocks(model);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 
 namespace squat::geometry {
@@ -27,7 +28,7 @@ double webVolume(double a, double b, double h, double t) {
 }
 
 TEST(WheelSection, ConicalAndTaperedWebHasTheVolumeOfItsDrawing) {
-  auto w = cases::loadCase("smooth-rail").wheelset;
+  auto w = cases::loadCase(tests::fixtureCase("smooth-rail")).wheelset;
   const double straight = volume(w);
   w.webOffset = 0.035, w.webHubThickness = 0.045;
   const auto mesh = wheelBodySectionMesh(w, kSizes);

@@ -142,8 +142,8 @@ class WorkingDay : public testing::Test {
 
 TEST_F(WorkingDay, fromOpeningToReopening) {
   ASSERT_NO_FATAL_FAILURE(open(window_));
-  tests::clickMenu(window_, {"File", "Shipped cases", "light-defect"});
-  ASSERT_EQ(window_.document().name(), "light-defect");
+  tests::clickMenu(window_, {"File", "Shipped cases", "light-defect-long-overhang"});
+  ASSERT_EQ(window_.document().name(), "light-defect-long-overhang");
   ASSERT_NO_FATAL_FAILURE(editTheProfile());
   ASSERT_NO_FATAL_FAILURE(makeItShort());
   ASSERT_NO_FATAL_FAILURE(runCancelAndRunAgain());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "simulation/Describe.h"
 
@@ -12,8 +13,8 @@ namespace squat::simulation {
 namespace {
 
 double hertz(const std::string& wheelModulus, const std::string& name) {
-  const auto model =
-      model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{"wheelset.young_modulus", wheelModulus}}}));
+  const auto model = model::buildModel(
+      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"wheelset.young_modulus", wheelModulus}}}));
   results::RunResult result;
   describeEquilibrium(model, {}, result);
   for (const auto& scalar : result.equilibrium)
@@ -30,7 +31,8 @@ TEST(Describe, HertzKnowsBothModuli) {
 
 // At 8 m/s and 200 kHz the window of 0.38 m holds 9500 samples, more than the usual length of the transform.
 TEST(Describe, SlowRunsHaveSpectraToo) {
-  const auto description = cases::loadCase("smooth-rail", {"tiny", {{"output.rate", "200"}, {"motion.speed", "8"}}});
+  const auto description =
+      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"output.rate", "200"}, {"motion.speed", "8"}}});
   results::RunResult result;
   result.speed = 8;
   std::vector<double> tone;
@@ -49,7 +51,8 @@ TEST(Describe, SlowRunsHaveSpectraToo) {
 
 // At 150 m/s and 16 kHz a sample every 9.4 mm, from -0.5 m on.
 TEST(Describe, ARecordTooShortForSpectraSaysWhatToDo) {
-  const auto description = cases::loadCase("smooth-rail", {"tiny", {{"output.rate", "16"}, {"motion.speed", "150"}}});
+  const auto description =
+      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"output.rate", "16"}, {"motion.speed", "150"}}});
   results::RunResult result;
   result.speed = 150;
   for (int i = 0; i < 70; ++i) result.time.push_back(i / 16e3), result.position.push_back(150 * i / 16e3 - 0.5);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 
@@ -19,7 +20,7 @@ inline cases::CaseDescription softRail(Overrides besides = {}) {
   Overrides values{
       {"motion.run_up", "0.05"}, {"motion.beyond", "0.03"}, {"rail.plastic", "true"}, {"rail.yield_stress", "0.4"}};
   values.insert(values.end(), besides.begin(), besides.end());
-  return cases::loadCase("light-defect", {"tiny", values});
+  return cases::loadCase(tests::fixtureCase("light-defect"), {"tiny", values});
 }
 
 inline simulation::RunOptions plain(int threads = 1) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 
@@ -45,11 +46,11 @@ TEST_P(SameAnswer, AsBeforeWithinHalfAPercent) {
   options.wheelsetModes = false;
   options.snapshots = false;
   Monitor silent;
-  const auto result =
-      simulation::runCase(cases::loadCase("light-defect", {"tiny",
+  const auto result = simulation::runCase(
+      cases::loadCase(tests::fixtureCase("light-defect"), {"tiny",
                                                            {{"mesh.precision", GetParam().precision},
                                                             {"mesh.selective_inertia", GetParam().selectiveInertia}}}),
-                          options, silent);
+      options, silent);
   const auto& now = *result.signal("aba_filtered");
   ASSERT_EQ(now.size(), frozen.acceleration.size());
   double most = 0, peak = 0;

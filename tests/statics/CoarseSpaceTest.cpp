@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 
 namespace squat::statics {
@@ -14,7 +15,7 @@ namespace {
 // F / k, the wheelset with it and without strain, the rail not at all. Galerkin's projection is exact for a motion that
 // lies in the space; what is left comes of the 1e-10 by which its diagonal is raised.
 TEST(CoarseSpace, SpringOnTheSprungMassCarriesTheVehicle) {
-  const auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+  const auto model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   ThreadTeam team(1);
   model::StaticOperator op(model, elasticity::kernelsFor(""), team, 0, 1e8, true);
   CoarseSpace coarse(model, op);
@@ -43,7 +44,8 @@ TEST(CoarseSpace, SpringOnTheSprungMassCarriesTheVehicle) {
 // Rail elements longer than the usual distance of the hats: each hat still holds a station, and the correction of any
 // load is a number.
 TEST(CoarseSpace, HoldsOnElementsLongerThanItsUsualHats) {
-  const auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{"track.length", "10"}}}));
+  const auto model =
+      model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"track.length", "10"}}}));
   double longest = 0;
   for (const auto& run : model.blocks[model.rail].stations.runs) longest = std::max(longest, run.length);
   ASSERT_GT(longest, 0.2);

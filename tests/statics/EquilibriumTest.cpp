@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "core/Errors.h"
 #include "model/StaticOperator.h"
@@ -26,7 +27,7 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 Solved solve(const std::string& preset, int threads, const std::string& isa = "", double tolerance = 1e-7,
              const Values& values = {}) {
   Solved s;
-  s.model = model::buildModel(cases::loadCase("smooth-rail", {preset, values}));
+  s.model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {preset, values}));
   ThreadTeam team(threads);
   Monitor quiet;
   EquilibriumOptions options;
@@ -142,8 +143,8 @@ TEST(Equilibrium, SuspensionIsCompressedBySprungMass) {
 
 // An axle box on its bearing: the spring carries box and sprung mass, (m + M) g / k; the contact carries all.
 TEST(Equilibrium, BoxSinksOnItsBearing) {
-  const auto model =
-      model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{"wheelset.bearing_stiffness", "500"}}}));
+  const auto model = model::buildModel(
+      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"wheelset.bearing_stiffness", "500"}}}));
   ThreadTeam team(1);
   Monitor quiet;
   const auto e = findEquilibrium(model, elasticity::kernelsFor(""), team, model.startX, 0, {}, quiet);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "model/WheelMotion.h"
 
@@ -14,7 +15,7 @@ namespace {
 // In steady rolling a rail point sees the deflection pass: du/dt = -v du/dx where the track is the same all along. Just
 // under the wheel du_z/dx = 0 for the head's sinking; ahead of the wheel the rail goes down, behind it comes up.
 TEST(QuietStart, RailSinksAheadOfTheWheelAndRisesBehind) {
-  const auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+  const auto model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   ThreadTeam team(1);
   Monitor quiet;
   const auto start = prepareQuietStart(model, elasticity::kernelsFor(""), team, quiet);

@@ -6,13 +6,14 @@
 #include <cmath>
 #include <random>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 
 namespace squat::model {
 namespace {
 
 const Model& tiny() {
-  static const Model model = buildModel(cases::loadCase("smooth-rail", {"tiny", {}}));
+  static const Model model = buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   return model;
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "FixtureCase.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 
@@ -49,6 +50,27 @@ TEST(CaseStudy, keysAreThoseOfTheTable) {
     EXPECT_EQ(error.problems().size(), 3u);
     EXPECT_THAT(error.what(), HasSubstr("defect.depth"));
   }
+}
+
+// The rows would all be equal: an analytic depth of a sampled profile, a torque beside a traction coefficient. A key
+// that has an effect at some of the points may be varied.
+TEST(CaseStudy, refusesAKeyThatHasNoEffectAtAnyPoint) {
+  const auto sampled = tests::fixtureCase("light-defect");
+  const auto refusal = [&](const cases::CaseOverrides& overrides, const std::string& variation) -> std::string {
+    try {
+      studyOf(sampled, overrides, {variation});
+    } catch (const CaseError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(refusal({}, "defect.depth=0.1,0.3"),
+              HasSubstr("defect.depth: no effect because defect.shape is profile"));
+  EXPECT_THAT(refusal({"", {{"motion.traction_coefficient", "0.1"}}}, "motion.torque=1000:3000:3"),
+              HasSubstr("motion.traction_coefficient is 0.1"));
+  EXPECT_EQ(refusal({}, "defect.height_scale=0.5,1"), "accepted");
+  EXPECT_EQ(refusal({"", {{"defect.shape", "cosine"}}}, "defect.depth=0.1,0.3"), "accepted");
+  EXPECT_NO_THROW(studyOf(sampled, {}, {"defect.shape=profile,cosine", "defect.depth=0.1,0.3"}));
 }
 
 // A measured profile may be called study.csv; and a study.csv without its study.json may be anybody's.

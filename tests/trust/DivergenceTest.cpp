@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -27,7 +28,7 @@ cases::CaseDescription shortCase() {
   cases::CaseOverrides overrides;
   overrides.preset = "tiny";
   overrides.values = testing::shortSets();
-  return cases::loadCase("light-defect", overrides);
+  return cases::loadCase(tests::fixtureCase("light-defect"), overrides);
 }
 
 class StopInTheMiddle : public Monitor {

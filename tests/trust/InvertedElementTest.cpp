@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 
 namespace squat::model {
@@ -15,7 +16,7 @@ const Model& tinyModel() {
   static const Model model = [] {
     cases::CaseOverrides overrides;
     overrides.preset = "tiny";
-    return buildModel(cases::loadCase("light-defect", overrides));
+    return buildModel(cases::loadCase(tests::fixtureCase("light-defect"), overrides));
   }();
   return model;
 }

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -31,7 +32,7 @@ cases::CaseDescription shortCase() {
   cases::CaseOverrides overrides;
   overrides.preset = "tiny";
   overrides.values = testing::shortSets();
-  return cases::loadCase("light-defect", overrides);
+  return cases::loadCase(tests::fixtureCase("light-defect"), overrides);
 }
 
 RunResult run(const simulation::RunOptions& options, double stopAt = 2) {

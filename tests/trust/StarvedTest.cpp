@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "results/ResultFile.h"
@@ -99,7 +100,8 @@ TEST(Starved, ARunOutlivesTheFolderOfItsCheckpoints) {
   options.threads = 1;
   options.checkpointPath = folder / "gone/run.checkpoint";
   options.checkpointSeconds = 0;
-  const auto result = simulation::runCase(cases::loadCase("light-defect", overrides), options, monitor);
+  const auto result =
+      simulation::runCase(cases::loadCase(tests::fixtureCase("light-defect"), overrides), options, monitor);
   EXPECT_TRUE(result.complete);
   EXPECT_THAT(monitor.all, HasSubstr(options.checkpointPath + ": cannot be written: No such file or directory"));
   EXPECT_EQ(std::count(monitor.all.begin(), monitor.all.end(), '\n'), static_cast<long>(result.warnings.size()))

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "dynamics/StableStep.h"
 #include "simulation/EnergyLedger.h"
@@ -16,7 +17,7 @@ namespace squat::simulation {
 namespace {
 
 cases::CaseDescription conservativeCase() {
-  auto d = cases::loadCase("smooth-rail", {"tiny", {}});
+  auto d = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}});
   d.contact.friction = 0;
   d.motion.torque = 0, d.motion.tractionCoefficient = 0;
   d.damping.fraction = 0, d.damping.beta = 0;
@@ -78,7 +79,7 @@ TEST(ImpactEnergy, IsKeptThroughAnImpact) {
 // its arm, the wheel's place at the instant of u + beta v, the angular momentum of the contact's added inertia, the
 // balance of the turning reference, the half of a step's work that is done when its displacement stands.
 TEST(DrivenWheel, KeepsTheBooks) {
-  auto description = cases::loadCase("smooth-rail", {"tiny", {}});
+  auto description = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}});
   description.motion.tractionCoefficient = 0.2;
   description.motion.torqueRamp = 1e-3;
   const auto model = model::buildModel(description);

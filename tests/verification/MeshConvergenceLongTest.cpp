@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <string>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "laboratory/RunFeatures.h"
 #include "simulation/RunCase.h"
@@ -20,7 +21,7 @@ namespace {
 
 signals::Features featuresOn(const std::string& mesh) {
   const auto description =
-      cases::loadCase("light-defect", {mesh, {{"motion.run_up", "0.3"}, {"motion.beyond", "0.3"}}});
+      cases::loadCase(tests::fixtureCase("light-defect"), {mesh, {{"motion.run_up", "0.3"}, {"motion.beyond", "0.3"}}});
   Monitor quiet;
   return laboratory::runFeatures(runCase(description, {}, quiet));
 }
@@ -48,7 +49,7 @@ TEST(MeshConvergence, TheCoarseWebChangesNoSample) {
     Monitor quiet;
     const auto result =
         runCase(cases::loadCase(
-                    "light-defect",
+                    tests::fixtureCase("light-defect"),
                     {"standard", {{"motion.run_up", "0.2"}, {"motion.beyond", "0.3"}, {"mesh.coarse_web", coarseWeb}}}),
                 {}, quiet);
     return *result.signal("aba_filtered");

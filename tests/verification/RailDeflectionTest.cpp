@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "statics/Equilibrium.h"
 #include "verification/TrackBeam.h"
@@ -34,8 +35,9 @@ double sectionMean(const model::Model& model, const AlignedVector& u, double x) 
 }
 
 TEST(RailDeflection, UnderTheWheelIsThatOfABeam) {
-  const auto description = cases::loadCase(
-      "smooth-rail", {"tiny", {{"track.length", "9"}, {"mesh.far_size", "100"}, {"mesh.section_size", "16"}}});
+  const auto description =
+      cases::loadCase(tests::fixtureCase("smooth-rail"),
+                      {"tiny", {{"track.length", "9"}, {"mesh.far_size", "100"}, {"mesh.section_size", "16"}}});
   const auto model = model::buildModel(description);
   ThreadTeam team(1);
   Monitor quiet;

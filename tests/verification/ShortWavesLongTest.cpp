@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 
@@ -17,8 +18,8 @@ std::vector<double> rolled(const std::string& slowed) {
   options.threads = 2;
   options.wheelsetModes = options.snapshots = false;
   Monitor quiet;
-  const auto description =
-      cases::loadCase("light-defect", {"tiny", {{"motion.beyond", "0.3"}, {"mesh.selective_inertia", slowed}}});
+  const auto description = cases::loadCase(tests::fixtureCase("light-defect"),
+                                           {"tiny", {{"motion.beyond", "0.3"}, {"mesh.selective_inertia", slowed}}});
   return *simulation::runCase(description, options, quiet).signal("aba_filtered");
 }
 

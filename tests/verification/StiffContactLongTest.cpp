@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 
@@ -19,11 +20,12 @@ results::RunResult rolled(const std::string& normal, const std::string& tangenti
   options.threads = 1;
   options.wheelsetModes = options.snapshots = false;
   Monitor quiet;
-  return simulation::runCase(cases::loadCase("light-defect", {"tiny",
-                                                              {{"contact.normal_penalty", normal},
-                                                               {"contact.tangential_penalty", tangential},
-                                                               {"output.time_step", step}}}),
-                             options, quiet);
+  return simulation::runCase(
+      cases::loadCase(tests::fixtureCase("light-defect"), {"tiny",
+                                                           {{"contact.normal_penalty", normal},
+                                                            {"contact.tangential_penalty", tangential},
+                                                            {"output.time_step", step}}}),
+      options, quiet);
 }
 
 double scalar(const std::vector<results::Scalar>& list, const std::string& name) {

@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "verification/TrackBeam.h"
 
@@ -18,7 +19,7 @@ namespace {
 constexpr double midspan = 0.3;
 
 TrackBeam hundredBays() {
-  auto d = cases::loadCase("smooth-rail");
+  auto d = cases::loadCase(tests::fixtureCase("smooth-rail"));
   d.track.length = 60;
   d.pad.length = 1e-7, d.pad.longitudinalStiffness = 0, d.pad.longitudinalDamping = 0;
   d.sleeper.material.young = 1e16;

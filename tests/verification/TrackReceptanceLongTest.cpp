@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "verification/ReceptanceComparison.h"
 
@@ -11,7 +12,7 @@ namespace squat::verification {
 namespace {
 
 TEST(TrackReceptanceLong, TenMetresAreThoseOfABeam) {
-  compareWithBeam(cases::loadCase("smooth-rail", {"draft", {}}), 5);
+  compareWithBeam(cases::loadCase(tests::fixtureCase("smooth-rail"), {"draft", {}}), 5);
 }
 
 // Nearly rigid sleepers on short pads, long track, against numbers of a Timoshenko model made apart from this program:
@@ -26,7 +27,8 @@ constexpr Published kPublished[] = {
 constexpr double kFullTrack = 82, kPinPin = 1018;  // [Hz]
 
 TEST(TrackReceptanceLong, RigidSleepersGiveThePublishedNumbers) {
-  auto d = cases::loadCase("smooth-rail", {"tiny", {{"track.length", "30"}, {"pad.length", "0.02"}}});
+  auto d =
+      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"track.length", "30"}, {"pad.length", "0.02"}}});
   d.sleeper.material.young = 2e12;
   d.pad.longitudinalStiffness = d.pad.longitudinalDamping = 0;
   const auto solid = solidTrack(d);

@@ -13,6 +13,7 @@
 // ballast's 9).
 #include <gtest/gtest.h>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "verification/ReceptanceComparison.h"
 
@@ -25,7 +26,7 @@ TEST(TrackReceptance, ShortTrackIsThatOfABeam) {
   options.highest = 1200;
   options.shapeTolerance = 2e-2;
   options.accuracy = 0.02;
-  compareWithBeam(cases::loadCase("smooth-rail", {"draft", {{"track.length", "3"}}}), 10, options);
+  compareWithBeam(cases::loadCase(tests::fixtureCase("smooth-rail"), {"draft", {{"track.length", "3"}}}), 10, options);
 }
 
 }  // namespace

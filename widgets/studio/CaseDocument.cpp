@@ -91,7 +91,7 @@ void CaseDocument::save(const QString& path) {
 
 std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, const std::string& text) {
   const cases::Parameter* parameter = cases::findParameter(key);
-  if (!parameter) return cases::unknownKey(key, text);
+  if (!parameter) return cases::unknownKey(key);
   cases::CaseDescription after = description();
   if (auto problem = cases::trySetValue(after, *parameter, text)) return problem;
   if (cases::valueText(after, *parameter) == cases::valueText(description(), *parameter)) return std::nullopt;
