@@ -249,7 +249,7 @@ std::string paperTable(const RunResult& result) {
     table.add({row.what, row.ours, row.paper, row.verdict});
     missed = missed || (row.verdict == "not met" && startsWith(row.what, "line "));
   }
-  auto text = table.text();
+  auto text = table.text(kTerminalWidth);
   if (missed && !result.modes.empty())
     text += "\nA spectral line of the paper is not met. Natural modes of the free half wheelset, for comparison:\n" +
             modesTable(result);

@@ -123,7 +123,7 @@ int reportCancelled(const RunFiles& files, const char* what) {
 void printMemory() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  std::printf("\npeak memory, figures included: %s\n", number(std::round(usage.ru_maxrss / 1024.0), "MiB").c_str());
+  std::printf("\npeak memory of the command: %s\n", number(std::round(usage.ru_maxrss / 1024.0), "MiB").c_str());
 }
 
 int run(const RunCommandOptions& options) {

@@ -7,6 +7,9 @@
 
 namespace squat::commands {
 
+// Columns of a terminal that the longer tables are fitted to.
+inline constexpr std::size_t kTerminalWidth = 100;
+
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> head) : rows_{std::move(head)} {}

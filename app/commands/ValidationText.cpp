@@ -30,7 +30,7 @@ std::string inputText(const validation::SensitivityTable& table, const std::vect
     for (const auto& row : rows) cells.push_back(i < row.numbers.size() ? markText(row, i) : row.message);
     text.add(cells);
   }
-  return rows.front().text + " (" + rows.front().key + ")\n" + text.text(kTextWidth) + "\n";
+  return rows.front().text + " (" + rows.front().key + ")\n" + text.text(kTerminalWidth) + "\n";
 }
 
 }  // namespace
@@ -49,10 +49,10 @@ std::string statementsText(const std::vector<validation::Judged>& judged) {
                validation::toText(one.verdict)});
     if (one.value || one.why.empty()) continue;
     TextTable reason({s.name + ": " + one.why});
-    const auto text = reason.text(kTextWidth);
+    const auto text = reason.text(kTerminalWidth);
     reasons += text.substr(0, text.rfind('\n', text.size() - 2) + 1);  // without the line below a head
   }
-  return table.text(kTextWidth) + (reasons.empty() ? "" : "\n" + reasons);
+  return table.text(kTerminalWidth) + (reasons.empty() ? "" : "\n" + reasons);
 }
 
 std::string parametersText(const std::vector<validation::ComparedParameter>& parameters) {
@@ -66,13 +66,13 @@ std::string parametersText(const std::vector<validation::ComparedParameter>& par
   }
   std::string text =
       std::to_string(same) + " of " + std::to_string(parameters.size()) + " model parameters match the paper";
-  return table.empty() ? text + ".\n" : text + "; the others:\n\n" + table.text(kTextWidth);
+  return table.empty() ? text + ".\n" : text + "; the others:\n\n" + table.text(kTerminalWidth);
 }
 
 std::string numbersText(const validation::Reference& reference) {
   TextTable table({"section", "stated by the paper, not judged", "value"});
   for (const auto& one : reference.numbers) table.add({one.section, one.text, stated(one.value, one.unit)});
-  return table.text(kTextWidth);
+  return table.text(kTerminalWidth);
 }
 
 std::string sensitivityText(const validation::SensitivityTable& table) {

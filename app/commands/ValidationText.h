@@ -9,9 +9,6 @@
 
 namespace squat::commands {
 
-// Columns of a terminal that every table fits; what does not fit is in the CSV files.
-inline constexpr std::size_t kTextWidth = 100;
-
 std::string countsText(const std::vector<validation::Judged>& judged);  // "9 met, 11 not met, 2 not judged"
 // Below the table: why there is no result, for each statement without one.
 std::string statementsText(const std::vector<validation::Judged>& judged);

@@ -109,7 +109,7 @@ std::string bound(double value) { return std::isinf(value) ? std::string() : lab
 
 std::string printed(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
+  std::snprintf(text, sizeof text, std::abs(value) < 1e4 ? "%.4g" : "%.0f", value);
   return text;
 }
 

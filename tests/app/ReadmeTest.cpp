@@ -57,15 +57,8 @@ bool isCommand(const arch::PageCode& code) {
   return code.isBlock ? calls || beginsWith(code.text, "printf ") : calls && code.text.find(' ') != std::string::npos;
 }
 
-class Typed : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(Typed, EveryCommandWorksInAnEmptyFolder) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directories(folder / "programs");
-  std::filesystem::create_directories(folder / "empty");
-  writeShim(folder / "programs/squat", kSquat, SQUAT_PROGRAM);
-  writeShim(folder / "programs/squat-studio", kStudio, SQUAT_STUDIO);
-  const std::string page = std::string(SQUAT_SOURCE_DIR "/") + GetParam();
+// Types the commands of a page one by one; how many there are.
+int typeAll(const std::string& page, const TemporaryFolder& folder) {
   int typed = 0;
   for (const auto& code : arch::codeOf(page)) {
     if (!isCommand(code)) continue;
@@ -81,12 +74,20 @@ TEST_P(Typed, EveryCommandWorksInAnEmptyFolder) {
     EXPECT_EQ(status, 0) << page << ":" << code.line << ": " << code.text << "\n"
                          << readWholeFile(folder / "output", 1000000);
   }
-  EXPECT_GT(typed, 0) << "a page without commands need not be listed here";
+  return typed;
 }
 
-INSTANTIATE_TEST_SUITE_P(Pages, Typed,
-                         ::testing::Values("README.md", "resources/manual/running.md", "resources/manual/speed.md",
-                                           "resources/manual/studio.md", "resources/manual/validation.md"));
+// The README first; the manual's pages go on in its folder, where its results stand.
+TEST(Typed, EveryCommandWorksInAnEmptyFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "programs");
+  std::filesystem::create_directories(folder / "empty");
+  writeShim(folder / "programs/squat", kSquat, SQUAT_PROGRAM);
+  writeShim(folder / "programs/squat-studio", kStudio, SQUAT_STUDIO);
+  int typed = 0;
+  for (const auto& page : arch::pagesOf(SQUAT_SOURCE_DIR)) typed += typeAll(page, folder);
+  EXPECT_GT(typed, 18);
+}
 
 // Nothing in a block of the README is passed over: what is not typed here is for the source folder.
 TEST(TypedReadme, HasNoOtherLines) {
