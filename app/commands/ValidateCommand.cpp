@@ -134,11 +134,10 @@ std::string readAll(const ValidateOptions& options, const validation::Reference&
 int judgeAndWrite(const ValidateOptions& options, const validation::Reference& reference, const Results& results,
                   const std::string& mesh) {
   const auto judged = validation::judge(reference, results, mesh);
-  std::string text =
-      "Mesh " + mesh + ". " + countsText(judged) +
-      ".\nJudged at the axle box. validation.csv adds the paper's wording, the runs, the reasons for the "
-      "accepted\nranges and the values at the wheel centre.\n\n" +
-      statementsText(judged) + "\n";
+  std::string text = "Mesh " + mesh + ". " + countsText(judged) +
+                     ".\nJudged at the axle box. validation.csv adds the paper's wording, the runs, the reasons for "
+                     "the\naccepted ranges and the values at the wheel centre.\n\n" +
+                     statementsText(judged) + "\n";
   std::vector<std::string> written;
   const auto write = [&](const std::string& name, const std::string& content) {
     written.push_back(options.folder + "/" + name);

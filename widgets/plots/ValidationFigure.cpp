@@ -34,10 +34,12 @@ QString numberText(double value) {
 }
 
 QString oursText(const Judged& one) {
-  if (!one.value) return one.verdict == Verdict::notJudged ? "not judged" : "none";
+  if (one.verdict == Verdict::notJudged) return "not judged";
+  const QString range = "   (" + unitText(validation::rangeText(one.statement)) + ")";
+  if (!one.value) return "none" + range;
   const auto& unit = one.statement.unit;
-  return numberText(*one.value) + (unit.empty() || unit == "1" || unit == "ratio" ? QString() : " " + unitText(unit)) +
-         "   (" + unitText(validation::rangeText(one.statement)) + ")";
+  const bool bare = unit.empty() || unit == "1" || unit == "ratio";
+  return numberText(*one.value) + (bare ? QString() : " " + unitText(unit)) + range;
 }
 
 QSharedPointer<QCPAxisTickerText> ticksOf(const std::vector<Judged>& judged, bool names) {
