@@ -69,6 +69,7 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
   auto result = runOrGoOn(description, options.run, files, monitor);
   monitor.clearLine();
   result.stem = name;
+  if (!result.complete && result.time.empty()) return std::nullopt;  // nothing recorded, nothing to keep
   for (const auto& path : writeRunFiles(files, result)) std::printf("%s\n", path.c_str());
   if (!result.complete) return std::nullopt;
   return result;

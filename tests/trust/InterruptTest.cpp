@@ -60,6 +60,27 @@ TEST(InterruptEarly, LeavesNothingAndPromisesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+// The folder that a command makes for its files goes again where it wrote none.
+TEST(InterruptEarly, NoCommandLeavesAnEmptyFolder) {
+  struct Call {
+    std::vector<std::string> words;
+    std::string firstPhase;
+  };
+  for (const auto& [words, firstPhase] : {Call{{"validate"}, "mesh"}, Call{{"figures", "paper"}, "mesh"},
+                                          Call{{"receptance", "light-defect"}, "receptance"}}) {
+    const TemporaryFolder folder;
+    auto call = words;
+    for (const auto& word : {std::string("--mesh"), std::string("tiny"), std::string("-o"), folder / "new/out"})
+      call.push_back(word);
+    Program program(call);
+    ASSERT_TRUE(program.waitForOutput(firstPhase)) << program.output();
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait(), 130) << program.output();
+    EXPECT_THAT(program.output(), HasSubstr("cancelled: "));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << words.front();
+  }
+}
+
 // The second signal is another one: two of a kind that come at once are one to the kernel. A clean stop would leave a
 // result that is marked unfinished; a second signal leaves nothing. A second is promised, looked for in processor time:
 // the wall clock would tell of the machine's other work.
