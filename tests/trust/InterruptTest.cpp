@@ -73,7 +73,10 @@ TEST(InterruptEarly, NoCommandLeavesAnEmptyFolder) {
     for (const auto& word : {std::string("--mesh"), std::string("tiny"), std::string("-o"), folder / "new/out"})
       call.push_back(word);
     Program program(call);
-    ASSERT_TRUE(program.waitForOutput(firstPhase)) << program.output();
+    if (!program.waitForOutput(firstPhase)) {
+      EXPECT_THAT(program.output(), HasSubstr("headless build"));
+      continue;
+    }
     program.signal(SIGINT);
     EXPECT_EQ(program.wait(), 130) << program.output();
     EXPECT_THAT(program.output(), HasSubstr("cancelled: "));
