@@ -14,9 +14,9 @@
 #include "commands/FigureOutput.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
+#include "commands/OutputFolder.h"
 #include "commands/RunFiles.h"
 #include "commands/TerminalMonitor.h"
-#include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
@@ -50,7 +50,7 @@ std::optional<results::RunResult> finished(const RunFiles& files, const std::str
   const auto wanted = hashOn(files.stem, mesh.empty() ? own : mesh);
   if (cases::caseHash(found) != wanted)
     throw CaseError({{"-o", files.result() + " (case " + result->caseHash + ")", "the same case (" + wanted + ")",
-                      "It was made from another case or mesh: leave --mesh out to draw it, or choose another folder"}});
+                      "Made from another case or mesh: leave out --mesh to draw it, or choose another folder"}});
   return result;
 }
 
@@ -61,14 +61,15 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
   const auto description = cases::loadCase(name, overrides);
   const RunFiles files{options.folder, name};
   if (auto result = finished(files, options.mesh)) {
-    std::printf("%s stands already\n", files.result().c_str());
+    std::printf("using existing %s\n", files.result().c_str());
     return result;
   }
   for (const auto& line : keepOtherCases(files, cases::caseHash(description))) monitor.message(line);
-  monitor.message("run " + name);
+  monitor.message("running " + name);
   auto result = runOrGoOn(description, options.run, files, monitor);
   monitor.clearLine();
   result.stem = name;
+  if (!result.complete && result.time.empty()) return std::nullopt;  // nothing recorded, nothing to keep
   for (const auto& path : writeRunFiles(files, result)) std::printf("%s\n", path.c_str());
   if (!result.complete) return std::nullopt;
   return result;
@@ -77,15 +78,15 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
 int paper(const PaperFigureOptions& options) {
   if (!figuresAvailable())
     throw CaseError({{"figures", "headless build", "a build with SQUAT_GRAPHICS=ON",
-                      "Figures need the full build: cmake --preset release"}});
-  makeFolder(options.folder);
+                      "Use the full build: cmake --preset release"}});
+  const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   std::array<std::optional<results::RunResult>, kCases.size()> found;
   for (std::size_t i = 0; i < kCases.size(); ++i) {
     found[i] = resultOf(kCases[i], options, monitor);
     if (!found[i]) {
-      std::fprintf(stderr, "cancelled: the same call goes on from here\n");
+      std::fprintf(stderr, "cancelled: repeat the command to resume\n");
       return kCancelled;
     }
   }
@@ -97,16 +98,17 @@ int paper(const PaperFigureOptions& options) {
 }  // namespace
 
 void addFiguresCommand(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("figures", "Sets of figures");
+  auto* command = program.add_subcommand("figures", "Draw sets of figures");
   command->require_subcommand(1);
   auto* figures = command->add_subcommand(
-      "paper", "Counterparts of the paper's figures 4, 5, 6, 8, 9, 10 and 11; runs the shipped cases that are missing");
+      "paper",
+      "Draw counterparts of the paper's figures 4, 5, 6, 8, 9, 10 and 11; run the shipped cases that are missing");
   auto options = std::make_shared<PaperFigureOptions>();
   figures
       ->add_option("-o,--output", options->folder,
-                   "Folder of the results (those that stand there are drawn) and of the figures (default: here)")
+                   "Folder of results and figures; existing results are reused (default: current folder)")
       ->type_name("DIR");
-  addMesh(*figures, options->mesh, "Mesh preset of the runs (default: the cases')");
+  addMesh(*figures, options->mesh, "Mesh preset of the runs (default: that of the cases)");
   addThreads(*figures, options->run.threads);
   addFigureOptions(*figures, options->figures, false);
   figures->callback([options, &action] { action = [options] { return paper(*options); }; });

@@ -11,16 +11,19 @@
 namespace squat::commands {
 
 struct PaperRow {
-  std::string what, ours, paper, verdict;  // verdict: empty, "met", "not met"
+  // Verdict: empty; "met", "not met" for a statement of the paper, "not judged" where a key differs from the paper's
+  // case; "passed", "failed" for a limit; the deviation from Hertz.
+  std::string what, ours, paper, verdict;
 };
 
-// Peak, lines of the spectrum, wavelength; contact against Hertz; quietness; energy; cost. Rows whose numbers the
-// result does not hold say "not available". The paper's column is filled for the cases that the paper has.
+// Peak, lines of the spectrum, wavelength; contact against Hertz; residual vibration; energy; cost. Rows whose numbers
+// the result does not hold say "not available". The paper's statements stand beside the paper's own cases only, known
+// by their values (validation::paperCaseOf), whatever the file is called.
 std::vector<PaperRow> paperRows(const results::RunResult& result);
 
 std::string paperTable(const results::RunResult& result);
 
-// Natural modes of the half wheelset: frequency, shares at box, wheel centre, contact.
+// Natural modes of the half wheelset: frequency, mass-normalised mode shape at axle box, wheel centre, contact.
 std::string modesTable(const results::RunResult& result);
 std::string modesTable(const std::vector<model::HarmonicMode>& modes);
 

@@ -10,6 +10,7 @@
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
+#include "commands/OutputFolder.h"
 #include "commands/PaperTable.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
@@ -44,7 +45,7 @@ void print(const receptance::TrackReceptance& result) {
     std::vector<std::string> row{format("%.0f Hz", result.frequency[i])};
     for (const auto& point : result.points) {
       row.push_back(format("%.3e m/N", std::abs(point.receptance[i])));
-      row.push_back(format("%.0f deg", std::arg(point.receptance[i]) * 180 / std::numbers::pi));
+      row.push_back(format("%.0f°", std::arg(point.receptance[i]) * 180 / std::numbers::pi));
     }
     table.add(row);
   }
@@ -64,12 +65,15 @@ int run(const ReceptanceCommandOptions& options) {
   const std::vector<std::string> tables{stem + "-receptance.h5", stem + "-receptance.csv",
                                         stem + "-wheelset-modes.csv"};
   keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), tables);
-  makeFolder(options.folder);
+  const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   const auto result = receptance::trackReceptance(description, options.receptance, monitor);
   monitor.clearLine();
-  if (!result.complete) return kCancelled;
+  if (!result.complete) {
+    std::fprintf(stderr, "cancelled: no file written\n");
+    return kCancelled;
+  }
   print(result);
   receptance::writeReceptance(tables[0], result, cases::writeCase(description));
   writeDurably(tables[1], receptance::receptanceCsv(result));
@@ -86,10 +90,11 @@ int run(const ReceptanceCommandOptions& options) {
 }  // namespace
 
 void addReceptanceCommand(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("receptance", "Track receptance and natural modes of the half wheelset");
+  auto* command =
+      program.add_subcommand("receptance", "Compute the track receptance and the natural modes of the half wheelset");
   auto options = std::make_shared<ReceptanceCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
-  command->add_option("-o,--output", options->folder, "Folder for all files (default: here)")->type_name("DIR");
+  command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
   addThreads(*command, options->receptance.threads);
   addFigureOptions(*command, options->figures);
   command->callback([options, &action] { action = [options] { return run(*options); }; });

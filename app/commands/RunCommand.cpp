@@ -1,5 +1,7 @@
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 
@@ -12,9 +14,11 @@
 #include "commands/FigureOutput.h"
 #include "commands/Interrupt.h"
 #include "commands/NumberRange.h"
+#include "commands/OutputFolder.h"
 #include "commands/PaperTable.h"
 #include "commands/RunFiles.h"
 #include "commands/TerminalMonitor.h"
+#include "commands/TextTable.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
 #include "results/ResultFile.h"
@@ -37,7 +41,7 @@ bool alreadyDone(const RunFiles& files, const std::string& hash) {
   std::error_code ignored;
   const auto otherCase = [&](const std::string& path, const std::string& found) {
     throw CaseError({{"--resume", path + " (case " + found + ")", "the same case (" + hash + ")",
-                      "It belongs to another case: leave --resume out, or choose another folder with -o"}});
+                      "Leave out --resume, or choose another folder with -o"}});
   };
   if (const auto state = results::readCheckpoint(files.checkpoint())) {
     const auto found = results::textAttribute(state->attributes, "case_hash", hash);
@@ -55,8 +59,8 @@ std::vector<std::string> drawFigures(const RunCommandOptions& options, const res
   if (options.noFigures || !result.complete) return {};
   if (!figuresAvailable()) {
     std::fprintf(stderr,
-                 "No figures: this is the headless build. Figures need the full build (cmake --preset release); "
-                 "squat render draws them there from the result file.\n");
+                 "No figures in the headless build. Draw them with squat render in the full build "
+                 "(cmake --preset release).\n");
     return {};
   }
   const auto output = writeFigures(result, options.folder, options.figures, options.formats);
@@ -73,9 +77,9 @@ void printWritten(const std::vector<std::string>& paths) {
 void keepPart(const RunFiles& files, const results::RunResult& partial) {
   if (partial.time.empty()) return;
   try {
-    for (const auto& path : writeRunFiles(files, partial)) std::fprintf(stderr, "kept so far: %s\n", path.c_str());
+    for (const auto& path : writeRunFiles(files, partial)) std::fprintf(stderr, "partial file: %s\n", path.c_str());
   } catch (const FileError& error) {
-    std::fprintf(stderr, "the signals so far could not be kept: %s\n", error.what());
+    std::fprintf(stderr, "cannot save the partial signals: %s\n", error.what());
   }
 }
 
@@ -94,7 +98,7 @@ std::vector<std::string> writeAndPrint(const RunCommandOptions& options, const R
     written = writeRunFiles(files, result);
   } catch (const FileError&) {
     if (const auto path = writeSignalsAlone(files, result))
-      std::fprintf(stderr, "the signals alone are kept: %s\n", path->c_str());
+      std::fprintf(stderr, "saved the signals only: %s\n", path->c_str());
     printTables(options, result);
     throw;
   }
@@ -109,10 +113,17 @@ bool hasNothing(const RunFiles& files, const results::RunResult& result) {
   return result.time.empty() && (!canGoOn(files) || std::filesystem::exists(files.result(), ignored));
 }
 
-int tellCancelled(const RunFiles& files, const char* what) {
-  std::fprintf(stderr, "cancelled: %s%s\n", what,
-               canGoOn(files) ? "; squat run --resume goes on from here" : "; there is no checkpoint to go on from");
+int reportCancelled(const RunFiles& files, const char* what) {
+  std::fprintf(stderr, "cancelled: %s; %s\n", what,
+               canGoOn(files) ? "squat run --resume continues this run" : "no checkpoint to resume from");
   return kCancelled;
+}
+
+// Of the whole command: drawing takes more than the simulation of a small mesh.
+void printMemory() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  std::printf("\npeak memory of the command: %s\n", number(std::round(usage.ru_maxrss / 1024.0), "MiB").c_str());
 }
 
 int run(const RunCommandOptions& options) {
@@ -120,10 +131,11 @@ int run(const RunCommandOptions& options) {
   const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
   keepInputs(files, options.caseOptions.name, description);
   if (!options.noFigures) checkFigureNames(options.figures, options.formats);
+  const OutputFolder folder(options.folder);
   prepareFolder(files);
   const auto hash = cases::caseHash(description);
   if (options.run.resume && alreadyDone(files, hash)) {
-    std::printf("%s is complete already\n", files.result().c_str());
+    std::printf("%s is already complete\n", files.result().c_str());
     return kDone;
   }
   if (!options.run.resume)
@@ -145,30 +157,30 @@ int run(const RunCommandOptions& options) {
   }
   monitor.clearLine();
   result.stem = files.stem;
-  if (!result.complete && hasNothing(files, result))
-    return tellCancelled(files, "nothing was recorded yet, no file is written");
+  if (!result.complete && hasNothing(files, result)) return reportCancelled(files, "nothing recorded, no file written");
   printWritten(writeAndPrint(options, files, result));
-  return result.complete ? kDone : tellCancelled(files, "the result is marked incomplete");
+  printMemory();
+  return result.complete ? kDone : reportCancelled(files, "the result is marked incomplete");
 }
 
 }  // namespace
 
 void addRunCommand(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("run", "Runs a case: result file, signals, figures and a table");
+  auto* command = program.add_subcommand("run", "Run a case; write result file, signals and figures; print a table");
   auto options = std::make_shared<RunCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
-  command->add_option("-o,--output", options->folder, "Folder for all files (default: here)")->type_name("DIR");
+  command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
   addThreads(*command, options->run.threads);
   addInstructionSet(*command, options->run.isa);
-  command->add_flag("--resume", options->run.resume, "Goes on from the checkpoint, where there is one");
+  command->add_flag("--resume", options->run.resume, "Resume from the checkpoint, if there is one");
   command
       ->add_option("--checkpoint-every", options->run.checkpointSeconds, "Seconds between checkpoints (default: 300)")
       ->check(between(0.0, 1e6))
       ->type_name("SECONDS");
   addFigureNames(*command, options->figures, options->formats);
-  command->add_flag("--no-figures", options->noFigures, "Draws no figures");
+  command->add_flag("--no-figures", options->noFigures, "Draw no figures");
   command->add_flag("--verbose", options->verbose,
-                    "Prints the natural modes of the half wheelset and the time of each phase as well");
+                    "Also print the natural modes of the half wheelset and the time of each phase");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

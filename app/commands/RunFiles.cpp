@@ -51,14 +51,14 @@ std::vector<std::string> keepOtherCases(const RunFiles& files, const std::string
     if (const auto found = results::textAttribute(state->attributes, "case_hash", hash); found != hash)
       throw CaseError({{"-o", files.checkpoint() + " (case " + found + ")",
                         "a folder without the checkpoint of another case (this one is " + hash + ")",
-                        "Choose another folder, go on with that run (its case with --resume), or remove the file"}});
+                        "Choose another folder, resume that run (its case with --resume), or remove the file"}});
   std::vector<std::string> lines;
   for (const auto& path : {files.result(), files.partialResult()}) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) continue;
     try {
       if (const auto found = results::readResult(path).caseHash; found != hash)
-        lines.push_back(path + " is of another case (" + found + "): this run (" + hash + ") replaces it");
+        lines.push_back(path + " belongs to another case (" + found + "); this run (" + hash + ") replaces it");
     } catch (const FileError&) {
       // no result of this program: nothing to say about its case
     }
@@ -84,7 +84,7 @@ results::RunResult runOrGoOn(const cases::CaseDescription& description, simulati
   } catch (const FileError& error) {
     if (!concerns(error, options.checkpointPath)) throw;
   }
-  monitor.message(files.checkpoint() + " is of another case or version: the run begins anew");
+  monitor.message(files.checkpoint() + " belongs to another case or version: the run starts from the beginning");
   results::removeCheckpoint(files.checkpoint());
   options.resume = false;
   return simulation::runCase(description, options, monitor);
@@ -93,7 +93,7 @@ results::RunResult runOrGoOn(const cases::CaseDescription& description, simulati
 void prepareFolder(const RunFiles& files) {
   makeFolder(files.folder);
   const auto probe = files.folder + "/." + files.stem + ".probe";
-  writeDurably(probe, std::string_view("can be written"));
+  writeDurably(probe, std::string_view("probe"));
   std::error_code ignored;
   fs::remove(probe, ignored);
 }

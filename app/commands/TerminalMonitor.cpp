@@ -1,5 +1,7 @@
 #include "commands/TerminalMonitor.h"
 
+#include <sys/ioctl.h>
+
 #include <cmath>
 
 #include "commands/Interrupt.h"
@@ -11,34 +13,41 @@ namespace {
 constexpr auto kBetweenLines = std::chrono::seconds(2);
 constexpr auto kBetweenRefreshes = std::chrono::milliseconds(100);
 
-template <typename... Values>
-void append(std::string& text, const char* format, Values... values) {
+std::string formatted(const char* format, double value) {
   char part[96];
-  std::snprintf(part, sizeof part, format, values...);
-  text += part;
+  std::snprintf(part, sizeof part, format, value);
+  return part;
 }
 
-void appendRemaining(std::string& text, double seconds) {
-  if (!(seconds >= 0) || seconds > 1e7) return;
-  if (seconds < 90)
-    append(text, "  about %.0f s left", std::ceil(seconds));
-  else if (seconds < 5400)
-    append(text, "  about %.0f min left", seconds / 60);
-  else
-    append(text, "  about %.1f h left", seconds / 3600);
+std::string remainingText(double seconds) {
+  if (!(seconds >= 0) || seconds > 1e7) return {};
+  if (seconds < 90) return formatted("  about %.0f s left", std::ceil(seconds));
+  if (seconds < 5400) return formatted("  about %.0f min left", seconds / 60);
+  return formatted("  about %.1f h left", seconds / 3600);
+}
+
+// Characters in a line of the terminal; what is longer would wrap, and the carriage return would not take it back.
+std::size_t columnsOf(std::FILE* stream) {
+  constexpr std::size_t usual = 80;
+  winsize size{};
+  return ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : usual;
 }
 
 }  // namespace
 
-std::string progressText(const Progress& progress) {
-  std::string text;
-  append(text, "%-12s %3.0f %%", progress.phase.substr(0, 40).c_str(), 100 * progress.fraction);
-  if (progress.simulatedTime > 0) append(text, "  t %.2f ms", 1e3 * progress.simulatedTime);
-  if (progress.simulatedTime > 0) append(text, "  x %.3f m", progress.position);
-  if (progress.contactForce != 0) append(text, "  N %.1f kN", 1e-3 * progress.contactForce);
-  if (progress.axleBoxAcceleration != 0) append(text, "  ABA %.1f m/s2", progress.axleBoxAcceleration);
-  appendRemaining(text, progress.remainingSeconds);
-  return text;
+std::string progressText(const Progress& progress, std::size_t atMost) {
+  std::string text = progress.phase;
+  if (text.size() < 12) text.resize(12, ' ');
+  text += formatted(" %3.0f %%", 100 * progress.fraction);
+  const std::string remaining = remainingText(progress.remainingSeconds);
+  const auto add = [&](const std::string& field) {
+    if (text.size() + field.size() + remaining.size() <= atMost) text += field;
+  };
+  if (progress.simulatedTime > 0) add(formatted("  t %.2f ms", 1e3 * progress.simulatedTime));
+  if (progress.simulatedTime > 0) add(formatted("  x %.3f m", progress.position));
+  if (progress.contactForce != 0) add(formatted("  N %.1f kN", 1e-3 * progress.contactForce));
+  if (progress.axleBoxAcceleration != 0) add(formatted("  ABA %.1f m/s²", progress.axleBoxAcceleration));
+  return text + remaining;
 }
 
 void TerminalMonitor::report(const Progress& progress) {
@@ -48,7 +57,7 @@ void TerminalMonitor::report(const Progress& progress) {
     return;
   last_ = now;
   phase_ = progress.phase;
-  const auto text = progressText(progress);
+  const auto text = isTerminal_ ? progressText(progress, columnsOf(stream_) - 1) : progressText(progress);
   if (isTerminal_) {
     std::fprintf(stream_, "\r\033[K%s", text.c_str());
     lineStands_ = true;

@@ -1,24 +1,29 @@
 // app/commands/TextTable.h - a table for a terminal: columns as wide as their widest cell.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace squat::commands {
+
+// Columns of a terminal that the longer tables are fitted to.
+inline constexpr std::size_t kTerminalWidth = 100;
 
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> head) : rows_{std::move(head)} {}
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
   bool empty() const { return rows_.size() < 2; }
-  // The first row, a line, the rest; every row ends with a line break.
-  std::string text() const;
+  // The first row, a line, the rest; every row ends with a line break. `atMost` characters wide (0: as wide as it
+  // gets): cells of the widest columns are wrapped between words.
+  std::string text(std::size_t atMost = 0) const;
 
  private:
   std::vector<std::vector<std::string>> rows_;
 };
 
-// A number with four significant digits and its unit: "103.4 m/s2"; whole numbers with all their digits: "13710".
+// A number with four significant digits and its unit: "103.4 m/s²"; whole numbers with all their digits: "13710".
 std::string number(double value, const std::string& unit = {});
 
 }  // namespace squat::commands

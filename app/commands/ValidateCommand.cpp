@@ -15,6 +15,7 @@
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
+#include "commands/OutputFolder.h"
 #include "commands/RunFiles.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/ValidationText.h"
@@ -51,7 +52,7 @@ std::optional<results::RunResult> finished(const RunFiles& files, const std::str
   auto result = completeResult(files);
   if (result && result->caseHash != hash)
     throw CaseError({{"-o", files.result() + " (case " + result->caseHash + ")", "the same case (" + hash + ")",
-                      "It was made from another case or mesh: choose another folder, or judge it with --from"}});
+                      "Made from another case or mesh: choose another folder, or judge it with --from"}});
   return result && result->codeVersion == SQUAT_VERSION ? result : std::nullopt;
 }
 
@@ -60,10 +61,10 @@ std::optional<results::RunResult> make(const ValidateOptions& options, const val
   const auto description = caseOf(options, run);
   const RunFiles files{options.folder, run.name};
   if (auto result = finished(files, cases::caseHash(description))) {
-    monitor.message(files.result() + " stands already");
+    monitor.message("using existing " + files.result());
     return result;
   }
-  monitor.message("run " + run.name);
+  monitor.message("running " + run.name);
   auto result = runOrGoOn(description, options.run, files, monitor);
   if (!result.complete) return std::nullopt;
   result.stem = files.stem;
@@ -107,26 +108,26 @@ std::string readAll(const ValidateOptions& options, const validation::Reference&
     const RunFiles files{options.from, run.name};
     std::error_code ignored;
     if (!std::filesystem::exists(files.result(), ignored)) {
-      monitor.message(files.result() + " is not there: its statements are not judged");
+      monitor.message(files.result() + " not found: its statements are not judged");
       continue;
     }
     auto result = results::readResult(files.result());
     if (!result.complete) {
-      monitor.message(files.result() + " is not complete (" + result.stopReason + "): its statements are not judged");
+      monitor.message(files.result() + " is incomplete (" + result.stopReason + "): its statements are not judged");
       continue;
     }
     const auto own = meshOf(result);
     if (mesh.empty()) mesh = own;
     auto asked = options;
     asked.mesh = own;
-    if (own != mesh) monitor.message(files.result() + " was made on the mesh " + own + ", others on " + mesh);
+    if (own != mesh) monitor.message(files.result() + " uses the mesh " + own + ", the others " + mesh);
     if (cases::caseHash(caseOf(asked, run)) != result.caseHash)
-      monitor.message(files.result() + " was made from another case than the reference's: judged as it is");
+      monitor.message(files.result() + " differs from the reference case: judged as it is");
     results.emplace(run.name, std::move(result));
   }
   if (results.empty())
-    throw FileError(options.from, "", "holds none of the results that the statements are about",
-                    "Name the folder that squat validate -o wrote, or leave --from out to make the runs");
+    throw FileError(options.from, "", "contains none of the results that the statements refer to",
+                    "Give the folder written by squat validate -o, or leave out --from to make the runs");
   return mesh;
 }
 
@@ -134,15 +135,14 @@ int judgeAndWrite(const ValidateOptions& options, const validation::Reference& r
                   const std::string& mesh) {
   const auto judged = validation::judge(reference, results, mesh);
   std::string text = "Mesh " + mesh + ". " + countsText(judged) +
-                     ".\nJudged at the axle box, where the paper measures; the same number at the wheel centre stands "
-                     "beside it and does not count.\n\n" +
+                     ".\nJudged at the axle box. validation.csv adds the paper's wording, the runs, the reasons for "
+                     "the\naccepted ranges and the values at the wheel centre.\n\n" +
                      statementsText(judged) + "\n";
   std::vector<std::string> written;
   const auto write = [&](const std::string& name, const std::string& content) {
     written.push_back(options.folder + "/" + name);
     writeDurably(written.back(), std::string_view(content));
   };
-  makeFolder(options.folder);
   if (const auto light = results.find(reference.runs.front().name); light != results.end()) {
     const auto parameters = validation::compareParameters(reference, light->second);
     text += parametersText(parameters) + "\n";
@@ -181,7 +181,7 @@ int showSensitivity(const ValidateOptions& options, const validation::Reference&
 }
 
 int cancelled() {
-  std::fprintf(stderr, "cancelled: the same call goes on from here\n");
+  std::fprintf(stderr, "cancelled: repeat the command to resume\n");
   return kCancelled;
 }
 
@@ -189,7 +189,7 @@ int validate(const ValidateOptions& options) {
   const auto path =
       options.reference.empty() ? (cases::resourcesFolder() / "reference/paper.json").string() : options.reference;
   const auto reference = validation::readReference(path);
-  makeFolder(options.folder);
+  const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   if (options.sensitivity) {
@@ -211,20 +211,19 @@ int validate(const ValidateOptions& options) {
 }  // namespace
 
 void addValidateCommand(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("validate", "Makes the paper's runs and judges its statements one by one");
+  auto* command = program.add_subcommand("validate", "Make the paper's runs and judge its statements one by one");
   auto options = std::make_shared<ValidateOptions>();
-  command->add_option("-o,--output", options->folder, "Folder for results, tables and figure (default: here)")
+  command->add_option("-o,--output", options->folder, "Folder for results, tables and figure (default: current folder)")
       ->type_name("DIR");
   auto* mesh = addMesh(*command, options->mesh, "Mesh preset (default: draft)");
-  auto* from =
-      command->add_option("--from", options->from, "Judges the results that stand in this folder, and makes none")
-          ->type_name("DIR")
-          ->excludes(mesh);
+  auto* from = command->add_option("--from", options->from, "Judge existing results in this folder; make no runs")
+                   ->type_name("DIR")
+                   ->excludes(mesh);
   command
       ->add_flag("--sensitivity", options->sensitivity,
-                 "Instead: the numbers of the light defect with one input changed at a time (more runs)")
+                 "Instead: results of the light defect with one input changed at a time (more runs)")
       ->excludes(from);
-  command->add_option("--reference", options->reference, "Other statements (default: those of the paper)")
+  command->add_option("--reference", options->reference, "File of statements (default: those of the paper)")
       ->type_name("FILE.json");
   addThreads(*command, options->run.threads);
   addInstructionSet(*command, options->run.isa);

@@ -4,66 +4,89 @@
 
 namespace squat::commands {
 
+namespace {
+
+using validation::Verdict;
+
+// A ratio is a pure number.
+std::string withUnit(double value, const std::string& unit) { return number(value, unit == "ratio" ? "" : unit); }
+
+std::string stated(const std::string& value, const std::string& unit) {
+  return unit == "1" || unit.empty() ? value : value + " " + unit;
+}
+
+std::string markText(const validation::SensitivityRow& row, std::size_t statement) {
+  if (!row.message.empty()) return row.message;
+  return (row.numbers[statement] ? number(*row.numbers[statement]) : "none") + (row.met[statement] ? "" : " *");
+}
+
+// The statements down, the values of one input across.
+std::string inputText(const validation::SensitivityTable& table, const std::vector<validation::SensitivityRow>& rows) {
+  std::vector<std::string> head{"statement", "accepted"};
+  for (const auto& row : rows) head.push_back(stated(row.value, row.unit) + (row.base ? " (base)" : ""));
+  TextTable text(head);
+  for (std::size_t i = 0; i < table.statements.size(); ++i) {
+    std::vector<std::string> cells{table.statements[i].name, validation::rangeText(table.statements[i])};
+    for (const auto& row : rows) cells.push_back(i < row.numbers.size() ? markText(row, i) : row.message);
+    text.add(cells);
+  }
+  return rows.front().text + " (" + rows.front().key + ")\n" + text.text(kTerminalWidth) + "\n";
+}
+
+}  // namespace
+
 std::string countsText(const std::vector<validation::Judged>& judged) {
-  using validation::Verdict;
   return std::to_string(countOf(judged, Verdict::met)) + " met, " + std::to_string(countOf(judged, Verdict::notMet)) +
          " not met, " + std::to_string(countOf(judged, Verdict::notJudged)) + " not judged";
 }
 
 std::string statementsText(const std::vector<validation::Judged>& judged) {
-  TextTable table({"section", "the paper states", "ours", "counts as met", "", "judged at", "wheel centre", "run"});
+  TextTable table({"section", "statement of the paper", "result", "accepted", "verdict"});
+  std::string reasons;
   for (const auto& one : judged) {
     const auto& s = one.statement;
-    table.add({s.section, s.text,
-               one.value         ? number(*one.value, s.unit)
-               : one.why.empty() ? "none"
-                                 : one.why,
-               validation::rangeText(s), validation::toText(one.verdict), s.point,
-               one.elsewhere ? number(*one.elsewhere, s.unit) : "",
-               s.run + (s.against.empty() ? "" : " / " + s.against)});
+    table.add({s.section, s.name, one.value ? withUnit(*one.value, s.unit) : "none", validation::rangeText(s),
+               validation::toText(one.verdict)});
+    if (one.value || one.why.empty()) continue;
+    TextTable reason({s.name + ": " + one.why});
+    const auto text = reason.text(kTerminalWidth);
+    reasons += text.substr(0, text.rfind('\n', text.size() - 2) + 1);  // without the line below a head
   }
-  return table.text();
+  return table.text(kTerminalWidth) + (reasons.empty() ? "" : "\n" + reasons);
 }
 
 std::string parametersText(const std::vector<validation::ComparedParameter>& parameters) {
-  TextTable table({"section", "parameter of the paper's model", "paper", "ours", ""});
+  TextTable table({"section", "parameter of the paper", "paper", "this run", "key"});
   int same = 0;
   for (const auto& one : parameters) {
     same += one.same ? 1 : 0;
-    const std::string unit = one.unit.empty() ? "" : " " + one.unit;
     if (!one.same)
-      table.add(
-          {one.parameter.section, one.parameter.text, one.parameter.value + unit, one.ours + unit, one.parameter.key});
+      table.add({one.parameter.section, one.parameter.text, stated(one.parameter.value, one.unit),
+                 stated(one.ours, one.unit), one.parameter.key});
   }
-  std::string text = std::to_string(same) + " of " + std::to_string(parameters.size()) +
-                     " parameters of the paper's model are as the paper states them";
-  return table.empty() ? text + ".\n" : text + "; the others:\n\n" + table.text();
+  std::string text =
+      std::to_string(same) + " of " + std::to_string(parameters.size()) + " model parameters match the paper";
+  return table.empty() ? text + ".\n" : text + "; the others:\n\n" + table.text(kTerminalWidth);
 }
 
 std::string numbersText(const validation::Reference& reference) {
   TextTable table({"section", "stated by the paper, not judged", "value"});
-  for (const auto& one : reference.numbers)
-    table.add({one.section, one.text, one.value + (one.unit == "1" || one.unit.empty() ? "" : " " + one.unit)});
-  return table.text();
+  for (const auto& one : reference.numbers) table.add({one.section, one.text, stated(one.value, one.unit)});
+  return table.text(kTerminalWidth);
 }
 
 std::string sensitivityText(const validation::SensitivityTable& table) {
-  std::vector<std::string> head{"input", "value"};
-  for (const auto& statement : table.statements) head.push_back(statement.name);
-  TextTable text(head);
-  std::vector<std::string> ranges{"", "counts as met"};
-  for (const auto& statement : table.statements) ranges.push_back(validation::rangeText(statement));
-  text.add(ranges);
+  std::string text;
+  std::vector<validation::SensitivityRow> same;  // rows of one key stand together
   for (const auto& row : table.rows) {
-    std::vector<std::string> cells{row.text,
-                                   row.value + (row.unit.empty() ? "" : " " + row.unit) + (row.base ? " (base)" : "")};
-    for (std::size_t i = 0; i < row.numbers.size(); ++i)
-      cells.push_back(!row.message.empty() ? row.message
-                      : row.numbers[i]     ? number(*row.numbers[i]) + (row.met[i] ? "" : " *")
-                                           : "none *");
-    text.add(cells);
+    if (!same.empty() && same.front().key != row.key) {
+      text += inputText(table, same);
+      same.clear();
+    }
+    same.push_back(row);
   }
-  return text.text() + "* not met\n";
+  if (!same.empty()) text += inputText(table, same);
+  return text + "* not met\n";
 }
 
 }  // namespace squat::commands

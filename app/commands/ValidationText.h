@@ -10,11 +10,12 @@
 namespace squat::commands {
 
 std::string countsText(const std::vector<validation::Judged>& judged);  // "9 met, 11 not met, 2 not judged"
+// Below the table: why there is no result, for each statement without one.
 std::string statementsText(const std::vector<validation::Judged>& judged);
-// How many are as in the paper, and a table of the others.
+// How many match the paper, and a table of the others.
 std::string parametersText(const std::vector<validation::ComparedParameter>& parameters);
 std::string numbersText(const validation::Reference& reference);
-// Numbers that are not met have a star.
+// One table for each input; numbers that do not meet their statement have a star.
 std::string sensitivityText(const validation::SensitivityTable& table);
 
 }  // namespace squat::commands

@@ -68,9 +68,9 @@ Judged judgeLine(Judged judged, const results::RunResult& result, const std::map
     return judged;
   }
   if (!strongLines(result, judged.statement))
-    return notJudged(judged, "the signal of run " + judged.statement.run + " does not have it");
+    return notJudged(judged, "cannot be determined from run " + judged.statement.run);
   judged.verdict = Verdict::notMet;
-  judged.why = "no line of its own: every strong line serves a statement that it is nearer to";
+  judged.why = "no line of its own: each strong line is assigned to the statement closest to it";
   return judged;
 }
 
@@ -82,7 +82,7 @@ Judged judgeOne(const Statement& statement, std::size_t place, const Results& re
   for (const auto& name : {statement.run, statement.against}) {
     if (name.empty()) continue;
     const auto found = results.find(name);
-    if (found == results.end()) return notJudged(judged, "run " + name + " has no result");
+    if (found == results.end()) return notJudged(judged, "no result of run " + name);
     if (isAboutALine(statement)) {
       judged = judgeLine(judged, found->second, lines, place);
       if (!judged.value) return judged;
@@ -90,7 +90,7 @@ Judged judgeOne(const Statement& statement, std::size_t place, const Results& re
     }
     const auto value = measure(found->second, statement);
     if (!value || !std::isfinite(*value) || (name == statement.against && *value == 0))
-      return notJudged(judged, "the signal of run " + name + " does not have it");
+      return notJudged(judged, "cannot be determined from run " + name);
     judged.value = judged.value ? *judged.value / *value : *value;
   }
   judged.verdict = *judged.value >= statement.low && *judged.value <= statement.high ? Verdict::met : Verdict::notMet;
@@ -109,7 +109,7 @@ std::string bound(double value) { return std::isinf(value) ? std::string() : lab
 
 std::string printed(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
+  std::snprintf(text, sizeof text, std::abs(value) < 1e4 ? "%.4g" : "%.0f", value);
   return text;
 }
 
@@ -139,7 +139,8 @@ std::string toText(Verdict verdict) {
 
 std::string rangeText(const Statement& s) {
   if (s.measure == "none") return {};
-  const std::string unit = s.unit == "1" || s.unit.empty() ? "" : " " + s.unit;
+  const bool bare = s.unit == "1" || s.unit == "ratio" || s.unit.empty();
+  const std::string unit = bare ? "" : " " + (s.unit == "m/s2" ? "m/s²" : s.unit);
   if (std::isinf(s.high)) return "at least " + printed(s.low) + unit;
   if (std::isinf(s.low)) return "at most " + printed(s.high) + unit;
   return printed(s.low) + " to " + printed(s.high) + unit;
@@ -153,7 +154,7 @@ int countOf(const std::vector<Judged>& judged, Verdict verdict) {
 std::vector<ComparedParameter> compareParameters(const Reference& reference, const results::RunResult& result) {
   std::vector<ComparedParameter> all;
   auto paper = cases::defaultCase();
-  const auto ours = cases::parseCaseOfResult(result.caseToml, "the result's case");
+  const auto ours = cases::parseCaseOfResult(result.caseToml, "case of the result");
   for (const auto& parameter : reference.parameters) {
     const auto* known = cases::findParameter(parameter.key);
     if (!known) continue;

@@ -29,7 +29,7 @@ std::vector<Judged> judge(const Reference& reference, const std::map<std::string
                           const std::string& mesh);
 
 std::string toText(Verdict verdict);                // "met", "not met", "not judged"
-std::string rangeText(const Statement& statement);  // "250 to 400 Hz", "at least 1.05 ratio"; empty for "none"
+std::string rangeText(const Statement& statement);  // "250 to 400 Hz", "at least 1.05"; empty for "none"
 int countOf(const std::vector<Judged>& judged, Verdict verdict);
 
 // A parameter of the paper beside the one that a run was made with; both in the unit of the case file.

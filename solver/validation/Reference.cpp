@@ -22,7 +22,7 @@ ReferenceRun runFrom(const json& entry) {
   ReferenceRun run{entry.at("name"), entry.at("case"), {}};
   for (const std::string set : entry.at("set")) {
     const auto split = set.find('=');
-    if (split == std::string::npos) throw std::invalid_argument("'" + set + "' is no KEY=VALUE");
+    if (split == std::string::npos) throw std::invalid_argument("'" + set + "' is not KEY=VALUE");
     run.sets.emplace_back(set.substr(0, split), set.substr(split + 1));
   }
   return run;
@@ -32,14 +32,15 @@ void readRange(const json& entry, Statement& s) {
   if (entry.contains("expected")) s.expected = entry["expected"].get<double>();
   if (entry.contains("tolerance")) {
     const double width = std::abs(s.expected.value_or(NAN)) * entry["tolerance"].get<double>();
-    if (!(width > 0)) throw std::invalid_argument("a tolerance needs an expected value, and both a size");
+    if (!(width > 0)) throw std::invalid_argument("a tolerance needs an expected value other than zero");
     s.low = *s.expected - width;
     s.high = *s.expected + width;
   }
   if (entry.contains("low")) s.low = entry["low"];
   if (entry.contains("high")) s.high = entry["high"];
-  if (std::isinf(s.low) && std::isinf(s.high)) throw std::invalid_argument("has no range: low, high or tolerance");
-  if (!(s.low < s.high)) throw std::invalid_argument("its range is upside down");
+  if (std::isinf(s.low) && std::isinf(s.high))
+    throw std::invalid_argument("has no range: needs low, high or tolerance");
+  if (!(s.low < s.high)) throw std::invalid_argument("lower limit not below upper limit");
 }
 
 Statement statementFrom(const json& entry) {
@@ -52,7 +53,7 @@ Statement statementFrom(const json& entry) {
   s.measure = entry.at("measure");
   s.mesh = entry.value("mesh", "");
   s.point = entry.value("point", axleBox);
-  if (s.point != axleBox && s.point != wheelCentre) throw std::invalid_argument("point '" + s.point + "' is not known");
+  if (s.point != axleBox && s.point != wheelCentre) throw std::invalid_argument("point '" + s.point + "' is unknown");
   if (entry.contains("band")) s.band = {entry["band"].at(0), entry["band"].at(1)};
   s.near = entry.value("near", 0.0);
   s.unit = entry.at("unit");
@@ -61,7 +62,7 @@ Statement statementFrom(const json& entry) {
   readRange(entry, s);
   const auto known = measureNames();
   if (std::find(known.begin(), known.end(), s.measure) == known.end())
-    throw std::invalid_argument("measure '" + s.measure + "' is not known");
+    throw std::invalid_argument("measure '" + s.measure + "' is unknown");
   const auto isOneOf = [&](std::initializer_list<const char*> names) {
     return std::find(names.begin(), names.end(), s.measure) != names.end();
   };
@@ -73,7 +74,7 @@ Statement statementFrom(const json& entry) {
 }
 
 const std::string& knownKey(const std::string& key) {
-  if (!cases::findParameter(key)) throw std::invalid_argument("key '" + key + "' is not known");
+  if (!cases::findParameter(key)) throw std::invalid_argument("key '" + key + "' is unknown");
   return key;
 }
 
@@ -121,14 +122,14 @@ Reference readReference(const std::string& path) {
   std::string place;
   try {
     const auto all = json::parse(text);
-    if (all.at("schema") != "squat-reference") throw std::invalid_argument("is no reference of this program");
+    if (all.at("schema") != "squat-reference") throw std::invalid_argument("is not a reference file of this program");
     if (all.at("schema_version") > kVersion)
-      throw std::invalid_argument("is of a newer version; install the newer program");
+      throw std::invalid_argument("was written for a newer version; install the newer program");
     Reference reference;
     reference.source = all.at("source");
-    if (all.at("runs").empty()) throw std::invalid_argument("names no run");
+    if (all.at("runs").empty()) throw std::invalid_argument("lists no run");
     forEach(all, "runs", "run", place, [&](const json& entry) { reference.runs.push_back(runFrom(entry)); });
-    if (all.at("statements").empty()) throw std::invalid_argument("has no statement");
+    if (all.at("statements").empty()) throw std::invalid_argument("lists no statement");
     forEach(all, "statements", "statement", place, [&](const json& entry) {
       auto statement = statementFrom(entry);
       for (const auto& name : {statement.run, statement.against})
@@ -145,7 +146,7 @@ Reference readReference(const std::string& path) {
     readSensitivity(all, reference, place);
     return reference;
   } catch (const json::exception& error) {
-    throw FileError(path, place, wordsOf(error), "Compare it with the file of the paper's statements (schema 2)");
+    throw FileError(path, place, wordsOf(error), "Compare with resources/reference/paper.json (schema 2)");
   } catch (const std::invalid_argument& error) {
     throw FileError(path, place, error.what());
   }

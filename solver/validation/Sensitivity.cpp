@@ -69,7 +69,7 @@ SensitivityTable sensitivity(const Reference& reference, const cases::CaseOverri
   const auto* base = reference.run(reference.sensitivityRun);
   if (!base || table.statements.empty() || reference.sensitivity.empty())
     throw CaseError({{"reference", reference.sensitivityRun, "a run with statements, and keys to vary",
-                      "The reference lists nothing to show sensitivity on"}});
+                      "The reference lists no run or no keys for the sensitivity"}});
   auto own = overrides;
   own.values.insert(own.values.begin(), base->sets.begin(), base->sets.end());
   const auto description = cases::loadCase(base->caseName, own);

@@ -80,7 +80,7 @@ TEST(RunFiles, TheCheckpointOfAnotherCaseIsNotLost) {
   results::ArrayTree stopped;
   results::setAttribute(stopped.attributes, "case_hash", std::string("12345678"));
   results::writeCheckpoint(files.checkpoint(), stopped);
-  EXPECT_THAT(keepOtherCases(files, "12345678"), ElementsAre()) << "its own run begins anew";
+  EXPECT_THAT(keepOtherCases(files, "12345678"), ElementsAre()) << "its own run starts from the beginning";
   try {
     keepOtherCases(files, "87654321");
     FAIL() << "another case's checkpoint would be lost";
@@ -114,7 +114,7 @@ TEST(RunFiles, ACheckpointOfAnotherCaseGivesWay) {
   } monitor;
   const auto description = cases::loadCase("light-defect", {"tiny", {}});
   EXPECT_FALSE(runOrGoOn(description, {}, files, monitor).complete);
-  EXPECT_THAT(monitor.told, ::testing::Contains(::testing::HasSubstr("begins anew")));
+  EXPECT_THAT(monitor.told, ::testing::Contains(::testing::HasSubstr("starts from the beginning")));
   EXPECT_FALSE(std::filesystem::exists(files.checkpoint()));
 }
 

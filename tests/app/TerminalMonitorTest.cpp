@@ -35,6 +35,17 @@ TEST(TerminalMonitor, ProgressNamesPhasePercentTimeAndWhatIsLeft) {
   EXPECT_THAT(progressText(progress), Not(HasSubstr("left"))) << "nothing is promised that is not known";
 }
 
+// A study's phase names its run: the values in the middle give way, the phase and the time left never do.
+TEST(TerminalMonitor, PhasesAreNeverCut) {
+  Progress progress;
+  progress.phase = "wheelset.bearing_centre=143, track.defect_from_sleeper=0.203 (stable_step)";
+  progress.simulatedTime = 12.3e-3;
+  progress.contactForce = 86100;
+  progress.remainingSeconds = 130;
+  EXPECT_THAT(progressText(progress), ::testing::AllOf(HasSubstr(progress.phase + "   0 %"), HasSubstr("86.1 kN")));
+  EXPECT_EQ(progressText(progress, 100), progress.phase + "   0 %  about 2 min left");
+}
+
 TEST(TerminalMonitor, ALogGetsOneLineAPhaseNotOneAReport) {
   std::FILE* file = std::tmpfile();
   {

@@ -90,6 +90,32 @@ TEST_F(LaboratoryFigures, mapsTellTheUnitOfTheirSignal) {
   EXPECT_EQ(scaleOf(*plots::scalogramFigure(tests::syntheticResult(), {})), "Wavelet power [(m/s²)² s]");
 }
 
+// One frequency axis below the other: a resonance and its phase stand in one vertical line.
+TEST_F(LaboratoryFigures, receptancePanelsAreAligned) {
+  for (const auto& sheet : *sheets_)
+    if (sheet.name == "track_receptance") {
+      ASSERT_GT(sheet.panels.size(), 1u);
+      for (const auto& panel : sheet.panels) {
+        panel->settleLayout(panel->printedUnits());
+        EXPECT_EQ(panel->axisRect()->left(), sheet.panels.front()->axisRect()->left()) << panel->name().toStdString();
+        EXPECT_EQ(panel->axisRect()->right(), sheet.panels.front()->axisRect()->right()) << panel->name().toStdString();
+      }
+    }
+}
+
+// The paper prints its measurements as pictures only: the empty panel says what belongs there.
+TEST_F(LaboratoryFigures, emptyPanelsOfThePaperSayWhatBelongsThere) {
+  int seen = 0;
+  for (const auto& sheet : *sheets_) {
+    if (sheet.name != "paper_figure_04" && sheet.name != "paper_figure_05" && sheet.name != "paper_figure_11") continue;
+    const auto& panel = *sheet.panels.front();
+    for (int i = 0; i < panel.itemCount(); ++i)
+      if (const auto* text = qobject_cast<QCPItemText*>(panel.item(i)); text && text->text().contains("Belongs here"))
+        seen += text->text().contains("ABA") ? 1 : 0;
+  }
+  EXPECT_EQ(seen, 3);
+}
+
 // Panels one by one: a label that a panel cuts would not show at the border of the sheet.
 TEST_F(LaboratoryFigures, nothingIsCut) {
   for (const auto& sheet : *sheets_)

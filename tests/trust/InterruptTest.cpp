@@ -40,24 +40,48 @@ TEST_P(Interrupt, OneSignalStopsCleanlyAndTheRunCanGoOn) {
   EXPECT_TRUE(results::readResult(result).complete);
   EXPECT_FALSE(std::filesystem::exists(folder / "light-defect.checkpoint"));
   EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume"}), &output), 0);
-  EXPECT_THAT(output, HasSubstr("complete already"));
+  EXPECT_THAT(output, HasSubstr("already complete"));
   EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume", "--set", "motion.speed=29"}), &output), 2);
   EXPECT_THAT(output, HasSubstr("another case"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM));
 
-// Nothing was recorded, nothing can go on: no file is written, and no way on is promised.
+// Nothing was recorded, nothing can go on: no file and no empty folder is left, and no way on is promised.
 TEST(InterruptEarly, LeavesNothingAndPromisesNothing) {
   const TemporaryFolder folder;
-  Program program(shortRun(folder.path()));
+  Program program(shortRun(folder / "new/out"));
   ASSERT_TRUE(program.waitForOutput("mesh")) << program.output();
   program.signal(SIGINT);
   EXPECT_EQ(program.wait(), 130) << program.output();
-  EXPECT_THAT(program.output(), HasSubstr("cancelled: nothing was recorded yet"));
-  EXPECT_THAT(program.output(), ::testing::Not(HasSubstr("goes on from here")));
+  EXPECT_THAT(program.output(), HasSubstr("cancelled: nothing recorded, no file written"));
+  EXPECT_THAT(program.output(), HasSubstr("no checkpoint to resume from"));
   EXPECT_THAT(program.output(), ::testing::Not(HasSubstr("written:")));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+// The folder that a command makes for its files goes again where it wrote none.
+TEST(InterruptEarly, NoCommandLeavesAnEmptyFolder) {
+  struct Call {
+    std::vector<std::string> words;
+    std::string firstPhase;
+  };
+  for (const auto& [words, firstPhase] : {Call{{"validate"}, "mesh"}, Call{{"figures", "paper"}, "mesh"},
+                                          Call{{"receptance", "light-defect"}, "receptance"}}) {
+    const TemporaryFolder folder;
+    auto call = words;
+    for (const auto& word : {std::string("--mesh"), std::string("tiny"), std::string("-o"), folder / "new/out"})
+      call.push_back(word);
+    Program program(call);
+    if (!program.waitForOutput(firstPhase)) {
+      EXPECT_THAT(program.output(), HasSubstr("headless build"));
+      continue;
+    }
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait(), 130) << program.output();
+    EXPECT_THAT(program.output(), HasSubstr("cancelled: "));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << words.front();
+  }
 }
 
 // The second signal is another one: two of a kind that come at once are one to the kernel. A clean stop would leave a

@@ -30,18 +30,18 @@ void addNote(Figure& figure, const QString& text, double share) {
 
 QString runName(const results::RunResult& run) { return QString::fromStdString(run.stem + "  " + run.caseHash); }
 
-// A panel that the paper fills with measurements: its axes, what its text says of them, and no curve.
-std::unique_ptr<Figure> measuredPanel(const QString& caption, const QString& statement, const Style& style) {
+// A panel that the paper fills with measurements: its axes, what belongs there, what the text says of it, and no curve.
+std::unique_ptr<Figure> measuredPanel(const QString& caption, const QString& content, const QString& statement,
+                                      const Style& style) {
   auto figure = std::make_unique<Figure>("measured", style);
-  figure->setCaption(caption, "no measured data");
+  figure->setCaption(caption, "data not published");
   for (QCPAxis* axis : {figure->xAxis, figure->yAxis}) axis->grid()->setVisible(false);  // nothing to read off
-  addNotice(*figure,
-            "The paper shows its measurements as a picture\nwithout numbers; none are invented here.\n\n" + statement);
+  addNotice(*figure, "Belongs here: " + content + ".\nPublished as a picture only; no data available.\n\n" + statement);
   return figure;
 }
 
 void leaveEmpty(Figure& figure, const char* caseName) {
-  addNotice(figure, QStringLiteral("no result of the case %1").arg(caseName));
+  addNotice(figure, QStringLiteral("Belongs here: the result of the case %1.\nNot available.").arg(caseName));
 }
 
 const std::vector<double>* acceleration(const results::RunResult* run) {
@@ -77,8 +77,8 @@ std::unique_ptr<Figure> timeHistory(const results::RunResult* run, const Style& 
   auto time = run->time;
   const double zero = timeAtDefect(*run);
   for (double& t : time) t = 1e3 * (t - zero);
-  addCurve(*figure, {time, *values, "calculated here", 0, 1.2, Qt::SolidLine, true});
-  addStated(*figure, 100, "largest measured in the paper, 100 m/s²");
+  addCurve(*figure, {time, *values, "this program", 0, 1.2, Qt::SolidLine, true});
+  addStated(*figure, 100, "maximum measured in the paper, 100 m/s²");
   fitValues(*figure, 0.1);
   figure->setCaption("(b) calculated", runName(*run));
   return figure;
@@ -87,8 +87,8 @@ std::unique_ptr<Figure> timeHistory(const results::RunResult* run, const Style& 
 FigureSheet figure4(const PaperRuns& runs, const Style& style) {
   FigureSheet sheet{"paper_figure_04", {}, 2};
   auto measured = measuredPanel(
-      "Fig. 4 (a) four measured runs",
-      "Stated: largest 100 m/s²; the first peak scatters by\nabout 28 %; others at 1.4 to 2, 3.5 and 5 ms.", style);
+      "Fig. 4 (a) measured", "ABA of four measured runs",
+      "Stated: maximum 100 m/s²; first peak scatters by\nabout 28 %; runs differ at 1.4 to 2, 3.5 and 5 ms.", style);
   auto calculated = timeHistory(runs.light, style);
   setTimeAxis(*measured);
   measured->yAxis->setRange(calculated->yAxis->range());
@@ -117,7 +117,7 @@ void addBox(Figure& figure, double frequencyFrom, double frequencyTo, double fro
 FigureSheet scalograms(const std::string& name, const QString& title, const results::RunResult* run,
                        const char* caseName, const QString& statement, bool framed, const Style& style) {
   FigureSheet sheet{name, {}, 2};
-  auto measured = measuredPanel(title + " (a) measured", statement, style);
+  auto measured = measuredPanel(title + " (a) measured", "scalogram of the measured ABA", statement, style);
   measured->xAxis->setLabel("Position of the wheel [mm]");
   measured->yAxis->setLabel("Frequency [Hz]");
   measured->xAxis->setRange(positionFrom, positionTo);
@@ -127,8 +127,8 @@ FigureSheet scalograms(const std::string& name, const QString& title, const resu
     calculated->setCaption("(b) calculated", runName(*run));
     const QCPRange shown = calculated->xAxis->range();
     if (framed && shown.size() > 100) {
-      addBox(*calculated, 230, 390, 10, shown.upper - 10, "in the paper: 300 Hz");
-      addBox(*calculated, 850, 1180, 10, shown.upper - 10, "in the paper: 1000 Hz");
+      addBox(*calculated, 230, 390, 10, shown.upper - 10, "paper: 300 Hz");
+      addBox(*calculated, 850, 1180, 10, shown.upper - 10, "paper: 1000 Hz");
     }
     measured->xAxis->setRange(shown);
     for (QCPAxis* axis : {measured->yAxis, measured->yAxis2}) {
@@ -170,8 +170,7 @@ FigureSheet figure6(const PaperRuns& runs, const Style& style) {
   // "About 300 Hz" and "about 1000 Hz" as bands of a tenth to each side.
   auto figure = density(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}}, style);
   addNote(*figure,
-          "shaded: the paper's two main peaks, about 300 and 1000 Hz\nits measured curves: a picture without numbers, "
-          "not drawn",
+          "shaded: the paper's two main peaks, about 300 and 1000 Hz\nmeasured curves: published as a picture only",
           0.02);
   figure->yAxis->setRangeUpper(1.2 * figure->yAxis->range().upper);
   return sheetOf("paper_figure_06", std::move(figure));
@@ -188,10 +187,10 @@ FigureSheet squatFigure(const std::string& name, const QString& title, const res
   if (const auto* values = acceleration(run)) {
     const Window window = judgedWindow(*run);
     history->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
-    addCurve(*history, {scaled(run->position, 1e3), *values, "calculated here", 0, 1.2});
+    addCurve(*history, {scaled(run->position, 1e3), *values, "this program", 0, 1.2});
     fitValues(*history);
     history->yAxis->setRangeUpper(history->yAxis->range().upper + 0.25 * history->yAxis->range().size());
-    addNote(*history, "the paper's measured curve: a picture without numbers\n" + statement, 0.02);
+    addNote(*history, "measured curve: published as a picture only\n" + statement, 0.02);
   } else {
     leaveEmpty(*history, caseName);
   }
@@ -219,7 +218,7 @@ FigureSheet figure9(const PaperRuns& runs, const Style& style) {
     addCurve(*figure, {scaled(run->profilePosition, 1e3), scaled(run->profileHeight, 1e3), label, colour, 1.2, line});
     any = true;
   };
-  add(runs.squat, "as measured (length the paper's, depth assumed)", 0, Qt::SolidLine);
+  add(runs.squat, "as measured (length from the paper, depth assumed)", 0, Qt::SolidLine);
   add(runs.modified, "modification (assumed)", 1, Qt::DashLine);
   figure->xAxis->setRange(1e3 * from, 1e3 * to);
   fitValues(*figure, 0.1);
@@ -240,10 +239,10 @@ std::vector<FigureSheet> paperFigures(const PaperRuns& runs, const Style& style)
                  true, style));
   sheets.push_back(figure6(runs, style));
   sheets.push_back(squatFigure("paper_figure_08", "Fig. 8", runs.squat, "class-c-squat",
-                               "stated: its calculated peak is about 60 % of the measured", style));
+                               "stated: calculated peak about 60 % of the measured one", style));
   sheets.push_back(figure9(runs, style));
   sheets.push_back(squatFigure("paper_figure_10", "Fig. 10", runs.modified, "class-c-squat-modified",
-                               "stated: peaks still differ by about 60 %, 300 Hz agrees", style));
+                               "stated: peaks still differ by about 60 %; 300 Hz agrees", style));
   sheets.push_back(scalograms(
       "paper_figure_11", "Fig. 11", runs.modified, "class-c-squat-modified",
       "Stated: up to 1500 Hz at the impact; most energy\nbelow 550 Hz, a weaker part near 1000 Hz.", false, style));

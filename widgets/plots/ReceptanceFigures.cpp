@@ -29,7 +29,7 @@ std::unique_ptr<Figure> magnitudes(const receptance::TrackReceptance& r, const S
 
 std::unique_ptr<Figure> phases(const receptance::TrackReceptance& r, const Style& style) {
   auto figure = std::make_unique<Figure>(QStringLiteral("phase"), style);
-  figure->yAxis->setLabel(QStringLiteral("Phase [deg]"));
+  figure->yAxis->setLabel(QStringLiteral("Phase [°]"));
   for (std::size_t i = 0; i < r.points.size(); ++i) {
     Curve curve{r.frequency, {}, {}, i};
     for (const auto& value : r.points[i].receptance) curve.y.push_back(std::arg(value) * 180 / std::numbers::pi);
@@ -43,7 +43,7 @@ std::unique_ptr<Figure> phases(const receptance::TrackReceptance& r, const Style
 // A stroke from zero for every mode.
 std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style& style) {
   auto figure = std::make_unique<Figure>(QStringLiteral("modes of the half wheelset"), style);
-  figure->yAxis->setLabel(QStringLiteral("Share [1/√kg]"));
+  figure->yAxis->setLabel(QStringLiteral("Mode shape [1/√kg]"));
   const struct {
     const char* label;
     double model::HarmonicMode::*share;
@@ -65,6 +65,20 @@ std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style&
   return figure;
 }
 
+// Panels one below the other have their axes at the same place: the widest labels decide.
+void alignAxes(FigureSheet& sheet) {
+  int left = 0;
+  for (const auto& panel : sheet.panels) {
+    panel->settleLayout(panel->printedUnits());
+    left = std::max(left, panel->axisRect()->margins().left());
+  }
+  for (const auto& panel : sheet.panels) {
+    QMargins least = panel->axisRect()->minimumMargins();
+    least.setLeft(left);
+    panel->axisRect()->setMinimumMargins(least);
+  }
+}
+
 }  // namespace
 
 FigureSheet receptanceFigures(const receptance::TrackReceptance& receptance, const std::string& name,
@@ -74,6 +88,7 @@ FigureSheet receptanceFigures(const receptance::TrackReceptance& receptance, con
   sheet.panels.push_back(phases(receptance, style));
   if (!receptance.modes.empty()) sheet.panels.push_back(modes(receptance, style));
   sheet.panels.front()->setCaption(QString::fromStdString(title), QString::fromStdString(hash));
+  alignAxes(sheet);
   return sheet;
 }
 

@@ -34,10 +34,12 @@ QString numberText(double value) {
 }
 
 QString oursText(const Judged& one) {
-  if (!one.value) return one.verdict == Verdict::notJudged ? "not judged" : "none";
+  if (one.verdict == Verdict::notJudged) return "not judged";
+  const QString range = "   (" + unitText(validation::rangeText(one.statement)) + ")";
+  if (!one.value) return "none" + range;
   const auto& unit = one.statement.unit;
-  return numberText(*one.value) + (unit.empty() || unit == "1" ? QString() : " " + unitText(unit)) + "   (" +
-         unitText(validation::rangeText(one.statement)) + ")";
+  const bool bare = unit.empty() || unit == "1" || unit == "ratio";
+  return numberText(*one.value) + (bare ? QString() : " " + unitText(unit)) + range;
 }
 
 QSharedPointer<QCPAxisTickerText> ticksOf(const std::vector<Judged>& judged, bool names) {
@@ -68,8 +70,8 @@ FigureSheet validationFigure(const std::vector<Judged>& judged, const std::strin
   auto figure = std::make_unique<Figure>("validation", style);
   const auto rows = static_cast<double>(judged.size());
   figure->setPrintedSize({180, 22 + 5.2 * std::max(1.0, rows)});
-  figure->setCaption("the paper's statements, judged at the axle box", QString::fromStdString(note));
-  figure->xAxis->setLabel("Place in the range that counts as met (0: lower bound, 1: upper bound)");
+  figure->setCaption("Statements of the paper, judged at the axle box", QString::fromStdString(note));
+  figure->xAxis->setLabel("Position in the accepted range (0: lower limit, 1: upper limit)");
   figure->xAxis->setRange(-outside - 0.1, 1 + outside + 0.1);
   figure->yAxis->setLabel(QString());
   addBand(*figure, 0, 1);

@@ -54,8 +54,9 @@ void PaperPanel::update() {
     const QString cells[] = {row.what, row.ours, row.paper, row.verdict};
     for (int column = 0; column < 4; ++column)
       table_->setItem(at, column, new QTableWidgetItem(withSigns(cells[column])));
-    if (row.verdict == "met" || row.verdict == "not met")
-      table_->item(at, 3)->setForeground(QColor(row.verdict == "met" ? rightColour : wrongColour));
+    const bool isRight = row.verdict == "met" || row.verdict == "passed";
+    if (isRight || row.verdict == "not met" || row.verdict == "failed")
+      table_->item(at, 3)->setForeground(QColor(isRight ? rightColour : wrongColour));
   }
 }
 

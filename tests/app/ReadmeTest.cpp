@@ -1,0 +1,105 @@
+// Every command line of README and manual, typed by a reader in an empty folder with the programs on the PATH, on the
+// mesh `tiny`: a shim in front of each program swaps the mesh, and lets the studio draw its window into a picture.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "arch/Page.h"
+#include "core/DurableFile.h"
+#include "results/SampleResult.h"
+
+namespace squat {
+namespace {
+
+using testing::TemporaryFolder;
+
+constexpr const char* kSquat = R"(#!/usr/bin/env bash
+words=() meshed=
+for word in "$@"; do
+  [[ $previous == --mesh ]] && word=tiny
+  [[ $word == --mesh ]] && meshed=yes
+  words+=("$word") previous=$word
+done
+case "$1" in run | study | validate | receptance | figures | describe) [[ $meshed ]] || words+=(--mesh tiny) ;; esac
+exec "PROGRAM" "${words[@]}"
+)";
+constexpr const char* kStudio = R"(#!/usr/bin/env bash
+QT_QPA_PLATFORM=offscreen exec "PROGRAM" "$@" --screenshot studio.png
+)";
+
+void writeShim(const std::string& path, std::string text, const std::string& program) {
+  text.replace(text.find("PROGRAM"), 7, program);
+  writeDurably(path, std::string_view(text));
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+}
+
+bool beginsWith(const std::string& text, const std::string& beginning) { return text.rfind(beginning, 0) == 0; }
+
+bool isForTheSourceFolder(const std::string& line) {
+  for (const char* word : {"./bootstrap", ".ci/", "ctest ", "cmake ", "export PATH="})
+    if (beginsWith(line, word)) return true;
+  return false;
+}
+
+// Names in capitals stand for something: such a line is no command as it is typed.
+bool hasPlaceholder(const std::string& line) {
+  static const std::regex capitals(R"((^|[\s/])[A-Z]{3,}(\.\w+|/|\s|$))");
+  return std::regex_search(line, capitals);
+}
+
+bool isCommand(const arch::PageCode& code) {
+  if (hasPlaceholder(code.text)) return false;
+  const bool calls = beginsWith(code.text, "squat ") || beginsWith(code.text, "squat-studio");
+  return code.isBlock ? calls || beginsWith(code.text, "printf ") : calls && code.text.find(' ') != std::string::npos;
+}
+
+// Types the commands of a page one by one; how many there are.
+int typeAll(const std::string& page, const TemporaryFolder& folder) {
+  int typed = 0;
+  for (const auto& code : arch::codeOf(page)) {
+    if (!isCommand(code)) continue;
+    ++typed;
+    writeDurably(folder / "line", std::string_view(code.text + "\n"));
+    const auto start = std::chrono::steady_clock::now();
+    const auto call = "cd '" + (folder / "empty") + "' && PATH='" + (folder / "programs") + "':\"$PATH\" bash '" +
+                      (folder / "line") + "' > '" + (folder / "output") + "' 2>&1";
+    const int status = std::system(call.c_str());
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    std::printf("%4d %6.1f s  %s\n", code.line, took.count(), code.text.c_str());
+    std::fflush(stdout);
+    EXPECT_EQ(status, 0) << page << ":" << code.line << ": " << code.text << "\n"
+                         << readWholeFile(folder / "output", 1000000);
+  }
+  return typed;
+}
+
+// The README first; the manual's pages go on in its folder, where its results stand.
+TEST(Typed, EveryCommandWorksInAnEmptyFolder) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "programs");
+  std::filesystem::create_directories(folder / "empty");
+  writeShim(folder / "programs/squat", kSquat, SQUAT_PROGRAM);
+  writeShim(folder / "programs/squat-studio", kStudio, SQUAT_STUDIO);
+  int typed = 0;
+  for (const auto& page : arch::pagesOf(SQUAT_SOURCE_DIR)) typed += typeAll(page, folder);
+  EXPECT_GT(typed, 18);
+}
+
+// Nothing in a block of the README is passed over: what is not typed here is for the source folder.
+TEST(TypedReadme, HasNoOtherLines) {
+  int commands = 0;
+  for (const auto& code : arch::codeOf(SQUAT_SOURCE_DIR "/README.md")) {
+    const bool typed = isCommand(code);
+    if (typed) ++commands;
+    EXPECT_TRUE(typed || !code.isBlock || isForTheSourceFolder(code.text)) << code.text;
+    EXPECT_TRUE(typed || !beginsWith(code.text, "squat ")) << code.text;
+  }
+  EXPECT_GE(commands, 14);  // a first case, nine commands of the table, the studio
+}
+
+}  // namespace
+}  // namespace squat
