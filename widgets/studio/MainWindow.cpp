@@ -148,7 +148,8 @@ void MainWindow::connectParts() {
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::showShownCase);
   connect(&document_, &CaseDocument::changed, this, &MainWindow::showShownCase);
-  connect(&document_, &CaseDocument::noted, messages_, [this](const QString& note) { messages_->say(note); });
+  connect(&document_, &CaseDocument::noted, messages_,
+          [this](const QString& note) { messages_->say(note.left(1).toUpper() + note.mid(1)); });
   connect(&store_, &RunStore::overlaysChanged, this, &MainWindow::enableActions);
   connect(&controller_, &RunController::finished, this, &MainWindow::keep);
   connect(&controller_, &RunController::refused, this, [this](const std::vector<CaseProblem>& problems) {
