@@ -53,6 +53,9 @@ TEST(Help, pagesAreListedByTheirHeadingAndShown) {
   EXPECT_TRUE(help.browser()->toPlainText().contains("Hertz, 1882.")) << help.browser()->toPlainText().toStdString();
   help.showIndex();
   EXPECT_TRUE(help.browser()->toPlainText().contains("The track"));
+  help.browser()->setSource(QUrl::fromLocalFile(pages[0]));  // the same page again
+  EXPECT_TRUE(help.browser()->toPlainText().contains("Hertz, 1882."));
+  help.showIndex();
   const QString index = write("index.md", "# Manual\n\nStart here.\n");
   HelpWindow withIndex(pages + QStringList{index});
   withIndex.setAttribute(Qt::WA_DeleteOnClose, false);

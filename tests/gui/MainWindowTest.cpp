@@ -224,6 +224,23 @@ TEST(MainWindow, closingStopsTheRunBeforeItAsksOn) {
   EXPECT_EQ(runs, (std::vector<bool>{true, false}));
 }
 
+// Stopped to close, and then the user stays: what the run had is there, as after a cancel.
+TEST(MainWindow, whatAStoppedRunHadStaysWithAWindowThatStays) {
+  int questions = 0;
+  StudioServices services = tests::services(60000);
+  services.asker = [&](QWidget*, const QString&, const QString&) {
+    return ++questions == 1 ? Answer::discard : Answer::cancel;
+  };
+  MainWindow window(services);
+  window.show();
+  window.document().setParameter("motion.speed", "25");
+  window.startRun();
+  EXPECT_FALSE(window.close());
+  EXPECT_EQ(questions, 2);
+  ASSERT_EQ(window.store().rowCount(), 1);
+  EXPECT_FALSE(window.store().currentResult()->complete);
+}
+
 TEST(MainWindow, aResultOfAnotherCaseIsMarked) {
   MainWindow window(tests::services());
   ASSERT_TRUE(window.openCase("light-defect"));

@@ -16,6 +16,7 @@
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "case/CaseFile.h"
 #include "studio/MessageBar.h"
@@ -218,8 +219,11 @@ void MainWindow::beginRun(bool resume) {
 
 void MainWindow::keep(const ResultPointer& result) {
   const auto kept = std::make_shared<KeptFile>(unsavedFile_);
-  if ((ending_ && !result->complete) || result->time.empty())
-    return;  // cancelled: before the wheel rolled nothing is kept
+  if (result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
+  if (ending_ && !result->complete) {
+    part_ = result;  // kept where the window stays after all
+    return;
+  }
   if (result->complete) {
     if (unsavedFile_.isEmpty() || QFileInfo::exists(unsavedFile_))
       StoppedRuns::forget(checkpoint_);
@@ -304,7 +308,7 @@ void MainWindow::offerRecovery() {
   connect(&store_, &RunStore::dataChanged, this, &MainWindow::hideSettledRecovery);
 }
 
-// Cancels and waits. A part of a result is not kept, as the question said; a run that has ended meanwhile is.
+// Cancels and waits. A part of a result goes with the window, as the question said; what is complete is kept.
 void MainWindow::endRun() {
   ending_ = true;
   controller_.setPaused(false);
@@ -331,6 +335,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   closing_ = true;
   const bool leave = mayLeaveRun() && mayLeaveCase() && mayLeaveAllResults();
   closing_ = false;
+  const ResultPointer part = std::exchange(part_, nullptr);
+  if (!leave && part) keep(part);
   if (!leave) return;
   QSettings settings;
   settings.setValue("geometry", saveGeometry());

@@ -127,6 +127,7 @@ class MainWindow : public QMainWindow {
   UnsavedResults unsaved_;
   QString checkpoint_;    // of the run in progress
   QString unsavedFile_;   // where its result is kept
+  ResultPointer part_;    // of the run that was stopped to close the window
   std::string running_;   // the case of that run
   bool resumed_ = false;  // the run in progress
   Recovery* recovery_ = nullptr;
