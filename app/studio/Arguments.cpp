@@ -22,7 +22,7 @@ QSize sizeFrom(const QString& text) {
   const QStringList numbers = text.split('x');
   const QSize size(numbers.value(0).toInt(), numbers.value(1).toInt());
   if (numbers.size() != 2 || size.isEmpty() || size.width() > largest || size.height() > largest)
-    refuse(QStringLiteral("--size needs two numbers up to %1, such as 1280x700; found “%2”").arg(largest).arg(text));
+    refuse(QStringLiteral("--size is “%2”, must be two numbers up to %1, such as 1280x700").arg(largest).arg(text));
   return size;
 }
 
@@ -43,31 +43,30 @@ bool wantsWords(int argc, char** argv) {
 
 Arguments readArguments() {
   QCommandLineParser parser;
-  parser.setApplicationDescription("Draw a squat, roll a wheel over it, see what the axle box feels.");
+  parser.setApplicationDescription("Draw a squat, roll a wheel over it, see the axle box acceleration.");
   const QCommandLineOption help = parser.addHelpOption();
   const QCommandLineOption version = parser.addVersionOption();
-  const QCommandLineOption screenshot("screenshot", "Draw the window into this PNG and end; needs no display.",
-                                      "OUT.png");
-  const QCommandLineOption caseFile("case", "Case to open (path or shipped name).", "CASE");
+  const QCommandLineOption screenshot("screenshot", "Save the window as a PNG and exit; needs no display.", "OUT.png");
+  const QCommandLineOption caseFile("case", "Case to open (path or name of a shipped case).", "CASE");
   const QCommandLineOption resultFile("result", "Result to open.", "RESULT.h5");
   const QCommandLineOption tab("tab", "Tab to show: " + MainWindow::tabNames().join(", ") + ".", "NAME");
-  const QCommandLineOption dark("dark", "Dark colours.");
+  const QCommandLineOption dark("dark", "Use dark colours.");
   const QCommandLineOption size("size", "Size of the window, such as 1280x700.", "WIDTHxHEIGHT");
-  const QCommandLineOption run("run", "Run the case first (with --screenshot).");
+  const QCommandLineOption run("run", "Run the case before the screenshot is taken.");
   parser.addOptions({screenshot, caseFile, resultFile, tab, dark, size, run});
   parser.addPositionalArgument("file", "Case or result to open.", "[CASE|RESULT.h5]");
   if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
   if (parser.isSet(help) || parser.isSet("help-all")) parser.showHelp(0);
   if (parser.isSet(version)) parser.showVersion();
   const QStringList files = parser.positionalArguments() + parser.values(caseFile) + parser.values(resultFile);
-  if (files.size() > 1) refuse("one case or one result at a time; found " + files.join(", "));
+  if (files.size() > 1) refuse("give one case or one result; found " + files.join(", "));
   const Arguments arguments{files.value(0),    parser.value(screenshot),
                             parser.value(tab), parser.isSet(dark),
                             parser.isSet(run), parser.isSet(size) ? sizeFrom(parser.value(size)) : QSize()};
   if (!arguments.tab.isEmpty() && !MainWindow::tabNames().contains(arguments.tab))
-    refuse(QStringLiteral("no tab “%1”; there are %2").arg(arguments.tab, MainWindow::tabNames().join(", ")));
-  if (arguments.run && !parser.isSet(screenshot)) refuse("--run belongs to --screenshot; in the window F5 runs");
-  if (parser.isSet(screenshot) && arguments.screenshot.isEmpty()) refuse("--screenshot needs the name of a PNG");
+    refuse(QStringLiteral("--tab is “%1”, must be one of %2").arg(arguments.tab, MainWindow::tabNames().join(", ")));
+  if (arguments.run && !parser.isSet(screenshot)) refuse("--run needs --screenshot; in the window press F5");
+  if (parser.isSet(screenshot) && arguments.screenshot.isEmpty()) refuse("--screenshot needs the name of a PNG file");
   return arguments;
 }
 

@@ -39,8 +39,8 @@ int main(int argc, char** argv) {
       (squat::studio::wantsWords(argc, argv) && noDisplay))
     qputenv("QT_QPA_PLATFORM", "offscreen");
   if (noDisplay && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-    std::cerr << "squat-studio: no display found (DISPLAY and WAYLAND_DISPLAY are empty); `squat` works without one, "
-                 "and so does --screenshot\n";
+    std::cerr << "squat-studio: no display found (DISPLAY and WAYLAND_DISPLAY are empty); use `squat` or "
+                 "--screenshot, which need none\n";
     return squat::commands::kCaseWrong;
   }
   QApplication application(argc, argv);

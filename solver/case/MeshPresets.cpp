@@ -40,4 +40,21 @@ void applyPreset(CaseDescription& description, MeshPreset preset) {
   for (const auto& row : presetTable()) setValue(description, row.key, row.values[static_cast<std::size_t>(preset)]);
 }
 
+std::string presetNote(const CaseDescription& description) {
+  const auto preset = static_cast<std::size_t>(description.mesh.preset);
+  std::string shortened;
+  for (const auto& row : presetTable()) {
+    if (row.key != "track.length" && row.key != "motion.run_up" && row.key != "motion.beyond") continue;
+    const Parameter& parameter = *findParameter(row.key);
+    const double value = numberInUnit(description, parameter);
+    const bool ownValue = valueText(description, parameter) != row.values[preset];
+    if (ownValue || !(value < std::stod(parameter.standardText))) continue;
+    shortened += (shortened.empty() ? "" : ", ") + row.key + " = " + row.values[preset] + " " + parameter.unit +
+                 " (default " + parameter.standardText + " " + parameter.unit + ")";
+  }
+  if (shortened.empty()) return {};
+  return "mesh preset " + findParameter("mesh.preset")->choices[preset] + " shortens " + shortened +
+         "; values stated in the case are kept";
+}
+
 }  // namespace squat::cases

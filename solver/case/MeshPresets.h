@@ -22,4 +22,7 @@ int presetIndex(std::string_view name);
 // Sets mesh.preset and all keys of the table; keys that the user stated are set after this.
 void applyPreset(CaseDescription& description, MeshPreset preset);
 
+// Where the preset rolls a shorter stretch than the default mesh does: one sentence with the values; else empty.
+std::string presetNote(const CaseDescription& description);
+
 }  // namespace squat::cases

@@ -83,6 +83,31 @@ void describeProfile(const cases::CaseDescription& d, results::RunResult& result
   }
 }
 
+namespace {
+
+// The maximum near the defect, where it stands in the cone of influence: the ends of the record shape it.
+std::string remarkOnCone(const results::RunResult& result) {
+  const std::size_t columns = result.scalogramPosition.size();
+  double largest = 0, frequency = 0, position = 0, trusted = 0;
+  for (std::size_t row = 0; row < result.scalogramFrequency.size(); ++row)
+    for (std::size_t column = 0; column < columns; ++column) {
+      const double at = result.scalogramPosition[column];
+      const double power = result.scalogramPower[row * columns + column];
+      if (at < result.psdFrom || at > result.psdTo || !(power > largest)) continue;
+      largest = power, frequency = result.scalogramFrequency[row], position = at;
+      trusted = result.coneOfInfluence[column];
+    }
+  if (!(largest > 0) || frequency >= trusted) return {};
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "the scalogram's maximum (%.0f Hz at %.0f mm) lies where the ends of the record distort it: below the "
+                "cone of influence, %.0f Hz there; lengthen motion.run_up and motion.beyond",
+                frequency, 1e3 * position, trusted);
+  return text;
+}
+
+}  // namespace
+
 std::string addSpectra(const cases::CaseDescription& d, results::RunResult& result) {
   const auto tooShort = [](std::size_t samples, const char* where, std::size_t least) {
     return "no spectra: " + std::to_string(samples) + " samples " + where + ", at least " + std::to_string(least) +
@@ -126,7 +151,7 @@ std::string addSpectra(const cases::CaseDescription& d, results::RunResult& resu
   } catch (const std::exception& error) {
     return std::string("no spectra: ") + error.what();
   }
-  return {};
+  return remarkOnCone(result);
 }
 
 }  // namespace squat::simulation

@@ -22,7 +22,7 @@ void describeProfile(const cases::CaseDescription& description, results::RunResu
 void describePermanentChange(const dynamics::Rolling& rolling, const AlignedVector& unloaded,
                              results::RunResult& result);
 
-// PSD and scalogram of what has been recorded. Returns why there are none, or an empty text.
+// PSD and scalogram of what has been recorded. Returns why there are none, or what to mind in them; else an empty text.
 std::string addSpectra(const cases::CaseDescription& description, results::RunResult& result);
 
 }  // namespace squat::simulation

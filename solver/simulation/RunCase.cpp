@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "case/CaseFile.h"
+#include "case/MeshPresets.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
@@ -90,6 +91,7 @@ void refuseOrWarn(Run& run) {
   const auto validation = cases::validate(run.description);
   if (!validation.problems.empty()) throw CaseError(validation.problems);
   for (const auto& warning : validation.warnings) warn(run, toWarning(warning));
+  if (const std::string note = cases::presetNote(run.description); !note.empty()) warn(run, note);
 }
 
 void identify(Run& run, const elasticity::KernelSet& kernels, int threads) {

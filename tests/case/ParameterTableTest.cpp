@@ -2,7 +2,7 @@
 // those of the paper's Table 1 and of its section 2.
 #include "case/ParameterTable.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <set>
@@ -14,6 +14,9 @@
 
 namespace squat::cases {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(ParameterTable, KeysAreUniqueAndGroupsStandTogether) {
   std::set<std::string> keys, closedGroups;
@@ -149,6 +152,21 @@ TEST(ParameterTable, PresetsAreValidAndPaperIsThePapers) {
   EXPECT_EQ(paper.mesh.rollingSize, 5e-3);
   EXPECT_EQ(paper.mesh.farSize, 75e-3);
   EXPECT_EQ(paper.motion.runUp, 1);
+}
+
+// tiny rolls 0.1 m and 0.12 m where the default is 0.3 m; what the user states is not the preset's doing.
+TEST(ParameterTable, PresetsThatShortenTheRunSaySo) {
+  CaseDescription description = defaultCase();
+  EXPECT_EQ(presetNote(description), "");
+  applyPreset(description, MeshPreset::tiny);
+  EXPECT_THAT(presetNote(description), HasSubstr("motion.run_up = 0.1 m (default 0.3 m)"));
+  EXPECT_THAT(presetNote(description), HasSubstr("motion.beyond = 0.12 m (default 0.3 m)"));
+  description.motion.runUp = 0.2;
+  EXPECT_THAT(presetNote(description), Not(HasSubstr("motion.run_up")));
+  for (const auto longer : {MeshPreset::standard, MeshPreset::paper}) {
+    applyPreset(description, longer);
+    EXPECT_EQ(presetNote(description), "");
+  }
 }
 
 TEST(ParameterTable, FindsTheNearestKey) {

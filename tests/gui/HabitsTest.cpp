@@ -70,7 +70,7 @@ TEST(Habits, everyButtonHasAKeyOrAMenuEntry) {
   for (const QAction* action : actions)
     for (const QKeySequence& keys : action->shortcuts()) taken.insert(keys.toString());
   const QStringList inMenus{"Save…",       "Measured…", "Picture…", "VTK…",  "Fit",
-                            "Export all…", "Run",       "Go on",    "Pause", "Cancel"};
+                            "Export all…", "Run",       "Resume",   "Pause", "Cancel"};
   for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
     const bool action =
         (button->inherits("QPushButton") || button->inherits("QToolButton")) && button->text().size() > 2;

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QImage>
 #include <QLabel>
 #include <QLayout>
+#include <QTabBar>
 #include <QTest>
 
 #include "gui/MadeUpRun.h"
@@ -88,6 +91,52 @@ bool isCutInHeight(const QWidget& widget) {
          label->heightForWidth(label->width()) > label->height() + 2;
 }
 
+// Needs more than its text: the box of a check box, the arrow of a combo box, the buttons of a number.
+bool isCutWithItsFrame(const QWidget& widget) {
+  const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+  const bool framed = (button && !button->text().isEmpty()) || qobject_cast<const QComboBox*>(&widget) ||
+                      qobject_cast<const QAbstractSpinBox*>(&widget);
+  return framed && widget.width() < widget.minimumSizeHint().width();
+}
+
+// A label that wraps breaks between words: the longest must fit.
+QString cutWord(const QWidget& widget) {
+  const auto* label = qobject_cast<const QLabel*>(&widget);
+  if (!label || !label->wordWrap() || label->textFormat() == Qt::RichText) return {};
+  for (const QString& word : label->text().split(' ', Qt::SkipEmptyParts))
+    if (label->fontMetrics().horizontalAdvance(word) > label->width()) return word;
+  return {};
+}
+
+// Tabs that a bar has no room for are cut or hidden behind arrows; so are headings of columns.
+void judgeBars(const QWidget& widget) {
+  if (const auto* bar = qobject_cast<const QTabBar*>(&widget)) {
+    EXPECT_LE(bar->sizeHint().width(), bar->width()) << "tabs are cut, the first is " << bar->tabText(0).toStdString();
+  }
+  if (const auto* header = qobject_cast<const QHeaderView*>(&widget);
+      header && header->orientation() == Qt::Horizontal && header->model()) {
+    for (int section = 0; section < header->count(); ++section)
+      EXPECT_GE(header->sectionSize(section), header->fontMetrics().horizontalAdvance(
+                                                  header->model()->headerData(section, Qt::Horizontal).toString()))
+          << header->model()->headerData(section, Qt::Horizontal).toString().toStdString() << " is cut";
+  }
+}
+
+// The label of an axis stands at its middle and ends within the figure.
+void judgeAxes(const QWidget& widget) {
+  const auto* figure = qobject_cast<const plots::Figure*>(&widget);
+  if (!figure) return;
+  for (const QCPAxis* axis : {figure->xAxis, figure->yAxis}) {
+    const QRectF room = axis->axisRect()->rect();
+    const bool across = axis->orientation() == Qt::Horizontal;
+    const double middle = across ? room.center().x() : room.center().y(),
+                 end = across ? widget.width() : widget.height();
+    const double half = 0.5 * QFontMetrics(axis->labelFont()).horizontalAdvance(axis->label());
+    EXPECT_GE(middle - half, 0) << axis->label().toStdString() << " is cut";
+    EXPECT_LE(middle + half, end) << axis->label().toStdString() << " is cut";
+  }
+}
+
 void judgeLayout(const QWidget& window) {
   int seen = 0;
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
@@ -95,6 +144,10 @@ void judgeLayout(const QWidget& window) {
     ++seen;
     EXPECT_LE(widthOfText(*widget), widget->width()) << nameOf(*widget).toStdString() << " is cut";
     EXPECT_FALSE(isCutInHeight(*widget)) << nameOf(*widget).toStdString() << " is cut";
+    EXPECT_FALSE(isCutWithItsFrame(*widget)) << nameOf(*widget).toStdString() << " is cut";
+    EXPECT_EQ(cutWord(*widget), "") << nameOf(*widget).toStdString() << " is cut";
+    judgeBars(*widget);
+    judgeAxes(*widget);
     const QWidget* parent = widget->parentWidget();
     if (!parent->layout() || parent->layout()->indexOf(widget) < 0) continue;
     EXPECT_TRUE(parent->rect().contains(widget->geometry()))

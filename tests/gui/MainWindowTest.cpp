@@ -5,6 +5,7 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -20,16 +21,40 @@
 
 #include "core/Errors.h"
 #include "gui/MadeUpRun.h"
-#include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
+#include "studio/FigureView.h"
 #include "studio/MeasuredDialog.h"
 #include "studio/MessageBar.h"
 #include "studio/ParameterForm.h"
 #include "studio/ParameterRow.h"
+#include "studio/ProfileEditor.h"
+#include "studio/ProfilePlot.h"
+#include "studio/SignalsPanel.h"
 
 namespace squat::studio {
 namespace {
+
+// What a tab is for, seen: a figure of signals has points within its axes, or a map.
+QString widgetOf(const QString& tab) {
+  if (tab == "profile") return "profileTable";
+  if (tab == "3d") return "scene";
+  if (tab == "paper") return "paperTitle";
+  if (tab == "run" || tab == "runs") return tab;
+  return "view " + tab;
+}
+
+bool hasData(plots::Figure& figure) {
+  const QCPRange seen = figure.xAxis->range();
+  for (int i = 0; i < figure.plottableCount(); ++i)
+    if (qobject_cast<const QCPColorMap*>(figure.plottable(i))) return true;
+  for (int i = 0; i < figure.graphCount(); ++i) {
+    const auto data = figure.graph(i)->data();
+    if (std::count_if(data->constBegin(), data->constEnd(), [&](const auto& at) { return seen.contains(at.key); }) > 10)
+      return true;
+  }
+  return false;
+}
 
 TEST(MainWindow, everyTabShowsSomething) {
   MainWindow window(tests::services());
@@ -41,17 +66,25 @@ TEST(MainWindow, everyTabShowsSomething) {
   for (const QString& name : MainWindow::tabNames()) {
     ASSERT_TRUE(window.showTab(name));
     QTest::qWait(60);
-    EXPECT_GT(tests::inkShare(window.grab().toImage()), 0.1) << name.toStdString();
+    const QWidget* shown = window.findChild<QWidget*>(widgetOf(name));
+    ASSERT_NE(shown, nullptr) << name.toStdString();
+    EXPECT_TRUE(shown->isVisible()) << name.toStdString();  // what stands behind another tab is not
+    if (const FigureView* view = window.signalsPanel()->view(name); view && name != "contact_patch") {
+      EXPECT_TRUE(hasData(*view->figure())) << name.toStdString();
+    }
   }
+  EXPECT_TRUE(hasData(*window.profile()->plot()));
   EXPECT_FALSE(window.showTab("nowhere"));
 }
 
-// No larger than the screen, as far as its parts can be that small: the first start has no layout to restore.
+// No larger than the screen, or than the smallest screen that the studio is made for (1366 x 768 less the frames of a
+// desktop): the first start has no layout to restore.
 TEST(MainWindow, theFirstWindowFitsTheScreen) {
   MainWindow window(tests::services());
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-  const QSize most = window.screen()->availableSize().expandedTo(window.minimumSizeHint());
+  constexpr QSize smallest(1280, 700);
+  const QSize most = window.screen()->availableSize().expandedTo(smallest);
   EXPECT_LE(window.width(), most.width());
   EXPECT_LE(window.height(), most.height());
 }
@@ -61,7 +94,7 @@ TEST(MainWindow, everyTextHasRoom) {
   MainWindow window(tests::services());
   ASSERT_TRUE(window.openCase("light-defect"));
   window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
-  for (const QSize size : {QSize(1500, 920), QSize(1440, 900)}) {
+  for (const QSize size : {QSize(1500, 920), QSize(1440, 900), QSize(1280, 700)}) {
     window.resize(size);
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
@@ -104,7 +137,7 @@ TEST(MainWindow, nothingIsKeptOfARunThatNeverRolled) {
   window.controller().cancel();
   ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }));
   EXPECT_EQ(window.store().rowCount(), 0);
-  EXPECT_TRUE(window.findChild<QPlainTextEdit*>()->toPlainText().contains("nothing to keep"));
+  EXPECT_TRUE(window.findChild<QPlainTextEdit*>()->toPlainText().contains("no results"));
   EXPECT_TRUE(window.close());
   EXPECT_EQ(questions, 0);
 }
@@ -171,6 +204,72 @@ TEST(MainWindow, closingDuringARunAsksAndStopsCleanly) {
   answer = Answer::discard;
   EXPECT_TRUE(window.close());
   EXPECT_FALSE(window.controller().isRunning());
+}
+
+// The answer stops the run; what is asked afterwards waits for nobody's processor.
+TEST(MainWindow, closingStopsTheRunBeforeItAsksOn) {
+  std::vector<bool> runs;  // while each question stands
+  MainWindow* asking = nullptr;
+  StudioServices services = tests::services(60000);
+  services.asker = [&](QWidget*, const QString&, const QString&) {
+    runs.push_back(asking->controller().isRunning());
+    return Answer::discard;
+  };
+  MainWindow window(services);
+  asking = &window;
+  window.show();
+  window.document().setParameter("motion.speed", "25");  // asked about as well
+  window.startRun();
+  EXPECT_TRUE(window.close());
+  EXPECT_EQ(runs, (std::vector<bool>{true, false}));
+}
+
+// Stopped to close, and then the user stays: what the run had is there, as after a cancel.
+TEST(MainWindow, whatAStoppedRunHadStaysWithAWindowThatStays) {
+  int questions = 0;
+  StudioServices services = tests::services(60000);
+  services.asker = [&](QWidget*, const QString&, const QString&) {
+    return ++questions == 1 ? Answer::discard : Answer::cancel;
+  };
+  MainWindow window(services);
+  window.show();
+  window.document().setParameter("motion.speed", "25");
+  window.startRun();
+  EXPECT_FALSE(window.close());
+  EXPECT_EQ(questions, 2);
+  ASSERT_EQ(window.store().rowCount(), 1);
+  EXPECT_FALSE(window.store().currentResult()->complete);
+}
+
+TEST(MainWindow, aResultOfAnotherCaseIsMarked) {
+  MainWindow window(tests::services());
+  ASSERT_TRUE(window.openCase("light-defect"));
+  window.show();
+  auto* mark = window.findChild<QLabel*>("otherCase");
+  window.startRun();
+  ASSERT_TRUE(tests::passes([&] { return window.store().rowCount() == 1; }));
+  EXPECT_FALSE(mark->isVisible()) << mark->text().toStdString();
+  window.document().setParameter("motion.speed", "25");
+  EXPECT_TRUE(mark->isVisible());
+  for (const char* word : {"light-defect #1", "motion.speed"})
+    EXPECT_TRUE(mark->text().contains(word)) << mark->text().toStdString();
+  window.document().setParameter("title", "another name alone");
+  window.document().undoStack().undo();
+  window.document().undoStack().undo();
+  EXPECT_FALSE(mark->isVisible()) << mark->text().toStdString();
+  window.document().setParameter("title", "another name alone");
+  EXPECT_FALSE(mark->isVisible()) << mark->text().toStdString();
+  const auto* dock = window.findChild<QDockWidget*>("signalsDock");
+  EXPECT_TRUE(dock->windowTitle().contains("light-defect #1")) << dock->windowTitle().toStdString();
+}
+
+// 0.1 m and 0.12 m are the preset's, 0.3 m the default of both.
+TEST(MainWindow, aPresetThatShortensTheRunSaysSo) {
+  MainWindow window(tests::services());
+  window.show();
+  window.document().setParameter("mesh.preset", "tiny");
+  for (const char* word : {"tiny", "motion.run_up = 0.1 m", "motion.beyond = 0.12 m", "default 0.3 m"})
+    EXPECT_TRUE(window.messages()->text().contains(word)) << window.messages()->text().toStdString();
 }
 
 // Typed, not entered with Return: what the form shows is what runs.
@@ -336,7 +435,7 @@ TEST(MainWindow, aMeasuredFileThatDoesNotTellByItselfIsAskedAbout) {
   const auto& overlaid = *window.store().at(0).result;
   EXPECT_NEAR(overlaid.time[1] - overlaid.time[0], 1 / 5000.0, 1e-12);
   EXPECT_NEAR((*overlaid.signal("aba"))[5], 2 * std::sin(1.5), 1e-5);
-  EXPECT_TRUE(window.messages()->text().contains("tells no speed")) << window.messages()->text().toStdString();
+  EXPECT_TRUE(window.messages()->text().contains("No speed in file")) << window.messages()->text().toStdString();
 }
 
 TEST(MainWindow, darkAndBackKeepsTheWindowAlive) {

@@ -1,9 +1,11 @@
 // The profile editor, driven by mouse and keys.
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QSlider>
 #include <QTableView>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "case/DefectSurface.h"
@@ -11,6 +13,7 @@
 #include "plots/Style.h"
 #include "studio/CaseDocument.h"
 #include "studio/ProfileEditor.h"
+#include "studio/ProfileModel.h"
 #include "studio/ProfilePlot.h"
 
 namespace squat::studio {
@@ -92,6 +95,61 @@ TEST_F(Editor, slidersDriveAnalyticShapes) {
   for (int i = 0; i < 20; ++i) QTest::keyClick(slider, Qt::Key_Right);
   EXPECT_GT(document_.description().defect.depth, before);
   EXPECT_FALSE(editor_.findChild<QSlider*>("slider defect.ramp")->isVisible());
+}
+
+// Twice the heights: points, table and curve show what is run, and what is typed or dragged there becomes so.
+TEST_F(Editor, pointsTableAndCurveAgreeWithAHeightScale) {
+  document_.setParameter("defect.height_scale", "2");
+  auto* model = editor_.table()->model();
+  EXPECT_EQ(model->data(model->index(2, 1)).toString(), "-300");
+  const ProfileView view = profileView(document_.description());
+  const auto under = [&](double position) {
+    return std::min_element(view.surface.begin(), view.surface.end(),
+                            [&](const auto& a, const auto& b) {
+                              return std::abs(a.position - position) < std::abs(b.position - position);
+                            })
+        ->height;
+  };
+  // The next sample of the curve is 0.055 mm away at most, its slope at most three times that of the steepest chord,
+  // 3 x 200 um in 20 mm: 1.7 um.
+  for (const auto& handle : view.handles) EXPECT_NEAR(handle.height, under(handle.position), 1.7e-6) << handle.position;
+  EXPECT_TRUE(model->setData(model->index(2, 1), "-200"));
+  EXPECT_NEAR(points()[2].height, -1e-4, 1e-12);
+  QTest::qWait(30);  // the notes below the plot take some of its height
+  editor_.plot()->replot(QCustomPlot::rpImmediateRefresh);
+  const QPoint to = place(1) + QPoint(0, 30);
+  QTest::mousePress(editor_.plot(), Qt::LeftButton, {}, place(1));
+  QTest::mouseMove(editor_.plot(), to);
+  QTest::mouseRelease(editor_.plot(), Qt::LeftButton, {}, to);
+  EXPECT_NEAR(place(1).y(), to.y(), 1);  // it stays under the mouse
+  auto* notes = editor_.findChild<QLabel*>("profileNotes");
+  EXPECT_TRUE(notes->text().contains("height_scale = 2")) << notes->text().toStdString();
+}
+
+// 10 um at the first point and 30 um at the last: levelling tilts what was drawn, and says so.
+TEST_F(Editor, levellingIsSaid) {
+  auto* notes = editor_.findChild<QLabel*>("profileNotes");
+  EXPECT_FALSE(notes->isVisible());
+  auto tilted = document_.description();
+  tilted.defect.points.front().height = 1e-5, tilted.defect.points.back().height = 3e-5;
+  document_.edit("tilt", tilted);
+  EXPECT_TRUE(notes->isVisible());
+  for (const char* word : {"Levelling removes", "10.0 µm", "30.0 µm"})
+    EXPECT_TRUE(notes->text().contains(word)) << notes->text().toStdString();
+  tilted.defect.level = false;
+  document_.edit("as drawn", tilted);
+  EXPECT_FALSE(notes->text().contains("Levelling")) << notes->text().toStdString();
+}
+
+// Results count from the deepest point, the profile from where it was measured: one label would name two zeros.
+TEST_F(Editor, positionsSayWhatTheyCountFrom) {
+  EXPECT_EQ(editor_.plot()->xAxis->label(), "x from deepest point [mm]");
+  auto moved = document_.description();
+  for (auto& point : moved.defect.points) point.position += 0.012;
+  document_.edit("move", moved);
+  EXPECT_EQ(editor_.plot()->xAxis->label(), "x in the profile [mm]");
+  auto* notes = editor_.findChild<QLabel*>("profileNotes");
+  EXPECT_TRUE(notes->text().contains("12.0 mm")) << notes->text().toStdString();
 }
 
 // A wheel of radius R over a gap of length L sinks L^2 / (8 R) at most: the drawn path must say so.

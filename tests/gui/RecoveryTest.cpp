@@ -240,7 +240,7 @@ TEST_F(UnsavedResult, thatCannotBeReadIsPutAside) {
   EXPECT_EQ(first->store().rowCount(), 0);
   EXPECT_EQ(QDir(folder_.filePath("recovery")).entryList({"*.unreadable"}, QDir::Files).size(), 1);
   EXPECT_TRUE(first->messages()->isHidden());  // by the case that was opened; back as soon as anybody can see it
-  EXPECT_TRUE(tests::passes([&] { return first->messages()->text().contains("stays there"); }));
+  EXPECT_TRUE(tests::passes([&] { return first->messages()->text().contains("is kept as"); }));
   const auto second = open();
   EXPECT_TRUE(second->messages()->text().isEmpty()) << second->messages()->text().toStdString();
 }

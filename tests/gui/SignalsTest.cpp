@@ -7,12 +7,14 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QListView>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QStyleOptionViewItem>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "gui/Hands.h"
 #include "render/SyntheticResult.h"
@@ -65,7 +67,7 @@ TEST(Signals, aWrongStretchCostsTheSpectrumAlone) {
   store.add({synthetic(), "run", {}, false, false});
   panel.findChild<QDoubleSpinBox*>("psdFrom")->setValue(800);  // to 280
   const auto* problem = panel.findChild<QLabel*>("signalProblem");
-  EXPECT_TRUE(problem->text().contains("spectrum")) << problem->text().toStdString();
+  EXPECT_TRUE(problem->text().contains("Spectrum not updated")) << problem->text().toStdString();
   EXPECT_TRUE(problem->text().contains("800 mm")) << problem->text().toStdString();
   const auto curve = [&] { return *panel.view("aba")->figure()->graph(0)->data(); };
   const auto largest = [&] {
@@ -224,6 +226,47 @@ TEST(Signals, zoomIsLinkedThroughTheSpeed) {
   EXPECT_NEAR(seen.center(), 1e3 * (run->time.front() - run->position.front() / run->speed), 1e-9);
 }
 
+// A shorter record after a long one that the user has zoomed in and out of.
+TEST(Signals, aNewRunIsShownOverItsOwnRange) {
+  auto shorter = tests::syntheticResult();
+  shorter.psdFrom = -0.05, shorter.psdTo = 0.09;
+  const auto next = std::make_shared<const results::RunResult>(shorter);
+  const QStringList alongTrack{"stft", "scalogram", "contact_force", "aba"};
+  RunStore store, freshStore;
+  SignalsPanel panel(store, figureStyle(false)), fresh(freshStore, figureStyle(false));
+  freshStore.add({next, "short", {}, false, false});
+  store.add({synthetic(), "long", {}, false, false});
+  for (const auto& name : alongTrack) panel.showTab(name);
+  panel.view("aba")->figure()->xAxis->setRange(-30, 30);
+  panel.view("aba")->resetZoom();
+  store.add({next, "short", {}, false, false});
+  for (const auto& name : alongTrack) {
+    panel.showTab(name), fresh.showTab(name);
+    const QCPRange seen = panel.view(name)->figure()->xAxis->range(), own = fresh.view(name)->figure()->xAxis->range();
+    EXPECT_DOUBLE_EQ(seen.lower, own.lower) << name.toStdString();
+    EXPECT_DOUBLE_EQ(seen.upper, own.upper) << name.toStdString();
+  }
+}
+
+// Names that a script can read: no legend texts with extremes, signs or blanks, none twice.
+TEST(Signals, curvesInATableHaveShortNames) {
+  RunStore store;
+  SignalsPanel panel(store, figureStyle(false));
+  store.add({synthetic(), "Site A, north #1", {}, false, false});
+  store.add({synthetic(), "run", {}, false, false});
+  store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
+  std::set<QByteArray> names;
+  for (const QByteArray& line : figureTable(*panel.view("aba")->figure()).split('\n').mid(1))
+    if (!line.isEmpty()) names.insert(line.left(line.indexOf(',')));
+  EXPECT_TRUE(names.count("axle_box"));
+  EXPECT_TRUE(names.count("site_a_north_1"));
+  for (const QByteArray& name : names)
+    EXPECT_TRUE(QRegularExpression("^[a-z][a-z0-9_]*$").match(QString::fromUtf8(name)).hasMatch())
+        << name.toStdString();
+  panel.showTab("psd");
+  EXPECT_TRUE(figureTable(*panel.view("psd")->figure()).startsWith("curve,frequency [Hz],psd [(m/s2)2/Hz]\n"));
+}
+
 TEST(Signals, overlaidRunsPassTheDefectAtTheSameMoment) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
@@ -376,8 +419,9 @@ TEST(Signals, theTableOfAFigureHoldsWhatIsSeen) {
   EXPECT_NEAR(row[2].toDouble(),
               (*filtered->signal("aba_filtered"))[static_cast<std::size_t>(first - run->position.begin())], 1e-6);
   const QByteArray map = figureTable(*panel.view("scalogram")->figure());
-  EXPECT_TRUE(map.startsWith("curve,\"Position of the wheel [mm]\",\"Frequency [Hz]\",\"Wavelet power"));
-  EXPECT_GT(map.count("\"map\","), 1000);
+  EXPECT_TRUE(map.startsWith("curve,position [mm],frequency [Hz],power [(m/s2)2 s]\n")) << map.left(80).toStdString();
+  EXPECT_TRUE(lines[0] == "curve,position [mm],acceleration [m/s2]");
+  EXPECT_GT(map.count("\nmap,"), 1000);
 }
 
 TEST(RunStore, removingKeepsACurrentRun) {

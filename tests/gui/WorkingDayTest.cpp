@@ -105,7 +105,7 @@ class WorkingDay : public testing::Test {
     ASSERT_TRUE(tests::passes([&] { return panel->live()->sampleCount() > 2; }, patience));
     EXPECT_FALSE(run->isEnabled());
     // Step and what sets it, updates a second and the ledger are told while it runs.
-    for (const char* word : {"set by", "element updates a second", "energy residual"})
+    for (const char* word : {"limited by", "element updates per second", "energy balance error"})
       EXPECT_TRUE(tests::passes([&] { return figures->text().contains(word); }, patience))
           << figures->text().toStdString();
     click(*window_.findChild<QPushButton*>("cancel"));

@@ -232,6 +232,7 @@ TEST(RunCase, AWheelThatSpinsIsSaidAndMarked) {
   };
   EXPECT_TRUE(says("motion.traction_coefficient"));  // before the run
   EXPECT_TRUE(says("the wheel slips"));              // after it
+  EXPECT_TRUE(says("mesh preset tiny shortens"));    // 3 m of track for 10 m
   EXPECT_GT(scalar(result.equilibrium, "largest_creepage"), 0.01);
   EXPECT_LT(scalar(lightDefect().equilibrium, "largest_creepage"), 0.01);
 }

@@ -64,7 +64,7 @@ void addOverview(SurfacelessWindow& window, const results::RunResult& result, co
 }
 
 // With inner faces at y = 0 both bodies are cut there and the stress below the surface is seen; without them the wheel
-// is taken away and the rail's surface is seen from above.
+// is hidden and the rail's surface is seen from above.
 void addCloseUp(SurfacelessWindow& window, const results::RunResult& result, const results::SurfaceSnapshot* snapshot,
                 double contactAt, const std::string& colourMap) {
   auto renderer = newRenderer(window, division, barLeft, 0, bodyTop);
@@ -81,7 +81,7 @@ void addCloseUp(SurfacelessWindow& window, const results::RunResult& result, con
     aim(*renderer, {contactAt, 0, 0.0005}, {0.12, 0.97, 0.14}, 0.034);
   else
     aim(*renderer, {contactAt, 0, -0.004}, {0.3, 0.6, 0.75}, 0.045);
-  renderer->AddActor2D(textActor(cut ? "cut at y = 0" : "rail, wheel taken away", 0.03, 0.03, labelPixels, cut));
+  renderer->AddActor2D(textActor(cut ? "cut at y = 0" : "rail, wheel hidden", 0.03, 0.03, labelPixels, cut));
   if (!snapshot) return;
   auto bar = newRenderer(window, barLeft, 1, 0, bodyTop);
   bar->AddActor2D(colourBar(look, {0.08, 0.04, 0.9, 0.83}, labelPixels));

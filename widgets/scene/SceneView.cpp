@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "scene/PatchActor.h"
@@ -30,8 +31,25 @@ struct SceneView::Parts {
   vtkSmartPointer<vtkTextActor> title;    // quantity and unit of the colours
   bool stale = true, placed = false;
   double highest = 0, contactAt = 0, pixelRatio = 1;
+  std::map<Field, double> largest;  // over all snapshots, once asked for
   Look look;
 };
+
+namespace {
+
+double largestOfAll(const results::RunResult& result, Field field) {
+  constexpr double reach = 0.1;  // [m] about the contact: what is clamped far away has peaks of its own
+  double largest = 0;
+  for (const auto& snapshot : result.snapshots) {
+    const results::PatchSnapshot* patch = isOfPatch(field) ? patchOf(result, snapshot.name) : nullptr;
+    largest = std::max(largest, patch              ? largestPressure(*patch)
+                                : isOfPatch(field) ? 0.0
+                                                   : largestNearContact(result.surface, snapshot, field, reach));
+  }
+  return largest;
+}
+
+}  // namespace
 
 SceneView::SceneView(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
@@ -51,6 +69,7 @@ std::unique_ptr<SceneView> SceneView::create(std::string& reason) {
 
 void SceneView::setResult(std::shared_ptr<const results::RunResult> result) {
   parts_->result = std::move(result);
+  parts_->largest.clear();
   parts_->stale = true;
 }
 
@@ -85,7 +104,12 @@ void SceneView::rebuild() {
   const auto parts = partData(my.result->surface, snapshot, look.field, my.choices.displacementScale);
   const results::PatchSnapshot* patch =
       snapshot && isOfPatch(look.field) ? patchOf(*my.result, snapshot->name) : nullptr;
-  my.highest = patch ? largestPressure(*patch) : look.field == Field::none ? 0 : largestNear(parts, my.contactAt, 0.1);
+  my.highest = 0;
+  if (look.field != Field::none) {
+    const auto [known, isNew] = my.largest.try_emplace(look.field, 0.0);
+    if (isNew) known->second = largestOfAll(*my.result, look.field);
+    my.highest = known->second;
+  }
   look.high = roundUp(my.highest > 0 ? my.highest : 1);
   if (my.choices.cut) {
     look.cuts.push_back(vtkSmartPointer<vtkPlane>::New());
@@ -101,11 +125,12 @@ void SceneView::rebuild() {
   if (my.choices.springs)
     my.renderer->AddActor(springActor(springLines(my.result->surface, snapshot ? snapshot->wheelTravel : 0), 1.5));
   if (isOfPatch(look.field) && snapshot && !patch)
-    my.renderer->AddActor2D(textActor("no contact patch is kept for this moment", 0.5, 0.94, letters, look.dark, 0.5));
+    my.renderer->AddActor2D(
+        textActor("no contact patch was stored for this frame", 0.5, 0.94, letters, look.dark, 0.5));
   const bool nothingYields = snapshot && look.field == Field::plasticStrain && !(my.highest > 0);
   if (nothingYields)
     my.renderer->AddActor2D(
-        textActor("nothing has yielded (rail.plastic lets it)", 0.5, 0.94, letters, look.dark, 0.5));
+        textActor("no plastic strain (rail.plastic enables it)", 0.5, 0.94, letters, look.dark, 0.5));
   my.look = look;
   if (nothingYields) my.look.field = Field::none;  // no colours, no scale
   showLegend();

@@ -41,7 +41,8 @@ class SceneView {
   void pan(double right, double up, int height);  // [pixels] of a picture of that height
   void zoom(double factor);                       // above 1: nearer
   void lookFrom(StandardView view);
-  // Largest value of the field that the colours stand for, in the unit of fieldName().
+  // Largest value of the field over all snapshots of the result, in the unit of fieldName(): the colours stand for the
+  // same values in every frame of an animation.
   double highest() const;
 
  private:

@@ -61,7 +61,7 @@ std::string fieldName(Field field) {
     case Field::plasticStrain:
       return "Plastic strain [-]";
     case Field::displacement:
-      return "Displacement [um]";
+      return "Displacement [µm]";
     case Field::contactPressure:
       return "Contact pressure [MPa]";
     case Field::stickSlip:
@@ -124,6 +124,21 @@ std::vector<float> placesOf(const results::SurfaceMesh& surface, const results::
       places.push_back(static_cast<float>(place[axis] + displacementScale * u[axis]));
   }
   return places;
+}
+
+double largestNearContact(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot, Field field,
+                          double reach) {
+  const std::vector<float> places = placesOf(surface, snapshot, 1);
+  const double contactAt = wheelCentre(surface)[0] + snapshot.wheelTravel;
+  double largest = 0;
+  for (const auto corner : surface.quads) {
+    const auto index = static_cast<std::size_t>(corner);
+    if (3 * index + 2 >= places.size() || !(std::abs(static_cast<double>(places[3 * index]) - contactAt) < reach))
+      continue;
+    const auto value = static_cast<double>(fieldAt(snapshot, field, index));
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  }
+  return largest;
 }
 
 std::vector<PartData> partData(const results::SurfaceMesh& surface, const results::SurfaceSnapshot* snapshot,

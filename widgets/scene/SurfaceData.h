@@ -30,6 +30,11 @@ struct PartData {
 std::vector<float> placesOf(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot,
                             double displacementScale);
 
+// Largest value of the field in the unit of fieldName(), among points of faces within `reach` [m] of the contact along
+// the rail, at the instant of the snapshot. 0 for fields of the patch.
+double largestNearContact(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot, Field field,
+                          double reach);
+
 // One entry a part that has faces. `snapshot` may be null: configuration at the start, no field.
 // Displacements are multiplied by `displacementScale`. Broken indices are left out.
 std::vector<PartData> partData(const results::SurfaceMesh& surface, const results::SurfaceSnapshot* snapshot,

@@ -34,7 +34,7 @@ std::optional<CaseProblem> readProfile(cases::CaseDescription& description, cons
       defect.lines = std::move(lines);
     return std::nullopt;
   } catch (const FileError& error) {
-    return CaseProblem{"defect.file", path.toStdString(), "a file with a profile", error.what()};
+    return CaseProblem{"defect.file", path.toStdString(), "a profile file", error.what()};
   }
 }
 
@@ -101,6 +101,7 @@ std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, co
   }
   if (key == "mesh.preset") takePreset(after, description());
   edit(tr("Change %1").arg(QString::fromStdString(key)), after);
+  if (key == "mesh.preset") notePreset();
   return std::nullopt;
 }
 
@@ -111,6 +112,12 @@ void CaseDocument::resetParameter(const std::string& key) {
   cases::setToDefault(after, *parameter);
   if (key == "mesh.preset") takePreset(after, description());
   edit(tr("Reset %1").arg(QString::fromStdString(key)), after);
+  if (key == "mesh.preset") notePreset();
+}
+
+void CaseDocument::notePreset() {
+  const QString note = QString::fromStdString(cases::presetNote(description()));
+  if (!note.isEmpty()) Q_EMIT noted(note);
 }
 
 void CaseDocument::edit(const QString& what, const cases::CaseDescription& after, int gesture) {

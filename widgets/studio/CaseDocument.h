@@ -45,12 +45,14 @@ class CaseDocument : public QObject {
   int newGesture() { return ++lastGesture_; }
 
  Q_SIGNALS:
-  void changed();       // the description
-  void replaced();      // by that of another case: what belonged to the one before goes
-  void titleChanged();  // name, path or whether it is modified
+  void changed();                   // the description
+  void replaced();                  // by that of another case: what belonged to the one before goes
+  void noted(const QString& note);  // what an edit has changed besides what was edited
+  void titleChanged();              // name, path or whether it is modified
 
  private:
   friend class CaseCommand;
+  void notePreset();  // that it has shortened what is rolled
   void become(std::shared_ptr<const cases::CaseDescription> description);
 
   std::shared_ptr<const cases::CaseDescription> current_;

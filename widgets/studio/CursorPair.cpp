@@ -63,12 +63,13 @@ void CursorPair::setPlaces(double first, double second) {
 
 QString CursorPair::text() const {
   const double distance = std::abs(places_[1] - places_[0]);
-  QString text = tr("%1 and %2 %4, difference %3 %4")
+  QString text = tr("%1 and %2 %4, Δ = %3 %4")
                      .arg(places_[0], 0, 'f', 2)
                      .arg(places_[1], 0, 'f', 2)
                      .arg(distance, 0, 'f', 2)
                      .arg(unit_);
-  if (secondsPerUnit_ > 0 && distance > 0) text += tr(", 1/dt %1 Hz").arg(1 / (distance * secondsPerUnit_), 0, 'f', 1);
+  if (secondsPerUnit_ > 0 && distance > 0)
+    text += tr(", 1/Δt = %1 Hz").arg(1 / (distance * secondsPerUnit_), 0, 'f', 1);
   return text + valuesText();
 }
 
@@ -77,10 +78,7 @@ QString CursorPair::valuesText() const {
     if (qobject_cast<const QCPColorMap*>(figure_.plottable(i))) return {};
   const double first = valueOn(figure_, places_[0]), second = valueOn(figure_, places_[1]);
   if (!std::isfinite(first) || !std::isfinite(second)) return {};
-  return tr("\nvalues %1 and %2, difference %3")
-      .arg(first, 0, 'g', 4)
-      .arg(second, 0, 'g', 4)
-      .arg(second - first, 0, 'g', 4);
+  return tr("\nvalues %1 and %2, Δ = %3").arg(first, 0, 'g', 4).arg(second, 0, 'g', 4).arg(second - first, 0, 'g', 4);
 }
 
 void CursorPair::show() {

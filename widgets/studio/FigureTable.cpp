@@ -1,22 +1,27 @@
 #include "studio/FigureTable.h"
 
 #include <cmath>
+#include <set>
+
+#include "studio/Words.h"
 
 namespace squat::studio {
 namespace {
 
-QByteArray quoted(QString text) { return '"' + text.replace('"', '\'').toUtf8() + '"'; }
-
 QByteArray number(double value) { return QByteArray::number(value, 'g', 12); }
 
 void addCurves(plots::Figure& figure, const QCPRange& seen, bool beside, QByteArray& text) {
+  std::set<QString> taken;
   for (int i = 0; i < figure.graphCount(); ++i) {
     const QCPGraph* graph = figure.graph(i);
     const bool drawn = graph->pen().style() != Qt::NoPen || !graph->scatterStyle().isNone();
     if (!drawn) continue;
+    const QString wanted = machineName(graph->name().isEmpty() ? figure.name() : graph->name());
+    QString name = wanted;
+    for (int copy = 2; !taken.insert(name).second; ++copy) name = wanted + QString("_%1").arg(copy);
     for (const QCPGraphData& point : *graph->data())
       if (seen.contains(point.key))
-        text += quoted(graph->name()) + ',' + number(point.key) + ',' + number(point.value) + (beside ? ",\n" : "\n");
+        text += name.toUtf8() + ',' + number(point.key) + ',' + number(point.value) + (beside ? ",\n" : "\n");
   }
 }
 
@@ -26,7 +31,7 @@ void addCells(const QCPColorMap& map, const QCPRange& seen, QByteArray& text) {
     for (int row = 0; row < cells.valueSize(); ++row) {
       const QPointF place = cellPlace(map, column, row);
       if (seen.contains(place.x()))
-        text += "\"map\"," + number(place.x()) + ',' + number(place.y()) + ',' + number(cells.cell(column, row)) + '\n';
+        text += "map," + number(place.x()) + ',' + number(place.y()) + ',' + number(cells.cell(column, row)) + '\n';
     }
 }
 
@@ -45,8 +50,9 @@ QByteArray figureTable(plots::Figure& figure) {
   const QCPColorMap* map = nullptr;
   for (int i = 0; i < figure.plottableCount() && !map; ++i) map = qobject_cast<const QCPColorMap*>(figure.plottable(i));
   const QCPRange seen = figure.xAxis->range();
-  QByteArray text = "curve," + quoted(figure.xAxis->label()) + ',' + quoted(figure.yAxis->label());
-  if (map) text += ',' + quoted(map->colorScale() ? map->colorScale()->axis()->label() : QString("value"));
+  QByteArray text =
+      "curve," + columnName(figure.xAxis->label()).toUtf8() + ',' + columnName(figure.yAxis->label()).toUtf8();
+  if (map) text += ',' + columnName(map->colorScale() ? map->colorScale()->axis()->label() : QString("value")).toUtf8();
   text += '\n';
   addCurves(figure, seen, map != nullptr, text);
   if (map) addCells(*map, seen, text);

@@ -72,6 +72,10 @@ void FigureView::resetZoom() {
   figure_->replot(QCustomPlot::rpQueuedReplot);
 }
 
+void FigureView::forgetZoom() {
+  if (figure_) fullX_ = figure_->xAxis->range();
+}
+
 bool FigureView::isZoomed() const { return figure_ && figure_->xAxis->range() != fullX_; }
 
 void FigureView::copy() {

@@ -25,6 +25,7 @@ class FigureView : public QWidget {
   CursorPair* cursors() const { return cursors_; }
   void setRange(const QCPRange& range);  // of x, from a linked view
   void resetZoom();
+  void forgetZoom();  // the next figure is of another run: it is shown whole
   bool isZoomed() const;
   void copy();        // picture and numbers
   void askForFile();  // exports to what the user names

@@ -43,7 +43,7 @@ ImportDialog::ImportDialog(const QString& path, const plots::Style& style, QWidg
   if (!file.open(QIODevice::ReadOnly))
     throw FileError(path.toStdString(), "", "cannot be read: " + file.errorString().toStdString());
   if (file.size() > largestFile)
-    throw FileError(path.toStdString(), "", "is larger than 20 MB", "a profile has some hundred points");
+    throw FileError(path.toStdString(), "", "is larger than 20 MB", "a profile has a few hundred points");
   text_ = file.readAll().toStdString();
   makeControls();
   showSuggestion();
@@ -56,7 +56,7 @@ void ImportDialog::makeControls() {
   const QList<QPair<QString, QVariant>> units{{"m", 1.0}, {"mm", 1e-3}, {"µm", 1e-6}};
   positionUnit_ = box(this, units);
   heightUnit_ = box(this, units);
-  levelling_ = box(this, {{tr("line through the ends"), 1}, {tr("least squares line"), 2}, {tr("none"), 0}});
+  levelling_ = box(this, {{tr("line through the ends"), 1}, {tr("least-squares line"), 2}, {tr("none"), 0}});
   positionColumn_ = new QSpinBox(this);
   heightColumn_ = new QSpinBox(this);
   for (QSpinBox* column : {positionColumn_, heightColumn_}) column->setRange(1, 50);
@@ -69,8 +69,8 @@ void ImportDialog::makeControls() {
   step_->setSuffix(" mm");
   step_->setSpecialValueText(tr("as measured"));
   comma_ = new QCheckBox(tr("decimal comma"), this);
-  flip_ = new QCheckBox(tr("heights count downwards"), this);
-  reverse_ = new QCheckBox(tr("measured against the rolling direction"), this);
+  flip_ = new QCheckBox(tr("heights positive downwards"), this);
+  reverse_ = new QCheckBox(tr("reverse direction"), this);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
   table_ = new QTableWidget(this);
@@ -87,8 +87,8 @@ void ImportDialog::makeControls() {
   form->addRow(tr("Position: &unit"), positionUnit_);
   form->addRow(tr("&Height: column"), heightColumn_);
   form->addRow(tr("Height: u&nit"), heightUnit_);
-  form->addRow(tr("&Level by"), levelling_);
-  form->addRow(tr("&Scale of heights"), scale_);
+  form->addRow(tr("Remove &line"), levelling_);
+  form->addRow(tr("Height &scale"), scale_);
   form->addRow(tr("&Resample every"), step_);
   form->addRow(QString(), flip_);
   form->addRow(QString(), reverse_);

@@ -16,7 +16,7 @@ void LivePlot::makePlots(const plots::Style& style) {
   const auto make = [&](const QString& name, const QString& label, std::size_t colour) {
     auto* plot = new plots::Figure(name, style, this);
     plot->setAccessibleName(label);
-    plot->xAxis->setLabel(tr("Position of the wheel [mm]"));
+    plot->xAxis->setLabel(tr("Wheel position [mm]"));
     plot->yAxis->setLabel(label);
     plot->xAxis->setRange(-100, 200);  // until there is a curve: about what a run will show
     plot->yAxis->setRange(colour == 0 ? -100 : 0, 100);

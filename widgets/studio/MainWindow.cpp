@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
@@ -15,6 +16,7 @@
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "case/CaseFile.h"
 #include "studio/MessageBar.h"
@@ -92,7 +94,14 @@ void MainWindow::makeParts() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  otherCase_ = new QLabel(centre);
+  otherCase_->setObjectName("otherCase");
+  otherCase_->setWordWrap(true);
+  otherCase_->setMargin(4);
+  otherCase_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
+  otherCase_->hide();
   layout->addWidget(messages_);
+  layout->addWidget(otherCase_);
   layout->addWidget(middle_, 1);
   setCentralWidget(centre);
   form_ = new ParameterForm(document_, this);
@@ -138,6 +147,10 @@ void MainWindow::connectParts() {
   connect(&controller_, &RunController::ended, this, &MainWindow::showStopped);
   showStopped();
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
+  connect(&store_, &RunStore::currentChanged, this, &MainWindow::showShownCase);
+  connect(&document_, &CaseDocument::changed, this, &MainWindow::showShownCase);
+  connect(&document_, &CaseDocument::noted, messages_,
+          [this](const QString& note) { messages_->say(note.left(1).toUpper() + note.mid(1)); });
   connect(&store_, &RunStore::overlaysChanged, this, &MainWindow::enableActions);
   connect(&controller_, &RunController::finished, this, &MainWindow::keep);
   connect(&controller_, &RunController::refused, this, [this](const std::vector<CaseProblem>& problems) {
@@ -160,6 +173,15 @@ void MainWindow::showTitle() {
   setWindowFilePath(document_.path());
 }
 
+void MainWindow::showShownCase() {
+  const int row = store_.current();
+  const QString name = row < 0 ? QString() : store_.at(row).label;
+  signalsDock_->setWindowTitle(name.isEmpty() ? tr("Signals") : tr("Signals: %1").arg(name));
+  const QString different = shownCase_.difference(store_.currentResult(), document_.description());
+  otherCase_->setText(tr("Result “%1” was not computed from the open case: %2.").arg(name, different));
+  otherCase_->setVisible(!different.isEmpty());
+}
+
 // A value that is still being typed counts as typed: shortcuts do not move the focus, which is what enters it.
 void MainWindow::takeWhatIsTyped() {
   QWidget* typing = focusWidget();
@@ -179,8 +201,8 @@ void MainWindow::beginRun(bool resume) {
   const bool stopped = stopped_.has(document_.description());
   if (resume && !stopped) return;
   if (!resume && stopped &&
-      services_.asker(this, tr("A stopped run of this case could go on (Ctrl+F5). Beginning anew lets it go."),
-                      tr("Begin anew")) == Answer::cancel)
+      services_.asker(this, tr("A stopped run of this case can be resumed (Ctrl+F5). Starting over discards it."),
+                      tr("Start over")) == Answer::cancel)
     return;
   if (controller_.isRunning()) return;  // events have passed meanwhile
   checkpoint_ = stopped_.file(document_.description());
@@ -197,12 +219,16 @@ void MainWindow::beginRun(bool resume) {
 
 void MainWindow::keep(const ResultPointer& result) {
   const auto kept = std::make_shared<KeptFile>(unsavedFile_);
-  if (ending_ || result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
+  if (result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
+  if (ending_ && !result->complete) {
+    part_ = result;  // kept where the window stays after all
+    return;
+  }
   if (result->complete) {
     if (unsavedFile_.isEmpty() || QFileInfo::exists(unsavedFile_))
       StoppedRuns::forget(checkpoint_);
     else
-      messages_->warn(tr("The result could not be written to %1: it is lost if the program ends before you save it.")
+      messages_->warn(tr("The result could not be written to %1. Save it now: it is lost when the program ends.")
                           .arg(unsavedFile_));
   }
   // What a run had when it was stopped is a part of what it has now, as far as it reaches.
@@ -282,7 +308,7 @@ void MainWindow::offerRecovery() {
   connect(&store_, &RunStore::dataChanged, this, &MainWindow::hideSettledRecovery);
 }
 
-// Cancels and waits; no result is kept, as the question said.
+// Cancels and waits. A part of a result goes with the window, as the question said; what is complete is kept.
 void MainWindow::endRun() {
   ending_ = true;
   controller_.setPaused(false);
@@ -292,21 +318,25 @@ void MainWindow::endRun() {
   ending_ = false;
 }
 
+// Computing stops with the answer, not after the questions that may follow.
+bool MainWindow::mayLeaveRun() {
+  if (!controller_.isRunning()) return true;
+  const QString fate = StoppedRuns::exists(checkpoint_) ? tr("It can be resumed when its case is opened again.")
+                                                        : tr("Its results so far are discarded.");
+  if (services_.asker(this, tr("A run is in progress. %1").arg(fate), tr("Stop it and close")) == Answer::cancel)
+    return false;
+  if (controller_.isRunning()) endRun();
+  return true;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
   if (closing_) return;  // events go on passing while a question stands or a run ends
   closing_ = true;
-  const bool leave = [this] {
-    const QString fate = StoppedRuns::exists(checkpoint_) ? tr("it can go on when its case is opened again")
-                                                          : tr("what it has so far is not kept");
-    if (controller_.isRunning() &&
-        services_.asker(this, tr("A run is going on; %1.").arg(fate), tr("Stop it and close")) == Answer::cancel)
-      return false;
-    if (!mayLeaveCase() || !mayLeaveAllResults()) return false;
-    if (controller_.isRunning()) endRun();
-    return true;
-  }();
+  const bool leave = mayLeaveRun() && mayLeaveCase() && mayLeaveAllResults();
   closing_ = false;
+  const ResultPointer part = std::exchange(part_, nullptr);
+  if (!leave && part) keep(part);
   if (!leave) return;
   QSettings settings;
   settings.setValue("geometry", saveGeometry());

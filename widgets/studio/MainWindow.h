@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPointer>
 #include <functional>
 
 #include "measured/SignalFile.h"
@@ -9,14 +10,17 @@
 #include "studio/PaperPanel.h"
 #include "studio/RunController.h"
 #include "studio/RunStore.h"
+#include "studio/ShownCase.h"
 #include "studio/StoppedRuns.h"
 
 class QDockWidget;
+class QLabel;
 class QMenu;
 class QTabWidget;
 
 namespace squat::studio {
 
+class HelpWindow;
 class MessageBar;
 class ParameterForm;
 class ProfileEditor;
@@ -27,7 +31,7 @@ class ScenePanel;
 class SignalsPanel;
 
 enum class Answer { save, discard, cancel };
-// Asks what to do with unsaved changes (or a run that goes on); tests answer without a window.
+// Asks what to do with unsaved changes (or a run in progress); tests answer without a window.
 using Asker = std::function<Answer(QWidget*, const QString& question, const QString& discardText)>;
 
 struct StudioServices {
@@ -91,6 +95,8 @@ class MainWindow : public QMainWindow {
   void makeHelpMenu();
   void fillRecentMenu();
   void showTitle();
+  void showHelp();
+  void showShownCase();  // where the result that is shown is not of the case that is open
   void takeWhatIsTyped();
   bool hasUnsavedChanges() const;  // of the case, also those that the form could not take
   bool isTaken();                  // all that is typed; else says what is not, and that nothing is saved
@@ -103,6 +109,7 @@ class MainWindow : public QMainWindow {
   void showStopped();
   void enableActions();
   void endRun();
+  bool mayLeaveRun();  // stops it, or the user stays
   void offerRecovery();
   void hideSettledRecovery();  // once what was recovered is saved or let go
   bool recoveredResultWaits() const;
@@ -118,12 +125,16 @@ class MainWindow : public QMainWindow {
   RunController controller_;
   StoppedRuns stopped_;
   UnsavedResults unsaved_;
-  QString checkpoint_;    // of the run that is going on
+  QString checkpoint_;    // of the run in progress
   QString unsavedFile_;   // where its result is kept
+  ResultPointer part_;    // of the run that was stopped to close the window
   std::string running_;   // the case of that run
-  bool resumed_ = false;  // the run that is going on
+  bool resumed_ = false;  // the run in progress
   Recovery* recovery_ = nullptr;
   MessageBar* messages_;
+  QLabel* otherCase_;
+  ShownCase shownCase_;
+  QPointer<HelpWindow> help_;
   ParameterForm* form_;
   ProfileEditor* profile_;
   ScenePanel* scene_;

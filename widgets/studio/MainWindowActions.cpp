@@ -1,4 +1,4 @@
-// Menus of the main window: every action with a shortcut where it is used often, and a name.
+// Menus of the main window: every action has a shortcut and a name.
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
@@ -12,6 +12,7 @@
 
 #include "case/ShippedCases.h"
 #include "studio/FigureView.h"
+#include "studio/HelpWindow.h"
 #include "studio/MainWindow.h"
 #include "studio/ProfileEditor.h"
 #include "studio/ProfilePlot.h"
@@ -30,6 +31,14 @@ QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, const c
   action->setShortcut(keys);
   action->setObjectName(name);
   return action;
+}
+
+// As the tab itself is headed: "contact_force" -> "contact force", "psd" -> "PSD".
+QString tabTitle(const QString& name) {
+  if (name == "3d") return QObject::tr("3-D model");
+  if (name == "paper") return QObject::tr("comparison with the paper");
+  if (name == "aba" || name == "psd" || name == "stft") return name.toUpper();
+  return QString(name).replace('_', ' ');
 }
 
 }  // namespace
@@ -82,7 +91,7 @@ void MainWindow::makeFileMenu() {
 void MainWindow::fillRecentMenu() {
   recent_->clear();
   for (const QString& path : recentFiles()) recent_->addAction(path, this, [this, path] { openAny(path); });
-  if (recent_->isEmpty()) recent_->addAction(tr("nothing yet"))->setEnabled(false);
+  if (recent_->isEmpty()) recent_->addAction(tr("No recent files"))->setEnabled(false);
 }
 
 void MainWindow::makeEditMenu() {
@@ -96,23 +105,23 @@ void MainWindow::makeEditMenu() {
   menu->addAction(undo);
   menu->addAction(redo);
   menu->addSeparator();
-  add(menu, tr("&Fit the profile"), QKeySequence("Ctrl+0"), "fit", this, [this] { profile_->plot()->fit(); });
+  add(menu, tr("&Fit profile to view"), QKeySequence("Ctrl+0"), "fit", this, [this] { profile_->plot()->fit(); });
 }
 
 void MainWindow::makeRunMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Run"));
   add(menu, tr("&Run the case"), QKeySequence("F5"), "runAction", this, [this] { startRun(); });
-  goOnAction_ = add(menu, tr("&Go on with the stopped run"), QKeySequence("Ctrl+F5"), "goOnAction", this,
-                    [this] { goOnWithRun(); });
-  goOnAction_->setToolTip(tr("The run of this case that was cancelled, or ended with the program"));
-  add(menu, tr("&Pause or resume"), QKeySequence("F6"), "pauseAction", this,
+  goOnAction_ =
+      add(menu, tr("R&esume the stopped run"), QKeySequence("Ctrl+F5"), "goOnAction", this, [this] { goOnWithRun(); });
+  goOnAction_->setToolTip(tr("The run of this case that was cancelled or interrupted when the program closed"));
+  add(menu, tr("&Pause or continue"), QKeySequence("F6"), "pauseAction", this,
       [this] { controller_.setPaused(!controller_.isPaused()); });
   add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] { controller_.cancel(); });
 }
 
 void MainWindow::makeFigureMenu() {
   QMenu* menu = menuBar()->addMenu(tr("F&igure"));
-  add(menu, tr("&Copy picture and numbers"), QKeySequence("Ctrl+Shift+C"), "copyFigure", this,
+  add(menu, tr("&Copy picture and data"), QKeySequence("Ctrl+Shift+C"), "copyFigure", this,
       [this] { signals_->currentView()->copy(); });
   add(menu, tr("&Export…"), QKeySequence("Ctrl+Shift+E"), "exportFigure", this,
       [this] { signals_->currentView()->askForFile(); });
@@ -121,9 +130,9 @@ void MainWindow::makeFigureMenu() {
       [this] { signals_->currentView()->resetZoom(); });
   add(menu, tr("C&ursors"), QKeySequence("Ctrl+Shift+U"), "toggleCursors", this, [this] { signals_->toggleCursors(); });
   menu->addSeparator();
-  add(menu, tr("&Picture of the model…"), QKeySequence("Ctrl+Alt+P"), "modelPicture", this,
+  add(menu, tr("Save &picture of the model…"), QKeySequence("Ctrl+Alt+P"), "modelPicture", this,
       [this] { scene_->savePicture(); });
-  add(menu, tr("&Frames for ParaView…"), QKeySequence("Ctrl+Alt+V"), "vtkSeries", this,
+  add(menu, tr("Export &frames for ParaView…"), QKeySequence("Ctrl+Alt+V"), "vtkSeries", this,
       [this] { scene_->saveSeries(); });
 }
 
@@ -133,8 +142,7 @@ void MainWindow::makeViewMenu() {
                         "Ctrl+7", "Ctrl+8", "Ctrl+9", "Ctrl+Alt+1", "Ctrl+Alt+2", "Ctrl+Alt+3"};
   int index = 0;
   for (const QString& name : tabNames()) {
-    QAction* action =
-        menu->addAction(tr("Show %1").arg(QString(name).replace('_', ' ')), this, [this, name] { showTab(name); });
+    QAction* action = menu->addAction(tr("Show %1").arg(tabTitle(name)), this, [this, name] { showTab(name); });
     action->setShortcut(QKeySequence(QLatin1String(keys[index++])));
     action->setObjectName("show " + name);
   }
@@ -157,16 +165,23 @@ void MainWindow::makeViewMenu() {
   darkAction_->setObjectName("dark");
 }
 
+void MainWindow::showHelp() {
+  if (!help_) help_ = new HelpWindow(helpPages(), this);
+  help_->show();
+  help_->raise();
+  help_->activateWindow();
+}
+
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  add(menu, tr("&About Squat Studio"), QKeySequence("F1"), "about", this, [this] {
-    auto* box =
-        new QMessageBox(QMessageBox::NoIcon, tr("About Squat Studio"),
-                        tr("<b>Squat Studio %1</b><br>Draw a squat, roll a wheel over it, see what the axle box "
-                           "feels.<br>After M. Molodova, Z. Li, A. Núñez and R. Dollevoet (2014).<br>"
-                           "GPL-3.0-or-later")
-                            .arg(QApplication::applicationVersion()),
-                        QMessageBox::Close, this);
+  add(menu, tr("&Contents"), QKeySequence("F1"), "help", this, &MainWindow::showHelp);
+  add(menu, tr("&About Squat Studio"), QKeySequence("Ctrl+F1"), "about", this, [this] {
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Squat Studio"),
+                                tr("<b>Squat Studio %1</b><br>Draw a squat, roll a wheel over it, see the axle box "
+                                   "acceleration.<br>After M. Molodova, Z. Li, A. Núñez and R. Dollevoet (2014).<br>"
+                                   "GPL-3.0-or-later")
+                                    .arg(QApplication::applicationVersion()),
+                                QMessageBox::Close, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
   });

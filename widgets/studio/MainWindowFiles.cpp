@@ -25,7 +25,12 @@ QString allProblems(const CaseError& error) {
   return lines.join('\n');
 }
 
-QString notSaved() { return QObject::tr("The case is not saved: mend what is marked in the form first."); }
+QString notSaved() { return QObject::tr("The case was not saved: correct the marked values first."); }
+
+QString sentence(QString note) {
+  if (!note.isEmpty()) note[0] = note[0].toUpper();
+  return note;
+}
 
 }  // namespace
 
@@ -45,7 +50,9 @@ bool MainWindow::openCase(const QString& nameOrPath) {
   try {
     document_.open(nameOrPath);
   } catch (const CaseError& error) {
-    messages_->warn(tr("“%1” is not a case that can be used: %2 to mend").arg(nameOrPath).arg(error.problems().size()),
+    messages_->warn(error.problems().size() == 1
+                        ? tr("“%1” cannot be opened: 1 error").arg(nameOrPath)
+                        : tr("“%1” cannot be opened: %2 errors").arg(nameOrPath).arg(error.problems().size()),
                     allProblems(error));
     return false;
   } catch (const FileError& error) {
@@ -73,7 +80,7 @@ bool MainWindow::openResult(const QString& path) {
   } catch (const FileError& error) {
     messages_->warn(QString::fromStdString(error.what()));
   } catch (const CaseError& error) {
-    messages_->warn(tr("The case inside %1 is of another version; its signals are shown.").arg(path),
+    messages_->warn(tr("The case stored in %1 cannot be read by this version; only its results are shown.").arg(path),
                     allProblems(error));
     return true;
   }
@@ -92,7 +99,7 @@ void MainWindow::overlay(const QString& path, const measured::SignalFileOptions&
     store_.add({run, label, QFileInfo(path).absoluteFilePath(), true, true});
     for (const auto& note : run->warnings) notes << QString::fromStdString(note);
   }
-  if (!notes.isEmpty()) messages_->say(tr("Overlaid: %1").arg(notes[0]), notes.join('\n'));
+  if (!notes.isEmpty()) messages_->say(sentence(notes[0]), notes.join('\n'));
 }
 
 bool MainWindow::openMeasured(const QString& path) {
@@ -155,7 +162,7 @@ bool MainWindow::saveCase() {
 bool MainWindow::saveCaseAs() {
   takeWhatIsTyped();
   if (!isTaken()) return false;
-  const QString path = placeToSave(this, tr("Save the case"), document_.name() + ".toml", tr("Cases (*.toml)"));
+  const QString path = placeToSave(this, tr("Save case"), document_.name() + ".toml", tr("Cases (*.toml)"));
   return !path.isEmpty() && saveCaseTo(path);
 }
 
@@ -163,7 +170,7 @@ bool MainWindow::saveCaseAs() {
 bool MainWindow::saveResult(const ResultPointer& result) {
   const int asked = store_.rowOf(result);
   if (asked < 0) return false;
-  const QString path = placeToSave(this, tr("Save the result “%1”").arg(store_.at(asked).label),
+  const QString path = placeToSave(this, tr("Save result “%1”").arg(store_.at(asked).label),
                                    QString::fromStdString(result->stem) + ".h5", tr("Results (*.h5)"));
   return !path.isEmpty() && saveResultTo(store_.rowOf(result), path);
 }
@@ -262,7 +269,8 @@ QString MainWindow::recoverCase() {
   document_.startFrom(found->description, QString(), found->name, true);
   profile_->plot()->fit();
   caseRecovered_ = true;
-  return tr("Unsaved changes of “%1” were recovered: save them, or open another case to let them go.").arg(found->name);
+  return tr("Unsaved changes to “%1” were recovered. Save them, or open another case to discard them.")
+      .arg(found->name);
 }
 
 QString MainWindow::recoverResults() {
@@ -276,12 +284,12 @@ QString MainWindow::recoverResults() {
       resultsRecovered_.push_back(result);
       ++found;
     } catch (const std::exception& error) {
-      unreadable << tr("%1 (a result that had not been saved stays there as %2)")
+      unreadable << tr("%1 (the unsaved result is kept as %2)")
                         .arg(QString::fromStdString(error.what()), UnsavedResults::putAside(file));
     }
   QStringList said;
-  if (found == 1) said << tr("A result that had not been saved was recovered: save it if you want to keep it.");
-  if (found > 1) said << tr("%1 results that had not been saved were recovered: save those to keep.").arg(found);
+  if (found == 1) said << tr("An unsaved result was recovered. Save it to keep it.");
+  if (found > 1) said << tr("%1 unsaved results were recovered. Save those you want to keep.").arg(found);
   return (said + unreadable).join(' ');
 }
 

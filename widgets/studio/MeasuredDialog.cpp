@@ -20,7 +20,7 @@ QLineEdit* lineIn(QFormLayout& form, const QString& label, const QString& name, 
   return line;
 }
 
-// Nought stands for what the file tells.
+// Zero stands for the value in the file.
 QDoubleSpinBox* numberIn(QFormLayout& form, const QString& label, const QString& name, const QString& unit,
                          double most) {
   auto* number = new QDoubleSpinBox;
@@ -28,7 +28,7 @@ QDoubleSpinBox* numberIn(QFormLayout& form, const QString& label, const QString&
   number->setRange(0, most);
   number->setDecimals(3);
   number->setSuffix(" " + unit);
-  number->setSpecialValueText(QObject::tr("as the file says"));
+  number->setSpecialValueText(QObject::tr("from file"));
   form.addRow(label, number);
   return number;
 }
@@ -37,17 +37,17 @@ QDoubleSpinBox* numberIn(QFormLayout& form, const QString& label, const QString&
 
 MeasuredDialog::MeasuredDialog(const QString& path, const QString& reason, Reading read, QWidget* parent)
     : QDialog(parent), read_(std::move(read)), reason_(new QLabel(reason)) {
-  setWindowTitle(tr("How to read %1").arg(QFileInfo(path).fileName()));
+  setWindowTitle(tr("Import settings for %1").arg(QFileInfo(path).fileName()));
   reason_->setObjectName("reason");
   reason_->setWordWrap(true);
   reason_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   reason_->setMinimumWidth(420);
   auto* form = new QFormLayout;
-  column_ = lineIn(*form, tr("&Column of the signal"), "column", tr("name or number, several with commas, or all"));
-  timeColumn_ = lineIn(*form, tr("Column of the &time"), "timeColumn", tr("found by its header"));
+  column_ = lineIn(*form, tr("Signal &column"), "column", tr("name or number; several separated by commas; or “all”"));
+  timeColumn_ = lineIn(*form, tr("&Time column"), "timeColumn", tr("detected from the header"));
   rate_ = numberIn(*form, tr("Sampling &rate"), "rate", tr("Hz"), 1e8);
   speed_ = numberIn(*form, tr("&Speed"), "speed", tr("m/s"), 1000);
-  object_ = lineIn(*form, tr("Path &inside HDF5"), "object", tr("found by name"));
+  object_ = lineIn(*form, tr("&HDF5 path"), "object", tr("detected by name"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("&Overlay"));
   connect(buttons, &QDialogButtonBox::accepted, this, &MeasuredDialog::accept);

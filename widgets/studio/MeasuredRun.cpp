@@ -31,7 +31,7 @@ std::shared_ptr<const results::RunResult> runOf(const measured::MeasuredSignal& 
                                                 double speed, const results::RunResult* reference) {
   if (!signal.series.unit.empty() && signal.series.unit != "m/s2")
     throw FileError(path, signal.series.name, "is in " + signal.series.unit + ", not an acceleration",
-                    "Overlay a signal in m/s2 or g");
+                    "overlay a signal in m/s2 or g");
   auto result = std::make_shared<results::RunResult>();
   result->stem = signal.series.name;
   result->title = signal.run.empty() ? signal.series.name : signal.run;
@@ -77,11 +77,12 @@ std::vector<std::shared_ptr<const results::RunResult>> measuredRuns(const QStrin
                                                                     const results::RunResult* reference,
                                                                     const measured::SignalFileOptions& options) {
   const auto read = measured::readSignals(path.toStdString(), options);
-  if (read.empty()) throw FileError(path.toStdString(), "", "has no signal");
+  if (read.empty()) throw FileError(path.toStdString(), "", "contains no signal");
   std::vector<std::shared_ptr<const results::RunResult>> runs;
   for (auto signal : read) {
     if (signal.position.empty() && options.speed == 0)
-      signal.notes.push_back("it tells no speed: that of the case, " + QString::number(speed).toStdString() + " m/s");
+      signal.notes.push_back("no speed in file; using the case's speed (" + QString::number(speed).toStdString() +
+                             " m/s)");
     runs.push_back(runOf(signal, path.toStdString(), speed, reference));
   }
   return runs;

@@ -21,7 +21,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   more_->setCheckable(true);
   auto* close = new QToolButton(this);
   close->setText(QChar(0x2715));
-  close->setAccessibleName(tr("Close the message"));
+  close->setAccessibleName(tr("Dismiss message"));
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(8, 4, 8, 4);
   grid->addWidget(text_, 0, 0);

@@ -2,28 +2,22 @@
 
 #include <QHeaderView>
 #include <QLabel>
-#include <QRegularExpression>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include "studio/Theme.h"
+#include "studio/Words.h"
 
 namespace squat::studio {
-
-namespace {
-
-// The terminal's letters as print has them.
-QString withSigns(QString text) { return text.replace("m/s2", "m/s²").replace(QRegularExpression("\\bus\\b"), "µs"); }
-
-}  // namespace
 
 PaperPanel::PaperPanel(RunStore& store, Comparison comparison, QWidget* parent)
     : QWidget(parent), store_(store), comparison_(std::move(comparison)) {
   title_ = new QLabel(this);
   title_->setWordWrap(true);
+  title_->setObjectName("paperTitle");
   table_ = new QTableWidget(0, 4, this);
   table_->setTabKeyNavigation(false);  // Tab leaves the table
-  table_->setHorizontalHeaderLabels({tr("What"), tr("This run"), tr("Paper"), tr("Verdict")});
+  table_->setHorizontalHeaderLabels({tr("Quantity"), tr("This run"), tr("Paper"), tr("Verdict")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -44,19 +38,19 @@ void PaperPanel::update() {
   table_->setRowCount(0);
   table_->setVisible(result != nullptr && comparison_);
   if (!result || !comparison_) {
-    title_->setText(tr("Open a shipped case (File, Shipped cases), run it, and see here what the paper states."));
+    title_->setText(tr("Run a shipped case (File > Shipped cases) to compare it with the paper."));
     return;
   }
-  title_->setText(tr("%1 beside Molodova et al. (2014)").arg(QString::fromStdString(result->stem)));
+  title_->setText(tr("%1 compared with Molodova et al. (2014)").arg(QString::fromStdString(result->stem)));
   for (const ComparedRow& row : comparison_(*result)) {
     const int at = table_->rowCount();
     table_->insertRow(at);
     const QString cells[] = {row.what, row.ours, row.paper, row.verdict};
     for (int column = 0; column < 4; ++column)
-      table_->setItem(at, column, new QTableWidgetItem(withSigns(cells[column])));
-    const bool isRight = row.verdict == "met" || row.verdict == "passed";
-    if (isRight || row.verdict == "not met" || row.verdict == "failed")
-      table_->item(at, 3)->setForeground(QColor(isRight ? rightColour : wrongColour));
+      table_->setItem(at, column, new QTableWidgetItem(printedUnits(cells[column])));
+    const bool right = row.verdict == "met" || row.verdict == "passed";
+    const bool wrong = row.verdict == "not met" || row.verdict == "failed";
+    if (right || wrong) table_->item(at, 3)->setForeground(QColor(right ? rightColour : wrongColour));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "studio/CaseDocument.h"
 #include "studio/EditorHabits.h"
 #include "studio/ParameterRow.h"
+#include "studio/Words.h"
 
 namespace squat::studio {
 namespace {
@@ -18,8 +19,8 @@ QString sentence(const ParameterRow& row) {
 }
 
 QString relation(const CaseProblem& problem) {
-  return QObject::tr("needs %1 – %2")
-      .arg(QString::fromStdString(problem.allowed), QString::fromStdString(problem.advice));
+  return QObject::tr("must be %1. %2")
+      .arg(printedUnits(QString::fromStdString(problem.allowed)), QString::fromStdString(problem.advice));
 }
 
 }  // namespace
@@ -30,9 +31,9 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Search parameters"));
   search_->setObjectName("parameterSearch");
-  changedOnly_ = new QCheckBox(tr("changed"), this);
+  changedOnly_ = new QCheckBox(tr("Changed only"), this);
   changedOnly_->setObjectName("changedOnly");
-  changedOnly_->setToolTip(tr("Show only what differs from the default"));
+  changedOnly_->setToolTip(tr("Show only parameters that differ from their default"));
   auto* top = new QHBoxLayout;
   top->addWidget(search_);
   top->addWidget(changedOnly_);
@@ -66,9 +67,9 @@ void ParameterForm::makeGroups(QWidget* inside) {
   layout->setSpacing(2);
   for (const auto& parameter : cases::parameterTable()) {
     const QString title = QString::fromStdString(parameter.group);
-    if (groups_.empty() || groups_.back().header->text() != title) {
+    if (groups_.empty() || groups_.back().header->objectName() != "group " + title) {
       auto* header = new QToolButton(inside);
-      header->setText(title);
+      header->setText(title.left(1).toUpper() + title.mid(1));
       header->setObjectName("group " + title);
       header->setCheckable(true);
       header->setChecked(true);

@@ -7,6 +7,7 @@
 #include "case/ParameterValue.h"
 #include "studio/CaseDocument.h"
 #include "studio/Theme.h"
+#include "studio/Words.h"
 
 namespace squat::studio {
 namespace {
@@ -17,7 +18,7 @@ QString sentence(const CaseProblem& problem) {
   const QString advice =
       decimalComma.match(text).hasMatch() ? ". " + QString::fromStdString(problem.advice) : QString();
   if (text.size() > 40) text = text.left(40) + QChar(0x2026);
-  return QObject::tr("“%1”: allowed is %2").arg(text, QString::fromStdString(problem.allowed)) + advice;
+  return QObject::tr("“%1” must be %2").arg(text, printedUnits(QString::fromStdString(problem.allowed))) + advice;
 }
 
 }  // namespace
@@ -27,7 +28,10 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   makeEditor();
   name_ = new QLabel(label(), this);
   name_->setBuddy(editor_);
-  auto* unit = new QLabel(parameter.unit == "-" ? QString() : QString::fromStdString(parameter.unit), this);
+  auto* unit = new QLabel(parameter.unit == "-" || cases::isList(parameter)
+                              ? QString()
+                              : printedUnits(QString::fromStdString(parameter.unit)),
+                          this);
   unit->setFixedWidth(46);
   reset_ = new QToolButton(this);
   reset_->setText(QChar(0x21ba));
@@ -35,7 +39,7 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   QSizePolicy keepsPlace = reset_->sizePolicy();
   keepsPlace.setRetainSizeWhenHidden(true);
   reset_->setSizePolicy(keepsPlace);
-  reset_->setToolTip(tr("Back to the default: %1").arg(QString::fromStdString(parameter.standardText)));
+  reset_->setToolTip(tr("Reset to default: %1").arg(QString::fromStdString(parameter.standardText)));
   reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(parameter.key)));
   reset_->setFocusPolicy(Qt::StrongFocus);
   why_ = new QLabel(this);
@@ -65,10 +69,7 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   showValue();
 }
 
-QString ParameterRow::label() const {
-  QString key = QString::fromStdString(parameter_.key);
-  return key.mid(key.indexOf('.') + 1).replace('_', ' ');
-}
+QString ParameterRow::label() const { return parameterLabel(parameter_.key); }
 
 void ParameterRow::makeEditor() {
   const QString key = QString::fromStdString(parameter_.key);
@@ -174,8 +175,8 @@ bool ParameterRow::matches(const QString& searched) const {
 QString ParameterRow::toolTipText() const {
   return QStringLiteral("<b>%1</b><br>%2<br>%3: %4<br>%5: %6<br><i>%7</i>")
       .arg(QString::fromStdString(parameter_.key).toHtmlEscaped(),
-           QString::fromStdString(parameter_.doc).toHtmlEscaped(), tr("allowed"),
-           QString::fromStdString(cases::allowedText(parameter_)).toHtmlEscaped(), tr("default"),
+           QString::fromStdString(parameter_.doc).toHtmlEscaped(), tr("allowed values"),
+           printedUnits(QString::fromStdString(cases::allowedText(parameter_))).toHtmlEscaped(), tr("default"),
            QString::fromStdString(parameter_.standardText).toHtmlEscaped(),
            QString::fromStdString(parameter_.source).toHtmlEscaped());
 }

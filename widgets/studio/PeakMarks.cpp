@@ -80,6 +80,15 @@ const QCPColorMap* mapOf(plots::Figure& figure) {
   return nullptr;
 }
 
+// [Hz] lowest frequency at this place that the ends of the record do not distort; 0 where the figure has no cone.
+double trustedFrom(const plots::Figure& figure, double place) {
+  for (int i = 0; i < figure.graphCount(); ++i) {
+    const QCPGraph& graph = *figure.graph(i);
+    if (graph.name() == "cone of influence" && !graph.data()->isEmpty()) return graph.data()->findBegin(place)->value;
+  }
+  return 0;
+}
+
 }  // namespace
 
 void markExtremes(plots::Figure& figure, const QString& unit) {
@@ -119,7 +128,8 @@ void markLines(plots::Figure& figure, const QString& unit) {
   ground.setAlpha(200);
   for (std::size_t i = 0; i < std::min<std::size_t>(peaks.size(), mostMarks); ++i) {
     const QPointF at = cellPlace(*map, columnOf[peaks[i].index], static_cast<int>(peaks[i].index));
-    const QString text = QObject::tr("%1 Hz at %2 %3").arg(at.y(), 0, 'f', 0).arg(signedText(at.x(), 0), unit);
+    QString text = QObject::tr("%1 Hz at %2 %3").arg(at.y(), 0, 'f', 0).arg(signedText(at.x(), 0), unit);
+    if (at.y() < trustedFrom(figure, at.x())) text += QObject::tr(" (edge effect)");
     addMark(figure, at.x(), at.y(), text, true, ground);
   }
 }

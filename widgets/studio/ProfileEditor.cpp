@@ -19,6 +19,7 @@
 #include "studio/FlowLayout.h"
 #include "studio/ImportDialog.h"
 #include "studio/PlaceToSave.h"
+#include "studio/ProfileModel.h"
 #include "studio/ProfilePlot.h"
 #include "studio/ProfileTable.h"
 #include "studio/ShapeControls.h"
@@ -40,6 +41,9 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   hint_ = new QLabel(this);
   hint_->setWordWrap(true);
   hint_->setForegroundRole(QPalette::PlaceholderText);
+  notes_ = new QLabel(this);
+  notes_->setWordWrap(true);
+  notes_->setObjectName("profileNotes");
   auto* side = new QWidget(this);
   auto* sideLayout = new QVBoxLayout(side);
   sideLayout->setContentsMargins(0, 0, 0, 0);
@@ -56,11 +60,14 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(makeToolBar());
   layout->addWidget(splitter_, 1);
+  layout->addWidget(notes_);
   auto* foot = new QHBoxLayout;
   foot->addWidget(hint_, 1);
   foot->addWidget(place_);
   layout->addLayout(foot);
   makePlot(style);
+  connect(&document_, &CaseDocument::changed, this, &ProfileEditor::showNotes);
+  showNotes();
   // Queued: the table lays out its rows first.
   connect(points_, &QAbstractItemModel::modelReset, this, &ProfileEditor::showPoints, Qt::QueuedConnection);
   showPoints();
@@ -79,20 +86,20 @@ QWidget* ProfileEditor::makeToolBar() {
     connect(made, &QToolButton::clicked, this, action);
     return made;
   };
-  button(tr("Import…"), tr("Import a measured profile from a table"), [this] {
+  button(tr("Import…"), tr("Import a measured profile from a text table"), [this] {
     askForFile();
   })->setObjectName("importProfile");
-  button(tr("Export…"), tr("Write the profile as CSV"), [this] { exportFile(); })->setObjectName("exportProfile");
-  button(tr("To points"), tr("Turn the shape into points that can be dragged"), [this] {
-    document_.edit(tr("Turn the shape into points"), asPoints(document_.description()));
+  button(tr("Export…"), tr("Export the profile as CSV"), [this] { exportFile(); })->setObjectName("exportProfile");
+  button(tr("To points"), tr("Convert the shape into points that can be dragged"), [this] {
+    document_.edit(tr("Convert the shape into points"), asPoints(document_.description()));
   })->setObjectName("toPoints");
   button(tr("Fit"), tr("Show the whole defect (F)"), [this] { plot_->fit(); });
   giveKeys(*bar, {{"importProfile", "Ctrl+I"}, {"exportProfile", "Ctrl+Shift+I"}, {"toPoints", "Ctrl+T"}});
   snap_ = new QComboBox(bar);
-  snap_->addItem(tr("no snapping"), QPointF(0, 0));
-  snap_->addItem(tr("snap 0.5 mm, 1 µm"), QPointF(5e-4, 1e-6));
-  snap_->addItem(tr("snap 1 mm, 5 µm"), QPointF(1e-3, 5e-6));
-  snap_->addItem(tr("snap 5 mm, 10 µm"), QPointF(5e-3, 1e-5));
+  snap_->addItem(tr("Snapping off"), QPointF(0, 0));
+  snap_->addItem(tr("Snap 0.5 mm, 1 µm"), QPointF(5e-4, 1e-6));
+  snap_->addItem(tr("Snap 1 mm, 5 µm"), QPointF(1e-3, 5e-6));
+  snap_->addItem(tr("Snap 5 mm, 10 µm"), QPointF(5e-3, 1e-5));
   snap_->setAccessibleName(tr("Snapping"));
   snap_->setObjectName("snap");
   connect(snap_, &QComboBox::currentIndexChanged, this, [this] {
@@ -101,7 +108,7 @@ QWidget* ProfileEditor::makeToolBar() {
   });
   layout->addWidget(snap_);
   unitChoice_ = new QComboBox(bar);
-  unitChoice_->addItems({tr("heights in µm"), tr("heights in mm")});
+  unitChoice_->addItems({tr("Heights in µm"), tr("Heights in mm")});
   unitChoice_->setAccessibleName(tr("Unit of heights"));
   unitChoice_->setObjectName("heightUnit");
   connect(unitChoice_, &QComboBox::currentIndexChanged, this, [this] {
@@ -146,14 +153,20 @@ void ProfileEditor::showEvent(QShowEvent* event) {
 // The table begins where the defect is deepest, not with the smooth rail before it.
 void ProfileEditor::showPoints() {
   const bool any = points_->rowCount() > 0;
-  hint_->setText(any ? tr("Drag a point; double-click adds one, Delete takes it away, the wheel zooms, F shows all")
-                     : tr("The sliders shape the curve; “To points” or a double-click makes points of it"));
+  hint_->setText(any ? tr("Drag points; double-click adds, Delete removes, wheel zooms, F fits")
+                     : tr("The sliders shape the curve; “To points” or a double-click turns it into points"));
   if (!any) return;
   const auto& points = document_.description().defect.points;
   const auto deepest =
       std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.height < b.height; });
   const int row = static_cast<int>(deepest - points.begin());
   table_->scrollTo(points_->index(std::min(row, points_->rowCount() - 1), 0), QAbstractItemView::PositionAtCenter);
+}
+
+void ProfileEditor::showNotes() {
+  const QString notes = profileNotes(document_.description().defect);
+  notes_->setText(notes);
+  notes_->setVisible(!notes.isEmpty());
 }
 
 HeightUnit ProfileEditor::unit() const { return unitChoice_->currentIndex() == 1 ? millimetres() : micrometres(); }
@@ -188,13 +201,11 @@ void ProfileEditor::importFile(const QString& path) {
 }
 
 void ProfileEditor::exportFile() {
-  const QString path = placeToSave(this, tr("Write the profile"), "profile.csv", tr("CSV (*.csv)"));
+  const QString path = placeToSave(this, tr("Export the profile"), "profile.csv", tr("CSV (*.csv)"));
   if (path.isEmpty()) return;
   const ProfileView view = profileView(document_.description());
   QByteArray text("position [mm],height [um]\n");
-  // Handles stand where the file had them; what a height scale makes of them is the surface.
-  const bool asGiven = !view.handles.empty() && document_.description().defect.heightScale == 1;
-  for (const auto& point : asGiven ? view.handles : view.surface)
+  for (const auto& point : view.handles.empty() ? view.surface : view.handles)
     text += QByteArray::number(point.position * 1e3, 'g', 12) + ',' + QByteArray::number(point.height * 1e6, 'g', 12) +
             '\n';
   try {

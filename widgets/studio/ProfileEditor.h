@@ -40,6 +40,7 @@ class ProfileEditor : public QWidget {
   QWidget* makeToolBar();
   HeightUnit unit() const;
   void showPoints();
+  void showNotes();
 
   CaseDocument& document_;
   plots::Style style_;
@@ -48,7 +49,7 @@ class ProfileEditor : public QWidget {
   QSplitter* splitter_;
   QComboBox *snap_, *unitChoice_;
   ProfileTable* points_;
-  QLabel *place_, *hint_;
+  QLabel *place_, *hint_, *notes_;
 };
 
 }  // namespace squat::studio

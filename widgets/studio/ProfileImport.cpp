@@ -173,12 +173,12 @@ ImportedProfile importProfile(const std::string& text, const ImportChoices& choi
     result.head.push_back(cellsOf(lines[i], result.delimiter));
     result.columns = std::max(result.columns, static_cast<int>(result.head.back().size()));
   }
-  if (lines.size() > mostLines) result.problem = "more than 100000 lines: thin the file out first";
+  if (lines.size() > mostLines) result.problem = "more than 100000 lines: reduce the file first";
   for (; line < lines.size() && result.problem.empty(); ++line) {
     if (lines[line].find_first_not_of(" \t") == std::string::npos || lines[line][0] == '#') continue;
     const auto numbers = numbersOf(cellsOf(lines[line], result.delimiter), choices, comma);
     if (!numbers) {
-      result.problem = "line " + std::to_string(line + 1) + ": no two numbers in the chosen columns";
+      result.problem = "line " + std::to_string(line + 1) + ": the chosen columns do not hold two numbers";
       break;
     }
     const auto [position, height] = *numbers;
@@ -192,7 +192,8 @@ ImportedProfile importProfile(const std::string& text, const ImportChoices& choi
   if (result.problem.empty() && points.size() < 3)
     result.problem = "fewer than three points: check delimiter and columns";
   else if (result.problem.empty() && twin != points.end())
-    result.problem = "two heights at position " + std::to_string(twin->position * 1e3) + " mm: check the column";
+    result.problem =
+        "two heights at the same position, " + std::to_string(twin->position * 1e3) + " mm: check the column";
   if (!result.problem.empty()) return result;
   level(points, choices.levelling);
   points = resampled(points, choices.resampleStep);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double around = 0.04;           // [m] shown beyond the defect
 constexpr double smoothHalfLength = 0.1;  // [m] shown of a smooth rail
+constexpr double leastTilt = 1e-7;        // [m] a tenth of the micrometre that heights are read to
 
 bool sampled(const cases::Defect& defect) {
   // Several lines side by side are shown along the middle, not edited point by point.
@@ -17,22 +18,30 @@ bool sampled(const cases::Defect& defect) {
          defect.points.size() >= 2;
 }
 
+// The points as they are shown, where the deepest lies and what levelling removes.
+ProfileView frameOf(const cases::Defect& defect) {
+  ProfileView view;
+  if (!sampled(defect)) return view;
+  auto& points = view.handles = defect.points;
+  for (auto& point : points) point.height *= shownScale(defect);
+  const auto &first = points.front(), &last = points.back();
+  if (defect.level && std::max(std::abs(first.height), std::abs(last.height)) > leastTilt) view.removed = {first, last};
+  const double slope = defect.level ? (last.height - first.height) / (last.position - first.position) : 0;
+  view.shift = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+                 return a.height - slope * a.position < b.height - slope * b.position;
+               })->position;
+  return view;
+}
+
 }  // namespace
 
 ProfileView profileView(const cases::CaseDescription& description) {
-  ProfileView view;
-  double slope = 0, start = 0;  // of the line that `level` takes off
-  if (sampled(description.defect)) {
-    const auto& points = description.defect.points;
-    view.handles = points;
-    if (description.defect.level) {
-      slope = (points.back().height - points.front().height) / (points.back().position - points.front().position);
-      start = points.front().height - slope * points.front().position;
-    }
-    const auto deepest = std::min_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
-      return a.height - slope * a.position < b.height - slope * b.position;
-    });
-    view.shift = deepest->position;
+  ProfileView view = frameOf(description.defect);
+  double slope = 0, start = 0;  // of the line that levelling removes
+  if (!view.removed.empty()) {
+    const auto &first = view.removed.front(), &last = view.removed.back();
+    slope = (last.height - first.height) / (last.position - first.position);
+    start = first.height - slope * first.position;
   }
   const cases::DefectSurface surface(description.defect);  // as it is run: with the height scale
   const bool none = !(surface.last() > surface.first());
@@ -54,6 +63,29 @@ ProfileView profileView(const cases::CaseDescription& description) {
       if (x + view.sleeperWidth / 2 >= from && x - view.sleeperWidth / 2 <= to) view.sleepers.push_back(x + view.shift);
   }
   return view;
+}
+
+double shownScale(const cases::Defect& defect) { return sampled(defect) ? defect.heightScale : 1; }
+
+cases::ProfilePoint pointOfCase(const cases::Defect& defect, cases::ProfilePoint seen, double before) {
+  constexpr double highest = 0.05;  // [m] that a case takes
+  const double scale = shownScale(defect);
+  seen.height = scale > 0 ? std::clamp(seen.height / scale, -highest, highest) : before;
+  return seen;
+}
+
+QString profileNotes(const cases::Defect& defect) {
+  const ProfileView view = frameOf(defect);
+  QStringList notes;
+  if (const double scale = shownScale(defect); scale != 1)
+    notes << QObject::tr("Heights include defect.height_scale = %1.").arg(scale);
+  if (!view.removed.empty())
+    notes << QObject::tr("Levelling removes the dotted line: %1 µm at the first point, %2 µm at the last.")
+                 .arg(view.removed.front().height * 1e6, 0, 'f', 1)
+                 .arg(view.removed.back().height * 1e6, 0, 'f', 1);
+  if (view.shift != 0)
+    notes << QObject::tr("Results count from the deepest point, here at %1 mm.").arg(view.shift * 1e3, 0, 'f', 1);
+  return notes.join(' ');
 }
 
 cases::CaseDescription asPoints(const cases::CaseDescription& description) {

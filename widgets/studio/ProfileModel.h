@@ -1,6 +1,7 @@
 // widgets/studio/ProfileModel.h - the defect of a case as the profile editor shows it. No windows here.
 #pragma once
 
+#include <QString>
 #include <vector>
 
 #include "case/CaseDescription.h"
@@ -8,17 +9,25 @@
 namespace squat::studio {
 
 // Positions [m] are those of the profile's own points (as measured) for a sampled profile, and from the deepest point
-// for analytic shapes. Heights [m], up positive.
+// for analytic shapes. Heights [m], up positive, as they are run: times the height scale, before levelling.
 struct ProfileView {
   std::vector<cases::ProfilePoint> surface;    // the rail's surface along the line on which the wheel runs
   std::vector<cases::ProfilePoint> wheelPath;  // of a rigid wheel, relative to its path on smooth rail
+  std::vector<cases::ProfilePoint> removed;    // ends of the line that levelling removes; empty where that is zero
   std::vector<cases::ProfilePoint> handles;    // points that can be dragged; empty for analytic shapes
   std::vector<double> sleepers;                // [m] centres within sight
   double sleeperWidth = 0;                     // [m]
-  double shift = 0;                            // [m] own position of the deepest point
+  double shift = 0;                            // [m] own position of the deepest point, from which results count
 };
 
 ProfileView profileView(const cases::CaseDescription& description);
+
+// What the height scale makes of the points: table, handles and curve show the same heights.
+double shownScale(const cases::Defect& defect);
+// The point of the case that is shown as `seen`. With a height scale of zero the height stays `before`.
+cases::ProfilePoint pointOfCase(const cases::Defect& defect, cases::ProfilePoint seen, double before = 0);
+// What the user has to know to read the heights and positions that are shown; empty: nothing.
+QString profileNotes(const cases::Defect& defect);
 
 // The same defect as sampled points (at most 200), so that they can be dragged.
 cases::CaseDescription asPoints(const cases::CaseDescription& description);

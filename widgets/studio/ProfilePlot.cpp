@@ -33,14 +33,19 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
   setAccessibleName(tr("Profile of the defect"));
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(260, 180);
-  xAxis->setLabel(tr("Position along the rail [mm]"));
   yAxis->setLabel(tr("Height [%1]").arg(unit_.name));
   path_ = addGraph();
   path_->setPen(QPen(style.curve(1), 1.4, Qt::DashLine));
-  path_->setName(tr("path of a rigid wheel"));
+  path_->setName(tr("rigid-wheel trajectory"));
   surface_ = addGraph();
   surface_->setPen(QPen(style.curve(0), 1.8));
   surface_->setName(tr("rail surface"));
+  removed_ = addGraph();
+  removed_->setPen(QPen(style.muted, 1.4, Qt::DotLine));
+  removed_->setName(tr("removed by levelling"));
+  zero_ = new QCPItemStraightLine(this);
+  zero_->setPen(QPen(style.muted, 0.8, Qt::DashDotLine));
+  zero_->setSelectable(false);
   handles_ = addGraph();
   handles_->setLineStyle(QCPGraph::lsNone);
   handles_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, style.curve(0), style.background, 6));
@@ -76,10 +81,26 @@ void ProfilePlot::update() {
   handles_->setData(positions(view_.handles), heights(view_.handles, unit_.perMetre), true);
   if (chosen_ && *chosen_ >= view_.handles.size()) choose(std::nullopt);
   choose(chosen_);
+  drawFrame();
   drawSleepers();
   if (!fitted_) fit();
   fitted_ = true;
   replot(QCustomPlot::rpQueuedReplot);
+}
+
+// Where results count from, where that is not the profile's own zero, and what levelling removes.
+void ProfilePlot::drawFrame() {
+  removed_->setData(positions(view_.removed), heights(view_.removed, unit_.perMetre), true);
+  if (view_.removed.empty())
+    removed_->removeFromLegend();
+  else
+    removed_->addToLegend();
+  const bool own = view_.shift != 0;
+  xAxis->setLabel(own ? tr("x in the profile [mm]") : tr("x from deepest point [mm]"));
+  zero_->setVisible(own);
+  zero_->point1->setCoords(view_.shift * toMillimetres, 0);
+  zero_->point2->setCoords(view_.shift * toMillimetres, 1);
+  for (QCPItemPosition* end : {zero_->point1, zero_->point2}) end->setTypeY(QCPItemPosition::ptAxisRectRatio);
 }
 
 void ProfilePlot::drawSleepers() {
@@ -158,6 +179,7 @@ cases::ProfilePoint ProfilePlot::profileAt(const QPointF& place) const {
 
 void ProfilePlot::putPoint(std::size_t index, cases::ProfilePoint to, int gesture) {
   cases::CaseDescription after = document_.description();
+  to = pointOfCase(after.defect, to, after.defect.points[index].height);
   after.defect.points = movedPoint(after.defect.points, index, to);
   after.defect.file.clear();
   document_.edit(tr("Move point %1").arg(index + 1), after, gesture);
@@ -199,7 +221,7 @@ void ProfilePlot::mouseReleaseEvent(QMouseEvent* event) {
 void ProfilePlot::mouseDoubleClickEvent(QMouseEvent* event) {
   if (!axisRect()->rect().contains(event->pos()) || pointAt(event->position())) return;
   cases::CaseDescription after = asPoints(document_.description());
-  const cases::ProfilePoint added = profileAt(event->position());
+  const cases::ProfilePoint added = pointOfCase(after.defect, profileAt(event->position()));
   after.defect.points = withPoint(after.defect.points, added);
   after.defect.file.clear();
   document_.edit(tr("Insert point"), after);

@@ -1,4 +1,4 @@
-// widgets/studio/ProfilePlot.h - the curve of the defect with points to drag, the path of a rigid wheel, the sleepers.
+// widgets/studio/ProfilePlot.h - the curve of the defect with points to drag, the rigid-wheel trajectory, the sleepers.
 #pragma once
 
 #include <memory>
@@ -41,6 +41,7 @@ class ProfilePlot : public plots::Figure {
  private:
   void update();
   void drawSleepers();
+  void drawFrame();
   std::optional<std::size_t> pointAt(const QPointF& place) const;
   cases::ProfilePoint profileAt(const QPointF& place) const;
   void putPoint(std::size_t index, cases::ProfilePoint to, int gesture);
@@ -48,7 +49,8 @@ class ProfilePlot : public plots::Figure {
   CaseDocument& document_;
   HeightUnit unit_;
   ProfileView view_;
-  QCPGraph *surface_, *path_, *handles_, *mark_;
+  QCPGraph *surface_, *path_, *removed_, *handles_, *mark_;
+  QCPItemStraightLine* zero_;  // of the positions in results
   std::vector<QCPAbstractItem*> sleepers_;
   std::optional<std::size_t> chosen_;
   bool dragging_ = false, fitted_ = false;

@@ -16,6 +16,7 @@ ProfileTable::ProfileTable(CaseDocument& document, QObject* parent) : QAbstractT
 void ProfileTable::update() {
   const auto& defect = document_.description().defect;
   const bool sampled = defect.shape == static_cast<int>(cases::DefectShape::profile);
+  scale_ = shownScale(defect);
   std::vector<cases::ProfilePoint> points = sampled ? defect.points : std::vector<cases::ProfilePoint>();
   if (points.size() == points_.size()) {
     points_ = std::move(points);
@@ -45,7 +46,7 @@ QVariant ProfileTable::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
   const auto& point = points_[static_cast<std::size_t>(index.row())];
   return index.column() == 0 ? QString::number(point.position * 1e3, 'g', 8)
-                             : QString::number(point.height * unit_.perMetre, 'g', 8);
+                             : QString::number(point.height * scale_ * unit_.perMetre, 'g', 8);
 }
 
 QVariant ProfileTable::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -67,7 +68,8 @@ bool ProfileTable::setData(const QModelIndex& index, const QVariant& value, int 
   if (!valid || !std::isfinite(number)) return false;
   const auto row = static_cast<std::size_t>(index.row());
   cases::ProfilePoint to = points_[row];
-  (index.column() == 0 ? to.position : to.height) = number / (index.column() == 0 ? 1e3 : unit_.perMetre);
+  if (index.column() == 1 && !(scale_ > 0)) return false;  // any height would be shown as zero
+  (index.column() == 0 ? to.position : to.height) = number / (index.column() == 0 ? 1e3 : scale_ * unit_.perMetre);
   if (std::abs(to.height) > 0.05) return false;
   cases::CaseDescription after = document_.description();
   after.defect.points = movedPoint(after.defect.points, row, to);

@@ -12,8 +12,8 @@ namespace squat::studio {
 
 class CaseDocument;
 
-// Two columns: position [mm], height [um or mm]. Read-only for analytic shapes (their handles are no points of the
-// case).
+// Two columns: position [mm], height as it is run, with the height scale [um or mm]. Read-only for analytic shapes
+// (their handles are no points of the case).
 class ProfileTable : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -31,6 +31,7 @@ class ProfileTable : public QAbstractTableModel {
   void update();
   CaseDocument& document_;
   HeightUnit unit_;
+  double scale_ = 1;  // from the heights of the case to those shown
   std::vector<cases::ProfilePoint> points_;
 };
 

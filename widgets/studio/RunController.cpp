@@ -36,7 +36,7 @@ Description describe(const std::exception_ptr& error) {
   } catch (const CaseError& wrong) {
     QStringList lines;
     for (const auto& problem : wrong.problems()) lines << QString::fromStdString(toText(problem));
-    return {QObject::tr("The case cannot be run: %1").arg(lines.value(0)), lines.join('\n'), wrong.problems()};
+    return {QObject::tr("Invalid case: %1").arg(lines.value(0)), lines.join('\n'), wrong.problems()};
   } catch (const RunError& failure) {
     return {QObject::tr("The run failed: %1").arg(QString::fromStdString(failure.what())),
             QObject::tr("step %1, %2 ms, %3")

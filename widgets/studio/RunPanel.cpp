@@ -16,7 +16,7 @@
 namespace squat::studio {
 
 QString durationText(double seconds) {
-  if (!(seconds >= 0) || seconds > 1e7) return QObject::tr("not known yet");
+  if (!(seconds >= 0) || seconds > 1e7) return QObject::tr("unknown");
   const auto whole = static_cast<long>(std::lround(seconds));
   if (whole < 60) return QObject::tr("%1 s").arg(whole);
   if (whole < 3600) return QObject::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
@@ -32,14 +32,14 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
     return made;
   };
   run_ = button(tr("Run"), "run");
-  goOn_ = button(tr("Go on"), "goOn");
-  goOn_->setToolTip(tr("Go on with the run of this case that was stopped (Ctrl+F5)"));
+  goOn_ = button(tr("Resume"), "goOn");
+  goOn_->setToolTip(tr("Resume the stopped run of this case (Ctrl+F5)"));
   pause_ = button(tr("Pause"), "pause");
   cancel_ = button(tr("Cancel"), "cancel");
   progress_ = new QProgressBar(this);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
-  progress_->setAccessibleName(tr("Progress of the phase"));
+  progress_->setAccessibleName(tr("Progress of the current phase"));
   state_ = new QLabel(tr("Ready"), this);
   state_->setObjectName("runState");
   figures_ = new QLabel(this);
@@ -49,9 +49,10 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   why_->setObjectName("blockers");
   why_->setWordWrap(true);
   why_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
-  auto* hint = new QLabel(tr("F5 rolls the wheel over this profile. While it rolls, axle box acceleration and contact "
-                             "force are drawn here."),
-                          this);
+  auto* hint =
+      new QLabel(tr("Press F5 to roll the wheel over this profile. Axle box acceleration and contact force are "
+                    "plotted here during the run."),
+                 this);
   hint->setAlignment(Qt::AlignCenter);
   hint->setWordWrap(true);
   hint->setForegroundRole(QPalette::PlaceholderText);
@@ -62,8 +63,8 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   log_ = new QPlainTextEdit(this);
   log_->setReadOnly(true);
   log_->setMaximumBlockCount(500);
-  log_->setAccessibleName(tr("Messages of the run"));
-  log_->setPlaceholderText(tr("Messages of the run"));
+  log_->setAccessibleName(tr("Run messages"));
+  log_->setPlaceholderText(tr("Run messages"));
   log_->setMaximumHeight(46);  // two lines; older ones are scrolled to
   auto* top = new QHBoxLayout;
   for (QPushButton* each : {run_, goOn_, pause_, cancel_}) top->addWidget(each);
@@ -91,8 +92,8 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   connect(&controller_, &RunController::news, this, &RunPanel::showNews);
   connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
     say(result->complete       ? tr("Done.")
-        : result->time.empty() ? tr("Cancelled before the wheel rolled: there is nothing to keep.")
-                               : tr("Stopped: %1. What there is so far is kept, marked as incomplete.")
+        : result->time.empty() ? tr("Cancelled before rolling started: no results.")
+                               : tr("Stopped: %1. Partial results are kept and marked as incomplete.")
                                      .arg(QString::fromStdString(result->stopReason)));
     for (const auto& warning : result->warnings) say(QString::fromStdString(warning));
   });
@@ -154,10 +155,12 @@ void RunPanel::showNews(const WorkerMonitor::News& news) {
   QStringList parts;
   if (now.simulatedTime > 0) parts << tr("%1 ms simulated").arg(now.simulatedTime * 1e3, 0, 'f', 2);
   if (now.elementUpdatesPerSecond > 0)
-    parts << tr("%1 million element updates a second").arg(now.elementUpdatesPerSecond * 1e-6, 0, 'f', 1);
-  if (now.energyResidual != 0) parts << tr("energy residual %1 %").arg(now.energyResidual * 100, 0, 'f', 3);
+    parts << tr("%1 million element updates per second").arg(now.elementUpdatesPerSecond * 1e-6, 0, 'f', 1);
+  if (now.energyResidual != 0) parts << tr("energy balance error %1 %").arg(now.energyResidual * 100, 0, 'f', 3);
   if (now.step > 0)
-    parts << tr("step %1 µs, set by %2").arg(now.step * 1e6, 0, 'f', 3).arg(QString::fromStdString(now.limitedBy));
+    parts << tr("time step %1 µs, limited by %2")
+                 .arg(now.step * 1e6, 0, 'f', 3)
+                 .arg(QString::fromStdString(now.limitedBy));
   figures_->setText(parts.join(QStringLiteral("  ·  ")));
   for (const QString& line : news.messages) say(line);
   live_->add(news.samples);

@@ -21,7 +21,8 @@ QVariant RunStore::data(const QModelIndex& index, int role) const {
     return text;
   }
   if (role == Qt::ToolTipRole)
-    return run.path.isEmpty() ? tr("not saved; hash %1").arg(QString::fromStdString(run.result->caseHash)) : run.path;
+    return run.path.isEmpty() ? tr("not saved; case hash %1").arg(QString::fromStdString(run.result->caseHash))
+                              : run.path;
   if (role == Qt::CheckStateRole) return run.overlaid ? Qt::Checked : Qt::Unchecked;
   if (role == Qt::FontRole && index.row() == current_) {
     QFont font;

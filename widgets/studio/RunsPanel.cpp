@@ -26,9 +26,9 @@ RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_
     connect(made, &QPushButton::clicked, this, action);
   };
   button(tr("Open…"), tr("Open a result"), &RunsPanel::openWished);
-  button(tr("Save…"), tr("Save the shown result"), &RunsPanel::saveWished);
+  button(tr("Save…"), tr("Save the current result"), &RunsPanel::saveWished);
   button(tr("Measured…"), tr("Overlay a measured signal"), &RunsPanel::measuredWished);
-  button(tr("Remove"), tr("Take the chosen run off the list"), [this] {
+  button(tr("Remove"), tr("Remove the selected run from the list"), [this] {
     if (list_->currentIndex().isValid()) Q_EMIT removeWished(list_->currentIndex().row());
   });
   giveKeys(*this, {{tr("Open…"), "Ctrl+Shift+O"}, {tr("Remove"), "Ctrl+Delete"}});  // the others stand in a menu

@@ -53,17 +53,17 @@ QWidget* ScenePanel::makeControls() {
   field_ = new QComboBox(bar);
   for (const auto field : {scene::Field::vonMises, scene::Field::plasticStrain, scene::Field::displacement,
                            scene::Field::contactPressure, scene::Field::stickSlip})
-    field_->addItem(QString::fromStdString(scene::fieldName(field)).replace("[um]", "[µm]"), static_cast<int>(field));
-  field_->addItem(tr("parts"), static_cast<int>(scene::Field::none));
-  field_->setAccessibleName(tr("Colours show"));
+    field_->addItem(QString::fromStdString(scene::fieldName(field)), static_cast<int>(field));
+  field_->addItem(tr("Parts"), static_cast<int>(scene::Field::none));
+  field_->setAccessibleName(tr("Coloured by"));
   scale_ = new QDoubleSpinBox(bar);
   scale_->setRange(0, 10000);
   scale_->setValue(1);
-  scale_->setPrefix(tr("displacement × "));
+  scale_->setPrefix(tr("Displacement × "));
   scale_->setDecimals(0);
   scale_->setAccessibleName(tr("Displacement scale"));
   cut_ = new QCheckBox(tr("Cut"), bar);
-  cut_->setToolTip(tr("Cut at the middle of the running surface, so that the contact is seen"));
+  cut_->setToolTip(tr("Cut at the middle of the running surface to show the contact"));
   cut_->setChecked(true);
   edges_ = new QCheckBox(tr("Mesh"), bar);
   edges_->setChecked(true);
@@ -93,7 +93,7 @@ QWidget* ScenePanel::makeControls() {
   auto* picture = toolButton(tr("Picture…"), bar);
   flow->addWidget(picture);
   auto* series = toolButton(tr("VTK…"), bar);
-  series->setToolTip(tr("Write the frames for ParaView (.pvd, .vtu)"));
+  series->setToolTip(tr("Export the frames for ParaView (.pvd, .vtu)"));
   flow->addWidget(series);
   connect(series, &QToolButton::clicked, this, &ScenePanel::saveSeries);
   connect(picture, &QToolButton::clicked, this, &ScenePanel::savePicture);
@@ -113,7 +113,7 @@ QWidget* ScenePanel::makeTime() {
   play_->setObjectName("play");
   giveKeys(*bar, {{"play", "Ctrl+Shift+P"}});
   time_ = new QSlider(Qt::Horizontal, bar);
-  time_->setAccessibleName(tr("Moment"));
+  time_->setAccessibleName(tr("Frame"));
   time_->setObjectName("moment");
   moment_ = new QLabel(bar);
   moment_->setMinimumWidth(150);
@@ -171,7 +171,7 @@ void ScenePanel::setDark(bool dark) {
 
 void ScenePanel::saveSeries() {
   const ResultPointer result = store_.currentResult();
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the frames"));
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Export frames to folder"));
   if (folder.isEmpty() || !result) return;
   try {
     scene::writeVtkSeries(*result, folder.toStdString());
@@ -181,7 +181,7 @@ void ScenePanel::saveSeries() {
 }
 
 void ScenePanel::savePicture() {
-  const QString path = placeToSave(this, tr("Save the picture"), "model.png", tr("PNG (*.png)"));
+  const QString path = placeToSave(this, tr("Save picture"), "model.png", tr("PNG (*.png)"));
   if (path.isEmpty()) return;
   if (!scene_->picture(2000, 1400).save(path, "PNG")) Q_EMIT failed(tr("%1 cannot be written").arg(path));
 }

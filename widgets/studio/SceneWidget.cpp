@@ -76,7 +76,7 @@ void SceneWidget::paintEvent(QPaintEvent*) {
   if (empty || !ensureView()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
     painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
-                     empty ? tr("Run a case, or open a result, to see the model.") : reason_);
+                     empty ? tr("Run a case or open a result to see the model.") : reason_);
     return;
   }
   if (stale_) {

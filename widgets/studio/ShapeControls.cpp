@@ -13,6 +13,7 @@
 #include "studio/CaseDocument.h"
 #include "studio/EditorHabits.h"
 #include "studio/ProfileModel.h"
+#include "studio/Words.h"
 
 namespace squat::studio {
 namespace {
@@ -43,7 +44,7 @@ QComboBox* choiceBox(const std::string& key, CaseDocument& document, QWidget* pa
     // A sampled profile needs points: those of the shape seen so far.
     if (key == "defect.shape" && chosen == "profile" && document.description().defect.points.empty() &&
         document.description().defect.lines.empty())
-      document.edit(QObject::tr("Turn the shape into points"), asPoints(document.description()));
+      document.edit(QObject::tr("Convert the shape into points"), asPoints(document.description()));
     else
       document.setParameter(key, chosen);
   });
@@ -96,10 +97,10 @@ void ShapeControls::addMeasure(const std::string& key, double from, double to) {
   number->setKeyboardTracking(false);
   number->setAccessibleName(name);
   number->setObjectName("number " + name);
-  number->setSuffix(parameter->unit == "-" ? QString() : " " + QString::fromStdString(parameter->unit));
+  number->setSuffix(parameter->unit == "-" ? QString() : " " + printedUnits(QString::fromStdString(parameter->unit)));
   auto* grid = new QGridLayout(row);
   grid->setContentsMargins(0, 0, 0, 0);
-  auto* label = new QLabel(name.mid(name.indexOf('.') + 1).replace('_', ' '), row);
+  auto* label = new QLabel(parameterLabel(key), row);
   label->setBuddy(number);
   grid->addWidget(label, 0, 0);
   grid->addWidget(number, 0, 1);

@@ -34,9 +34,9 @@ void requireSamples(const results::RunResult& result, double from, double to) {
                                     [&](double position) { return position >= from && position <= to; });
   constexpr int fewest = 2;
   if (within >= fewest) return;
-  throw signals::SignalError("its stretch, from " + millimetres(from) + " to " + millimetres(to) +
-                             ", holds no part of the record, which reaches from " +
-                             millimetres(result.position.front()) + " to " + millimetres(result.position.back()));
+  throw signals::SignalError("the section from " + millimetres(from) + " to " + millimetres(to) +
+                             " lies outside the record, which extends from " + millimetres(result.position.front()) +
+                             " to " + millimetres(result.position.back()));
 }
 
 std::vector<double> spectrum(results::RunResult& result, const std::string& name, const SignalSettings& settings) {
@@ -86,7 +86,7 @@ std::shared_ptr<const results::RunResult> analysed(const results::RunResult& res
   try {
     takeSpectra(*changed, settings);
   } catch (const signals::SignalError& error) {  // the filtered signals are none the worse for it
-    problem = std::string("The spectrum stays as it was: ") + error.what();
+    problem = std::string("Spectrum not updated: ") + error.what();
     changed->frequency = result.frequency;
   }
   return changed;

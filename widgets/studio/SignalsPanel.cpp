@@ -32,11 +32,23 @@ const QList<QPair<QString, QString>>& tabTitles() {
   static const QList<QPair<QString, QString>> titles{{"aba", QObject::tr("ABA")},
                                                      {"psd", QObject::tr("PSD")},
                                                      {"stft", QObject::tr("STFT")},
-                                                     {"scalogram", QObject::tr("Scalogram")},
+                                                     {"scalogram", QObject::tr("CWT")},
                                                      {"contact_force", QObject::tr("Force")},
                                                      {"contact_patch", QObject::tr("Patch")},
                                                      {"defect_profile", QObject::tr("Defect")}};
   return titles;
+}
+
+// What the short titles stand for.
+QString tabToolTip(const QString& name) {
+  static const QMap<QString, QString> full{{"aba", QObject::tr("Axle box acceleration")},
+                                           {"psd", QObject::tr("Power spectral density")},
+                                           {"stft", QObject::tr("Short-time Fourier transform")},
+                                           {"scalogram", QObject::tr("Scalogram: continuous wavelet transform")},
+                                           {"contact_force", QObject::tr("Contact force")},
+                                           {"contact_patch", QObject::tr("Contact patch")},
+                                           {"defect_profile", QObject::tr("Profile of the defect")}};
+  return full.value(name);
 }
 
 ResultPointer noRun(const QString& title) {
@@ -52,7 +64,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     : QWidget(parent), store_(store), style_(style) {
   tabs_ = new QTabWidget(this);
   tabs_->setDocumentMode(true);
-  tabs_->setAccessibleName(tr("Figures of the signals"));
+  tabs_->setAccessibleName(tr("Signal figures"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 2);
   layout->setSpacing(2);
@@ -61,7 +73,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   for (const auto& [name, title] : tabTitles()) {
     auto* view = new FigureView(name, tabs_);
     views_[name] = view;
-    tabs_->addTab(makePage(name, view), title);
+    tabs_->setTabToolTip(tabs_->addTab(makePage(name, view), title), tabToolTip(name));
     connect(view, &FigureView::failed, this, &SignalsPanel::failed);
     if (!isLinked(name)) continue;
     const QString from = name;
@@ -72,6 +84,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
           [this] { rebuild(tabTitles().value(tabs_->currentIndex()).first); });
   connect(&store_, &RunStore::currentChanged, this, [this] {
     linked_.reset();
+    for (const auto& [name, view] : views_) view->forgetZoom();
     takeWindow();
     update();
   });
@@ -122,7 +135,7 @@ QWidget* SignalsPanel::makeControls() {
   rows->setSpacing(2);
   auto* flow = new FlowLayout;
   rows->addLayout(flow);
-  cutoff_ = number(tr("Cut-off of the low-pass"), "Hz", 20, 12000, settings_.cutoff);
+  cutoff_ = number(tr("Cut-off frequency of the low-pass filter"), "Hz", 20, 12000, settings_.cutoff);
   cutoff_->setSingleStep(100);
   cutoff_->setObjectName("cutoff");
   connect(cutoff_, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
@@ -134,14 +147,14 @@ QWidget* SignalsPanel::makeControls() {
   flow->addTogether({new QLabel(tr("Colours")), map_});
   cursors_ = new QCheckBox(tr("Cursors"));
   cursors_->setObjectName("cursors");
-  cursors_->setToolTip(tr("Two lines that can be dragged: differences and 1/dt are told in the figure"));
+  cursors_->setToolTip(tr("Two draggable lines; the figure shows their difference and 1/Δt"));
   connect(cursors_, &QCheckBox::toggled, this, [this](bool on) {
     for (const auto& [name, view] : views_) view->setCursors(on);
   });
   flow->addWidget(cursors_);
   exportAll_ = new QPushButton(tr("Export all…"));
   exportAll_->setObjectName("exportAllButton");
-  exportAll_->setToolTip(tr("Every figure as seen, as PNG, SVG, PDF and CSV"));
+  exportAll_->setToolTip(tr("Export every figure as shown: PNG, SVG, PDF and CSV"));
   connect(exportAll_, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
   flow->addWidget(exportAll_);
   problem_ = new QLabel(bar);
@@ -153,7 +166,7 @@ QWidget* SignalsPanel::makeControls() {
   return bar;
 }
 
-// What holds for one figure stands above it: its axis, window or stretch.
+// What applies to one figure stands above it: its axis, window or section.
 QWidget* SignalsPanel::makePage(const QString& name, FigureView* view) {
   auto* page = new QWidget(tabs_);
   auto* rows = new QVBoxLayout(page);
@@ -161,31 +174,32 @@ QWidget* SignalsPanel::makePage(const QString& name, FigureView* view) {
   rows->setSpacing(2);
   auto* flow = new FlowLayout;
   if (name == "aba") {
-    axis_ = choice(tr("Axis of the ABA"), {tr("against position"), tr("against time")});
+    axis_ = choice(tr("x axis of the ABA figure"), {tr("position"), tr("time")});
     axis_->setObjectName("abaAxis");
     connect(axis_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
-    flow->addTogether({new QLabel(tr("Drawn")), axis_});
+    flow->addTogether({new QLabel(tr("x axis:")), axis_});
   } else if (name == "psd") {
-    window_ = choice(tr("Window of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
+    window_ = choice(tr("Window function of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
     connect(window_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("Window")), window_});
-    from_ = number(tr("Stretch of the spectrum, from"), "mm", -5000, 5000, settings_.from * 1e3);
-    to_ = number(tr("Stretch of the spectrum, to"), "mm", -5000, 5000, settings_.to * 1e3);
+    from_ =
+        number(tr("Start of the section that the spectrum is computed from"), "mm", -5000, 5000, settings_.from * 1e3);
+    to_ = number(tr("End of the section that the spectrum is computed from"), "mm", -5000, 5000, settings_.to * 1e3);
     from_->setObjectName("psdFrom");
     to_->setObjectName("psdTo");
     for (QDoubleSpinBox* box : {from_, to_}) connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("from")), from_});
     flow->addTogether({new QLabel(tr("to")), to_});
   } else if (name == "stft") {
-    segment_ = samples(tr("Samples under the window of the short-time transform"), settings_.segment, 8192);
+    segment_ = samples(tr("Window length of the short-time Fourier transform"), settings_.segment, 8192);
     segment_->setMinimum(16);
     segment_->setSingleStep(16);
     segment_->setObjectName("stftSegment");
-    hop_ = samples(tr("Samples from one window of the short-time transform to the next"), settings_.hop, 1024);
+    hop_ = samples(tr("Hop of the short-time Fourier transform: from one window to the next"), settings_.hop, 1024);
     hop_->setObjectName("stftHop");
     for (QSpinBox* box : {segment_, hop_}) connect(box, &QSpinBox::valueChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("Window")), segment_});
-    flow->addTogether({new QLabel(tr("every")), hop_});
+    flow->addTogether({new QLabel(tr("Hop")), hop_});
   }
   if (flow->count() > 0)
     rows->addLayout(flow);
@@ -244,7 +258,8 @@ void SignalsPanel::update() {
   style_.colourMap = map_->currentText().toStdString();
   const ResultPointer current = store_.currentResult();
   std::string problem;
-  shown_ = current ? analysed(*current, settings_, problem) : noRun(tr("No run yet: press F5, or open a result"));
+  shown_ =
+      current ? analysed(*current, settings_, problem) : noRun(tr("No results yet: press F5 to run, or open a result"));
   problem_->setText(QString::fromStdString(problem));
   problem_->setVisible(!problem.empty());
   exportAll_->setEnabled(current || !store_.overlays().empty());
@@ -307,7 +322,7 @@ FigureView* SignalsPanel::currentView() const { return view(tabTitles().value(ta
 void SignalsPanel::toggleCursors() { cursors_->toggle(); }
 
 void SignalsPanel::askForFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the figures"));
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Export figures to folder"));
   if (folder.isEmpty()) return;
   const QStringList paths = exportPaths(folder);
   const auto standing =
@@ -315,8 +330,7 @@ void SignalsPanel::askForFolder() {
   if (standing > 0 &&
       QMessageBox::question(
           this, tr("Export all"),
-          tr("%n files with the names of these figures stand in %1. Replace them?", nullptr, static_cast<int>(standing))
-              .arg(folder),
+          tr("%1 already contains %n of these files. Replace them?", nullptr, static_cast<int>(standing)).arg(folder),
           QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) != QMessageBox::Yes)
     return;
   try {

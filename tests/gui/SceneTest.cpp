@@ -1,0 +1,65 @@
+// The 3-D view: one scale of colours for a whole animation.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "render/SyntheticResult.h"
+#include "scene/SceneView.h"
+
+namespace squat::scene {
+namespace {
+
+// Two frames, the second one with half the stress of the first.
+std::shared_ptr<results::RunResult> twoFrames() {
+  auto result = std::make_shared<results::RunResult>(tests::syntheticResult());
+  results::SurfaceSnapshot weaker = result->snapshots.front();
+  weaker.name = "frame 01";
+  for (float& stress : weaker.vonMises) stress *= 0.5f;
+  result->snapshots.push_back(weaker);
+  return result;
+}
+
+// [MPa] that the colours of this frame reach.
+double highestOf(SceneView& view, int frame) {
+  SceneChoices choices;
+  choices.snapshot = frame;
+  view.setChoices(choices);
+  view.render(64, 48);
+  return view.highest();
+}
+
+TEST(Scene, coloursKeepTheirRangeFromFrameToFrame) {
+  std::string reason;
+  const auto view = SceneView::create(reason);
+  if (!view) GTEST_SKIP() << reason;
+  const auto result = twoFrames();
+  view->setResult(result);
+  const auto& stress = result->snapshots.front().vonMises;
+  const double largest = 1e-6 * static_cast<double>(*std::max_element(stress.begin(), stress.end()));
+  constexpr double ofFloat = 1e-6;  // relative: the field is kept in single precision
+  EXPECT_NEAR(highestOf(*view, 0), largest, ofFloat * largest);
+  EXPECT_NEAR(highestOf(*view, 1), largest, ofFloat * largest);
+}
+
+// What is clamped at the ends of the model has peaks of its own, which would darken the contact.
+TEST(Scene, theRangeIsThatNearTheContact) {
+  std::string reason;
+  const auto view = SceneView::create(reason);
+  if (!view) GTEST_SKIP() << reason;
+  const auto result = twoFrames();
+  auto& first = result->snapshots.front();
+  const float before = *std::max_element(first.vonMises.begin(), first.vonMises.end());
+  for (std::size_t i = 0; i < first.vonMises.size(); ++i) {
+    const bool rail = result->surface.points[3 * i + 2] < -0.02f;  // below the wheel: it does not roll
+    if (rail && std::abs(static_cast<double>(result->surface.points[3 * i]) - first.position) > 0.3)
+      first.vonMises[i] = 5e9f;
+  }
+  ASSERT_GT(*std::max_element(first.vonMises.begin(), first.vonMises.end()), before);
+  view->setResult(result);
+  EXPECT_NEAR(highestOf(*view, 0), 1e-6 * static_cast<double>(before), 1e-3);
+}
+
+}  // namespace
+}  // namespace squat::scene
