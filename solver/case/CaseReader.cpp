@@ -315,7 +315,7 @@ void checkProfileIsUsed(const CaseDescription& description, const std::vector<St
   }
 }
 
-// Points in the case go before the file; a file given by --set goes before points of the case.
+// Points in the case override the file; a file given by --set overrides points of the case.
 void readProfile(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
                  Problems& problems) {
   Defect& defect = description.defect;
@@ -335,7 +335,7 @@ void readProfile(CaseDescription& description, const CaseOverrides& overrides, c
       defect.lines = std::move(profile);
   } catch (const FileError&) {
     if (problems.empty()) throw;
-    problems.throwIfAny();  // mistakes of the case first: the file may be one of them
+    problems.throwIfAny();  // errors of the case first: the file may be one of them
   }
 }
 

@@ -1,7 +1,7 @@
 // solver/case/DecimalNumber.h - numbers as text, exact and without a locale.
-// A case file holds 1300 for 1300 MN/m, the program 1.3e9 N/m. Units differ from SI by powers of ten only, so the shift
-// is made on the decimal digits, never by a multiplication: text -> SI -> text gives the same text, SI -> text -> SI
-// the same bits.
+// A case file holds 1300 for 1300 MN/m, the program 1.3e9 N/m. Its units differ from SI by powers of ten only, so the
+// shift is made on the decimal digits, never by a multiplication: text -> SI -> text gives the same text, SI -> text ->
+// SI the same bits.
 #pragma once
 
 #include <optional>
