@@ -41,7 +41,7 @@ bool alreadyDone(const RunFiles& files, const std::string& hash) {
   std::error_code ignored;
   const auto otherCase = [&](const std::string& path, const std::string& found) {
     throw CaseError({{"--resume", path + " (case " + found + ")", "the same case (" + hash + ")",
-                      "Leave out --resume, or choose another folder with -o"}});
+                      "It belongs to another case: leave out --resume, or choose another folder with -o"}});
   };
   if (const auto state = results::readCheckpoint(files.checkpoint())) {
     const auto found = results::textAttribute(state->attributes, "case_hash", hash);

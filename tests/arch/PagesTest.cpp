@@ -102,10 +102,12 @@ TEST(Pages, WhatTheyPointToIsThere) {
             << page << ": " << found->str(1);
     for (const auto& code : codeOf(page)) {
       std::smatch found;
-      if (std::regex_search(code.text, found, script))
+      if (std::regex_search(code.text, found, script)) {
         EXPECT_TRUE(std::filesystem::exists(kTop + "/" + found.str(2))) << page << ": " << code.text;
-      if (std::regex_search(code.text, found, command))
+      }
+      if (std::regex_search(code.text, found, command)) {
         EXPECT_NE(bootstrap.find("\n  " + found.str(1) + ")\n"), std::string::npos) << page << ": " << code.text;
+      }
     }
   }
 }
