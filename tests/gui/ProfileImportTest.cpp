@@ -77,7 +77,7 @@ TEST(ProfileImport, flippedReversedAndScaled) {
 }
 
 TEST(ProfileImport, mistakesNameTheirLine) {
-  EXPECT_EQ(importProfile("0,0\n5,x\n10,0\n", {}).problem, "line 2: no two numbers in the chosen columns");
+  EXPECT_EQ(importProfile("0,0\n5,x\n10,0\n", {}).problem, "line 2: the chosen columns do not hold two numbers");
   EXPECT_FALSE(importProfile("0,0\n5,1\n5,2\n9,0\n", {}).problem.empty());
   EXPECT_FALSE(importProfile("", {}).problem.empty());
   EXPECT_FALSE(importProfile("0,0\n1,nan\n2,0\n", {}).problem.empty());

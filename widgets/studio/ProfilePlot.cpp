@@ -32,7 +32,7 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
     : Figure("profile_editor", style, parent), document_(document) {
   setAccessibleName(tr("Profile of the defect"));
   setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(260, 180);
+  setMinimumSize(250, 180);
   yAxis->setLabel(tr("Height [%1]").arg(unit_.name));
   path_ = addGraph();
   path_->setPen(QPen(style.curve(1), 1.4, Qt::DashLine));

@@ -12,6 +12,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -66,7 +67,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   tabs_->setDocumentMode(true);
   tabs_->setAccessibleName(tr("Signal figures"));
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 2, 4, 2);
+  layout->setContentsMargins(2, 2, 2, 2);
   layout->setSpacing(2);
   layout->addWidget(makeControls());
   layout->addWidget(tabs_, 1);
@@ -79,6 +80,8 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     const QString from = name;
     connect(view, &FigureView::rangeChanged, this, [this, from](const QCPRange& range) { link(from, range); });
   }
+  const QMargins around = layout->contentsMargins();
+  setMinimumWidth(tabs_->tabBar()->sizeHint().width() + around.left() + around.right());  // no tab behind an arrow
   letWheelPass(*this);
   connect(tabs_, &QTabWidget::currentChanged, this,
           [this] { rebuild(tabTitles().value(tabs_->currentIndex()).first); });
