@@ -35,11 +35,17 @@ const char* memoryAdvice(const CLI::App& program) {
   return "the run failed: not enough memory; choose a coarser mesh (--mesh draft)";
 }
 
+// Errors of options carry the option's name instead of a key of the case.
+bool concernsOptions(const CaseError& error) {
+  return std::all_of(error.problems().begin(), error.problems().end(),
+                     [](const CaseProblem& problem) { return problem.key.rfind('-', 0) == 0; });
+}
+
 int act(const Action& action, const CLI::App& program) {
   try {
     return action();
   } catch (const CaseError& error) {
-    return told("the case is wrong", error, kCaseWrong);
+    return told(concernsOptions(error) ? "invalid option" : "the case is wrong", error, kCaseWrong);
   } catch (const RunError& error) {
     return told("the run failed", error, kRunFailed);
   } catch (const FileError& error) {

@@ -16,6 +16,7 @@
 #include "commands/RunFiles.h"
 #include "commands/TerminalMonitor.h"
 #include "core/Errors.h"
+#include "core/FolderLock.h"
 #include "results/Checkpoint.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
@@ -119,8 +120,9 @@ int run(const RunCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
   keepInputs(files, options.caseOptions.name, description);
-  if (!options.noFigures) checkFigureNames(options.figures, options.formats);
+  if (!options.noFigures) checkFigureNames(options.figures, options.formats, description.rail.plastic);
   prepareFolder(files);
+  const FolderLock owner(options.folder, "squat run " + options.caseOptions.name);
   const auto hash = cases::caseHash(description);
   if (options.run.resume && alreadyDone(files, hash)) {
     std::printf("%s is complete already\n", files.result().c_str());
@@ -166,7 +168,7 @@ void addRunCommand(CLI::App& program, Action& action) {
       ->check(between(0.0, 1e6))
       ->type_name("SECONDS");
   addFigureNames(*command, options->figures, options->formats);
-  command->add_flag("--no-figures", options->noFigures, "Draws no figures");
+  command->add_flag("--no-figures", options->noFigures, "Draws no figures")->excludes("--figures");
   command->add_flag("--verbose", options->verbose,
                     "Prints the natural modes of the half wheelset and the time of each phase as well");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
