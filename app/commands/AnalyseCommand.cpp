@@ -15,6 +15,7 @@
 #include "laboratory/Analysis.h"
 #include "laboratory/AnalysisFiles.h"
 #include "laboratory/OptionText.h"
+#include "laboratory/PrintedUnit.h"
 
 namespace squat::commands {
 
@@ -30,9 +31,9 @@ struct AnalyseOptions {
 };
 
 void printSpectrum(const char* name, const signals::PowerSpectrum& spectrum) {
-  std::printf("  density of the %s: integral %s, mean square %s (%s)2; %s\n", name, number(spectrum.integral).c_str(),
-              number(spectrum.meanSquare).c_str(), spectrum.unit.empty() ? "unit" : spectrum.unit.c_str(),
-              spectrum.window.c_str());
+  const auto unit = spectrum.unit.empty() ? std::string("unit") : laboratory::printedUnit(spectrum.unit);
+  std::printf("  PSD of the %s: integral %s, mean square %s (%s)²; %s\n", name, number(spectrum.integral).c_str(),
+              number(spectrum.meanSquare).c_str(), unit.c_str(), spectrum.window.c_str());
 }
 
 void printTable(const laboratory::Analysis& analysis) {
@@ -42,24 +43,26 @@ void printTable(const laboratory::Analysis& analysis) {
   TextTable table(head);
   const auto features = laboratory::featureTable(analysis);
   for (std::size_t row = 0; row < features.names.size(); ++row) {
-    std::vector<std::string> cells{features.names[row]};
+    std::vector<std::string> cells{laboratory::withPrintedUnit(features.names[row])};
     for (const auto& column : features.values) cells.push_back(std::isnan(column[row]) ? "-" : number(column[row]));
     table.add(cells);
   }
   for (const auto& signal : analysis.signals) {
     std::printf("%s, %s\n", signal.file.c_str(), signal.run.c_str());
+    std::printf("  features anchored at: %s, %s\n", signals::toText(signal.features.anchor).c_str(),
+                number(1e3 * signal.features.impactTime, "ms").c_str());
     printSpectrum("whole record", signal.spectrum);
-    printSpectrum("record around the impact", signal.features.spectrum);
+    printSpectrum("window around the anchor", signal.features.spectrum);
     for (const auto& note : signal.notes) std::printf("  note: %s\n", note.c_str());
   }
   std::printf("\n%s", table.text().c_str());
   if (analysis.dispersion) {
     const auto& [peak, wave] = *analysis.dispersion;
-    std::printf("\n%zu runs aligned: first peak %s, scatter %s of its mean", analysis.signals.size(),
-                number(peak.mean, analysis.signals.front().features.unit).c_str(),
+    std::printf("\n%zu runs aligned: largest peak, mean %s, range / mean %s", analysis.signals.size(),
+                number(peak.mean, laboratory::printedUnit(analysis.signals.front().features.unit)).c_str(),
                 number(100 * peak.range, "%").c_str());
     if (!std::isnan(wave.mean))
-      std::printf("; wavelength %s, scatter %s", number(1e3 * wave.mean, "mm").c_str(),
+      std::printf("; wavelength, mean %s, range / mean %s", number(1e3 * wave.mean, "mm").c_str(),
                   number(100 * wave.range, "%").c_str());
     std::printf("\n");
   }
@@ -77,7 +80,7 @@ int analyse(const AnalyseOptions& given) {
     auto band = laboratory::bandFromText(text);
     for (const auto& other : options.features.bands)
       if (other.name == band.name)
-        throw CaseError({{"band", text, "a name of its own", "There is a band '" + band.name + "' already"}});
+        throw CaseError({{"--band", text, "a unique name", "Band '" + band.name + "' already exists"}});
     options.features.bands.push_back(std::move(band));
   }
 
@@ -103,39 +106,35 @@ int analyse(const AnalyseOptions& given) {
 }  // namespace
 
 void addAnalyseCommand(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("analyse", "Spectra and features of measured or computed signals");
+  auto* command = program.add_subcommand("analyse", "Compute spectra and features of measured or computed signals");
   auto options = std::make_shared<AnalyseOptions>();
   command->add_option("signals", options->files, "CSV or HDF5 files")->required()->type_name("SIGNAL...");
-  command->add_option("-o,--output", options->folder, "Folder for tables and figures (default: only printed)")
+  command->add_option("-o,--output", options->folder, "Folder for tables and figures (default: print only)")
       ->type_name("DIR");
   addSignalOptions(*command, options->signal);
   auto& analysis = options->analysis;
   command
-      ->add_option("--low-pass", analysis.lowPass,
-                   "Zero-phase low-pass before everything else; 0: none (default: 2000)")
+      ->add_option("--low-pass", analysis.lowPass, "Zero-phase low-pass filter applied first; 0: none (default: 2000)")
       ->check(between(0.0, 1e7))
       ->type_name("HZ");
-  command->add_option("--band", options->bands, "A further band: 250-350 or name=250-350; may be repeated")
+  command->add_option("--band", options->bands, "Additional band: 250-350 or name=250-350; repeatable")
       ->allow_extra_args(false)
       ->type_name("LOW-HIGH");
   command->add_option("--window", options->window, "boxcar, hann, hamming or blackman (default: hann)")
       ->type_name("NAME");
   command->add_option("--detrend", options->detrend, "none, constant or linear (default: constant)")->type_name("NAME");
   command
-      ->add_option("--segment", analysis.spectrum.segment, "Samples of a segment of Welch's average (default: chosen)")
+      ->add_option("--segment", analysis.spectrum.segment,
+                   "Samples per segment of Welch's method, whole record (default: automatic)")
       ->check(zeroOrBetween(2, 1 << 30))
       ->type_name("N");
-  command->add_option("--overlap", analysis.spectrum.overlap, "Share of a segment (default: 0.5)")
+  command->add_option("--overlap", analysis.spectrum.overlap, "Overlap of segments, 0 to 0.99 (default: 0.5)")
       ->check(between(0.0, 0.99))
       ->type_name("SHARE");
-  command
-      ->add_option("--stft-segment", analysis.stft.segment,
-                   "Samples under the window of the short-time transform (default: 10 ms)")
+  command->add_option("--stft-segment", analysis.stft.segment, "Samples per STFT window (default: 10 ms)")
       ->check(CLI::Range(2, 1 << 24))
       ->type_name("N");
-  command
-      ->add_option("--stft-hop", analysis.stft.hop,
-                   "Samples from one window to the next (default: 2000 columns at most)")
+  command->add_option("--stft-hop", analysis.stft.hop, "Samples between STFT windows (default: at most 2000 columns)")
       ->check(CLI::Range(1, 1 << 24))
       ->type_name("N");
   command->add_option("--voices", analysis.wavelet.voicesPerOctave, "Voices per octave of the scalogram (default: 16)")
@@ -148,10 +147,10 @@ void addAnalyseCommand(CLI::App& program, Action& action) {
       ->check(between(1e-3, 1e7))
       ->type_name("HZ");
   command->add_flag("--amplitude", options->amplitude,
-                    "Scalogram of amplitudes: a tone of amplitude 1 gives 1 (default: equation 1 of the paper)");
-  command->add_flag("--no-alignment", options->noAlignment, "Takes repeated runs as they are");
+                    "Amplitude scalogram: a tone of amplitude 1 gives 1 (default: equation 1 of the paper)");
+  command->add_flag("--no-alignment", options->noAlignment, "Do not align repeated runs");
   addFigureOptions(*command, options->figures);
-  command->add_flag("--json", options->json, "Prints the features as JSON");
+  command->add_flag("--json", options->json, "Print the features as JSON");
   command->callback([options, &action] { action = [options] { return analyse(*options); }; });
 }
 

@@ -13,6 +13,7 @@
 #include "commands/TextTable.h"
 #include "laboratory/ComparisonFiles.h"
 #include "laboratory/FileComparison.h"
+#include "laboratory/PrintedUnit.h"
 
 namespace squat::commands {
 
@@ -30,9 +31,12 @@ void printTable(const laboratory::FileComparison& pair) {
   const auto& comparison = pair.comparison;
   std::printf("%s against %s (%s)\n", comparison.firstName.c_str(), comparison.secondName.c_str(),
               pair.secondFile.c_str());
-  TextTable table({"what", "value"});
+  for (const auto* features : {&comparison.firstFeatures, &comparison.secondFeatures})
+    std::printf("  features of %s anchored at: %s, %s\n", features->name.c_str(),
+                signals::toText(features->anchor).c_str(), number(1e3 * features->impactTime, "ms").c_str());
+  TextTable table({"quantity", "value"});
   for (const auto& [name, value] : signals::comparisonRow(comparison))
-    table.add({name, std::isnan(value) ? "-" : number(value)});
+    table.add({laboratory::withPrintedUnit(name), std::isnan(value) ? "-" : number(value)});
   std::printf("%s", table.text().c_str());
   for (const auto& note : pair.notes) std::printf("note: %s\n", note.c_str());
   std::printf("\n");
@@ -63,22 +67,25 @@ int compare(const CompareOptions& given) {
 }  // namespace
 
 void addCompareCommand(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("compare", "A computed signal beside measured ones, or beside its smooth run");
+  auto* command =
+      program.add_subcommand("compare", "Compare a computed signal with measured ones, or with its run on smooth rail");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("result", options->result, "Result file (or any signal)")->required()->type_name("RESULT.h5");
   command->add_option("measured", options->measured, "CSV or HDF5 files")->required()->type_name("MEASURED...");
-  command->add_option("-o,--output", options->folder, "Folder for tables and figures (default: only printed)")
+  command->add_option("-o,--output", options->folder, "Folder for tables and figures (default: print only)")
       ->type_name("DIR");
   command->add_option("--result-column", options->resultColumn, "Signal of the result (default: aba)")
       ->type_name("NAME");
   addSignalOptions(*command, options->signal);
-  command->add_option("--low-pass", options->comparison.lowPass, "Zero-phase low-pass of both; 0: none (default: 2000)")
+  command
+      ->add_option("--low-pass", options->comparison.lowPass,
+                   "Zero-phase low-pass filter for both; 0: none (default: 2000)")
       ->check(between(0.0, 1e7))
       ->type_name("HZ");
   addFigureOptions(*command, options->figures);
-  command->add_flag("--by-position", options->comparison.comparison.inPosition, "Aligns over position instead of time");
+  command->add_flag("--by-position", options->comparison.comparison.inPosition, "Align by position instead of time");
   command->add_flag("--smooth", options->comparison.smooth,
-                    "The others are the same track without the defect: nothing is shifted");
+                    "The others are runs on the same track without the defect: no alignment");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 

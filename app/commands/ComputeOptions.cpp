@@ -25,7 +25,7 @@ std::string limitThreads(std::string& input) {
   const int most = usefulThreads(cores);
   int threads = 0;
   if (CLI::detail::lexical_cast(input, threads) && threads > most && threads <= mostThreads) {
-    std::fprintf(stderr, "note: %d threads instead of %d, the machine has %d cores\n", most, threads, cores);
+    std::fprintf(stderr, "note: using %d threads instead of %d; this machine has %d cores\n", most, threads, cores);
     input = std::to_string(most);
   }
   return {};
@@ -43,7 +43,7 @@ void addThreads(CLI::App& command, int& threads, const std::string& help) {
 }
 
 void addInstructionSet(CLI::App& command, std::string& isa) {
-  command.add_option("--isa", isa, "Instruction set: sse2, avx2 or avx512 (default: the best there is)")
+  command.add_option("--isa", isa, "Instruction set: sse2, avx2 or avx512 (default: best available)")
       ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
       ->type_name("NAME");
 }

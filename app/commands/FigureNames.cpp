@@ -15,7 +15,7 @@ CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<std
 }
 
 void addFigureNames(CLI::App& command, std::vector<std::string>& figures, std::vector<std::string>& formats) {
-  addList(command, "--figures", figures, "Names of figures, comma between them (default: all)")->type_name("NAME,...");
+  addList(command, "--figures", figures, "Figures to draw, separated by commas (default: all)")->type_name("NAME,...");
   addList(command, "--format", formats, "png, svg, pdf (default: all)")->type_name("FORMAT,...");
 }
 

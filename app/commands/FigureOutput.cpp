@@ -1,5 +1,8 @@
 #include "commands/FigureOutput.h"
 
+#include <algorithm>
+
+#include "core/Errors.h"
 #include "plots/Application.h"
 #include "plots/Figures.h"
 
@@ -18,8 +21,11 @@ plots::FigureRequest requestOf(const std::vector<std::string>& figures, const st
 
 }  // namespace
 
-void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats) {
+void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats, bool plastic) {
   plots::checkRequest(requestOf(figures, formats));
+  for (const char* name : {"permanent_change", "residual_stress"})
+    if (!plastic && std::find(figures.begin(), figures.end(), name) != figures.end())
+      throw CaseError({{"--figures", name, "a figure of an elastic rail", "It needs rail.plastic = true in the case"}});
 }
 
 FigureOutput writeFigures(const results::RunResult& result, const std::string& folder,

@@ -15,8 +15,9 @@ struct FigureOutput {
 
 bool figuresAvailable();
 
-// Throws CaseError for unknown names, before hours are spent; says nothing in a headless build, which draws none.
-void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats);
+// Throws CaseError for unknown names, and for figures of plastic flow where the rail is elastic, before hours are
+// spent; says nothing in a headless build, which draws none.
+void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats, bool plastic);
 
 // `figures` and `formats` empty: all. Throws CaseError for unknown names (and for any call in a headless build),
 // FileError where a file cannot be written.

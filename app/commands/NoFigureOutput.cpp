@@ -7,17 +7,16 @@ namespace squat::commands {
 bool figuresAvailable() { return false; }
 
 // The names of figures belong to the full build; formats are known here too.
-void checkFigureNames(const std::vector<std::string>&, const std::vector<std::string>& formats) {
+void checkFigureNames(const std::vector<std::string>&, const std::vector<std::string>& formats, bool) {
   for (const auto& format : formats)
     if (format != "png" && format != "svg" && format != "pdf")
-      throw CaseError({{"format", format, "png, svg or pdf", "This build draws no figures"}});
+      throw CaseError({{"--format", format, "png, svg or pdf", "This headless build draws no figures"}});
 }
 
 FigureOutput writeFigures(const results::RunResult&, const std::string&, const std::vector<std::string>&,
                           const std::vector<std::string>&) {
-  throw CaseError({{"figures", "headless build", "a build with SQUAT_GRAPHICS=ON",
-                    "Figures need the full build: cmake --preset release. The result file is the same; render it there "
-                    "with squat render"}});
+  throw CaseError({{"squat", "a headless build", "a build with SQUAT_GRAPHICS=ON to draw figures",
+                    "Build with cmake --preset release and run squat render on the same result file"}});
 }
 
 }  // namespace squat::commands

@@ -9,8 +9,7 @@ namespace {
 
 std::vector<std::string> none(const FigureChoice& choice) {
   if (!choice.none)
-    std::fprintf(stderr,
-                 "No figures: this is the headless build. Figures need the full build (cmake --preset release).\n");
+    std::fprintf(stderr, "No figures: this build is headless. Build with cmake --preset release to draw them.\n");
   return {};
 }
 

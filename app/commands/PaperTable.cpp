@@ -61,8 +61,7 @@ Lines strongLines(const RunResult& result, double after) {
   options.after = after;
   try {
     const auto spectrum = laboratory::runFeatures(result, options).spectrum;
-    Lines lines{signals::spectralPeaks(spectrum, 50, 2000, 0.05), 0};
-    if (lines.peaks.size() > 6) lines.peaks.resize(6);
+    Lines lines{signals::namedLines(spectrum), 0};
     const double step = (result.time.back() - result.time.front()) / static_cast<double>(result.time.size() - 1);
     lines.apart = 2 / (static_cast<double>(spectrum.segmentLength) * step);
     return lines;
@@ -108,6 +107,16 @@ void addLines(std::vector<PaperRow>& rows, const RunResult& result, const std::s
     });
     rows.push_back({wanted.name, found == lines.end() ? "none" : number(std::round(found->frequency), "Hz"),
                     wanted.statement, found == lines.end() ? "not met" : "met"});
+  }
+}
+
+// What lines, wavelength and band powers refer to.
+void addAnchor(std::vector<PaperRow>& rows, const RunResult& result) {
+  try {
+    const auto features = laboratory::runFeatures(result);
+    rows.push_back(
+        {"features anchored at", number(1e3 * features.impactTime, "ms"), signals::toText(features.anchor), ""});
+  } catch (const signals::SignalError&) {  // too short: no features
   }
 }
 
@@ -232,6 +241,7 @@ std::vector<PaperRow> paperRows(const RunResult& result) {
   addPeak(rows, result, "aba_filtered", "axle box acceleration, maximum / minimum",
           paper == "light-defect" ? "115 m/s² computed, 100 measured" : "");
   addPeak(rows, result, "wheel_acceleration_filtered", "wheel centre acceleration, maximum / minimum", "");
+  addAnchor(rows, result);
   addLines(rows, result, paper);
   addWavelength(rows, result, paper);
   addContact(rows, result);

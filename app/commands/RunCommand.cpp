@@ -20,6 +20,7 @@
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
 #include "core/Errors.h"
+#include "core/FolderLock.h"
 #include "results/Checkpoint.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
@@ -130,9 +131,10 @@ int run(const RunCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
   keepInputs(files, options.caseOptions.name, description);
-  if (!options.noFigures) checkFigureNames(options.figures, options.formats);
+  if (!options.noFigures) checkFigureNames(options.figures, options.formats, description.rail.plastic);
   const OutputFolder folder(options.folder);
   prepareFolder(files);
+  const FolderLock owner(options.folder, "squat run " + options.caseOptions.name);
   const auto hash = cases::caseHash(description);
   if (options.run.resume && alreadyDone(files, hash)) {
     std::printf("%s is already complete\n", files.result().c_str());
@@ -178,7 +180,7 @@ void addRunCommand(CLI::App& program, Action& action) {
       ->check(between(0.0, 1e6))
       ->type_name("SECONDS");
   addFigureNames(*command, options->figures, options->formats);
-  command->add_flag("--no-figures", options->noFigures, "Draw no figures");
+  command->add_flag("--no-figures", options->noFigures, "Draw no figures")->excludes("--figures");
   command->add_flag("--verbose", options->verbose,
                     "Also print the natural modes of the half wheelset and the time of each phase");
   command->callback([options, &action] { action = [options] { return run(*options); }; });

@@ -7,22 +7,26 @@ namespace squat::commands {
 
 void addSignalOptions(CLI::App& command, SignalOptions& options) {
   auto& file = options.file;
-  command.add_option("--column", file.column, "Column of the signal, by name or number; several with commas, or all")
+  command
+      .add_option("--column", file.column,
+                  "Column of the signal, by name or number; several separated by commas, or all")
       ->type_name("NAME");
   command.add_option("--time-column", file.timeColumn, "Column of the time (default: found by its header)")
       ->type_name("NAME");
   command.add_option("--position-column", file.positionColumn, "Column of the position")->type_name("NAME");
   command.add_option("--speed-column", file.speedColumn, "Column of the speed")->type_name("NAME");
-  command.add_option("--run-column", file.runColumn, "Column that tells repeated runs apart")->type_name("NAME");
+  command.add_option("--run-column", file.runColumn, "Column that numbers repeated runs")->type_name("NAME");
   command.add_option("--object", file.object, "Path inside an HDF5 file")->type_name("PATH");
-  command.add_option("--rate", file.rate, "Sampling rate, where the file has no time column")
+  command.add_option("--rate", file.rate, "Sampling rate, if the file has no time column")
       ->check(between(1.0, 1e8))
       ->type_name("HZ");
-  command.add_option("--speed", options.speed, "Speed where the file has none: 30, \"30 m/s\" or \"108 km/h\"")
+  command.add_option("--speed", options.speed, "Speed, if the file has none: 30, \"30 m/s\" or \"108 km/h\"")
       ->type_name("SPEED");
-  command.add_option("--delimiter", options.delimiter, "Between columns: auto, comma as \",\", \";\", tab, space")
+  command
+      .add_option("--delimiter", options.delimiter,
+                  "Column separator: auto, comma, semicolon, tab, space or one character")
       ->type_name("SIGN");
-  command.add_flag("--decimal-comma", options.decimalComma, "Numbers are written with a decimal comma");
+  command.add_flag("--decimal-comma", options.decimalComma, "Numbers have a decimal comma");
 }
 
 measured::SignalFileOptions fileOptions(const SignalOptions& options) {

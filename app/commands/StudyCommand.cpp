@@ -10,8 +10,10 @@
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/LaboratoryFigures.h"
+#include "commands/StudySummary.h"
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
+#include "core/FolderLock.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
 #include "studies/CaseStudy.h"
@@ -49,6 +51,7 @@ int study(StudyCommandOptions options) {
   options.run.snapshots = false;
   if (options.study.folder.empty()) options.study.folder = ".";
   makeFolder(options.study.folder);
+  const FolderLock owner(options.study.folder, "squat study " + options.caseOptions.name);
 
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
@@ -62,13 +65,14 @@ int study(StudyCommandOptions options) {
   };
   const auto table = studies::runCaseStudy(definition, overrides, run, options.study, monitor);
   monitor.clearLine();
+  std::printf("%s\n", studySummary(table).c_str());
   std::printf("%s/study.csv: %zu of %zu runs done\n", options.study.folder.c_str(),
               table.count(studies::RowState::done), table.rows.size());
   for (const auto& row : table.rows)
     if (row.state == studies::RowState::failed)
       std::fprintf(stderr, "failed: %s: %s\n", studies::toText(definition, row.point).c_str(), row.message.c_str());
   if (InterruptGuard::asked()) {
-    std::fprintf(stderr, "cancelled: the same call goes on from here\n");
+    std::fprintf(stderr, "cancelled: repeat the command to resume\n");
     return kCancelled;
   }
   for (const auto& path : writeStudyFigures(table, options.study.folder, options.figures))
@@ -79,26 +83,25 @@ int study(StudyCommandOptions options) {
 }  // namespace
 
 void addStudyCommand(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("study", "Many runs of a case with keys varied, and one table of features");
+  auto* command =
+      program.add_subcommand("study", "Run a case for all combinations of the given values; one table of features");
   auto options = std::make_shared<StudyCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
-  command
-      ->add_option("--vary", options->variations,
-                   "Values of one key: KEY=FROM:TO:COUNT or KEY=V,W,...; may be repeated")
+  command->add_option("--vary", options->variations, "Values of one key: KEY=FROM:TO:COUNT or KEY=V,W,...; repeatable")
       ->required()
       ->allow_extra_args(false)
       ->type_name("KEY=...");
   command->add_option("-o,--output", options->study.folder, "Folder of the table and figures (default: here)")
       ->type_name("DIR");
-  command->add_option("--jobs", options->jobs, "Runs at once (default: as cores and memory allow)")
+  command->add_option("--jobs", options->jobs, "Parallel runs (default: as many as cores and memory allow)")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
   addThreads(*command, options->run.threads, "Threads of each run (default: cores / jobs)");
   addInstructionSet(*command, options->run.isa);
   addFigureOptions(*command, options->figures);
-  command->add_flag("--keep-results", options->keepResults, "Keeps the result file of each run as well");
-  command->add_flag("--retry-failed", options->study.retryFailed, "Runs those again that failed before");
-  command->add_flag("--resume", options->resume, "Goes on with what the folder's table lacks: what is done anyway");
+  command->add_flag("--keep-results", options->keepResults, "Keep the result file of each run");
+  command->add_flag("--retry-failed", options->study.retryFailed, "Repeat failed runs");
+  command->add_flag("--resume", options->resume, "Resume an interrupted study in this folder (the default)");
   command->callback([options, &action] { action = [options] { return study(*options); }; });
 }
 

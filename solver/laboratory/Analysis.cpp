@@ -8,7 +8,6 @@
 #include "core/Errors.h"
 #include "signals/Butterworth.h"
 #include "signals/FourierTransform.h"
-#include "signals/Resample.h"
 #include "signals/SignalError.h"
 
 namespace squat::laboratory {
@@ -17,12 +16,6 @@ namespace {
 constexpr std::size_t mostColumns = 2000, mostRows = 1000;  // of a picture
 constexpr double slowestWave = 1e-5;                        // of the sampling rate: longer wavelets outgrow the memory
 constexpr std::size_t longestPeriodogram = 16384, usualSegment = 8192;
-
-std::size_t largestSample(const std::vector<double>& values) {
-  return static_cast<std::size_t>(
-      std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-      values.begin());
-}
 
 std::string hertz(double value) {
   std::ostringstream text;
@@ -36,7 +29,7 @@ std::optional<signals::Stft> stftOf(const signals::TimeSeries& series, signals::
   if (options.segment == 0) {
     options.segment = signals::fastLength(static_cast<std::size_t>(std::max(16.0, 0.01 * series.rate())));
     if (n < options.segment) {
-      notes.push_back("the record is too short for a short-time transform over 10 ms");
+      notes.push_back("no STFT: the record is shorter than its window of 10 ms");
       return std::nullopt;
     }
   }
@@ -50,8 +43,8 @@ void raiseLowest(const signals::TimeSeries& series, double& lowest, std::vector<
   const double longest = std::max(1 / seconds, slowestWave * series.rate());
   if (!(lowest < longest)) return;
   lowest = longest;
-  notes.push_back("the scalogram begins at " + hertz(longest) +
-                  (longest * seconds > 1.5 ? ", 1e-5 of the sampling rate" : ", one wave in the record"));
+  notes.push_back("the scalogram starts at " + hertz(longest) +
+                  (longest * seconds > 1.5 ? ", 1e-5 of the sampling rate" : ", one period in the record"));
 }
 
 // More rows than a picture can show take memory and time alone.
@@ -60,7 +53,18 @@ void limitVoices(signals::WaveletOptions& options, std::vector<std::string>& not
   if (!(options.voicesPerOctave * octaves > mostRows)) return;
   options.voicesPerOctave = std::max(1.0, std::floor(mostRows / octaves));
   notes.push_back("the scalogram has " + std::to_string(std::lround(options.voicesPerOctave)) +
-                  " voices per octave: " + std::to_string(mostRows) + " rows are the most");
+                  " voices per octave, limited to " + std::to_string(mostRows) + " rows");
+}
+
+// The stretch that is shown; all of a record with too few samples there. Columns are made for that stretch alone:
+// spread over a long record, they would average the impact away.
+std::pair<double, double> shownStretch(const signals::TimeSeries& series, const signals::Features& features,
+                                       const signals::FeatureOptions& options) {
+  constexpr double fewSamples = 32;
+  const double last = series.timeAt(series.values.size() - 1);
+  const double from = std::max(series.start, features.impactTime - options.before / features.speed);
+  const double to = std::min(last, features.impactTime + options.after / features.speed);
+  return to - from > fewSamples * series.step ? std::pair(from, to) : std::pair(series.start, last);
 }
 
 signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::WaveletOptions options,
@@ -72,18 +76,20 @@ signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::Wavel
   }
   if (options.lowest >= options.highest) {
     options.lowest = options.highest / 8;
-    notes.push_back("the scalogram begins at " + hertz(options.lowest) + ", three octaves below its end");
+    notes.push_back("the scalogram starts at " + hertz(options.lowest) + ", three octaves below its end");
   }
   raiseLowest(series, options.lowest, notes);
   if (options.lowest >= options.highest)
-    throw signals::SignalError("a scalogram up to " + hertz(options.highest) + " begins at " + hertz(options.lowest) +
-                               " in a record of this length and rate; raise its highest frequency");
+    throw signals::SignalError("the scalogram of a record of this length and rate starts at " + hertz(options.lowest) +
+                               ", above its highest frequency of " + hertz(options.highest) +
+                               "; raise the highest frequency");
   limitVoices(options, notes);
-  if (options.cell == 0) options.cell = (series.values.size() + mostColumns - 1) / mostColumns;
+  const double samples = (options.shown->second - options.shown->first) / series.step;
+  if (options.cell == 0) options.cell = static_cast<std::size_t>(samples) / mostColumns + 1;
   return signals::scalogram(series, options);
 }
 
-// What nobody asked for by name and the sampling rate cannot show is left out, and said.
+// A band that was not requested and that the sampling rate cannot show is left out, with a note.
 void noteUnseenBands(double rate, const signals::FeatureOptions& options, std::vector<std::string>& notes) {
   std::string names;
   const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
@@ -92,16 +98,26 @@ void noteUnseenBands(double rate, const signals::FeatureOptions& options, std::v
   const auto& waves = options.waveBand;
   if (!waves.required && !signals::shows(rate, waves))
     add("the wavelength (" + hertz(waves.low) + " to " + hertz(waves.high) + ")");
-  if (!names.empty()) notes.push_back("left out, because the sampling rate is " + hertz(rate) + ": " + names);
+  if (!names.empty()) notes.push_back("left out at a sampling rate of " + hertz(rate) + ": " + names);
 }
 
-// What rings on when the record ends is known to last so long, not how long.
-void noteUnendedVibration(const signals::Features& features, double end, std::vector<std::string>& notes) {
+// Of what still rings when the record ends only a lower limit is known.
+void noteUnendedVibration(const signals::Features& features, std::vector<std::string>& notes) {
   std::string names;
-  for (const auto& band : features.bands)
-    if (features.impactTime + band.freeVibration > end - 1 / band.band.low)
-      names += (names.empty() ? "" : ", ") + band.band.name;
-  if (!names.empty()) notes.push_back("free vibration goes on when the record ends: " + names);
+  for (const auto& band : features.bands) {
+    if (std::isnan(band.ringsFor) || !std::isnan(band.freeVibration)) continue;
+    std::ostringstream text;
+    text.precision(3);
+    text << band.band.name << " (longer than " << 1e3 * band.ringsFor << " ms)";
+    names += (names.empty() ? "" : ", ") + text.str();
+  }
+  if (!names.empty()) notes.push_back("free vibration not over at the end of the record: " + names);
+}
+
+void noteMissingWavelength(double rate, const signals::Features& features, const signals::FeatureOptions& options,
+                           std::vector<std::string>& notes) {
+  if (signals::shows(rate, options.waveBand) && std::isnan(features.wavelengthByCrossings))
+    notes.push_back("no wavelength by crossings: fewer than three zero crossings after the impact");
 }
 
 // A window weighs the samples of a record that is not stationary differently; then the density's integral is another
@@ -111,8 +127,8 @@ void noteUnevenWindow(const signals::PowerSpectrum& spectrum, std::vector<std::s
   if (std::abs(ratio - 1) <= 0.02) return;
   std::ostringstream text;
   text.precision(3);
-  text << "the integral of the density is " << ratio
-       << " of the mean square: the window weighs the middle of each segment more, and the record is not stationary; "
+  text << "the integral of the PSD is " << ratio
+       << " of the mean square: the window weights the middle of each segment of a non-stationary record more; "
           "a boxcar window gives 1";
   notes.push_back(text.str());
 }
@@ -130,19 +146,20 @@ void alignRuns(Analysis& analysis, const AnalysisOptions& options) {
     runs.push_back({signal.filtered, signal.passage.position});
     runs.back().series.name = signal.run;
     if (runs.back().series.unit != runs.front().series.unit) {
-      analysis.notes.push_back("the runs were not aligned: their units differ");
+      analysis.notes.push_back("runs not aligned: their units differ");
       return;
     }
   }
   try {
-    analysis.inTime = signals::alignInTime(runs, options.alignment);
-    analysis.inPosition = signals::alignInPosition(runs, options.alignment);
-    analysis.dispersion =
-        signals::runDispersion(*analysis.inTime, 0.03, options.features.waveSpan, options.features.waveBand);
+    auto alignment = options.alignment;
+    if (!alignment.anchor) alignment.anchor = analysis.signals.front().features.impactTime;
+    analysis.inTime = signals::alignInTime(runs, alignment);
+    analysis.inPosition = signals::alignInPosition(runs, alignment);
+    analysis.dispersion = signals::runDispersion(*analysis.inTime, options.features);
   } catch (const signals::SignalError& error) {
     analysis.inTime.reset();
     analysis.inPosition.reset();
-    analysis.notes.push_back(std::string("the runs were not aligned: ") + error.what());
+    analysis.notes.push_back(std::string("runs not aligned: ") + error.what());
   }
 }
 
@@ -160,16 +177,18 @@ SignalAnalysis analyseSignal(const measured::MeasuredSignal& signal, const Analy
   if (options.lowPass > 0 && options.lowPass < 0.49 * signal.series.rate())
     result.filtered = signals::lowPass(signal.series, options.lowPass);
   else if (options.lowPass > 0)
-    result.notes.push_back("not low-passed at " + hertz(options.lowPass) + ": the sampling rate is " +
+    result.notes.push_back("not low-pass filtered at " + hertz(options.lowPass) + ": the sampling rate is " +
                            hertz(signal.series.rate()));
   if (!signal.run.empty()) result.filtered.name = signal.run;
 
   signals::FeatureOptions features = options.features;
   noteUnseenBands(signal.series.rate(), features, result.notes);
-  if (!features.impactTime) features.impactTime = result.filtered.timeAt(largestSample(result.filtered.values));
-  features.speed = signals::speedAt(result.passage, *features.impactTime);
+  const signals::Passage filtered{result.filtered, result.passage.position};
+  if (!features.anchor) features.anchor = signals::anchorOf(filtered);
+  features.speed = signals::speedAt(filtered, features.anchor->time);
   result.features = signals::features(result.filtered, features);
-  noteUnendedVibration(result.features, result.filtered.timeAt(result.filtered.values.size() - 1), result.notes);
+  noteUnendedVibration(result.features, result.notes);
+  noteMissingWavelength(signal.series.rate(), result.features, features, result.notes);
 
   signals::PowerSpectrumOptions spectrum = options.spectrum;
   if (spectrum.segment == 0 && result.filtered.values.size() > longestPeriodogram) spectrum.segment = usualSegment;
@@ -177,18 +196,17 @@ SignalAnalysis analyseSignal(const measured::MeasuredSignal& signal, const Analy
   noteUnevenWindow(result.spectrum, result.notes);
   result.stft = stftOf(result.filtered, options.stft, result.notes);
   result.scalogramByAmplitude = options.wavelet.normalisation == signals::WaveletNormalisation::amplitude;
-  result.scalogram = scalogramOf(result.filtered, options.wavelet, result.notes);
-
-  std::vector<double> times(result.passage.position.size());
-  for (std::size_t i = 0; i < times.size(); ++i) times[i] = result.filtered.timeAt(i);
-  const double zero = signals::interpolateLinear(times, result.passage.position, *features.impactTime);
+  auto wavelet = options.wavelet;
+  if (!wavelet.shown) wavelet.shown = shownStretch(result.filtered, result.features, features);
+  result.scalogram = scalogramOf(result.filtered, wavelet, result.notes);
+  const double zero = signals::positionAtTime(filtered, features.anchor->time);
   for (const double time : result.scalogram.time)
-    result.scalogramPosition.push_back(signals::interpolateLinear(times, result.passage.position, time) - zero);
+    result.scalogramPosition.push_back(signals::positionAtTime(filtered, time) - zero);
   return result;
 }
 
 Analysis analyse(const std::vector<std::string>& files, const AnalysisOptions& options, Monitor& monitor) {
-  if (files.empty()) throw CaseError({{"signal", "none", "at least one file", "Name the files to analyse"}});
+  if (files.empty()) throw CaseError({{"SIGNAL", "none", "at least one file", "Name the files to analyse"}});
   Analysis analysis;
   for (std::size_t i = 0; i < files.size(); ++i) {
     Progress progress;
@@ -197,7 +215,7 @@ Analysis analyse(const std::vector<std::string>& files, const AnalysisOptions& o
     monitor.report(progress);
     for (const auto& signal : measured::readSignals(files[i], options.file)) {
       if (monitor.cancelled()) {
-        analysis.notes.push_back("cancelled: later signals were not analysed");
+        analysis.notes.push_back("cancelled: the remaining signals were not analysed");
         return analysis;
       }
       try {

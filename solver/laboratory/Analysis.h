@@ -21,9 +21,10 @@ struct AnalysisOptions {
   signals::FeatureOptions features;        // `speed` is taken from the file or from file.speed
   signals::PowerSpectrumOptions spectrum;  // of the whole record; segment 0: 8192 samples where it is longer than 16384
   signals::StftOptions stft{signals::Window::hann, 0, 0, 0};  // segment 0: 10 ms; hop 0: at most 2000 columns
-  signals::WaveletOptions wavelet;  // cell 0: at most 2000 columns; highest is lowered to half the rate, lowest raised
-                                    // to one wave in the record and 1e-5 of the rate, voices lowered to 1000 rows
-  bool align = true;                // where there is more than one run
+  signals::WaveletOptions
+      wavelet;  // shown: the window of the spectrum; cell 0: at most 2000 columns; highest is lowered to half the rate,
+                // lowest raised to one wave in the record and 1e-5 of the rate, voices lowered to 1000 rows
+  bool align = true;  // where there is more than one run
   signals::AlignmentOptions alignment;
   AnalysisOptions() { wavelet.cell = 0; }
 };
@@ -34,11 +35,11 @@ struct SignalAnalysis {
   signals::Passage passage;      // as read
   signals::TimeSeries filtered;  // what everything below was made from
   signals::Features features;
-  signals::PowerSpectrum spectrum;    // of the whole record
-  std::optional<signals::Stft> stft;  // none where the record is shorter than the window found by itself
-  signals::Scalogram scalogram;
+  signals::PowerSpectrum spectrum;        // of the whole record
+  std::optional<signals::Stft> stft;      // none where the record is shorter than the window found by itself
+  signals::Scalogram scalogram;           // of the stretch that is shown: the window of the spectrum
   bool scalogramByAmplitude = false;      // normalised so that a tone of amplitude 1 gives 1
-  std::vector<double> scalogramPosition;  // [m] at the columns, zero at the impact
+  std::vector<double> scalogramPosition;  // [m] at the columns, zero at the anchor
 };
 
 struct Analysis {

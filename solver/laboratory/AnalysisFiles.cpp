@@ -34,7 +34,8 @@ Json jsonOf(const SignalAnalysis& signal) {
                      {"high_hz", band.band.high},
                      {"power", band.power},
                      {"share", band.share},
-                     {"free_vibration_s", band.freeVibration}});
+                     {"free_vibration_s", band.freeVibration},
+                     {"vibrates_at_least_s", band.ringsFor}});
   for (const auto& peak : f.peaks)
     peaks.push_back({{"frequency_hz", peak.frequency},
                      {"density", peak.density},
@@ -45,6 +46,7 @@ Json jsonOf(const SignalAnalysis& signal) {
           {"unit", f.unit},
           {"rate_hz", signal.filtered.rate()},
           {"samples", signal.filtered.values.size()},
+          {"anchor", signals::toText(f.anchor)},
           {"features", features},
           {"bands", bands},
           {"peaks", peaks},
@@ -74,11 +76,12 @@ FeatureTable featureTable(const Analysis& analysis) {
 
 std::string featureCsv(const Analysis& analysis) {
   const FeatureTable table = featureTable(analysis);
-  std::string text = "file,run";
+  std::string text = "file,run,anchor";
   for (const auto& name : table.names) text += "," + csvField(name);
   text += '\n';
   for (std::size_t i = 0; i < analysis.signals.size(); ++i) {
-    text += csvField(analysis.signals[i].file) + "," + csvField(analysis.signals[i].run);
+    text += csvField(analysis.signals[i].file) + "," + csvField(analysis.signals[i].run) + "," +
+            csvField(signals::toText(analysis.signals[i].features.anchor));
     for (const double value : table.values[i]) text += "," + numberText(value);
     text += '\n';
   }
@@ -90,7 +93,7 @@ std::string featureJson(const Analysis& analysis) {
   json["signals"] = Json::array();
   for (const auto& signal : analysis.signals) json["signals"].push_back(jsonOf(signal));
   if (analysis.dispersion)
-    json["dispersion"] = {{"first_peak", jsonOf(analysis.dispersion->firstPeak)},
+    json["dispersion"] = {{"largest_peak", jsonOf(analysis.dispersion->largestPeak)},
                           {"wavelength_m", jsonOf(analysis.dispersion->wavelength)}};
   json["notes"] = analysis.notes;
   // File names need not be UTF-8.

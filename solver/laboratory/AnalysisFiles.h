@@ -16,10 +16,11 @@ struct FeatureTable {
 };
 FeatureTable featureTable(const Analysis& analysis);
 
-// One row a signal: file, run, then the features.
+// One row a signal: file, run, anchor, then the features.
 std::string featureCsv(const Analysis& analysis);
 
-// {"signals": [{file, run, features: {name: value}, bands: [...], peaks: [...], notes}], "dispersion": {...}, "notes"}
+// {"signals": [{file, run, anchor, features: {name: value}, bands: [...], peaks: [...], notes}], "dispersion": {...},
+// "notes"}
 std::string featureJson(const Analysis& analysis);
 
 // frequency, density of the whole record, and (own frequency axis) density around the impact.

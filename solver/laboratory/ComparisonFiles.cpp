@@ -50,6 +50,8 @@ std::string comparisonJson(const std::vector<FileComparison>& comparisons) {
                     {"first", entry.comparison.firstName},
                     {"second", entry.comparison.secondName},
                     {"comparison", rowOf(signals::comparisonRow(entry.comparison))},
+                    {"first_anchor", signals::toText(entry.comparison.firstFeatures.anchor)},
+                    {"second_anchor", signals::toText(entry.comparison.secondFeatures.anchor)},
                     {"first_features", rowOf(signals::featureRow(entry.comparison.firstFeatures))},
                     {"second_features", rowOf(signals::featureRow(entry.comparison.secondFeatures))},
                     {"notes", entry.notes}});

@@ -17,7 +17,7 @@ signals::Passage prepared(const measured::MeasuredSignal& signal, double lowPass
     if (lowPass > 0 && lowPass < 0.49 * passage.series.rate())
       passage.series = signals::lowPass(passage.series, lowPass);
     else if (lowPass > 0)
-      notes.push_back(passage.series.name + ": not low-passed, the sampling rate is too low for it");
+      notes.push_back(passage.series.name + ": not low-pass filtered: the sampling rate is too low");
   } catch (const signals::SignalError& error) {
     throw FileError(signal.file, signal.run, error.what());
   }
@@ -28,11 +28,11 @@ signals::Passage prepared(const measured::MeasuredSignal& signal, double lowPass
 
 std::vector<FileComparison> compareFiles(const std::string& first, const std::vector<std::string>& others,
                                          const FileComparisonOptions& options, Monitor& monitor) {
-  if (others.empty()) throw CaseError({{"measured", "none", "at least one file", "Name the signals to compare with"}});
+  if (others.empty()) throw CaseError({{"MEASURED", "none", "at least one file", "Name the signals to compare with"}});
   const auto firsts = measured::readSignals(first, options.first);
   if (firsts.size() != 1)
-    throw CaseError({{"signal", first + " with " + std::to_string(firsts.size()) + " runs", "a file with one run",
-                      "Name the column of the run that the others are compared with"}});
+    throw CaseError({{"--result-column", "a choice of " + std::to_string(firsts.size()) + " signals in " + first,
+                      "one signal", "Name the column of the reference signal"}});
   std::vector<std::string> firstNotes;
   const auto reference = prepared(firsts[0], options.lowPass, firstNotes);
   auto comparison = options.comparison;

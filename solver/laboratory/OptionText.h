@@ -1,4 +1,4 @@
-// solver/laboratory/OptionText.h - options of the signal laboratory as a user types them.
+// solver/laboratory/OptionText.h - options of the signal laboratory as a user types them. Errors name the option.
 #pragma once
 
 #include <string>

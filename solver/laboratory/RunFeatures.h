@@ -6,8 +6,8 @@
 
 namespace squat::laboratory {
 
-// Of a channel of the result. The impact is where the wheel centre passes the defect's deepest point, which a computed
-// run knows: its largest value may be a later swing of the ringing. In a record that ends before, the largest value.
+// Of a channel of the result, anchored by signals::anchorOf: where the wheel centre passes the defect's deepest point,
+// as the largest value may be a later swing of the ringing; in a record that ends before, the largest value.
 // Throws SignalError where the result has no such channel or is too short.
 signals::Features runFeatures(const results::RunResult& result, signals::FeatureOptions options = {},
                               const std::string& channel = "aba_filtered");

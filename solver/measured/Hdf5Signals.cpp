@@ -83,7 +83,7 @@ class Finder {
       : path_(path), tree_(tree), options_(options) {
     for (const auto& array : tree.arrays)
       if (isNumeric(array) && lengthOf(array) > 1) all_.push_back(&array);
-    if (all_.empty()) throw FileError(path, "", "holds no dataset of numbers");
+    if (all_.empty()) throw FileError(path, "", "contains no numeric dataset");
   }
 
   TextTable table() {
@@ -143,7 +143,7 @@ class Finder {
       } else if (groups.count(object == "/" ? "" : object)) {
         group_ = object == "/" ? "" : object;
       } else {
-        throw FileError(path_, object, "is no dataset and no group of datasets", "There are " + listOf(all_));
+        throw FileError(path_, object, "is neither a dataset nor a group of datasets", "Available: " + listOf(all_));
       }
       return;
     }
@@ -156,7 +156,7 @@ class Finder {
       group_ = *groups.begin();
       return;
     }
-    throw FileError(path_, "", "has datasets in several groups", "Name the object to read; there are " + listOf(all_));
+    throw FileError(path_, "", "has datasets in several groups", "Name the object to read; available: " + listOf(all_));
   }
 
   std::size_t chosenLength() const {

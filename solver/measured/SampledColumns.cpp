@@ -36,7 +36,7 @@ class Builder {
     out_.series.unit = in_.unit;
     trimEnd();
     if (in_.signal.size() < 2)
-      fail("", "holds " + std::to_string(in_.signal.size()) + " samples of '" + in_.name + "'; at least 2 are needed");
+      fail("", "has " + std::to_string(in_.signal.size()) + " samples of '" + in_.name + "'; at least 2 are needed");
     requireUsable(in_.signal, in_.name);
     requireUsable(in_.time, "time");
     requireUsable(in_.position, "position");
@@ -44,7 +44,7 @@ class Builder {
     for (std::size_t i = 0; i < in_.speed.size(); ++i)
       if (in_.speed[i] <= 0)
         fail(in_.place(i), "the speed is " + numberText(in_.speed[i]) + " m/s, not a positive number",
-             "Leave out standstill and reversing");
+             "Remove standstill and reversing");
     smoothPosition();
     if (options_.rate > 0)
       rateGiven();
@@ -107,7 +107,7 @@ class Builder {
     std::size_t anchor = 0;
     bool repeated = false;
     for (std::size_t i = 1; i < x.size(); ++i) {
-      if (x[i] < x[i - 1]) fail(in_.place(i), "the position goes back", "Leave out standstill and reversing");
+      if (x[i] < x[i - 1]) fail(in_.place(i), "the position goes back", "Remove standstill and reversing");
       if (x[i] == x[i - 1]) {
         repeated = true;
         continue;
@@ -150,7 +150,7 @@ class Builder {
     const auto& t = in_.time;
     for (std::size_t i = 1; i < t.size(); ++i)
       if (!(t[i] > t[i - 1]))
-        fail(in_.place(i), t[i] == t[i - 1] ? "the time stands still" : "the time goes back",
+        fail(in_.place(i), t[i] == t[i - 1] ? "the time does not advance" : "the time goes back",
              "Where the time is written with too few digits, give the sampling rate");
     out_.series.step = medianStep(t);
     for (std::size_t i = 1; i < t.size(); ++i) {

@@ -143,7 +143,7 @@ void requireRunNumbers(const TextTable& table, const Roles& roles) {
   for (std::size_t i = 0; i < column.values.size(); ++i)
     if (!std::isfinite(column.values[i]))
       throw FileError(table.path, table.rowWord + " " + std::to_string(table.lines[i]),
-                      "'" + column.name + "' holds no number here", "Runs are told apart by numbers");
+                      "'" + column.name + "' is not a number here", "The run column must contain numbers");
 }
 
 // First rows of the runs, and the end of the last.
@@ -201,12 +201,13 @@ void requireOptions(const SignalFileOptions& options) {
   std::vector<CaseProblem> problems;
   const auto number = [&](const char* key, double value, const char* unit) {
     if (!(std::isfinite(value) && value >= 0))
-      problems.push_back({key, std::to_string(value), std::string("a positive number of ") + unit, "Mend the option"});
+      problems.push_back(
+          {key, std::to_string(value), std::string("a positive number in ") + unit, "Correct the option"});
   };
-  number("rate", options.rate, "Hz");
-  number("speed", options.speed, "m/s");
+  number("--rate", options.rate, "Hz");
+  number("--speed", options.speed, "m/s");
   if (options.decimal != 0 && options.decimal != '.' && options.decimal != ',')
-    problems.push_back({"decimal", std::string(1, options.decimal), "point or comma", "Mend the option"});
+    problems.push_back({"--decimal-comma", std::string(1, options.decimal), "point or comma", "Correct the option"});
   if (!problems.empty()) throw CaseError(problems);
 }
 
@@ -222,7 +223,7 @@ std::vector<MeasuredSignal> signalsOf(const TextTable& table, const SignalFileOp
     const auto& column = table.columns[c];
     if (column.badRow == 0 &&
         std::all_of(column.values.begin(), column.values.end(), [](double v) { return std::isnan(v); }))
-      throw FileError(table.path, "column " + std::to_string(c + 1), "holds no numbers but " + column.badText,
+      throw FileError(table.path, "column " + std::to_string(c + 1), "contains no numbers, but " + column.badText,
                       "Its columns are " + listOf(table));
     for (std::size_t r = 0; r + 1 < starts.size(); ++r) {
       const std::size_t from = starts[r], to = starts[r + 1];
@@ -247,8 +248,8 @@ std::vector<MeasuredSignal> signalsOf(const TextTable& table, const SignalFileOp
 
 signals::Passage MeasuredSignal::passage() const {
   if (position.empty())
-    throw CaseError({{"speed", "none", "a positive number of m/s",
-                      "Give the speed: " + file + " has neither positions nor a speed column"}});
+    throw CaseError({{"--speed", "none", "a positive number in m/s",
+                      file + " has neither a position nor a speed column: give the speed"}});
   return {series, position};
 }
 

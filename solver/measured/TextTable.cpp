@@ -47,7 +47,7 @@ void checkText(std::string_view text, const std::string& path) {
   if (head.substr(0, 2) == "\xFF\xFE" || head.substr(0, 2) == "\xFE\xFF")
     throw FileError(path, "", "is UTF-16 text", "Save it as UTF-8 or plain text");
   if (head.find('\0') != std::string_view::npos)
-    throw FileError(path, "", "is no text file", "Export the signal as CSV or HDF5");
+    throw FileError(path, "", "is not a text file", "Export the signal as CSV or HDF5");
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ TextTable parseTextTable(std::string_view text, const std::string& path, char de
   }
   const TableLayout layout = findLayout(head, delimiter, decimal);
   if (layout.fields == 0 || layout.firstLine >= head.size())
-    throw FileError(path, "", "holds no table of numbers in its first " + std::to_string(head.size()) + " lines",
+    throw FileError(path, "", "contains no table of numbers in its first " + std::to_string(head.size()) + " lines",
                     "Give a table with one row per sample; name delimiter and decimal sign where they are unusual");
   if (layout.fields > mostColumns)
     throw FileError(path, lineText(static_cast<std::uint32_t>(layout.firstLine + 1)), "has too many columns");
@@ -87,7 +87,7 @@ TextTable parseTextTable(std::string_view text, const std::string& path, char de
     if (fields.size() != layout.fields)
       throw FileError(path, lineText(lines.number()),
                       "has " + std::to_string(fields.size()) + " fields, the table " + std::to_string(layout.fields),
-                      "Mend the line, or name the delimiter");
+                      "Correct the line, or give the delimiter");
     for (std::size_t c = 0; c < fields.size(); ++c) {
       auto& column = table.columns[c];
       double value = std::nan("");

@@ -10,12 +10,6 @@
 namespace squat::signals {
 namespace {
 
-std::size_t largestSample(const std::vector<double>& values) {
-  return static_cast<std::size_t>(
-      std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-      values.begin());
-}
-
 void requirePassages(const std::vector<Passage>& runs) {
   if (runs.size() < 2) throw SignalError("alignment needs at least two runs");
   for (const auto& run : runs) {
@@ -42,9 +36,12 @@ TimeSeries overPosition(const Passage& run, double step) {
 }
 
 // Aligns series over any axis; `before` and `after` are lengths on that axis.
-AlignedRuns align(const std::vector<TimeSeries>& rows, double before, double after, double largestShift) {
+AlignedRuns align(const std::vector<TimeSeries>& rows, double anchor, double before, double after,
+                  double largestShift) {
   const TimeSeries& reference = rows.front();
-  const double impact = reference.timeAt(largestSample(reference.values));
+  const double last = static_cast<double>(reference.values.size() - 1);
+  const double sample = std::clamp(std::round((anchor - reference.start) / reference.step), 0.0, last);
+  const double impact = reference.timeAt(static_cast<std::size_t>(sample));
   const TimeSeries piece = cutOut(reference, impact - before, impact + after);
   AlignedRuns result;
   double from = reference.start - impact, to = reference.timeAt(reference.values.size() - 1) - impact;
@@ -111,6 +108,14 @@ double timeAtPosition(const Passage& passage, double place) {
   return passage.series.start + passage.series.step * (static_cast<double>(k - 1) + part);
 }
 
+double positionAtTime(const Passage& passage, double time) {
+  const double last = static_cast<double>(passage.position.size() - 1);
+  const double sample = std::clamp((time - passage.series.start) / passage.series.step, 0.0, last);
+  const auto below = std::min(static_cast<std::size_t>(sample), passage.position.size() - 2);
+  const double part = sample - static_cast<double>(below);
+  return passage.position[below] + part * (passage.position[below + 1] - passage.position[below]);
+}
+
 Passage passageAtSpeed(TimeSeries series, double speed) {
   if (!(std::isfinite(speed) && speed > 0)) throw SignalError("the speed must be a positive number of m/s");
   Passage passage{std::move(series), {}};
@@ -155,9 +160,9 @@ AlignedRuns alignInTime(const std::vector<Passage>& runs, const AlignmentOptions
     const bool same = std::abs(run.series.step - runs[0].series.step) <= 1e-9 * runs[0].series.step;
     rows.push_back(same ? run.series : resample(run.series, runs[0].series.step));
   }
-  const double impact = rows[0].timeAt(largestSample(rows[0].values));
+  const double impact = options.anchor.value_or(anchorOf(runs[0]).time);
   const double speed = speedAt(runs[0], impact);
-  AlignedRuns result = align(rows, options.before / speed, options.after / speed, options.largestShift);
+  AlignedRuns result = align(rows, impact, options.before / speed, options.after / speed, options.largestShift);
   for (std::size_t r = 0; r < runs.size(); ++r) result.speed.push_back(speedAt(runs[r], result.impact[r]));
   return result;
 }
@@ -168,7 +173,8 @@ AlignedRuns alignInPosition(const std::vector<Passage>& runs, const AlignmentOpt
   const double step = (first.position.back() - first.position.front()) / static_cast<double>(first.position.size() - 1);
   std::vector<TimeSeries> rows;
   for (const auto& run : runs) rows.push_back(overPosition(run, step));
-  AlignedRuns result = align(rows, options.before, options.after, options.largestShift);
+  AlignedRuns result = align(rows, positionAtTime(first, options.anchor.value_or(anchorOf(first).time)), options.before,
+                             options.after, options.largestShift);
   result.inPosition = true;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto& x = runs[r].position;
@@ -192,21 +198,22 @@ Dispersion dispersionOf(std::vector<double> values) {
   return result;
 }
 
-RunDispersion runDispersion(const AlignedRuns& runs, double peakSpan, double waveSpan, const Band& waveBand) {
+RunDispersion runDispersion(const AlignedRuns& runs, const FeatureOptions& options) {
   std::vector<double> peaks, wavelengths;
   for (std::size_t r = 0; r < runs.values.size(); ++r) {
     const double speed = runs.speed[r];
     const double perMetre = runs.inPosition ? 1.0 : 1.0 / speed;
     double peak = 0;
     for (std::size_t i = 0; i < runs.axis.size(); ++i)
-      if (std::abs(runs.axis[i]) <= peakSpan * perMetre) peak = std::max(peak, std::abs(runs.values[r][i]));
+      if (runs.axis[i] >= -options.before * perMetre && runs.axis[i] <= options.after * perMetre)
+        peak = std::max(peak, std::abs(runs.values[r][i]));
     peaks.push_back(peak);
     // Over time: a position axis is divided by the run's speed.
     const double perSecond = runs.inPosition ? 1.0 / speed : 1.0;
     TimeSeries series{runs.axis.front() * perSecond, (runs.axis[1] - runs.axis[0]) * perSecond, runs.values[r],
                       runs.names[r], ""};
-    wavelengths.push_back(shows(series.rate(), waveBand)
-                              ? wavelengthByCrossings(series, 0, waveSpan / speed, speed, waveBand)
+    wavelengths.push_back(shows(series.rate(), options.waveBand)
+                              ? wavelengthByCrossings(series, 0, options.waveSpan / speed, speed, options.waveBand)
                               : std::nan(""));
   }
   return {dispersionOf(peaks), dispersionOf(wavelengths)};

@@ -1,6 +1,7 @@
 // solver/signals/Alignment.h - repeated runs over one defect: aligned on the impact, and how far they scatter.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,13 +24,16 @@ Passage passageAtSpeed(TimeSeries series, const std::vector<double>& speed);
 void requireRisingPositions(const Passage& passage);
 // [s] straight line between the samples; the end's beyond.
 double timeAtPosition(const Passage& passage, double place);
+// [m] straight line between the samples; the end's beyond.
+double positionAtTime(const Passage& passage, double time);
 
 // Mean speed [m/s] over the samples within `half` metres of the sample nearest to `time`.
 double speedAt(const Passage& passage, double time, double half = 0.5);
 
 struct AlignmentOptions {
-  double before = 0.2, after = 0.6;  // [m] of the reference around its impact that is compared
-  double largestShift = 0;           // [s] or [m] between impacts as recorded; 0: any
+  double before = 0.2, after = 0.6;  // [m] of the reference around its anchor that is compared
+  double largestShift = 0;           // [s] or [m] between anchors as recorded; 0: any
+  std::optional<double> anchor;      // [s] of the first run, moved to its nearest sample; default: by anchorOf
 };
 
 // Runs on one axis with its zero at the impact of the first run.
@@ -44,7 +48,7 @@ struct AlignedRuns {
   std::vector<double> mean, lowest, highest;  // over the runs: the scatter band
 };
 
-// The impact of the first run is its largest absolute value; each other run is moved to where its cross-correlation
+// The impact of the first run is its anchor; each other run is moved to where its cross-correlation
 // with the first is largest, to a fraction of a sample (parabola through three values). In position the runs are first
 // put on a common grid of positions, so runs of different speed match. Throws SignalError for fewer than two runs and
 // for signals that are constant, not finite or shorter than what is compared.
@@ -55,16 +59,15 @@ AlignedRuns alignInPosition(const std::vector<Passage>& runs, const AlignmentOpt
 struct Dispersion {
   std::vector<double> values;
   double mean = 0, standardDeviation = 0;  // of the sample: n - 1
-  double range = 0;                        // (largest - smallest) / mean: the paper's dispersion
+  double range = 0;                        // (maximum - minimum) / mean: the paper's dispersion
 };
 Dispersion dispersionOf(std::vector<double> values);
 
 struct RunDispersion {
-  Dispersion firstPeak;   // [unit] largest absolute value within `peakSpan` of the impact
-  Dispersion wavelength;  // [m] mean after the impact by zero crossings
+  Dispersion largestPeak;  // [unit] largest absolute value in the window of the spectrum
+  Dispersion wavelength;   // [m] mean after the anchor by zero crossings
 };
-RunDispersion runDispersion(const AlignedRuns& runs, double peakSpan = 0.03, double waveSpan = 0.15,
-                            const Band& waveBand = {"wave", 600, 2000});
+RunDispersion runDispersion(const AlignedRuns& runs, const FeatureOptions& options = {});
 
 // Shift d [s] for which sum_t a(t) b(t + d) is largest, |d| <= largestShift; both series must have the same step.
 double shiftBetween(const TimeSeries& a, const TimeSeries& b, double largestShift);

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "signals/PowerSpectrum.h"
 #include "signals/SignalError.h"
 
 namespace squat::signals {
@@ -33,6 +34,26 @@ std::size_t strideWithin(std::size_t cell) {
   std::size_t stride = 1;
   while (cell % (stride * 2) == 0 && stride * 8 <= cell) stride *= 2;
   return stride;
+}
+
+// What the wavelets of the shown part see of the record: 7 scales, where exp(-t^2/2) is 2e-11. A long record is not
+// transformed as a whole for a glance at it.
+TimeSeries seenPart(const TimeSeries& series, const WaveletOptions& options) {
+  if (!options.shown) return series;
+  const double margin = 7 * waveletScale(options.lowest, options.normalisation);
+  return cutOut(series, options.shown->first - margin, options.shown->second + margin);
+}
+
+// First sample with a column, and the one behind the last.
+std::pair<std::size_t, std::size_t> shownSamples(const TimeSeries& series, const WaveletOptions& options) {
+  const std::size_t n = series.values.size();
+  if (!options.shown) return {0, n};
+  const auto [from, to] = *options.shown;
+  const double size = static_cast<double>(n);
+  const double first = std::clamp(std::ceil((from - series.start) / series.step - 1e-6), 0.0, size);
+  const double last = std::clamp(std::floor((to - series.start) / series.step + 1e-6) + 1, 0.0, size);
+  if (!(last > first)) throw SignalError("a scalogram needs at least one sample in the part that is shown");
+  return {static_cast<std::size_t>(first), static_cast<std::size_t>(last)};
 }
 
 }  // namespace
@@ -70,28 +91,32 @@ Scalogram scalogram(const TimeSeries& series, const WaveletOptions& options) {
   requireVarying(series, "a scalogram");
   Scalogram result;
   result.frequency = frequenciesFor(series, options);
-  const std::size_t n = series.values.size();
+  const TimeSeries seen = seenPart(series, options);
+  const auto [begin, end] = shownSamples(seen, options);
+  const std::size_t n = end - begin;
   const std::size_t cell = std::clamp<std::size_t>(options.cell, 1, n);
   const std::size_t columns = (n + cell - 1) / cell;
   result.time.resize(columns);
   for (std::size_t c = 0; c < columns; ++c) {
     const double width = static_cast<double>(std::min(cell, n - c * cell));
-    result.time[c] = series.start + series.step * (static_cast<double>(c * cell) + 0.5 * (width - 1));
+    result.time[c] = seen.timeAt(begin) + series.step * (static_cast<double>(c * cell) + 0.5 * (width - 1));
   }
   result.power.assign(result.frequency.size() * columns, 0.0);
   std::vector<std::uint32_t> counts(result.power.size(), 0);
-  transformInBlocks(series, result.frequency, options.normalisation, strideWithin(cell), options.threads,
+  transformInBlocks(seen, result.frequency, options.normalisation, strideWithin(cell), options.threads,
                     [&](const WaveletPart& part) {
                       for (std::size_t i = 0; i < part.coefficients.size(); ++i) {
-                        const std::size_t column = (part.first + i * part.stride) / cell;
+                        const std::size_t sample = part.first + i * part.stride;
+                        if (sample < begin || sample >= end) continue;
+                        const std::size_t column = (sample - begin) / cell;
                         result.power[part.voice * columns + column] += std::norm(part.coefficients[i]);
                         ++counts[part.voice * columns + column];
                       }
                     });
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i] > 1) result.power[i] /= counts[i];
-  result.coneOfInfluence =
-      coneOfInfluence(result.time, series.start, series.timeAt(n - 1), series.rate(), options.normalisation);
+  result.coneOfInfluence = coneOfInfluence(result.time, series.start, series.timeAt(series.values.size() - 1),
+                                           series.rate(), options.normalisation);
   result.normalisation = options.normalisation == WaveletNormalisation::energy
                              ? "Morlet w0 = 6, power |W|^2 of W = s^(-1/2) Int x psi* dt"
                              : "Morlet w0 = 6, amplitude-normalised: a unit tone gives 1";

@@ -11,8 +11,10 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "signals/TimeSeries.h"
@@ -27,6 +29,8 @@ struct WaveletOptions {
   WaveletNormalisation normalisation = WaveletNormalisation::energy;
   std::size_t cell = 1;  // scalogram(): samples per column; each column holds the mean power over its cell
   int threads = 1;
+  // scalogram(): columns for this part of the record only [s]; the whole record counts for every one of them.
+  std::optional<std::pair<double, double>> shown;
 };
 
 inline constexpr double morletFrequency = 6.0;  // w0: at 6 the wavelet's own mean is negligible (1.5e-8)
@@ -48,7 +52,8 @@ struct Scalogram {
   double at(std::size_t row, std::size_t column) const { return power[row * time.size() + column]; }
 };
 
-// Throws SignalError for a signal that is empty, constant or not finite, and for frequencies above half its rate.
+// Throws SignalError for a signal that is empty, constant or not finite, for frequencies above half its rate, and where
+// no sample is shown.
 Scalogram scalogram(const TimeSeries& series, const WaveletOptions& options = {});
 
 // W (or its amplitude-normalised variant) at one frequency, at every sample.

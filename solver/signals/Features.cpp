@@ -21,13 +21,13 @@ void requireOptions(const TimeSeries& series, const FeatureOptions& options) {
   positive(options.before, "the length before the impact in m");
   positive(options.after, "the length after the impact in m");
   positive(options.waveSpan, "the length for the mean wavelength in m");
-  positive(options.rmsLength, "the length of the moving root mean square in m");
+  positive(options.rmsLength, "the length of the moving rms in m");
   auto bands = options.bands;
   bands.push_back(options.waveBand);
   for (const auto& band : bands) {
     if (!text.str().empty()) break;
     if (!(band.low > 0 && band.high > band.low))
-      text << "the band " << band.low << " to " << band.high << " Hz is not a rising pair of positive frequencies";
+      text << "the band " << band.low << " to " << band.high << " Hz needs two rising, positive frequencies";
     else if (band.required && !shows(series.rate(), band))
       text << "the band " << band.low << " to " << band.high << " Hz needs a sampling rate above " << 2 * band.high
            << " Hz; signal '" << series.name << "' has " << series.rate() << " Hz";
@@ -35,13 +35,19 @@ void requireOptions(const TimeSeries& series, const FeatureOptions& options) {
   if (!text.str().empty()) throw SignalError(text.str());
 }
 
+}  // namespace
+
 std::size_t largestSample(const std::vector<double>& values) {
   return static_cast<std::size_t>(
       std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
       values.begin());
 }
 
-}  // namespace
+std::vector<SpectralPeak> namedLines(const PowerSpectrum& spectrum) {
+  auto lines = spectralPeaks(spectrum, 50, 2000, 0.05);
+  if (lines.size() > 6) lines.resize(6);
+  return lines;
+}
 
 std::vector<Band> squatBands() {
   return {{"130-320 Hz", 130, 320, false}, {"200-400 Hz", 200, 400, false}, {"1000-1200 Hz", 1000, 1200, false}};
@@ -77,7 +83,10 @@ Features features(const TimeSeries& series, const FeatureOptions& options) {
   result.name = series.name;
   result.unit = series.unit;
   result.speed = options.speed;
-  result.impactTime = options.impactTime.value_or(series.timeAt(largestSample(series.values)));
+  const Anchor anchor =
+      options.anchor.value_or(Anchor{series.timeAt(largestSample(series.values)), AnchorRule::largestValue});
+  result.impactTime = anchor.time;
+  result.anchor = anchor.rule;
   const auto [lowest, highest] = std::minmax_element(series.values.begin(), series.values.end());
   result.minimum = *lowest;
   result.maximum = *highest;
@@ -101,12 +110,13 @@ Features features(const TimeSeries& series, const FeatureOptions& options) {
   result.wavelengthByRidge = waves ? wavelengthByRidge(series, impact, until, speed, options.waveBand) : unseen;
   for (const Band& band : options.bands) {
     if (!shows(series.rate(), band)) {
-      result.bands.push_back({band, unseen, unseen, unseen});
+      result.bands.push_back({band, unseen, unseen, unseen, unseen});
       continue;
     }
     const double power = bandPower(result.spectrum, band.low, band.high);
-    result.bands.push_back(
-        {band, power, power / result.spectrum.integral, freeVibration(series, impact, band, options.decayLevel)});
+    const auto vibration = freeVibration(series, impact, band, options.decayLevel);
+    result.bands.push_back({band, power, power / result.spectrum.integral,
+                            vibration.ended ? vibration.duration : unseen, vibration.duration});
   }
   result.peaks = spectralPeaks(result.spectrum, options.lowestPeak, options.highestPeak, options.peakShare);
   return result;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "signals/Anchor.h"
 #include "signals/Peaks.h"
 #include "signals/PowerSpectrum.h"
 #include "signals/TimeSeries.h"
@@ -27,9 +28,9 @@ std::vector<Band> squatBands();
 bool shows(double rate, const Band& band);
 
 struct FeatureOptions {
-  double speed = 30.0;               // [m/s] at the impact
-  std::optional<double> impactTime;  // [s]; default: the sample with the largest absolute value
-  double before = 0.10;              // [m] of the record used for the spectrum, before and after the impact
+  double speed = 30.0;           // [m/s] at the anchor
+  std::optional<Anchor> anchor;  // default: the sample with the largest absolute value
+  double before = 0.10;          // [m] of the record used for the spectrum, before and after the anchor
   double after = 0.28;
   std::vector<Band> bands = squatBands();
   Band waveBand{"wave", 600, 2000, false};  // the short waves after the impact: the record is band-passed to it
@@ -45,22 +46,31 @@ struct BandFeatures {
   Band band;
   double power = 0;          // [unit^2] integral of the density
   double share = 0;          // of the integral of the whole spectrum
-  double freeVibration = 0;  // [s] from the impact to the end of free vibration
+  double freeVibration = 0;  // [s] from the anchor to the end of free vibration; NaN where the record ends before
+  double ringsFor = 0;       // [s] the same, or as long as the record shows it
 };
 
 struct Features {
   std::string name, unit;
-  double speed = 0, impactTime = 0;                 // [m/s], [s]
+  double speed = 0, impactTime = 0;                 // [m/s], [s] of the anchor
+  AnchorRule anchor = AnchorRule::largestValue;     // how the impact was found
   double peak = 0;                                  // largest absolute value
   double maximum = 0, minimum = 0, peakToPeak = 0;  // [unit]
   double rms = 0;                                   // of the whole record
   double largestMovingRms = 0;                      // over FeatureOptions::rmsLength
-  double wavelengthByCrossings = 0;                 // [m] mean after the impact; 0: fewer than three crossings
+  double wavelengthByCrossings = 0;                 // [m] mean after the anchor; NaN: fewer than three crossings
   double wavelengthByRidge = 0;                     // [m] speed / power-weighted mean frequency of the wavelet ridge
   std::vector<BandFeatures> bands;
   std::vector<SpectralPeak> peaks;  // most prominent first
   PowerSpectrum spectrum;           // Hann, from `before` to `after`, zeros appended for a step of about 3 Hz
 };
+
+// Index of the sample with the largest absolute value.
+std::size_t largestSample(const std::vector<double>& values);
+
+// The lines that tables and figures name: at most six between 50 and 2000 Hz, those with at least 5 % of the
+// prominence of the first, the most prominent first.
+std::vector<SpectralPeak> namedLines(const PowerSpectrum& spectrum);
 
 // Throws SignalError for a signal that is too short, constant or not finite, for a speed that is not positive, and for
 // required bands above half the sampling rate.
@@ -77,7 +87,8 @@ std::vector<double> movingRms(const std::vector<double>& values, std::size_t n);
 // Spectrum of the samples from..to [s], Hann, mean taken off, zeros appended until the step is at most `frequencyStep`.
 PowerSpectrum localSpectrum(const TimeSeries& series, double from, double to, double frequencyStep = 3.0);
 
-// Mean wavelength [m] from the zero crossings of the band-passed record in from..to [s]; 0 with fewer than three.
+// Mean wavelength [m] from the zero crossings of the band-passed record in from..to [s]; NaN with fewer than
+// three.
 double wavelengthByCrossings(const TimeSeries& series, double from, double to, double speed, const Band& band);
 
 // The same from the ridge of the amplitude-normalised Morlet transform: at each sample the strongest frequency in the
@@ -85,9 +96,13 @@ double wavelengthByCrossings(const TimeSeries& series, double from, double to, d
 double wavelengthByRidge(const TimeSeries& series, double from, double to, double speed, const Band& band);
 
 // Time [s] from `impact` until the band's envelope (root mean wavelet power, amplitude-normalised) falls below `level`
-// of its largest value after the impact and stays below for a period of the band's lower edge; to the end of the
-// record, or one second, where it never does. The wavelet's own length is the least that can be seen: an impulse
-// gives 2.0/(band centre) at level 0.1.
-double freeVibration(const TimeSeries& series, double impact, const Band& band, double level);
+// of its largest value after the impact and stays below for a period of the band's lower edge. Where it never does
+// within the record, or one second, the vibration has not ended: it lasts at least that long. The wavelet's own length
+// is the minimum that can be seen: an impulse gives 2.0/(band centre) at level 0.1.
+struct FreeVibration {
+  double duration = 0;  // [s]
+  bool ended = false;
+};
+FreeVibration freeVibration(const TimeSeries& series, double impact, const Band& band, double level);
 
 }  // namespace squat::signals

@@ -48,7 +48,7 @@ double wavelengthByCrossings(const TimeSeries& series, double from, double to, d
     if (count++ == 0) first = time;
     last = time;
   }
-  if (count < 3) return 0;
+  if (count < 3) return std::numeric_limits<double>::quiet_NaN();
   return speed * 2 * (last - first) / static_cast<double>(count - 1);
 }
 
@@ -70,13 +70,13 @@ double wavelengthByRidge(const TimeSeries& series, double from, double to, doubl
     weightedFrequency += map.at(best, column) * map.frequency[best] * std::exp2(offset / voicesPerOctave);
     weights += map.at(best, column);
   }
-  return weightedFrequency > 0 ? speed * weights / weightedFrequency : 0.0;
+  return weightedFrequency > 0 ? speed * weights / weightedFrequency : std::numeric_limits<double>::quiet_NaN();
 }
 
-double freeVibration(const TimeSeries& series, double impact, const Band& band, double level) {
+FreeVibration freeVibration(const TimeSeries& series, double impact, const Band& band, double level) {
   if (impact > series.timeAt(series.values.size())) {
     std::ostringstream text;
-    text << "the impact at " << impact << " s lies behind the end of the signal";
+    text << "the impact at " << impact << " s is after the end of the signal";
     throw SignalError(text.str());
   }
   const Scalogram map = bandScalogram(surroundings(series, impact, impact + longestVibration, band), band);
@@ -84,7 +84,7 @@ double freeVibration(const TimeSeries& series, double impact, const Band& band, 
   for (std::size_t row = 0; row < map.frequency.size(); ++row)
     for (std::size_t column = 0; column < power.size(); ++column) power[column] += map.at(row, column);
   const auto begin = std::lower_bound(map.time.begin(), map.time.end(), impact - 0.5 * series.step) - map.time.begin();
-  if (begin == static_cast<std::ptrdiff_t>(power.size())) return 0;
+  if (begin == static_cast<std::ptrdiff_t>(power.size())) return {};
   const auto top = std::max_element(power.begin() + begin, power.end());
   const double limit = level * level * *top;
   const auto period = static_cast<std::size_t>(std::ceil(1 / (band.low * series.step)));
@@ -98,7 +98,7 @@ double freeVibration(const TimeSeries& series, double impact, const Band& band, 
       ++quiet;
     }
   }
-  return map.time[end] - impact;
+  return {map.time[end] - impact, quiet >= period};
 }
 
 }  // namespace squat::signals

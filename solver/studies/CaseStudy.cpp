@@ -100,8 +100,8 @@ StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOver
     // The case is read anew for every point: an edit in between would mix two cases in one table.
     if (const auto hash = cases::caseHash(cases::loadCase(definition.caseName, overrides)); hash != definition.caseHash)
       throw CaseError({{"case", definition.caseName + " (" + hash + ")",
-                        "the case that the study began with (" + definition.caseHash + ")",
-                        "It was changed meanwhile: put it back, or begin a study of its own in another folder"}});
+                        "the case that the study started with (" + definition.caseHash + ")",
+                        "The case was changed during the study: restore it, or start a new study in another folder"}});
     giveBackFreeMemory();
     const auto result = run(caseAt(definition, overrides, point), point, own);
     if (!result.complete) return std::nullopt;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t mostValues = 1000, mostPoints = 10000;
 
 [[noreturn]] void refuse(const std::string& text, const std::string& allowed) {
-  throw CaseError({{"vary", "'" + text + "'", allowed, "Write it like defect.length=20:60:5"}});
+  throw CaseError({{"--vary", "'" + text + "'", allowed, "Example: defect.length=20:60:5"}});
 }
 
 std::string trimmed(const std::string& text) {
@@ -58,7 +58,7 @@ Variation variationFromText(const std::string& text) {
   if (right.find(':') == std::string::npos) {
     variation.values = parts(right, ',');
     for (const auto& value : variation.values)
-      if (value.empty()) refuse(text, "values without empty places between commas");
+      if (value.empty()) refuse(text, "values without empty entries between commas");
     if (variation.values.size() > mostValues) refuse(text, "at most 1000 values");
   } else {
     const auto range = parts(right, ':');
@@ -81,15 +81,15 @@ Variation variationFromText(const std::string& text) {
 
 std::vector<StudyPoint> gridOf(const StudyDefinition& definition) {
   if (definition.variations.empty())
-    throw CaseError({{"vary", "none", "at least one key with values", "Write it like --vary defect.length=20:60:5"}});
+    throw CaseError({{"--vary", "none", "at least one key with values", "Example: --vary defect.length=20:60:5"}});
   std::size_t count = 1;
   std::set<std::string> keys;
   for (const auto& variation : definition.variations) {
     if (!keys.insert(variation.key).second)
-      throw CaseError({{"vary", variation.key, "each key once", "Put all its values into one --vary"}});
+      throw CaseError({{"--vary", variation.key, "given once per key", "Put all its values into one --vary"}});
     count *= variation.values.size();
     if (count > mostPoints || count == 0)
-      throw CaseError({{"vary", "more than 10000 runs", "1 to 10000 runs", "Take fewer values"}});
+      throw CaseError({{"--vary", "more than 10000 runs", "1 to 10000 runs", "Use fewer values"}});
   }
   std::vector<StudyPoint> points(count);
   for (std::size_t index = 0; index < count; ++index) {

@@ -20,11 +20,8 @@ std::string tablePath(const std::string& folder) { return folder + "/study.csv";
 std::string identityPath(const std::string& folder) { return folder + "/study.json"; }
 
 std::string identityText(const StudyDefinition& definition) {
-  Json json{{"schema", "squat-study"},
-            {"schema_version", 1},
-            {"case", definition.caseName},
-            {"case_hash", definition.caseHash},
-            {"vary", Json::array()}};
+  Json json{{"schema", "squat-study"},          {"schema_version", 1},    {"case", definition.caseName},
+            {"case_hash", definition.caseHash}, {"anchor", kStudyAnchor}, {"vary", Json::array()}};
   for (const auto& variation : definition.variations)
     json["vary"].push_back({{"key", variation.key}, {"values", variation.values}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -79,7 +76,7 @@ double numberFrom(const std::string& text, const std::string& path, std::size_t 
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
     throw FileError(path, "line " + std::to_string(line), "'" + text + "' is not a number",
-                    "Restore the table or use another folder");
+                    "Restore the table, or choose another folder with -o");
   return value;
 }
 
@@ -97,11 +94,12 @@ StudyTable emptyTable(const StudyDefinition& definition) {
 }
 
 std::string tableText(const StudyTable& table) {
-  // Features that have a value, in the order in which they first appear along the grid.
+  // In the order in which they first appear along the grid, with or without a value: scripts find the same columns in
+  // every study.
   std::vector<std::string> names;
   for (const auto& row : table.rows)
     for (const auto& [name, value] : row.features)
-      if (!std::isnan(value) && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   std::string text;
   for (const auto& variation : table.definition.variations) text += laboratory::csvField(variation.key) + ",";
   text += "state";
@@ -133,27 +131,26 @@ void writeTable(const StudyTable& table, const std::string& folder) {
 std::optional<StudyTable> readTable(const StudyDefinition& definition, const std::string& folder) {
   if (!std::filesystem::exists(identityPath(folder))) {
     if (std::filesystem::exists(tablePath(folder)))
-      throw CaseError({{"output", tablePath(folder), "a folder without a study.csv that nothing belongs to",
-                        "Its study.json is missing: it may be anybody's table. Put that back, or choose another "
-                        "folder with -o"}});
+      throw CaseError({{"-o", tablePath(folder), "a folder without a study.csv, or with its study.json",
+                        "study.json is missing: restore it, or choose another folder"}});
     return std::nullopt;
   }
   Json identity;
   try {
     identity = Json::parse(readWholeFile(identityPath(folder), largestFile));
   } catch (const Json::exception& error) {
-    throw FileError(identityPath(folder), "", "is damaged", "Remove the folder or use another one");
+    throw FileError(identityPath(folder), "", "is damaged", "Remove the folder, or choose another one with -o");
   }
   if (!sameStudy(identity, definition))
-    throw CaseError({{"output", folder, "a new folder, or that of the same case and values",
-                      "The folder holds another study: name another one with -o"}});
+    throw CaseError({{"-o", folder, "a new folder, or that of the same case and values",
+                      "The folder holds another study: choose another one"}});
   StudyTable table = emptyTable(definition);
   const std::string path = tablePath(folder);
   if (!std::filesystem::exists(path)) return table;
   const auto records = recordsOf(readWholeFile(path, largestFile));
   const std::size_t keys = definition.variations.size();
   if (records.empty() || records[0].size() < keys + 2)
-    throw FileError(path, "line 1", "is not the table of this study", "Restore it or use another folder");
+    throw FileError(path, "line 1", "is not the table of this study", "Restore it, or choose another folder with -o");
   for (std::size_t r = 1; r < records.size(); ++r) {
     const auto& record = records[r];
     const std::vector<std::string> values(record.begin(),
@@ -163,12 +160,12 @@ std::optional<StudyTable> readTable(const StudyDefinition& definition, const std
     if (record.size() != records[0].size() || row == table.rows.end() ||
         (record[keys] != "done" && record[keys] != "failed"))
       throw FileError(path, "line " + std::to_string(r + 1), "is not a row of this study",
-                      "Restore the table or use another folder");
+                      "Restore the table, or choose another folder with -o");
     row->state = record[keys] == "done" ? RowState::done : RowState::failed;
     row->message = record.back();
     if (row->state == RowState::done)
       for (std::size_t c = keys + 1; c + 1 < record.size(); ++c)
-        if (!record[c].empty()) row->features.emplace_back(records[0][c], numberFrom(record[c], path, r + 1));
+        row->features.emplace_back(records[0][c], numberFrom(record[c], path, r + 1));
   }
   return table;
 }

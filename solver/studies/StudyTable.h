@@ -12,6 +12,9 @@ namespace squat::studies {
 
 using FeatureRow = std::vector<std::pair<std::string, double>>;  // names with unit, values
 
+// Each run of a study ends behind the defect.
+inline constexpr const char* kStudyAnchor = "defect at position 0";
+
 enum class RowState { open, done, failed };
 
 struct StudyRow {
@@ -30,7 +33,8 @@ struct StudyTable {
 
 StudyTable emptyTable(const StudyDefinition& definition);
 
-// FOLDER/study.csv: keys, state, features, message; ended runs only, in the order of the grid. The same rows give the
+// FOLDER/study.csv: keys, state, features, message; ended runs only, in the order of the grid. Every feature has its
+// column, also where no run has a value for it. The same rows give the
 // same bytes, whatever the order in which they ended. FOLDER/study.json says which study it is. Both durable;
 // FileError.
 void writeTable(const StudyTable& table, const std::string& folder);

@@ -186,7 +186,7 @@ TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,nan\n0.2,3\n"), HasSubstr("line 3: 'aba' has no number here"));
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,\n0.2,3\n"), HasSubstr("line 3"));
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,oops\n0.2,3\n"), HasSubstr("line 3"));
-  EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n0.1,3\n0.2,4\n"), HasSubstr("line 4: the time stands still"));
+  EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n0.1,3\n0.2,4\n"), HasSubstr("line 4: the time does not advance"));
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n0.2,3\n0.15,4\n0.4,4\n"), HasSubstr("line 5: the time goes back"));
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2,7\n0.2,3\n"), HasSubstr("line 3: has 3 fields, the table 2"));
   SignalFileOptions options;
@@ -199,7 +199,7 @@ TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint("t,aba\n0,1\n"), HasSubstr("at least 2"));
   EXPECT_THAT(complaint(""), HasSubstr("no table of numbers"));
   EXPECT_THAT(complaint("hello\nworld\n"), HasSubstr("no table of numbers"));
-  EXPECT_THAT(complaint(std::string("PK\0\3 binary", 11)), HasSubstr("no text file"));
+  EXPECT_THAT(complaint(std::string("PK\0\3 binary", 11)), HasSubstr("not a text file"));
   EXPECT_THAT(complaint("\xFF\xFEt\0"), HasSubstr("UTF-16"));
   EXPECT_THAT(complaint("position,speed,aba\n0,30,1\n1,0,2\n2,30,3\n"), HasSubstr("line 3: the speed is 0 m/s"));
   EXPECT_THAT(complaint("t,position,aba\n0,1,1\n1,3,2\n2,2,3\n3,5,1\n"), HasSubstr("line 4: the position goes back"));
@@ -214,7 +214,7 @@ TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint("position [ft],aba [g]\n0,1\n1,2\n2,1\n"), HasSubstr("'position' is in ft"));
   EXPECT_THAT(complaint("time [min],aba [g]\n0,1\n1,2\n2,1\n"), HasSubstr("'time' is in min"));
   EXPECT_THAT(complaint("run,t,aba\nnorth,0,1\nnorth,0.1,2\nsouth,0,1\nsouth,0.1,2\n"),
-              HasSubstr("'run' holds no number here"));
+              HasSubstr("'run' is not a number here"));
   EXPECT_THROW(readSignals("/no/such/file.csv"), FileError);
   EXPECT_THROW(readSignals("/"), FileError);
 }

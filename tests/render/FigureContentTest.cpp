@@ -11,6 +11,7 @@
 #include "plots/SleeperSpans.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
+#include "signals/Features.h"
 
 namespace squat {
 namespace {
@@ -53,6 +54,26 @@ TEST_F(FigureContent, psdNamesItsPeaks) {
   EXPECT_NEAR(texts[0].toDouble(), 300, 4);
   EXPECT_NEAR(texts[1].toDouble(), 1000, 4);
   EXPECT_NEAR(texts[2].toDouble(), 640, 4);
+}
+
+// Two lines 84 Hz apart are both named, ripple of a fiftieth is not, and the numbers are those of the tables.
+TEST_F(FigureContent, psdNamesNeighboursAndNoRipple) {
+  const auto bell = [](double f, double at, double height) { return height * std::exp(-std::pow((f - at) / 20, 2)); };
+  for (std::size_t i = 0; i < result_.frequency.size(); ++i) {
+    const double f = result_.frequency[i];
+    result_.psd[i] = bell(f, 250, 4) + bell(f, 334, 5) + bell(f, 749, 3) + bell(f, 1500, 0.08) + bell(f, 1720, 0.1);
+  }
+  const auto texts = labels(*plots::psdFigure(result_, plots::lightStyle()));
+  signals::PowerSpectrum spectrum;
+  spectrum.frequency = result_.frequency;
+  spectrum.density = result_.psd;
+  const auto lines = signals::namedLines(spectrum);
+  ASSERT_EQ(texts.size(), 3u);
+  const double expected[] = {334, 250, 749};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(texts[i].toDouble(), expected[i], 2);  // a raster of 7.8 Hz, the vertex of a parabola
+    EXPECT_EQ(texts[i], QString::number(lines[i].frequency, 'f', 0));
+  }
 }
 
 TEST_F(FigureContent, contactForceShowsZero) {

@@ -33,6 +33,21 @@ TEST_F(FigureFiles, everyFigureComesInEveryFormat) {
   EXPECT_EQ(files, written.size());
 }
 
+// A figure that was named is not drawn empty; the message lists what there is.
+TEST_F(FigureFiles, aNamedFigureThatTheResultLacksIsRefused) {
+  const std::string folder = tests::freshFolder("lacking");
+  auto result = tests::syntheticResult();
+  result.permanent = {};
+  result.scalogramPower.clear();
+  for (const char* name : {"residual_stress", "permanent_change", "scalogram", "no_such"}) try {
+      plots::renderFigures(result, folder, {{"psd", name}, {"svg"}});
+      FAIL() << name;
+    } catch (const CaseError& error) {
+      EXPECT_THAT(error.what(), testing::AllOf(HasSubstr(name), HasSubstr("--figures"), HasSubstr("contact_force")));
+    }
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
 TEST_F(FigureFiles, picturesHaveTheWidthOfAColumnAt300Dpi) {
   const std::string folder = tests::freshFolder("sizes");
   for (const auto& path : plots::renderFigures(tests::syntheticResult(), folder, {{"psd", "scalogram"}, {"png"}})) {

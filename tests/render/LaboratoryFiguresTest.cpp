@@ -7,6 +7,7 @@
 
 #include "plots/FigureBuilders.h"
 #include "plots/FigureFiles.h"
+#include "plots/StudyFigures.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticLaboratory.h"
 #include "render/SyntheticResult.h"
@@ -73,6 +74,24 @@ TEST_F(LaboratoryFigures, everyAxisHasALabelAndSquaresAreRaised) {
         EXPECT_FALSE(axis->label().isEmpty()) << sheet.name << " " << panel->name().toStdString();
         EXPECT_FALSE(axis->label().contains("s2") || axis->label().contains(")2")) << axis->label().toStdString();
       }
+}
+
+// Nothing lies between two names; a feature without any value says so.
+TEST_F(LaboratoryFigures, namesAreNotJoinedByLines) {
+  auto table = studies::emptyTable({"c", "12345678", {studies::variationFromText("defect.lateral=uniform,parabolic")}});
+  for (auto& row : table.rows) {
+    row.state = studies::RowState::done;
+    row.features = {{"peak [m/s2]", 1.0 + static_cast<double>(row.point.index)},
+                    {"free vibration 1000-1200 Hz [s]", std::nan("")}};
+  }
+  const auto sheets = plots::studyFigures(table, plots::lightStyle());
+  ASSERT_EQ(sheets.at(0).panels.size(), 2u);
+  EXPECT_EQ(sheets[0].panels[0]->graph(0)->lineStyle(), QCPGraph::lsNone);
+  ASSERT_EQ(sheets[0].panels[1]->itemCount(), 1);
+  EXPECT_EQ(qobject_cast<QCPItemText*>(sheets[0].panels[1]->item(0))->text(), "longer than the record");
+  table = studies::emptyTable({"c", "12345678", {studies::variationFromText("defect.depth=0.1,0.2")}});
+  for (auto& row : table.rows) row.state = studies::RowState::done, row.features = {{"peak [m/s2]", 1.0}};
+  EXPECT_EQ(plots::studyFigures(table, plots::lightStyle()).at(0).panels[0]->graph(0)->lineStyle(), QCPGraph::lsLine);
 }
 
 // Measured signals may be anything; what nobody named a unit for says so.

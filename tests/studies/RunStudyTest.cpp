@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -55,6 +56,24 @@ TEST_F(Study, oneTableWithTheFailedRunNamed) {
   EXPECT_THAT(text, HasSubstr("defect.length,defect.depth,state,peak [m/s2],\"wavelength, mean [m]\",message\n"));
   EXPECT_THAT(text, HasSubstr("\n20,0.1,done,0.6666666666666666,0.05,\n"));
   EXPECT_THAT(text, HasSubstr("\n40,0.2,failed,,,"));
+}
+
+// Whatever a run has no number for keeps its column, also after the study was resumed.
+TEST_F(Study, columnsDoNotDependOnWhatWasFound) {
+  const auto gaps = [](const StudyPoint& point, Monitor&) -> std::optional<FeatureRow> {
+    return FeatureRow{{"peak [m/s2]", std::stod(point.values[0])}, {"peak 2 frequency [Hz]", std::nan("")}};
+  };
+  struct Impatient : Monitor {
+    bool cancelled() override { return ended >= 3; }
+    void message(const std::string&) override { ++ended; }
+    int ended = 0;
+  } impatient;
+  runStudy(definition_, gaps, {folder("g"), 1, false}, impatient);
+  runStudy(definition_, gaps, {folder("g"), 1, false}, monitor_);
+  const std::string text = read(folder("g/study.csv"));
+  EXPECT_THAT(text, HasSubstr("state,peak [m/s2],peak 2 frequency [Hz],message\n"));
+  EXPECT_THAT(text, HasSubstr("\n20,0.1,done,20,,\n"));
+  EXPECT_EQ(text, tableText(runStudy(definition_, gaps, {folder("h"), 1, false}, monitor_)));
 }
 
 // Killed without warning in the fifth run, then called again: the same bytes as without the interruption, and no run

@@ -31,8 +31,8 @@ results::RunResult asRun(const laboratory::SignalAnalysis& signal) {
   run.title = titleOf(signal).toStdString();
   run.complete = true;
   run.speed = signal.features.speed;
-  run.frequency = signal.spectrum.frequency;
-  run.psd = signal.spectrum.density;
+  run.frequency = signal.features.spectrum.frequency;
+  run.psd = signal.features.spectrum.density;
   run.scalogramFrequency = signal.scalogram.frequency;
   run.scalogramTime = signal.scalogram.time;
   run.scalogramPosition = signal.scalogramPosition;
@@ -40,13 +40,11 @@ results::RunResult asRun(const laboratory::SignalAnalysis& signal) {
   run.coneOfInfluence = signal.scalogram.coneOfInfluence;
   const auto& series = signal.filtered;
   const auto& position = signal.passage.position;
-  const double impactSample = (signal.features.impactTime - series.start) / series.step;
-  const auto nearest =
-      static_cast<std::size_t>(std::clamp(std::round(impactSample), 0.0, static_cast<double>(position.size() - 1)));
+  const double zero = signals::positionAtTime(signal.passage, signal.features.impactTime);
   const double margin = 0.5 * windowSeconds * run.speed;
   results::Channel aba{"aba_filtered", series.unit, "", {}};
   for (std::size_t i = 0; i < std::min(position.size(), series.values.size()); ++i) {
-    const double place = position[i] - position[nearest];
+    const double place = position[i] - zero;
     if (place < -shownBefore - margin || place > shownAfter + margin) continue;
     run.time.push_back(series.timeAt(i));
     run.position.push_back(place);
@@ -66,7 +64,11 @@ std::string distinct(std::string name, std::set<std::string>& taken) {
   return name;
 }
 
-QString placeLabel() { return "Position from the impact [mm]"; }
+QString placeLabel() { return "Position relative to the impact [mm]"; }
+
+QString percentText(const signals::Dispersion& dispersion) {
+  return std::isfinite(dispersion.mean) ? QString::number(100 * dispersion.range, 'f', 0) : QStringLiteral("-");
+}
 
 QString quantityLabel(const std::string& unit) {
   return (unit == "m/s2" ? QStringLiteral("Acceleration [%1]") : QStringLiteral("Signal [%1]")).arg(unitText(unit));
@@ -95,7 +97,7 @@ std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, 
 std::unique_ptr<Figure> scatterFigure(const signals::AlignedRuns& runs, const std::string& unit, const Style& style) {
   auto figure = std::make_unique<Figure>("scatter", style);
   const auto axis = scaled(runs.axis, 1e3);
-  figure->xAxis->setLabel(runs.inPosition ? placeLabel() : QString("Time from the impact [ms]"));
+  figure->xAxis->setLabel(runs.inPosition ? placeLabel() : QString("Time relative to the impact [ms]"));
   figure->yAxis->setLabel(quantityLabel(unit));
   const double speed = runs.speed.empty() || runs.inPosition ? 1.0 : std::max(1e-3, runs.speed.front());
   if (!axis.empty())
@@ -103,7 +105,7 @@ std::unique_ptr<Figure> scatterFigure(const signals::AlignedRuns& runs, const st
                             std::min(axis.back(), 1e3 * shownAfter / speed));
   QCPGraph* low = addCurve(*figure, {axis, runs.lowest, QString()});
   low->setPen(Qt::NoPen);
-  QCPGraph* high = addCurve(*figure, {axis, runs.highest, "lowest to highest"});
+  QCPGraph* high = addCurve(*figure, {axis, runs.highest, "minimum to maximum"});
   QColor fill = style.curve(0);
   fill.setAlpha(60);
   high->setPen(QPen(fill, 0.5));
@@ -127,7 +129,8 @@ std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, c
     sheets.push_back(sheetOf(stem + "_history", historyFigure(signal, style)));
     auto density = psdFigure(run, style);
     density->yAxis->setLabel(QStringLiteral("PSD [(%1)²/Hz]").arg(unitText(signal.filtered.unit)));
-    density->setCaption(titleOf(signal), QString::fromStdString(signal.spectrum.window));
+    density->setCaption(titleOf(signal),
+                        "around the " + QString::fromStdString(signals::toText(signal.features.anchor)) + ": Hann");
     sheets.push_back(sheetOf(stem + "_psd", std::move(density)));
     // A stretch that is short for the window gets half of itself: poor in frequency, but a picture.
     const double wanted = signal.stft ? static_cast<double>(signal.stft->segment)
@@ -145,10 +148,9 @@ std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, c
     auto figure = scatterFigure(**runs, unit, style);
     QString right;
     if (analysis.dispersion)
-      right = QStringLiteral("first peak scatters by %1 %, wavelength by %2 %")
-                  .arg(100 * analysis.dispersion->firstPeak.range, 0, 'f', 0)
-                  .arg(100 * analysis.dispersion->wavelength.range, 0, 'f', 0);
-    figure->setCaption("repeated runs, aligned on the impact", right);
+      right = QStringLiteral("range / mean: largest peak %1 %, wavelength %2 %")
+                  .arg(percentText(analysis.dispersion->largestPeak), percentText(analysis.dispersion->wavelength));
+    figure->setCaption("repeated runs, aligned at the impact", right);
     sheets.push_back(sheetOf((*runs)->inPosition ? "scatter_position" : "scatter_time", std::move(figure)));
   }
   return sheets;

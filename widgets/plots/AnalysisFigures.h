@@ -8,9 +8,9 @@
 
 namespace squat::plots {
 
-// Of each signal RUN_history (whole record), RUN_psd (whole record, peaks named), RUN_stft and RUN_scalogram (0.1 m
-// before to 0.28 m behind the impact); of repeated runs scatter_time and scatter_position: every run, their mean and
-// the band between lowest and highest.
+// Of each signal RUN_history (whole record), RUN_psd (the window around the anchor, lines named as in the table of
+// features), RUN_stft and RUN_scalogram (0.1 m before to 0.28 m behind the impact); of repeated runs scatter_time and
+// scatter_position: every run, their mean and the band between minimum and maximum.
 std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, const Style& style);
 
 std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, const Style& style);

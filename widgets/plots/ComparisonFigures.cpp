@@ -17,7 +17,7 @@ constexpr double shownUpTo = 2500;                      // [Hz]
 constexpr double leastShare = 1e-3;                     // of the second's largest density, for a ratio
 
 void setPlaceAxis(Figure& figure, const signals::Comparison& c) {
-  figure.xAxis->setLabel(c.inPosition ? "Position from the impact [mm]" : "Time from the impact [ms]");
+  figure.xAxis->setLabel(c.inPosition ? "Position relative to the impact [mm]" : "Time relative to the impact [ms]");
   const double perMetre = c.inPosition ? 1e3 : 1e3 / std::max(1e-3, c.firstFeatures.speed);
   if (!c.axis.empty())
     figure.xAxis->setRange(std::max(1e3 * c.axis.front(), -shownBefore * perMetre),
@@ -52,8 +52,8 @@ std::unique_ptr<Figure> difference(const signals::Comparison& c, bool smooth, co
   figure->yAxis->setLabel(QStringLiteral("Difference [%1]").arg(unitText(c.unit)));
   addCurve(*figure, {scaled(c.axis, 1e3), c.difference, QString(), 2, 1.1});
   fitValues(*figure);
-  figure->setCaption(smooth ? "(b) with the defect minus smooth track" : "(b) first minus second",
-                     QStringLiteral("largest %1 %2").arg(c.differencePeak, 0, 'g', 3).arg(unitText(c.unit)));
+  figure->setCaption(smooth ? "(b) with defect minus smooth track" : "(b) first minus second",
+                     QStringLiteral("maximum %1 %2").arg(c.differencePeak, 0, 'g', 3).arg(unitText(c.unit)));
   return figure;
 }
 
@@ -83,7 +83,7 @@ std::unique_ptr<Figure> ratio(const signals::Comparison& c, bool smooth, const S
   figure->xAxis->setLabel("Frequency [Hz]");
   figure->yAxis->setLabel(smooth ? "PSD with defect / PSD smooth" : "PSD of first / PSD of second");
   figure->xAxis->setRange(0, shownUpTo);
-  figure->setCaption("(d) ratio of the densities", QString());
+  figure->setCaption("(d) ratio of the PSDs", QString());
   const auto& second = c.secondSpectrum.density;
   const double largest = second.empty() ? 0 : *std::max_element(second.begin(), second.end());
   std::vector<double> value(c.densityRatio.size(), NAN);
@@ -96,7 +96,7 @@ std::unique_ptr<Figure> ratio(const signals::Comparison& c, bool smooth, const S
     high = std::max(high, value[k]);
   }
   if (!(high > 0)) {
-    addNotice(*figure, "the second signal has no power to compare with");
+    addNotice(*figure, "the second signal has no power");
     return figure;
   }
   setDecades(*figure);

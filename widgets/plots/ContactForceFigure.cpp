@@ -9,7 +9,7 @@ std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, con
   auto figure = std::make_unique<Figure>("contact_force", style);
   const Window window = judgedWindow(result);
   const std::vector<double> position = scaled(result.position, 1e3);
-  figure->xAxis->setLabel("Position of the wheel from the defect [mm]");
+  figure->xAxis->setLabel("Wheel position relative to the defect [mm]");
   figure->yAxis->setLabel("Force on the rail [kN]");
   figure->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
   if (const auto* vertical = result.signal("contact_force"))
@@ -22,7 +22,7 @@ std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, con
     if (scalar.name != "contact_force" || position.empty()) continue;
     const double level = scalar.value * 1e-3;
     const double to = std::max(position.back(), 1e3 * window.to);
-    addCurve(*figure, {{position.front(), to}, {level, level}, "at rest", 6, 0.7, Qt::DashLine});
+    addCurve(*figure, {{position.front(), to}, {level, level}, "static", 6, 0.7, Qt::DashLine});
   }
   fitValues(*figure);
   keepZeroInSight(*figure);  // where contact is lost

@@ -41,7 +41,7 @@ void writeWhole(const QByteArray& bytes, const std::string& path) {
   const bool opened = file.open(QIODevice::WriteOnly);
   if (!opened || file.write(bytes) != bytes.size() || !file.commit())
     throw FileError(path, "", "cannot be written: " + file.errorString().toStdString(),
-                    "check that the folder exists, that it may be written and that the disk is not full");
+                    "Check that the folder exists and is writable, and that the disk is not full");
 }
 
 void writeFigure(Figure& figure, const std::string& format, const std::string& path, QSize units) {

@@ -37,31 +37,50 @@ void checkAll(const std::string& key, const std::vector<std::string>& found, con
               std::vector<CaseProblem>& problems) {
   for (const auto& name : found)
     if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
-      problems.push_back({key, name, listed(allowed), "name one or several of the allowed ones, with commas"});
+      problems.push_back({key, name, listed(allowed), "Name one or more of these, separated by commas"});
 }
+
+bool ofPlasticFlow(const std::string& name) { return name == "permanent_change" || name == "residual_stress"; }
 
 // All figures, but for those of plastic flow where the rail is elastic.
 std::vector<std::string> figuresFor(const results::RunResult& result) {
   auto names = figureNames();
-  if (result.permanent.empty())
-    std::erase_if(names, [](const auto& name) { return name == "permanent_change" || name == "residual_stress"; });
+  if (result.permanent.empty()) std::erase_if(names, ofPlasticFlow);
   return names;
+}
+
+// All mistakes of a request; a figure that was named is not drawn empty.
+void check(const FigureRequest& request, const std::vector<std::string>& allowed) {
+  std::vector<CaseProblem> problems;
+  checkAll("--figures", request.figures, allowed, problems);
+  for (auto& problem : problems)
+    if (ofPlasticFlow(problem.value)) problem.advice = "The result has no plastic flow (rail.plastic)";
+  checkAll("--format", request.formats, {"png", "svg", "pdf"}, problems);
+  checkAll("--colours", {request.colourMap}, colours::mapNames(), problems);
+  if (!problems.empty()) throw CaseError(problems);
 }
 
 }  // namespace
 
-void checkRequest(const FigureRequest& request) {
-  std::vector<CaseProblem> problems;
-  checkAll("figures", request.figures, figureNames(), problems);
-  checkAll("format", request.formats, {"png", "svg", "pdf"}, problems);
-  checkAll("colour map", {request.colourMap}, colours::mapNames(), problems);
-  if (!problems.empty()) throw CaseError(problems);
-}
+void checkRequest(const FigureRequest& request) { check(request, figureNames()); }
 
 std::vector<std::string> figureNames() {
   std::vector<std::string> names;
   for (const auto& [name, builder] : builders()) names.push_back(name);
   names.push_back("model");
+  return names;
+}
+
+std::vector<std::string> availableFigures(const results::RunResult& result) {
+  auto names = figuresFor(result);
+  std::erase_if(names, [&](const std::string& name) {
+    if (name == "psd") return result.frequency.size() < 2 || result.psd.size() != result.frequency.size();
+    if (name == "scalogram") return result.scalogramPower.empty();
+    if (name == "contact_force") return result.signal("contact_force") == nullptr;
+    if (name == "aba_position" || name == "aba_time")
+      return !result.signal("aba_filtered") && !result.signal("aba") && !result.signal("wheel_acceleration_filtered");
+    return false;
+  });
   return names;
 }
 
@@ -73,10 +92,10 @@ std::unique_ptr<Figure> makeFigure(const std::string& name, const results::RunRe
 
 std::vector<std::string> renderFigures(const results::RunResult& result, const std::string& folder,
                                        const FigureRequest& request, std::vector<std::string>* messages) {
-  checkRequest(request);
+  check(request, availableFigures(result));
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  if (failure) throw FileError(folder, "", "the folder cannot be made: " + failure.message());
+  if (failure) throw FileError(folder, "", "cannot create the folder: " + failure.message());
   Style style = lightStyle();
   style.colourMap = request.colourMap;
   std::vector<std::string> written;
@@ -87,7 +106,7 @@ std::vector<std::string> renderFigures(const results::RunResult& result, const s
       if (outcome.written)
         written.push_back(stem + ".png");
       else if (messages)
-        messages->push_back("figure \"model\" left out: " + outcome.reason);
+        messages->push_back("figure model not drawn: " + outcome.reason);
       continue;
     }
     const std::unique_ptr<Figure> figure = makeFigure(name, result, style);

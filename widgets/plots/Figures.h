@@ -25,13 +25,16 @@ void checkRequest(const FigureRequest& request);
 // "residual_stress" (the last two: where the rail may yield), "model" (the 3-D picture).
 std::vector<std::string> figureNames();
 
+// Those that this result has something for.
+std::vector<std::string> availableFigures(const results::RunResult& result);
+
 // The named figure as an object, for screen or file. Null for "model" and unknown names.
 std::unique_ptr<Figure> makeFigure(const std::string& name, const results::RunResult& result, const Style& style);
 
 // Writes NAME.FORMAT into `folder` (made where missing) and returns the paths written. Call plots::ensureApplication()
 // before. Where the 3-D picture cannot be drawn on this machine, its reason is added to `messages` and the other
-// figures are written all the same. Throws CaseError for unknown names, formats or colour maps before anything is
-// written, FileError where a file cannot be written.
+// figures are written all the same. Throws CaseError for unknown names, formats or colour maps, and for a named figure
+// that the result has nothing for, before anything is written, FileError where a file cannot be written.
 std::vector<std::string> renderFigures(const results::RunResult& result, const std::string& folder,
                                        const FigureRequest& request = {}, std::vector<std::string>* messages = nullptr);
 

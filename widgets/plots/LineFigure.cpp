@@ -46,9 +46,9 @@ void addBand(Figure& figure, double from, double to) {
   band->setSelectable(false);
 }
 
-void addPointLabel(Figure& figure, double x, double y, const QString& text) {
+void addPointLabel(Figure& figure, double x, double y, const QString& text, Qt::AlignmentFlag side) {
   auto* label = new QCPItemText(&figure);
-  label->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+  label->setPositionAlignment(side | Qt::AlignBottom);
   label->position->setCoords(x, y);
   label->setPadding(QMargins(0, 0, 0, 3));
   label->setFont(figure.style().tickFont());

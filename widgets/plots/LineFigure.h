@@ -26,8 +26,8 @@ QCPGraph* addCurve(Figure& figure, const Curve& curve);
 // Vertical band from `from` to `to` on the x axis, behind the curves.
 void addBand(Figure& figure, double from, double to);
 
-// Label centred above a point of the curve.
-void addPointLabel(Figure& figure, double x, double y, const QString& text);
+// Label above a point of the curve: centred, or beginning (Qt::AlignLeft) or ending (Qt::AlignRight) there.
+void addPointLabel(Figure& figure, double x, double y, const QString& text, Qt::AlignmentFlag side = Qt::AlignHCenter);
 
 // Short text in the middle of the axes, e.g. why there is nothing to see.
 void addNotice(Figure& figure, const QString& text);

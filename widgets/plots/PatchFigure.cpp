@@ -58,7 +58,7 @@ void addCells(Figure& figure, const results::PatchSnapshot& patch, double highes
 
 void addSlip(Figure& figure, const results::PatchSnapshot& patch) {
   Curve slipping;
-  slipping.label = "slips";
+  slipping.label = "slip";
   for (std::size_t i = 0; i < std::min(patch.slipping.size(), patch.pressure.size()); ++i) {
     if (!patch.slipping[i] || !(patch.pressure[i] > 0)) continue;
     slipping.x.push_back(1e3 * static_cast<double>(patch.x[i]));
@@ -87,7 +87,7 @@ const results::PatchSnapshot* shownPatch(const results::RunResult& result) {
 std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style) {
   auto figure = std::make_unique<Figure>("contact_patch", style);
   figure->setPrintedSize({85, 66});
-  figure->xAxis->setLabel("Along the rail, from the wheel centre [mm]");
+  figure->xAxis->setLabel("Along the rail, relative to the wheel centre [mm]");
   figure->yAxis->setLabel("Across the rail [mm]");
   figure->xAxis->setRange(-12, 12);
   figure->yAxis->setRange(-12, 12);

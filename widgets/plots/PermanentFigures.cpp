@@ -37,7 +37,7 @@ std::vector<double> lowest(const std::vector<double>& field, std::size_t width) 
 std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, const Style& style) {
   auto figure = std::make_unique<Figure>("permanent_change", style);
   figure->xAxis->setLabel("Position along the rail [mm]");
-  figure->yAxis->setLabel("Change of height [µm]");
+  figure->yAxis->setLabel("Height change [µm]");
   setCaption(*figure, result);
   const auto& change = result.permanent;
   if (!fits(change)) {
@@ -50,10 +50,9 @@ std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, 
   const auto middle = std::min_element(change.lateral.begin(), change.lateral.end(),
                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
   const auto centre = static_cast<std::size_t>(middle - change.lateral.begin());
-  addCurve(*figure, {x, scaled(lowest(change.height, change.lateral.size()), 1e6), "lowest across the rail", 1, 0.9,
+  addCurve(*figure, {x, scaled(lowest(change.height, change.lateral.size()), 1e6), "minimum across the rail", 1, 0.9,
                      Qt::DashLine});
-  addCurve(*figure,
-           {x, scaled(column(change.height, change.lateral.size(), centre), 1e6), "middle of the rail", 0, 1.2});
+  addCurve(*figure, {x, scaled(column(change.height, change.lateral.size(), centre), 1e6), "centre line", 0, 1.2});
   fitValues(*figure, 0.08);
   return figure;
 }
@@ -87,12 +86,12 @@ std::unique_ptr<Figure> residualStressFigure(const results::RunResult& result, c
     figure->showLegend(true);
   };
   profile(change.stressAlong, "along the rail", 0);
-  profile(change.stressAcross, "across", 1);
+  profile(change.stressAcross, "across the rail", 1);
   const double margin = 0.08 * std::max(high - low, 1.0);
   figure->xAxis->setRange(low - margin, high + margin);
   figure->yAxis->setRange(0, depth.back());
   figure->setCaption(
-      QStringLiteral("unloaded, y = 0, at %1 mm, where most has flowed").arg(1e3 * change.position[row], 0, 'f', 0),
+      QStringLiteral("unloaded, y = 0, at %1 mm (maximum plastic strain)").arg(1e3 * change.position[row], 0, 'f', 0),
       QString::fromStdString(result.stem + "  " + result.caseHash));
   return figure;
 }

@@ -3,34 +3,34 @@
 
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "signals/Features.h"
 
 namespace squat::plots {
 namespace {
 
-constexpr double shownUpTo = 2500;         // [Hz] a little beyond the filter's cut-off
-constexpr double leastShareOfPeak = 0.04;  // peaks below this share of the highest are not labelled
-constexpr std::size_t mostLabels = 5;
-constexpr double leastDistance = 190;  // [Hz] between labels, so that they do not touch at one column
+constexpr double shownUpTo = 2500;  // [Hz] a little beyond the filter's cut-off
 
-struct Peak {
-  double frequency = 0, power = 0;
-};
+// The lines that the tables name, at the same frequencies.
+std::vector<signals::SpectralPeak> linesOf(const results::RunResult& result) {
+  if (result.frequency.size() < 3 || result.psd.size() != result.frequency.size()) return {};
+  signals::PowerSpectrum spectrum;
+  spectrum.frequency = result.frequency;
+  spectrum.density = result.psd;
+  return signals::namedLines(spectrum);
+}
 
-std::vector<Peak> strongestPeaks(const std::vector<double>& frequency, const std::vector<double>& power) {
-  std::vector<Peak> peaks;
-  for (std::size_t i = 1; i + 1 < std::min(frequency.size(), power.size()); ++i)
-    if (power[i] > power[i - 1] && power[i] >= power[i + 1] && frequency[i] < shownUpTo)
-      peaks.push_back({frequency[i], power[i]});
-  std::sort(peaks.begin(), peaks.end(), [](const Peak& a, const Peak& b) { return a.power > b.power; });
-  std::vector<Peak> kept;
-  for (const Peak& peak : peaks) {
-    if (kept.size() == mostLabels || peak.power < leastShareOfPeak * peaks.front().power) break;
-    const bool apart = std::all_of(kept.begin(), kept.end(), [&](const Peak& other) {
-      return std::abs(other.frequency - peak.frequency) >= leastDistance;
-    });
-    if (apart) kept.push_back(peak);
+// Labels of near lines of about the same height stand back to back, so that they do not touch.
+void addLineLabels(Figure& figure, const std::vector<signals::SpectralPeak>& lines) {
+  const double wide = 0.08 * figure.xAxis->range().size(), high = 0.08 * figure.yAxis->range().size();
+  for (const auto& line : lines) {
+    auto side = Qt::AlignHCenter;
+    for (const auto& other : lines) {
+      const double apart = line.frequency - other.frequency;
+      if (apart == 0 || std::abs(apart) > wide || std::abs(line.density - other.density) > high) continue;
+      side = apart > 0 ? Qt::AlignLeft : Qt::AlignRight;
+    }
+    addPointLabel(figure, line.frequency, line.density, QString::number(line.frequency, 'f', 0), side);
   }
-  return kept;
 }
 
 }  // namespace
@@ -49,8 +49,7 @@ std::unique_ptr<Figure> psdFigure(const results::RunResult& result, const Style&
   figure->xAxis->setRange(0, std::max(top, 1.0));
   fitValues(*figure);
   figure->yAxis->setRange(0, 1.12 * figure->yAxis->range().upper);
-  for (const Peak& peak : strongestPeaks(result.frequency, result.psd))
-    addPointLabel(*figure, peak.frequency, peak.power, QString::number(peak.frequency, 'f', 0));
+  addLineLabels(*figure, linesOf(result));
   setCaption(*figure, result);
   return figure;
 }

@@ -8,6 +8,7 @@
 
 #include "case/ParameterTable.h"
 #include "laboratory/AnalysisFiles.h"
+#include "laboratory/PrintedUnit.h"
 #include "plots/AxisTicker.h"
 #include "plots/LineFigure.h"
 #include "plots/UnitText.h"
@@ -85,7 +86,7 @@ std::string othersOf(const studies::StudyDefinition& definition, const studies::
     const auto* parameter = cases::findParameter(name);
     const bool hasUnit = parameter && !parameter->unit.empty() && parameter->unit != "-";
     text += (text.empty() ? "" : ", ") + name.substr(name.rfind('.') + 1) + " " + point.values[v] +
-            (hasUnit ? " " + parameter->unit : std::string());
+            (hasUnit ? " " + laboratory::printedUnit(parameter->unit) : std::string());
   }
   return text;
 }
@@ -137,7 +138,12 @@ std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key,
   for (std::size_t i = 0; i < std::min(curves.size(), mostCurves); ++i) {
     QCPGraph* graph = addCurve(*figure, curves[i]);
     graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, style.curve(i), style.curve(i), 4));
+    if (!numeric) graph->setLineStyle(QCPGraph::lsNone);  // nothing lies between two names
   }
+  const bool empty = std::all_of(curves.begin(), curves.end(), [](const Curve& curve) {
+    return std::all_of(curve.y.begin(), curve.y.end(), [](double y) { return std::isnan(y); });
+  });
+  if (empty) addNotice(*figure, feature.rfind("free vibration", 0) == 0 ? "longer than the record" : "no value");
   fitValues(*figure, 0.1);
   return figure;
 }
@@ -157,7 +163,7 @@ std::vector<FigureSheet> studyFigures(const studies::StudyTable& table, const St
     for (std::size_t i = 0; i < features.size(); ++i) {
       auto figure = panel(table, key, features[i], namedIn(i, curves), style);
       const QString note = curves > mostNamed
-                               ? QStringLiteral("%1 curves, one a combination of the other keys%2")
+                               ? QStringLiteral("%1 curves, one for each combination of the other keys%2")
                                      .arg(std::min(curves, mostCurves))
                                      .arg(curves > mostCurves ? QStringLiteral(" (of %1)").arg(curves) : QString())
                                : QString();

@@ -41,7 +41,7 @@ void addAccelerations(Figure& figure, const results::RunResult& result, const st
 std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, const Style& style) {
   auto figure = std::make_unique<Figure>("aba_position", style);
   const Window window = judgedWindow(result);
-  figure->xAxis->setLabel("Position of the wheel from the defect [mm]");
+  figure->xAxis->setLabel("Wheel position relative to the defect [mm]");
   const Extent defect = defectExtent(result);
   if (!defect.empty()) addBand(*figure, 1e3 * defect.from, 1e3 * defect.to);
   addAccelerations(*figure, result, scaled(result.position, 1e3), 1e3 * window.from, 1e3 * window.to);

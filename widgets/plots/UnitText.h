@@ -4,13 +4,16 @@
 #include <QString>
 #include <string>
 
+#include "laboratory/PrintedUnit.h"
+
 namespace squat::plots {
 
-// "m/s2" as m/s², "(m/s2)2/Hz" as (m/s²)²/Hz; a unit that nobody named says so.
+// "m/s2" as m/s², "(m/s2)2/Hz" as (m/s²)²/Hz; also inside the brackets of a name with its unit; an unknown unit says
+// so.
 inline QString unitText(const std::string& unit) {
-  if (unit.empty()) return QStringLiteral("unit not named");
-  const QString two(QChar(0x00B2));
-  return QString::fromStdString(unit).replace("s2", "s" + two).replace(")2", ")" + two);
+  if (unit.empty()) return QStringLiteral("unknown unit");
+  return QString::fromStdString(unit.find('[') == std::string::npos ? laboratory::printedUnit(unit)
+                                                                    : laboratory::withPrintedUnit(unit));
 }
 
 }  // namespace squat::plots

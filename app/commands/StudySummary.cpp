@@ -1,0 +1,62 @@
+#include "commands/StudySummary.h"
+
+#include <cmath>
+
+#include "case/ParameterTable.h"
+#include "commands/TextTable.h"
+#include "laboratory/PrintedUnit.h"
+
+namespace squat::commands {
+
+namespace {
+
+constexpr std::size_t kMostRows = 40;
+
+// Features with their short heads; a hundred columns hold these beside two keys.
+struct Shown {
+  const char *feature, *head;
+  double factor;
+};
+constexpr Shown kShown[] = {{"peak [m/s2]", "peak [m/s²]", 1},
+                            {"largest moving rms [m/s2]", "max. moving rms [m/s²]", 1},
+                            {"largest contact force [N]", "max. force [kN]", 1e-3},
+                            {"wavelength by ridge [m]", "wavelength [mm]", 1e3},
+                            {"peak 1 frequency [Hz]", "1st line [Hz]", 1},
+                            {"peak 2 frequency [Hz]", "2nd line [Hz]", 1}};
+
+std::string cellOf(const studies::StudyRow& row, const Shown& shown) {
+  for (const auto& [name, value] : row.features)
+    if (name == shown.feature && !std::isnan(value)) return number(shown.factor * value);
+  return "-";
+}
+
+std::string headOf(const std::string& key) {
+  const auto* parameter = cases::findParameter(key);
+  const std::string unit = parameter ? parameter->unit : std::string();
+  return unit.empty() || unit == "-" ? key : key + " [" + laboratory::printedUnit(unit) + "]";
+}
+
+}  // namespace
+
+std::string studySummary(const studies::StudyTable& table) {
+  std::vector<std::string> head;
+  for (const auto& variation : table.definition.variations) head.push_back(headOf(variation.key));
+  head.emplace_back("state");
+  for (const auto& shown : kShown) head.emplace_back(shown.head);
+  TextTable text(head);
+  std::size_t rows = 0, ended = 0;
+  for (const auto& row : table.rows) {
+    if (row.state == studies::RowState::open || ++ended > kMostRows) continue;
+    std::vector<std::string> cells = row.point.values;
+    cells.emplace_back(row.state == studies::RowState::done ? "done" : "failed");
+    for (const auto& shown : kShown) cells.push_back(cellOf(row, shown));
+    text.add(cells);
+    ++rows;
+  }
+  if (text.empty()) return {};
+  std::string all = std::string("features anchored at: ") + studies::kStudyAnchor + "\n" + text.text();
+  if (ended > rows) all += "... and " + std::to_string(ended - rows) + " more rows in study.csv\n";
+  return all;
+}
+
+}  // namespace squat::commands
