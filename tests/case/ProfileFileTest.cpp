@@ -103,7 +103,7 @@ TEST(ProfileFile, RefusesHeadersWithoutUnits) {
   EXPECT_THAT(refusal("position;height\n0;0\n"), HasSubstr("unit"));
   EXPECT_THAT(refusal("position [mm];height [inch]\n0;0\n"), HasSubstr("unit"));
   EXPECT_THAT(refusal("position [mm;height [mm]\n0;0\n"), HasSubstr("unit"));
-  EXPECT_THAT(refusal("position [mm];depth [mm]\n0;0\n5;0.1\n"), HasSubstr("up positive"));
+  EXPECT_THAT(refusal("position [mm];depth [mm]\n0;0\n5;0.1\n"), HasSubstr("positive upwards"));
 }
 
 TEST(ProfileFile, RefusesTooFewAndAbsurdPoints) {
