@@ -17,8 +17,10 @@ signals::Features runFeatures(const results::RunResult& result, signals::Feature
                              *values, channel, "m/s2"};
   for (const auto& entry : result.signals)
     if (entry.name == channel) series.unit = entry.unit;
-  if (result.speed > 0) options.speed = result.speed;
-  if (!options.anchor) options.anchor = signals::anchorOf({series, result.position});
+  const signals::Passage passage{series, result.position};
+  if (!options.anchor) options.anchor = signals::anchorOf(passage);
+  // As measured signals have it: the wheel's own speed there, a little beside the nominal one under torque.
+  if (const double speed = signals::speedAt(passage, options.anchor->time); speed > 0) options.speed = speed;
   return signals::features(series, options);
 }
 

@@ -33,7 +33,8 @@ double speedAt(const Passage& passage, double time, double half = 0.5);
 struct AlignmentOptions {
   double before = 0.2, after = 0.6;  // [m] of the reference around its anchor that is compared
   double largestShift = 0;           // [s] or [m] between anchors as recorded; 0: any
-  std::optional<double> anchor;      // [s] of the first run, moved to its nearest sample; default: by anchorOf
+  std::optional<double> anchor =
+      std::nullopt;  // [s] of the first run, moved to its nearest sample; default: by anchorOf
 };
 
 // Runs on one axis with its zero at the impact of the first run.

@@ -30,7 +30,7 @@ struct WaveletOptions {
   std::size_t cell = 1;  // scalogram(): samples per column; each column holds the mean power over its cell
   int threads = 1;
   // scalogram(): columns for this part of the record only [s]; the whole record counts for every one of them.
-  std::optional<std::pair<double, double>> shown;
+  std::optional<std::pair<double, double>> shown = std::nullopt;
 };
 
 inline constexpr double morletFrequency = 6.0;  // w0: at 6 the wavelet's own mean is negligible (1.5e-8)

@@ -99,7 +99,7 @@ TEST(Analysis, slowRatesAreNotedAndAskedBandsRefused) {
   const auto usual = analyse({file}, options, monitor);
   EXPECT_THAT(
       usual.signals[0].notes,
-      ::testing::Contains(HasSubstr("sampling rate is 1000 Hz: 1000-1200 Hz, the wavelength (600 Hz to 2000 Hz)")));
+      ::testing::Contains(HasSubstr("sampling rate of 1000 Hz: 1000-1200 Hz, the wavelength (600 Hz to 2000 Hz)")));
   const auto csv = featureCsv(usual);
   EXPECT_THAT(csv, HasSubstr(",,"));
   EXPECT_EQ(csv.find("nan"), std::string::npos);
@@ -114,10 +114,10 @@ TEST(Analysis, slowRatesAreNotedAndAskedBandsRefused) {
   options.features.waveBand = {"wave", 100, 400};
   options.wavelet.lowest = 10;
   const auto analysis = analyse({file}, options, monitor);
-  // no low-pass, scalogram to 500 Hz, and the uneven window
+  // no low-pass, no waves in the band, the uneven window, and the scalogram to 500 Hz
   EXPECT_THAT(analysis.signals[0].notes,
-              ::testing::ElementsAre(HasSubstr("not low-pass filtered"), HasSubstr("window weights"),
-                                     HasSubstr("ends at 500 Hz")));
+              ::testing::ElementsAre(HasSubstr("not low-pass filtered"), HasSubstr("no wavelength by crossings"),
+                                     HasSubstr("window weights"), HasSubstr("ends at 500 Hz")));
   EXPECT_LE(analysis.signals[0].scalogram.frequency.back(), 500);
 }
 

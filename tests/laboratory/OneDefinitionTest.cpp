@@ -27,7 +27,7 @@ results::RunResult lateSwing() {
     const double first = since < 0 ? 0 : 60 * std::exp(-since / 0.01) * std::sin(2 * M_PI * 334 * since);
     const double second = later < 0 ? 0 : 90 * std::exp(-later / 0.004) * std::sin(2 * M_PI * 749 * later);
     run.time.push_back(t);
-    run.position.push_back(30 * t - 1.8);
+    run.position.push_back(30.03 * t - 1.8018);  // under torque a little faster than the nominal 30 m/s
     aba.values.push_back(first + second + 0.1 * std::sin(400 * t));
   }
   auto filtered = aba;
@@ -46,14 +46,14 @@ std::string tableOf(const results::RunResult& run) {
 }
 
 using Row = std::vector<std::pair<std::string, double>>;
-void expectSame(const Row& one, const Row& other, const std::string& what) {
+void expectSame(const Row& one, const Row& other, const std::string& what, double share = 1e-6, double seconds = 0) {
   const std::map<std::string, double> values(other.begin(), other.end());
   for (const auto& [name, value] : one) {
     const auto found = values.find(name);
     ASSERT_NE(found, values.end()) << what << ": " << name;
     if (std::isnan(value) && std::isnan(found->second)) continue;
-    // The same arithmetic on numbers that went through a table of 17 digits; the step of its times has lost some.
-    EXPECT_NEAR(found->second, value, 1e-6 * std::abs(value)) << what << ": " << name;
+    const double allowed = share * std::abs(value) + (name.ends_with("[s]") ? seconds : 0);
+    EXPECT_NEAR(found->second, value, allowed) << what << ": " << name;
   }
 }
 
@@ -65,12 +65,15 @@ TEST(OneDefinition, studyAnalysisAndComparisonGiveTheSameFeatures) {
   const auto study = studies::studyFeatures(run);
   const auto analysis = analyse({file}, {}, monitor);
   const auto& signal = analysis.signals.at(0);
-  EXPECT_NEAR(signal.features.impactTime, 0.06, 1e-9);  // 1.8 m at 30 m/s, not 80 mm later
+  EXPECT_NEAR(signal.features.impactTime, 0.06, 1e-9);  // 1.8018 m at 30.03 m/s, not 80 mm later
   EXPECT_EQ(signal.features.anchor, signals::AnchorRule::defect);
+  // The same arithmetic on numbers that went through a table of 17 digits; the step of its times has lost some: 1e-6.
   expectSame(study, signals::featureRow(signal.features), "analyse");
   const auto pairs = compareFiles(file, {file}, {}, monitor);
   expectSame(study, signals::featureRow(pairs.at(0).comparison.firstFeatures), "compare, first");
-  expectSame(study, signals::featureRow(pairs.at(0).comparison.secondFeatures), "compare, second");
+  // The second has its anchor where correlation puts it, to a fortieth of a sample (1e-6 s); the stretch whose waves
+  // are averaged, 5 ms, shifts by as much.
+  expectSame(study, signals::featureRow(pairs.at(0).comparison.secondFeatures), "compare, second", 2e-4, 1e-6);
   // The largest value is where a swing of 90 begins 80 mm behind: an anchor there would not be 0.06 s.
   EXPECT_GT(std::abs(signal.filtered.timeAt(signals::largestSample(signal.filtered.values)) - 0.06), 0.002);
 }
