@@ -48,7 +48,7 @@ TEST(Starved, AFullDiskCostsNeitherTheEarlierResultNorTheProgramsLife) {
     const FileSizeLimit limit(20000);
     EXPECT_EQ(testing::call(testing::shortRun(folder.path()), &output), 4) << output;
   }
-  EXPECT_THAT(output, HasSubstr("the run goes on without this checkpoint"));
+  EXPECT_THAT(output, HasSubstr("the run continues without this checkpoint"));
   EXPECT_THAT(output, HasSubstr(path + ": cannot be written"));
   EXPECT_THAT(output, HasSubstr("bytes needed"));
   EXPECT_EQ(readWholeFile(path, kMost), before);
@@ -67,7 +67,7 @@ TEST(Starved, OutputThatIsLostIsTold) {
   };
   for (const char* words : {"describe light-defect", "describe light-defect --json", "--version", "--help"}) {
     EXPECT_EQ(call(std::string(words) + " > /dev/full"), 4) << words;
-    EXPECT_THAT(readWholeFile(folder / "told", kMost), HasSubstr("could not be written")) << words;
+    EXPECT_THAT(readWholeFile(folder / "told", kMost), HasSubstr("cannot write the complete output")) << words;
     EXPECT_EQ(call(std::string(words) + " >&-"), 0) << "nobody wants to see it: " << words;
   }
   EXPECT_EQ(call("describe no-such-case > /dev/full"), 4);

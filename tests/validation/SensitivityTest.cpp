@@ -1,4 +1,5 @@
 // One input at a time, on a run that is made up: the table, which row is the base, and that a stopped call goes on.
+#include "FixtureCase.h"
 #include "validation/Sensitivity.h"
 
 #include <gmock/gmock.h>
@@ -34,7 +35,7 @@ results::RunResult madeUp(const cases::CaseDescription& description) {
 
 Reference reference() {
   Reference reference;
-  reference.runs = {{"light", "light-defect", {{"motion.beyond", "0.6"}}}};
+  reference.runs = {{"light", tests::fixtureCase("light-defect"), {{"motion.beyond", "0.6"}}}};
   Statement peak;
   peak.name = "peak";
   peak.run = "light";
