@@ -1,4 +1,4 @@
-// Who does what of a step: stations, ties, held unknowns and springs shared among the threads.
+// Who does what of a step: stations, ties, held unknowns and force elements shared among the threads.
 #include <algorithm>
 #include <utility>
 
@@ -77,6 +77,7 @@ void Rolling::shareTies() {
 }
 
 int Rolling::ownerOf(std::size_t unknown) const {
+  if (unknown >= model_.firstAuxiliary) return 0;  // which fills and advances them
   std::size_t b = 0;
   while (b + 1 < model_.blocks.size() && model_.blocks[b + 1].offset <= unknown) ++b;
   const int station = model_.blocks[b].unknownAt(unknown).station;
@@ -94,10 +95,10 @@ void Rolling::shareHeld() {
   for (const auto unknown : model_.held) heldOf_[static_cast<std::size_t>(ownerOf(unknown))].push_back(unknown);
 }
 
-void Rolling::shareTrack() {
-  auto shared = supports::shareSprings({&model_.ballast, &model_.pads, &model_.ends}, team_.size(),
-                                       [this](std::size_t unknown) { return ownerOf(unknown); });
-  trackShares_ = std::move(shared.shares);
+void Rolling::shareForceElements() {
+  auto shared =
+      forces::shareForces(model_.forceElements, team_.size(), [this](std::size_t unknown) { return ownerOf(unknown); });
+  forceShares_ = std::move(shared.shares);
   groupDamperPowers_.assign(shared.groups, 0.0);
 }
 

@@ -5,7 +5,7 @@
 #include "core/Errors.h"
 #include "geometry/RailSection.h"
 #include "model/BuildBlocks.h"
-#include "model/BuildSupports.h"
+#include "model/BuildForceElements.h"
 #include "model/Model.h"
 #include "model/Rings.h"
 
@@ -190,16 +190,18 @@ Model buildModel(const cases::CaseDescription& description, int sleeperIntervals
   tieRim(model);
   model.surfaces = contact::makeSurfaces(model.blocks[model.rail], model.rail, model.blocks[model.rim], model.rim,
                                          description, stretch.from, stretch.to);
-  model.smallUnknowns = model.stateSize;
+  model.firstAuxiliary = model.stateSize;
   model.sprungX = model.stateSize, model.sprungZ = model.stateSize + 1;
   model.boxX = model.stateSize + 2, model.boxZ = model.stateSize + 3;
+  model.journalX = model.stateSize + 4, model.journalZ = model.stateSize + 5;
   model.stateSize += 8;
   const auto shift = defectShift(model);
   if (shift) model.movedElements = elasticity::irregularElements(model.blocks[model.rail], shift);
   addLayer(model, shift);
   layOutForces(model);
   fillIrregularSlots(model);
-  addSupports(model);
+  addForceElements(model);
+  holdRailEnds(model);
   holdSymmetry(model);
   addMasses(model);
   return model;

@@ -52,21 +52,9 @@ SolidEnergies quadratic(const dynamics::Rolling& rolling, AlignedVector x) {
 }
 
 double springEnergy(const dynamics::Rolling& rolling, const AlignedVector& u) {
-  const auto& model = rolling.model();
-  const auto& suspension = model.description.suspension;
   double sum = 0;
-  for (const auto* set : {&model.pads, &model.ballast, &model.ends})
-    sum += springPower(*set, u.data(), rolling.state().velocity.data()).stored;
-  model::TurnedStations turned;
-  turnStations(model.blocks[model.body], rolling.state().rotation, turned);
-  auto at = ringMean(model, model.bearing, turned, u.data());
-  if (model.boxOnSpring()) {
-    const double x = u[model.boxX] - at.x, z = u[model.boxZ] - at.z;
-    sum += 0.5 * model.description.wheelset.bearingStiffness * (x * x + z * z);
-    at = {u[model.boxX], u[model.boxZ]};
-  }
-  const double x = u[model.sprungX] - at.x, z = u[model.sprungZ] - at.z;
-  return sum + 0.5 * suspension.stiffness * z * z + 0.5 * suspension.longitudinalStiffness * x * x;
+  for (const auto& set : rolling.model().forceElements) sum += forces::storedEnergy(set, u.data());
+  return sum;
 }
 
 }  // namespace

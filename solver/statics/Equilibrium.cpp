@@ -17,7 +17,7 @@ constexpr double patchReach = 0.022;  // [m] along the rail, far beyond any patc
 constexpr double nearGap = 1.2e-3;    // [m] undeformed gap that a deflection of the track may close
 
 struct ClosedContact {
-  supports::SpringSet springs;               // tangent of the closed points
+  forces::ForceElements springs;             // tangent of the closed points
   std::vector<double> penetration;           // of each spring
   std::vector<std::array<double, 2>> place;  // x relative to the wheel, y
   double vertical = 0, lateral = 0;          // [N] on the rail, downwards and outwards positive
@@ -128,11 +128,13 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   std::size_t closedBefore = 0;
   while (true) {
     op.contactSprings() = {};
+    const bool hasNewTangents = op.linearise(e.displacement.data());
     op.apply(e.displacement.data(), r.data());
     ClosedContact closed = evaluateContact(model, op.turned(), e.displacement.data(), wheelX, rotation, penalty);
     if (closed.springs.size() == 0) throw RunError("the wheel finds no contact in the equilibrium", 0, 0, "contact");
     for (std::size_t i = 0; i < n; ++i) r[i] = weight[i] - r[i];
     addContactForces(closed, r.data());
+    op.addForcesBesideTangents(r.data());
     op.reduceForces(r.data());
     const double norm = std::sqrt(orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
       double sum = 0;
@@ -156,11 +158,12 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
                      0, 0, "equilibrium");
     op.contactSprings() = closed.springs;
     coarse.factorise(closed.springs);
-    // Inexact Newton: no better than the set of closed points is known, which shrinks to the true one.
+    // Inexact Newton: no better than the set of closed points is known, which shrinks to the true one, and the tangents
+    // of the force elements.
     const auto count = static_cast<double>(closed.springs.size());
     const auto before = static_cast<double>(std::exchange(closedBefore, closed.springs.size()));
     const double changed = std::abs(count - before) / count;
-    const double forcing = changed > 0.03 ? 0.2 : changed > 0.005 ? 1e-2 : 1e-5;
+    const double forcing = changed > 0.03 ? 0.2 : changed > 0.005 || hasNewTangents ? 1e-2 : 1e-5;
     const double goal = std::max(0.3 * options.tolerance * load, norm * forcing);
     const auto solution = conjugateGradients(
         op, coarse, r, change, goal, options.mostIterations - e.iterations, [&](int, double residual) {
@@ -187,6 +190,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   AlignedVector copy = e.displacement;
   op.apply(copy.data(), r.data());
   for (std::size_t i = 0; i < n; ++i) e.strainEnergy += 0.5 * copy[i] * r[i];
+  e.strainEnergy += op.energyBesideTangents();
   const auto hub = ringMean(model, model.centre, op.turned(), e.displacement.data());
   e.approach = railDeflection(model, e.displacement, wheelX) - hub.z;
   return e;
@@ -199,6 +203,7 @@ AlignedVector residualAt(const model::Model& model, const elasticity::KernelSet&
                          AlignedVector u, double wheelX, double rotation) {
   model::StaticOperator op(model, kernels, team, rotation, 1e8, true);
   model::turnBases(model, rotation, u);
+  op.linearise(u.data());
   AlignedVector r(u.size(), 0.0);
   op.apply(u.data(), r.data());
   const auto closed =
@@ -206,6 +211,7 @@ AlignedVector residualAt(const model::Model& model, const elasticity::KernelSet&
   const AlignedVector weight = gravityForces(model, rotation);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = weight[i] - r[i];
   addContactForces(closed, r.data());
+  op.addForcesBesideTangents(r.data());
   op.reduceForces(r.data());
   model::turnBases(model, -rotation, r);
   return r;
@@ -223,6 +229,7 @@ AlignedVector equilibriumRate(const model::Model& model, const elasticity::Kerne
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - behind[i]) / (2 * distance);
 
   model::StaticOperator op(model, kernels, team, 0, 1e8, true);
+  op.linearise(e.displacement.data());
   CoarseSpace coarse(model, op);
   if (e.coarseStiffness.rows() == coarse.size())
     coarse.adopt(e.coarseStiffness);

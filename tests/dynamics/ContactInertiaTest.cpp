@@ -17,7 +17,7 @@ namespace squat::dynamics {
 namespace {
 
 // Normal and both tangential penalties of the points within 8 mm of a wheel at rest, all closed.
-void closePatch(const model::Model& model, supports::SpringSet& springs, contact::ClosedArea& closed) {
+void closePatch(const model::Model& model, forces::ForceElements& springs, contact::ClosedArea& closed) {
   const auto& s = model.surfaces;
   const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
   const double normal = model::normalPenalty(model.description),

@@ -130,7 +130,7 @@ TEST(StableStep, CoversTheBareRail) {
 }
 
 // Rayleigh quotient w . M_e^-1 w of a spring's weights w, M_e with the inertia of short waves.
-double mobilityOf(const model::Model& model, const supports::SpringSet& springs, std::size_t spring) {
+double mobilityOf(const model::Model& model, const forces::ForceElements& springs, std::size_t spring) {
   AlignedVector a(model.stateSize, 0.0);
   for (std::size_t t = springs.start[spring]; t < springs.start[spring + 1]; ++t)
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
@@ -159,8 +159,9 @@ TEST(StableStep, FollowsStrongDashpots) {
   Monitor quiet;
   const auto stable = stableStep(model, kernels, team, quiet);
   double bound = smooth().stable.step;
-  for (std::size_t i = 0; i < model.pads.size(); ++i)
-    bound = std::min(bound, 2 / (model.pads.damping[i] * mobilityOf(model, model.pads, i)));
+  for (const auto& set : model.forceElements)
+    for (std::size_t i = 0; set.kind == forces::Kind::railPad && i < set.size(); ++i)
+      bound = std::min(bound, 2 / (set.damping[i] * mobilityOf(model, set, i)));
   EXPECT_LT(bound, 0.9 * smooth().stable.step);
   EXPECT_LT(stable.step, bound);
   EXPECT_GT(stable.step, 0.1 * bound);  // pads of one sleeper share masses: together they bind some times harder

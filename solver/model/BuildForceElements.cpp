@@ -1,4 +1,4 @@
-#include "model/BuildSupports.h"
+#include "model/BuildForceElements.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,14 @@ int component(elasticity::SweepKind kind, int axis) {
   return alongY[axis];
 }
 
-void addPads(Model& model) {
+forces::ForceElements emptySet(forces::Kind kind, const std::string& name) {
+  forces::ForceElements set;
+  set.kind = kind, set.name = name;
+  return set;
+}
+
+forces::ForceElements railPads(const Model& model) {
+  auto pads = emptySet(forces::Kind::railPad, "rail pads");
   constexpr int alongRail = 6, acrossRail = 4;  // springs of one pad
   const auto& pad = model.description.pad;
   const auto& rail = model.blocks[model.rail];
@@ -75,13 +82,15 @@ void addPads(Model& model) {
             if (basis(global, axis) != 0)
               interpolate(sleeper, top, 1, dx, across, component(sleeper.kind, global), -basis(global, axis), terms);
           const double share = 1.0 / (alongRail * acrossRail);
-          model.pads.add(terms, share * stiffness[axis], share * damping[axis]);
+          pads.add(terms, share * stiffness[axis], share * damping[axis]);
         }
       }
   }
+  return pads;
 }
 
-void addBallast(Model& model) {
+forces::ForceElements ballastSprings(const Model& model) {
+  auto ballast = emptySet(forces::Kind::ballast, "ballast");
   const auto& d = model.description;
   const double stiffness[3] = {d.ballast.longitudinalStiffness, d.ballast.lateralStiffness, d.ballast.stiffness};
   const double damping[3] = {d.ballast.longitudinalDamping, d.ballast.lateralDamping, d.ballast.damping};
@@ -95,15 +104,17 @@ void addBallast(Model& model) {
         const double across = (j == 0 || j == n - 1 ? 0.5 : 1.0) / (n - 1);
         const double along = (s == 0 || s == sleeper.stationCount - 1 ? 0.5 : 1.0) / sleeper.intervals;
         for (int axis = 0; axis < 3; ++axis)
-          model.ballast.add({{sleeper.index(base[j], component(sleeper.kind, axis), s), 1.0}},
-                            across * along * stiffness[axis], across * along * damping[axis]);
+          ballast.add({{sleeper.index(base[j], component(sleeper.kind, axis), s), 1.0}},
+                      across * along * stiffness[axis], across * along * damping[axis]);
       }
   }
+  return ballast;
 }
 
 // Dashpots with the impedances of plane waves let rail waves leave (Lysmer and Kuhlemeyer 1969): density times the
 // bar's wave speed along the rail, density times the shear wave speed across it.
-void addAbsorbingEnds(Model& model) {
+forces::ForceElements absorbingEnds(const Model& model) {
+  auto ends = emptySet(forces::Kind::railEnd, "absorbing rail ends");
   const auto& rail = model.blocks[model.rail];
   const auto& m = rail.material;
   const double impedance[3] = {m.density * std::sqrt(m.young / m.density),
@@ -118,10 +129,29 @@ void addAbsorbingEnds(Model& model) {
   for (const int station : {0, rail.stationCount - 1})
     for (int n = 0; n < rail.nodes; ++n)
       for (int axis = 0; axis < 3; ++axis)
-        model.ends.add({{rail.index(n, axis, station), 1.0}}, 0, impedance[axis] * area[n]);
+        ends.add({{rail.index(n, axis, station), 1.0}}, 0, impedance[axis] * area[n]);
+  return ends;
 }
 
-void fillSlots(const Model& model, supports::SpringSet& set) {
+// From the journal, or from the axle box where that is on a spring, to the sprung mass.
+void addVehicle(Model& model) {
+  const auto& d = model.description;
+  std::size_t x = model.journalX, z = model.journalZ;
+  if (model.boxOnSpring()) {
+    auto bearing = emptySet(forces::Kind::axleBearing, "axle bearing");
+    bearing.add({{x, 1.0}, {model.boxX, -1.0}}, d.wheelset.bearingStiffness, d.wheelset.bearingDamping);
+    bearing.add({{z, 1.0}, {model.boxZ, -1.0}}, d.wheelset.bearingStiffness, d.wheelset.bearingDamping);
+    model.forceElements.push_back(std::move(bearing));
+    x = model.boxX, z = model.boxZ;
+  }
+  auto suspension = emptySet(forces::Kind::primarySuspension, "primary suspension");
+  suspension.add({{x, 1.0}, {model.sprungX, -1.0}}, d.suspension.longitudinalStiffness,
+                 d.suspension.longitudinalDamping);
+  suspension.add({{z, 1.0}, {model.sprungZ, -1.0}}, d.suspension.stiffness, d.suspension.damping);
+  model.forceElements.push_back(std::move(suspension));
+}
+
+void fillSlots(const Model& model, forces::ForceElements& set) {
   set.forceSlot.clear();
   for (const auto index : set.unknown) set.forceSlot.push_back(forceSlot(model, index));
 }
@@ -165,11 +195,11 @@ void layOutForces(Model& model) {
     model.forceSize += static_cast<std::size_t>(loaded.count) * 3 * model.blocks[b].stride;
     model.loaded.push_back(std::move(loaded));
   }
-  model.forceSize += 8;  // small unknowns
+  model.forceSize += 8;  // auxiliary degrees of freedom
 }
 
 std::size_t forceSlot(const Model& model, std::size_t index) {
-  if (index >= model.smallUnknowns) return model.forceSize - 8 + (index - model.smallUnknowns);
+  if (index >= model.firstAuxiliary) return model.forceSize - 8 + (index - model.firstAuxiliary);
   std::size_t b = 0;
   while (b + 1 < model.blocks.size() && model.blocks[b + 1].offset <= index) ++b;
   const auto& block = model.blocks[b];
@@ -179,19 +209,22 @@ std::size_t forceSlot(const Model& model, std::size_t index) {
   return model.loaded[b].offset + (static_cast<std::size_t>(triple) * 3 + at.component) * block.stride + at.station;
 }
 
-void addSupports(Model& model) {
-  addPads(model);
-  addBallast(model);
-  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing)) addAbsorbingEnds(model);
-  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::clamped)) {
-    const auto& rail = model.blocks[model.rail];
-    for (const int station : {0, rail.stationCount - 1})
-      for (int n = 0; n < rail.nodes; ++n)
-        for (int c = 0; c < 3; ++c) model.held.push_back(rail.index(n, c, station));
-  }
-  fillSlots(model, model.pads);
-  fillSlots(model, model.ballast);
-  fillSlots(model, model.ends);
+void addForceElements(Model& model) {
+  auto& sets = model.forceElements;
+  sets.push_back(ballastSprings(model));
+  sets.push_back(railPads(model));
+  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing))
+    sets.push_back(absorbingEnds(model));
+  addVehicle(model);
+  for (auto& set : sets) fillSlots(model, set);
+}
+
+void holdRailEnds(Model& model) {
+  if (model.description.track.railEnds != static_cast<int>(cases::RailEnds::clamped)) return;
+  const auto& rail = model.blocks[model.rail];
+  for (const int station : {0, rail.stationCount - 1})
+    for (int n = 0; n < rail.nodes; ++n)
+      for (int c = 0; c < 3; ++c) model.held.push_back(rail.index(n, c, station));
 }
 
 }  // namespace squat::model
