@@ -5,6 +5,7 @@
 // z up. The deepest point of the defect is at x = 0; y = 0 and z = 0 are the middle of the rail's running surface.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,13 @@ namespace squat::cases {
 
 struct Material {
   double young = 0, poisson = 0, density = 0;  // [Pa], [-], [kg/m3]
+};
+
+// A rail seat that differs from the others; what is left out is as at every seat.
+struct Seat {
+  int sleeper = 0;  // counted from the one nearest to the defect, positive in rolling direction
+  std::optional<double> padStiffness, padDamping;          // vertical, [N/m], [N s/m]
+  std::optional<double> ballastStiffness, ballastDamping;  // vertical, per half sleeper
 };
 
 struct Track {
@@ -37,8 +45,11 @@ struct Support {
   double longitudinalStiffness = 0, longitudinalDamping = 0;  // along the rail
   double lateralStiffness = 0, lateralDamping = 0;
 };
+struct ForcePoint {
+  double compression = 0, force = 0;  // [m], [N]
+};
 struct Pad : Support {
-  double length = 0, width = 0;  // [m] footprint along and across the rail
+  double length = 0, width = 0;   // [m] footprint along and across the rail
 };
 
 struct Sleeper {

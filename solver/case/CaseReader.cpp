@@ -114,6 +114,24 @@ std::optional<std::string> linesText(const toml::node& node, const Source& sourc
   return text + "]";
 }
 
+std::optional<std::string> seatsText(const toml::node& node, const Source& source) {
+  const auto* array = node.as_array();
+  if (!array) return std::nullopt;
+  std::string text = "[";
+  for (const auto& element : *array) {
+    const auto* seat = element.as_table();
+    if (!seat) return std::nullopt;
+    std::string own;
+    for (const auto& [key, value] : *seat) {
+      const auto number = numberText(value, source);
+      if (!number) return std::nullopt;
+      own += (own.empty() ? "" : ", ") + std::string(key.str()) + " = " + *number;
+    }
+    text += (text.size() > 1 ? ", {" : "{") + own + "}";
+  }
+  return text + "]";
+}
+
 std::optional<std::string> textFor(const toml::node& node, Kind kind, const Source& source) {
   switch (kind) {
     case Kind::number:
@@ -126,9 +144,12 @@ std::optional<std::string> textFor(const toml::node& node, Kind kind, const Sour
       if (const auto* value = node.as_string()) return value->get();
       return std::nullopt;
     case Kind::points:
+    case Kind::forceCurve:
       return pointsText(node, source);
     case Kind::lines:
       return linesText(node, source);
+    case Kind::seats:
+      return seatsText(node, source);
   }
   return std::nullopt;
 }

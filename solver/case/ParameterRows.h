@@ -14,9 +14,9 @@ struct Unit {
   int power;
 };
 inline constexpr Unit none{"-", 0}, metre{"m", 0}, millimetre{"mm", -3}, kilogram{"kg", 0}, density{"kg/m3", 0},
-    gigapascal{"GPa", 9}, stiffness{"MN/m", 6}, damping{"kN s/m", 3}, speed{"m/s", 0}, angularSpeed{"rad/s", 0},
-    torque{"N m", 0}, second{"s", 0}, millisecond{"ms", -3}, microsecond{"us", -6}, acceleration{"m/s2", 0},
-    hertz{"Hz", 0}, kilohertz{"kHz", 3};
+    gigapascal{"GPa", 9}, stiffness{"MN/m", 6}, damping{"kN s/m", 3}, kilonewton{"kN", 3}, speed{"m/s", 0},
+    angularSpeed{"rad/s", 0}, torque{"N m", 0}, second{"s", 0}, millisecond{"ms", -3}, microsecond{"us", -6},
+    acceleration{"m/s2", 0}, hertz{"Hz", 0}, kilohertz{"kHz", 3};
 
 struct Range {
   double minimum, maximum;
@@ -35,6 +35,10 @@ Parameter points(const char* key, std::vector<ProfilePoint>& (*access)(CaseDescr
                  const char* source);
 Parameter lines(const char* key, std::vector<ProfileLine>& (*access)(CaseDescription&), const char* doc,
                 const char* source);
+
+Parameter forceCurve(const char* key, std::vector<ForcePoint>& (*access)(CaseDescription&), const char* doc,
+                     const char* source);
+Parameter seats(const char* key, std::vector<Seat>& (*access)(CaseDescription&), const char* doc, const char* source);
 
 using Rows = std::vector<Parameter>;
 Rows trackRows();    // track, rail, pad, sleeper, ballast

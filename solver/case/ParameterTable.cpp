@@ -88,6 +88,20 @@ Parameter lines(const char* key, std::vector<ProfileLine>& (*access)(CaseDescrip
   return parameter;
 }
 
+Parameter forceCurve(const char* key, std::vector<ForcePoint>& (*access)(CaseDescription&), const char* doc,
+                     const char* source) {
+  Parameter parameter = row(key, Kind::forceCurve, access, doc, source);
+  parameter.unit = "mm, kN";
+  parameter.standardText = "[]";
+  return parameter;
+}
+
+Parameter seats(const char* key, std::vector<Seat>& (*access)(CaseDescription&), const char* doc, const char* source) {
+  Parameter parameter = row(key, Kind::seats, access, doc, source);
+  parameter.standardText = "[]";
+  return parameter;
+}
+
 }  // namespace rows
 
 namespace {

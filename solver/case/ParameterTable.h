@@ -11,14 +11,15 @@
 
 namespace squat::cases {
 
-enum class Kind { number, choice, text, boolean, points, lines };
+enum class Kind { number, choice, text, boolean, points, lines, forceCurve, seats };
 
 // Where in the description a parameter lives; which alternative goes with which kind: number -> double or int,
 // choice -> int (index into `choices`), boolean -> bool, text -> string, points -> vector of profile points, lines ->
-// vector of profile lines.
+// vector of profile lines, forceCurve -> vector of force points, seats -> vector of seats.
 using Access = std::variant<double& (*)(CaseDescription&), int& (*)(CaseDescription&), bool& (*)(CaseDescription&),
                             std::string& (*)(CaseDescription&), std::vector<ProfilePoint>& (*)(CaseDescription&),
-                            std::vector<ProfileLine>& (*)(CaseDescription&)>;
+                            std::vector<ProfileLine>& (*)(CaseDescription&),
+                            std::vector<ForcePoint>& (*)(CaseDescription&), std::vector<Seat>& (*)(CaseDescription&)>;
 
 struct Parameter {
   std::string key;   // path in the case file, e.g. "pad.stiffness"
@@ -35,7 +36,7 @@ struct Parameter {
   Access access;
 };
 
-// Points and lines: texts of many numbers, empty by default.
+// Points and lines: texts of many numbers, which nobody types, empty by default.
 inline bool isList(const Parameter& parameter) {
   return parameter.kind == Kind::points || parameter.kind == Kind::lines;
 }

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "case/DecimalNumber.h"
+#include "case/ForceCurveText.h"
 #include "case/PointsText.h"
+#include "case/SeatsText.h"
 
 namespace squat::cases {
 
@@ -122,6 +124,23 @@ std::optional<CaseProblem> setLines(CaseDescription& description, const Paramete
   return std::nullopt;
 }
 
+std::optional<CaseProblem> setForceCurve(CaseDescription& description, const Parameter& parameter,
+                                         std::string_view text) {
+  auto curve = parseForceCurve(text);
+  if (!curve) return problem(parameter, text, "Write pairs of numbers like [[0, 0], [0.1, 20], [0.2, 70]]");
+  const std::string wrong = forceCurveMistake(*curve);
+  if (!wrong.empty()) return problem(parameter, text, wrong);
+  *member<std::vector<ForcePoint>>(description, parameter) = std::move(*curve);
+  return std::nullopt;
+}
+
+std::optional<CaseProblem> setSeats(CaseDescription& description, const Parameter& parameter, std::string_view text) {
+  auto [seats, wrong] = parseSeats(text);
+  if (!wrong.empty()) return problem(parameter, text, wrong);
+  *member<std::vector<Seat>>(description, parameter) = std::move(seats);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string allowedText(const Parameter& parameter) {
@@ -142,6 +161,10 @@ std::string allowedText(const Parameter& parameter) {
       return "pairs of position and height in " + parameter.unit + ", positions ascending";
     case Kind::lines:
       return "lateral position and points of each line in " + parameter.unit + ", both ascending";
+    case Kind::forceCurve:
+      return "pairs of compression and force in " + parameter.unit + ", both ascending";
+    case Kind::seats:
+      return "tables with sleeper and " + seatKeys();
   }
   return {};
 }
@@ -165,6 +188,10 @@ std::string valueText(const CaseDescription& description, const Parameter& param
       return formatPoints(*member<std::vector<ProfilePoint>>(description, parameter), parameter.powerOfTen);
     case Kind::lines:
       return formatLines(*member<std::vector<ProfileLine>>(description, parameter), parameter.powerOfTen);
+    case Kind::forceCurve:
+      return formatForceCurve(*member<std::vector<ForcePoint>>(description, parameter));
+    case Kind::seats:
+      return formatSeats(*member<std::vector<Seat>>(description, parameter));
   }
   return {};
 }
@@ -184,6 +211,10 @@ std::optional<CaseProblem> trySetValue(CaseDescription& description, const Param
       return setPoints(description, parameter, text);
     case Kind::lines:
       return setLines(description, parameter, text);
+    case Kind::forceCurve:
+      return setForceCurve(description, parameter, text);
+    case Kind::seats:
+      return setSeats(description, parameter, text);
   }
   return std::nullopt;
 }

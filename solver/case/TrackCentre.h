@@ -9,4 +9,10 @@ namespace squat::cases {
 // reaches half of track.length to both sides of it.
 double trackCentre(const CaseDescription& description);
 
+// The sleepers of the model, counted from the one nearest to the defect, positive in rolling direction.
+struct SleeperRange {
+  int first = 0, last = 0;
+};
+SleeperRange sleepersOf(const CaseDescription& description);
+
 }  // namespace squat::cases

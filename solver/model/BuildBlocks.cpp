@@ -170,7 +170,8 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   // The rail is centred on the sleeper nearest to the middle of the rolled stretch.
   const double centre = cases::trackCentre(d), spacing = d.track.sleeperSpacing;
   const double railStart = centre - d.track.length / 2, railEnd = centre + d.track.length / 2;
-  const int each = static_cast<int>(std::floor((d.track.length / 2 - d.pad.length / 2) / spacing + 1e-9));
+  const auto sleepers = cases::sleepersOf(d);
+  const int each = (sleepers.last - sleepers.first) / 2;
   for (int i = -each; i <= each; ++i) model.sleeperPositions.push_back(centre + i * spacing);
 
   const RollingStretch stretch = rollingStretch(d, railStart, railEnd);

@@ -73,6 +73,12 @@ TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
       case Kind::lines:
         text = "[[-5, [[0, 0], [1, -0.5]]], [5, [[0, 0], [1, -0.4]]]]";
         break;
+      case Kind::forceCurve:
+        text = "[[0, 0], [0.5, 40]]";
+        break;
+      case Kind::seats:
+        text = "[{ sleeper = 1, pad_stiffness = 300 }]";
+        break;
     }
     setValue(changed, parameter.key, text);
     for (const auto& other : parameterTable()) {
