@@ -50,6 +50,8 @@ struct ForcePoint {
 };
 struct Pad : Support {
   double length = 0, width = 0;   // [m] footprint along and across the rail
+  std::vector<ForcePoint> curve;  // vertical, both ascending; empty: linear
+  double preload = 0;             // [N] clamping force of the fastening: where on the curve the unloaded track stands
 };
 
 struct Sleeper {

@@ -156,6 +156,19 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
         "Raise the total mass or make the parts lighter");
 }
 
+namespace {
+
+void checkSupports(const Case& c, std::vector<Finding>& findings) {
+  const auto& curve = c.pad.curve;
+  if (!curve.empty() && (c.pad.preload < curve.front().force || c.pad.preload > curve.back().force))
+    add(findings, c, Severity::problem, {"pad.preload", "pad.curve"},
+        rounded(1e-3 * curve.front().force, Side::above) + " to " + rounded(1e-3 * curve.back().force, Side::below) +
+            " kN, the forces of pad.curve",
+        "The clamping force must lie on the curve; change it or extend the curve");
+}
+
+}  // namespace
+
 void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   const double half = 0.5 * c.track.length;
   const DefectSurface surface(c.defect);
@@ -219,6 +232,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, {"output.filter_cutoff", "output.rate"},
         limitText("output.filter_cutoff", "at most 0.4 of output.rate:", 0.4 * c.output.rate),
         "Lower the cut-off or raise the rate");
+  checkSupports(c, findings);
 }
 
 void checkDefect(const Case& c, std::vector<Finding>& findings) {

@@ -66,6 +66,16 @@ void addPad(Rows& rows) {
   rows.push_back(number(
       "pad.damping", damping, 45, {0, 2000}, [](Case& c) -> double& { return c.pad.damping; },
       "vertical damping of a rail pad, per rail seat (C2)", table1));
+  rows.push_back(forceCurve(
+      "pad.curve", [](Case& c) -> std::vector<ForcePoint>& { return c.pad.curve; },
+      "vertical force of a whole rail pad against its compression, rising, straight between the points and beyond; "
+      "replaces pad.stiffness; [] for a linear pad",
+      "assumed: linear"));
+  rows.push_back(number(
+      "pad.preload", kilonewton, 0, {0, 100}, [](Case& c) -> double& { return c.pad.preload; },
+      "clamping force of the fastening: the point of pad.curve at which the unloaded track stands and at which the "
+      "receptance takes the tangent",
+      "assumed: none; it has no effect without pad.curve"));
   rows.push_back(number(
       "pad.longitudinal_stiffness", stiffness, 130, {0, 20000},
       [](Case& c) -> double& { return c.pad.longitudinalStiffness; },

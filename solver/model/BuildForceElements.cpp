@@ -1,6 +1,7 @@
 #include "model/BuildForceElements.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -57,17 +58,27 @@ forces::ForceElements emptySet(forces::Kind kind, const std::string& name) {
   return set;
 }
 
-forces::ForceElements railPads(const Model& model) {
+forces::ElasticLaw padLaw(const cases::Pad& pad) {
+  std::vector<std::array<double, 2>> points;
+  for (const auto& point : pad.curve) points.push_back({point.compression, point.force});
+  return forces::ElasticLaw::fromCompression(points, pad.preload);
+}
+
+void addPads(Model& model) {
   auto pads = emptySet(forces::Kind::railPad, "rail pads");
+  auto alongCurve = emptySet(forces::Kind::railPad, "rail pads along their curve");
   constexpr int alongRail = 6, acrossRail = 4;  // springs of one pad
   const auto& pad = model.description.pad;
   const auto& rail = model.blocks[model.rail];
   const auto base = railBase(rail);
   const Eigen::Matrix3d basis = elasticity::localBasis(rail, 0);
   const double lowest = rail.section.nodes[base.front()][1];
-  const double stiffness[3] = {pad.longitudinalStiffness, pad.lateralStiffness, pad.stiffness};
-  const double damping[3] = {pad.longitudinalDamping, pad.lateralDamping, pad.damping};
+  if (!pad.curve.empty()) alongCurve.law = padLaw(pad);
   for (int i = 0; i < model.sleepers; ++i) {
+    const bool followsCurve = alongCurve.law.has_value();
+    const double vertical = followsCurve ? 1 : pad.stiffness;
+    const double stiffness[3] = {pad.longitudinalStiffness, pad.lateralStiffness, vertical};
+    const double damping[3] = {pad.longitudinalDamping, pad.lateralDamping, pad.damping};
     const auto& sleeper = model.blocks[model.firstSleeper + i];
     const auto top = sleeperFace(sleeper, 0);
     for (int p = 0; p < alongRail; ++p)
@@ -82,19 +93,22 @@ forces::ForceElements railPads(const Model& model) {
             if (basis(global, axis) != 0)
               interpolate(sleeper, top, 1, dx, across, component(sleeper.kind, global), -basis(global, axis), terms);
           const double share = 1.0 / (alongRail * acrossRail);
-          pads.add(terms, share * stiffness[axis], share * damping[axis]);
+          (axis == 2 && followsCurve ? alongCurve : pads).add(terms, share * stiffness[axis], share * damping[axis]);
         }
       }
   }
-  return pads;
+  model.forceElements.push_back(std::move(pads));
+  if (alongCurve.size() > 0) model.forceElements.push_back(std::move(alongCurve));
 }
 
-forces::ForceElements ballastSprings(const Model& model) {
+void addBallast(Model& model) {
   auto ballast = emptySet(forces::Kind::ballast, "ballast");
   const auto& d = model.description;
-  const double stiffness[3] = {d.ballast.longitudinalStiffness, d.ballast.lateralStiffness, d.ballast.stiffness};
-  const double damping[3] = {d.ballast.longitudinalDamping, d.ballast.lateralDamping, d.ballast.damping};
   for (int i = 0; i < model.sleepers; ++i) {
+    const double stiffness[3] = {d.ballast.longitudinalStiffness, d.ballast.lateralStiffness,
+                                 d.ballast.stiffness};
+    const double damping[3] = {d.ballast.longitudinalDamping, d.ballast.lateralDamping,
+                               d.ballast.damping};
     const auto& sleeper = model.blocks[model.firstSleeper + i];
     const auto base = sleeperFace(sleeper, -d.sleeper.height);
     const int n = static_cast<int>(base.size());
@@ -108,7 +122,7 @@ forces::ForceElements ballastSprings(const Model& model) {
                       across * along * stiffness[axis], across * along * damping[axis]);
       }
   }
-  return ballast;
+  model.forceElements.push_back(std::move(ballast));
 }
 
 // Dashpots with the impedances of plane waves let rail waves leave (Lysmer and Kuhlemeyer 1969): density times the
@@ -211,8 +225,8 @@ std::size_t forceSlot(const Model& model, std::size_t index) {
 
 void addForceElements(Model& model) {
   auto& sets = model.forceElements;
-  sets.push_back(ballastSprings(model));
-  sets.push_back(railPads(model));
+  addBallast(model);
+  addPads(model);
   if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing))
     sets.push_back(absorbingEnds(model));
   addVehicle(model);

@@ -129,6 +129,27 @@ TEST(StableStep, CoversTheBareRail) {
   EXPECT_GT(smooth().stable.step, 1.5 * stable.step);
 }
 
+// A progressive pad may come to stand on any slope of its curve: the steepest bounds the step, as if the pad were
+// linear with it. No pad of a case is stiff enough to bind; these are, a thousand times over. 0.1 % for what the
+// Lanczos steps leave.
+TEST(StableStep, FollowsTheStiffestTangent) {
+  const auto stepOf = [](const char* key, const char* value) {
+    auto model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{key, value}}}));
+    for (auto& set : model.forceElements) {
+      if (set.kind != forces::Kind::railPad) continue;
+      const bool isAlongCurve = set.law.has_value(), isWhole = !isAlongCurve && key == std::string("pad.stiffness");
+      for (std::size_t i = 0; i < set.size(); ++i)
+        if (isAlongCurve || (isWhole && i % 3 == 2)) set.stiffness[i] *= 1000;  // the vertical ones
+    }
+    ThreadTeam team(1);
+    Monitor quiet;
+    return stableStep(model, elasticity::kernelsFor(""), team, quiet).step;
+  };
+  const double linear = stepOf("pad.stiffness", "20000");
+  EXPECT_LT(linear, 0.95 * smooth().stable.step);
+  EXPECT_NEAR(stepOf("pad.curve", "[[0, 0], [0.1, 10], [0.2, 2010]]"), linear, 1e-3 * linear);
+}
+
 // Rayleigh quotient w . M_e^-1 w of a spring's weights w, M_e with the inertia of short waves.
 double mobilityOf(const model::Model& model, const forces::ForceElements& springs, std::size_t spring) {
   AlignedVector a(model.stateSize, 0.0);

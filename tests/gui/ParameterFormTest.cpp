@@ -65,6 +65,16 @@ TEST_F(Form, aWrongValueIsFlaggedWhileTypingAndBlocksTheRun) {
   EXPECT_DOUBLE_EQ(document_.description().pad.stiffness, 800e6);
 }
 
+TEST_F(Form, curvesAreTypedAndJudgedWhileTyping) {
+  type("pad.curve", "[[0, 0], [0.1, 20], [0.2, 10]]");
+  EXPECT_TRUE(form_.row("pad.curve")->reason().contains("must rise")) << form_.row("pad.curve")->reason().toStdString();
+  type("pad.curve", "[[0, 0], [0.1, 20], [0.2, 70]]");
+  EXPECT_TRUE(form_.row("pad.curve")->reason().isEmpty());
+  QTest::keyClick(line("pad.curve"), Qt::Key_Return);
+  ASSERT_EQ(document_.description().pad.curve.size(), 3u);
+  EXPECT_DOUBLE_EQ(document_.description().pad.curve[2].force, 70e3);
+}
+
 // The user means to mend the text, not to lose it because something else was edited meanwhile.
 TEST_F(Form, aRefusedTextStaysUntilItsOwnValueChanges) {
   const auto refuse = [this] {
