@@ -27,6 +27,7 @@ struct Track {
   double sleeperSpacing = 0;     // [m]
   double defectFromSleeper = 0;  // [m] the paper's L: deepest point relative to the nearest sleeper centre
   int railEnds = 0;              // index of RailEnds
+  std::vector<Seat> seats;       // those that differ
 };
 enum class RailEnds { free, clamped, absorbing };
 

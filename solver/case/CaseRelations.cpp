@@ -159,6 +159,13 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
 namespace {
 
 void checkSupports(const Case& c, std::vector<Finding>& findings) {
+  const auto sleepers = c.track.seats.empty() ? SleeperRange{} : sleepersOf(c);
+  for (const auto& seat : c.track.seats)
+    if (seat.sleeper < sleepers.first || seat.sleeper > sleepers.last)
+      add(findings, c, Severity::problem, {"track.seats", "track.length", "track.sleeper_spacing"},
+          "sleepers from " + std::to_string(sleepers.first) + " to " + std::to_string(sleepers.last),
+          "There is no sleeper " + std::to_string(seat.sleeper) +
+              "; 0 is the one nearest to the defect. Count from there or lengthen track.length");
   const auto& curve = c.pad.curve;
   if (!curve.empty() && (c.pad.preload < curve.front().force || c.pad.preload > curve.back().force))
     add(findings, c, Severity::problem, {"pad.preload", "pad.curve"},

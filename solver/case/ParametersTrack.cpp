@@ -24,6 +24,12 @@ void addTrack(Rows& rows) {
   rows.push_back(choice(
       "track.rail_ends", {"free", "clamped", "absorbing"}, 0, [](Case& c) -> int& { return c.track.railEnds; },
       "what holds the rail at its two ends", "assumed: the paper does not say"));
+  rows.push_back(seats(
+      "track.seats", [](Case& c) -> std::vector<Seat>& { return c.track.seats; },
+      "rail seats that differ, each a table [[track.seats]]: sleeper (0 the one nearest to the defect, positive in "
+      "rolling direction), and any of pad_stiffness [MN/m], pad_damping [kN s/m] (vertical, a linear pad), "
+      "ballast_stiffness, ballast_damping (vertical, per half sleeper)",
+      "assumed: all seats are alike"));
 }
 
 void addRail(Rows& rows) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "case/TrackCentre.h"
+
 namespace squat::model {
 
 namespace {
@@ -58,6 +60,14 @@ forces::ForceElements emptySet(forces::Kind kind, const std::string& name) {
   return set;
 }
 
+// What a seat says of itself; nothing where it is like the others.
+cases::Seat seatAt(const Model& model, int sleeper) {
+  const int index = cases::sleepersOf(model.description).first + sleeper;
+  for (const auto& seat : model.description.track.seats)
+    if (seat.sleeper == index) return seat;
+  return {};
+}
+
 forces::ElasticLaw padLaw(const cases::Pad& pad) {
   std::vector<std::array<double, 2>> points;
   for (const auto& point : pad.curve) points.push_back({point.compression, point.force});
@@ -75,10 +85,11 @@ void addPads(Model& model) {
   const double lowest = rail.section.nodes[base.front()][1];
   if (!pad.curve.empty()) alongCurve.law = padLaw(pad);
   for (int i = 0; i < model.sleepers; ++i) {
-    const bool followsCurve = alongCurve.law.has_value();
-    const double vertical = followsCurve ? 1 : pad.stiffness;
+    const auto seat = seatAt(model, i);
+    const bool followsCurve = alongCurve.law && !seat.padStiffness;
+    const double vertical = followsCurve ? 1 : seat.padStiffness.value_or(pad.stiffness);
     const double stiffness[3] = {pad.longitudinalStiffness, pad.lateralStiffness, vertical};
-    const double damping[3] = {pad.longitudinalDamping, pad.lateralDamping, pad.damping};
+    const double damping[3] = {pad.longitudinalDamping, pad.lateralDamping, seat.padDamping.value_or(pad.damping)};
     const auto& sleeper = model.blocks[model.firstSleeper + i];
     const auto top = sleeperFace(sleeper, 0);
     for (int p = 0; p < alongRail; ++p)
@@ -105,10 +116,11 @@ void addBallast(Model& model) {
   auto ballast = emptySet(forces::Kind::ballast, "ballast");
   const auto& d = model.description;
   for (int i = 0; i < model.sleepers; ++i) {
+    const auto seat = seatAt(model, i);
     const double stiffness[3] = {d.ballast.longitudinalStiffness, d.ballast.lateralStiffness,
-                                 d.ballast.stiffness};
+                                 seat.ballastStiffness.value_or(d.ballast.stiffness)};
     const double damping[3] = {d.ballast.longitudinalDamping, d.ballast.lateralDamping,
-                               d.ballast.damping};
+                               seat.ballastDamping.value_or(d.ballast.damping)};
     const auto& sleeper = model.blocks[model.firstSleeper + i];
     const auto base = sleeperFace(sleeper, -d.sleeper.height);
     const int n = static_cast<int>(base.size());

@@ -1,8 +1,9 @@
-// Force elements of the assembled model at rest: progressive pads.
+// Force elements of the assembled model at rest: progressive pads, seats that differ.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "case/CaseFile.h"
 #include "statics/Equilibrium.h"
@@ -68,6 +69,42 @@ TEST(ProgressivePad, PadsCarryTheWeightByTheirCurve) {
   const auto& d = model.description;
   const double load = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass + rail);
   EXPECT_NEAR(sum, load, 1e-5 * load);
+}
+
+// Only the seats that are named differ, by what is named; they count from the sleeper nearest to the defect.
+TEST(Seats, DifferByWhatTheySay) {
+  const Values moved{{"track.defect_from_sleeper", "0.2"}};
+  auto named = moved;
+  named.push_back({"track.seats",
+                   "[{ sleeper = 0, pad_stiffness = 650, pad_damping = 9 }, { sleeper = -1, "
+                   "ballast_stiffness = 15, ballast_damping = 8 }]"});
+  const auto plain = tinyModel(moved), other = tinyModel(named);
+  ASSERT_EQ(plain.forceElements.size(), other.forceElements.size());
+  std::map<std::pair<int, forces::Kind>, int> changed;  // per sleeper
+  for (std::size_t k = 0; k < plain.forceElements.size(); ++k) {
+    const auto &a = plain.forceElements[k], &b = other.forceElements[k];
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (a.stiffness[i] == b.stiffness[i] && a.damping[i] == b.damping[i]) continue;
+      const bool isPad = a.kind == forces::Kind::railPad;
+      const int sleeper = static_cast<int>(i * static_cast<std::size_t>(plain.sleepers) / a.size());
+      ++changed[{sleeper, a.kind}];
+      EXPECT_NEAR(b.stiffness[i] / a.stiffness[i], isPad ? 650.0 / 1300 : 15.0 / 45, 1e-12);
+      EXPECT_NEAR(b.damping[i] / a.damping[i], isPad ? 9.0 / 45 : 8.0 / 32, 1e-12);
+    }
+  }
+  ASSERT_EQ(changed.size(), 2u);
+  for (const auto& [at, count] : changed) {
+    const bool isPad = at.second == forces::Kind::railPad;
+    // The defect lies 0.2 m behind the sleeper that is nearest to it in rolling direction.
+    EXPECT_NEAR(plain.sleeperPositions[static_cast<std::size_t>(at.first)], isPad ? -0.2 : -0.8, 1e-9);
+    const auto& sleeper = plain.blocks[plain.firstSleeper];
+    if (isPad) {
+      EXPECT_EQ(count, 24);
+    } else {
+      EXPECT_EQ(count % sleeper.stationCount, 0);  // all along it
+    }
+  }
 }
 
 }  // namespace

@@ -47,12 +47,14 @@ class TrackBeam {
 
   void layRail(const std::vector<double>& sleeperPositions);
   int addSleeper();
-  void addBallast(int sleeper);
-  void addPad(int sleeper, double at);
+  cases::Seat seatAt(double x) const;
+  void addBallast(int sleeper, const cases::Seat& seat);
+  void addPad(int sleeper, double at, const cases::Seat& seat);
   int railNode(double x) const;
   // Weights of a sleeper's unknown at a distance from the symmetry plane.
   Terms sleeperAt(int sleeper, int unknown, double y, double factor) const;
   Eigen::VectorXd railShape(double x) const;
+  Eigen::VectorXd atRest(double loadX, double force, bool withWeight) const;
 
   cases::CaseDescription case_;
   BeamSection section_;

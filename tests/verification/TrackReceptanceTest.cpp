@@ -31,6 +31,20 @@ TEST(TrackReceptance, ShortTrackIsThatOfABeam) {
   compareWithBeam(cases::loadCase("smooth-rail", {"draft", {{"track.length", "3"}}}), 10, options);
 }
 
+// A worn pad on weak ballast under the first point: both tracks have it.
+TEST(TrackReceptance, OverASeatThatDiffersIsThatOfABeam) {
+  receptance::ReceptanceOptions options;
+  options.highest = 1200;
+  options.shapeTolerance = 2e-2;
+  options.accuracy = 0.02;
+  compareWithBeam(cases::loadCase("smooth-rail", {"draft",
+                                                  {{"track.length", "3"},
+                                                   {"track.seats",
+                                                    "[{ sleeper = 0, pad_stiffness = 300, pad_damping = 20, "
+                                                    "ballast_stiffness = 10, ballast_damping = 20 }]"}}}),
+                  10, options);
+}
+
 // 300 kN/mm up to 15 kN, then 1000 kN/mm: clamped with 50 kN the pad answers by the second slope, unclamped by the
 // first. The same system to solve, but for the last digits of the slope.
 TEST(TrackReceptance, ProgressivePadAnswersByTheTangentAtItsPreload) {
