@@ -20,6 +20,7 @@ struct Seat {
   int sleeper = 0;  // counted from the one nearest to the defect, positive in rolling direction
   std::optional<double> padStiffness, padDamping;          // vertical, [N/m], [N s/m]
   std::optional<double> ballastStiffness, ballastDamping;  // vertical, per half sleeper
+  std::optional<double> gap;                               // [m] between the sleeper and its ballast
 };
 
 struct Track {

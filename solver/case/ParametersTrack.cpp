@@ -28,7 +28,8 @@ void addTrack(Rows& rows) {
       "track.seats", [](Case& c) -> std::vector<Seat>& { return c.track.seats; },
       "rail seats that differ, each a table [[track.seats]]: sleeper (0 the one nearest to the defect, positive in "
       "rolling direction), and any of pad_stiffness [MN/m], pad_damping [kN s/m] (vertical, a linear pad), "
-      "ballast_stiffness, ballast_damping (vertical, per half sleeper)",
+      "ballast_stiffness, ballast_damping (vertical, per half sleeper), gap [mm] (void under the sleeper: the ballast "
+      "carries once the gap has closed, and never pulls)",
       "assumed: all seats are alike"));
 }
 

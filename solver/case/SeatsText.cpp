@@ -24,7 +24,8 @@ struct Field {
 constexpr Field fields[] = {{"pad_stiffness", "MN/m", 6, 1, 20000, &Seat::padStiffness},
                             {"pad_damping", "kN s/m", 3, 0, 2000, &Seat::padDamping},
                             {"ballast_stiffness", "MN/m", 6, 1, 10000, &Seat::ballastStiffness},
-                            {"ballast_damping", "kN s/m", 3, 0, 2000, &Seat::ballastDamping}};
+                            {"ballast_damping", "kN s/m", 3, 0, 2000, &Seat::ballastDamping},
+                            {"gap", "mm", -3, 0, 20, &Seat::gap}};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";

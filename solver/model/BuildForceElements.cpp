@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "case/TrackCentre.h"
@@ -115,8 +116,13 @@ void addPads(Model& model) {
 void addBallast(Model& model) {
   auto ballast = emptySet(forces::Kind::ballast, "ballast");
   const auto& d = model.description;
+  std::map<double, forces::ForceElements> voided;  // by gap
   for (int i = 0; i < model.sleepers; ++i) {
     const auto seat = seatAt(model, i);
+    if (seat.gap && !voided.count(*seat.gap)) {
+      auto& set = voided[*seat.gap] = emptySet(forces::Kind::ballast, "ballast under a void");
+      set.law = forces::ElasticLaw::closingGap(*seat.gap);
+    }
     const double stiffness[3] = {d.ballast.longitudinalStiffness, d.ballast.lateralStiffness,
                                  seat.ballastStiffness.value_or(d.ballast.stiffness)};
     const double damping[3] = {d.ballast.longitudinalDamping, d.ballast.lateralDamping,
@@ -130,11 +136,13 @@ void addBallast(Model& model) {
         const double across = (j == 0 || j == n - 1 ? 0.5 : 1.0) / (n - 1);
         const double along = (s == 0 || s == sleeper.stationCount - 1 ? 0.5 : 1.0) / sleeper.intervals;
         for (int axis = 0; axis < 3; ++axis)
-          ballast.add({{sleeper.index(base[j], component(sleeper.kind, axis), s), 1.0}},
-                      across * along * stiffness[axis], across * along * damping[axis]);
+          (axis == 2 && seat.gap ? voided.at(*seat.gap) : ballast)
+              .add({{sleeper.index(base[j], component(sleeper.kind, axis), s), 1.0}}, across * along * stiffness[axis],
+                   across * along * damping[axis]);
       }
   }
   model.forceElements.push_back(std::move(ballast));
+  for (auto& [gap, set] : voided) model.forceElements.push_back(std::move(set));
 }
 
 // Dashpots with the impedances of plane waves let rail waves leave (Lysmer and Kuhlemeyer 1969): density times the

@@ -76,7 +76,7 @@ void randomise(CaseDescription& description, const Parameter& parameter, std::mt
              ", pad_damping = " + formatDecimal(100 * share(random)) +
              " }, { sleeper = 0, ballast_stiffness = " + formatDecimal(1 + 100 * share(random)) +
              ", ballast_damping = " + formatDecimal(100 * share(random)) +
-             " }]";
+             " }, { sleeper = 2, gap = " + formatDecimal(20 * share(random)) + " }]";
       break;
   }
   const auto problem = trySetValue(description, parameter, text);

@@ -57,16 +57,17 @@ TEST(PadCurve, ReachesItsPreload) {
 TEST(Seats, AreTablesOfTheTrack) {
   const auto c = parseCase(
       "[track]\nlength = 6\n[[track.seats]]\nsleeper = 2\npad_stiffness = 300\npad_damping = 12.5\n"
-      "[[track.seats]]\nsleeper = -1\nballast_stiffness = 10\nballast_damping = 4\n",
+      "[[track.seats]]\nsleeper = -1\nballast_stiffness = 10\nballast_damping = 4\ngap = 0.75\n",
       "x.toml");
   ASSERT_EQ(c.track.seats.size(), 2u);
   EXPECT_EQ(c.track.seats[0].sleeper, 2);
   EXPECT_EQ(c.track.seats[0].padStiffness, 300e6);
   EXPECT_EQ(c.track.seats[0].padDamping, 12.5e3);
-  EXPECT_FALSE(c.track.seats[0].ballastStiffness);
+  EXPECT_FALSE(c.track.seats[0].gap || c.track.seats[0].ballastStiffness);
   EXPECT_EQ(c.track.seats[1].sleeper, -1);
   EXPECT_EQ(c.track.seats[1].ballastStiffness, 10e6);
   EXPECT_EQ(c.track.seats[1].ballastDamping, 4e3);
+  EXPECT_EQ(c.track.seats[1].gap, 0.75e-3);
   EXPECT_THAT(describeTable(c), HasSubstr("2 seats"));
   EXPECT_THAT(describeJson(c), HasSubstr("\"pad_stiffness\": 300"));
 }
@@ -79,7 +80,8 @@ TEST(Seats, SayWhatIsWrong) {
                {"[{ sleeper = 0 }, { sleeper = 0 }]", "Seat 2: an earlier one has the same sleeper"},
                {"[{ sleeper = 0, pad_stifness = 300 }]", "Seat 1: there is no key pad_stifness"},
                {"[{ sleeper = 0, pad_stiffness = 0 }]", "pad_stiffness goes from 1 to 20000 MN/m"},
-               {"[{ sleeper = 0, pad_damping = 1, pad_damping = 2 }]", "pad_damping is given twice"},
+               {"[{ sleeper = 0, gap = -1 }]", "gap goes from 0 to 20 mm"},
+               {"[{ sleeper = 0, gap = 1, gap = 2 }]", "gap is given twice"},
                {"{ sleeper = 0 }", "Write tables like"},
                {"[{ sleeper = 0 } { sleeper = 1 }]", "Write tables like"}};
   for (const auto& [text, said] : wrong) EXPECT_THAT(refusal("track.seats", text), HasSubstr(said)) << text;
@@ -90,9 +92,9 @@ TEST(Seats, SayWhatIsWrong) {
 TEST(Seats, MustExist) {
   CaseDescription c = defaultCase();
   setValue(c, "track.length", "10");
-  setValue(c, "track.seats", "[{ sleeper = 8, pad_damping = 1 }]");
+  setValue(c, "track.seats", "[{ sleeper = 8, gap = 1 }]");
   EXPECT_TRUE(validate(c).problems.empty());
-  setValue(c, "track.seats", "[{ sleeper = 12, pad_damping = 1 }]");
+  setValue(c, "track.seats", "[{ sleeper = 12, gap = 1 }]");
   ASSERT_EQ(validate(c).problems.size(), 1u);
   const auto problem = validate(c).problems[0];
   EXPECT_EQ(problem.key, "track.seats");
@@ -111,9 +113,9 @@ TEST(Seats, UnusedKeysLeaveTheHash) {
   EXPECT_NE(curved, before);
   setValue(c, "pad.preload", "11");
   EXPECT_NE(caseHash(c), curved);
-  setValue(c, "track.seats", "[{ sleeper = 1, pad_damping = 0.5 }]");
+  setValue(c, "track.seats", "[{ sleeper = 1, gap = 0.5 }]");
   const auto seated = caseHash(c);
-  setValue(c, "track.seats", "[{ sleeper = 1, pad_damping = 0.6 }]");
+  setValue(c, "track.seats", "[{ sleeper = 1, gap = 0.6 }]");
   EXPECT_NE(caseHash(c), seated);
 }
 

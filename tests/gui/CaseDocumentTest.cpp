@@ -38,7 +38,7 @@ void changeSomething(CaseDocument& document, std::mt19937& random) {
     } else if (parameter.kind == cases::Kind::forceCurve) {
       text = "[[0, 0], [0.2, 40]]";
     } else if (parameter.kind == cases::Kind::seats) {
-      text = "[{ sleeper = 0, pad_stiffness = 300 }]";
+      text = "[{ sleeper = 0, gap = 0.5 }]";
     }
     document.setParameter(parameter.key, text);
   } else if (kind < 7) {

@@ -75,13 +75,13 @@ TEST_F(Form, curvesAndSeatsAreTypedAndJudgedWhileTyping) {
   EXPECT_DOUBLE_EQ(document_.description().pad.curve[2].force, 70e3);
   type("track.seats", "[{ sleeper = 1, pad = 300 }]");
   EXPECT_TRUE(form_.row("track.seats")->reason().contains("there is no key pad"));
-  type("track.seats", "[{ sleeper = 1, pad_stiffness = 300 }, { sleeper = -1, pad_damping = 0.5 }]");
+  type("track.seats", "[{ sleeper = 1, pad_stiffness = 300 }, { sleeper = -1, gap = 0.5 }]");
   QTest::keyClick(line("track.seats"), Qt::Key_Return);
   EXPECT_TRUE(form_.blockers().isEmpty()) << form_.blockers().join("; ").toStdString();
   ASSERT_EQ(document_.description().track.seats.size(), 2u);
-  EXPECT_DOUBLE_EQ(*document_.description().track.seats[1].padDamping, 500);
+  EXPECT_DOUBLE_EQ(*document_.description().track.seats[1].gap, 0.5e-3);
   // A sleeper beyond the rail is found where the keys are seen together.
-  type("track.seats", "[{ sleeper = 900, pad_damping = 0.5 }]");
+  type("track.seats", "[{ sleeper = 900, gap = 0.5 }]");
   QTest::keyClick(line("track.seats"), Qt::Key_Return);
   ASSERT_EQ(form_.blockers().size(), 1);
   EXPECT_TRUE(form_.blockers()[0].startsWith("track.seats"));

@@ -32,5 +32,10 @@ TEST(SupportRun, EnergyIsAccountedForOnProgressivePads) {
   expectEnergyBalance({{"pad.curve", "[[0, 0], [0.05, 15], [0.15, 115], [0.2, 215]]"}, {"pad.preload", "10"}});
 }
 
+// The sleeper under the defect hangs over a void that closes as the wheel comes near.
+TEST(SupportRun, EnergyIsAccountedForAboveAVoid) {
+  expectEnergyBalance({{"track.seats", "[{ sleeper = 0, gap = 0.5 }]"}});
+}
+
 }  // namespace
 }  // namespace squat

@@ -125,7 +125,10 @@ void TrackBeam::addBallast(int sleeper, const cases::Seat& seat) {
       const double offset = side * case_.sleeper.width / std::sqrt(3.0);
       const Terms vertical{{at + lift, 1}, {at + twist, offset}};
       const double stiffness = 0.5 * share * seat.ballastStiffness.value_or(ballast.stiffness);
-      system_.addSpring(vertical, stiffness, 0.5 * share * seat.ballastDamping.value_or(ballast.damping));
+      if (seat.gap)
+        system_.addGapSpring(vertical, stiffness, *seat.gap);
+      else
+        system_.addSpring(vertical, stiffness, 0.5 * share * seat.ballastDamping.value_or(ballast.damping));
     }
     system_.addSpring({{at + shift, 1}, {at + twist, -base}}, share * ballast.longitudinalStiffness,
                       share * ballast.longitudinalDamping);
@@ -198,6 +201,8 @@ Eigen::VectorXd TrackBeam::atRest(double loadX, double force, bool withWeight) c
 double TrackBeam::deflection(double x, double loadX, double force, bool withWeight) const {
   return railShape(x).dot(atRest(loadX, force, withWeight));
 }
+
+double TrackBeam::voidedLoad(double loadX, double force) const { return system_.gapLoad(atRest(loadX, force, true)); }
 
 std::vector<std::complex<double>> TrackBeam::receptance(const std::vector<double>& at, double frequency) const {
   Eigen::MatrixXd shapes(system_.unknowns(), static_cast<Eigen::Index>(at.size()));

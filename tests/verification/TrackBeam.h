@@ -36,6 +36,8 @@ class TrackBeam {
 
   // Deflection [m], up positive, at x under the weight of the track and a force [N], down positive, at `loadX`.
   double deflection(double x, double loadX, double force, bool withWeight) const;
+  // What the ballast of all seats with a gap carries [N], weight of the track included.
+  double voidedLoad(double loadX, double force) const;
 
   // Displacement at each x for a unit harmonic force there [m/N].
   std::vector<std::complex<double>> receptance(const std::vector<double>& at, double frequency) const;
