@@ -45,7 +45,7 @@ std::optional<results::RunResult> finished(const RunFiles& files, const std::str
   const auto result = completeResult(files);
   if (!result) return std::nullopt;
   // A result of an earlier version had fewer keys: its case counts as this version reads it.
-  const auto found = cases::parseCaseOfResult(result->caseToml, files.result());
+  const auto& found = results::caseOf(*result).description;
   const auto own = cases::valueText(found, *cases::findParameter("mesh.preset"));
   const auto wanted = hashOn(files.stem, mesh.empty() ? own : mesh);
   if (cases::caseHash(found) != wanted)

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "case/Resolve.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
@@ -68,7 +69,7 @@ int run(const ReceptanceCommandOptions& options) {
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
-  const auto result = receptance::trackReceptance(description, options.receptance, monitor);
+  const auto result = receptance::trackReceptance(cases::resolve(description), options.receptance, monitor);
   monitor.clearLine();
   if (!result.complete) {
     std::fprintf(stderr, "cancelled: no file written\n");

@@ -18,11 +18,10 @@ struct Shown {
   double factor;
 };
 constexpr Shown kShown[] = {{"peak [m/s2]", "peak [m/s²]", 1},
-                            {"largest moving rms [m/s2]", "max. moving rms [m/s²]", 1},
+                            {"largest moving rms [m/s2]", "max. rms [m/s²]", 1},
                             {"largest contact force [N]", "max. force [kN]", 1e-3},
                             {"wavelength by ridge [m]", "wavelength [mm]", 1e3},
-                            {"peak 1 frequency [Hz]", "1st line [Hz]", 1},
-                            {"peak 2 frequency [Hz]", "2nd line [Hz]", 1}};
+                            {"peak 1 frequency [Hz]", "line 1 [Hz]", 1}};
 
 std::string cellOf(const studies::StudyRow& row, const Shown& shown) {
   for (const auto& [name, value] : row.features)

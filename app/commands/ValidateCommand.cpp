@@ -96,7 +96,7 @@ bool makeAll(const ValidateOptions& options, const validation::Reference& refere
 }
 
 std::string meshOf(const results::RunResult& result) {
-  return cases::valueText(cases::parseCaseOfResult(result.caseToml, result.stem), *cases::findParameter("mesh.preset"));
+  return cases::valueText(results::caseOf(result).description, *cases::findParameter("mesh.preset"));
 }
 
 // What stands in a folder, whatever mesh or version made it; says where it is not what the reference asks for. Returns

@@ -114,6 +114,24 @@ std::optional<std::string> linesText(const toml::node& node, const Source& sourc
   return text + "]";
 }
 
+std::optional<std::string> seatsText(const toml::node& node, const Source& source) {
+  const auto* array = node.as_array();
+  if (!array) return std::nullopt;
+  std::string text = "[";
+  for (const auto& element : *array) {
+    const auto* seat = element.as_table();
+    if (!seat) return std::nullopt;
+    std::string own;
+    for (const auto& [key, value] : *seat) {
+      const auto number = numberText(value, source);
+      if (!number) return std::nullopt;
+      own += (own.empty() ? "" : ", ") + std::string(key.str()) + " = " + *number;
+    }
+    text += (text.size() > 1 ? ", {" : "{") + own + "}";
+  }
+  return text + "]";
+}
+
 std::optional<std::string> textFor(const toml::node& node, Kind kind, const Source& source) {
   switch (kind) {
     case Kind::number:
@@ -128,9 +146,12 @@ std::optional<std::string> textFor(const toml::node& node, Kind kind, const Sour
       if (const auto* value = node.as_string()) return value->get();
       return std::nullopt;
     case Kind::points:
+    case Kind::forceCurve:
       return pointsText(node, source);
     case Kind::lines:
       return linesText(node, source);
+    case Kind::seats:
+      return seatsText(node, source);
   }
   return std::nullopt;
 }
@@ -228,14 +249,13 @@ const Stated* find(const std::vector<Stated>& stated, std::string_view key) {
   return nullptr;
 }
 
-int presetOf(const std::vector<Stated>& stated, int otherwise) {
+MeshPreset presetOf(const std::vector<Stated>& stated, MeshPreset otherwise) {
   const Stated* one = find(stated, "mesh.preset");
-  const int index = one ? presetIndex(one->text) : otherwise;
-  return index < 0 ? otherwise : index;
+  return one ? presetNamed(one->text).value_or(otherwise) : otherwise;
 }
 
 // True where the file's value is only what its own preset says.
-bool isOwnPreset(const Stated& one, int filePreset) {
+bool isOwnPreset(const Stated& one, MeshPreset filePreset) {
   for (const auto& row : presetTable())
     if (row.key == one.key) {
       const auto value = parseDecimal(one.text);
@@ -244,12 +264,11 @@ bool isOwnPreset(const Stated& one, int filePreset) {
   return false;
 }
 
-int wantedPreset(const CaseOverrides& overrides, int filePreset, Problems& problems) {
+MeshPreset requestedPreset(const CaseOverrides& overrides, MeshPreset filePreset, Problems& problems) {
   const std::string* set = overrideOf(overrides, "mesh.preset");
   const std::string name = set ? *set : overrides.preset;
   if (name.empty()) return filePreset;
-  const int index = presetIndex(name);
-  if (index >= 0) return index;
+  if (const auto named = presetNamed(name)) return *named;
   if (!set) problems.add({"--mesh", name, allowedText(*findParameter("mesh.preset")), ""});
   return filePreset;  // a wrong --set is reported where all of them are set
 }
@@ -269,13 +288,13 @@ void checkSchema(const toml::table& table, const std::string& origin, Problems& 
   }
 }
 
-void applyStated(CaseDescription& description, const std::vector<Stated>& stated, int filePreset, int preset,
-                 Problems& problems) {
+void applyStated(CaseDescription& description, const std::vector<Stated>& stated, MeshPreset filePreset,
+                 MeshPreset preset, Problems& problems) {
   for (const auto& one : stated) {
     const std::string note = lineNote(one.line);
     if (one.typeProblem) {
       problems.add(*one.typeProblem, note);
-    } else if (one.key != "mesh.preset" || presetIndex(one.text) < 0) {
+    } else if (one.key != "mesh.preset" || !presetNamed(one.text)) {
       if (preset != filePreset && isOwnPreset(one, filePreset)) continue;
       if (auto wrong = trySetValue(description, *findParameter(one.key), one.text)) problems.add(*wrong, note);
     }
@@ -296,7 +315,7 @@ void applyOverrides(CaseDescription& description, const CaseOverrides& overrides
 // the file or with --set. A case that states another shape may keep its points (the studio writes such).
 void checkProfileIsUsed(const CaseDescription& description, const std::vector<Stated>& stated,
                         const CaseOverrides& overrides, Problems& problems) {
-  if (description.defect.shape == static_cast<int>(DefectShape::profile)) return;
+  if (description.defect.shape == DefectShape::profile) return;
   const auto levelOf = [&](std::string_view key) { return overrideOf(overrides, key) ? 2 : find(stated, key) ? 1 : 0; };
   const int chosen = levelOf("defect.shape");
   const auto& defect = description.defect;
@@ -319,7 +338,7 @@ void checkProfileIsUsed(const CaseDescription& description, const std::vector<St
 void readProfile(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
                  Problems& problems) {
   Defect& defect = description.defect;
-  if (defect.shape != static_cast<int>(DefectShape::profile) || defect.file.empty()) return;
+  if (defect.shape != DefectShape::profile || defect.file.empty()) return;
   const bool fileSet = overrideOf(overrides, "defect.file") != nullptr;
   const bool sampledSet = overrideOf(overrides, "defect.points") || overrideOf(overrides, "defect.lines");
   if (!(defect.points.empty() && defect.lines.empty()) && !(fileSet && !sampledSet)) return;
@@ -393,9 +412,9 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   const Source source(text);
   const Statements statements(table, source);
   CaseDescription description = defaultCase();
-  const int filePreset = presetOf(statements.stated, description.mesh.preset);
-  const int preset = wantedPreset(overrides, filePreset, problems);
-  applyPreset(description, static_cast<MeshPreset>(preset));
+  const MeshPreset filePreset = presetOf(statements.stated, description.mesh.preset);
+  const MeshPreset preset = requestedPreset(overrides, filePreset, problems);
+  applyPreset(description, preset);
   applyStated(description, statements.stated, filePreset, preset, problems);
   applyOverrides(description, overrides, problems);
   if (finished) checkProfileIsUsed(description, statements.stated, overrides, problems);

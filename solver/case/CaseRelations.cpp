@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "case/DecimalNumber.h"
-#include "case/DefectSurface.h"
 #include "case/ParameterValue.h"
-#include "case/TrackCentre.h"
+#include "scenario/DefectSurface.h"
+#include "scenario/TrackCentre.h"
 
 namespace squat::cases::relations {
 
@@ -57,7 +57,7 @@ void add(std::vector<Finding>& findings, const Case& description, Severity sever
 std::string unitHint(const Case& c, const DefectSurface& surface) {
   constexpr double longest = 3;  // [m]; instruments measure 1 to 1.2 m at once
   const double length = surface.last() - surface.first();
-  if (c.defect.shape != static_cast<int>(DefectShape::profile) || length <= longest) return {};
+  if (c.defect.shape != DefectShape::profile || length <= longest) return {};
   return ". The profile is " + rounded(length) + " m long: check the unit of its positions";
 }
 
@@ -169,11 +169,30 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
         "Increase the total mass or make the parts lighter");
 }
 
+namespace {
+
+void checkSupports(const Case& c, std::vector<Finding>& findings) {
+  const auto sleepers = c.track.seats.empty() ? SleeperRange{} : sleepersOf(c.track, c.pad, c.motion);
+  for (const auto& seat : c.track.seats)
+    if (seat.sleeper < sleepers.first || seat.sleeper > sleepers.last)
+      add(findings, c, Severity::problem, {"track.seats", "track.length", "track.sleeper_spacing"},
+          "sleepers from " + std::to_string(sleepers.first) + " to " + std::to_string(sleepers.last),
+          "There is no sleeper " + std::to_string(seat.sleeper) +
+              "; 0 is the one nearest to the defect. Count from there or lengthen track.length");
+  const auto& curve = c.pad.curve;
+  if (!curve.empty() && (c.pad.preload < curve.front().force || c.pad.preload > curve.back().force))
+    add(findings, c, Severity::problem, {"pad.preload", "pad.curve"},
+        rounded(1e-3 * curve.front().force, Side::above) + " to " + rounded(1e-3 * curve.back().force, Side::below) +
+            " kN, the forces of pad.curve",
+        "The clamping force must lie on the curve; change it or extend the curve");
+}
+
+}  // namespace
+
 void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   const double half = 0.5 * c.track.length;
   const DefectSurface surface(c.defect);
-  if (c.defect.shape == static_cast<int>(DefectShape::dipWithWave) && c.defect.waveCount > 0 &&
-      c.defect.waveDepth > c.defect.depth)
+  if (c.defect.shape == DefectShape::dipWithWave && c.defect.waveCount > 0 && c.defect.waveDepth > c.defect.depth)
     add(findings, c, Severity::problem, {"defect.wave_depth", "defect.depth"},
         limitText("defect.wave_depth", "at most defect.depth =", c.defect.depth),
         "Positions are measured from the dip as the deepest location; describe deeper waves with defect.points");
@@ -181,7 +200,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, {"track.defect_from_sleeper", "track.sleeper_spacing"},
         "-" + rounded(0.5 * c.track.sleeperSpacing) + " to " + rounded(0.5 * c.track.sleeperSpacing) + " m",
         "It is measured from the nearest sleeper: at most half of track.sleeper_spacing");
-  const double centre = trackCentre(c);
+  const double centre = trackCentre(c.track, c.motion);
   const std::string unit = unitHint(c, surface);
   if (c.motion.runUp > half - centre - endMargin)
     add(findings, c, Severity::problem, {"motion.run_up", "track.length"},
@@ -215,7 +234,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, {"track.length", "track.sleeper_spacing"},
         limitText("track.length", "at least five sleeper spacings:", 5 * c.track.sleeperSpacing),
         "Increase track.length");
-  if (c.pad.longitudinalStiffness == 0 && c.track.railEnds != static_cast<int>(RailEnds::clamped))
+  if (c.pad.longitudinalStiffness == 0 && c.track.railEnds != RailEnds::clamped)
     add(findings, c, Severity::problem, {"pad.longitudinal_stiffness", "track.rail_ends"},
         "above 0 unless track.rail_ends is clamped",
         "Nothing would hold the rail along the track: give the pads some stiffness or clamp the ends");
@@ -234,16 +253,17 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, {"output.filter_cutoff", "output.rate"},
         limitText("output.filter_cutoff", "at most 0.4 of output.rate:", 0.4 * c.output.rate),
         "Decrease the cut-off or increase the rate");
+  checkSupports(c, findings);
 }
 
 void checkDefect(const Case& c, std::vector<Finding>& findings) {
   const auto& d = c.defect;
-  const auto shape = static_cast<DefectShape>(d.shape);
+  const auto shape = d.shape;
   const bool sampled = shape == DefectShape::profile;
   if (sampled && d.points.size() < 2 && d.lines.empty())
     add(findings, c, Severity::problem, {"defect.points", "defect.lines", "defect.file", "defect.shape"},
         "at least two points", "Give a CSV file as defect.file, or write the points into the case");
-  if (sampled && !d.lines.empty() && static_cast<LateralShape>(d.lateral) != LateralShape::uniform)
+  if (sampled && !d.lines.empty() && d.lateral != LateralShape::uniform)
     add(findings, c, Severity::problem, {"defect.lateral", "defect.lines"}, "uniform if defect.lines is given",
         "The lines already define the shape across the rail");
   if (shape == DefectShape::cut && 2 * d.ramp > d.length)

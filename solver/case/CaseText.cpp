@@ -8,6 +8,7 @@
 #include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
 #include "case/PointsText.h"
+#include "case/SeatsText.h"
 
 namespace squat::cases {
 
@@ -24,13 +25,17 @@ std::string defaultText(const Parameter& parameter) { return isList(parameter) ?
 
 // A value as text in the unit of the case file, short enough for a table.
 std::string shortText(const Parameter& parameter, std::string text) {
-  if (parameter.kind == Kind::points) {
+  if (parameter.kind == Kind::points || parameter.kind == Kind::forceCurve) {
     const auto count = std::count(text.begin(), text.end(), '[') - 1;
     return std::to_string(count) + " points";
   }
   if (parameter.kind == Kind::lines) {
     const auto lines = parseLines(text, 0);
     return std::to_string(lines ? lines->size() : 0) + " lines";
+  }
+  if (parameter.kind == Kind::seats) {
+    const auto count = parseSeats(text).seats.size();
+    return std::to_string(count) + (count == 1 ? " seat" : " seats");
   }
   if (parameter.kind == Kind::text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
@@ -86,7 +91,8 @@ Json valueJson(const Parameter& parameter, const std::string& text) {
       return numberJson(text, parameter.integer);
     case Kind::boolean:
       return text == "true";
-    case Kind::points: {
+    case Kind::points:
+    case Kind::forceCurve: {
       const auto points = parsePoints(text, 0);
       return points ? pointsJson(*points) : Json::array();
     }
@@ -94,6 +100,15 @@ Json valueJson(const Parameter& parameter, const std::string& text) {
       Json array = Json::array();
       if (const auto lines = parseLines(text, 0))
         for (const auto& line : *lines) array.push_back(Json::array({line.lateral, pointsJson(line.points)}));
+      return array;
+    }
+    case Kind::seats: {
+      Json array = Json::array();
+      for (const auto& seat : parseSeats(text).seats) {
+        Json row = Json::object();
+        for (const auto& [key, value] : seatEntries(seat)) row[key] = *parseDecimal(value);
+        array.push_back(row);
+      }
       return array;
     }
     default:
@@ -125,7 +140,7 @@ std::string describeJson(const CaseDescription& description, const SetKeys& set)
   Json all = Json::array();
   for (const auto& parameter : parameterTable()) {
     const bool isNumber = parameter.kind == Kind::number;
-    constexpr const char* kinds[] = {"number", "choice", "text", "boolean", "points", "lines"};
+    constexpr const char* kinds[] = {"number", "choice", "text", "boolean", "points", "lines", "force curve", "seats"};
     Json row;
     row["key"] = parameter.key;
     row["value"] = valueJson(parameter, valueText(description, parameter));

@@ -64,6 +64,14 @@ std::string comment(const Parameter& parameter) {
   return text;
 }
 
+// Curves and seats count only where there are some: what was computed before there were such keys keeps its hash.
+bool countsInHash(const CaseDescription& description, const Parameter& parameter) {
+  if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file") return false;
+  if (parameter.key == "pad.preload") return countsInHash(description, *findParameter("pad.curve"));
+  const bool isNew = parameter.kind == Kind::forceCurve || parameter.kind == Kind::seats;
+  return !isNew || valueText(description, parameter) != "[]";
+}
+
 std::string lastPart(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
 }  // namespace
@@ -97,7 +105,7 @@ std::string caseHash(const CaseDescription& description) {
     for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3u;
   };
   for (const auto& parameter : parameterTable()) {
-    if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file") continue;
+    if (!countsInHash(description, parameter)) continue;
     add(parameter.key + "=" + valueText(description, parameter) + "\n");
   }
   const auto folded = static_cast<std::uint32_t>(hash ^ (hash >> 32));

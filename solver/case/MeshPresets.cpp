@@ -29,14 +29,15 @@ const std::vector<PresetRow>& presetTable() {
   return table;
 }
 
-int presetIndex(std::string_view name) {
+std::optional<MeshPreset> presetNamed(std::string_view name) {
   const auto& names = findParameter("mesh.preset")->choices;
   const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+  if (found == names.end()) return std::nullopt;
+  return static_cast<MeshPreset>(found - names.begin());
 }
 
 void applyPreset(CaseDescription& description, MeshPreset preset) {
-  description.mesh.preset = static_cast<int>(preset);
+  description.mesh.preset = preset;
   for (const auto& row : presetTable()) setValue(description, row.key, row.values[static_cast<std::size_t>(preset)]);
 }
 

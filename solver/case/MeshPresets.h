@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,7 @@ struct PresetRow {
 };
 const std::vector<PresetRow>& presetTable();
 
-// Index of MeshPreset; -1: no such name.
-int presetIndex(std::string_view name);
+std::optional<MeshPreset> presetNamed(std::string_view name);  // empty: no such name
 
 // Sets mesh.preset and all keys of the table; keys that the user stated are set after this.
 void applyPreset(CaseDescription& description, MeshPreset preset);

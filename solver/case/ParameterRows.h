@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "case/ParameterTable.h"
@@ -14,9 +15,9 @@ struct Unit {
   int power;
 };
 inline constexpr Unit none{"-", 0}, metre{"m", 0}, millimetre{"mm", -3}, kilogram{"kg", 0}, density{"kg/m\u00B3", 0},
-    gigapascal{"GPa", 9}, stiffness{"MN/m", 6}, damping{"kN s/m", 3}, speed{"m/s", 0}, angularSpeed{"rad/s", 0},
-    torque{"N m", 0}, second{"s", 0}, millisecond{"ms", -3}, microsecond{"\u00B5s", -6}, acceleration{"m/s\u00B2", 0},
-    hertz{"Hz", 0}, kilohertz{"kHz", 3};
+    gigapascal{"GPa", 9}, stiffness{"MN/m", 6}, damping{"kN s/m", 3}, kilonewton{"kN", 3}, speed{"m/s", 0},
+    angularSpeed{"rad/s", 0}, torque{"N m", 0}, second{"s", 0}, millisecond{"ms", -3}, microsecond{"\u00B5s", -6},
+    acceleration{"m/s\u00B2", 0}, hertz{"Hz", 0}, kilohertz{"kHz", 3};
 
 struct Range {
   double minimum, maximum;
@@ -26,8 +27,23 @@ Parameter number(const char* key, Unit unit, double standard, Range range, doubl
                  const char* doc, const char* source);
 Parameter wholeNumber(const char* key, double standard, Range range, Access access, const char* doc,
                       const char* source);
-Parameter choice(const char* key, std::vector<std::string> names, int standard, int& (*access)(CaseDescription&),
+Parameter choice(const char* key, std::vector<std::string> names, std::size_t standard, ChoiceAccess access,
                  const char* doc, const char* source);
+
+// Names in the order of the enumerators.
+template <typename Enum>
+Parameter choice(const char* key, std::vector<std::string> names, Enum standard, Enum& (*access)(CaseDescription&),
+                 const char* doc, const char* source) {
+  // The accessors take a mutable description; reading through them does not change it.
+  return choice(key, std::move(names), static_cast<std::size_t>(standard),
+                ChoiceAccess{[access](const CaseDescription& description) {
+                               return static_cast<std::size_t>(access(const_cast<CaseDescription&>(description)));
+                             },
+                             [access](CaseDescription& description, std::size_t index) {
+                               access(description) = static_cast<Enum>(index);
+                             }},
+                doc, source);
+}
 Parameter boolean(const char* key, bool standard, bool& (*access)(CaseDescription&), const char* doc,
                   const char* source);
 Parameter text(const char* key, std::string& (*access)(CaseDescription&), const char* doc, const char* source);
@@ -35,6 +51,10 @@ Parameter points(const char* key, std::vector<ProfilePoint>& (*access)(CaseDescr
                  const char* source);
 Parameter lines(const char* key, std::vector<ProfileLine>& (*access)(CaseDescription&), const char* doc,
                 const char* source);
+
+Parameter forceCurve(const char* key, std::vector<ForcePoint>& (*access)(CaseDescription&), const char* doc,
+                     const char* source);
+Parameter seats(const char* key, std::vector<Seat>& (*access)(CaseDescription&), const char* doc, const char* source);
 
 // The same row with a condition: it has an effect only where another key is, or is not, one of these values. Several
 // conditions must all hold.

@@ -54,10 +54,10 @@ Parameter wholeNumber(const char* key, double standard, Range range, Access acce
   return parameter;
 }
 
-Parameter choice(const char* key, std::vector<std::string> names, int standard, int& (*access)(CaseDescription&),
+Parameter choice(const char* key, std::vector<std::string> names, std::size_t standard, ChoiceAccess access,
                  const char* doc, const char* source) {
-  Parameter parameter = row(key, Kind::choice, access, doc, source);
-  parameter.standardText = names.at(static_cast<std::size_t>(standard));
+  Parameter parameter = row(key, Kind::choice, std::move(access), doc, source);
+  parameter.standardText = names.at(standard);
   parameter.choices = std::move(names);
   return parameter;
 }
@@ -86,6 +86,20 @@ Parameter lines(const char* key, std::vector<ProfileLine>& (*access)(CaseDescrip
   Parameter parameter = row(key, Kind::lines, access, doc, source);
   parameter.unit = millimetre.name;
   parameter.powerOfTen = millimetre.power;
+  return parameter;
+}
+
+Parameter forceCurve(const char* key, std::vector<ForcePoint>& (*access)(CaseDescription&), const char* doc,
+                     const char* source) {
+  Parameter parameter = row(key, Kind::forceCurve, access, doc, source);
+  parameter.unit = "mm, kN";
+  parameter.standardText = "[]";
+  return parameter;
+}
+
+Parameter seats(const char* key, std::vector<Seat>& (*access)(CaseDescription&), const char* doc, const char* source) {
+  Parameter parameter = row(key, Kind::seats, access, doc, source);
+  parameter.standardText = "[]";
   return parameter;
 }
 

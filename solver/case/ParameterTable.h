@@ -2,6 +2,7 @@
 // form in the studio, `squat describe` and the manual; a parameter that is not in it does not exist for a user.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -11,14 +12,22 @@
 
 namespace squat::cases {
 
-enum class Kind { number, choice, text, boolean, points, lines };
+enum class Kind { number, choice, text, boolean, points, lines, forceCurve, seats };
+
+// A choice, an enumerator of its own type in the description, as an index into the names of the parameter.
+struct ChoiceAccess {
+  std::function<std::size_t(const CaseDescription&)> index;
+  std::function<void(CaseDescription&, std::size_t)> choose;
+};
 
 // Where in the description a parameter lives; which alternative goes with which kind: number -> double or int,
-// choice -> int (index into `choices`), boolean -> bool, text -> string, points -> vector of profile points, lines ->
-// vector of profile lines.
-using Access = std::variant<double& (*)(CaseDescription&), int& (*)(CaseDescription&), bool& (*)(CaseDescription&),
-                            std::string& (*)(CaseDescription&), std::vector<ProfilePoint>& (*)(CaseDescription&),
-                            std::vector<ProfileLine>& (*)(CaseDescription&)>;
+// choice -> ChoiceAccess, boolean -> bool, text -> string, points -> vector of profile points, lines ->
+// vector of profile lines, forceCurve -> vector of force points, seats -> vector of seats.
+using Access =
+    std::variant<double& (*)(CaseDescription&), int& (*)(CaseDescription&), bool& (*)(CaseDescription&),
+                 std::string& (*)(CaseDescription&), std::vector<ProfilePoint>& (*)(CaseDescription&),
+                 std::vector<ProfileLine>& (*)(CaseDescription&), std::vector<ForcePoint>& (*)(CaseDescription&),
+                 std::vector<Seat>& (*)(CaseDescription&), ChoiceAccess>;
 
 // Another key, and the values of it with which a key has an effect.
 struct Requirement {
@@ -46,7 +55,7 @@ struct Parameter {
   Condition condition;  // Applicability.h
 };
 
-// Points and lines: texts of many numbers, empty by default.
+// Points and lines: texts of many numbers, which nobody types, empty by default.
 inline bool isList(const Parameter& parameter) {
   return parameter.kind == Kind::points || parameter.kind == Kind::lines;
 }

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "case/DecimalNumber.h"
+#include "case/ForceCurveText.h"
 #include "case/PointsText.h"
 #include "case/Quantity.h"
+#include "case/SeatsText.h"
 
 namespace squat::cases {
 
@@ -62,7 +64,8 @@ std::optional<CaseProblem> setNumber(CaseDescription& description, const Paramet
 std::optional<CaseProblem> setChoice(CaseDescription& description, const Parameter& parameter, std::string_view text) {
   const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), text);
   if (found == parameter.choices.end()) return problem(parameter, text, "Choose one of the names");
-  *member<int>(description, parameter) = static_cast<int>(found - parameter.choices.begin());
+  std::get<ChoiceAccess>(parameter.access)
+      .choose(description, static_cast<std::size_t>(found - parameter.choices.begin()));
   return std::nullopt;
 }
 
@@ -132,6 +135,23 @@ std::optional<CaseProblem> setLines(CaseDescription& description, const Paramete
   return std::nullopt;
 }
 
+std::optional<CaseProblem> setForceCurve(CaseDescription& description, const Parameter& parameter,
+                                         std::string_view text) {
+  auto curve = parseForceCurve(text);
+  if (!curve) return problem(parameter, text, "Write pairs of numbers like [[0, 0], [0.1, 20], [0.2, 70]]");
+  const std::string wrong = forceCurveMistake(*curve);
+  if (!wrong.empty()) return problem(parameter, text, wrong);
+  *member<std::vector<ForcePoint>>(description, parameter) = std::move(*curve);
+  return std::nullopt;
+}
+
+std::optional<CaseProblem> setSeats(CaseDescription& description, const Parameter& parameter, std::string_view text) {
+  auto [seats, wrong] = parseSeats(text);
+  if (!wrong.empty()) return problem(parameter, text, wrong);
+  *member<std::vector<Seat>>(description, parameter) = std::move(seats);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string allowedText(const Parameter& parameter) {
@@ -152,6 +172,10 @@ std::string allowedText(const Parameter& parameter) {
       return "pairs of position and height in " + parameter.unit + ", positions ascending";
     case Kind::lines:
       return "lateral position and points of each line in " + parameter.unit + ", both ascending";
+    case Kind::forceCurve:
+      return "pairs of compression and force in " + parameter.unit + ", both ascending";
+    case Kind::seats:
+      return "tables with sleeper and " + seatKeys();
   }
   return {};
 }
@@ -163,9 +187,8 @@ std::string valueText(const CaseDescription& description, const Parameter& param
         return formatDecimal(*number, parameter.powerOfTen);
       return std::to_string(*member<int>(description, parameter));
     case Kind::choice: {
-      const int index = *member<int>(description, parameter);
-      if (index < 0 || index >= static_cast<int>(parameter.choices.size())) return std::to_string(index);
-      return parameter.choices[static_cast<std::size_t>(index)];
+      const std::size_t index = std::get<ChoiceAccess>(parameter.access).index(description);
+      return index < parameter.choices.size() ? parameter.choices[index] : std::to_string(index);
     }
     case Kind::boolean:
       return *member<bool>(description, parameter) ? "true" : "false";
@@ -175,6 +198,10 @@ std::string valueText(const CaseDescription& description, const Parameter& param
       return formatPoints(*member<std::vector<ProfilePoint>>(description, parameter), parameter.powerOfTen);
     case Kind::lines:
       return formatLines(*member<std::vector<ProfileLine>>(description, parameter), parameter.powerOfTen);
+    case Kind::forceCurve:
+      return formatForceCurve(*member<std::vector<ForcePoint>>(description, parameter));
+    case Kind::seats:
+      return formatSeats(*member<std::vector<Seat>>(description, parameter));
   }
   return {};
 }
@@ -199,6 +226,10 @@ std::optional<CaseProblem> trySetValue(CaseDescription& description, const Param
       return setPoints(description, parameter, text);
     case Kind::lines:
       return setLines(description, parameter, text);
+    case Kind::forceCurve:
+      return setForceCurve(description, parameter, text);
+    case Kind::seats:
+      return setSeats(description, parameter, text);
   }
   return std::nullopt;
 }

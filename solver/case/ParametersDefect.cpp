@@ -28,8 +28,8 @@ Parameter variesAcross(Parameter row) {
 
 void addShape(Rows& rows) {
   rows.push_back(choice(
-      "defect.shape", {"none", "cut", "cosine", "w-shape", "dip-with-wave", "profile"}, 2,
-      [](Case& c) -> int& { return c.defect.shape; },
+      "defect.shape", {"none", "cut", "cosine", "w-shape", "dip-with-wave", "profile"}, DefectShape::cosine,
+      +[](Case& c) -> DefectShape& { return c.defect.shape; },
       "shape along the rail: smooth rail, analytic shape or sampled profile",
       "assumed: the paper's profiles are not published as numbers"));
   rows.push_back(analytic(number(
@@ -65,8 +65,9 @@ void addShape(Rows& rows) {
 
 void addAcross(Rows& rows) {
   rows.push_back(anyDefect(choice(
-      "defect.lateral", {"uniform", "parabolic"}, 0, [](Case& c) -> int& { return c.defect.lateral; },
-      "shape across the rail", "paper, sections 3 and 4.1: uniform")));
+      "defect.lateral", {"uniform", "parabolic"}, LateralShape::uniform,
+      +[](Case& c) -> LateralShape& { return c.defect.lateral; }, "shape across the rail",
+      "paper, sections 3 and 4.1: uniform")));
   rows.push_back(
       appliesIf("defect.lateral", {"parabolic"},
                 number(

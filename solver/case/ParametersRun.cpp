@@ -89,7 +89,8 @@ void addContact(Rows& rows) {
 
 void addMesh(Rows& rows) {
   rows.push_back(choice(
-      "mesh.preset", {"tiny", "draft", "standard", "paper"}, 1, [](Case& c) -> int& { return c.mesh.preset; },
+      "mesh.preset", {"tiny", "draft", "standard", "paper"}, MeshPreset::draft,
+      +[](Case& c) -> MeshPreset& { return c.mesh.preset; },
       "sets the defaults of the mesh keys and of motion.run_up, motion.beyond and track.length; a key stated in the "
       "case overrides its preset",
       "assumed: results within minutes"));
@@ -130,7 +131,8 @@ void addMesh(Rows& rows) {
       "mesh.rim_depth", millimetre, 25, {4, 100}, [](Case& c) -> double& { return c.mesh.rimDepth; },
       "depth of the finely meshed rim", notStated));
   rows.push_back(choice(
-      "mesh.precision", {"single", "double"}, 0, [](Case& c) -> int& { return c.mesh.precision; },
+      "mesh.precision", {"single", "double"}, ElementPrecision::single,
+      +[](Case& c) -> ElementPrecision& { return c.mesh.precision; },
       "precision of the element arithmetic while the wheel rolls; state, time integration and equilibrium are always "
       "double",
       "assumed: single takes up to a quarter less time and changes the axle box acceleration by less than 0.2 %"));

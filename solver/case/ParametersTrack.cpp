@@ -23,8 +23,16 @@ void addTrack(Rows& rows) {
       "L)",
       "assumed: over a sleeper; the paper gives no value"));
   rows.push_back(choice(
-      "track.rail_ends", {"free", "clamped", "absorbing"}, 0, [](Case& c) -> int& { return c.track.railEnds; },
-      "boundary condition of both ends of the rail", "assumed: the paper does not say"));
+      "track.rail_ends", {"free", "clamped", "absorbing"}, RailEnds::free,
+      +[](Case& c) -> RailEnds& { return c.track.railEnds; }, "boundary condition of both ends of the rail",
+      "assumed: the paper does not say"));
+  rows.push_back(seats(
+      "track.seats", [](Case& c) -> std::vector<Seat>& { return c.track.seats; },
+      "rail seats that differ, each a table [[track.seats]]: sleeper (0 the one nearest to the defect, positive in "
+      "rolling direction), and any of pad_stiffness [MN/m], pad_damping [kN s/m] (vertical, a linear pad), "
+      "ballast_stiffness, ballast_damping (vertical, per half sleeper), gap [mm] (void under the sleeper: the ballast "
+      "carries once the gap has closed, and never pulls)",
+      "assumed: all seats are alike"));
 }
 
 void addRail(Rows& rows) {
@@ -63,11 +71,11 @@ void addRail(Rows& rows) {
       number(
           "rail.plastic_depth", millimetre, 5, {0.5, 20}, [](Case& c) -> double& { return c.rail.plasticDepth; },
           "depth of the elastoplastic surface layer", "assumed: the paper does not say")));
-  rows.push_back(
-      appliesIf("rail.plastic", {"true"},
-                choice(
-                    "rail.hardening", {"isotropic", "kinematic"}, 0, [](Case& c) -> int& { return c.rail.hardening; },
-                    "hardening rule of the surface layer", "assumed: the paper does not say")));
+  rows.push_back(appliesIf("rail.plastic", {"true"},
+                           choice(
+                               "rail.hardening", {"isotropic", "kinematic"}, Hardening::isotropic,
+                               +[](Case& c) -> Hardening& { return c.rail.hardening; },
+                               "hardening rule of the surface layer", "assumed: the paper does not say")));
 }
 
 void addPad(Rows& rows) {
@@ -77,6 +85,16 @@ void addPad(Rows& rows) {
   rows.push_back(number(
       "pad.damping", damping, 45, {0, 2000}, [](Case& c) -> double& { return c.pad.damping; },
       "vertical damping of a rail pad, per rail seat (C2)", table1));
+  rows.push_back(forceCurve(
+      "pad.curve", [](Case& c) -> std::vector<ForcePoint>& { return c.pad.curve; },
+      "vertical force of a whole rail pad against its compression, rising, straight between the points and beyond; "
+      "replaces pad.stiffness; [] for a linear pad",
+      "assumed: linear"));
+  rows.push_back(number(
+      "pad.preload", kilonewton, 0, {0, 100}, [](Case& c) -> double& { return c.pad.preload; },
+      "clamping force of the fastening: the point of pad.curve at which the unloaded track stands and at which the "
+      "receptance takes the tangent",
+      "assumed: none; it has no effect without pad.curve"));
   rows.push_back(number(
       "pad.longitudinal_stiffness", stiffness, 130, {0, 20000},
       [](Case& c) -> double& { return c.pad.longitudinalStiffness; },

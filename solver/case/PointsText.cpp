@@ -41,14 +41,14 @@ class Cursor {
   std::size_t at_ = 0;
 };
 
-std::optional<std::vector<ProfilePoint>> readPoints(Cursor& cursor, int powerOfTen) {
+std::optional<std::vector<ProfilePoint>> readPoints(Cursor& cursor, int powerOfTen, int secondPowerOfTen) {
   std::vector<ProfilePoint> points;
   if (!cursor.take('[')) return std::nullopt;
   while (!cursor.take(']')) {
     if (!cursor.take('[') || points.size() >= mostPoints) return std::nullopt;
     const auto position = cursor.number(powerOfTen);
     if (!position || !cursor.take(',')) return std::nullopt;
-    const auto height = cursor.number(powerOfTen);
+    const auto height = cursor.number(secondPowerOfTen);
     if (!height || !cursor.take(']')) return std::nullopt;
     points.push_back({*position, *height});
     if (cursor.take(',')) continue;
@@ -61,8 +61,12 @@ std::optional<std::vector<ProfilePoint>> readPoints(Cursor& cursor, int powerOfT
 }  // namespace
 
 std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen) {
+  return parsePoints(text, powerOfTen, powerOfTen);
+}
+
+std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen, int secondPowerOfTen) {
   Cursor cursor(text);
-  auto points = readPoints(cursor, powerOfTen);
+  auto points = readPoints(cursor, powerOfTen, secondPowerOfTen);
   return cursor.atEnd() ? points : std::nullopt;
 }
 
@@ -74,7 +78,7 @@ std::optional<std::vector<ProfileLine>> parseLines(std::string_view text, int po
     if (!cursor.take('[') || lines.size() >= mostLines) return std::nullopt;
     const auto lateral = cursor.number(powerOfTen);
     if (!lateral || !cursor.take(',')) return std::nullopt;
-    auto points = readPoints(cursor, powerOfTen);
+    auto points = readPoints(cursor, powerOfTen, powerOfTen);
     if (!points || !cursor.take(']')) return std::nullopt;
     lines.push_back({*lateral, std::move(*points)});
     if (cursor.take(',')) continue;

@@ -14,6 +14,8 @@ inline constexpr std::size_t mostPoints = 80000;  // of a profile; a case that h
 
 // Numbers times 10^powerOfTen; nothing where the text is anything else. Exact as DecimalNumber.h.
 std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen);
+// The same for pairs whose second number has a unit of its own.
+std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen, int secondPowerOfTen);
 std::string formatPoints(const std::vector<ProfilePoint>& points, int powerOfTen);
 
 inline constexpr std::size_t mostLines = 64;  // of profiles side by side

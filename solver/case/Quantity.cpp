@@ -39,6 +39,8 @@ constexpr std::array units{
     UnitRow{"N/mm2", "Pa", 6},
     UnitRow{"N/mm\u00B2", "Pa", 6},
     UnitRow{"GPa", "Pa", 9},
+    UnitRow{"N", "N", 0},
+    UnitRow{"kN", "N", 3},
     UnitRow{"N/m", "N/m", 0},
     UnitRow{"kN/m", "N/m", 3},
     UnitRow{"N/mm", "N/m", 3},

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/DefectSurface.h"
 #include "core/Errors.h"
 #include "geometry/RailSection.h"
 #include "geometry/SectionMesh.h"
+#include "scenario/DefectSurface.h"
 
 namespace squat::contact {
 
@@ -28,14 +28,14 @@ CrownArc crownAt(double y) { return {geometry::crownHeight54E1(y), std::atan(geo
 
 // On a slope the wheel touches radius times slope beside its lowest point, though not farther than the defect goes; the
 // patch, 7 mm each way, comes on top. On smooth rail 20 mm hold any patch.
-double reachAlong(const cases::DefectSurface& defect, double radius) {
+double reachAlong(const scenario::DefectSurface& defect, double radius) {
   constexpr double least = 0.020, patch = 0.012;  // [m]
   return std::max(least, std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first())) + patch);
 }
 
 }  // namespace
 
-Seat seatOf(const cases::CaseDescription& d) {
+Seat seatOf(const scenario::Scenario& d) {
   constexpr double edge = 0.0248;  // [m] end of the R80 arc
   Seat seat;
   seat.lean = std::atan(d.rail.inclination);
@@ -61,15 +61,15 @@ Seat seatOf(const cases::CaseDescription& d) {
 }
 
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
-                      int rimBlock, const cases::CaseDescription& description, double from, double to) {
+                      int rimBlock, const scenario::Scenario& scenario, double from, double to) {
   Surfaces s;
   s.railBlock = railBlock, s.rimBlock = rimBlock;
-  const Seat seat = seatOf(description);
+  const Seat seat = seatOf(scenario);
   s.radius = seat.radius, s.crownRadius = seat.crownRadius, s.touchY = seat.touchY;
-  s.reach = reachAlong(cases::DefectSurface(description.defect), seat.radius);
+  s.reach = reachAlong(scenario.defectSurface, seat.radius);
   s.railCosine = std::cos(seat.lean), s.railSine = std::sin(seat.lean);
   s.treadCosine = 1 / std::hypot(1.0, seat.treadSlope), s.treadSine = seat.treadSlope * s.treadCosine;
-  const auto treadRadius = [&](double y) { return description.wheelset.radius - seat.treadSlope * y; };
+  const auto treadRadius = [&](double y) { return scenario.wheelset.radius - seat.treadSlope * y; };
   s.railLine = geometry::nodesWhere(
       rail.section,
       [](const geometry::Point2& p) {
@@ -106,7 +106,7 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
       s.treadColumn.push_back(column);
       s.treadFraction.push_back((y - s.treadY[column]) / (s.treadY[column + 1] - s.treadY[column]));
     }
-  const cases::DefectSurface defect(description.defect);
+  const auto& defect = scenario.defectSurface;
   for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
     for (int j = 0; j < s.columns; ++j)
       for (int point = 0; point < 4; ++point) {

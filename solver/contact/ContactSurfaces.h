@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "case/CaseDescription.h"
 #include "elasticity/SweptBlock.h"
+#include "scenario/Scenario.h"
 
 namespace squat::contact {
 
@@ -52,9 +52,9 @@ struct Seat {
   double crownRadius = 0;   // [m] of the rail across, there
 };
 // Throws CaseError where they touch beyond the arcs of the crown.
-Seat seatOf(const cases::CaseDescription& description);
+Seat seatOf(const scenario::Scenario& scenario);
 
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
-                      int rimBlock, const cases::CaseDescription& description, double from, double to);
+                      int rimBlock, const scenario::Scenario& scenario, double from, double to);
 
 }  // namespace squat::contact

@@ -21,11 +21,11 @@ std::size_t placeOf(const elasticity::SweptBlock& block, int node, int station) 
 
 }  // namespace
 
-double stiffestPenalty(const cases::CaseDescription& d) {
+double stiffestPenalty(const scenario::Scenario& d) {
   return std::max(model::normalPenalty(d), model::tangentialPenalty(d));
 }
 
-double eigenvalueOfStiffContact(const cases::CaseDescription& d) {
+double eigenvalueOfStiffContact(const scenario::Scenario& d) {
   const double density = std::min(d.rail.material.density, d.wheelset.material.density);
   return 2 * stiffestPenalty(d) / (mostLayers * density * d.mesh.contactSize);
 }

@@ -31,12 +31,12 @@
 namespace squat::dynamics {
 
 // The larger of the normal and the tangential penalty [Pa/m]: what the added mass is for.
-double stiffestPenalty(const cases::CaseDescription& description);
+double stiffestPenalty(const scenario::Scenario& scenario);
 
 // Smallest 4 / (dt^2 + 2 beta dt) [rad2/s2] with which the added mass stays below mostLayers layers of contact
 // elements: D per area = (dt^2 + 2 beta dt) / 4 * 2 k <= mostLayers * density * size.
 constexpr double mostLayers = 10;
-double eigenvalueOfStiffContact(const cases::CaseDescription& description);
+double eigenvalueOfStiffContact(const scenario::Scenario& scenario);
 
 class ContactInertia {
  public:

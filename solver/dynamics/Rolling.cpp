@@ -15,7 +15,7 @@ namespace {
 // stiffness times displacement; in the coarse sectors of the wheel body, whose own motion says little about the nodes
 // far from its middle, these have a resultant that works on the rolling itself, and the energy drifts.
 elasticity::KernelSet kernelsAsAsked(const model::Model& model, const std::string& isa) {
-  const bool single = model.description.mesh.precision == static_cast<int>(cases::ElementPrecision::single);
+  const bool single = model.scenario.mesh.precision == scenario::ElementPrecision::single;
   return elasticity::kernelsFor(isa,
                                 single ? elasticity::Precision::singleInside : elasticity::Precision::doubleInside);
 }
@@ -54,9 +54,9 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
       team_(team),
       step_(step),
       beta_(beta),
-      inertia_(model, stiffestPenalty(model.description), step, beta),
+      inertia_(model, stiffestPenalty(model.scenario), step, beta),
       wheelsetDamping_(model, step) {
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   law_ = {model::normalPenalty(d), model::tangentialPenalty(d), d.contact.friction};
   layerKernels_ = plasticity::layerKernelsFor(kernels.name);
@@ -108,7 +108,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   }
   shareTies();
   shareHeld();
-  shareTrack();
+  shareForceElements();
 }
 
 void Rolling::start(const AlignedVector& displacement, const AlignedVector& velocity, double spinRate) {
@@ -139,14 +139,14 @@ void Rolling::restore(RollingState state) {
 }
 
 double Rolling::torqueAt(double time) const {
-  const auto& m = model_.description.motion;
+  const auto& m = model_.scenario.motion;
   const double full = m.tractionCoefficient != 0 ? m.tractionCoefficient * load_ * model_.surfaces.radius : m.torque;
   if (time >= m.torqueRamp) return full;
   return full * 0.5 * (1 - std::cos(std::acos(-1.0) * time / m.torqueRamp));
 }
 
 contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
-  const auto& d = model_.description;
+  const auto& d = model_.scenario;
   const auto hub = ringMean(model_, model_.centre, turned_, displaced);
   contact::WheelRolling wheel;
   // Displacements u + beta v are those of a moment later: so must be the wheel's place.
@@ -173,7 +173,7 @@ void Rolling::listNearPoints(const contact::WheelPlacement& wheel) {
   constexpr double ahead = 5e-6, bounce = 8;  // [s], [m/s]
   const auto& s = model_.surfaces;
   const auto steps = std::max(1L, std::lround(ahead / step_));
-  const double approach = bounce + std::abs(model_.description.motion.speed) * s.reach / s.radius;
+  const double approach = bounce + std::abs(model_.scenario.motion.speed) * s.reach / s.radius;
   near_ = pointsWithin(approach * static_cast<double>(steps) * step_, s, model_.blocks[model_.rail],
                        model_.blocks[model_.rim], wheel, state_.displaced.data());
   nearUntil_ = state_.step + steps;
@@ -202,38 +202,8 @@ model::PlaneVector Rolling::boxVelocity() const {
   return ringMean(model_, model_.bearing, turned_, v);
 }
 
-// Suspension, bearing and torque; sprung mass and axle box are advanced with their own unknowns in finishStep().
-void Rolling::pushVehicle() {
-  const double* displaced = state_.displaced.data();
-  const auto& d = model_.description;
-  const auto at = ringMean(model_, model_.bearing, turned_, displaced);
-  const auto rate = ringMean(model_, model_.bearing, turned_, state_.velocity.data());
-  const double* u = displaced;
-  const double* v = state_.velocity.data();
-  const bool onSpring = model_.boxOnSpring();
-  const model::PlaneVector box = onSpring ? model::PlaneVector{u[model_.boxX], u[model_.boxZ]} : at;
-  const model::PlaneVector boxRate = onSpring ? boxVelocity() : rate;
-  const double relativeZ = v[model_.sprungZ] - boxRate.z, relativeX = v[model_.sprungX] - boxRate.x;
-  double forceZ = d.suspension.stiffness * (u[model_.sprungZ] - box.z) + d.suspension.damping * relativeZ;
-  double forceX =
-      d.suspension.longitudinalStiffness * (u[model_.sprungX] - box.x) + d.suspension.longitudinalDamping * relativeX;
-  double* small = forces_.data() + model_.forceSize - 8;
-  small[model_.sprungX - model_.smallUnknowns] -= forceX;
-  small[model_.sprungZ - model_.smallUnknowns] -= forceZ;
-  vehicleDamperPower_ =
-      d.suspension.damping * relativeZ * relativeZ + d.suspension.longitudinalDamping * relativeX * relativeX;
-  if (onSpring) {
-    const double k = d.wheelset.bearingStiffness, c = d.wheelset.bearingDamping;
-    const double slipX = boxRate.x - rate.x, slipZ = boxRate.z - rate.z;
-    const double bearingX = k * (box.x - at.x) + c * slipX, bearingZ = k * (box.z - at.z) + c * slipZ;
-    small[model_.boxX - model_.smallUnknowns] += forceX - bearingX;
-    small[model_.boxZ - model_.smallUnknowns] += forceZ - bearingZ;
-    forceX = bearingX, forceZ = bearingZ;
-    vehicleDamperPower_ += c * (slipX * slipX + slipZ * slipZ);
-  }
-  addRingForce(model_, model_.bearing, turned_, {forceX, forceZ}, forces_.data());
-
-  // The torque acts evenly on the hub, against alpha.
+// The torque acts evenly on the hub, against alpha.
+void Rolling::pushHub() {
   torque_ = torqueAt(state_.time);
   const auto& body = model_.blocks[model_.body];
   const auto& loaded = model_.loaded[model_.body];
@@ -242,7 +212,7 @@ void Rolling::pushVehicle() {
     const int node = model_.hub.nodes[i];
     const double radius = body.section.nodes[node][0], share = model_.hub.weight[i] / body.stationCount;
     double* a = forces_.data() + loaded.offset + static_cast<std::size_t>(loaded.lineOfNode[node]) * 3 * body.stride;
-    const auto va = body.line(v, node, 0);
+    const auto va = body.line(std::as_const(state_.velocity).data(), node, 0);
     for (int s = 0; s < body.stationCount; ++s)
       a[s] -= torque_ * share / radius, hubSpinRate_ -= share * va[s] / radius;
   }
@@ -254,7 +224,8 @@ void Rolling::pushWheelset() {
   touch();
   // On the contact's own lines.
   elasticity::addIrregularForces(model_.movedElements, state_.displaced.data(), forces_.data());
-  pushVehicle();
+  pushHub();
+  for (auto* state : {&state_.displaced, &state_.velocity}) followJournal(model_, turned_, state->data());
   const auto& w = model_.wheelset;
   referenceAcceleration_ = (torque_ + view_.patch.spinMoment + state_.addedMoment) / w.inertia;
   spinAcceleration_ = referenceAcceleration_ + state_.turningMoment / w.inertia;
@@ -262,7 +233,7 @@ void Rolling::pushWheelset() {
   const double share = -referenceAcceleration_ / w.turningMass, c = std::cos(state_.rotation),
                s = std::sin(state_.rotation);
   const model::PlaneVector drift{share * (c * w.leverX + s * w.leverZ), share * (c * w.leverZ - s * w.leverX)};
-  const double g = model_.description.motion.gravity;
+  const double g = model_.scenario.motion.gravity;
   fillGravity(model_.blocks[model_.body], g, &turned_, drift, acceleration_[model_.body]);
   fillGravity(model_.blocks[model_.rim], g, &turnedRim_, drift, acceleration_[model_.rim]);
   const double rate = state_.spinRate + step_ * spinAcceleration_;
@@ -277,13 +248,19 @@ void Rolling::hold(const std::vector<std::size_t>& unknowns) {
   for (const auto index : unknowns) state_.velocity[index] = 0, state_.displaced[index] = 0;
 }
 
-void Rolling::pushTrack(int index) {
-  supports::addSpringForces(trackShares_[static_cast<std::size_t>(index)], state_.displaced.data(),
-                            state_.velocity.data(), forces_.data(), groupDamperPowers_.data());
+// The first thread's share has the elements of the vehicle: it passes their forces on the journal to the seat there.
+void Rolling::pushForceElements(int index) {
+  forces::addForces(forceShares_[static_cast<std::size_t>(index)], state_.displaced.data(), state_.velocity.data(),
+                    forces_.data(), groupDamperPowers_.data());
+  if (index > 0) return;
+  double* auxiliary = forces_.data() + model_.forceSize - 8;
+  const model::PlaneVector force{std::exchange(auxiliary[model_.journalX - model_.firstAuxiliary], 0.0),
+                                 std::exchange(auxiliary[model_.journalZ - model_.firstAuxiliary], 0.0)};
+  addRingForce(model_, model_.bearing, turned_, force, forces_.data());
 }
 
-void Rolling::sumTrackPower() {
-  trackDamperPower_ = std::accumulate(groupDamperPowers_.begin(), groupDamperPowers_.end(), 0.0);
+void Rolling::sumDamperPower() {
+  damperPower_ = std::accumulate(groupDamperPowers_.begin(), groupDamperPowers_.end(), 0.0);
 }
 
 void Rolling::placeSlaves(int index) {
@@ -295,7 +272,7 @@ void Rolling::placeSlaves(int index) {
 // Plastic flow in the layer around the patch, shared among the threads by groups.
 void Rolling::yieldLayer(int index, long step) {
   if (model_.layer.empty()) return;
-  const double x = model_.startX + model_.description.motion.speed * static_cast<double>(step) * step_;
+  const double x = model_.startX + model_.scenario.motion.speed * static_cast<double>(step) * step_;
   plasticity::returnWindow(model_.layer, layerKernels_, state_.displaced.data(), x, model_.surfaces.reach, index,
                            team_.size(), state_.plastic, layerForces_);
 }
@@ -350,15 +327,15 @@ void Rolling::advanceMasters(int index) {
 
 void Rolling::finishStep() {
   double* displaced = state_.displaced.data();
-  const auto& d = model_.description;
+  const auto& d = model_.scenario;
   double* v = state_.velocity.data();
-  double* small = forces_.data() + model_.forceSize - 8;
+  double* auxiliary = forces_.data() + model_.forceSize - 8;
   const auto advance = [&](std::size_t index, double mass, double gravity) {
-    const double acceleration = small[index - model_.smallUnknowns] / mass - gravity;
+    const double acceleration = auxiliary[index - model_.firstAuxiliary] / mass - gravity;
     const double old = v[index];
     v[index] = old + step_ * acceleration;
     displaced[index] = displaced[index] - beta_ * old + (step_ + beta_) * v[index];
-    small[index - model_.smallUnknowns] = 0;
+    auxiliary[index - model_.firstAuxiliary] = 0;
   };
   advance(model_.sprungX, d.suspension.sprungMass, 0);
   advance(model_.sprungZ, d.suspension.sprungMass, d.motion.gravity);
@@ -379,7 +356,7 @@ void Rolling::finishStep() {
   ++state_.step;
   state_.time = static_cast<double>(state_.step) * step_;
   state_.sums.friction += step_ * view_.patch.frictionPower;
-  state_.sums.damping += step_ * (trackDamperPower_ + vehicleDamperPower_);
+  state_.sums.damping += step_ * damperPower_;
   state_.sums.torqueWork += step_ * torque_ * (0.5 * (oldRate + state_.spinRate) + hubSpinRate_);
 
   // The new velocities stand in the basis of the new rotation.
@@ -399,6 +376,7 @@ AlignedVector Rolling::displacement() const {
   elasticity::refreshGhosts(model_.blocks, u.data());
   AlignedVector workspace(tieWorkspaces_.front().size(), 0.0);
   for (const auto& tie : model_.ties) interpolateSlaves(tie, model_.blocks, u.data(), workspace.data());
+  followJournal(model_, turned_, u.data());
   return u;
 }
 

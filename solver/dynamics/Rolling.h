@@ -1,14 +1,14 @@
 // solver/dynamics/Rolling.h - central difference of the rolling wheel on the track.
 //
-// One step, everything local in memory, four meetings of the threads: contact, springs and torque collect forces on
-// surface nodes, and tied nodes take their places; every thread reads what it needs beyond its stretches of stations;
-// then each stretch computes its inner forces and is advanced at once, in place. The rim's tied nodes pass their
-// inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any number of
+// One step, everything local in memory, four meetings of the threads: contact, force elements and torque collect forces
+// on surface nodes, and tied nodes take their places; every thread reads what it needs beyond its stretches of
+// stations; then each stretch computes its inner forces and is advanced at once, in place. The rim's tied nodes pass
+// their inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any number of
 // threads.
 //
 // Plastic flow of the rail's surface layer (plasticity/): elements around the patch are returned to yield while contact
-// and springs collect forces; each thread adds the forces of plastic strain to the stations that it advances. The start
-// is elastic: what yields under the wheel at rest flows in the first step.
+// and force elements collect forces; each thread adds the forces of plastic strain to the stations that it advances.
+// The start is elastic: what yields under the wheel at rest flows in the first step.
 //
 // Spin of the wheelset: in the turning reference every mass feels +a' r along alpha,
 //   I a' = torque + moment of the outer forces with undisplaced arms + what the contact's added inertia resists,
@@ -27,10 +27,10 @@
 #include "dynamics/ContactInertia.h"
 #include "dynamics/RollingState.h"
 #include "elasticity/SweptWork.h"
+#include "forces/ForceShares.h"
 #include "model/WheelMotion.h"
 #include "model/WheelsetDamping.h"
 #include "plasticity/LayerWork.h"
-#include "supports/SpringShares.h"
 
 namespace squat::dynamics {
 
@@ -63,12 +63,12 @@ class Rolling {
           }
           pushWheelset();
         }
-        pushTrack(index);
+        pushForceElements(index);
         if (!wheelsetOfOne_) placeSlaves(index);
         yieldLayer(index, first + k);
         readEnds(index, false);
         team_.barrier();
-        if (index == 0) sumTrackPower();
+        if (index == 0) sumDamperPower();
         if (wheelsetOfOne_) placeSlaves(index);
         readEnds(index, true);
         if (!wheelsetOfOne_) team_.barrier();
@@ -103,9 +103,9 @@ class Rolling {
   std::vector<contact::PatchPoint> patchPoints() const;
 
  private:
-  void pushWheelset();        // contact, irregular elements, suspension, torque, spin
-  void pushTrack(int index);  // pads, ballast, rail ends
-  void sumTrackPower();
+  void pushWheelset();  // contact, irregular elements, torque, spin
+  void pushForceElements(int index);
+  void sumDamperPower();
   void placeSlaves(int index);
   void yieldLayer(int index, long step);
   void readEnds(int index, bool late);
@@ -116,7 +116,7 @@ class Rolling {
   void hold(const std::vector<std::size_t>& unknowns);
   void listNearPoints(const contact::WheelPlacement& wheel);
   void touch();
-  void pushVehicle();
+  void pushHub();
   model::PlaneVector boxVelocity() const;
   contact::WheelRolling wheelRolling(const double* displaced) const;
   double positionOf(const contact::WheelRolling& wheel) const;
@@ -148,8 +148,8 @@ class Rolling {
   StepView view_;
   model::PlaneVector boxVelocity_, wheelVelocity_;
   double spinAcceleration_ = 0, referenceAcceleration_ = 0;
-  double trackDamperPower_ = 0, vehicleDamperPower_ = 0;  // [W]
-  std::vector<double> groupDamperPowers_;  // [W] of each group of the track's springs, written while they push
+  double damperPower_ = 0;                 // [W]
+  std::vector<double> groupDamperPowers_;  // [W] of each group of force elements, written while they push
   struct TieShare {
     std::size_t tie = 0;
     elasticity::StationSpan masters;
@@ -159,8 +159,8 @@ class Rolling {
   void shareBlocks();
   void shareTies();
   void shareHeld();
-  void shareTrack();
-  std::vector<supports::SpringShare> trackShares_;  // per thread
+  void shareForceElements();
+  std::vector<forces::ForceShare> forceShares_;     // per thread
   std::vector<std::vector<std::size_t>> heldOf_;    // per thread: held unknowns of its stations
   std::vector<std::vector<TieShare>> tieShares_;    // per thread: master stations that it advances
   std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it places

@@ -1,4 +1,4 @@
-// Who does what of a step: stations, ties, held unknowns and springs shared among the threads.
+// Who does what of a step: stations, ties, held unknowns and force elements shared among the threads.
 #include <algorithm>
 #include <utility>
 
@@ -24,7 +24,7 @@ void Rolling::shareBlocks() {
   // the four points of a face within the patch (half axes 7 and 5.2 mm). Fitted with two threads, where the last waited
   // for it; left out for more.
   constexpr double patchArea = 1.1e-4;  // [m2]
-  const double contactSize = model_.description.mesh.contactSize;
+  const double contactSize = model_.scenario.mesh.contactSize;
   const double contactCost = team_.size() == 2 ? 2500 + 64 * 4 * patchArea / (contactSize * contactSize) : 0;
   const auto& blocks = model_.blocks;
   std::vector<int> all{model_.rail};
@@ -77,6 +77,7 @@ void Rolling::shareTies() {
 }
 
 int Rolling::ownerOf(std::size_t unknown) const {
+  if (unknown >= model_.firstAuxiliary) return 0;  // which fills and advances them
   std::size_t b = 0;
   while (b + 1 < model_.blocks.size() && model_.blocks[b + 1].offset <= unknown) ++b;
   const int station = model_.blocks[b].unknownAt(unknown).station;
@@ -94,10 +95,10 @@ void Rolling::shareHeld() {
   for (const auto unknown : model_.held) heldOf_[static_cast<std::size_t>(ownerOf(unknown))].push_back(unknown);
 }
 
-void Rolling::shareTrack() {
-  auto shared = supports::shareSprings({&model_.ballast, &model_.pads, &model_.ends}, team_.size(),
-                                       [this](std::size_t unknown) { return ownerOf(unknown); });
-  trackShares_ = std::move(shared.shares);
+void Rolling::shareForceElements() {
+  auto shared =
+      forces::shareForces(model_.forceElements, team_.size(), [this](std::size_t unknown) { return ownerOf(unknown); });
+  forceShares_ = std::move(shared.shares);
   groupDamperPowers_.assign(shared.groups, 0.0);
 }
 

@@ -121,16 +121,11 @@ Highest highestEigenvalue(model::StaticOperator& op, const Accelerations& accele
 }
 
 // Every dashpot as a spring of `stiffness` [N/m] for each N s/m.
-supports::SpringSet dashpotsAsSprings(const model::Model& model, const model::StaticOperator& op, double stiffness) {
-  supports::SpringSet springs;
-  for (const auto* set : {&model.pads, &model.ballast, &model.ends, &op.vehicleSprings()})
-    for (std::size_t i = 0; i < set->size(); ++i) {
-      if (set->damping[i] <= 0) continue;
-      std::vector<std::pair<std::size_t, double>> terms;
-      for (std::size_t t = set->start[i]; t < set->start[i + 1]; ++t)
-        terms.emplace_back(set->unknown[t], set->weight[t]);
-      springs.add(terms, stiffness * set->damping[i], 0);
-    }
+forces::ForceElements dashpotsAsSprings(const model::Model& model, double stiffness) {
+  forces::ForceElements springs;
+  for (const auto& set : model.forceElements)
+    for (std::size_t i = 0; i < set.size(); ++i)
+      if (set.damping[i] > 0) springs.add(set.terms(i), stiffness * set.damping[i], 0);
   return springs;
 }
 
@@ -138,7 +133,7 @@ supports::SpringSet dashpotsAsSprings(const model::Model& model, const model::St
 // to change nothing else, and by lowering that frequency it would raise the damping of all others.
 double dampingOf(const model::Model& model, model::StaticOperator& op, const Highest& highest, Monitor& monitor,
                  int& iterations) {
-  const auto& damping = model.description.damping;
+  const auto& damping = model.scenario.damping;
   if (damping.beta > 0) return damping.beta;
   const bool isSlowed = std::any_of(model.blocks.begin(), model.blocks.end(),
                                     [](const auto& block) { return !block.inertia.clusters.empty(); });
@@ -155,6 +150,7 @@ double dampingOf(const model::Model& model, model::StaticOperator& op, const Hig
 StableStep stableStep(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                       Monitor& monitor) {
   model::StaticOperator op(model, kernels, team, 0, 0, false);
+  op.stiffen();
   const Accelerations accelerations(model, op, ShortWaves::slowed);
   Highest highest = highestEigenvalue(op, accelerations, monitor);
   StableStep result;
@@ -173,7 +169,7 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
   // definite, as if they were springs of 2 C / (dt + 2 beta). The bound falls to its limit from above, half way (in its
   // logarithm) each time; where they do not bind, it stays as it was.
   for (int k = 0; k < 20 && !monitor.cancelled(); ++k) {
-    op.contactSprings() = dashpotsAsSprings(model, op, 2 / (bound + 2 * result.beta));
+    op.contactSprings() = dashpotsAsSprings(model, 2 / (bound + 2 * result.beta));
     if (op.contactSprings().size() == 0) break;
     highest = highestEigenvalue(op, accelerations, monitor);
     result.iterations += highest.iterations;
@@ -182,7 +178,7 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
     bound = shorter;
     result.place = model::placeName(model, highest.place) + ", by its dampers";
   }
-  if (const double byContact = stepFor(eigenvalueOfStiffContact(model.description)); byContact < bound) {
+  if (const double byContact = stepFor(eigenvalueOfStiffContact(model.scenario)); byContact < bound) {
     bound = byContact;
     result.place = "the contact, by its penalties";
   }

@@ -1,7 +1,7 @@
 // solver/dynamics/StableStep.h - the largest stable step of the central difference, from the assembled operator:
-// solids, ties, supports, suspension, dashpots. Contact shortens it only where penalties are so stiff that the mass
-// which answers for them would be too heavy: see ContactInertia.h. Short waves count with the inertia that the case
-// gives them: see SelectiveInertia.h.
+// solids, ties, force elements by their stiffest tangents, dashpots. Contact shortens it only where penalties are so
+// stiff that the mass which answers for them would be too heavy: see ContactInertia.h. Short waves count with the
+// inertia that the case gives them: see SelectiveInertia.h.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct StableStep {
   double beta = 0;              // [s] stiffness-proportional damping that the case asks for: a share of critical counts
                                 //     at the highest frequency without more inertia for short waves
   double step = 0;              // [s] with safety and damping: 0.95 (2/w) (sqrt(1 + z^2) - z), z = beta w / 2;
-                                //     shorter where dashpots of pads, ballast, ends or vehicle ask for it, or
+                                //     shorter where dashpots of force elements ask for it, or
                                 //     penalties of the contact
   std::string place;            // block and position that set it
   int iterations = 0;

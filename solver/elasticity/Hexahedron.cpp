@@ -84,7 +84,7 @@ InnerMatrices innerMatrices(const BarePoints& points, const Matrix6& d) {
 
 }  // namespace
 
-Matrix6 elasticityMatrix(const cases::Material& material) {
+Matrix6 elasticityMatrix(const scenario::Material& material) {
   const double e = material.young, nu = material.poisson;
   const double lambda = e * nu / ((1 + nu) * (1 - 2 * nu)), mu = e / (2 * (1 + nu));
   Matrix6 d = Matrix6::Zero();
@@ -101,7 +101,7 @@ Eigen::Matrix<double, 3, 8> shapeGradients(const Corners& corners, double xi, do
   return j.inverse() * reference;
 }
 
-Matrix24 hexahedronStiffness(const Corners& corners, const cases::Material& material) {
+Matrix24 hexahedronStiffness(const Corners& corners, const scenario::Material& material) {
   const Matrix6 d = elasticityMatrix(material);
   const BarePoints bare = barePoints(corners);
   Matrix24 k = Matrix24::Zero();
@@ -111,7 +111,7 @@ Matrix24 hexahedronStiffness(const Corners& corners, const cases::Material& mate
   return 0.5 * (k + k.transpose());
 }
 
-HexahedronPoints hexahedronPoints(const Corners& corners, const cases::Material& material) {
+HexahedronPoints hexahedronPoints(const Corners& corners, const scenario::Material& material) {
   const Matrix6 d = elasticityMatrix(material);
   const BarePoints bare = barePoints(corners);
   const auto [inner, coupling] = innerMatrices(bare, d);

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "case/CaseDescription.h"
+#include "scenario/Scenario.h"
 
 namespace squat::elasticity {
 
@@ -14,14 +14,14 @@ using Strain24 = Eigen::Matrix<double, 6, 24>;
 using Corners = std::array<Eigen::Vector3d, 8>;
 
 // Hooke's matrix for the strains (xx, yy, zz, 2xy, 2yz, 2zx) [Pa].
-Matrix6 elasticityMatrix(const cases::Material& material);
+Matrix6 elasticityMatrix(const scenario::Material& material);
 
 // Corners 0-3 are a quad, counter-clockwise seen against the sweep, 4-7 the same quad one station on. Unknowns: 3 a
 // corner. Incompatible modes after Wilson with Taylor's correction (R. L. Taylor, P. J. Beresford, E. L. Wilson 1976),
 // the same as the nine-parameter enhanced strain of Simo and Rifai (1990): passes the patch test for any shape, no
 // shear locking, no hourglass modes. Throws std::invalid_argument when the Jacobian is not positive at an integration
 // point.
-Matrix24 hexahedronStiffness(const Corners& corners, const cases::Material& material);
+Matrix24 hexahedronStiffness(const Corners& corners, const scenario::Material& material);
 
 // The same element point by point, for laws that act on the strain at the 2x2x2 integration points. With the modes
 // condensed, the strain at point p is
@@ -36,7 +36,7 @@ struct HexahedronPoints {
   std::array<Eigen::Matrix<double, 9, 6>, 8> amplitude;
   std::array<double, 8> weight;  // [m3]
 };
-HexahedronPoints hexahedronPoints(const Corners& corners, const cases::Material& material);
+HexahedronPoints hexahedronPoints(const Corners& corners, const scenario::Material& material);
 
 // Mass of each corner, row sums of the consistent matrix [kg].
 std::array<double, 8> hexahedronMass(const Corners& corners, double density);

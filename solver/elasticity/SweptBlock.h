@@ -21,7 +21,6 @@
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
 #include "core/AlignedVector.h"
 #include "elasticity/Hexahedron.h"
 #include "elasticity/SectionOrder.h"
@@ -29,6 +28,7 @@
 #include "elasticity/SweptKernel.h"
 #include "geometry/SectionMesh.h"
 #include "geometry/Stations.h"
+#include "scenario/Scenario.h"
 
 namespace squat::elasticity {
 
@@ -53,7 +53,7 @@ struct SweptBlock {
   SweepKind kind = SweepKind::alongX;
   geometry::SectionMesh section;
   geometry::Stations stations;  // every run a multiple of 8 intervals
-  cases::Material material;
+  scenario::Material material;
   double lean = 0;  // [rad] alongX: the section, and b and c with it, turned about x, its top towards -y
   // Section nodes that share the inertia of short waves, and the longest intervals (in the unit of the stations) that
   // do so along the sweep; no clusters: none (SelectiveInertia.h, SectionClusters.h).

@@ -33,7 +33,7 @@ struct Rectangle {
 
 // A conical or tapered web: lines of the grid between both faces of the web run straight from the rim to the hub, those
 // within the hub's width make room for them.
-double shiftedForWeb(const cases::Wheelset& w, double radius, double y) {
+double shiftedForWeb(const scenario::Wheelset& w, double radius, double y) {
   const double hub = w.hubWidth / 2, web = w.webThickness / 2;
   const double atHub = w.webHubThickness > 0 ? w.webHubThickness / 2 : web;
   if (radius > w.rimInnerRadius - 1e-9 || (w.webOffset == 0 && atHub == web)) return y;
@@ -49,7 +49,7 @@ double shiftedForWeb(const cases::Wheelset& w, double radius, double y) {
 
 }  // namespace
 
-SectionMesh rimSectionMesh(const cases::Wheelset& wheelset, const WheelSectionSizes& sizes) {
+SectionMesh rimSectionMesh(const scenario::Wheelset& wheelset, const WheelSectionSizes& sizes) {
   const double growth = sizes.growth, h = sizes.contactSize, half = wheelset.rimWidth / 2;
   const int columns = std::max(2, static_cast<int>(std::lround(sizes.bandHalfWidth / h)));
   const double bandEdge = sizes.bandHalfWidth;
@@ -79,7 +79,7 @@ SectionMesh rimSectionMesh(const cases::Wheelset& wheelset, const WheelSectionSi
   return mesh;
 }
 
-SectionMesh wheelBodySectionMesh(const cases::Wheelset& w, const WheelSectionSizes& sizes) {
+SectionMesh wheelBodySectionMesh(const scenario::Wheelset& w, const WheelSectionSizes& sizes) {
   const double rimOuter = w.radius - sizes.rimDepth, half = w.rimWidth / 2, hub = w.hubWidth / 2,
                web = w.webThickness / 2;
   const std::vector<Rectangle> solids{{w.boreRadius, w.axleRadius, -w.trackCentre, -hub},    // axle body

@@ -2,8 +2,8 @@
 // positive.
 #pragma once
 
-#include "case/CaseDescription.h"
 #include "geometry/SectionMesh.h"
+#include "scenario/Scenario.h"
 
 namespace squat::geometry {
 
@@ -14,9 +14,9 @@ struct WheelSectionSizes {
 };
 
 // The finely meshed outer rim: radius - rimDepth .. radius.
-SectionMesh rimSectionMesh(const cases::Wheelset& wheelset, const WheelSectionSizes& sizes);
+SectionMesh rimSectionMesh(const scenario::Wheelset& wheelset, const WheelSectionSizes& sizes);
 
 // Inner rim, web, hub and axle from the symmetry plane to the end of the journal: rectangles on one grid.
-SectionMesh wheelBodySectionMesh(const cases::Wheelset& wheelset, const WheelSectionSizes& sizes);
+SectionMesh wheelBodySectionMesh(const scenario::Wheelset& wheelset, const WheelSectionSizes& sizes);
 
 }  // namespace squat::geometry

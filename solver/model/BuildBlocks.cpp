@@ -4,13 +4,13 @@
 #include <cmath>
 #include <functional>
 
-#include "case/DefectSurface.h"
-#include "case/TrackCentre.h"
 #include "contact/ContactSurfaces.h"
 #include "core/Errors.h"
 #include "elasticity/SectionClusters.h"
 #include "geometry/RailSection.h"
 #include "geometry/WheelSection.h"
+#include "scenario/DefectSurface.h"
+#include "scenario/TrackCentre.h"
 
 namespace squat::model {
 
@@ -39,7 +39,7 @@ geometry::SectionMesh rectangleMesh(const std::vector<double>& b, const std::vec
 }
 
 // Short waves of rail and rim get more inertia, but those of tied nodes, which have none of their own.
-void slowShortWaves(const cases::CaseDescription& d, elasticity::SweptBlock& block, double shortLength,
+void slowShortWaves(const scenario::Scenario& d, elasticity::SweptBlock& block, double shortLength,
                     const std::function<bool(int)>& mayJoin) {
   if (!d.mesh.selectiveInertia) return;
   elasticity::prepareBlock(block);
@@ -57,12 +57,12 @@ void append(Model& model, elasticity::SweptBlock block) {
 }
 
 // Where the fine zone of the defect begins, at or behind that of the start [m].
-double fineStart(const cases::CaseDescription& d) {
-  return std::max(-d.motion.runUp - d.mesh.fineStart, cases::DefectSurface(d.defect).first() - d.mesh.fineBefore);
+double fineStart(const scenario::Scenario& d) {
+  return std::max(-d.motion.runUp - d.mesh.fineStart, d.defectSurface.first() - d.mesh.fineBefore);
 }
 
 // The rim rolls with the stations of the rail; the rest of the circumference is coarser.
-geometry::Stations rimStations(const cases::CaseDescription& d, const RollingStretch& stretch, double startX) {
+geometry::Stations rimStations(const scenario::Scenario& d, const RollingStretch& stretch, double startX) {
   const double radius = d.wheelset.radius, circumference = 2 * std::acos(-1.0) * radius;
   const double rolled = stretch.to - stretch.from, rest = circumference - rolled;
   const double coarse = std::max(4 * d.mesh.sectionSize, 2 * d.mesh.rollingSize);
@@ -86,8 +86,8 @@ geometry::Stations rimStations(const cases::CaseDescription& d, const RollingStr
 }
 
 void addSleepers(Model& model, int intervals) {
-  const auto& d = model.description;
-  const bool tiny = d.mesh.preset == static_cast<int>(cases::MeshPreset::tiny);
+  const auto& d = model.scenario;
+  const bool tiny = d.mesh.preset == scenario::MeshPreset::tiny;
   model.firstSleeper = static_cast<int>(model.blocks.size());
   model.sleepers = static_cast<int>(model.sleeperPositions.size());
   const int lengthwise = intervals > 0 ? intervals : tiny ? 8 : 16;
@@ -110,8 +110,7 @@ void addSleepers(Model& model, int intervals) {
 namespace {
 
 // Stations of the rail with a fine zone that ends at `fineTo`, in groups of `whole`.
-RollingStretch laidStretch(const cases::CaseDescription& d, double railStart, double railEnd, double fineTo,
-                           int whole) {
+RollingStretch laidStretch(const scenario::Scenario& d, double railStart, double railEnd, double fineTo, int whole) {
   const double start = -d.motion.runUp, end = d.motion.beyond + patchEnd;
   const double fineFrom = fineStart(d), startTo = start + d.mesh.fineStart;
   const double h = d.mesh.contactSize, rolling = d.mesh.rollingSize, far = d.mesh.farSize;
@@ -143,13 +142,12 @@ RollingStretch laidStretch(const cases::CaseDescription& d, double railStart, do
 
 }  // namespace
 
-RollingStretch rollingStretch(const cases::CaseDescription& d, double railStart, double railEnd) {
+RollingStretch rollingStretch(const scenario::Scenario& d, double railStart, double railEnd) {
   const double end = d.motion.beyond + patchEnd;
-  const double fineTo =
-      std::max(cases::DefectSurface(d.defect).last() + d.mesh.fineBefore, fineStart(d) + d.mesh.contactSize);
+  const double fineTo = std::max(d.defectSurface.last() + d.mesh.fineBefore, fineStart(d) + d.mesh.contactSize);
   // Fine stations share their inertia in whole groups, which begin at whole groups from the rail's end: the time step
   // is as long as the smallest group of the finest allows. The tiny mesh has no elements to spare for that.
-  const bool tiny = d.mesh.preset == static_cast<int>(cases::MeshPreset::tiny);
+  const bool tiny = d.mesh.preset == scenario::MeshPreset::tiny;
   for (int whole = tiny ? vectorMultiple : elasticity::mostStations; whole >= vectorMultiple; whole /= 2) {
     RollingStretch stretch = laidStretch(d, railStart, railEnd, fineTo, whole);
     // Where nothing is laid between fine zone and far rail, the fine zone reaches as far as the wheel rolls.
@@ -165,12 +163,13 @@ RollingStretch rollingStretch(const cases::CaseDescription& d, double railStart,
 }
 
 RollingStretch addBlocks(Model& model, int sleeperIntervals) {
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   model.startX = -d.motion.runUp;
   // The rail is centred on the sleeper nearest to the middle of the rolled stretch.
-  const double centre = cases::trackCentre(d), spacing = d.track.sleeperSpacing;
+  const double centre = scenario::trackCentre(d.track, d.motion), spacing = d.track.sleeperSpacing;
   const double railStart = centre - d.track.length / 2, railEnd = centre + d.track.length / 2;
-  const int each = static_cast<int>(std::floor((d.track.length / 2 - d.pad.length / 2) / spacing + 1e-9));
+  const auto sleepers = scenario::sleepersOf(d.track, d.pad, d.motion);
+  const int each = (sleepers.last - sleepers.first) / 2;
   for (int i = -each; i <= each; ++i) model.sleeperPositions.push_back(centre + i * spacing);
 
   const RollingStretch stretch = rollingStretch(d, railStart, railEnd);

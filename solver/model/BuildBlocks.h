@@ -11,7 +11,7 @@ struct RollingStretch {
   geometry::Stations rail;
   std::vector<geometry::StationRun> rolled;  // the runs between from and to
 };
-RollingStretch rollingStretch(const cases::CaseDescription& description, double railStart, double railEnd);
+RollingStretch rollingStretch(const scenario::Scenario& scenario, double railStart, double railEnd);
 
 // Adds rail, rim, wheel body and sleepers to the model, prepared, with offsets in the state.
 // Returns the stretch that can be rolled over. Throws CaseError where the case cannot be meshed.

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/DefectSurface.h"
 #include "core/Errors.h"
 #include "geometry/RailSection.h"
 #include "model/BuildBlocks.h"
-#include "model/BuildSupports.h"
+#include "model/BuildForceElements.h"
 #include "model/Model.h"
 #include "model/Rings.h"
+#include "scenario/DefectSurface.h"
 
 namespace squat::model {
 
@@ -18,7 +18,7 @@ Ring makeRing(const Model& model, double radius, double from, double to) {
 }
 
 void tieRim(Model& model) {
-  const double radius = model.description.wheelset.radius - model.description.mesh.rimDepth;
+  const double radius = model.scenario.wheelset.radius - model.scenario.mesh.rimDepth;
   const auto inner = geometry::nodesWhere(
       model.blocks[model.rim].section, [&](const geometry::Point2& p) { return std::abs(p[0] - radius) < 1e-9; }, 1);
   model.ties.push_back(elasticity::makeTie(model.blocks, model.rim, model.body, inner));
@@ -69,13 +69,13 @@ void requireMass(const Model& model) {
       for (int s = 0; s < model.blocks[b].stationCount; ++s)
         if (!model.slave[b][n] && !(model.mass[b][n * model.blocks[b].stride + s] > 0))
           throw CaseError(
-              {{"mesh.rim_depth", std::to_string(1e3 * model.description.mesh.rimDepth) + " mm",
+              {{"mesh.rim_depth", std::to_string(1e3 * model.scenario.mesh.rimDepth) + " mm",
                 "such that the rim's inner layer is thicker than what the chords of mesh.wheel_sectors cut off",
                 "Lower mesh.rim_depth or raise mesh.wheel_sectors"}});
 }
 
 void addMasses(Model& model) {
-  const auto& w = model.description.wheelset;
+  const auto& w = model.scenario.wheelset;
   for (const auto& block : model.blocks) {
     const auto mass = elasticity::lumpedMass(block);
     model.mass.emplace_back(mass.begin(), mass.end());
@@ -120,7 +120,7 @@ void holdSymmetry(Model& model) {
   for (const auto& block : model.blocks) model.freeMask.emplace_back(block.lines(), 1.0);
   const auto& body = model.blocks[model.body];
   for (int n = 0; n < body.nodes; ++n)
-    if (body.section.nodes[n][1] < -model.description.wheelset.trackCentre + 1e-9)
+    if (body.section.nodes[n][1] < -model.scenario.wheelset.trackCentre + 1e-9)
       model.freeMask[model.body][3 * n + 2] = 0;
   for (int i = 0; i < model.sleepers; ++i) {
     const auto& sleeper = model.blocks[model.firstSleeper + i];
@@ -130,11 +130,10 @@ void holdSymmetry(Model& model) {
 
 // The surface nodes take the shape of the defect; nodes below follow, less with depth, down to four element sizes.
 elasticity::NodeShift defectShift(const Model& model) {
-  const auto& d = model.description;
-  if (!d.defect.moveNodes) return {};
+  const auto& d = model.scenario;
+  if (d.defectModel != scenario::DefectModel::movedNodes) return {};
   const auto* rail = &model.blocks[model.rail];
-  return [defect = cases::DefectSurface(d.defect), rail, blended = 4 * d.mesh.contactSize](
-             int node, int station) -> Eigen::Vector3d {
+  return [defect = d.defectSurface, rail, blended = 4 * d.mesh.contactSize](int node, int station) -> Eigen::Vector3d {
     const auto& p = rail->section.nodes[node];
     const double depth = geometry::crownHeight54E1(p[0]) - p[1];
     if (depth >= blended) return {0, 0, 0};
@@ -144,7 +143,7 @@ elasticity::NodeShift defectShift(const Model& model) {
 
 // The surface layer that may yield: below all columns that the wheel can touch, where it can roll.
 void addLayer(Model& model, const elasticity::NodeShift& shift) {
-  const auto& rail = model.description.rail;
+  const auto& rail = model.scenario.rail;
   if (!rail.plastic) return;
   const auto& s = model.surfaces;
   const auto first = s.railLine.begin() + s.firstColumn;
@@ -177,29 +176,31 @@ std::size_t Model::nodeCount() const {
   return sum;
 }
 
-Model buildModel(const cases::CaseDescription& description, int sleeperIntervals) {
+Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals) {
   Model model;
-  model.description = description;
+  model.scenario = scenario;
   const RollingStretch stretch = addBlocks(model, sleeperIntervals);
-  const auto& w = description.wheelset;
-  model.wheelset.centreHeight = contact::seatOf(description).centreHeight;
+  const auto& w = scenario.wheelset;
+  model.wheelset.centreHeight = contact::seatOf(scenario).centreHeight;
   model.bearing =
       makeRing(model, w.journalRadius, w.bearingCentre - w.bearingWidth / 2, w.bearingCentre + w.bearingWidth / 2);
   model.hub = makeRing(model, w.hubRadius, -w.hubWidth / 2, w.hubWidth / 2);
   model.centre = sectionRing(model.blocks[model.body], model.body, w.seatRadius, 0);
   tieRim(model);
   model.surfaces = contact::makeSurfaces(model.blocks[model.rail], model.rail, model.blocks[model.rim], model.rim,
-                                         description, stretch.from, stretch.to);
-  model.smallUnknowns = model.stateSize;
+                                         scenario, stretch.from, stretch.to);
+  model.firstAuxiliary = model.stateSize;
   model.sprungX = model.stateSize, model.sprungZ = model.stateSize + 1;
   model.boxX = model.stateSize + 2, model.boxZ = model.stateSize + 3;
+  model.journalX = model.stateSize + 4, model.journalZ = model.stateSize + 5;
   model.stateSize += 8;
   const auto shift = defectShift(model);
   if (shift) model.movedElements = elasticity::irregularElements(model.blocks[model.rail], shift);
   addLayer(model, shift);
   layOutForces(model);
   fillIrregularSlots(model);
-  addSupports(model);
+  addForceElements(model);
+  holdRailEnds(model);
   holdSymmetry(model);
   addMasses(model);
   return model;

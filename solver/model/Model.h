@@ -1,22 +1,24 @@
 // solver/model/Model.h - the assembled system: solids, ties, springs, masses, contact surfaces. No time in it.
 //
-// State layout: the lines of block 0, block 1, ... and at the end the small unknowns (sprung mass along x and z, axle
-// box along x and z where its bearing is a spring; a rigid bearing spreads the box over its seat on the journal).
-// Displacements are relative to a reference that moves with the vehicle's speed and, for the wheelset, turns with its
-// mean spin; components are local to each block (SweptBlock.h).
+// State layout: the lines of block 0, block 1, ... and at the end the auxiliary degrees of freedom: sprung mass along x
+// and z, axle box along x and z where its bearing is a spring (a rigid bearing spreads the box over its seat on the
+// journal), and the mean motion of the bearing's seat on the journal along x and z. The latter depends on the wheel
+// body and on its rotation as a slave does on its masters: whoever walks the force elements fills it first
+// (followJournal) and passes its forces on to the seat. Displacements are relative to a reference that moves with the
+// vehicle's speed and, for the wheelset, turns with its mean spin; components are local to each block (SweptBlock.h).
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
 #include "contact/ContactSurfaces.h"
 #include "core/AlignedVector.h"
 #include "elasticity/IrregularElements.h"
 #include "elasticity/SweptBlock.h"
 #include "elasticity/SweptTie.h"
+#include "forces/ForceElements.h"
 #include "plasticity/SurfaceLayer.h"
-#include "supports/Springs.h"
+#include "scenario/Scenario.h"
 
 namespace squat::model {
 
@@ -45,7 +47,7 @@ struct WheelsetFigures {
 };
 
 struct Model {
-  cases::CaseDescription description;
+  scenario::Scenario scenario;
   std::vector<elasticity::SweptBlock> blocks;
   int rail = -1, rim = -1, body = -1, firstSleeper = -1, sleepers = 0;
   std::vector<double> sleeperPositions;  // [m] along x
@@ -57,14 +59,15 @@ struct Model {
   std::vector<std::size_t> held;                  // single unknowns that are held
   std::vector<LoadedNodes> loaded;                // per block
   std::size_t stateSize = 0, forceSize = 0;
-  std::size_t sprungX = 0, sprungZ = 0;  // state indices of the small unknowns
-  std::size_t boxX = 0, boxZ = 0;        // only where boxOnSpring()
-  std::size_t smallUnknowns = 0;         // index of the first
-  bool boxOnSpring() const { return description.wheelset.bearingStiffness > 0; }
+  std::size_t sprungX = 0, sprungZ = 0;    // state indices of the auxiliary degrees of freedom
+  std::size_t boxX = 0, boxZ = 0;          // only where boxOnSpring()
+  std::size_t journalX = 0, journalZ = 0;  // dependent
+  std::size_t firstAuxiliary = 0;
+  bool boxOnSpring() const { return scenario.wheelset.bearingStiffness > 0; }
 
   std::vector<AlignedVector> mass;         // per block: nodes x stride [kg], ties passed on, boxes and discs added
   std::vector<AlignedVector> inverseMass;  // 0 for slaves and padding
-  supports::SpringSet pads, ballast, ends;
+  std::vector<forces::ForceElements> forceElements;
   Ring bearing, hub, centre;  // centre: the ring that stands for the wheel centre
   WheelsetFigures wheelset;
   contact::Surfaces surfaces;
@@ -76,7 +79,7 @@ struct Model {
 
 // Builds everything from the case. Throws CaseError where the mesh cannot carry the case.
 // `sleeperIntervals` along a half sleeper, a multiple of 8; 0: as the mesh preset has it.
-Model buildModel(const cases::CaseDescription& description, int sleeperIntervals = 0);
+Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals = 0);
 
 // Block, node, station and position of a state index, for messages.
 std::string placeName(const Model& model, std::size_t index);

@@ -69,20 +69,20 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
   work_ = elasticity::partition(model.blocks, all, team.size());
   for (int i = 0; i < team.size(); ++i) scratch_.push_back(std::make_unique<elasticity::KernelScratch>(model.blocks));
   turnStations(model.blocks[model.body], rotation, turned_);
-  const auto& d = model.description;
-  auto vertical = ringTerms(model, model.bearing, turned_, {0, 1});
-  auto along = ringTerms(model, model.bearing, turned_, {1, 0});
-  if (model.boxOnSpring()) {
-    vertical.push_back({model.boxZ, -1}), along.push_back({model.boxX, -1});
-    for (const auto* terms : {&vertical, &along})
-      vehicle_.add(*terms, d.wheelset.bearingStiffness, d.wheelset.bearingDamping);
-    vertical = {{model.boxZ, 1}}, along = {{model.boxX, 1}};
+  journal_ = {{{model.journalZ, ringTerms(model, model.bearing, turned_, {0, 1})},
+               {model.journalX, ringTerms(model, model.bearing, turned_, {1, 0})}}};
+  for (const auto& set : model.forceElements) {
+    if (!set.law) {
+      const bool isStiff = std::any_of(set.stiffness.begin(), set.stiffness.end(), [](double k) { return k != 0; });
+      if (isStiff) linear_.push_back(&set);
+      continue;
+    }
+    tangents_.push_back({&set, set, std::vector<double>(set.size(), 0.0), std::vector<double>(set.size(), 0.0)});
+    tangents_.back().set.law.reset();
   }
-  vertical.push_back({model.sprungZ, -1});
-  vehicle_.add(vertical, d.suspension.stiffness, d.suspension.damping);
-  along.push_back({model.sprungX, -1});
-  vehicle_.add(along, d.suspension.longitudinalStiffness, d.suspension.longitudinalDamping);
-  if (spinStiffness > 0) vehicle_.add(hubTurn(model), spinStiffness, 0);
+  const AlignedVector atRest(tangents_.empty() ? 0 : model.stateSize, 0.0);
+  linearise(atRest.data());
+  if (spinStiffness > 0) spin_.add(hubTurn(model), spinStiffness, 0);
   std::size_t most = 0;
   for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie));
   for (int i = 0; i < team.size(); ++i) tieWorkspaces_.emplace_back(most, 0.0);
@@ -90,7 +90,14 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
 
 // One thread's share of the slave stations; the first one's holds station 0, to which ghosts belong.
 void StaticOperator::placeSlaves(double* u, int index) {
-  if (index == 0) elasticity::refreshGhosts(model_.blocks, u);
+  if (index == 0) {
+    elasticity::refreshGhosts(model_.blocks, u);
+    for (const auto& [dependent, terms] : journal_) {
+      double mean = 0;
+      for (const auto& [unknown, weight] : terms) mean += weight * u[unknown];
+      u[dependent] = mean;
+    }
+  }
   for (const auto& tie : model_.ties) {
     const int stations = model_.blocks[tie.slaveBlock].stationCount;
     const elasticity::StationSpan own{stations * index / team_.size(), stations * (index + 1) / team_.size()};
@@ -112,6 +119,43 @@ void StaticOperator::passTieForces(double* r) {
   }
 }
 
+void StaticOperator::addJournalForces(double* r) const {
+  for (const auto& [dependent, terms] : journal_)
+    for (const auto& [unknown, weight] : terms) r[unknown] += weight * r[dependent];
+}
+
+bool StaticOperator::linearise(const double* displacement) {
+  bool isChanged = false;
+  for (auto& [of, set, forceBeside, energyBeside] : tangents_)
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      const double q = set.elongation(i, displacement), tangent = of->tangent(i, q);
+      isChanged = isChanged || tangent != set.stiffness[i];
+      set.stiffness[i] = tangent;
+      forceBeside[i] = of->elasticForce(i, q) - tangent * q;
+      energyBeside[i] = of->storedEnergy(i, q) - 0.5 * tangent * q * q;
+    }
+  return isChanged;
+}
+
+void StaticOperator::stiffen() {
+  for (auto& [of, set, forceBeside, energyBeside] : tangents_)
+    for (std::size_t i = 0; i < set.size(); ++i) set.stiffness[i] = of->stiffestTangent(i);
+}
+
+void StaticOperator::addForcesBesideTangents(double* force) const {
+  for (const auto& [of, set, forceBeside, energyBeside] : tangents_)
+    for (std::size_t i = 0; i < set.size(); ++i)
+      for (std::size_t t = set.start[i]; t < set.start[i + 1]; ++t)
+        force[set.unknown[t]] -= set.weight[t] * forceBeside[i];
+}
+
+double StaticOperator::energyBesideTangents() const {
+  double sum = 0;
+  for (const auto& tangents : tangents_)
+    for (const double energy : tangents.energyBeside) sum += energy;
+  return sum;
+}
+
 void StaticOperator::clearNotFree(double* r, int index) const {
   const std::size_t stretches = notFree_.size(), parts = static_cast<std::size_t>(team_.size());
   const auto part = static_cast<std::size_t>(index);
@@ -121,6 +165,7 @@ void StaticOperator::clearNotFree(double* r, int index) const {
 
 void StaticOperator::reduceForces(double* r) {
   passTieForces(r);
+  addJournalForces(r);
   for (int index = 0; index < team_.size(); ++index) clearNotFree(r, index);
 }
 
@@ -130,19 +175,22 @@ void StaticOperator::apply(double* u, double* result) {
     team_.barrier();
     elasticity::applySegments(work_[index], model_.blocks, kernels_, u, result, *scratch_[index]);
     team_.barrier();
-    // Rail, sleepers and tread on the one side; wheel body and what hangs on it on the other.
+    // Rail, sleepers and auxiliary unknowns on the one side; wheel body and the rim tied to it on the other.
     if (index == 0) {
+      std::fill(result + model_.firstAuxiliary, result + model_.stateSize, 0.0);
       elasticity::addIrregularStiffness(model_.movedElements, u, result);
-      supports::addSpringStiffness(model_.pads, u, result);
-      supports::addSpringStiffness(model_.ballast, u, result);
+      for (const auto* set : linear_) forces::addStiffness(*set, u, result);
+      for (const auto& tangents : tangents_) forces::addStiffness(tangents.set, u, result);
     }
     if (index == team_.size() - 1) {
-      std::fill(result + model_.smallUnknowns, result + model_.stateSize, 0.0);
-      supports::addSpringStiffness(vehicle_, u, result);
+      forces::addStiffness(spin_, u, result);
       passTieForces(result);
     }
     team_.barrier();
-    if (index == 0) supports::addSpringStiffness(contact_, u, result);
+    if (index == 0) {
+      forces::addStiffness(contact_, u, result);
+      addJournalForces(result);
+    }
     team_.barrier();
     clearNotFree(result, index);
   });
@@ -155,10 +203,11 @@ AlignedVector StaticOperator::diagonal() const {
     std::copy(own.begin(), own.end(), diagonal.begin() + static_cast<std::ptrdiff_t>(block.offset));
   }
   for (const auto& tie : model_.ties) addTiedDiagonal(tie, model_.blocks, diagonal.data());
-  supports::addSpringDiagonal(model_.pads, diagonal.data());
-  supports::addSpringDiagonal(model_.ballast, diagonal.data());
-  supports::addSpringDiagonal(vehicle_, diagonal.data());
-  supports::addSpringDiagonal(contact_, diagonal.data());
+  for (const auto* set : linear_) forces::addDiagonal(*set, diagonal.data());
+  for (const auto& tangents : tangents_) forces::addDiagonal(tangents.set, diagonal.data());
+  for (const auto* set : {&spin_, &contact_}) forces::addDiagonal(*set, diagonal.data());
+  for (const auto& [dependent, terms] : journal_)
+    for (const auto& [unknown, weight] : terms) diagonal[unknown] += diagonal[dependent] * weight * weight;
   for (std::size_t i = 0; i < diagonal.size(); ++i)
     if (!free_[i] || diagonal[i] <= 0) diagonal[i] = 1;
   return diagonal;
@@ -166,7 +215,7 @@ AlignedVector StaticOperator::diagonal() const {
 
 AlignedVector gravityForces(const Model& model, double rotation) {
   AlignedVector force(model.stateSize, 0.0);
-  const double g = model.description.motion.gravity;
+  const double g = model.scenario.motion.gravity;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const auto& block = model.blocks[b];
     for (int s = 0; s < block.stationCount; ++s) {
@@ -177,8 +226,8 @@ AlignedVector gravityForces(const Model& model, double rotation) {
         for (int c = 0; c < 3; ++c) force[block.index(n, c, s)] = local[c] * model.mass[b][n * block.stride + s];
     }
   }
-  force[model.sprungZ] = -g * model.description.suspension.sprungMass;
-  if (model.boxOnSpring()) force[model.boxZ] = -g * model.description.wheelset.axleBoxMass;
+  force[model.sprungZ] = -g * model.scenario.suspension.sprungMass;
+  if (model.boxOnSpring()) force[model.boxZ] = -g * model.scenario.wheelset.axleBoxMass;
   return force;
 }
 

@@ -1,5 +1,5 @@
-// solver/model/StaticOperator.h - K u of the whole model at one position of the wheel: solids, ties, supports,
-// suspension.
+// solver/model/StaticOperator.h - K u of the whole model at one position of the wheel: solids, ties,
+// force elements.
 #pragma once
 
 #include <array>
@@ -22,10 +22,16 @@ class StaticOperator {
                  double spinStiffness, bool holdSprungMassAlong);
 
   void apply(double* u, double* result);
-  // Springs besides pads and ballast: suspension and spin.
-  const supports::SpringSet& vehicleSprings() const { return vehicle_; }
+  // Force elements with an elastic law enter apply() and diagonal() by their tangents: at rest at first, then about a
+  // displacement, or the stiffest that they have.
+  bool linearise(const double* displacement);  // whether any tangent has changed
+  void stiffen();
+  // About the displacement that linearise() was given: adds to outer forces what these elements exert besides -K_t u;
+  // their stored energy besides u.K_t u / 2.
+  void addForcesBesideTangents(double* force) const;
+  double energyBesideTangents() const;
   // The caller's: tangent of the closed contact, or dashpots as springs.
-  supports::SpringSet& contactSprings() { return contact_; }
+  forces::ForceElements& contactSprings() { return contact_; }
   AlignedVector diagonal() const;  // with contact springs; 1 where the unknown is not free
   const std::vector<unsigned char>& freeUnknowns() const { return free_; }
   const TurnedStations& turned() const { return turned_; }
@@ -38,6 +44,7 @@ class StaticOperator {
  private:
   void placeSlaves(double* u, int index);
   void passTieForces(double* r);
+  void addJournalForces(double* r) const;
   void clearNotFree(double* r, int index) const;
 
   const Model& model_;
@@ -46,7 +53,17 @@ class StaticOperator {
   std::vector<std::vector<elasticity::Segment>> work_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   TurnedStations turned_;
-  supports::SpringSet vehicle_, contact_;
+  // The dependent auxiliary unknowns, each with the weighted sum that it is.
+  std::array<std::pair<std::size_t, std::vector<std::pair<std::size_t, double>>>, 2> journal_;
+  // Linear sets of the model, and of the others the tangents.
+  std::vector<const forces::ForceElements*> linear_;
+  struct Tangents {
+    const forces::ForceElements* of = nullptr;
+    forces::ForceElements set;                      // linear
+    std::vector<double> forceBeside, energyBeside;  // per element [N], [J]
+  };
+  std::vector<Tangents> tangents_;
+  forces::ForceElements spin_, contact_;
   std::vector<unsigned char> free_;
   std::vector<std::array<std::size_t, 2>> notFree_;  // stretches of the state: first and one past the last
   std::vector<AlignedVector> tieWorkspaces_;         // per thread

@@ -30,6 +30,11 @@ PlaneVector ringMean(const Model& model, const Ring& ring, const TurnedStations&
   return mean;
 }
 
+void followJournal(const Model& model, const TurnedStations& turned, double* state) {
+  const auto mean = ringMean(model, model.bearing, turned, state);
+  state[model.journalX] = mean.x, state[model.journalZ] = mean.z;
+}
+
 void addRingForce(const Model& model, const Ring& ring, const TurnedStations& turned, PlaneVector force,
                   double* forces) {
   const auto& block = model.blocks[ring.block];

@@ -26,7 +26,10 @@ PlaneVector ringMean(const Model& model, const Ring& ring, const TurnedStations&
 void addRingForce(const Model& model, const Ring& ring, const TurnedStations& turned, PlaneVector force,
                   double* forces);
 
-// The ring's mean motion along a direction as a sum over unknowns, for a SpringSet.
+// Fills the mean motion of the bearing's seat on the journal into a state (displacement, velocity, ...).
+void followJournal(const Model& model, const TurnedStations& turned, double* state);
+
+// The ring's mean motion along a direction as a sum over unknowns.
 std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const Ring& ring,
                                                       const TurnedStations& turned, PlaneVector direction);
 

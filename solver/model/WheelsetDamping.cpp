@@ -83,20 +83,20 @@ WaveUse waveUse(int harmonic, bool turned) {
 }  // namespace
 
 WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model) {
-  const auto& w = model.description.wheelset;
+  const auto& w = model.scenario.wheelset;
   if (w.dampingRatio <= 0) return;
   WheelsetShapes shapes;
   int harmonics = 0;
   // Up to the harmonic that has no mode below the limit; plates and rings get stiffer with each.
   for (harmonics = 3;; ++harmonics) {
-    shapes = wheelsetShapes(model.description, w.dampingLimit, harmonics);
+    shapes = wheelsetShapes(model.scenario, w.dampingLimit, harmonics);
     if (std::none_of(shapes.modes.begin(), shapes.modes.end(),
                      [&](const ModeShape& m) { return m.mode.harmonic == harmonics; }))
       break;
   }
   if (shapes.modes.empty()) return;
   // Kicks come faster than the samples of the output, so that none of their lines falls among the signals.
-  const double rate = std::max(kicksInPeriod * w.dampingLimit, 2 * model.description.output.rate);
+  const double rate = std::max(kicksInPeriod * w.dampingLimit, 2 * model.scenario.output.rate);
   every_ = std::max(1L, static_cast<long>(1 / rate / step));
   const double between = static_cast<double>(every_) * step;
 
@@ -195,7 +195,7 @@ VectorXd WheelsetDamping::project(const double* velocity, double boxX, double bo
   if (model_.boxOnSpring())
     for (std::size_t j = 0; j < vectors_.size(); ++j)
       components[static_cast<Eigen::Index>(j)] +=
-          model_.description.wheelset.axleBoxMass * vectors_[j].box * (vectors_[j].turned ? -boxX : boxZ);
+          model_.scenario.wheelset.axleBoxMass * vectors_[j].box * (vectors_[j].turned ? -boxX : boxZ);
   return components;
 }
 

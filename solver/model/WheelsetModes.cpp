@@ -16,7 +16,7 @@ namespace {
 constexpr int sectors = 48;
 constexpr double sectionSize = 0.016;  // [m]
 
-elasticity::SweptBlock wholeWheelset(const cases::Wheelset& w) {
+elasticity::SweptBlock wholeWheelset(const scenario::Wheelset& w) {
   elasticity::SweptBlock block;
   block.name = "wheelset";
   block.kind = elasticity::SweepKind::aroundAxis;
@@ -90,7 +90,7 @@ Lowest lowestPairs(const Eigen::MatrixXd& matrix, double limit) {
 
 }  // namespace
 
-WheelsetShapes wheelsetShapes(const cases::CaseDescription& d, double highest, int lastHarmonic) {
+WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int lastHarmonic) {
   const auto& w = d.wheelset;
   const auto block = wholeWheelset(w);
   const auto lumped = elasticity::lumpedMass(block);
@@ -155,7 +155,7 @@ WheelsetShapes wheelsetShapes(const cases::CaseDescription& d, double highest, i
   return shapes;
 }
 
-std::vector<HarmonicMode> wheelsetModes(const cases::CaseDescription& d, double highest, int lastHarmonic) {
+std::vector<HarmonicMode> wheelsetModes(const scenario::Scenario& d, double highest, int lastHarmonic) {
   std::vector<HarmonicMode> modes;
   for (const auto& found : wheelsetShapes(d, highest, lastHarmonic).modes) modes.push_back(found.mode);
   return modes;

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "case/CaseDescription.h"
 #include "geometry/SectionMesh.h"
+#include "scenario/Scenario.h"
 
 namespace squat::model {
 
@@ -21,7 +21,7 @@ struct HarmonicMode {
 };
 
 // Modes up to `highest` [Hz] of harmonics 0 to `lastHarmonic`, ascending; rigid motions are left out.
-std::vector<HarmonicMode> wheelsetModes(const cases::CaseDescription& description, double highest, int lastHarmonic);
+std::vector<HarmonicMode> wheelsetModes(const scenario::Scenario& scenario, double highest, int lastHarmonic);
 
 // A mode with its shape, mass-normalised: u_r and u_y ~ cos(n alpha), u_alpha ~ sin(n alpha) (n = 0: all constant); the
 // other mode of the pair: u_r and u_y ~ sin(n alpha), u_alpha ~ -cos(n alpha).
@@ -34,6 +34,6 @@ struct WheelsetShapes {
   geometry::SectionMesh section;  // (r, y) of the whole half wheelset
   std::vector<ModeShape> modes;   // ascending
 };
-WheelsetShapes wheelsetShapes(const cases::CaseDescription& description, double highest, int lastHarmonic);
+WheelsetShapes wheelsetShapes(const scenario::Scenario& scenario, double highest, int lastHarmonic);
 
 }  // namespace squat::model

@@ -37,7 +37,7 @@ void deviatoric(const Eigen::Matrix<double, 6, 1>& e, double* out) {
   out[0] = e[0] - mean, out[1] = e[1] - mean, out[2] = e[3], out[3] = e[4], out[4] = e[5];
 }
 
-std::vector<double> coefficientsOf(const elasticity::Corners& corners, const cases::Material& material) {
+std::vector<double> coefficientsOf(const elasticity::Corners& corners, const scenario::Material& material) {
   const auto element = elasticity::hexahedronPoints(corners, material);
   const double twoMu = material.young / (1 + material.poisson);
   std::vector<double> c(coefficient::count, 0.0);
@@ -77,7 +77,7 @@ std::optional<Shifts> shiftsOf(const SurfaceLayer& layer, const NodeShift& moved
   return any ? std::optional(shifts) : std::nullopt;
 }
 
-AlignedVector laneByLane(const elasticity::Corners& corners, const Shifts& shifts, const cases::Material& material) {
+AlignedVector laneByLane(const elasticity::Corners& corners, const Shifts& shifts, const scenario::Material& material) {
   AlignedVector all(static_cast<std::size_t>(coefficient::count) * lanes, 0.0);
   for (int lane = 0; lane < lanes; ++lane) {
     auto own = corners;
@@ -90,14 +90,13 @@ AlignedVector laneByLane(const elasticity::Corners& corners, const Shifts& shift
 
 }  // namespace
 
-BilinearLaw bilinearLaw(const cases::Rail& rail) {
+BilinearLaw bilinearLaw(const scenario::Rail& rail) {
   const double e = rail.material.young;
   const double tangent = std::clamp(rail.tangentModulus, 0.0, 0.999 * e);  // the case's checks refuse more
   BilinearLaw law;
   law.shearModulus = e / (2 * (1 + rail.material.poisson));
   law.yieldStress = rail.yieldStress;
-  (rail.hardening == static_cast<int>(cases::Hardening::kinematic) ? law.kinematic : law.isotropic) =
-      e * tangent / (e - tangent);
+  (rail.hardening == scenario::Hardening::kinematic ? law.kinematic : law.isotropic) = e * tangent / (e - tangent);
   return law;
 }
 

@@ -14,10 +14,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "case/CaseDescription.h"
 #include "core/AlignedVector.h"
 #include "elasticity/IrregularElements.h"
 #include "elasticity/SweptBlock.h"
+#include "scenario/Scenario.h"
 
 namespace squat::plasticity {
 
@@ -30,7 +30,7 @@ struct BilinearLaw {
   double shearModulus = 0, yieldStress = 0;  // [Pa]
   double isotropic = 0, kinematic = 0;       // plastic moduli H = E Et / (E - Et) [Pa]; one of them is zero
 };
-BilinearLaw bilinearLaw(const cases::Rail& rail);
+BilinearLaw bilinearLaw(const scenario::Rail& rail);
 
 struct SurfaceLayer {
   BilinearLaw law;

@@ -14,10 +14,11 @@ constexpr double loadedSquare = 0.010;  // [m]
 
 }  // namespace
 
-cases::CaseDescription receptanceCase(const cases::CaseDescription& description) {
-  auto d = description;
+scenario::Scenario receptanceCase(const scenario::Scenario& scenario) {
+  auto d = scenario;
   const double spacing = d.track.sleeperSpacing;
-  d.defect = {};
+  d.defectSurface = scenario::DefectSurface({});
+  d.defectModel = scenario::DefectModel::gapFunction;
   d.track.defectFromSleeper = 0;  // x = 0 over a sleeper
   d.motion.runUp = spacing / 2;   // the other fine zone at midspan
   d.motion.beyond = spacing / 2;
@@ -34,9 +35,9 @@ cases::CaseDescription receptanceCase(const cases::CaseDescription& description)
   return d;
 }
 
-TrackReceptance trackReceptance(const cases::CaseDescription& description, const ReceptanceOptions& options,
+TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options,
                                 Monitor& monitor) {
-  const auto own = receptanceCase(description);
+  const auto own = receptanceCase(scenario);
   constexpr int sleeperIntervals = 32;  // the third bending mode of the half sleepers lies near 1200 Hz
   const auto model = model::buildModel(own, sleeperIntervals);
   const auto shapes = railShapes(model, options.shapeTolerance);
@@ -71,7 +72,7 @@ TrackReceptance trackReceptance(const cases::CaseDescription& description, const
                            std::to_string(100 * response.largestDifference) + " %");
   if (response.largestResidual > 1e-6)
     result.notes.push_back("a direct solution left a residual of " + std::to_string(response.largestResidual));
-  if (options.wheelset) result.modes = model::wheelsetModes(description, options.highest, 3);
+  if (options.wheelset) result.modes = model::wheelsetModes(scenario, options.highest, 3);
   result.complete = true;
   return result;
 }

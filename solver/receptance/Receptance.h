@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
 #include "core/Monitor.h"
 #include "model/WheelsetModes.h"
+#include "scenario/Scenario.h"
 
 namespace squat::receptance {
 
@@ -44,11 +44,10 @@ struct TrackReceptance {
 
 // The case's track on a mesh for vibrations up to 2 kHz: 20 mm along the rail near the points, at most 50 mm
 // elsewhere, no defect; the section as the case has it, but not finer than 12 mm. The wheel plays no part.
-cases::CaseDescription receptanceCase(const cases::CaseDescription& description);
+scenario::Scenario receptanceCase(const scenario::Scenario& scenario);
 
 // Throws CaseError where the case cannot be meshed. A cancelled call returns what it has, with complete == false.
-TrackReceptance trackReceptance(const cases::CaseDescription& description, const ReceptanceOptions& options,
-                                Monitor& monitor);
+TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options, Monitor& monitor);
 
 // Local maxima of the magnitude [Hz], refined by a parabola through three points; those at least `least` [dB] above the
 // higher of the two valleys beside them.

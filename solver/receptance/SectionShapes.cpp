@@ -19,14 +19,15 @@ using Eigen::VectorXd;
 constexpr int modesOfAWave = 12;
 constexpr double modeWaves[] = {0.5, 3, 7, 12, 25}, forceWaves[] = {5, 20, 60};  // [rad/m]
 
-// Unknowns of the section on which springs or load act.
+// Unknowns of the section on which springs or load act; dashpots at the rail's ends take whole sections as they are.
 std::vector<Index> loadedUnknowns(const model::Model& model) {
   const auto& rail = model.blocks[model.rail];
   std::set<Index> found;
-  for (const auto* set : {&model.pads})
-    for (const auto index : set->unknown)
-      if (index >= rail.offset && index < rail.offset + rail.size())
-        found.insert(3 * rail.unknownAt(index).node + rail.unknownAt(index).component);
+  for (const auto& set : model.forceElements)
+    for (std::size_t i = 0; i < set.size(); ++i)
+      for (const auto& [index, weight] : set.terms(i))
+        if (set.stiffness[i] > 0 && index >= rail.offset && index < rail.offset + rail.size())
+          found.insert(3 * rail.unknownAt(index).node + rail.unknownAt(index).component);
   for (const int node : model.surfaces.railLine)
     if (std::abs(rail.section.nodes[node][0]) < 0.012) found.insert(3 * node + 2);
   return {found.begin(), found.end()};

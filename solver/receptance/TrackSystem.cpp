@@ -51,7 +51,7 @@ TrackSystem::TrackSystem(const model::Model& model, const SectionShapes& railSha
     next += block.stationCount;
   }
   for (const auto& part : parts_) addBlock(part);
-  for (const auto* set : {&model.pads, &model.ballast, &model.ends}) addSprings(*set);
+  for (const auto& set : model.forceElements) addForceElements(set);
   for (const auto index : model.held) hold(index);
 }
 
@@ -107,14 +107,13 @@ VectorXd TrackSystem::whole(const std::map<int, VectorXd>& pieces) const {
   return all;
 }
 
-void TrackSystem::addSprings(const supports::SpringSet& springs) {
-  for (std::size_t i = 0; i < springs.size(); ++i) {
-    Terms terms;
-    for (std::size_t t = springs.start[i]; t < springs.start[i + 1]; ++t)
-      terms.push_back({springs.unknown[t], springs.weight[t]});
-    const auto spring = pieces(terms);
-    stiffness_.addOuter(spring, springs.stiffness[i]);
-    damping_.addOuter(spring, springs.damping[i]);
+// By their tangents at rest; elements of the vehicle act on nothing that is in this system.
+void TrackSystem::addForceElements(const forces::ForceElements& set) {
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const auto element = pieces(set.terms(i));
+    if (element.empty()) continue;
+    stiffness_.addOuter(element, set.tangent(i, 0));
+    damping_.addOuter(element, set.activeDamping(i, 0));
   }
 }
 

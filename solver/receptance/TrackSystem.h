@@ -1,5 +1,5 @@
 // solver/receptance/TrackSystem.h - the assembled track without the wheelset: rail in section shapes, sleepers, pads,
-// ballast and rail ends, the same elements, springs and lumped masses as in the rolling run.
+// ballast and rail ends, the same elements, force elements and lumped masses as in the rolling run.
 #pragma once
 
 #include <vector>
@@ -34,7 +34,7 @@ class TrackSystem {
   std::map<int, Eigen::VectorXd> pieces(const std::vector<std::pair<std::size_t, double>>& terms) const;
   Eigen::VectorXd whole(const std::map<int, Eigen::VectorXd>& pieces) const;
   void addBlock(const Part& part);
-  void addSprings(const supports::SpringSet& springs);
+  void addForceElements(const forces::ForceElements& set);
   void hold(std::size_t index);
 
   const model::Model& model_;

@@ -117,6 +117,7 @@ void readRoot(const Mapper& from, const ArrayTree& tree, RunResult& result) {
   result.complete = number("complete") == 1;
   result.stopReason = text("stop_reason");
   result.caseToml = text("case_toml");
+  readCaseOf(result);
   result.caseHash = text("case_hash");
   result.isa = text("isa");
   const double threads = number("threads");

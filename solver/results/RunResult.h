@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "case/Resolve.h"
 
 namespace squat::results {
 
@@ -76,8 +79,12 @@ struct WheelsetMode {
 struct RunResult {
   std::string stem;  // name of the case file without its ending
   std::string title;
-  std::string caseToml;  // resolved, every default filled in
+  std::string caseToml;  // every default filled in
   std::string caseHash;  // short hash of caseToml, shown on figures
+  // caseToml as read, once, when the result was made or read. None where there is no case, as in a measured record, or
+  // where this version cannot read it: then caseProblem says why.
+  std::shared_ptr<const cases::ResolvedCase> resolvedCase;
+  std::string caseProblem;
   std::string codeVersion;
   std::string isa;  // instruction set of the operator
   int threads = 0;
@@ -123,5 +130,12 @@ struct RunResult {
     return nullptr;
   }
 };
+
+// Makes a case that of a result: its text, its hash and what it is resolved into.
+void setCase(RunResult& result, const cases::CaseDescription& description);
+// Reads result.caseToml into resolvedCase or caseProblem; opens no file.
+void readCaseOf(RunResult& result);
+// The case of a result. Throws FileError where it carries none that this version can read.
+const cases::ResolvedCase& caseOf(const RunResult& result);
 
 }  // namespace squat::results

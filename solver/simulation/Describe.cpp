@@ -2,11 +2,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "case/DefectSurface.h"
 #include "contact/ContactSurfaces.h"
 #include "contact/Hertz.h"
 #include "model/ContactPenalty.h"
 #include "model/WheelsetModes.h"
+#include "scenario/DefectSurface.h"
 #include "signals/ContinuousWavelet.h"
 #include "signals/FourierTransform.h"
 #include "signals/PowerSpectrum.h"
@@ -15,7 +15,7 @@
 namespace squat::simulation {
 
 void describeEquilibrium(const model::Model& model, const statics::Equilibrium& e, results::RunResult& result) {
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   const double weight = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   const auto& s = model.surfaces;
   // Two bodies of 2 (1 - nu2) E* each give way as rail and wheel together, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
@@ -66,17 +66,17 @@ void describeMesh(const model::Model& model, const dynamics::StableStep& stable,
   };
 }
 
-void describeModes(const cases::CaseDescription& description, results::RunResult& result) {
-  for (const auto& mode : model::wheelsetModes(description, 2000, 3))
+void describeModes(const scenario::Scenario& scenario, results::RunResult& result) {
+  for (const auto& mode : model::wheelsetModes(scenario, 2000, 3))
     result.modes.push_back({mode.frequency, mode.boxShare, mode.wheelShare, mode.contactShare});
 }
 
-void describeProfile(const cases::CaseDescription& d, results::RunResult& result) {
-  const cases::DefectSurface surface(d.defect);
+void describeProfile(const scenario::Scenario& d, results::RunResult& result) {
+  const auto& surface = d.defectSurface;
   const double y = contact::seatOf(d).touchY;  // along the line on which the wheel runs
   const double from = std::max(-d.motion.runUp, std::min(-0.1, surface.first() - 0.03));
   const double to = std::min(d.motion.beyond, std::max(0.15, surface.last() + 0.03)), step = 0.5e-3;
-  for (const auto& point : cases::rigidWheelPath(surface, d.wheelset.radius, from, to, step, y)) {
+  for (const auto& point : scenario::rigidWheelPath(surface, d.wheelset.radius, from, to, step, y)) {
     result.profilePosition.push_back(point.position);
     result.profileHeight.push_back(surface.height(point.position, y));
     result.wheelPath.push_back(point.height);
@@ -108,7 +108,7 @@ std::string remarkOnCone(const results::RunResult& result) {
 
 }  // namespace
 
-std::string addSpectra(const cases::CaseDescription& d, results::RunResult& result) {
+std::string addSpectra(const scenario::Scenario& d, results::RunResult& result) {
   const auto tooShort = [](std::size_t samples, const char* where, std::size_t least) {
     return "no spectra: " + std::to_string(samples) + " samples " + where + ", at least " + std::to_string(least) +
            " are needed; raise output.rate or lengthen motion.run_up and motion.beyond";

@@ -15,14 +15,14 @@ void describeEquilibrium(const model::Model& model, const statics::Equilibrium& 
                          results::RunResult& result);
 void describeMesh(const model::Model& model, const dynamics::StableStep& stable, double step,
                   results::RunResult& result);
-void describeModes(const cases::CaseDescription& description, results::RunResult& result);
-void describeProfile(const cases::CaseDescription& description, results::RunResult& result);
+void describeModes(const scenario::Scenario& scenario, results::RunResult& result);
+void describeProfile(const scenario::Scenario& scenario, results::RunResult& result);
 
 // What plastic flow leaves behind: fields of the unloaded rail and their largest values. `unloaded`: state layout.
 void describePermanentChange(const dynamics::Rolling& rolling, const AlignedVector& unloaded,
                              results::RunResult& result);
 
 // PSD and scalogram of what has been recorded. Returns why there are none, or what to mind in them; else an empty text.
-std::string addSpectra(const cases::CaseDescription& description, results::RunResult& result);
+std::string addSpectra(const scenario::Scenario& scenario, results::RunResult& result);
 
 }  // namespace squat::simulation

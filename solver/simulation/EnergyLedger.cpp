@@ -54,21 +54,9 @@ SolidEnergies quadratic(const dynamics::Rolling& rolling, AlignedVector x) {
 }
 
 double springEnergy(const dynamics::Rolling& rolling, const AlignedVector& u) {
-  const auto& model = rolling.model();
-  const auto& suspension = model.description.suspension;
   double sum = 0;
-  for (const auto* set : {&model.pads, &model.ballast, &model.ends})
-    sum += springPower(*set, u.data(), rolling.state().velocity.data()).stored;
-  model::TurnedStations turned;
-  turnStations(model.blocks[model.body], rolling.state().rotation, turned);
-  auto at = ringMean(model, model.bearing, turned, u.data());
-  if (model.boxOnSpring()) {
-    const double x = u[model.boxX] - at.x, z = u[model.boxZ] - at.z;
-    sum += 0.5 * model.description.wheelset.bearingStiffness * (x * x + z * z);
-    at = {u[model.boxX], u[model.boxZ]};
-  }
-  const double x = u[model.sprungX] - at.x, z = u[model.sprungZ] - at.z;
-  return sum + 0.5 * suspension.stiffness * z * z + 0.5 * suspension.longitudinalStiffness * x * x;
+  for (const auto& set : rolling.model().forceElements) sum += forces::storedEnergy(set, u.data());
+  return sum;
 }
 
 }  // namespace
@@ -79,7 +67,7 @@ EnergyLedger::EnergyLedger(const dynamics::Rolling& rolling, double startStrain)
 double EnergyLedger::kineticEnergy(const dynamics::Rolling& rolling) const {
   const auto& model = rolling.model();
   const auto& state = rolling.state();
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   double sum = 0, momentum = 0;
   for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
     const auto& block = model.blocks[b];

@@ -23,7 +23,7 @@ long FieldRecorder::nextStep(long done) const {
 void FieldRecorder::onStep(const dynamics::Rolling& rolling) {
   if (rolling.state().step % perSample_ % grid_ != 0) return;
   const auto& model = rolling.model();
-  const double x = model.startX + model.description.motion.speed * rolling.state().time;
+  const double x = model.startX + model.scenario.motion.speed * rolling.state().time;
   if (x >= 0 && !has("impact")) take("impact", rolling);
   const int frame = static_cast<int>(std::floor((x - frameFrom) / (frameTo - frameFrom) * frames));
   if (x < frameFrom || frame >= frames) return;

@@ -12,6 +12,7 @@
 
 #include "case/CaseFile.h"
 #include "case/MeshPresets.h"
+#include "case/Resolve.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
@@ -56,6 +57,7 @@ std::string utcNow() {
 // Everything that one run carries from phase to phase.
 struct Run {
   const cases::CaseDescription& description;
+  const scenario::Scenario& scenario;
   const RunOptions& options;
   Monitor& monitor;
   results::RunResult result;
@@ -97,18 +99,17 @@ void refuseOrWarn(Run& run) {
 void identify(Run& run, const elasticity::KernelSet& kernels, int threads) {
   auto& r = run.result;
   r.title = run.description.title;
-  r.caseToml = cases::writeCase(run.description);
-  r.caseHash = cases::caseHash(run.description);
+  results::setCase(r, run.description);
   r.codeVersion = SQUAT_VERSION;
   r.isa = kernels.name;
   r.threads = threads;
   r.created = utcNow();
-  r.speed = run.description.motion.speed;
+  r.speed = run.scenario.motion.speed;
   r.stopReason = "cancelled";
 }
 
 // Steps per output sample: the stable step, or the user's where it is shorter.
-long stepsPerSample(const cases::CaseDescription& d, const dynamics::StableStep& stable) {
+long stepsPerSample(const scenario::Scenario& d, const dynamics::StableStep& stable) {
   const double sample = 1 / d.output.rate;
   if (d.output.timeStep > stable.step)
     throw CaseError({{"output.time_step", std::to_string(d.output.timeStep * 1e6) + " us",
@@ -122,12 +123,12 @@ long stepsPerSample(const cases::CaseDescription& d, const dynamics::StableStep&
   return std::max(2L, static_cast<long>(std::ceil(sample / wished - 1e-9)));
 }
 
-long samplesOf(const cases::CaseDescription& d) {
+long samplesOf(const scenario::Scenario& d) {
   return static_cast<long>(std::floor((d.motion.runUp + d.motion.beyond) / d.motion.speed * d.output.rate)) + 1;
 }
 
 // The filter of the signals waits for what comes behind the last sample.
-long lastStepOf(const cases::CaseDescription& d, const dynamics::Rolling& rolling, const RunStart& start) {
+long lastStepOf(const scenario::Scenario& d, const dynamics::Rolling& rolling, const RunStart& start) {
   const SignalRecorder recorder(rolling, static_cast<std::size_t>(start.stepsPerSample));
   return samplesOf(d) * start.stepsPerSample + static_cast<long>(std::ceil(recorder.wait() / rolling.stepSize()));
 }
@@ -141,7 +142,7 @@ struct RollingRun {
         energy(ledger, samplesPerLedger * start.stepsPerSample),
         guard(rolling, ledger, start.stepsPerSample, maximumStepsAtOnce),
         firstStep(rolling.state().step),
-        lastStep(lastStepOf(run.description, rolling, start)),
+        lastStep(lastStepOf(run.scenario, rolling, start)),
         progress(rolling, lastStep, recorder, ledger, clock, run.monitor),
         checkpoint({run.options.checkpointPath, run.options.checkpointSeconds}, start, observers, run.result, clock,
                    [&run](const std::string& text) { warn(run, text); }) {
@@ -175,7 +176,7 @@ bool rollToTheEnd(Run& run, dynamics::Rolling& rolling, RollingRun& parts) {
 
 void store(Run& run, const dynamics::Rolling& rolling, const RollingRun& parts) {
   auto& r = run.result;
-  parts.recorder.store(r, static_cast<std::size_t>(samplesOf(run.description)), run.description.output.filterCutoff);
+  parts.recorder.store(r, static_cast<std::size_t>(samplesOf(run.scenario)), run.scenario.output.filterCutoff);
   r.energyTime = parts.ledger.times();
   r.energy = parts.ledger.channels();
   const auto shares = parts.ledger.shares();
@@ -196,7 +197,7 @@ void store(Run& run, const dynamics::Rolling& rolling, const RollingRun& parts) 
 // Resumes from a checkpoint. Throws FileError for one that does not fit this run, before anything is taken from it.
 void restore(Run& run, dynamics::Rolling& rolling, const RunStart& start, const results::ArrayTree& tree) {
   const auto& file = run.options.checkpointPath;
-  requireFittingState(tree, rolling, lastStepOf(run.description, rolling, start), file);
+  requireFittingState(tree, rolling, lastStepOf(run.scenario, rolling, start), file);
   rolling.restore(loadRolling(tree));
   loadPictures(tree, file, run.result);
 }
@@ -246,7 +247,7 @@ struct Beginning {
 };
 
 Beginning begin(Run& run, const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team) {
-  const auto& d = run.description;
+  const auto& d = run.scenario;
   if (run.monitor.cancelled()) return {{}, {}, true};
   if (run.options.wheelsetModes) run.timed("modes", [&] { return describeModes(d, run.result), 0; });
   if (run.monitor.cancelled()) return {{}, {}, true};
@@ -279,7 +280,7 @@ bool unload(Run& run, const dynamics::Rolling& rolling, ThreadTeam& team, const 
 
 void finish(Run& run, Clock::time_point start) {
   auto& r = run.result;
-  const std::string lacking = addSpectra(run.description, r);
+  const std::string lacking = addSpectra(run.scenario, r);
   if (r.complete && !lacking.empty()) warn(run, lacking);  // a part of a run has seldom enough
   r.performance.push_back({"seconds", "s", "wall time of the whole run", secondsSince(start)});
   rusage usage{};
@@ -293,7 +294,8 @@ void finish(Run& run, Clock::time_point start) {
 results::RunResult runCase(const cases::CaseDescription& description, const RunOptions& options, Monitor& monitor,
                            results::RunResult* partial) {
   const auto start = Clock::now();
-  Run run{description, options, monitor, {}, {}};
+  const scenario::Scenario scenario = cases::resolve(description);
+  Run run{description, scenario, options, monitor, {}, {}};
   refuseOrWarn(run);
   elasticity::KernelSet kernels;
   try {
@@ -305,14 +307,14 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
   identify(run, kernels, team.size());
   const auto checkpoint = readMatchingCheckpoint(run);
 
-  const model::Model model = run.timed("mesh", [&] { return model::buildModel(description); });
-  if (description.rail.plastic && model.layer.empty())
+  const model::Model model = run.timed("mesh", [&] { return model::buildModel(scenario); });
+  if (scenario.rail.plastic && model.layer.empty())
     warn(run,
          "rail.plastic_depth is less than half an element of the head: no element can yield, the rail stays elastic");
-  describeProfile(description, run.result);
+  describeProfile(scenario, run.result);
   Beginning beginning;
   if (checkpoint)
-    beginning.steps = loadStart(*checkpoint, options.checkpointPath, description.output.rate, run.result);
+    beginning.steps = loadStart(*checkpoint, options.checkpointPath, scenario.output.rate, run.result);
   else
     beginning = begin(run, model, kernels, team);
   if (beginning.cancelled) return run.result;
@@ -323,7 +325,7 @@ results::RunResult runCase(const cases::CaseDescription& description, const RunO
     run.result.surface = fields->mesh();
   }
   dynamics::Rolling rolling(model, kernels, team, beginning.steps.step, beginning.steps.beta);
-  const auto& motion = description.motion;
+  const auto& motion = scenario.motion;
   const auto& displacement = beginning.quiet.equilibrium.displacement;
   if (checkpoint)
     rolling.start(AlignedVector(model.stateSize, 0.0), AlignedVector(model.stateSize, 0.0), 0);

@@ -7,7 +7,7 @@ namespace squat::simulation {
 std::vector<Signal> outputSignals(const dynamics::Rolling& rolling) {
   using dynamics::Rolling;
   const auto& model = rolling.model();
-  const double sensor = model.description.output.railAccelerometer;
+  const double sensor = model.scenario.output.railAccelerometer;
   return {
       {"aba", "m/s2", "vertical acceleration of the axle box, up positive, anti-aliased",
        [](const Rolling& r) { return r.view().boxAcceleration.z; }, "aba_filtered"},

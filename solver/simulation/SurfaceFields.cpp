@@ -67,7 +67,7 @@ void SurfaceFields::addBlock(int b, int part, int cutPart) {
       for (int s = 0; s < block.intervals; ++s) {
         if (cut && b == model_.rail) {
           const double x = block.positions[s];
-          if (x < model_.startX - cutReach || x > model_.description.motion.beyond + cutReach) continue;
+          if (x < model_.startX - cutReach || x > model_.scenario.motion.beyond + cutReach) continue;
         }
         addFace(cut ? cutPart : part, {point(b, p, s), point(b, q, s), point(b, q, s + 1), point(b, p, s + 1)});
       }
@@ -81,7 +81,7 @@ void SurfaceFields::addBlock(int b, int part, int cutPart) {
 
 // Pads, ballast and suspension as short lines.
 void SurfaceFields::addSprings() {
-  const auto& d = model_.description;
+  const auto& d = model_.scenario;
   const double railBase = -0.159, sleeperBase = railBase - d.sleeper.height;
   const auto line = [&](double x0, double y0, double z0, double x1, double y1, double z1) {
     for (const double value : {x0, y0, z0, x1, y1, z1}) mesh_.springs.push_back(static_cast<float>(value));
@@ -129,9 +129,8 @@ results::SurfaceSnapshot SurfaceFields::snapshot(const std::string& name, const 
         const Eigen::Matrix<double, 6, 24> stress = hooke * elasticity::centreStrain(corners) * turn;
         for (int s = block.runIntervals[r][0]; s < block.runIntervals[r][1]; ++s) {
           const double at = 0.5 * (block.positions[s] + block.positions[s + 1]);
-          const double away = b == model_.rail
-                                  ? at - shot.position
-                                  : std::remainder(at - rotation, full) * model_.description.wheelset.radius;
+          const double away = b == model_.rail ? at - shot.position
+                                               : std::remainder(at - rotation, full) * model_.scenario.wheelset.radius;
           if (!stressEverywhere && std::abs(away) > stressReach) continue;
           Eigen::Matrix<double, 24, 1> nodal;
           for (int side = 0; side < 2; ++side)

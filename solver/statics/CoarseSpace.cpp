@@ -50,7 +50,7 @@ CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator&
   for (const auto& run : model.blocks[model.rail].stations.runs) longest = std::max(longest, run.length);
   addLineGroup(model.rail, std::max(0.1, 1.05 * longest), 6, 0, 5);
   for (int i = 0; i < model.sleepers; ++i) addLineGroup(model.firstSleeper + i, 0.42, 3, 30 + 20 * (i % 2), 1);
-  const auto& w = model.description.wheelset;
+  const auto& w = model.scenario.wheelset;
   axleKnots_ = {
       -w.trackCentre, -0.6 * w.trackCentre, -0.25 * w.trackCentre, 0, 0.5 * (w.hubWidth / 2 + w.bearingCentre),
       w.journalEnd};
@@ -269,7 +269,7 @@ void CoarseSpace::prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, doubl
 }
 
 bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
-  supports::SpringSet kept = std::exchange(op.contactSprings(), supports::SpringSet{});
+  forces::ForceElements kept = std::exchange(op.contactSprings(), forces::ForceElements{});
   auto& team = op.team();
   std::vector<std::vector<int>> groups;
   for (int j = 0; j < unknowns_; ++j) {
@@ -303,7 +303,7 @@ bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
   return true;
 }
 
-Eigen::VectorXd CoarseSpace::projectSparse(const supports::SpringSet& springs, std::size_t i) const {
+Eigen::VectorXd CoarseSpace::projectSparse(const forces::ForceElements& springs, std::size_t i) const {
   Eigen::VectorXd g = Eigen::VectorXd::Zero(unknowns_);
   const auto& rail = model_.blocks[model_.rail];
   const auto& group = lines_[0];
@@ -347,7 +347,7 @@ Eigen::VectorXd CoarseSpace::projectSparse(const supports::SpringSet& springs, s
   return g;
 }
 
-void CoarseSpace::factorise(const supports::SpringSet& contact) {
+void CoarseSpace::factorise(const forces::ForceElements& contact) {
   Eigen::MatrixXd whole = matrix_;
   for (std::size_t i = 0; i < contact.size(); ++i) {
     const Eigen::VectorXd g = projectSparse(contact, i);

@@ -27,7 +27,7 @@ class CoarseSpace {
   void adopt(const Eigen::MatrixXd& stiffness) { matrix_ = stiffness; }
   const Eigen::MatrixXd& stiffness() const { return matrix_; }
   // Adds the contact springs' share and factorises.
-  void factorise(const supports::SpringSet& contact);
+  void factorise(const forces::ForceElements& contact);
   // The correction Z y, y = (Z^T K Z)^-1 Z^T r, and what it has in common with the residual, r.Z y.
   struct Correction {
     Eigen::VectorXd y;
@@ -49,7 +49,7 @@ class CoarseSpace {
     double x = 0;    // [m] along the track
   };
   void project(ThreadTeam& team, const double* r, Eigen::VectorXd& coarse) const;
-  Eigen::VectorXd projectSparse(const supports::SpringSet& springs, std::size_t spring) const;
+  Eigen::VectorXd projectSparse(const forces::ForceElements& springs, std::size_t spring) const;
 
   void addLineGroup(int block, double spacing, int modes, int colourBase, int colours);
   void projectLine(const LineGroup& group, const double* r, int part, int parts, double* coarse) const;

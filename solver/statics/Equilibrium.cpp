@@ -17,7 +17,7 @@ constexpr double patchReach = 0.022;  // [m] along the rail, far beyond any patc
 constexpr double nearGap = 1.2e-3;    // [m] undeformed gap that a deflection of the track may close
 
 struct ClosedContact {
-  supports::SpringSet springs;               // tangent of the closed points
+  forces::ForceElements springs;             // tangent of the closed points
   std::vector<double> penetration;           // of each spring
   std::vector<std::array<double, 2>> place;  // x relative to the wheel, y
   double vertical = 0, lateral = 0;          // [N] on the rail, downwards and outwards positive
@@ -104,7 +104,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
                             double wheelX, double rotation, const EquilibriumOptions& options, Monitor& monitor) {
   Equilibrium e;
   e.wheelX = wheelX, e.rotation = rotation;
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   const double load = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   const double penalty = model::normalPenalty(d);
   // Any stiffness holds the spin; this one is of the order of the contact's.
@@ -128,11 +128,13 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   std::size_t closedBefore = 0;
   while (true) {
     op.contactSprings() = {};
+    const bool hasNewTangents = op.linearise(e.displacement.data());
     op.apply(e.displacement.data(), r.data());
     ClosedContact closed = evaluateContact(model, op.turned(), e.displacement.data(), wheelX, rotation, penalty);
     if (closed.springs.size() == 0) throw RunError("the wheel finds no contact in the equilibrium", 0, 0, "contact");
     for (std::size_t i = 0; i < n; ++i) r[i] = weight[i] - r[i];
     addContactForces(closed, r.data());
+    op.addForcesBesideTangents(r.data());
     op.reduceForces(r.data());
     const double norm = std::sqrt(orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
       double sum = 0;
@@ -156,11 +158,12 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
                      0, 0, "equilibrium");
     op.contactSprings() = closed.springs;
     coarse.factorise(closed.springs);
-    // Inexact Newton: no better than the set of closed points is known, which shrinks to the true one.
+    // Inexact Newton: no better than the set of closed points is known, which shrinks to the true one, and the tangents
+    // of the force elements.
     const auto count = static_cast<double>(closed.springs.size());
     const auto before = static_cast<double>(std::exchange(closedBefore, closed.springs.size()));
     const double changed = std::abs(count - before) / count;
-    const double forcing = changed > 0.03 ? 0.2 : changed > 0.005 ? 1e-2 : 1e-5;
+    const double forcing = changed > 0.03 ? 0.2 : changed > 0.005 || hasNewTangents ? 1e-2 : 1e-5;
     const double goal = std::max(0.3 * options.tolerance * load, norm * forcing);
     const auto solution = conjugateGradients(
         op, coarse, r, change, goal, options.mostIterations - e.iterations, [&](int, double residual) {
@@ -187,6 +190,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   AlignedVector copy = e.displacement;
   op.apply(copy.data(), r.data());
   for (std::size_t i = 0; i < n; ++i) e.strainEnergy += 0.5 * copy[i] * r[i];
+  e.strainEnergy += op.energyBesideTangents();
   const auto hub = ringMean(model, model.centre, op.turned(), e.displacement.data());
   e.approach = railDeflection(model, e.displacement, wheelX) - hub.z;
   return e;
@@ -199,13 +203,15 @@ AlignedVector residualAt(const model::Model& model, const elasticity::KernelSet&
                          AlignedVector u, double wheelX, double rotation) {
   model::StaticOperator op(model, kernels, team, rotation, 1e8, true);
   model::turnBases(model, rotation, u);
+  op.linearise(u.data());
   AlignedVector r(u.size(), 0.0);
   op.apply(u.data(), r.data());
   const auto closed =
-      evaluateContact(model, op.turned(), u.data(), wheelX, rotation, model::normalPenalty(model.description));
+      evaluateContact(model, op.turned(), u.data(), wheelX, rotation, model::normalPenalty(model.scenario));
   const AlignedVector weight = gravityForces(model, rotation);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = weight[i] - r[i];
   addContactForces(closed, r.data());
+  op.addForcesBesideTangents(r.data());
   op.reduceForces(r.data());
   model::turnBases(model, -rotation, r);
   return r;
@@ -216,20 +222,21 @@ AlignedVector residualAt(const model::Model& model, const elasticity::KernelSet&
 AlignedVector equilibriumRate(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                               const Equilibrium& e, Monitor& monitor) {
   // Small against an element, large against round-off: the residual changes by some kN a millimetre.
-  const double distance = 1e-2 * model.description.mesh.contactSize;
+  const double distance = 1e-2 * model.scenario.mesh.contactSize;
   const double turn = distance / model.surfaces.radius;
   AlignedVector change = residualAt(model, kernels, team, e.displacement, e.wheelX + distance, turn);
   const AlignedVector behind = residualAt(model, kernels, team, e.displacement, e.wheelX - distance, -turn);
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - behind[i]) / (2 * distance);
 
   model::StaticOperator op(model, kernels, team, 0, 1e8, true);
+  op.linearise(e.displacement.data());
   CoarseSpace coarse(model, op);
   if (e.coarseStiffness.rows() == coarse.size())
     coarse.adopt(e.coarseStiffness);
   else if (!coarse.assemble(op, monitor))
     return AlignedVector(change.size(), 0.0);
   op.contactSprings() =
-      evaluateContact(model, op.turned(), e.displacement.data(), e.wheelX, 0, model::normalPenalty(model.description))
+      evaluateContact(model, op.turned(), e.displacement.data(), e.wheelX, 0, model::normalPenalty(model.scenario))
           .springs;
   coarse.factorise(op.contactSprings());
   op.reduceForces(change.data());

@@ -1,8 +1,8 @@
 // solver/statics/Equilibrium.h - static equilibrium of track, wheelset and sprung mass with frictionless contact.
 //
-// Newton's method on the active set of contact points; each linear system by conjugate gradients with a coarse space
-// (CoarseSpace.h). Load: weight of everything. The sprung mass is held along the track, the wheelset's mean spin is
-// held and taken out of the result.
+// Newton's method on the active set of contact points and the tangents of the force elements; each linear system by
+// conjugate gradients with a coarse space (CoarseSpace.h). Load: weight of everything. The sprung mass is held along
+// the track, the wheelset's mean spin is held and taken out of the result.
 #pragma once
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@ namespace squat::statics {
 
 QuietStart prepareQuietStart(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                              Monitor& monitor) {
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   QuietStart start;
   start.equilibrium = findEquilibrium(model, kernels, team, model.startX, 0, {}, monitor);
   start.velocity.assign(model.stateSize, 0.0);

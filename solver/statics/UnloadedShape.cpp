@@ -34,7 +34,7 @@ UnloadedShape findUnloadedShape(const model::Model& model, const elasticity::Ker
     return shape;
   }
   // No contact carries the vehicle: one spring holds the sprung mass, and with it the wheelset. Nothing pushes them.
-  op.contactSprings().add({{model.sprungZ, 1.0}}, model.description.suspension.stiffness, 0);
+  op.contactSprings().add({{model.sprungZ, 1.0}}, model.scenario.suspension.stiffness, 0);
   coarse.factorise(op.contactSprings());
   op.reduceForces(force.data());
   const double norm = std::sqrt(std::inner_product(force.begin(), force.end(), force.begin(), 0.0));

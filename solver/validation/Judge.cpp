@@ -154,7 +154,7 @@ int countOf(const std::vector<Judged>& judged, Verdict verdict) {
 std::vector<ComparedParameter> compareParameters(const Reference& reference, const results::RunResult& result) {
   std::vector<ComparedParameter> all;
   auto paper = cases::defaultCase();
-  const auto ours = cases::parseCaseOfResult(result.caseToml, "case of the result");
+  const auto& ours = results::caseOf(result).description;
   for (const auto& parameter : reference.parameters) {
     const auto* known = cases::findParameter(parameter.key);
     if (!known) continue;

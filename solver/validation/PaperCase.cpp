@@ -45,10 +45,10 @@ bool isDefect(const ChangedKey& changed) { return changed.key.rfind("defect.", 0
 }  // namespace
 
 std::optional<PaperCase> paperCaseOf(const results::RunResult& result) {
-  if (result.caseToml.empty()) return std::nullopt;
+  if (!result.resolvedCase) return std::nullopt;
   std::optional<PaperCase> nearest;
   try {
-    const auto ours = cases::parseCaseOfResult(result.caseToml, result.stem);
+    const auto& ours = result.resolvedCase->description;
     cases::CaseOverrides overrides;
     overrides.preset = cases::valueText(ours, *cases::findParameter("mesh.preset"));
     for (const char* name : kPaperCases) {

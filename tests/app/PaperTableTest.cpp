@@ -22,7 +22,7 @@ const char* const kPeak = "axle box acceleration, maximum / minimum";
 results::RunResult made(double firstLine, double secondLine) {
   results::RunResult result;
   result.stem = "light-defect";
-  result.caseToml = cases::writeCase(cases::loadCase("light-defect", {"tiny", {}}));
+  results::setCase(result, cases::loadCase("light-defect", {"tiny", {}}));
   result.speed = 30;
   const int samples = 1000;
   results::Channel aba{"aba_filtered", "m/s2", "", {}};
@@ -78,8 +78,8 @@ TEST(PaperTable, ALineOutsideIsNotMetAndTheModesStandBesideIt) {
 TEST(PaperTable, ACaseOfOnesOwnIsNotJudgedByItsName) {
   auto result = made(310, 1000);
   result.stem = "light-defect-assen";
-  result.caseToml = cases::writeCase(cases::parseCase(
-      "[defect]\nshape = \"profile\"\npoints = [[0, 0], [20, -0.2], [40, 0]]\n", "dip", {}, {"tiny", {}}));
+  results::setCase(result, cases::parseCase("[defect]\nshape = \"profile\"\npoints = [[0, 0], [20, -0.2], [40, 0]]\n",
+                                            "dip", {}, {"tiny", {}}));
   EXPECT_THAT(row(result, "line near 1000 Hz").what, IsEmpty());
   EXPECT_THAT(row(result, kPeak).paper, IsEmpty());
   EXPECT_THAT(row(result, "mean wavelength after the impact").paper, IsEmpty());
@@ -90,13 +90,13 @@ TEST(PaperTable, ThePapersCaseIsJudgedUnderAnyName) {
   result.stem = "assen";
   EXPECT_EQ(row(result, "line near 1000 Hz").verdict, "met");
   // The distance rolled beyond the defect and the mesh change nothing that the paper states.
-  result.caseToml = cases::writeCase(cases::loadCase("light-defect", {"draft", {{"motion.beyond", "0.6"}}}));
+  results::setCase(result, cases::loadCase("light-defect", {"draft", {{"motion.beyond", "0.6"}}}));
   EXPECT_EQ(row(result, "line near 1000 Hz").verdict, "met");
 }
 
 TEST(PaperTable, AChangedKeyIsNotJudgedAndSaysWhy) {
   auto result = made(310, 1000);
-  result.caseToml = cases::writeCase(cases::loadCase("light-defect", {"tiny", {{"motion.speed", "25"}}}));
+  results::setCase(result, cases::loadCase("light-defect", {"tiny", {{"motion.speed", "25"}}}));
   EXPECT_THAT(row(result, "line near 1000 Hz").what, IsEmpty());
   EXPECT_THAT(row(result, kPeak).paper, IsEmpty());
   EXPECT_EQ(row(result, "differs from light-defect").ours, "motion.speed = 25 m/s");

@@ -47,7 +47,7 @@ TEST(ValidationText, StatementsFit) {
 TEST(ValidationText, ParametersAndNumbersFit) {
   const auto reference = paper();
   results::RunResult result;  // on tiny, where mesh, run-up and length are not the paper's
-  result.caseToml = cases::writeCase(cases::loadCase("light-defect", {"tiny", {}}));
+  results::setCase(result, cases::loadCase("light-defect", {"tiny", {}}));
   const auto text = parametersText(validation::compareParameters(reference, result));
   EXPECT_EQ(tooLong(text), "");
   EXPECT_THAT(text, HasSubstr("mesh.contact_size"));

@@ -1,6 +1,7 @@
 // The rules of the house (CONTRIBUTING.md), held by reading the sources.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <regex>
@@ -137,6 +138,74 @@ TEST(HouseRules, Hdf5StaysInResults) {
                 return file.folder != "results" && (include.name == "hdf5.h" || include.name.rfind("H5", 0) == 0);
               }),
               IsEmpty());
+}
+
+// The floors of the house, lowest first: a folder includes only what stands on a lower floor. Whoever computes stands
+// below `case`, which is how a user writes what is simulated: it sees the scenario alone.
+const std::vector<std::vector<Folder>>& floors() {
+  static const std::vector<std::vector<Folder>> list{
+      {"solver/core"},
+      {"solver/signals"},
+      {"solver/scenario"},
+      {"solver/geometry"},
+      {"solver/elasticity"},
+      {"solver/forces"},
+      {"solver/plasticity", "solver/contact"},
+      {"solver/model"},
+      {"solver/statics", "solver/dynamics"},
+      {"solver/case"},
+      {"solver/results"},
+      {"solver/measured"},
+      {"solver/laboratory"},
+      {"solver/receptance", "solver/simulation", "solver/studies"},
+      {"solver/validation"},
+      {"widgets/colours"},
+      {"widgets/scene"},
+      {"widgets/plots"},
+      {"widgets/studio"},
+      {"app"},
+  };
+  return list;
+}
+
+// Floor of a folder from below; -1: not on the list.
+int floorOf(const Folder& folder) {
+  for (std::size_t floor = 0; floor < floors().size(); ++floor)
+    if (std::count(floors()[floor].begin(), floors()[floor].end(), folder) > 0) return static_cast<int>(floor);
+  return -1;
+}
+
+// What is wrong with one include, and what to do; empty where nothing is.
+std::string floorMistake(const std::string& path, const Folder& from, const std::string& include, const Folder& to) {
+  const std::string says = path + " includes " + include + ": ";
+  for (const auto& folder : {from, to})
+    if (floorOf(folder) < 0) return says + folder + " is on no floor; give it one in floors() of tests/arch";
+  if (from == to || floorOf(to) < floorOf(from)) return {};
+  return says + to + " does not stand below " + from +
+         "; pass a plain value up instead, or move what both need to a lower floor";
+}
+
+TEST(HouseRules, FoldersIncludeOnlyWhatStandsBelow) {
+  std::vector<std::string> list;
+  for (const auto& file : sources())
+    for (const auto& include : file.includes) {
+      const auto to = include.quoted ? folderOf(include) : Folder();
+      if (to.empty()) continue;
+      if (const auto mistake = floorMistake(file.path, folderOf(file), include.name, to); !mistake.empty())
+        list.push_back(mistake);
+    }
+  EXPECT_THAT(list, IsEmpty());
+}
+
+TEST(Floors, AnIncludeUpwardsOrOfAnUnknownFolderSaysWhatToDo) {
+  EXPECT_EQ(floorMistake("solver/model/A.cpp", "solver/model", "scenario/Track.h", "solver/scenario"), "");
+  EXPECT_EQ(floorMistake("solver/model/A.cpp", "solver/model", "model/B.h", "solver/model"), "");
+  EXPECT_THAT(floorMistake("solver/model/A.cpp", "solver/model", "case/CaseFile.h", "solver/case"),
+              ::testing::HasSubstr("pass a plain value up"));
+  EXPECT_THAT(floorMistake("solver/statics/A.cpp", "solver/statics", "dynamics/B.h", "solver/dynamics"),
+              ::testing::HasSubstr("does not stand below"));
+  EXPECT_THAT(floorMistake("solver/attic/A.cpp", "solver/attic", "core/Errors.h", "solver/core"),
+              ::testing::HasSubstr("solver/attic is on no floor"));
 }
 
 TEST(HouseRules, FoldersFormNoCycle) { EXPECT_EQ(cycleIn(folderGraph()), ""); }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "dynamics/Rolling.h"
 #include "dynamics/StableStep.h"
 #include "model/Model.h"
@@ -26,8 +27,8 @@ model::Model& modelOf(int mesh, bool selective = true) {
   static std::map<std::pair<int, bool>, model::Model> models;
   const auto [it, isNew] = models.try_emplace({mesh, selective});
   if (isNew)
-    it->second = model::buildModel(
-        cases::loadCase("light-defect", {meshes[mesh], {{"mesh.selective_inertia", selective ? "true" : "false"}}}));
+    it->second = model::buildModel(cases::loadScenario(
+        "light-defect", {meshes[mesh], {{"mesh.selective_inertia", selective ? "true" : "false"}}}));
   return it->second;
 }
 
@@ -37,10 +38,11 @@ model::Model& longTrack(int metres, bool fineSections) {
   static std::map<std::pair<int, bool>, model::Model> models;
   const auto [it, isNew] = models.try_emplace({metres, fineSections});
   if (isNew)
-    it->second = model::buildModel(cases::loadCase("light-defect", {"paper",
-                                                                    {{"track.length", std::to_string(metres)},
-                                                                     {"mesh.section_size", fineSections ? "6" : "10"},
-                                                                     {"mesh.section_growth", "1.33"}}}));
+    it->second =
+        model::buildModel(cases::loadScenario("light-defect", {"paper",
+                                                               {{"track.length", std::to_string(metres)},
+                                                                {"mesh.section_size", fineSections ? "6" : "10"},
+                                                                {"mesh.section_growth", "1.33"}}}));
   return it->second;
 }
 
@@ -90,17 +92,17 @@ void bareOperator(benchmark::State& state, const model::Model& model, int thread
   });
 }
 
-void wholeStep(benchmark::State& state, model::Model& model, int threads, cases::ElementPrecision precision) {
-  model.description.mesh.precision = static_cast<int>(precision);
+void wholeStep(benchmark::State& state, model::Model& model, int threads, scenario::ElementPrecision precision) {
+  model.scenario.mesh.precision = precision;
   constexpr int steps = 5;
   ThreadTeam team(threads);
   const auto kernels = elasticity::kernelsFor("");
   state.SetLabel(kernels.name);
   // Any stable step will do: the work is the same. Weight pulls the wheel onto the rail.
-  const double step = 0.3 * model.description.mesh.contactSize / 6020;
+  const double step = 0.3 * model.scenario.mesh.contactSize / 6020;
   dynamics::Rolling rolling(model, kernels, team, step, 0.05 * step);
   const AlignedVector still(model.stateSize, 0.0);
-  rolling.start(still, still, model.description.motion.speed / model.surfaces.radius);
+  rolling.start(still, still, model.scenario.motion.speed / model.surfaces.radius);
   rolling.advance(20, [](const dynamics::StepView&) {});
   measure(state, model, steps, 0, [&] { rolling.advance(steps, [](const dynamics::StepView&) {}); });
 }
@@ -120,16 +122,16 @@ int main(int argc, char** argv) {
       const std::string tail = std::string("/") + meshes[mesh] + "/threads:" + std::to_string(threads);
       const int rounds = mesh < 2 ? 400 : 120;
       addRow("operator" + tail, rounds, [=](benchmark::State& state) { bareOperator(state, modelOf(mesh), threads); });
-      for (const auto precision : {cases::ElementPrecision::full, cases::ElementPrecision::single})
-        addRow((precision == cases::ElementPrecision::full ? "step" : "single_step") + tail, rounds / 4,
+      for (const auto precision : {scenario::ElementPrecision::full, scenario::ElementPrecision::single})
+        addRow((precision == scenario::ElementPrecision::full ? "step" : "single_step") + tail, rounds / 4,
                [=](benchmark::State& state) { wholeStep(state, modelOf(mesh), threads, precision); });
       addRow("bare_step" + tail, rounds / 4, [=](benchmark::State& state) {
-        wholeStep(state, modelOf(mesh, false), threads, cases::ElementPrecision::full);
+        wholeStep(state, modelOf(mesh, false), threads, scenario::ElementPrecision::full);
       });
     }
   for (const auto& track : {std::pair{10, false}, {40, false}, {60, true}})
-    for (const auto precision : {cases::ElementPrecision::full, cases::ElementPrecision::single})
-      addRow((precision == cases::ElementPrecision::full ? "long_track/metres:" : "single_long_track/metres:") +
+    for (const auto precision : {scenario::ElementPrecision::full, scenario::ElementPrecision::single})
+      addRow((precision == scenario::ElementPrecision::full ? "long_track/metres:" : "single_long_track/metres:") +
                  std::to_string(track.first),
              30,
              [=](benchmark::State& state) { wholeStep(state, longTrack(track.first, track.second), 2, precision); });

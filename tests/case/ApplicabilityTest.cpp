@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "case/DecimalNumber.h"
-#include "case/DefectSurface.h"
 #include "case/ParameterValue.h"
 #include "case/Validation.h"
+#include "scenario/DefectSurface.h"
 
 namespace squat::cases {
 namespace {

@@ -13,8 +13,8 @@ TEST(CaseCompatibility, Schema1) {
   EXPECT_TRUE(validate(c).problems.empty());
   EXPECT_EQ(c.title, "Frozen – Weiche 7, Gleis 2");
   EXPECT_EQ(c.note, "Two lines,\n\"quoted\".");
-  EXPECT_EQ(c.defect.shape, static_cast<int>(DefectShape::profile));
-  EXPECT_EQ(c.defect.lateral, static_cast<int>(LateralShape::parabolic));
+  EXPECT_EQ(c.defect.shape, DefectShape::profile);
+  EXPECT_EQ(c.defect.lateral, LateralShape::parabolic);
   EXPECT_FALSE(c.defect.level);
   EXPECT_EQ(c.defect.heightScale, 0.8);
   EXPECT_DOUBLE_EQ(c.defect.halfWidth, 0.0185);
@@ -30,11 +30,11 @@ TEST(CaseCompatibility, Schema1) {
   EXPECT_EQ(c.contact.friction, 0.4);
   EXPECT_DOUBLE_EQ(c.damping.beta, 5e-8);
   EXPECT_EQ(c.track.length, 9);
-  EXPECT_EQ(c.track.railEnds, static_cast<int>(RailEnds::absorbing));
+  EXPECT_EQ(c.track.railEnds, RailEnds::absorbing);
   EXPECT_DOUBLE_EQ(c.rail.material.young, 206e9);
   EXPECT_TRUE(c.rail.plastic);
   EXPECT_DOUBLE_EQ(c.rail.yieldStress, 0.6e9);
-  EXPECT_EQ(c.rail.hardening, static_cast<int>(Hardening::kinematic));
+  EXPECT_EQ(c.rail.hardening, Hardening::kinematic);
   EXPECT_DOUBLE_EQ(c.pad.stiffness, 900e6);
   EXPECT_DOUBLE_EQ(c.pad.damping, 30e3);
   EXPECT_EQ(c.sleeper.height, 0.2);
@@ -44,9 +44,9 @@ TEST(CaseCompatibility, Schema1) {
   EXPECT_EQ(c.wheelset.axleBoxMass, 120);
   EXPECT_DOUBLE_EQ(c.wheelset.bearingStiffness, 1.5e9);
   EXPECT_EQ(c.suspension.sprungMass, 6500);
-  EXPECT_EQ(c.mesh.preset, static_cast<int>(MeshPreset::tiny));
+  EXPECT_EQ(c.mesh.preset, MeshPreset::tiny);
   EXPECT_EQ(c.mesh.wheelSectors, 64);
-  EXPECT_EQ(c.mesh.precision, static_cast<int>(ElementPrecision::full));
+  EXPECT_EQ(c.mesh.precision, ElementPrecision::full);
   EXPECT_DOUBLE_EQ(c.output.rate, 50e3);
   EXPECT_DOUBLE_EQ(c.output.filterCutoff, 3e3);
   // What the file leaves out has the defaults of its day: the paper's.

@@ -85,13 +85,13 @@ TEST(CaseFile, StatedKeysGoBeforePresets) {
   const auto c = parseCase("[mesh]\npreset = 'tiny'\ncontact_size = 4\n", "x");
   EXPECT_EQ(c.mesh.contactSize, 4e-3);
   EXPECT_EQ(c.track.length, 3);
-  EXPECT_EQ(c.mesh.preset, static_cast<int>(MeshPreset::tiny));
+  EXPECT_EQ(c.mesh.preset, MeshPreset::tiny);
 }
 
 TEST(CaseFile, PresetOfTheCommandLineGoesBeforeThatOfTheFile) {
   const CaseOverrides tiny{"tiny", {}};
   const auto c = parseCase("[mesh]\npreset = 'paper'\nfar_size = 40\n", "x", {}, tiny);
-  EXPECT_EQ(c.mesh.preset, static_cast<int>(MeshPreset::tiny));
+  EXPECT_EQ(c.mesh.preset, MeshPreset::tiny);
   EXPECT_EQ(c.mesh.contactSize, 5e-3);
   EXPECT_EQ(c.mesh.farSize, 40e-3);
 }
@@ -111,7 +111,7 @@ TEST(CaseFile, SetGoesBeforeEverything) {
   const auto c = parseCase("[motion]\nspeed = 40\n[mesh]\ncontact_size = 2", "x", {}, overrides);
   EXPECT_EQ(c.motion.speed, 20);
   EXPECT_EQ(c.mesh.contactSize, 3e-3);
-  EXPECT_EQ(c.mesh.preset, static_cast<int>(MeshPreset::tiny));
+  EXPECT_EQ(c.mesh.preset, MeshPreset::tiny);
   EXPECT_EQ(c.track.length, 3);
 }
 

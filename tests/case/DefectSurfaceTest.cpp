@@ -1,5 +1,5 @@
 // Shapes of defects against their formulas; sampled profiles against SciPy's monotone cubic (data/monotone_cubic.py).
-#include "case/DefectSurface.h"
+#include "scenario/DefectSurface.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ constexpr double roundOff = 1e-18;
 
 Defect defectOf(DefectShape shape) {
   Defect defect = defaultCase().defect;
-  defect.shape = static_cast<int>(shape);
+  defect.shape = shape;
   defect.length = 0.050;
   defect.depth = 0.00015;
   defect.ramp = 0.004;
@@ -114,7 +114,7 @@ TEST(DefectSurface, WavesFollowTheDip) {
 
 TEST(DefectSurface, ParabolicFadesAcross) {
   Defect defect = defectOf(DefectShape::cosine);
-  defect.lateral = static_cast<int>(LateralShape::parabolic);
+  defect.lateral = LateralShape::parabolic;
   defect.halfWidth = 0.02;
   const DefectSurface surface(defect);
   EXPECT_DOUBLE_EQ(surface.height(0, 0), -0.00015);
@@ -122,7 +122,7 @@ TEST(DefectSurface, ParabolicFadesAcross) {
   EXPECT_DOUBLE_EQ(surface.height(0, -0.01), -0.00015 * 0.75);
   EXPECT_EQ(surface.height(0, 0.02), 0);
   EXPECT_EQ(surface.height(0, -0.03), 0);
-  defect.lateral = static_cast<int>(LateralShape::uniform);
+  defect.lateral = LateralShape::uniform;
   EXPECT_DOUBLE_EQ(DefectSurface(defect).height(0, 0.03), -0.00015);
 }
 
@@ -316,7 +316,7 @@ TEST(DefectSurface, EqualLinesAreUniformAndShiftsMoveThem) {
   for (const double y : {-0.02, -0.005, 0.0, 0.003, 0.01})
     for (double x = -0.012; x < 0.012; x += 0.0005) EXPECT_NEAR(surface.height(x, y), one.height(x), roundOff);
   Defect parabolic = defectOf(DefectShape::cosine);
-  parabolic.lateral = static_cast<int>(LateralShape::parabolic);
+  parabolic.lateral = LateralShape::parabolic;
   parabolic.halfWidth = 0.010, parabolic.lateralCentre = 0.004;
   const DefectSurface moved(parabolic);
   EXPECT_DOUBLE_EQ(moved.height(0, 0.004), -parabolic.depth);

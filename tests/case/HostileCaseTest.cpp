@@ -6,12 +6,12 @@
 #include <random>
 
 #include "case/CaseFile.h"
-#include "case/DefectSurface.h"
 #include "case/ParameterTable.h"
 #include "case/ProfileFile.h"
 #include "case/TomlGuard.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
+#include "scenario/DefectSurface.h"
 
 namespace squat::cases {
 namespace {
@@ -34,7 +34,7 @@ Outcome readAsCase(const std::string& text) {
 Outcome readAsProfile(const std::string& text) {
   try {
     Defect defect = defaultCase().defect;
-    defect.shape = static_cast<int>(DefectShape::profile);
+    defect.shape = DefectShape::profile;
     defect.points = parseProfile(text, "hostile.csv");
     const DefectSurface surface(defect);
     EXPECT_TRUE(std::isfinite(surface.height(0)) && std::isfinite(surface.steepest()));

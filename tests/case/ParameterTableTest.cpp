@@ -76,6 +76,12 @@ TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
       case Kind::lines:
         text = "[[-5, [[0, 0], [1, -0.5]]], [5, [[0, 0], [1, -0.4]]]]";
         break;
+      case Kind::forceCurve:
+        text = "[[0, 0], [0.5, 40]]";
+        break;
+      case Kind::seats:
+        text = "[{ sleeper = 1, pad_stiffness = 300 }]";
+        break;
     }
     setValue(changed, parameter.key, text);
     for (const auto& other : parameterTable()) {
@@ -88,17 +94,17 @@ TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
 TEST(ParameterTable, ChoicesFollowTheEnumerations) {
   CaseDescription description = defaultCase();
   setValue(description, "defect.shape", "dip-with-wave");
-  EXPECT_EQ(description.defect.shape, static_cast<int>(DefectShape::dipWithWave));
+  EXPECT_EQ(description.defect.shape, DefectShape::dipWithWave);
   setValue(description, "defect.shape", "profile");
-  EXPECT_EQ(description.defect.shape, static_cast<int>(DefectShape::profile));
+  EXPECT_EQ(description.defect.shape, DefectShape::profile);
   setValue(description, "defect.lateral", "parabolic");
-  EXPECT_EQ(description.defect.lateral, static_cast<int>(LateralShape::parabolic));
+  EXPECT_EQ(description.defect.lateral, LateralShape::parabolic);
   setValue(description, "track.rail_ends", "absorbing");
-  EXPECT_EQ(description.track.railEnds, static_cast<int>(RailEnds::absorbing));
+  EXPECT_EQ(description.track.railEnds, RailEnds::absorbing);
   setValue(description, "rail.hardening", "kinematic");
-  EXPECT_EQ(description.rail.hardening, static_cast<int>(Hardening::kinematic));
+  EXPECT_EQ(description.rail.hardening, Hardening::kinematic);
   setValue(description, "mesh.preset", "paper");
-  EXPECT_EQ(description.mesh.preset, static_cast<int>(MeshPreset::paper));
+  EXPECT_EQ(description.mesh.preset, MeshPreset::paper);
 }
 
 TEST(ParameterTable, DefaultsAreThePapers) {
@@ -143,7 +149,7 @@ TEST(ParameterTable, PresetsAreValidAndPaperIsThePapers) {
   for (const auto preset : {MeshPreset::tiny, MeshPreset::draft, MeshPreset::standard, MeshPreset::paper}) {
     CaseDescription description = defaultCase();
     applyPreset(description, preset);
-    EXPECT_EQ(description.mesh.preset, static_cast<int>(preset));
+    EXPECT_EQ(description.mesh.preset, preset);
     for (const auto& problem : validate(description).problems) ADD_FAILURE() << toText(problem);
   }
   CaseDescription paper = defaultCase();

@@ -96,7 +96,7 @@ TEST(ParameterValue, ChecksValuesThatStandInADescription) {
     description.motion.speed = value;
     EXPECT_TRUE(checkRange(description, speed)) << value;
   }
-  description.defect.shape = 17;
+  description.defect.shape = static_cast<DefectShape>(17);
   EXPECT_TRUE(checkRange(description, *findParameter("defect.shape")));
 }
 

@@ -8,10 +8,10 @@
 #include <fstream>
 
 #include "case/CaseFile.h"
-#include "case/DefectSurface.h"
 #include "case/ParameterValue.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
+#include "scenario/DefectSurface.h"
 
 namespace squat::cases {
 namespace {

@@ -14,6 +14,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "contact/RollingContact.h"
 #include "model/Model.h"
 
@@ -34,7 +35,7 @@ struct Stand {
   std::vector<PatchPoint> points;
 
   Stand(const std::string& inclination, const std::string& cone, const std::string& offset) {
-    model = model::buildModel(cases::loadCase(
+    model = model::buildModel(cases::loadScenario(
         tests::fixtureCase("smooth-rail"),
         {"tiny", {{"rail.inclination", inclination}, {"wheelset.cone", cone}, {"motion.lateral_offset", offset}}}));
     displaced.assign(model.stateSize, 0.0), velocity.assign(model.stateSize, 0.0);

@@ -5,6 +5,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "model/Model.h"
 
 namespace squat::contact {
@@ -22,7 +23,7 @@ double reachOf(const Dip& dip) {
                                                                                 {"defect.depth", dip.depth},
                                                                                 {"motion.run_up", "0.2"},
                                                                                 {"motion.beyond", "0.2"}}});
-  return model::buildModel(description).surfaces.reach;
+  return model::buildModel(cases::resolve(description)).surfaces.reach;
 }
 
 TEST(Reach, HoldsThePatchOnTheSlopesOfDeepDips) {

@@ -9,13 +9,15 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "model/Model.h"
 
 namespace squat::contact {
 namespace {
 
 const model::Model& tiny() {
-  static const model::Model model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
+  static const model::Model model =
+      model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   return model;
 }
 
@@ -29,7 +31,7 @@ class RollingContactTest : public testing::Test {
     displaced_.assign(model.stateSize, 0.0), velocity_.assign(model.stateSize, 0.0);
     history_.traction.assign(2 * model.surfaces.points(), 0.0);
     wheel_.placement = {model.startX, model.wheelset.centreHeight, 0, 0, 0};
-    wheel_.speed = model.description.motion.speed;
+    wheel_.speed = model.scenario.motion.speed;
     wheel_.spinRate = wheel_.speed / model.surfaces.radius;
     lines(model.surfaces.railLine, model.rail, railLines_, railBuffer_);
     lines(model.surfaces.treadLine, model.rim, rimLines_, rimBuffer_);

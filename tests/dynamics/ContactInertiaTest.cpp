@@ -8,6 +8,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "contact/TouchPoint.h"
 #include "dynamics/StableStep.h"
 #include "elasticity/SelectiveInertia.h"
@@ -18,11 +19,10 @@ namespace squat::dynamics {
 namespace {
 
 // Normal and both tangential penalties of the points within 8 mm of a wheel at rest, all closed.
-void closePatch(const model::Model& model, supports::SpringSet& springs, contact::ClosedArea& closed) {
+void closePatch(const model::Model& model, forces::ForceElements& springs, contact::ClosedArea& closed) {
   const auto& s = model.surfaces;
   const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
-  const double normal = model::normalPenalty(model.description),
-               tangential = model::tangentialPenalty(model.description);
+  const double normal = model::normalPenalty(model.scenario), tangential = model::tangentialPenalty(model.scenario);
   const AlignedVector zero(model.stateSize, 0.0);
   const contact::WheelPlacement wheel{model.startX, model.wheelset.centreHeight, 0, 0, 0};
   for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
@@ -129,13 +129,13 @@ double highestEigenvalue(const model::Model& model, model::StaticOperator& op,
 
 // 4 / (dt^2 + 2 beta dt) is the largest eigenvalue that the central difference with damping on w = u + beta v bears.
 TEST(ContactInertia, TheStepOfTheBareMeshBearsClosedContact) {
-  const auto model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
+  const auto model = model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   const auto kernels = elasticity::kernelsFor("");
   ThreadTeam team(2);
   Monitor quiet;
   const auto stable = stableStep(model, kernels, team, quiet);
   const double bound = 4 / (stable.step * stable.step + 2 * stable.beta * stable.step);
-  ContactInertia inertia(model, model::normalPenalty(model.description), stable.step, stable.beta);
+  ContactInertia inertia(model, model::normalPenalty(model.scenario), stable.step, stable.beta);
   model::StaticOperator op(model, kernels, team, 0, 0, false);
   closePatch(model, op.contactSprings(), inertia.closed());
   std::vector<AlignedVector> bare;
@@ -162,13 +162,13 @@ TEST(ContactInertia, StiffPenaltiesShortenTheStep) {
   ThreadTeam team(1);
   Monitor quiet;
   const auto layersOf = [&](const char* normal, const char* tangential, std::string& place) {
-    const auto model = model::buildModel(
-        cases::loadCase(tests::fixtureCase("smooth-rail"),
-                        {"tiny", {{"contact.normal_penalty", normal}, {"contact.tangential_penalty", tangential}}}));
+    const auto model = model::buildModel(cases::loadScenario(
+        tests::fixtureCase("smooth-rail"),
+        {"tiny", {{"contact.normal_penalty", normal}, {"contact.tangential_penalty", tangential}}}));
     const auto stable = stableStep(model, kernels, team, quiet);
     place = stable.place;
-    const auto& rail = model.description.rail.material;
-    const double size = model.description.mesh.contactSize,
+    const auto& rail = model.scenario.rail.material;
+    const double size = model.scenario.mesh.contactSize,
                  penalty = std::stod(normal) * std::max(1.0, std::stod(tangential)) * rail.young / size;
     return 0.5 * penalty * (stable.step * stable.step + 2 * stable.beta * stable.step) / (rail.density * size);
   };

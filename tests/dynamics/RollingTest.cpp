@@ -8,6 +8,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "dynamics/StableStep.h"
 #include "elasticity/SelectiveInertia.h"
 #include "statics/QuietStart.h"
@@ -25,7 +26,7 @@ struct Started {
 const Started& smooth() {
   static const Started started = [] {
     Started s;
-    s.model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
+    s.model = model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
     ThreadTeam team(1);
     Monitor quiet;
     s.stable = stableStep(s.model, elasticity::kernelsFor(""), team, quiet);
@@ -36,12 +37,12 @@ const Started& smooth() {
 }
 
 double weight() {
-  const auto& d = smooth().model.description;
+  const auto& d = smooth().model.scenario;
   return d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
 }
 
 double rollingSpin() {
-  const auto& d = smooth().model.description;
+  const auto& d = smooth().model.scenario;
   return d.motion.speed / d.wheelset.radius;
 }
 
@@ -103,7 +104,7 @@ TEST(Rolling, StartsQuietly) {
   // What closed contact adds to the nodes' masses is felt by nothing: accelerations change by its share in the
   // wheelset, a fiftieth of the half percent that the axle box acceleration may.
   EXPECT_GT(rolling.contactInertia(), 0);
-  EXPECT_LT(rolling.contactInertia(), 1e-4 * smooth().model.description.wheelset.totalMass);
+  EXPECT_LT(rolling.contactInertia(), 1e-4 * smooth().model.scenario.wheelset.totalMass);
   // It has gone on: speed times time, but for the give of the guidance.
   EXPECT_NEAR(rolling.view().position - smooth().model.startX, 30 * rolling.state().time, 1e-4);
   EXPECT_NEAR(rolling.state().spinRate, rollingSpin(), 1e-3 * rollingSpin());
@@ -113,7 +114,7 @@ TEST(Rolling, StartsQuietly) {
 // contact and pads only add to it, and both come from below; 0.1 % for what the Lanczos steps leave.
 TEST(StableStep, CoversTheBareRail) {
   const auto model = model::buildModel(
-      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"mesh.selective_inertia", "false"}}}));
+      cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {{"mesh.selective_inertia", "false"}}}));
   ThreadTeam team(1);
   Monitor quiet;
   const auto stable = stableStep(model, elasticity::kernelsFor(""), team, quiet);
@@ -121,7 +122,7 @@ TEST(StableStep, CoversTheBareRail) {
   elasticity::FreeBlocks bare({rail});
   EXPECT_GT(stable.highestFrequency, std::sqrt(bare.highestEigenvalue(300)) * (1 - 1e-3));
   const double z = stable.beta * stable.highestFrequency / 2;
-  EXPECT_NEAR(z, model.description.damping.fraction, 1e-12);
+  EXPECT_NEAR(z, model.scenario.damping.fraction, 1e-12);
   EXPECT_NEAR(stable.step, 0.95 * 2 / stable.highestFrequency * (std::sqrt(1 + z * z) - z), 1e-12 * stable.step);
   EXPECT_FALSE(stable.place.empty());
   // Slower short waves change nothing else: the damping is that of the mesh as it is, within what the Lanczos steps
@@ -131,8 +132,29 @@ TEST(StableStep, CoversTheBareRail) {
   EXPECT_GT(smooth().stable.step, 1.5 * stable.step);
 }
 
+// A progressive pad may come to stand on any slope of its curve: the steepest bounds the step, as if the pad were
+// linear with it. No pad of a case is stiff enough to bind; these are, a thousand times over. 0.1 % for what the
+// Lanczos steps leave.
+TEST(StableStep, FollowsTheStiffestTangent) {
+  const auto stepOf = [](const char* key, const char* value) {
+    auto model = model::buildModel(cases::loadScenario("smooth-rail", {"tiny", {{key, value}}}));
+    for (auto& set : model.forceElements) {
+      if (set.kind != forces::Kind::railPad) continue;
+      const bool isAlongCurve = set.law.has_value(), isWhole = !isAlongCurve && key == std::string("pad.stiffness");
+      for (std::size_t i = 0; i < set.size(); ++i)
+        if (isAlongCurve || (isWhole && i % 3 == 2)) set.stiffness[i] *= 1000;  // the vertical ones
+    }
+    ThreadTeam team(1);
+    Monitor quiet;
+    return stableStep(model, elasticity::kernelsFor(""), team, quiet).step;
+  };
+  const double linear = stepOf("pad.stiffness", "20000");
+  EXPECT_LT(linear, 0.95 * smooth().stable.step);
+  EXPECT_NEAR(stepOf("pad.curve", "[[0, 0], [0.1, 10], [0.2, 2010]]"), linear, 1e-3 * linear);
+}
+
 // Rayleigh quotient w . M_e^-1 w of a spring's weights w, M_e with the inertia of short waves.
-double mobilityOf(const model::Model& model, const supports::SpringSet& springs, std::size_t spring) {
+double mobilityOf(const model::Model& model, const forces::ForceElements& springs, std::size_t spring) {
   AlignedVector a(model.stateSize, 0.0);
   for (std::size_t t = springs.start[spring]; t < springs.start[spring + 1]; ++t)
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
@@ -156,14 +178,15 @@ double mobilityOf(const model::Model& model, const supports::SpringSet& springs,
 // what the solids bear. At the step found the rail moves as it should; at that of the solids it flies apart.
 TEST(StableStep, FollowsStrongDashpots) {
   const auto model =
-      model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"pad.damping", "2000"}}}));
+      model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {{"pad.damping", "2000"}}}));
   const auto kernels = elasticity::kernelsFor("");
   ThreadTeam team(1);
   Monitor quiet;
   const auto stable = stableStep(model, kernels, team, quiet);
   double bound = smooth().stable.step;
-  for (std::size_t i = 0; i < model.pads.size(); ++i)
-    bound = std::min(bound, 2 / (model.pads.damping[i] * mobilityOf(model, model.pads, i)));
+  for (const auto& set : model.forceElements)
+    for (std::size_t i = 0; set.kind == forces::Kind::railPad && i < set.size(); ++i)
+      bound = std::min(bound, 2 / (set.damping[i] * mobilityOf(model, set, i)));
   EXPECT_LT(bound, 0.9 * smooth().stable.step);
   EXPECT_LT(stable.step, bound);
   EXPECT_GT(stable.step, 0.1 * bound);  // pads of one sleeper share masses: together they bind some times harder

@@ -8,6 +8,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "dynamics/Rolling.h"
 #include "dynamics/StableStep.h"
@@ -28,7 +29,8 @@ cases::CaseDescription caseWith(Settings settings) {
 }
 
 std::vector<model::HarmonicMode> bending(const Settings& settings) {
-  auto modes = model::wheelsetModes(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", settings}), 2000, 1);
+  auto modes =
+      model::wheelsetModes(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", settings}), 2000, 1);
   std::erase_if(modes, [](const auto& mode) { return mode.harmonic != 1; });
   return modes;
 }
@@ -40,7 +42,7 @@ struct Free {
   std::unique_ptr<Rolling> rolling;
   AlignedVector displacement, velocity;
 
-  explicit Free(const Settings& settings) : model(model::buildModel(caseWith(settings))) {
+  explicit Free(const Settings& settings) : model(model::buildModel(cases::resolve(caseWith(settings)))) {
     Monitor quiet;
     stable = stableStep(model, elasticity::kernelsFor(""), team, quiet);
     rolling = std::make_unique<Rolling>(model, elasticity::kernelsFor(""), team, stable.step, stable.beta);
@@ -144,7 +146,7 @@ TEST(WheelsetDamping, ModeDecaysAsItsRatioSays) {
 
 // Rigid motion loses nothing: a wheelset thrown upwards keeps its energy to round-off.
 TEST(WheelsetDamping, RigidMotionIsNotDamped) {
-  const auto model = model::buildModel(caseWith({{"wheelset.damping_ratio", "0.05"}}));
+  const auto model = model::buildModel(cases::resolve(caseWith({{"wheelset.damping_ratio", "0.05"}})));
   model::WheelsetDamping damping(model, 5e-7);
   AlignedVector velocity(model.stateSize, 0.0);
   model::TurnedStations turned;
@@ -168,7 +170,7 @@ TEST(WheelsetDamping, RigidMotionIsNotDamped) {
 TEST(WheelsetDamping, BooksCloseWithBearingAndDamping) {
   Free free(Settings{
       {"wheelset.damping_ratio", "0.05"}, {"wheelset.bearing_stiffness", "500"}, {"wheelset.bearing_damping", "50"}});
-  const double mass = free.model.description.wheelset.axleBoxMass, given = 0.5 * mass * 0.1 * 0.1;
+  const double mass = free.model.scenario.wheelset.axleBoxMass, given = 0.5 * mass * 0.1 * 0.1;
   free.velocity[free.model.boxZ] = 0.1;
   free.start();
   simulation::EnergyLedger ledger(*free.rolling, given);
@@ -181,7 +183,7 @@ TEST(WheelsetDamping, BooksCloseWithBearingAndDamping) {
 
 // 24 chords cut up to 3.45 mm off a layer of 5 mm: the nodes behind the rim's tie would have less than no mass.
 TEST(Wheelset, ARimThatLeavesNoMassBehindIsRefused) {
-  EXPECT_THROW(model::buildModel(caseWith({{"mesh.rim_depth", "60"}})), CaseError);
+  EXPECT_THROW(model::buildModel(cases::resolve(caseWith({{"mesh.rim_depth", "60"}}))), CaseError);
 }
 
 }  // namespace

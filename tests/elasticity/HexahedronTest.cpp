@@ -12,7 +12,7 @@
 namespace squat::elasticity {
 namespace {
 
-constexpr cases::Material patchMaterial{1e6, 0.25, 1.0};
+constexpr scenario::Material patchMaterial{1e6, 0.25, 1.0};
 
 const std::array<Eigen::Vector3d, 16>& patchNodes() {
   static const std::array<Eigen::Vector3d, 16> nodes{{{.249, .342, .192},

@@ -15,7 +15,7 @@ namespace squat::elasticity {
 
 using Field = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
-inline const cases::Material steel{210e9, 0.3, 7800};
+inline const scenario::Material steel{210e9, 0.3, 7800};
 
 // n + 1 equally spaced values.
 std::vector<double> evenly(double from, double to, int n);

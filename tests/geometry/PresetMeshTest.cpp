@@ -6,6 +6,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "model/BuildBlocks.h"
 
@@ -18,7 +19,7 @@ class PresetMesh : public testing::TestWithParam<const char*> {
  protected:
   static Model blocksOf(const char* preset) {
     Model model;
-    model.description = cases::loadCase(tests::fixtureCase("light-defect"), {preset, {}});
+    model.scenario = cases::loadScenario(tests::fixtureCase("light-defect"), {preset, {}});
     addBlocks(model);
     return model;
   }
@@ -51,7 +52,7 @@ TEST_P(PresetMesh, StationsFillWholeVectorsAndGrowSlowly) {
 TEST_P(PresetMesh, RailAndWheelAreWhole) {
   const Model model = blocksOf(GetParam());
   const auto& rail = model.blocks[model.rail];
-  EXPECT_NEAR(rail.positions.back() - rail.positions.front(), model.description.track.length, 1e-9);
+  EXPECT_NEAR(rail.positions.back() - rail.positions.front(), model.scenario.track.length, 1e-9);
   for (const int b : {model.rim, model.body}) {
     const auto& ring = model.blocks[b];
     EXPECT_TRUE(ring.closed);
@@ -62,16 +63,16 @@ TEST_P(PresetMesh, RailAndWheelAreWhole) {
 // Stations of wheel and rail stand opposite each other where they roll on each other.
 TEST_P(PresetMesh, RimRollsOnTheRailsStations) {
   Model model;
-  model.description = cases::loadCase(tests::fixtureCase("light-defect"), {GetParam(), {}});
+  model.scenario = cases::loadScenario(tests::fixtureCase("light-defect"), {GetParam(), {}});
   const auto stretch = addBlocks(model);
   const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
   const auto first = std::lower_bound(rail.positions.begin(), rail.positions.end(), stretch.from - 1e-9);
   int count = 0;
   for (const auto& run : stretch.rolled) count += run.count;
   for (int i = 0; i <= count; ++i)
-    ASSERT_NEAR(model.startX + rim.positions[i] * model.description.wheelset.radius, *(first + i), 1e-9);
-  EXPECT_LE(stretch.from, -model.description.motion.runUp - 0.010);  // the patch's half length and more
-  EXPECT_GE(stretch.to, model.description.motion.beyond + 0.010);
+    ASSERT_NEAR(model.startX + rim.positions[i] * model.scenario.wheelset.radius, *(first + i), 1e-9);
+  EXPECT_LE(stretch.from, -model.scenario.motion.runUp - 0.010);  // the patch's half length and more
+  EXPECT_GE(stretch.to, model.scenario.motion.beyond + 0.010);
 }
 
 TEST_P(PresetMesh, HasTheElementsThatThePresetPromises) {
@@ -97,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(AllPresets, PresetMesh, testing::Values("tiny", "draft"
 TEST(FineStations, ComeInWholeGroups) {
   for (const char* preset : {"draft", "standard", "paper"}) {
     Model model;
-    model.description = cases::loadCase(tests::fixtureCase("light-defect"), {preset, {}});
+    model.scenario = cases::loadScenario(tests::fixtureCase("light-defect"), {preset, {}});
     addBlocks(model);
     for (const int b : {model.rail, model.rim}) {
       const auto& block = model.blocks[b];
@@ -114,7 +115,7 @@ TEST(FineStations, ComeInWholeGroups) {
 
 RollingStretch stretchOf(const Settings& settings) {
   Model model;
-  model.description = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", settings});
+  model.scenario = cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", settings});
   return addBlocks(model);
 }
 

@@ -35,6 +35,10 @@ void changeSomething(CaseDocument& document, std::mt19937& random) {
       text = "[[0, 0], [10, -0.1], [20, 0]]";
     } else if (parameter.kind == cases::Kind::lines) {
       text = "[[-5, [[0, 0], [10, -0.1], [20, 0]]], [5, [[0, 0], [12, -0.2], [20, 0]]]]";
+    } else if (parameter.kind == cases::Kind::forceCurve) {
+      text = "[[0, 0], [0.2, 40]]";
+    } else if (parameter.kind == cases::Kind::seats) {
+      text = "[{ sleeper = 0, gap = 0.5 }]";
     }
     document.setParameter(parameter.key, text);
   } else if (kind < 7) {

@@ -14,8 +14,7 @@ studio::Runner madeUpRunner(int milliseconds) {
   return [milliseconds](const cases::CaseDescription& description, const simulation::RunOptions& options,
                         Monitor& monitor, results::RunResult* partial) {
     results::RunResult result = syntheticResult();
-    result.caseToml = cases::writeCase(description);
-    result.caseHash = cases::caseHash(description);
+    results::setCase(result, description);
     result.title = description.title;
     const std::size_t count = result.time.size();
     int first = 0;

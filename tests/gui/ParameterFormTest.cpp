@@ -65,6 +65,30 @@ TEST_F(Form, aWrongValueIsFlaggedWhileTypingAndBlocksTheRun) {
   EXPECT_DOUBLE_EQ(document_.description().pad.stiffness, 800e6);
 }
 
+TEST_F(Form, curvesAndSeatsAreTypedAndJudgedWhileTyping) {
+  type("pad.curve", "[[0, 0], [0.1, 20], [0.2, 10]]");
+  EXPECT_TRUE(form_.row("pad.curve")->reason().contains("must rise")) << form_.row("pad.curve")->reason().toStdString();
+  type("pad.curve", "[[0, 0], [0.1, 20], [0.2, 70]]");
+  EXPECT_TRUE(form_.row("pad.curve")->reason().isEmpty());
+  QTest::keyClick(line("pad.curve"), Qt::Key_Return);
+  ASSERT_EQ(document_.description().pad.curve.size(), 3u);
+  EXPECT_DOUBLE_EQ(document_.description().pad.curve[2].force, 70e3);
+  type("track.seats", "[{ sleeper = 1, pad = 300 }]");
+  EXPECT_TRUE(form_.row("track.seats")->reason().contains("there is no key pad"));
+  type("track.seats", "[{ sleeper = 1, pad_stiffness = 300 }, { sleeper = -1, gap = 0.5 }]");
+  QTest::keyClick(line("track.seats"), Qt::Key_Return);
+  EXPECT_TRUE(form_.blockers().isEmpty()) << form_.blockers().join("; ").toStdString();
+  ASSERT_EQ(document_.description().track.seats.size(), 2u);
+  EXPECT_DOUBLE_EQ(*document_.description().track.seats[1].gap, 0.5e-3);
+  // A sleeper beyond the rail is found where the keys are seen together.
+  type("track.seats", "[{ sleeper = 900, gap = 0.5 }]");
+  QTest::keyClick(line("track.seats"), Qt::Key_Return);
+  ASSERT_EQ(form_.blockers().size(), 1);
+  EXPECT_TRUE(form_.blockers()[0].startsWith("track.seats"));
+  document_.resetParameter("track.seats");
+  EXPECT_TRUE(document_.description().track.seats.empty());
+}
+
 // The user means to mend the text, not to lose it because something else was edited meanwhile.
 TEST_F(Form, aRefusedTextStaysUntilItsOwnValueChanges) {
   const auto refuse = [this] {

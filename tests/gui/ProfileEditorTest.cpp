@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/DefectSurface.h"
 #include "case/ParameterTable.h"
 #include "plots/Style.h"
+#include "scenario/DefectSurface.h"
 #include "studio/CaseDocument.h"
 #include "studio/ProfileEditor.h"
 #include "studio/ProfileModel.h"
@@ -23,7 +23,7 @@ class Editor : public testing::Test {
  protected:
   void SetUp() override {
     cases::CaseDescription description = cases::defaultCase();
-    description.defect.shape = static_cast<int>(cases::DefectShape::profile);
+    description.defect.shape = cases::DefectShape::profile;
     description.defect.points = {{-0.04, 0}, {-0.02, -5e-5}, {0, -1.5e-4}, {0.02, -5e-5}, {0.04, 0}};
     document_.startFrom(description, QString(), "test", false);
     editor_.resize(900, 600);
@@ -155,7 +155,7 @@ TEST_F(Editor, positionsSayWhatTheyCountFrom) {
 // A wheel of radius R over a gap of length L sinks L^2 / (8 R) at most: the drawn path must say so.
 TEST(ProfileModel, aWheelCannotFeelTheFloorOfANarrowCut) {
   cases::CaseDescription description = cases::defaultCase();
-  description.defect.shape = static_cast<int>(cases::DefectShape::cut);
+  description.defect.shape = cases::DefectShape::cut;
   description.defect.length = 0.02;
   description.defect.ramp = 1e-4;
   description.defect.depth = 1e-3;
@@ -183,20 +183,21 @@ TEST(ProfileModel, pointsKeepDepthAndPlaceOfEveryShape) {
   auto& defect = description.defect;
   for (const auto shape : {cases::DefectShape::cut, cases::DefectShape::cosine, cases::DefectShape::wshape})
     for (const auto lateral : {cases::LateralShape::uniform, cases::LateralShape::parabolic}) {
-      defect.shape = static_cast<int>(shape), defect.lateral = static_cast<int>(lateral);
+      defect.shape = shape, defect.lateral = lateral;
       defect.length = 0.04, defect.ramp = 0.01, defect.depth = 2e-4;
       defect.halfWidth = 0.02, defect.lateralCentre = 0.01;
       const cases::DefectSurface before(defect), after(asPoints(description).defect);
-      EXPECT_NEAR(after.depth(), before.depth(), 0.01 * defect.depth) << defect.shape;
+      EXPECT_NEAR(after.depth(), before.depth(), 0.01 * defect.depth) << static_cast<int>(shape);
       for (double x = -0.03; x < 0.03; x += 0.0013)
         for (const double y : {-0.005, 0.0, 0.01})
-          EXPECT_NEAR(after.height(x, y), before.height(x, y), 0.05 * defect.depth) << defect.shape << " at " << x;
+          EXPECT_NEAR(after.height(x, y), before.height(x, y), 0.05 * defect.depth)
+              << static_cast<int>(shape) << " at " << x;
     }
 }
 
 TEST(ProfileModel, theHeightScaleIsSeen) {
   cases::CaseDescription description = cases::defaultCase();
-  description.defect.shape = static_cast<int>(cases::DefectShape::profile);
+  description.defect.shape = cases::DefectShape::profile;
   description.defect.points = {{-0.02, 0}, {0, -1e-4}, {0.02, 0}};
   description.defect.heightScale = 3;
   double lowest = 0;

@@ -9,6 +9,7 @@
 #include "case/CaseFile.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterTable.h"
+#include "case/Resolve.h"
 #include "model/Model.h"
 #include "scene/SceneView.h"
 #include "simulation/SurfaceFields.h"
@@ -28,7 +29,7 @@ double processorSeconds() {
 std::shared_ptr<results::RunResult> paperResult() {
   cases::CaseDescription description = cases::defaultCase();
   cases::applyPreset(description, cases::MeshPreset::paper);
-  const model::Model model = model::buildModel(description);
+  const model::Model model = model::buildModel(cases::resolve(description));
   const simulation::SurfaceFields fields(model);
   auto result = std::make_shared<results::RunResult>();
   result->surface = fields.mesh();

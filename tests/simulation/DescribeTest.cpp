@@ -7,6 +7,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "simulation/Describe.h"
 
 namespace squat::simulation {
@@ -14,7 +15,7 @@ namespace {
 
 double hertz(const std::string& wheelModulus, const std::string& name) {
   const auto model = model::buildModel(
-      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"wheelset.young_modulus", wheelModulus}}}));
+      cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {{"wheelset.young_modulus", wheelModulus}}}));
   results::RunResult result;
   describeEquilibrium(model, {}, result);
   for (const auto& scalar : result.equilibrium)
@@ -42,7 +43,7 @@ TEST(Describe, SlowRunsHaveSpectraToo) {
     tone.push_back(std::sin(2 * std::numbers::pi * 500 * t));
   }
   result.signals = {{"aba_filtered", "m/s2", "", tone}, {"wheel_acceleration_filtered", "m/s2", "", tone}};
-  EXPECT_EQ(addSpectra(description, result), "");
+  EXPECT_EQ(addSpectra(cases::resolve(description), result), "");
   ASSERT_FALSE(result.psd.empty());
   EXPECT_FALSE(result.scalogramPower.empty());
   const auto peak = std::max_element(result.psd.begin(), result.psd.end()) - result.psd.begin();
@@ -62,7 +63,7 @@ TEST(Describe, ARecordTooShortForSpectraSaysWhatToDo) {
     results::RunResult part = result;
     part.time.resize(samples), part.position.resize(samples);
     for (auto& channel : part.signals) channel.values.resize(samples);
-    return addSpectra(description, part);
+    return addSpectra(cases::resolve(description), part);
   };
   EXPECT_THAT(reasonWith(63), testing::HasSubstr("63 samples in the record, at least 64"));
   EXPECT_THAT(reasonWith(64), testing::HasSubstr("21 samples from 0.1 m before"));  // the 44th lies at -0.097 m

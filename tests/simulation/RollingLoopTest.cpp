@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "simulation/RollingLoop.h"
 
 namespace squat::simulation {
@@ -37,7 +39,8 @@ struct StopAt : Monitor {
 class RollingLoopTest : public testing::Test {
  protected:
   RollingLoopTest() { rolling.start(AlignedVector(model.stateSize, 0.0), AlignedVector(model.stateSize, 0.0), 65); }
-  model::Model model = model::buildModel(cases::loadCase("smooth-rail", {"tiny", {{"motion.torque", "0"}}}));
+  model::Model model =
+      model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {{"motion.torque", "0"}}}));
   ThreadTeam team{1};
   dynamics::Rolling rolling{model, elasticity::kernelsFor(""), team, 1e-7, 0};
   RunClock clock;

@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "simulation/TracksideSensors.h"
 
@@ -11,7 +13,7 @@ namespace squat::simulation {
 namespace {
 
 model::Model trackOf(const std::string& inclination) {
-  return model::buildModel(cases::loadCase(
+  return model::buildModel(cases::loadScenario(
       "smooth-rail",
       {"tiny", {{"rail.inclination", inclination}, {"wheelset.cone", inclination}, {"motion.torque", "0"}}}));
 }

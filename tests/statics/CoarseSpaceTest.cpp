@@ -7,6 +7,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 
 namespace squat::statics {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 // F / k, the wheelset with it and without strain, the rail not at all. Galerkin's projection is exact for a motion that
 // lies in the space; what is left comes of the 1e-10 by which its diagonal is raised.
 TEST(CoarseSpace, SpringOnTheSprungMassCarriesTheVehicle) {
-  const auto model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
+  const auto model = model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   ThreadTeam team(1);
   model::StaticOperator op(model, elasticity::kernelsFor(""), team, 0, 1e8, true);
   CoarseSpace coarse(model, op);
@@ -45,7 +46,7 @@ TEST(CoarseSpace, SpringOnTheSprungMassCarriesTheVehicle) {
 // load is a number.
 TEST(CoarseSpace, HoldsOnElementsLongerThanItsUsualHats) {
   const auto model =
-      model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"track.length", "10"}}}));
+      model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {{"track.length", "10"}}}));
   double longest = 0;
   for (const auto& run : model.blocks[model.rail].stations.runs) longest = std::max(longest, run.length);
   ASSERT_GT(longest, 0.2);

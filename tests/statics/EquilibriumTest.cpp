@@ -11,6 +11,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "model/StaticOperator.h"
 
@@ -27,7 +28,7 @@ using Values = std::vector<std::pair<std::string, std::string>>;
 Solved solve(const std::string& preset, int threads, const std::string& isa = "", double tolerance = 1e-7,
              const Values& values = {}) {
   Solved s;
-  s.model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {preset, values}));
+  s.model = model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {preset, values}));
   ThreadTeam team(threads);
   Monitor quiet;
   EquilibriumOptions options;
@@ -42,7 +43,7 @@ const Solved& tiny() {
 }
 
 double weight(const model::Model& model) {
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   return d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
 }
 
@@ -94,7 +95,7 @@ TEST(Equilibrium, BesideTheMiddleOfTheCrown) {
 TEST(Equilibrium, SupportsCarryTheWholeWeight) {
   const auto& [model, e] = tiny();
   const auto& u = e.displacement;
-  const auto vertical = [&](const supports::SpringSet& set, bool onRail) {
+  const auto liftOf = [&](const forces::ForceElements& set, bool onRail) {
     double sum = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {
       double q = 0, lift = 0;
@@ -114,7 +115,13 @@ TEST(Equilibrium, SupportsCarryTheWholeWeight) {
     }
     return sum;
   };
-  const double g = model.description.motion.gravity;
+  const auto vertical = [&](forces::Kind kind, bool onRail) {
+    double sum = 0;
+    for (const auto& set : model.forceElements)
+      if (set.kind == kind) sum += liftOf(set, onRail);
+    return sum;
+  };
+  const double g = model.scenario.motion.gravity;
   const auto massOf = [&](int b) {
     double sum = 0;
     for (int n = 0; n < model.blocks[b].nodes; ++n)
@@ -125,8 +132,8 @@ TEST(Equilibrium, SupportsCarryTheWholeWeight) {
   for (int i = 0; i < model.sleepers; ++i) sleepers += massOf(model.firstSleeper + i);
   const double onPads = weight(model) + g * massOf(model.rail);
   // Lift of the pads on the rail, and of the ballast on the sleepers.
-  EXPECT_NEAR(vertical(model.pads, true), onPads, 1e-5 * onPads);
-  EXPECT_NEAR(vertical(model.ballast, false), onPads + g * sleepers, 1e-5 * onPads);
+  EXPECT_NEAR(vertical(forces::Kind::railPad, true), onPads, 1e-5 * onPads);
+  EXPECT_NEAR(vertical(forces::Kind::ballast, false), onPads + g * sleepers, 1e-5 * onPads);
 }
 
 // The suspension is compressed by the sprung mass: g m / k between bearing and mass.
@@ -135,8 +142,8 @@ TEST(Equilibrium, SuspensionIsCompressedBySprungMass) {
   model::TurnedStations turned;
   model::turnStations(model.blocks[model.body], 0, turned);
   const double bearing = ringMean(model, model.bearing, turned, e.displacement.data()).z;
-  const auto& s = model.description.suspension;
-  const double expected = model.description.motion.gravity * s.sprungMass / s.stiffness;
+  const auto& s = model.scenario.suspension;
+  const double expected = model.scenario.motion.gravity * s.sprungMass / s.stiffness;
   EXPECT_NEAR(bearing - e.displacement[model.sprungZ], expected, 1e-6 * expected);
   EXPECT_EQ(e.displacement[model.sprungX], 0);
 }
@@ -144,14 +151,14 @@ TEST(Equilibrium, SuspensionIsCompressedBySprungMass) {
 // An axle box on its bearing: the spring carries box and sprung mass, (m + M) g / k; the contact carries all.
 TEST(Equilibrium, BoxSinksOnItsBearing) {
   const auto model = model::buildModel(
-      cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {{"wheelset.bearing_stiffness", "500"}}}));
+      cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {{"wheelset.bearing_stiffness", "500"}}}));
   ThreadTeam team(1);
   Monitor quiet;
   const auto e = findEquilibrium(model, elasticity::kernelsFor(""), team, model.startX, 0, {}, quiet);
   EXPECT_NEAR(e.contactForce, weight(model), 1e-6 * weight(model));
   model::TurnedStations turned;
   model::turnStations(model.blocks[model.body], 0, turned);
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   const double journal = ringMean(model, model.bearing, turned, e.displacement.data()).z;
   const double expected = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.axleBoxMass) / 500e6;
   EXPECT_NEAR(journal - e.displacement[model.boxZ], expected, 1e-5 * expected);

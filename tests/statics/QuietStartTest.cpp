@@ -7,6 +7,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "model/WheelMotion.h"
 
 namespace squat::statics {
@@ -15,13 +16,13 @@ namespace {
 // In steady rolling a rail point sees the deflection pass: du/dt = -v du/dx where the track is the same all along. Just
 // under the wheel du_z/dx = 0 for the head's sinking; ahead of the wheel the rail goes down, behind it comes up.
 TEST(QuietStart, RailSinksAheadOfTheWheelAndRisesBehind) {
-  const auto model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
+  const auto model = model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   ThreadTeam team(1);
   Monitor quiet;
   const auto start = prepareQuietStart(model, elasticity::kernelsFor(""), team, quiet);
   const auto& rail = model.blocks[model.rail];
   const auto& u = start.equilibrium.displacement;
-  const double speed = model.description.motion.speed;
+  const double speed = model.scenario.motion.speed;
   int middle = 0;
   for (const int node : model.surfaces.railLine)
     if (std::abs(rail.section.nodes[node][0]) < 1e-9) middle = node;

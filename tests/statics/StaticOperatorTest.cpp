@@ -8,12 +8,13 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 
 namespace squat::model {
 namespace {
 
 const Model& tiny() {
-  static const Model model = buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
+  static const Model model = buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {}}));
   return model;
 }
 
@@ -76,7 +77,8 @@ TEST(StaticOperator, DiagonalKnowsWhatTheMastersOfTheTieCarry) {
 // the turn about its axis. Rim and body are joined by the tie.
 TEST(StaticOperator, WheelsetMovesRigidlyThroughTheTie) {
   Model model = tiny();
-  model.description.suspension.stiffness = model.description.suspension.longitudinalStiffness = 0;
+  for (auto& set : model.forceElements)
+    if (set.kind == forces::Kind::primarySuspension) std::fill(set.stiffness.begin(), set.stiffness.end(), 0.0);
   ThreadTeam team(1);
   StaticOperator op(model, elasticity::kernelsFor(""), team, 0, 0, true);
   for (int motion = 0; motion < 4; ++motion) {
@@ -108,7 +110,7 @@ TEST(StaticOperator, WheelsetMovesRigidlyThroughTheTie) {
 // Gravity adds up to the weight: of wheelset (950 kg as the case says) and sprung mass, rail and sleepers.
 TEST(StaticOperator, GravityIsTheWeightOfEverything) {
   const auto& model = tiny();
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   for (const double rotation : {0.0, 0.7}) {
     const AlignedVector load = gravityForces(model, rotation);
     Eigen::Vector3d wheelset = Eigen::Vector3d::Zero(), track = Eigen::Vector3d::Zero();
@@ -148,7 +150,7 @@ TEST(StaticOperator, TieKeepsTheMass) {
       }
   }
   EXPECT_NEAR(solid, model.wheelset.solidMass, 1e-9 * solid);
-  EXPECT_NEAR(all, model.description.wheelset.totalMass, 1e-9 * all);
+  EXPECT_NEAR(all, model.scenario.wheelset.totalMass, 1e-9 * all);
   EXPECT_NEAR(inertia, model.wheelset.inertia, 1e-9 * inertia);
 }
 

@@ -7,6 +7,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "model/Model.h"
@@ -115,7 +116,7 @@ TEST(Divergence, AVelocityBeyondEverythingIsCaught) {
 // The wheelset dropped by 3 mm as a whole: no element is strained, so it is the contact that must notice.
 TEST(Divergence, RunawayPenetrationIsCaught) {
   constexpr double drop = 3e-3;
-  const auto model = model::buildModel(shortCase());
+  const auto model = model::buildModel(cases::resolve(shortCase()));
   const TemporaryFolder folder;
   expectStoppedSoon(folder, "runaway penetration", goOn(folder, [&](ArrayTree& state) {
                       const double rotation = numbers(state, "/rolling/small")[2];
@@ -135,7 +136,7 @@ TEST(Divergence, RunawayPenetrationIsCaught) {
 // One node drawn through its neighbour, three intervals along the rail. The state is judged before its first step: the
 // elastic forces would spread such a kink within a few steps.
 TEST(Divergence, AnElementTurnedInsideOutIsCaught) {
-  const auto model = model::buildModel(shortCase());
+  const auto model = model::buildModel(cases::resolve(shortCase()));
   const auto& rail = model.blocks[model.rail];
   const int node = rail.section.quads[rail.section.quads.size() / 2][0], station = rail.intervals / 2;
   const double interval = rail.positions[station + 1] - rail.positions[station];

@@ -6,6 +6,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 
 namespace squat::model {
 namespace {
@@ -16,7 +17,7 @@ const Model& tinyModel() {
   static const Model model = [] {
     cases::CaseOverrides overrides;
     overrides.preset = "tiny";
-    return buildModel(cases::loadCase(tests::fixtureCase("light-defect"), overrides));
+    return buildModel(cases::loadScenario(tests::fixtureCase("light-defect"), overrides));
   }();
   return model;
 }

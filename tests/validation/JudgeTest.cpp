@@ -199,7 +199,7 @@ TEST(Judge, ParametersAreComparedAsValues) {
   auto description = cases::defaultCase();
   cases::setValue(description, "pad.stiffness", "1300.0");
   cases::setValue(description, "track.length", "12");
-  result.caseToml = cases::writeCase(description);
+  results::setCase(result, description);
   Reference reference;
   reference.parameters = {{"Table 1", "K2", "pad.stiffness", "1300"}, {"2", "length", "track.length", "10"}};
   const auto compared = compareParameters(reference, result);

@@ -13,7 +13,7 @@ using Sets = std::vector<std::pair<std::string, std::string>>;
 results::RunResult resultOf(const std::string& name, const Sets& sets = {}, const std::string& mesh = "draft") {
   results::RunResult result;
   result.stem = "anything";
-  result.caseToml = cases::writeCase(cases::loadCase(name, {mesh, sets}));
+  results::setCase(result, cases::loadCase(name, {mesh, sets}));
   return result;
 }
 

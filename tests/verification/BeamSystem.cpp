@@ -1,6 +1,7 @@
 #include "verification/BeamSystem.h"
 
 #include <Eigen/SparseLU>
+#include <algorithm>
 
 namespace squat::verification {
 
@@ -65,10 +66,44 @@ void BeamSystem::addMass(const Terms& terms, double mass) {
     for (const auto& [j, b] : terms) mass_.emplace_back(i, j, a * b * mass);
 }
 
+void BeamSystem::addGapSpring(const Terms& terms, double stiffness, double gap) {
+  gapSprings_.push_back({terms, stiffness, gap});
+}
+
+double BeamSystem::GapSpring::compression(const Eigen::VectorXd& displacement) const {
+  double q = 0;
+  for (const auto& [i, weight] : terms) q += weight * displacement[i];
+  return -q - gap;
+}
+
 Eigen::VectorXd BeamSystem::atRest(const Eigen::VectorXd& load) const {
-  Eigen::SparseMatrix<double> k(unknowns_, unknowns_);
-  k.setFromTriplets(stiffness_.begin(), stiffness_.end());
-  return Eigen::SparseLU<Eigen::SparseMatrix<double>>(k).solve(load);
+  std::vector<char> closed(gapSprings_.size(), 1);
+  Eigen::VectorXd displacement;
+  for (int k = 0; k < 30; ++k) {
+    auto entries = stiffness_;
+    Eigen::VectorXd all = load;
+    for (std::size_t g = 0; g < closed.size(); ++g) {
+      if (!closed[g]) continue;
+      const auto& spring = gapSprings_[g];
+      for (const auto& [i, a] : spring.terms) {
+        all[i] -= a * spring.stiffness * spring.gap;
+        for (const auto& [j, b] : spring.terms) entries.emplace_back(i, j, a * b * spring.stiffness);
+      }
+    }
+    Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    displacement = Eigen::SparseLU<Eigen::SparseMatrix<double>>(matrix).solve(all);
+    const auto before = closed;
+    for (std::size_t g = 0; g < closed.size(); ++g) closed[g] = gapSprings_[g].compression(displacement) > 0;
+    if (closed == before) break;
+  }
+  return displacement;
+}
+
+double BeamSystem::gapLoad(const Eigen::VectorXd& displacement) const {
+  double sum = 0;
+  for (const auto& spring : gapSprings_) sum += spring.stiffness * std::max(0.0, spring.compression(displacement));
+  return sum;
 }
 
 std::vector<std::complex<double>> BeamSystem::answers(const Eigen::MatrixXd& shapes, double omega) const {

@@ -9,6 +9,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "dynamics/StableStep.h"
 #include "simulation/EnergyLedger.h"
 #include "statics/QuietStart.h"
@@ -36,7 +37,7 @@ std::vector<double> valuesOf(const EnergyLedger& ledger, const std::string& name
 
 TEST(ImpactEnergy, IsKeptThroughAnImpact) {
   const auto description = conservativeCase();
-  const auto model = model::buildModel(description);
+  const auto model = model::buildModel(cases::resolve(description));
   ThreadTeam team(1);
   Monitor quiet;
   const auto kernels = elasticity::kernelsFor("");
@@ -82,7 +83,7 @@ TEST(DrivenWheel, KeepsTheBooks) {
   auto description = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}});
   description.motion.tractionCoefficient = 0.2;
   description.motion.torqueRamp = 1e-3;
-  const auto model = model::buildModel(description);
+  const auto model = model::buildModel(cases::resolve(description));
   ThreadTeam team(1);
   Monitor quiet;
   const auto kernels = elasticity::kernelsFor("");

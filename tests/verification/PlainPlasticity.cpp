@@ -21,7 +21,7 @@ Eigen::Matrix<double, 6, 3 * Modes> strainOf(const Eigen::Matrix<double, 3, Mode
 
 }  // namespace
 
-PlainBody::PlainBody(std::vector<PlainElement> elements, const cases::Material& material, const PlainLaw& law)
+PlainBody::PlainBody(std::vector<PlainElement> elements, const scenario::Material& material, const PlainLaw& law)
     : elements_(std::move(elements)),
       hooke_(elasticityMatrix(material)),
       shear_(material.young / 2 / (1 + material.poisson)),

@@ -24,7 +24,7 @@ struct PlainElement {
 class PlainBody {
  public:
   using Vector6 = Eigen::Matrix<double, 6, 1>;
-  PlainBody(std::vector<PlainElement> elements, const cases::Material& material, const PlainLaw& law);
+  PlainBody(std::vector<PlainElement> elements, const scenario::Material& material, const PlainLaw& law);
 
   // Forces of the stresses at these displacements (3 a node); plastic flow goes on from the last call.
   Eigen::VectorXd innerForce(const Eigen::VectorXd& u);

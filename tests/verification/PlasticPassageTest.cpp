@@ -46,15 +46,15 @@ void load(const elasticity::SweptBlock& block, double patch, const std::function
   }
 }
 
-class RolledOver : public testing::TestWithParam<cases::Hardening> {};
+class RolledOver : public testing::TestWithParam<scenario::Hardening> {};
 
 TEST_P(RolledOver, SameAsElementByElement) {
   std::vector<elasticity::SweptBlock> blocks{makeBlock()};
   const std::size_t total = elasticity::layOut(blocks);
   const auto& block = blocks[0];
-  cases::Rail rail;
+  scenario::Rail rail;
   rail.material = steel, rail.yieldStress = 0.8e9, rail.tangentModulus = 21e9;
-  rail.hardening = static_cast<int>(GetParam());
+  rail.hardening = GetParam();
   const auto law = bilinearLaw(rail);
   // Everything but the lowest row may yield, up to an elastic end where the patch rolls out.
   std::vector<int> top;
@@ -165,9 +165,9 @@ TEST_P(RolledOver, SameAsElementByElement) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Hardening, RolledOver,
-                         testing::Values(cases::Hardening::isotropic, cases::Hardening::kinematic),
+                         testing::Values(scenario::Hardening::isotropic, scenario::Hardening::kinematic),
                          [](const auto& kind) {
-                           return std::string(kind.param == cases::Hardening::kinematic ? "kinematic" : "isotropic");
+                           return std::string(kind.param == scenario::Hardening::kinematic ? "kinematic" : "isotropic");
                          });
 
 }  // namespace

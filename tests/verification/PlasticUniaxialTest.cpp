@@ -30,7 +30,7 @@ struct Bar {
 };
 
 // A bar of 2 x 3 skewed quads and 8 intervals; `moved`: one of its inner nodes stands elsewhere.
-Bar makeBar(cases::Hardening hardening, bool moved) {
+Bar makeBar(scenario::Hardening hardening, bool moved) {
   Bar bar;
   bar.blocks.resize(1);
   auto& block = bar.blocks[0];
@@ -38,9 +38,9 @@ Bar makeBar(cases::Hardening hardening, bool moved) {
   block.stations = {0, false, {{8, 0.004}}};
   block.material = steel;
   bar.size = elasticity::layOut(bar.blocks);
-  cases::Rail rail;
+  scenario::Rail rail;
   rail.material = steel, rail.yieldStress = yieldStress, rail.tangentModulus = tangent;
-  rail.hardening = static_cast<int>(hardening);
+  rail.hardening = hardening;
   const elasticity::NodeShift shift = [](int node, int station) {
     return node == 4 && station == 3 ? Eigen::Vector3d(0.0005, 0.0004, -0.0006) : Eigen::Vector3d(0, 0, 0);
   };
@@ -63,7 +63,7 @@ struct Uniaxial {
   }
 };
 
-class UniaxialPlasticity : public testing::TestWithParam<std::tuple<cases::Hardening, bool, std::string>> {};
+class UniaxialPlasticity : public testing::TestWithParam<std::tuple<scenario::Hardening, bool, std::string>> {};
 
 TEST_P(UniaxialPlasticity, LoadUnloadReload) {
   const auto& [hardening, moved, isa] = GetParam();
@@ -73,7 +73,7 @@ TEST_P(UniaxialPlasticity, LoadUnloadReload) {
   const auto kernels = layerKernelsFor(isa);
   LayerState state = restState(bar.layer);
   LayerForces forces = layerForces(bar.layer, kernels, state);
-  Uniaxial law{hardening == cases::Hardening::kinematic};
+  Uniaxial law{hardening == scenario::Hardening::kinematic};
   const double area = 0.01 * 0.012, volume = area * 8 * 0.004;
   std::vector<int> everyNode(block.nodes);
   std::iota(everyNode.begin(), everyNode.end(), 0);
@@ -128,17 +128,17 @@ TEST_P(UniaxialPlasticity, LoadUnloadReload) {
   EXPECT_GT(law.equivalent, 0.01);
 }
 
-std::vector<std::tuple<cases::Hardening, bool, std::string>> everyKind() {
-  std::vector<std::tuple<cases::Hardening, bool, std::string>> kinds;
+std::vector<std::tuple<scenario::Hardening, bool, std::string>> everyKind() {
+  std::vector<std::tuple<scenario::Hardening, bool, std::string>> kinds;
   for (const auto& isa : elasticity::availableInstructionSets())
     for (const bool moved : {false, true})
-      for (const auto hardening : {cases::Hardening::isotropic, cases::Hardening::kinematic})
+      for (const auto hardening : {scenario::Hardening::isotropic, scenario::Hardening::kinematic})
         kinds.push_back({hardening, moved, isa});
   return kinds;
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, UniaxialPlasticity, testing::ValuesIn(everyKind()), [](const auto& kind) {
-  return std::string(std::get<0>(kind.param) == cases::Hardening::kinematic ? "kinematic" : "isotropic") +
+  return std::string(std::get<0>(kind.param) == scenario::Hardening::kinematic ? "kinematic" : "isotropic") +
          (std::get<1>(kind.param) ? "Moved_" : "_") + std::get<2>(kind.param);
 });
 

@@ -10,6 +10,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "statics/Equilibrium.h"
 #include "verification/TrackBeam.h"
 
@@ -35,15 +36,15 @@ double sectionMean(const model::Model& model, const AlignedVector& u, double x) 
 }
 
 TEST(RailDeflection, UnderTheWheelIsThatOfABeam) {
-  const auto description =
-      cases::loadCase(tests::fixtureCase("smooth-rail"),
-                      {"tiny", {{"track.length", "9"}, {"mesh.far_size", "100"}, {"mesh.section_size", "16"}}});
-  const auto model = model::buildModel(description);
+  const auto scenario =
+      cases::loadScenario(tests::fixtureCase("smooth-rail"),
+                          {"tiny", {{"track.length", "9"}, {"mesh.far_size", "100"}, {"mesh.section_size", "16"}}});
+  const auto model = model::buildModel(scenario);
   ThreadTeam team(1);
   Monitor quiet;
   const auto e = statics::findEquilibrium(model, elasticity::kernelsFor(""), team, model.startX, 0, {}, quiet);
   const auto& rail = model.blocks[model.rail];
-  const TrackBeam beam(description, beamSection(rail.section), rail.positions.front(), model.sleeperPositions);
+  const TrackBeam beam(scenario, beamSection(rail.section), rail.positions.front(), model.sleeperPositions);
   for (const double away : {0.0, 0.3, 0.6}) {
     const double x = model.startX + away;
     const double expected = beam.deflection(x, model.startX, e.contactForce, true);

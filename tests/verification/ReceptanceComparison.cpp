@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "case/Resolve.h"
 #include "model/Model.h"
 #include "verification/SectionFlexibility.h"
 #include "verification/TrackBeam.h"
@@ -46,7 +47,7 @@ double outside(const receptance::TrackReceptance& solid, const Complexes& values
 
 // What the section gives way between its mean and the pads is computed from a slice by itself (SectionFlexibility.h).
 TrackBeam beamOf(const cases::CaseDescription& description) {
-  const auto own = receptance::receptanceCase(description);
+  const auto own = receptance::receptanceCase(cases::resolve(description));
   const auto model = model::buildModel(own);
   const auto& rail = model.blocks[model.rail];
   auto section = beamSection(rail.section);
@@ -74,7 +75,7 @@ receptance::TrackReceptance solidTrack(const cases::CaseDescription& d, receptan
   options.wheelset = false;
   options.threads = 1;
   Monitor quiet;
-  return receptance::trackReceptance(d, options, quiet);
+  return receptance::trackReceptance(cases::resolve(d), options, quiet);
 }
 
 void compareWithBeam(const cases::CaseDescription& d, double step, const receptance::ReceptanceOptions& options) {

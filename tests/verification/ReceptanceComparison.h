@@ -1,6 +1,7 @@
 // tests/verification/ReceptanceComparison.h - receptance of the solid track beside that of a Timoshenko beam.
 #pragma once
 
+#include "case/CaseDescription.h"
 #include "receptance/Receptance.h"
 
 namespace squat::verification {

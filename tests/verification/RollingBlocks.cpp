@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "FixtureCase.h"
-#include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "elasticity/SweptSamples.h"
 #include "geometry/RailSection.h"
 
@@ -76,7 +76,7 @@ void RollingBlocks::build() {
   const std::size_t size = elasticity::layOut(blocks_);
   displaced_.assign(size, 0.0), target_ = velocity_ = displaced_;
 
-  auto description = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}});
+  auto description = cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {}});
   description.wheelset.radius = with_.radius;
   const auto& at = blocks_[0].positions;
   surfaces_ = makeSurfaces(blocks_[0], 0, blocks_[1], 1, description, at[8] + 1e-9, at[at.size() - 9] - 1e-9);

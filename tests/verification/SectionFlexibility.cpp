@@ -18,7 +18,7 @@ struct Quad {
   Eigen::Vector4d area;  // shares of the nodes
 };
 
-Quad planeStrain(const Eigen::Matrix<double, 4, 2>& nodes, const cases::Material& m) {
+Quad planeStrain(const Eigen::Matrix<double, 4, 2>& nodes, const scenario::Material& m) {
   const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, at = 1 / std::sqrt(3.0);
   const double scale = m.young / (1 + m.poisson) / (1 - 2 * m.poisson);
   Eigen::Matrix3d elastic;
@@ -61,7 +61,7 @@ Quad planeStrain(const Eigen::Matrix<double, 4, 2>& nodes, const cases::Material
 
 }  // namespace
 
-double footFlexibility(const geometry::SectionMesh& section, const cases::Material& material,
+double footFlexibility(const geometry::SectionMesh& section, const scenario::Material& material,
                        const std::vector<double>& springs, double stiffness) {
   const int size = 2 * static_cast<int>(section.nodes.size());
   std::vector<Eigen::Triplet<double>> entries;

@@ -89,8 +89,8 @@ TorsionConstants sectionTorsion(const geometry::SectionMesh& section) {
   return result;
 }
 
-std::vector<LateralMode> lateralTorsionModes(const TorsionConstants& c, const cases::Material& material, double length,
-                                             int count) {
+std::vector<LateralMode> lateralTorsionModes(const TorsionConstants& c, const scenario::Material& material,
+                                             double length, int count) {
   constexpr int elements = 60;
   const double h = length / elements, shear = material.young / 2 / (1 + material.poisson);
   // Cubic element: int N N, int N' N', int N'' N'' for values and slopes at both ends.

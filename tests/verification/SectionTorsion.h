@@ -28,7 +28,7 @@ struct LateralMode {
 };
 
 // Lowest elastic modes of a free beam, cubic elements for motion of the shear centre and turn.
-std::vector<LateralMode> lateralTorsionModes(const TorsionConstants& section, const cases::Material& material,
+std::vector<LateralMode> lateralTorsionModes(const TorsionConstants& section, const scenario::Material& material,
                                              double length, int count);
 
 // A rectangle of quads, and two meshes as one (nodes at the same place merged).

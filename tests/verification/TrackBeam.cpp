@@ -15,7 +15,7 @@ constexpr double railStep = 0.025;  // [m]
 
 double padPlace(int index, int count, double length) { return ((index + 0.5) / count - 0.5) * length; }
 
-double shearModulus(const cases::Material& m) { return m.young / 2 / (1 + m.poisson); }
+double shearModulus(const scenario::Material& m) { return m.young / 2 / (1 + m.poisson); }
 
 // St Venant's constant of a rectangle (Timoshenko and Goodier, Theory of Elasticity, art. 109).
 double rectangleTorsion(double a, double b) {
@@ -41,14 +41,14 @@ BeamSection beamSection(const geometry::SectionMesh& section) {
   return beam;
 }
 
-TrackBeam::TrackBeam(const cases::CaseDescription& description, const BeamSection& section, double railStart,
+TrackBeam::TrackBeam(const scenario::Scenario& description, const BeamSection& section, double railStart,
                      const std::vector<double>& sleeperPositions)
     : case_(description), section_(section), railStart_(railStart) {
   layRail(sleeperPositions);
   for (const double x : sleeperPositions) {
     const int sleeper = addSleeper();
-    addBallast(sleeper);
-    addPad(sleeper, x);
+    addBallast(sleeper, seatAt(x));
+    addPad(sleeper, x, seatAt(x));
   }
 }
 
@@ -106,8 +106,16 @@ int TrackBeam::addSleeper() {
   return first;
 }
 
+// Seats count from the sleeper nearest to the defect, which is as far behind it as the case says.
+scenario::Seat TrackBeam::seatAt(double x) const {
+  const auto index = std::lround((x + case_.track.defectFromSleeper) / case_.track.sleeperSpacing);
+  for (const auto& seat : case_.track.seats)
+    if (seat.sleeper == index) return seat;
+  return {};
+}
+
 // Point of a sleeper at x from its axis and z above it: lift + twist x, shift - twist z, stretch - slope z - slope x.
-void TrackBeam::addBallast(int sleeper) {
+void TrackBeam::addBallast(int sleeper, const scenario::Seat& seat) {
   const auto& ballast = case_.ballast;
   const double base = -case_.sleeper.height / 2;
   for (int j = 0; j <= sleeperParts; ++j) {
@@ -115,8 +123,12 @@ void TrackBeam::addBallast(int sleeper) {
     const double share = (j == 0 || j == sleeperParts ? 0.5 : 1.0) / sleeperParts;
     for (const double side : {-0.5, 0.5}) {  // two lines: second moment of the even pressure
       const double offset = side * case_.sleeper.width / std::sqrt(3.0);
-      system_.addSpring({{at + lift, 1}, {at + twist, offset}}, 0.5 * share * ballast.stiffness,
-                        0.5 * share * ballast.damping);
+      const Terms vertical{{at + lift, 1}, {at + twist, offset}};
+      const double stiffness = 0.5 * share * seat.ballastStiffness.value_or(ballast.stiffness);
+      if (seat.gap)
+        system_.addGapSpring(vertical, stiffness, *seat.gap);
+      else
+        system_.addSpring(vertical, stiffness, 0.5 * share * seat.ballastDamping.value_or(ballast.damping));
     }
     system_.addSpring({{at + shift, 1}, {at + twist, -base}}, share * ballast.longitudinalStiffness,
                       share * ballast.longitudinalDamping);
@@ -127,7 +139,7 @@ void TrackBeam::addBallast(int sleeper) {
 
 // Point of the rail's base at y from its axis: up + turn y, along + slope centroid - slope y, across + turn shear
 // centre.
-void TrackBeam::addPad(int sleeper, double at) {
+void TrackBeam::addPad(int sleeper, double at, const scenario::Seat& seat) {
   const auto& pad = case_.pad;
   const double top = case_.sleeper.height / 2, share = 1.0 / (padsAlong * padsAcross);
   for (int p = 0; p < padsAlong; ++p) {
@@ -142,7 +154,8 @@ void TrackBeam::addPad(int sleeper, double at) {
       const double y = padPlace(q, padsAcross, pad.width), place = y + case_.wheelset.trackCentre;
       Terms vertical{{foot, 1}, {rail + turn, y}};
       join(vertical, sleeperAt(sleeper, lift, place, -1)), join(vertical, sleeperAt(sleeper, twist, place, -x));
-      system_.addSpring(vertical, share * pad.stiffness, share * pad.damping);
+      system_.addSpring(vertical, share * seat.padStiffness.value_or(pad.stiffness),
+                        share * seat.padDamping.value_or(pad.damping));
       Terms lengthwise{{rail + along, 1}, {rail + upSlope, section_.centroidAboveBase}, {rail + acrossSlope, -y}};
       join(lengthwise, sleeperAt(sleeper, shift, place, -1)), join(lengthwise, sleeperAt(sleeper, twist, place, top));
       system_.addSpring(lengthwise, share * pad.longitudinalStiffness, share * pad.longitudinalDamping);
@@ -178,12 +191,18 @@ Eigen::VectorXd TrackBeam::railShape(double x) const {
   return shape;
 }
 
-double TrackBeam::deflection(double x, double loadX, double force, bool withWeight) const {
+Eigen::VectorXd TrackBeam::atRest(double loadX, double force, bool withWeight) const {
   Eigen::VectorXd load = -force * railShape(loadX);
   if (withWeight)
     for (const auto& [unknown, mass] : weights_) load[unknown] -= mass * case_.motion.gravity;
-  return railShape(x).dot(system_.atRest(load));
+  return system_.atRest(load);
 }
+
+double TrackBeam::deflection(double x, double loadX, double force, bool withWeight) const {
+  return railShape(x).dot(atRest(loadX, force, withWeight));
+}
+
+double TrackBeam::voidedLoad(double loadX, double force) const { return system_.gapLoad(atRest(loadX, force, true)); }
 
 std::vector<std::complex<double>> TrackBeam::receptance(const std::vector<double>& at, double frequency) const {
   Eigen::MatrixXd shapes(system_.unknowns(), static_cast<Eigen::Index>(at.size()));

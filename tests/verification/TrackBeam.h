@@ -11,8 +11,8 @@
 #include <complex>
 #include <vector>
 
-#include "case/CaseDescription.h"
 #include "geometry/SectionMesh.h"
+#include "scenario/Scenario.h"
 #include "verification/BeamSystem.h"
 
 namespace squat::verification {
@@ -31,11 +31,13 @@ BeamSection beamSection(const geometry::SectionMesh& section);
 class TrackBeam {
  public:
   // Sleepers at the given positions; rail from railStart, of the case's length.
-  TrackBeam(const cases::CaseDescription& description, const BeamSection& section, double railStart,
+  TrackBeam(const scenario::Scenario& description, const BeamSection& section, double railStart,
             const std::vector<double>& sleeperPositions);
 
   // Deflection [m], up positive, at x under the weight of the track and a force [N], down positive, at `loadX`.
   double deflection(double x, double loadX, double force, bool withWeight) const;
+  // What the ballast of all seats with a gap carries [N], weight of the track included.
+  double voidedLoad(double loadX, double force) const;
 
   // Displacement at each x for a unit harmonic force there [m/N].
   std::vector<std::complex<double>> receptance(const std::vector<double>& at, double frequency) const;
@@ -47,14 +49,16 @@ class TrackBeam {
 
   void layRail(const std::vector<double>& sleeperPositions);
   int addSleeper();
-  void addBallast(int sleeper);
-  void addPad(int sleeper, double at);
+  scenario::Seat seatAt(double x) const;
+  void addBallast(int sleeper, const scenario::Seat& seat);
+  void addPad(int sleeper, double at, const scenario::Seat& seat);
   int railNode(double x) const;
   // Weights of a sleeper's unknown at a distance from the symmetry plane.
   Terms sleeperAt(int sleeper, int unknown, double y, double factor) const;
   Eigen::VectorXd railShape(double x) const;
+  Eigen::VectorXd atRest(double loadX, double force, bool withWeight) const;
 
-  cases::CaseDescription case_;
+  scenario::Scenario case_;
   BeamSection section_;
   double railStart_ = 0;
   std::vector<double> railX_;

@@ -11,6 +11,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "verification/TrackBeam.h"
 
 namespace squat::verification {
@@ -19,7 +20,7 @@ namespace {
 constexpr double midspan = 0.3;
 
 TrackBeam hundredBays() {
-  auto d = cases::loadCase(tests::fixtureCase("smooth-rail"));
+  auto d = cases::loadScenario(tests::fixtureCase("smooth-rail"));
   d.track.length = 60;
   d.pad.length = 1e-7, d.pad.longitudinalStiffness = 0, d.pad.longitudinalDamping = 0;
   d.sleeper.material.young = 1e16;

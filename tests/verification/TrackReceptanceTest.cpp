@@ -13,6 +13,9 @@
 // ballast's 9).
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "verification/ReceptanceComparison.h"
@@ -27,6 +30,47 @@ TEST(TrackReceptance, ShortTrackIsThatOfABeam) {
   options.shapeTolerance = 2e-2;
   options.accuracy = 0.02;
   compareWithBeam(cases::loadCase(tests::fixtureCase("smooth-rail"), {"draft", {{"track.length", "3"}}}), 10, options);
+}
+
+// A worn pad on weak ballast under the first point: both tracks have it.
+TEST(TrackReceptance, OverASeatThatDiffersIsThatOfABeam) {
+  receptance::ReceptanceOptions options;
+  options.highest = 1200;
+  options.shapeTolerance = 2e-2;
+  options.accuracy = 0.02;
+  compareWithBeam(
+      cases::loadCase(tests::fixtureCase("smooth-rail"), {"draft",
+                                                          {{"track.length", "3"},
+                                                           {"track.seats",
+                                                            "[{ sleeper = 0, pad_stiffness = 300, pad_damping = 20, "
+                                                            "ballast_stiffness = 10, ballast_damping = 20 }]"}}}),
+      10, options);
+}
+
+// 300 kN/mm up to 15 kN, then 1000 kN/mm: clamped with 50 kN the pad answers by the second slope, unclamped by the
+// first. The same system to solve, but for the last digits of the slope.
+TEST(TrackReceptance, ProgressivePadAnswersByTheTangentAtItsPreload) {
+  receptance::ReceptanceOptions options;
+  options.highest = 400;
+  options.shapeTolerance = 5e-2;
+  options.accuracy = 0.02;
+  const std::pair<const char*, const char*> states[] = {{"0", "300"}, {"50", "1000"}};
+  for (const auto& [preload, stiffness] : states) {
+    const auto curved = solidTrack(
+        cases::loadCase(
+            tests::fixtureCase("smooth-rail"),
+            {"tiny",
+             {{"track.length", "3"}, {"pad.curve", "[[0, 0], [0.05, 15], [0.15, 115]]"}, {"pad.preload", preload}}}),
+        options);
+    const auto linear = solidTrack(cases::loadCase(tests::fixtureCase("smooth-rail"),
+                                                   {"tiny", {{"track.length", "3"}, {"pad.stiffness", stiffness}}}),
+                                   options);
+    for (std::size_t p = 0; p < linear.points.size(); ++p)
+      for (std::size_t f = 0; f < linear.frequency.size(); ++f) {
+        const auto expected = linear.points[p].receptance[f];
+        ASSERT_LT(std::abs(curved.points[p].receptance[f] - expected), 1e-6 * std::abs(expected)) << preload << " kN";
+      }
+  }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "model/ContactPenalty.h"
 #include "statics/Equilibrium.h"
 
@@ -21,11 +22,11 @@ namespace {
 constexpr double force = 87.8e3, along = 6.86e-3, across = 5.16e-3, peak = 1185e6, approach = 0.0955e-3;
 
 void expectHertz(const std::string& mesh, double tolerance) {
-  const auto model = model::buildModel(cases::loadCase(tests::fixtureCase("smooth-rail"), {mesh, {}}));
+  const auto model = model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {mesh, {}}));
   ThreadTeam team(threadCount(0));
   Monitor quiet;
   const auto e = findEquilibrium(model, elasticity::kernelsFor(""), team, model.startX, 0, {}, quiet);
-  const auto& d = model.description;
+  const auto& d = model.scenario;
   const double weight = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   const double scale = std::cbrt(weight / force);
   std::printf("  %-8s  a %.3f mm (%+.1f %%)  b %.3f mm (%+.1f %%)  p0 %.0f MPa (%+.1f %%)\n", mesh.c_str(),
@@ -45,7 +46,7 @@ TEST(WheelOnRailHertz, Paper) { expectHertz("paper", 0.06); }
 // What the penalty adds to the approach, p0 / 2 k, stays below 4 % of Hertz's on the mesh `paper`.
 TEST(WheelOnRailHertz, PenaltyOfThePapersMeshIsHard) {
   const double added =
-      peak / 2 / model::normalPenalty(cases::loadCase(tests::fixtureCase("smooth-rail"), {"paper", {}}));
+      peak / 2 / model::normalPenalty(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"paper", {}}));
   std::printf("  p0 / 2 k = %.2f um, %.2f %% of the approach\n", 1e6 * added, 100 * added / approach);
   EXPECT_LT(added, 0.04 * approach);
 }

@@ -2,11 +2,11 @@
 #include <cmath>
 
 #include "case/CaseFile.h"
-#include "case/DefectSurface.h"
 #include "core/Errors.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "plots/SleeperSpans.h"
+#include "scenario/DefectSurface.h"
 
 namespace squat::plots {
 namespace {
@@ -39,21 +39,17 @@ void addSleeper(Figure& figure, const Span& span, double from, double to) {
 
 // A defect of several lines is shown line by line; they stand in the case that the result carries.
 void addLines(Figure& figure, const results::RunResult& result) {
-  try {
-    const auto description = cases::parseCaseOfResult(result.caseToml, "case of the result");
-    const cases::DefectSurface surface(description.defect);
-    std::size_t colour = 2;
-    for (const double lateral : surface.lateralLines()) {
-      Curve curve;
-      for (const double x : result.profilePosition) curve.y.push_back(surface.height(x, lateral) * 1e6);
-      curve.x = scaled(result.profilePosition, 1e3);
-      curve.label = QString("line at %1 mm").arg(lateral * 1e3, 0, 'g', 3);
-      curve.colour = colour++;
-      curve.width = 0.9;
-      addCurve(figure, curve);
-    }
-  } catch (const CaseError&) {  // a case that this version does not take any more: the running line alone
-  } catch (const FileError&) {
+  if (!result.resolvedCase) return;  // a case that this version does not take any more: the running line alone
+  const auto& surface = result.resolvedCase->scenario.defectSurface;
+  std::size_t colour = 2;
+  for (const double lateral : surface.lateralLines()) {
+    Curve curve;
+    for (const double x : result.profilePosition) curve.y.push_back(surface.height(x, lateral) * 1e6);
+    curve.x = scaled(result.profilePosition, 1e3);
+    curve.label = QString("line at %1 mm").arg(lateral * 1e3, 0, 'g', 3);
+    curve.colour = colour++;
+    curve.width = 0.9;
+    addCurve(figure, curve);
   }
 }
 

@@ -41,8 +41,8 @@ std::optional<CaseProblem> readProfile(cases::CaseDescription& description, cons
 // What differs from the preset before was set by the user and stays, as where the command line chooses another preset.
 void takePreset(cases::CaseDescription& after, const cases::CaseDescription& before) {
   cases::CaseDescription preset = before;
-  cases::applyPreset(preset, static_cast<cases::MeshPreset>(before.mesh.preset));
-  cases::applyPreset(after, static_cast<cases::MeshPreset>(after.mesh.preset));
+  cases::applyPreset(preset, before.mesh.preset);
+  cases::applyPreset(after, after.mesh.preset);
   for (const auto& row : cases::presetTable()) {
     const cases::Parameter& parameter = *cases::findParameter(row.key);
     const std::string own = cases::valueText(before, parameter);

@@ -177,7 +177,7 @@ void MainWindow::showShownCase() {
   const int row = store_.current();
   const QString name = row < 0 ? QString() : store_.at(row).label;
   signalsDock_->setWindowTitle(name.isEmpty() ? tr("Signals") : tr("Signals: %1").arg(name));
-  const QString different = shownCase_.difference(store_.currentResult(), document_.description());
+  const QString different = differenceOfCases(store_.currentResult().get(), document_.description());
   otherCase_->setText(tr("Result “%1” was not computed from the open case: %2.").arg(name, different));
   otherCase_->setVisible(!different.isEmpty());
 }

@@ -133,7 +133,6 @@ class MainWindow : public QMainWindow {
   Recovery* recovery_ = nullptr;
   MessageBar* messages_;
   QLabel* otherCase_;
-  ShownCase shownCase_;
   QPointer<HelpWindow> help_;
   ParameterForm* form_;
   ProfileEditor* profile_;

@@ -74,15 +74,16 @@ bool MainWindow::openResult(const QString& path) {
     store_.add({result, label, QFileInfo(path).absoluteFilePath(), false, false});
     if (result->caseToml.empty() || hasUnsavedChanges()) return true;
     // The case that made the result, to be looked at and changed.
-    document_.startFrom(cases::parseCaseOfResult(result->caseToml, path.toStdString()), QString(), label, false);
+    if (!result->resolvedCase) {
+      messages_->warn(tr("The case stored in %1 cannot be read by this version; only its results are shown.").arg(path),
+                      QString::fromStdString(result->caseProblem));
+      return true;
+    }
+    document_.startFrom(result->resolvedCase->description, QString(), label, false);
     profile_->plot()->fit();
     return true;
   } catch (const FileError& error) {
     messages_->warn(QString::fromStdString(error.what()));
-  } catch (const CaseError& error) {
-    messages_->warn(tr("The case stored in %1 cannot be read by this version; only its results are shown.").arg(path),
-                    allProblems(error));
-    return true;
   }
   return false;
 }

@@ -15,8 +15,9 @@ namespace {
 QString sentence(const CaseProblem& problem) {
   QString text = QString::fromStdString(problem.value);
   static const QRegularExpression decimalComma("\\d,\\d");
-  const QString advice =
-      decimalComma.match(text).hasMatch() ? ". " + QString::fromStdString(problem.advice) : QString();
+  // The advice names the point of a curve or the seat that is wrong.
+  const bool needsAdvice = decimalComma.match(text).hasMatch() || text.startsWith('[');
+  const QString advice = needsAdvice ? ". " + QString::fromStdString(problem.advice) : QString();
   if (text.size() > 40) text = text.left(40) + QChar(0x2026);
   return QObject::tr("“%1” must be %2").arg(text, printedUnits(QString::fromStdString(problem.allowed))) + advice;
 }
@@ -51,7 +52,8 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   grid->setHorizontalSpacing(6);
   grid->setVerticalSpacing(0);
   grid->addWidget(name_, 0, 0);
-  const bool wide = parameter.kind == cases::Kind::text;
+  const bool wide = parameter.kind == cases::Kind::text || parameter.kind == cases::Kind::forceCurve ||
+                    parameter.kind == cases::Kind::seats;
   grid->addWidget(editor_, 0, 1, 1, wide ? 2 : 1);
   if (!wide) grid->addWidget(unit, 0, 2);
   unit->setVisible(!wide);

@@ -185,7 +185,7 @@ void ProfileEditor::importFile(const QString& path) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
       cases::CaseDescription after = document_.description();
-      after.defect.shape = static_cast<int>(cases::DefectShape::profile);
+      after.defect.shape = cases::DefectShape::profile;
       after.defect.points = dialog->points();
       after.defect.lines.clear();
       after.defect.file.clear();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/DefectSurface.h"
+#include "scenario/DefectSurface.h"
 
 namespace squat::studio {
 namespace {
@@ -14,8 +14,7 @@ constexpr double leastTilt = 1e-7;        // [m] a tenth of the micrometre that 
 
 bool sampled(const cases::Defect& defect) {
   // Several lines side by side are shown along the middle, not edited point by point.
-  return defect.shape == static_cast<int>(cases::DefectShape::profile) && defect.lines.empty() &&
-         defect.points.size() >= 2;
+  return defect.shape == cases::DefectShape::profile && defect.lines.empty() && defect.points.size() >= 2;
 }
 
 // The points as they are shown, where the deepest lies and what levelling removes.
@@ -111,7 +110,7 @@ cases::CaseDescription asPoints(const cases::CaseDescription& description) {
   } else {
     points = {{-0.03, 0}, {-0.01, 0}, {0, -1e-5}, {0.01, 0}, {0.03, 0}};
   }
-  result.defect.shape = static_cast<int>(cases::DefectShape::profile);
+  result.defect.shape = cases::DefectShape::profile;
   result.defect.points = points;
   result.defect.lines.clear();
   result.defect.file.clear();

@@ -15,7 +15,7 @@ ProfileTable::ProfileTable(CaseDocument& document, QObject* parent) : QAbstractT
 
 void ProfileTable::update() {
   const auto& defect = document_.description().defect;
-  const bool sampled = defect.shape == static_cast<int>(cases::DefectShape::profile);
+  const bool sampled = defect.shape == cases::DefectShape::profile;
   scale_ = shownScale(defect);
   std::vector<cases::ProfilePoint> points = sampled ? defect.points : std::vector<cases::ProfilePoint>();
   if (points.size() == points_.size()) {

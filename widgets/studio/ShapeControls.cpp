@@ -132,11 +132,11 @@ void ShapeControls::update() {
   const auto* shape = cases::findParameter("defect.shape");
   const std::string name = cases::valueText(description, *shape);
   shape_->setCurrentText(QString::fromStdString(name));
-  lateral_->setCurrentIndex(description.defect.lateral);
+  lateral_->setCurrentIndex(static_cast<int>(description.defect.lateral));
   const auto shown = measuresOf().find(name);
   for (const Measure& measure : measures_) {
     const bool wanted = measure.key == "defect.half_width"
-                            ? description.defect.lateral == static_cast<int>(cases::LateralShape::parabolic)
+                            ? description.defect.lateral == cases::LateralShape::parabolic
                             : shown != measuresOf().end() && shown->second.count(measure.key) > 0;
     measure.row->setVisible(wanted);
     const double value = cases::numberInUnit(description, *cases::findParameter(measure.key));

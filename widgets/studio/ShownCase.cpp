@@ -16,22 +16,13 @@ bool counts(const std::string& key) { return key != "title" && key != "note" && 
 
 }  // namespace
 
-QString ShownCase::difference(const std::shared_ptr<const results::RunResult>& result,
-                              const cases::CaseDescription& open) {
+QString differenceOfCases(const results::RunResult* result, const cases::CaseDescription& open) {
   if (!result || result->caseToml.empty()) return {};
-  if (of_.lock() != result) {
-    of_ = result;
-    case_.reset();
-    try {
-      case_ = cases::parseCaseOfResult(result->caseToml, "case of the result");
-    } catch (const std::exception&) {
-      // Of another version: it cannot be compared value by value.
-    }
-  }
-  if (!case_) return QObject::tr("its case cannot be read by this version");
+  if (!result->resolvedCase) return QObject::tr("its case cannot be read by this version");
   QStringList keys;
   for (const auto& parameter : cases::parameterTable())
-    if (counts(parameter.key) && cases::valueText(*case_, parameter) != cases::valueText(open, parameter))
+    if (counts(parameter.key) &&
+        cases::valueText(result->resolvedCase->description, parameter) != cases::valueText(open, parameter))
       keys << QString::fromStdString(parameter.key);
   if (keys.isEmpty()) return {};
   constexpr int named = 3;

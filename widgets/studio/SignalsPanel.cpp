@@ -236,13 +236,9 @@ void SignalsPanel::showTab(const QString& name) {
 // A new run is first seen through the low-pass of its case and the window that its own spectrum has.
 void SignalsPanel::takeWindow() {
   const ResultPointer current = store_.currentResult();
-  if (current && !current->caseToml.empty()) {
+  if (current && current->resolvedCase) {  // one whose case cannot be read is seen as it was last chosen
     const QSignalBlocker quiet(cutoff_);
-    try {
-      cutoff_->setValue(cases::parseCaseOfResult(current->caseToml, "case of the result").output.filterCutoff);
-    } catch (const std::exception&) {
-      // A result whose case cannot be read is seen as it was last chosen.
-    }
+    cutoff_->setValue(current->resolvedCase->scenario.output.filterCutoff);
   }
   if (!current || !(current->psdTo > current->psdFrom)) return;
   const QSignalBlocker quietFrom(from_), quietTo(to_);

@@ -1,16 +1,16 @@
-#include "case/DefectSurface.h"
+#include "scenario/DefectSurface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace squat::cases {
+namespace squat::scenario {
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-DefectShape shapeOf(const Defect& defect) { return static_cast<DefectShape>(defect.shape); }
+DefectShape shapeOf(const Defect& defect) { return defect.shape; }
 
 // Half a cosine from height a at s = 0 to b at s = length.
 HeightAndSlope halfCosine(double s, double length, double a, double b) {
@@ -164,7 +164,7 @@ HeightAndSlope DefectSurface::along(const ProfileCurve* curve, double x) const {
 }
 
 double DefectSurface::across(double y) const {
-  if (static_cast<LateralShape>(defect_.lateral) == LateralShape::uniform) return 1;
+  if (defect_.lateral == LateralShape::uniform) return 1;
   const double share = (y - defect_.lateralCentre) / defect_.halfWidth;
   return std::abs(share) < 1 ? 1 - share * share : 0;
 }
@@ -224,4 +224,4 @@ std::vector<ProfilePoint> rigidWheelPath(const DefectSurface& surface, double ra
   return path;
 }
 
-}  // namespace squat::cases
+}  // namespace squat::scenario

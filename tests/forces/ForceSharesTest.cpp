@@ -1,4 +1,4 @@
-#include "supports/SpringShares.h"
+#include "forces/ForceShares.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 // Three sleepers with two springs each to the ground and one to the rail, whose places are 10, 11 and 12; sleepers 1
 // and 2 share place 11 there.
 struct Track {
-  supports::SpringSet ballast, pads;
+  forces::ForceElements ballast, pads;
 
   Track() {
     for (std::size_t sleeper = 0; sleeper < 3; ++sleeper)
@@ -21,22 +21,22 @@ struct Track {
     for (std::size_t sleeper = 0; sleeper < 3; ++sleeper)
       add(pads, {{2 * sleeper, -0.5}, {2 * sleeper + 1, -0.5}, {sleeper == 0 ? 10 : 11, 1.0}}, 1000.0, 20.0);
   }
-  static void add(supports::SpringSet& set, const std::vector<std::pair<std::size_t, double>>& terms, double k,
+  static void add(forces::ForceElements& set, const std::vector<std::pair<std::size_t, double>>& terms, double k,
                   double c) {
     set.add(terms, k, c);
     for (const auto& [unknown, weight] : terms) set.forceSlot.push_back(unknown);
   }
-  supports::SharedSprings shared(int shares, const std::function<int(std::size_t)>& ownerOf) const {
-    return supports::shareSprings({&ballast, &pads}, shares, ownerOf);
+  forces::SharedForces shared(int shares, const std::function<int(std::size_t)>& ownerOf) const {
+    return forces::shareForces({ballast, pads}, shares, ownerOf);
   }
 };
 
-std::vector<double> forces(const supports::SharedSprings& shared, const std::vector<double>& u,
-                           const std::vector<double>& v, std::vector<double>& dissipation) {
+std::vector<double> forcesOf(const forces::SharedForces& shared, const std::vector<double>& u,
+                             const std::vector<double>& v, std::vector<double>& dissipation) {
   std::vector<double> result(u.size(), 0.0);
   dissipation.assign(shared.groups, -1.0);
   for (const auto& share : shared.shares)
-    supports::addSpringForces(share, u.data(), v.data(), result.data(), dissipation.data());
+    forces::addForces(share, u.data(), v.data(), result.data(), dissipation.data());
   return result;
 }
 
@@ -46,24 +46,24 @@ std::vector<double> ramp(double first, double step) {
   return values;
 }
 
-TEST(SpringShares, WhatPushesAtACommonPlaceStaysTogether) {
+TEST(ForceShares, WhatPushesAtACommonPlaceStaysTogether) {
   std::vector<std::size_t> asked;
   const auto shared =
       Track().shared(2, [&](std::size_t unknown) { return asked.push_back(unknown), unknown < 2 ? 1 : 0; });
   ASSERT_EQ(shared.groups, 2u);                        // the first sleeper; the other two by place 11
   EXPECT_EQ(asked, (std::vector<std::size_t>{0, 2}));  // the first term of each
-  EXPECT_EQ(shared.shares[1].springs.size(), 3u);      // two of the ballast, a pad
-  EXPECT_EQ(shared.shares[0].springs.size(), 6u);
+  EXPECT_EQ(shared.shares[1].elements.size(), 3u);     // two of the ballast, a pad
+  EXPECT_EQ(shared.shares[0].elements.size(), 6u);
   EXPECT_EQ(shared.shares[0].groups, std::vector<std::size_t>{1});
   EXPECT_EQ(shared.shares[1].groups, std::vector<std::size_t>{0});
-  EXPECT_EQ(shared.shares[0].springs.stiffness, (std::vector<double>{101, 101, 102, 102, 1000, 1000}));  // their order
+  EXPECT_EQ(shared.shares[0].elements.stiffness, (std::vector<double>{101, 101, 102, 102, 1000, 1000}));  // their order
 }
 
 // By hand for the first sleeper: u = (1, 2), u_rail = 11; v = (0, 1), v_rail = 10.
-TEST(SpringShares, ForcesAndDissipationAreThoseOfTheSprings) {
+TEST(ForceShares, ForcesAndDissipationAreThoseOfTheElements) {
   const auto shared = Track().shared(3, [](std::size_t unknown) { return unknown < 2 ? 0 : 2; });
   std::vector<double> dissipation;
-  const auto f = forces(shared, ramp(1, 1), ramp(0, 1), dissipation);
+  const auto f = forcesOf(shared, ramp(1, 1), ramp(0, 1), dissipation);
   const double pad = 1000 * (11 - 1.5) + 20 * (10 - 0.5);
   EXPECT_DOUBLE_EQ(f[10], -pad);
   EXPECT_DOUBLE_EQ(f[0], -(100 * 1.0 + 3 * 0.0) + 0.5 * pad);
@@ -71,13 +71,13 @@ TEST(SpringShares, ForcesAndDissipationAreThoseOfTheSprings) {
   EXPECT_DOUBLE_EQ(dissipation[0], 4 * 1.0 * 1.0 + 20 * 9.5 * 9.5);
 }
 
-TEST(SpringShares, AnyNumberOfSharesGivesTheSameBits) {
+TEST(ForceShares, AnyNumberOfSharesGivesTheSameBits) {
   const auto u = ramp(0.1, 0.37), v = ramp(-1.3, 0.71);
   std::vector<double> dissipation, other;
-  const auto one = forces(Track().shared(1, [](std::size_t) { return 0; }), u, v, dissipation);
+  const auto one = forcesOf(Track().shared(1, [](std::size_t) { return 0; }), u, v, dissipation);
   for (const int shares : {2, 3}) {
     const auto shared = Track().shared(shares, [&](std::size_t unknown) { return static_cast<int>(unknown) % shares; });
-    EXPECT_EQ(forces(shared, u, v, other), one);
+    EXPECT_EQ(forcesOf(shared, u, v, other), one);
     EXPECT_EQ(other, dissipation);
   }
 }

@@ -1,4 +1,4 @@
-// solver/case/ProfileCurve.h - a smooth curve through sampled heights, as defects are made of.
+// solver/scenario/ProfileCurve.h - a smooth curve through sampled heights, as defects are made of.
 //
 // Piecewise cubic that is monotone between the points (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980; slopes after
 // Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5, 1984): continuous slope, no overshoot, so the deepest point is a
@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "scenario/Defect.h"
 
-namespace squat::cases {
+namespace squat::scenario {
 
 struct HeightAndSlope {
   double height = 0, slope = 0;
@@ -45,4 +45,4 @@ class ProfileCurve {
 // The same cubic across the rail: value at y from values at ascending places; constant beyond the outermost.
 double monotoneBetween(const std::vector<double>& places, const std::vector<double>& values, double y);
 
-}  // namespace squat::cases
+}  // namespace squat::scenario

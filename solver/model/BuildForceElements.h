@@ -1,4 +1,5 @@
-// solver/model/BuildSupports.h - pads, ballast and rail ends as springs spread over their footprint.
+// solver/model/BuildForceElements.h - rail pads, ballast and absorbing rail ends as force elements spread over their
+// footprint, axle bearing and primary suspension.
 #pragma once
 
 #include "model/Model.h"
@@ -8,8 +9,11 @@ namespace squat::model {
 // Marks the nodes on which outer forces act and lays out the force buffer. Needs blocks, ties and surfaces.
 void layOutForces(Model& model);
 
-// Adds pads, ballast and what holds the rail's ends; fills the springs' force slots.
-void addSupports(Model& model);
+// Fills model.forceElements, force slots included.
+void addForceElements(Model& model);
+
+// Fixes the ends of the rail where they are clamped.
+void holdRailEnds(Model& model);
 
 // Where the force on a state unknown is collected in the force buffer.
 std::size_t forceSlot(const Model& model, std::size_t stateIndex);

@@ -1,4 +1,4 @@
-// solver/case/DefectSurface.h - the defect as a surface z = h(x, y): every analytic shape and sampled profiles.
+// solver/scenario/DefectSurface.h - the defect as a surface z = h(x, y): every analytic shape and sampled profiles.
 // x = 0 is the deepest point (of several equal ones the first), y = 0 the middle of the running surface, heights up.
 //
 //   cut            linear ramps of length `ramp` at both ends of `length`, flat floor at -depth between them
@@ -17,10 +17,10 @@
 
 #include <vector>
 
-#include "case/CaseDescription.h"
-#include "case/ProfileCurve.h"
+#include "scenario/Defect.h"
+#include "scenario/ProfileCurve.h"
 
-namespace squat::cases {
+namespace squat::scenario {
 
 class DefectSurface {
  public:
@@ -65,4 +65,4 @@ double defectHeight(const Defect& defect, double x, double y = 0);
 std::vector<ProfilePoint> rigidWheelPath(const DefectSurface& surface, double radius, double from, double to,
                                          double step, double y = 0);
 
-}  // namespace squat::cases
+}  // namespace squat::scenario

@@ -1,8 +1,12 @@
-#include "model/BuildSupports.h"
+#include "model/BuildForceElements.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
+
+#include "scenario/TrackCentre.h"
 
 namespace squat::model {
 
@@ -51,16 +55,43 @@ int component(elasticity::SweepKind kind, int axis) {
   return alongY[axis];
 }
 
+forces::ForceElements emptySet(forces::Kind kind, const std::string& name) {
+  forces::ForceElements set;
+  set.kind = kind, set.name = name;
+  return set;
+}
+
+// What a seat says of itself; nothing where it is like the others.
+scenario::Seat seatAt(const Model& model, int sleeper) {
+  const int index =
+      scenario::sleepersOf(model.scenario.track, model.scenario.pad, model.scenario.motion).first + sleeper;
+  for (const auto& seat : model.scenario.track.seats)
+    if (seat.sleeper == index) return seat;
+  return {};
+}
+
+forces::ElasticLaw padLaw(const scenario::Pad& pad) {
+  std::vector<std::array<double, 2>> points;
+  for (const auto& point : pad.curve) points.push_back({point.compression, point.force});
+  return forces::ElasticLaw::fromCompression(points, pad.preload);
+}
+
 void addPads(Model& model) {
+  auto pads = emptySet(forces::Kind::railPad, "rail pads");
+  auto alongCurve = emptySet(forces::Kind::railPad, "rail pads along their curve");
   constexpr int alongRail = 6, acrossRail = 4;  // springs of one pad
-  const auto& pad = model.description.pad;
+  const auto& pad = model.scenario.pad;
   const auto& rail = model.blocks[model.rail];
   const auto base = railBase(rail);
   const Eigen::Matrix3d basis = elasticity::localBasis(rail, 0);
   const double lowest = rail.section.nodes[base.front()][1];
-  const double stiffness[3] = {pad.longitudinalStiffness, pad.lateralStiffness, pad.stiffness};
-  const double damping[3] = {pad.longitudinalDamping, pad.lateralDamping, pad.damping};
+  if (!pad.curve.empty()) alongCurve.law = padLaw(pad);
   for (int i = 0; i < model.sleepers; ++i) {
+    const auto seat = seatAt(model, i);
+    const bool followsCurve = alongCurve.law && !seat.padStiffness;
+    const double vertical = followsCurve ? 1 : seat.padStiffness.value_or(pad.stiffness);
+    const double stiffness[3] = {pad.longitudinalStiffness, pad.lateralStiffness, vertical};
+    const double damping[3] = {pad.longitudinalDamping, pad.lateralDamping, seat.padDamping.value_or(pad.damping)};
     const auto& sleeper = model.blocks[model.firstSleeper + i];
     const auto top = sleeperFace(sleeper, 0);
     for (int p = 0; p < alongRail; ++p)
@@ -75,17 +106,28 @@ void addPads(Model& model) {
             if (basis(global, axis) != 0)
               interpolate(sleeper, top, 1, dx, across, component(sleeper.kind, global), -basis(global, axis), terms);
           const double share = 1.0 / (alongRail * acrossRail);
-          model.pads.add(terms, share * stiffness[axis], share * damping[axis]);
+          (axis == 2 && followsCurve ? alongCurve : pads).add(terms, share * stiffness[axis], share * damping[axis]);
         }
       }
   }
+  model.forceElements.push_back(std::move(pads));
+  if (alongCurve.size() > 0) model.forceElements.push_back(std::move(alongCurve));
 }
 
 void addBallast(Model& model) {
-  const auto& d = model.description;
-  const double stiffness[3] = {d.ballast.longitudinalStiffness, d.ballast.lateralStiffness, d.ballast.stiffness};
-  const double damping[3] = {d.ballast.longitudinalDamping, d.ballast.lateralDamping, d.ballast.damping};
+  auto ballast = emptySet(forces::Kind::ballast, "ballast");
+  const auto& d = model.scenario;
+  std::map<double, forces::ForceElements> voided;  // by gap
   for (int i = 0; i < model.sleepers; ++i) {
+    const auto seat = seatAt(model, i);
+    if (seat.gap && !voided.count(*seat.gap)) {
+      auto& set = voided[*seat.gap] = emptySet(forces::Kind::ballast, "ballast under a void");
+      set.law = forces::ElasticLaw::closingGap(*seat.gap);
+    }
+    const double stiffness[3] = {d.ballast.longitudinalStiffness, d.ballast.lateralStiffness,
+                                 seat.ballastStiffness.value_or(d.ballast.stiffness)};
+    const double damping[3] = {d.ballast.longitudinalDamping, d.ballast.lateralDamping,
+                               seat.ballastDamping.value_or(d.ballast.damping)};
     const auto& sleeper = model.blocks[model.firstSleeper + i];
     const auto base = sleeperFace(sleeper, -d.sleeper.height);
     const int n = static_cast<int>(base.size());
@@ -95,15 +137,19 @@ void addBallast(Model& model) {
         const double across = (j == 0 || j == n - 1 ? 0.5 : 1.0) / (n - 1);
         const double along = (s == 0 || s == sleeper.stationCount - 1 ? 0.5 : 1.0) / sleeper.intervals;
         for (int axis = 0; axis < 3; ++axis)
-          model.ballast.add({{sleeper.index(base[j], component(sleeper.kind, axis), s), 1.0}},
-                            across * along * stiffness[axis], across * along * damping[axis]);
+          (axis == 2 && seat.gap ? voided.at(*seat.gap) : ballast)
+              .add({{sleeper.index(base[j], component(sleeper.kind, axis), s), 1.0}}, across * along * stiffness[axis],
+                   across * along * damping[axis]);
       }
   }
+  model.forceElements.push_back(std::move(ballast));
+  for (auto& [gap, set] : voided) model.forceElements.push_back(std::move(set));
 }
 
 // Dashpots with the impedances of plane waves let rail waves leave (Lysmer and Kuhlemeyer 1969): density times the
 // bar's wave speed along the rail, density times the shear wave speed across it.
-void addAbsorbingEnds(Model& model) {
+forces::ForceElements absorbingEnds(const Model& model) {
+  auto ends = emptySet(forces::Kind::railEnd, "absorbing rail ends");
   const auto& rail = model.blocks[model.rail];
   const auto& m = rail.material;
   const double impedance[3] = {m.density * std::sqrt(m.young / m.density),
@@ -118,10 +164,29 @@ void addAbsorbingEnds(Model& model) {
   for (const int station : {0, rail.stationCount - 1})
     for (int n = 0; n < rail.nodes; ++n)
       for (int axis = 0; axis < 3; ++axis)
-        model.ends.add({{rail.index(n, axis, station), 1.0}}, 0, impedance[axis] * area[n]);
+        ends.add({{rail.index(n, axis, station), 1.0}}, 0, impedance[axis] * area[n]);
+  return ends;
 }
 
-void fillSlots(const Model& model, supports::SpringSet& set) {
+// From the journal, or from the axle box where that is on a spring, to the sprung mass.
+void addVehicle(Model& model) {
+  const auto& d = model.scenario;
+  std::size_t x = model.journalX, z = model.journalZ;
+  if (model.boxOnSpring()) {
+    auto bearing = emptySet(forces::Kind::axleBearing, "axle bearing");
+    bearing.add({{x, 1.0}, {model.boxX, -1.0}}, d.wheelset.bearingStiffness, d.wheelset.bearingDamping);
+    bearing.add({{z, 1.0}, {model.boxZ, -1.0}}, d.wheelset.bearingStiffness, d.wheelset.bearingDamping);
+    model.forceElements.push_back(std::move(bearing));
+    x = model.boxX, z = model.boxZ;
+  }
+  auto suspension = emptySet(forces::Kind::primarySuspension, "primary suspension");
+  suspension.add({{x, 1.0}, {model.sprungX, -1.0}}, d.suspension.longitudinalStiffness,
+                 d.suspension.longitudinalDamping);
+  suspension.add({{z, 1.0}, {model.sprungZ, -1.0}}, d.suspension.stiffness, d.suspension.damping);
+  model.forceElements.push_back(std::move(suspension));
+}
+
+void fillSlots(const Model& model, forces::ForceElements& set) {
   set.forceSlot.clear();
   for (const auto index : set.unknown) set.forceSlot.push_back(forceSlot(model, index));
 }
@@ -146,7 +211,7 @@ void layOutForces(Model& model) {
       if (column.inner >= 0) mark(tie.masterBlock, {column.inner});
     }
   }
-  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing))
+  if (model.scenario.track.railEnds == scenario::RailEnds::absorbing)
     std::fill(wanted[model.rail].begin(), wanted[model.rail].end(), 1);
   for (const auto& unknown : model.movedElements.unknown)
     for (const auto index : unknown) wanted[model.rail][model.blocks[model.rail].unknownAt(index).node] = 1;
@@ -154,7 +219,7 @@ void layOutForces(Model& model) {
   for (int i = 0; i < model.sleepers; ++i) {
     const int block = model.firstSleeper + i;
     mark(block, sleeperFace(model.blocks[block], 0));
-    mark(block, sleeperFace(model.blocks[block], -model.description.sleeper.height));
+    mark(block, sleeperFace(model.blocks[block], -model.scenario.sleeper.height));
   }
   model.loaded.clear();
   model.forceSize = 0;
@@ -165,11 +230,11 @@ void layOutForces(Model& model) {
     model.forceSize += static_cast<std::size_t>(loaded.count) * 3 * model.blocks[b].stride;
     model.loaded.push_back(std::move(loaded));
   }
-  model.forceSize += 8;  // small unknowns
+  model.forceSize += 8;  // auxiliary degrees of freedom
 }
 
 std::size_t forceSlot(const Model& model, std::size_t index) {
-  if (index >= model.smallUnknowns) return model.forceSize - 8 + (index - model.smallUnknowns);
+  if (index >= model.firstAuxiliary) return model.forceSize - 8 + (index - model.firstAuxiliary);
   std::size_t b = 0;
   while (b + 1 < model.blocks.size() && model.blocks[b + 1].offset <= index) ++b;
   const auto& block = model.blocks[b];
@@ -179,19 +244,21 @@ std::size_t forceSlot(const Model& model, std::size_t index) {
   return model.loaded[b].offset + (static_cast<std::size_t>(triple) * 3 + at.component) * block.stride + at.station;
 }
 
-void addSupports(Model& model) {
-  addPads(model);
+void addForceElements(Model& model) {
+  auto& sets = model.forceElements;
   addBallast(model);
-  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::absorbing)) addAbsorbingEnds(model);
-  if (model.description.track.railEnds == static_cast<int>(cases::RailEnds::clamped)) {
-    const auto& rail = model.blocks[model.rail];
-    for (const int station : {0, rail.stationCount - 1})
-      for (int n = 0; n < rail.nodes; ++n)
-        for (int c = 0; c < 3; ++c) model.held.push_back(rail.index(n, c, station));
-  }
-  fillSlots(model, model.pads);
-  fillSlots(model, model.ballast);
-  fillSlots(model, model.ends);
+  addPads(model);
+  if (model.scenario.track.railEnds == scenario::RailEnds::absorbing) sets.push_back(absorbingEnds(model));
+  addVehicle(model);
+  for (auto& set : sets) fillSlots(model, set);
+}
+
+void holdRailEnds(Model& model) {
+  if (model.scenario.track.railEnds != scenario::RailEnds::clamped) return;
+  const auto& rail = model.blocks[model.rail];
+  for (const int station : {0, rail.stationCount - 1})
+    for (int n = 0; n < rail.nodes; ++n)
+      for (int c = 0; c < 3; ++c) model.held.push_back(rail.index(n, c, station));
 }
 
 }  // namespace squat::model

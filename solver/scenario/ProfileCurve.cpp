@@ -1,9 +1,9 @@
-#include "case/ProfileCurve.h"
+#include "scenario/ProfileCurve.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace squat::cases {
+namespace squat::scenario {
 
 namespace {
 
@@ -116,4 +116,4 @@ double monotoneBetween(const std::vector<double>& places, const std::vector<doub
   return hermite(y - places[k], width(k), values[k], values[k + 1], slope(k), slope(k + 1)).height;
 }
 
-}  // namespace squat::cases
+}  // namespace squat::scenario

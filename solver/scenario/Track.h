@@ -1,0 +1,58 @@
+// solver/scenario/Track.h - rail, pads, sleepers and ballast.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scenario/Material.h"
+
+namespace squat::scenario {
+
+enum class RailEnds { free, clamped, absorbing };
+enum class Hardening { isotropic, kinematic };
+
+// A rail seat that differs from the others; what is left out is as at every seat.
+struct Seat {
+  int sleeper = 0;  // counted from the one nearest to the defect, positive in rolling direction
+  std::optional<double> padStiffness, padDamping;          // vertical, [N/m], [N s/m]
+  std::optional<double> ballastStiffness, ballastDamping;  // vertical, per half sleeper
+  std::optional<double> gap;                               // [m] between the sleeper and its ballast
+};
+
+struct Track {
+  double length = 0;             // [m] of rail
+  double sleeperSpacing = 0;     // [m]
+  double defectFromSleeper = 0;  // [m] the paper's L: deepest point relative to the nearest sleeper centre
+  RailEnds railEnds = RailEnds::free;
+  std::vector<Seat> seats;  // those that differ
+};
+
+struct Rail {
+  Material material;
+  double inclination = 0;  // [-] slope of the foot: the head leans towards the track centre
+  double yieldStress = 0, tangentModulus = 0, plasticDepth = 0;  // [Pa], [Pa], [m]
+  Hardening hardening = Hardening::isotropic;
+  bool plastic = false;
+};
+
+// Spring and damper per rail seat (pad) or per half sleeper (ballast), spread over the footprint.
+struct Support {
+  double stiffness = 0, damping = 0;                          // vertical, [N/m], [N s/m]
+  double longitudinalStiffness = 0, longitudinalDamping = 0;  // along the rail
+  double lateralStiffness = 0, lateralDamping = 0;
+};
+struct ForcePoint {
+  double compression = 0, force = 0;  // [m], [N]
+};
+struct Pad : Support {
+  double length = 0, width = 0;   // [m] footprint along and across the rail
+  std::vector<ForcePoint> curve;  // vertical, both ascending; empty: linear
+  double preload = 0;             // [N] clamping force of the fastening: where on the curve the unloaded track stands
+};
+
+struct Sleeper {
+  Material material;
+  double halfLength = 0, width = 0, height = 0;  // [m]
+};
+
+}  // namespace squat::scenario

@@ -1,0 +1,34 @@
+// solver/scenario/Vehicle.h - half wheelset and primary suspension.
+#pragma once
+
+#include "scenario/Material.h"
+
+namespace squat::scenario {
+
+// Lateral positions are distances from the wheel plane (the contact point), outwards positive.
+struct Wheelset {
+  Material material;
+  double radius = 0, rimWidth = 0, rimInnerRadius = 0;    // [m]
+  double cone = 0;                                        // [-] slope of the tread, its radius falls outwards
+  double webThickness = 0, hubRadius = 0, hubWidth = 0;   // [m]
+  double webHubThickness = 0;                             // [m] of the web at the hub; 0: as at the rim
+  double webOffset = 0;                                   // [m] middle of the web at the hub from that at the rim
+  double seatRadius = 0, axleRadius = 0, boreRadius = 0;  // [m] wheel seat, axle body, bore
+  double shoulderRadius = 0, shoulderEnd = 0;             // [m] step outside the hub, its outer end
+  double journalRadius = 0, journalEnd = 0;               // [m]
+  double bearingCentre = 0, bearingWidth = 0;             // [m]
+  double axleBoxMass = 0;                                 // [kg] box and bearing
+  double bearingStiffness = 0, bearingDamping = 0;  // [N/m], [N s/m] radial, journal to box; stiffness 0: rigid, the
+                                                    // box is spread over the bearing seat
+  double dampingRatio = 0;  // [-] of critical, of every flexible mode of the half wheelset below dampingLimit
+  double dampingLimit = 0;  // [Hz]
+  double totalMass = 0;     // [kg] half wheelset; the rest sits as brake discs on the axle
+  double trackCentre = 0;   // [m] from the wheel plane to the symmetry plane, positive
+};
+
+struct Suspension {
+  double sprungMass = 0, stiffness = 0, damping = 0;          // [kg], [N/m], [N s/m] vertical
+  double longitudinalStiffness = 0, longitudinalDamping = 0;  // guidance: carries the traction to the sprung mass
+};
+
+}  // namespace squat::scenario
