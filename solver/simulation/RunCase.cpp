@@ -68,6 +68,7 @@ struct Run {
     const auto start = Clock::now();
     Progress begun;
     begun.phase = name;
+    std::replace(begun.phase.begin(), begun.phase.end(), '_', ' ');
     monitor.report(begun);
     auto value = phase();
     phases.push_back({std::string("seconds_") + name, "s", "wall time", secondsSince(start)});

@@ -246,14 +246,14 @@ AlignedVector equilibriumRate(const model::Model& model, const elasticity::Kerne
   const double target = 1e-4 * std::sqrt(norm2);
   const auto solution = conjugateGradients(op, coarse, change, rate, target, 20000, [&](int, double residual) {
     Progress progress;
-    progress.phase = "rate of the equilibrium";
+    progress.phase = "initial velocities";
     progress.fraction = std::clamp(std::log(std::sqrt(norm2) / std::max(residual, 1e-300)) / std::log(1e4), 0.0, 1.0);
     monitor.report(progress);
     return !monitor.cancelled();
   });
   if (!solution.cancelled && !(solution.residual <= target))
     throw RunError(
-        "the rate of the equilibrium does not converge after " + std::to_string(solution.iterations) + " iterations", 0,
+        "the initial velocities do not converge after " + std::to_string(solution.iterations) + " iterations", 0,
         0, "equilibrium");
   op.fillSlaves(rate.data());
   return rate;
