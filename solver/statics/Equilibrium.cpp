@@ -253,8 +253,8 @@ AlignedVector equilibriumRate(const model::Model& model, const elasticity::Kerne
   });
   if (!solution.cancelled && !(solution.residual <= target))
     throw RunError(
-        "the initial velocities do not converge after " + std::to_string(solution.iterations) + " iterations", 0,
-        0, "equilibrium");
+        "the initial velocities do not converge after " + std::to_string(solution.iterations) + " iterations", 0, 0,
+        "equilibrium");
   op.fillSlaves(rate.data());
   return rate;
 }
