@@ -15,7 +15,7 @@
 #include "laboratory/Analysis.h"
 #include "laboratory/AnalysisFiles.h"
 #include "laboratory/OptionText.h"
-#include "laboratory/PrintedUnit.h"
+#include "text/Units.h"
 
 namespace squat::commands {
 
@@ -31,7 +31,7 @@ struct AnalyseOptions {
 };
 
 void printSpectrum(const char* name, const signals::PowerSpectrum& spectrum) {
-  const auto unit = spectrum.unit.empty() ? std::string("unit") : laboratory::printedUnit(spectrum.unit);
+  const auto unit = spectrum.unit.empty() ? std::string("unit") : text::printedUnit(spectrum.unit);
   std::printf("  PSD of the %s: integral %s, mean square %s (%s)²; %s\n", name, number(spectrum.integral).c_str(),
               number(spectrum.meanSquare).c_str(), unit.c_str(), spectrum.window.c_str());
 }
@@ -43,7 +43,7 @@ void printTable(const laboratory::Analysis& analysis) {
   TextTable table(head);
   const auto features = laboratory::featureTable(analysis);
   for (std::size_t row = 0; row < features.names.size(); ++row) {
-    std::vector<std::string> cells{laboratory::withPrintedUnit(features.names[row])};
+    std::vector<std::string> cells{text::withPrintedUnit(features.names[row])};
     for (const auto& column : features.values) cells.push_back(std::isnan(column[row]) ? "-" : number(column[row]));
     table.add(cells);
   }
@@ -59,7 +59,7 @@ void printTable(const laboratory::Analysis& analysis) {
   if (analysis.dispersion) {
     const auto& [peak, wave] = *analysis.dispersion;
     std::printf("\n%zu runs aligned: largest peak, mean %s, range / mean %s", analysis.signals.size(),
-                number(peak.mean, laboratory::printedUnit(analysis.signals.front().features.unit)).c_str(),
+                number(peak.mean, text::printedUnit(analysis.signals.front().features.unit)).c_str(),
                 number(100 * peak.range, "%").c_str());
     if (!std::isnan(wave.mean))
       std::printf("; wavelength, mean %s, range / mean %s", number(1e3 * wave.mean, "mm").c_str(),

@@ -13,7 +13,7 @@
 #include "commands/TextTable.h"
 #include "laboratory/ComparisonFiles.h"
 #include "laboratory/FileComparison.h"
-#include "laboratory/PrintedUnit.h"
+#include "text/Units.h"
 
 namespace squat::commands {
 
@@ -36,7 +36,7 @@ void printTable(const laboratory::FileComparison& pair) {
                 signals::toText(features->anchor).c_str(), number(1e3 * features->impactTime, "ms").c_str());
   TextTable table({"quantity", "value"});
   for (const auto& [name, value] : signals::comparisonRow(comparison))
-    table.add({laboratory::withPrintedUnit(name), std::isnan(value) ? "-" : number(value)});
+    table.add({text::withPrintedUnit(name), std::isnan(value) ? "-" : number(value)});
   std::printf("%s", table.text().c_str());
   for (const auto& note : pair.notes) std::printf("note: %s\n", note.c_str());
   std::printf("\n");

@@ -4,7 +4,7 @@
 
 #include "case/ParameterTable.h"
 #include "commands/TextTable.h"
-#include "laboratory/PrintedUnit.h"
+#include "text/Units.h"
 
 namespace squat::commands {
 
@@ -32,7 +32,7 @@ std::string cellOf(const studies::StudyRow& row, const Shown& shown) {
 std::string headOf(const std::string& key) {
   const auto* parameter = cases::findParameter(key);
   const std::string unit = parameter ? parameter->unit : std::string();
-  return unit.empty() || unit == "-" ? key : key + " [" + laboratory::printedUnit(unit) + "]";
+  return unit.empty() || unit == "-" ? key : key + " [" + text::printedUnit(unit) + "]";
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "commands/TextTable.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <numeric>
+
+#include "text/Numbers.h"
 
 namespace squat::commands {
 
@@ -115,9 +115,7 @@ std::string TextTable::text(std::size_t atMost) const {
 }
 
 std::string number(double value, const std::string& unit) {
-  char text[64];
-  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
-  std::snprintf(text, sizeof text, whole ? "%.0f" : "%.4g", value);
+  const std::string text = text::roundedText(value);
   return unit.empty() || unit == "1" ? text : text + (" " + signsOf(unit));
 }
 

@@ -46,22 +46,10 @@ using scenario::Track;
 using scenario::trackCentre;
 using scenario::Wheelset;
 
-struct CaseDescription {
+struct CaseDescription : scenario::Inputs {
   std::string title;
   std::string note;
-  Track track;
-  Rail rail;
-  Pad pad;
-  Sleeper sleeper;
-  Support ballast;
-  Wheelset wheelset;
-  Suspension suspension;
-  Motion motion;
-  Contact contact;
-  Damping damping;
-  MeshSizes mesh;
   Defect defect;
-  Output output;
 };
 
 }  // namespace squat::cases

@@ -5,18 +5,13 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "text/Text.h"
+
 namespace squat::cases {
 
 namespace {
 
 bool isDigit(char letter) { return letter >= '0' && letter <= '9'; }
-bool isBlank(char letter) { return letter == ' ' || letter == '\t'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 std::size_t countDigits(std::string_view text, std::size_t from) {
   std::size_t count = 0;
@@ -57,7 +52,7 @@ std::optional<Parts> split(std::string_view text) {
 }  // namespace
 
 std::optional<double> parseDecimal(std::string_view text, int powerOfTen) {
-  const auto parts = split(trimmed(text));
+  const auto parts = split(text::trimmed(text));
   if (!parts) return std::nullopt;
   const std::string shifted = std::string(parts->mantissa) + "e" + std::to_string(parts->exponent + powerOfTen);
   double value = 0;

@@ -10,54 +10,26 @@
 #include "case/PointsText.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "text/Lines.h"
+#include "text/Text.h"
 
 namespace squat::cases {
 
 namespace {
 
-constexpr std::size_t largestFile = 200'000'000, longestLine = 1'000'000;  // bytes
-constexpr double highest = 0.05;                                           // [m]
-constexpr double farthest = 1e6;                                           // [m] chainages are welcome
+constexpr std::size_t largestFile = 200'000'000;  // bytes
+constexpr double highest = 0.05;                  // [m]
+constexpr double farthest = 1e6;                  // [m] chainages are welcome
 
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-// Like trimmed, but keeps tabs: they may be delimiters of empty fields.
-std::string_view withoutLineEnd(std::string_view text) {
-  while (!text.empty() && (text.back() == '\r' || text.back() == ' ')) text.remove_suffix(1);
-  return text;
-}
-
-std::string shown(std::string_view text) {
-  std::string result;
-  for (const char letter : text.substr(0, 40))
-    result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f ? '?' : letter;
-  return "\"" + result + (text.size() > 40 ? "...\"" : "\"");
-}
+using text::lowerCase;
+using text::shown;
+using text::trimmed;
 
 std::vector<std::string_view> fieldsOf(std::string_view line, char delimiter) {
   std::vector<std::string_view> fields;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t end = std::min(line.find(delimiter, from), line.size());
-    if (fields.size() == mostLines + 2) break;  // enough to see that it is too many
-    std::string_view field = trimmed(line.substr(from, end - from));
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-      field = trimmed(field.substr(1, field.size() - 2));
-    fields.push_back(field);
-    from = end + 1;
-  }
+  text::splitFields(line, delimiter, fields);
+  for (auto& field : fields) field = trimmed(field);
   return fields;
-}
-
-std::string lowerCase(std::string_view text) {
-  std::string result(text);
-  for (char& letter : result)
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  return result;
 }
 
 // Power of ten of a unit of length.
@@ -113,13 +85,13 @@ bool namesHeight(const std::string& name) {
 
 class ProfileParser {
  public:
-  ProfileParser(std::string_view text, std::string origin) : rest_(text), origin_(std::move(origin)) {}
+  ProfileParser(std::string_view text, std::string origin)
+      : textLines_(text, origin, "Export the profile as CSV"), origin_(std::move(origin)) {}
 
   std::vector<ProfileLine> parse() {
-    checkEncoding();
     readHeader();
     std::string_view line;
-    while (nextLine(line)) addRow(line);
+    while (textLines_.nextRow(line)) addRow(line);
     if (lines_.front().points.size() < 2)
       fail("fewer than two points", "Give at least two lines of position and height");
     if (lines_.size() > 1)
@@ -129,35 +101,12 @@ class ProfileParser {
 
  private:
   [[noreturn]] void fail(const std::string& what, const std::string& advice = {}) const {
-    throw FileError(origin_, number_ > 0 ? "line " + std::to_string(number_) : "", what, advice);
-  }
-
-  void checkEncoding() {
-    if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);
-    if (rest_.substr(0, 2) == "\xFF\xFE" || rest_.substr(0, 2) == "\xFE\xFF")
-      fail("UTF-16 text", "Save it as UTF-8 or plain text");
-    if (rest_.substr(0, 4096).find('\0') != std::string_view::npos)
-      fail("not a text file", "Export the profile as CSV");
-  }
-
-  // The next line that is neither empty nor a comment.
-  bool nextLine(std::string_view& line) {
-    while (!rest_.empty()) {
-      const std::size_t end = rest_.find('\n');
-      line = rest_.substr(0, end);
-      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-      ++number_;
-      if (line.size() > longestLine) fail("line longer than 1 MB", "Put one point on a line");
-      const std::string_view content = trimmed(line);
-      if (!content.empty() && content.front() != '#') return true;
-    }
-    return false;
+    throw FileError(origin_, textLines_.place(), what, advice);
   }
 
   void readHeader() {
     std::string_view line;
-    if (!nextLine(line)) fail("empty file", "Write a header with units and at least two points");
-    line = withoutLineEnd(line);
+    if (!textLines_.nextRow(line)) fail("empty file", "Write a header with units and at least two points");
     for (const char candidate : {',', '\t', ';'})
       if (line.find(candidate) != std::string_view::npos) delimiter_ = candidate;
     auto fields = fieldsOf(line, delimiter_);
@@ -199,17 +148,17 @@ class ProfileParser {
     auto& first = lines_.front().points;
     if (first.size() * lines_.size() >= mostPoints)
       fail("more than " + std::to_string(mostPoints) + " points", "Use a larger step");
-    auto fields = fieldsOf(withoutLineEnd(line), delimiter_);
+    auto fields = fieldsOf(line, delimiter_);
     if (fields.size() != powers_.size()) failForColumns(fields.size());
     if (swapped_) std::swap(fields[0], fields[1]);
-    const double position = numberIn(fields[0], powers_[0]);
+    const double position = metresIn(fields[0], powers_[0]);
     if (std::abs(position) > farthest) fail("position " + shown(fields[0]) + " is beyond 1000 km", "Check the unit");
     if (!first.empty() && position == first.back().position)
       fail("position " + shown(fields[0]) + " appears twice", "Keep one height for each position");
     if (!first.empty() && position < first.back().position)
       fail("position " + shown(fields[0]) + " is smaller than the previous one", "Sort the lines by position");
     for (std::size_t i = 1; i < fields.size(); ++i) {
-      const double height = numberIn(fields[i], powers_[i]);
+      const double height = metresIn(fields[i], powers_[i]);
       if (std::abs(height) > highest)
         fail("height " + shown(fields[i]) + " is beyond 50 mm", "Check the unit in the header");
       lines_[i - 1].points.push_back({position, height});
@@ -227,7 +176,7 @@ class ProfileParser {
   }
 
   // One decimal mark for the whole file: a second one would be a thousands separator.
-  double numberIn(std::string_view field, int power) {
+  double metresIn(std::string_view field, int power) {
     if (field.empty()) fail("missing number", "Give position and height on each line");
     std::string text(field.substr(0, 100));
     const std::size_t mark = text.find_first_of(".,");
@@ -242,9 +191,8 @@ class ProfileParser {
     return *value;
   }
 
-  std::string_view rest_;
+  text::Lines textLines_;
   std::string origin_;
-  std::size_t number_ = 0;  // of the line
   char delimiter_ = ',';
   char decimalMark_ = 0;
   bool swapped_ = false;

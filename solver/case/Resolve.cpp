@@ -3,20 +3,8 @@
 namespace squat::cases {
 
 scenario::Scenario resolve(const CaseDescription& d) {
-  return {d.track,
-          d.rail,
-          d.pad,
-          d.sleeper,
-          d.ballast,
-          d.wheelset,
-          d.suspension,
-          d.motion,
-          d.contact,
-          d.damping,
-          d.mesh,
-          DefectSurface(d.defect),
-          d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction,
-          d.output};
+  return {d, DefectSurface(d.defect),
+          d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction};
 }
 
 scenario::Scenario loadScenario(const std::string& nameOrPath, const CaseOverrides& overrides) {

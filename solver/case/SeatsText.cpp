@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "case/DecimalNumber.h"
+#include "text/Text.h"
 
 namespace squat::cases {
 
@@ -27,12 +28,7 @@ constexpr Field fields[] = {{"pad_stiffness", "MN/m", 6, 1, 20000, &Seat::padSti
                             {"ballast_damping", "kN s/m", 3, 0, 2000, &Seat::ballastDamping},
                             {"gap", "mm", -3, 0, 20, &Seat::gap}};
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
+using text::trimmed;
 
 // What stands between two letters, which must be its first and last.
 std::optional<std::string_view> inside(std::string_view text, char open, char close) {

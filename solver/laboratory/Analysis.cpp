@@ -6,54 +6,19 @@
 #include <sstream>
 
 #include "core/Errors.h"
+#include "laboratory/Maps.h"
 #include "signals/Butterworth.h"
-#include "signals/FourierTransform.h"
 #include "signals/SignalError.h"
 
 namespace squat::laboratory {
 namespace {
 
-constexpr std::size_t mostColumns = 2000, mostRows = 1000;  // of a picture
-constexpr double slowestWave = 1e-5;                        // of the sampling rate: longer wavelets outgrow the memory
 constexpr std::size_t longestPeriodogram = 16384, usualSegment = 8192;
 
 std::string hertz(double value) {
   std::ostringstream text;
   text << value << " Hz";
   return text.str();
-}
-
-std::optional<signals::Stft> stftOf(const signals::TimeSeries& series, signals::StftOptions options,
-                                    std::vector<std::string>& notes) {
-  const std::size_t n = series.values.size();
-  if (options.segment == 0) {
-    options.segment = signals::fastLength(static_cast<std::size_t>(std::max(16.0, 0.01 * series.rate())));
-    if (n < options.segment) {
-      notes.push_back("no STFT: the record is shorter than its window of 10 ms");
-      return std::nullopt;
-    }
-  }
-  if (options.hop == 0) options.hop = std::max<std::size_t>(1, (n - std::min(n, options.segment)) / mostColumns + 1);
-  return signals::shortTimeTransform(series, options);
-}
-
-// Below one wave in the record a row shows nothing but its ends.
-void raiseLowest(const signals::TimeSeries& series, double& lowest, std::vector<std::string>& notes) {
-  const double seconds = static_cast<double>(series.values.size()) * series.step;
-  const double longest = std::max(1 / seconds, slowestWave * series.rate());
-  if (!(lowest < longest)) return;
-  lowest = longest;
-  notes.push_back("the scalogram starts at " + hertz(longest) +
-                  (longest * seconds > 1.5 ? ", 1e-5 of the sampling rate" : ", one period in the record"));
-}
-
-// More rows than a picture can show take memory and time alone.
-void limitVoices(signals::WaveletOptions& options, std::vector<std::string>& notes) {
-  const double octaves = std::log2(options.highest / options.lowest);
-  if (!(options.voicesPerOctave * octaves > mostRows)) return;
-  options.voicesPerOctave = std::max(1.0, std::floor(mostRows / octaves));
-  notes.push_back("the scalogram has " + std::to_string(std::lround(options.voicesPerOctave)) +
-                  " voices per octave, limited to " + std::to_string(mostRows) + " rows");
 }
 
 // The stretch that is shown; all of a record with too few samples there. Columns are made for that stretch alone:
@@ -65,28 +30,6 @@ std::pair<double, double> shownStretch(const signals::TimeSeries& series, const 
   const double from = std::max(series.start, features.impactTime - options.before / features.speed);
   const double to = std::min(last, features.impactTime + options.after / features.speed);
   return to - from > fewSamples * series.step ? std::pair(from, to) : std::pair(series.start, last);
-}
-
-signals::Scalogram scalogramOf(const signals::TimeSeries& series, signals::WaveletOptions options,
-                               std::vector<std::string>& notes) {
-  const double half = series.rate() / 2;
-  if (options.highest > half) {
-    notes.push_back("the scalogram ends at " + hertz(half) + ", half the sampling rate");
-    options.highest = half;
-  }
-  if (options.lowest >= options.highest) {
-    options.lowest = options.highest / 8;
-    notes.push_back("the scalogram starts at " + hertz(options.lowest) + ", three octaves below its end");
-  }
-  raiseLowest(series, options.lowest, notes);
-  if (options.lowest >= options.highest)
-    throw signals::SignalError("the scalogram of a record of this length and rate starts at " + hertz(options.lowest) +
-                               ", above its highest frequency of " + hertz(options.highest) +
-                               "; raise the highest frequency");
-  limitVoices(options, notes);
-  const double samples = (options.shown->second - options.shown->first) / series.step;
-  if (options.cell == 0) options.cell = static_cast<std::size_t>(samples) / mostColumns + 1;
-  return signals::scalogram(series, options);
 }
 
 // A band that was not requested and that the sampling rate cannot show is left out, with a note.
@@ -134,7 +77,7 @@ void noteUnevenWindow(const signals::PowerSpectrum& spectrum, std::vector<std::s
 }
 
 // The message of a signal with its place in a file.
-FileError inFile(const measured::MeasuredSignal& signal, const signals::SignalError& error) {
+FileError inFile(const signals::Record& signal, const signals::SignalError& error) {
   std::string place = signal.run;
   if (error.sample()) place += ", sample " + std::to_string(*error.sample());
   return FileError(signal.file, place, error.what());
@@ -165,40 +108,39 @@ void alignRuns(Analysis& analysis, const AnalysisOptions& options) {
 
 }  // namespace
 
-SignalAnalysis analyseSignal(const measured::MeasuredSignal& signal, const AnalysisOptions& options) {
+SignalAnalysis analyseSignal(const signals::Record& signal, const AnalysisOptions& options) {
   SignalAnalysis result;
   result.file = signal.file;
   result.run = signal.run;
   result.notes = signal.notes;
-  result.passage = signal.passage();
-  signals::requireUsable(signal.series, 32, "the analysis");
-  signals::requireVarying(signal.series, "the analysis");
-  result.filtered = signal.series;
-  if (options.lowPass > 0 && options.lowPass < 0.49 * signal.series.rate())
-    result.filtered = signals::lowPass(signal.series, options.lowPass);
+  result.passage = measured::passageWithPositions(signal);
+  const auto& series = result.passage.series;
+  signals::requireUsable(series, 32, "the analysis");
+  signals::requireVarying(series, "the analysis");
+  result.filtered = series;
+  if (options.lowPass > 0 && options.lowPass < 0.49 * series.rate())
+    result.filtered = signals::lowPass(series, options.lowPass);
   else if (options.lowPass > 0)
     result.notes.push_back("not low-pass filtered at " + hertz(options.lowPass) + ": the sampling rate is " +
-                           hertz(signal.series.rate()));
+                           hertz(series.rate()));
   if (!signal.run.empty()) result.filtered.name = signal.run;
 
-  signals::FeatureOptions features = options.features;
-  noteUnseenBands(signal.series.rate(), features, result.notes);
+  noteUnseenBands(series.rate(), options.features, result.notes);
   const signals::Passage filtered{result.filtered, result.passage.position};
-  if (!features.anchor) features.anchor = signals::anchorOf(filtered);
-  features.speed = signals::speedAt(filtered, features.anchor->time);
+  const auto features = signals::anchored(filtered, options.features);
   result.features = signals::features(result.filtered, features);
   noteUnendedVibration(result.features, result.notes);
-  noteMissingWavelength(signal.series.rate(), result.features, features, result.notes);
+  noteMissingWavelength(series.rate(), result.features, features, result.notes);
 
   signals::PowerSpectrumOptions spectrum = options.spectrum;
   if (spectrum.segment == 0 && result.filtered.values.size() > longestPeriodogram) spectrum.segment = usualSegment;
   result.spectrum = signals::powerSpectrum(result.filtered, spectrum);
   noteUnevenWindow(result.spectrum, result.notes);
-  result.stft = stftOf(result.filtered, options.stft, result.notes);
+  result.stft = stftMap(result.filtered, options.stft, result.notes);
   result.scalogramByAmplitude = options.wavelet.normalisation == signals::WaveletNormalisation::amplitude;
   auto wavelet = options.wavelet;
   if (!wavelet.shown) wavelet.shown = shownStretch(result.filtered, result.features, features);
-  result.scalogram = scalogramOf(result.filtered, wavelet, result.notes);
+  result.scalogram = scalogramMap(result.filtered, wavelet, result.notes);
   const double zero = signals::positionAtTime(filtered, features.anchor->time);
   for (const double time : result.scalogram.time)
     result.scalogramPosition.push_back(signals::positionAtTime(filtered, time) - zero);

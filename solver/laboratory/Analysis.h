@@ -55,6 +55,6 @@ struct Analysis {
 Analysis analyse(const std::vector<std::string>& files, const AnalysisOptions& options, Monitor& monitor);
 
 // One signal that is in memory already. Throws SignalError.
-SignalAnalysis analyseSignal(const measured::MeasuredSignal& signal, const AnalysisOptions& options);
+SignalAnalysis analyseSignal(const signals::Record& signal, const AnalysisOptions& options);
 
 }  // namespace squat::laboratory

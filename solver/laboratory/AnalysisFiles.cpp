@@ -6,7 +6,8 @@
 #include <set>
 
 #include "core/DurableFile.h"
-#include "laboratory/NumberTable.h"
+#include "text/Csv.h"
+#include "text/Numbers.h"
 
 namespace squat::laboratory {
 namespace {
@@ -77,12 +78,12 @@ FeatureTable featureTable(const Analysis& analysis) {
 std::string featureCsv(const Analysis& analysis) {
   const FeatureTable table = featureTable(analysis);
   std::string text = "file,run,anchor";
-  for (const auto& name : table.names) text += "," + csvField(name);
+  for (const auto& name : table.names) text += "," + text::csvField(name);
   text += '\n';
   for (std::size_t i = 0; i < analysis.signals.size(); ++i) {
-    text += csvField(analysis.signals[i].file) + "," + csvField(analysis.signals[i].run) + "," +
-            csvField(signals::toText(analysis.signals[i].features.anchor));
-    for (const double value : table.values[i]) text += "," + numberText(value);
+    text += text::csvField(analysis.signals[i].file) + "," + text::csvField(analysis.signals[i].run) + "," +
+            text::csvField(signals::toText(analysis.signals[i].features.anchor));
+    for (const double value : table.values[i]) text += "," + text::numberText(value);
     text += '\n';
   }
   return text;
@@ -103,7 +104,7 @@ std::string featureJson(const Analysis& analysis) {
 std::string spectrumCsv(const SignalAnalysis& signal) {
   const std::string unit = " [(" + signal.features.unit + ")2/Hz]";
   const auto& local = signal.features.spectrum;
-  return csvColumns(
+  return text::csvColumns(
       {"frequency [Hz]", "whole record" + unit, "frequency around the impact [Hz]", "around the impact" + unit},
       {&signal.spectrum.frequency, &signal.spectrum.density, &local.frequency, &local.density});
 }
@@ -115,7 +116,7 @@ std::string alignedCsv(const signals::AlignedRuns& runs) {
     names.push_back(runs.names[r]);
     columns.push_back(&runs.values[r]);
   }
-  return csvColumns(names, columns);
+  return text::csvColumns(names, columns);
 }
 
 std::string safeFileName(const std::string& name) {

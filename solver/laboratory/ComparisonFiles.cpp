@@ -5,7 +5,8 @@
 
 #include "core/DurableFile.h"
 #include "laboratory/AnalysisFiles.h"
-#include "laboratory/NumberTable.h"
+#include "text/Csv.h"
+#include "text/Numbers.h"
 
 namespace squat::laboratory {
 namespace {
@@ -31,12 +32,13 @@ std::string comparisonCsv(const std::vector<FileComparison>& comparisons) {
     }
   }
   std::string text = "first,second";
-  for (const auto& name : names) text += "," + csvField(name);
+  for (const auto& name : names) text += "," + text::csvField(name);
   text += '\n';
   for (const auto& entry : comparisons) {
-    text += csvField(entry.comparison.firstName) + "," + csvField(entry.comparison.secondName);
+    text += text::csvField(entry.comparison.firstName) + "," + text::csvField(entry.comparison.secondName);
     const auto row = signals::comparisonRow(entry.comparison);
-    for (std::size_t i = 0; i < names.size(); ++i) text += "," + (i < row.size() ? numberText(row[i].second) : "");
+    for (std::size_t i = 0; i < names.size(); ++i)
+      text += "," + (i < row.size() ? text::numberText(row[i].second) : "");
     text += '\n';
   }
   return text;
@@ -60,15 +62,16 @@ std::string comparisonJson(const std::vector<FileComparison>& comparisons) {
 
 std::string overlayCsv(const signals::Comparison& c) {
   const std::string unit = " [" + c.unit + "]";
-  return csvColumns(
+  return text::csvColumns(
       {c.inPosition ? "position [m]" : "time [s]", c.firstName + unit, c.secondName + unit, "difference" + unit},
       {&c.axis, &c.first, &c.second, &c.difference});
 }
 
 std::string spectraCsv(const signals::Comparison& c) {
   const std::string unit = " [(" + c.unit + ")2/Hz]";
-  return csvColumns({"frequency [Hz]", c.firstName + unit, c.secondName + unit, "ratio [-]"},
-                    {&c.firstSpectrum.frequency, &c.firstSpectrum.density, &c.secondSpectrum.density, &c.densityRatio});
+  return text::csvColumns(
+      {"frequency [Hz]", c.firstName + unit, c.secondName + unit, "ratio [-]"},
+      {&c.firstSpectrum.frequency, &c.firstSpectrum.density, &c.secondSpectrum.density, &c.densityRatio});
 }
 
 std::vector<std::string> writeComparisons(const std::vector<FileComparison>& comparisons, const std::string& folder) {

@@ -9,8 +9,8 @@
 namespace squat::laboratory {
 namespace {
 
-signals::Passage prepared(const measured::MeasuredSignal& signal, double lowPass, std::vector<std::string>& notes) {
-  auto passage = signal.passage();
+signals::Passage prepared(const signals::Record& signal, double lowPass, std::vector<std::string>& notes) {
+  auto passage = measured::passageWithPositions(signal);
   passage.series.name = std::filesystem::path(signal.file).stem().string() + ": " + signal.run;
   for (const auto& note : signal.notes) notes.push_back(passage.series.name + ": " + note);
   try {

@@ -4,8 +4,9 @@
 
 #include "core/Errors.h"
 #include "measured/ColumnRoles.h"
-#include "measured/TextNumber.h"
 #include "signals/SignalError.h"
+#include "text/Numbers.h"
+#include "text/Units.h"
 
 namespace squat::laboratory {
 namespace {
@@ -22,8 +23,7 @@ signals::Band bandFromText(const std::string& text) {
   const std::string range = equals == std::string::npos ? text : text.substr(equals + 1);
   const std::size_t dash = range.find_first_of("-:");
   if (dash == std::string::npos) refuse("--band", text, allowed);
-  const auto low = measured::numberIn(range.substr(0, dash), '.'),
-             high = measured::numberIn(range.substr(dash + 1), '.');
+  const auto low = text::numberIn(range.substr(0, dash), '.'), high = text::numberIn(range.substr(dash + 1), '.');
   if (!low || !high || !(*low > 0) || !(*high > *low)) refuse("--band", text, allowed);
   signals::Band band{equals == std::string::npos ? range + " Hz" : text.substr(0, equals), *low, *high};
   return band;
@@ -42,12 +42,12 @@ char delimiterFromText(const std::string& text) {
 double speedFromText(const std::string& text) {
   constexpr const char* allowed = "a positive number in m/s, or with a unit, for example 108 km/h";
   const std::size_t end = text.find_last_of("0123456789.") + 1;  // of the number: no unit of speed has a digit
-  const auto value = measured::numberIn(text.substr(0, end), '.');
+  const auto value = text::numberIn(text.substr(0, end), '.');
   if (!value || !(*value > 0)) refuse("--speed", text, allowed);
-  const std::string unit = measured::bareUnit(std::string_view(text).substr(end));
+  const std::string unit = text::bareUnit(std::string_view(text).substr(end));
   if (unit.empty()) return *value;
   const auto scale = measured::scaleOf(unit, "", measured::Role::speed);
-  if (scale.unit != "m/s" || !measured::isUnit(unit)) refuse("--speed", text, allowed);
+  if (scale.unit != "m/s" || !text::isUnit(unit)) refuse("--speed", text, allowed);
   return *value * scale.factor;
 }
 

@@ -12,12 +12,6 @@ enum class Role { signal, time, position, speed, run };
 // By name in English, Dutch or German, and by unit where the name does not tell.
 Role roleOf(std::string_view name, std::string_view unit);
 
-std::string lowerCase(std::string_view text);
-
-// A unit that this program knows, with or without brackets around it.
-bool isUnit(std::string_view text);
-std::string bareUnit(std::string_view text);  // without brackets
-
 // Factor to SI for the role, and the SI unit's name. Unknown units keep the numbers: factor 1, unit as it is.
 struct UnitScale {
   double factor = 1;

@@ -10,6 +10,8 @@
 #include "measured/ColumnRoles.h"
 #include "results/Hdf5.h"
 #include "results/ResultTree.h"
+#include "text/Text.h"
+#include "text/Units.h"
 
 namespace squat::measured {
 namespace {
@@ -62,13 +64,13 @@ bool isNested(const Array& array) {
 }
 
 // A dataset as one column, or one column for each of its runs.
-void addColumns(TextTable& table, const Array& array) {
+void addColumns(text::DelimitedTable& table, const Array& array) {
   const std::size_t n = lengthOf(array);
   const auto values = numbersOf(array);
   const std::size_t runs = n ? values.size() / n : 0;
   const bool samplesFirst = array.shape.empty() || array.shape.front() == n;
   for (std::size_t run = 0; run < runs; ++run) {
-    TableColumn column;
+    text::TableColumn column;
     column.name = nameOf(array.path) + (runs > 1 ? " " + std::to_string(run + 1) : "");
     column.unit = unitOf(array);
     column.values.resize(n);
@@ -86,9 +88,9 @@ class Finder {
     if (all_.empty()) throw FileError(path, "", "contains no numeric dataset");
   }
 
-  TextTable table() {
+  text::DelimitedTable table() {
     chooseGroup();
-    TextTable table;
+    text::DelimitedTable table;
     table.path = path_;
     table.rowWord = "sample";
     const std::size_t n = chosenLength();
@@ -111,7 +113,7 @@ class Finder {
   }
 
   // The options with what the file adds: the chosen dataset, sampling rate and speed.
-  SignalFileOptions options(const TextTable& table) const {
+  SignalFileOptions options(const text::DelimitedTable& table) const {
     SignalFileOptions result = options_;
     if (dataset_ && result.column.empty())
       for (const auto& column : table.columns)
@@ -148,7 +150,7 @@ class Finder {
       return;
     }
     for (const Array* array : all_)
-      if (lowerCase(nameOf(array->path)) == "aba") {
+      if (text::lowerCase(nameOf(array->path)) == "aba") {
         group_ = parentOf(array->path);
         return;
       }
@@ -164,8 +166,8 @@ class Finder {
     std::size_t longest = 0;
     for (const Array* array : all_) {
       if (parentOf(array->path) != group_) continue;
-      const std::string name = lowerCase(nameOf(array->path));
-      if (name == (options_.column.empty() ? "aba" : lowerCase(options_.column))) return lengthOf(*array);
+      const std::string name = text::lowerCase(nameOf(array->path));
+      if (name == (options_.column.empty() ? "aba" : text::lowerCase(options_.column))) return lengthOf(*array);
       if (roleOf(*array) == Role::signal) longest = std::max(longest, lengthOf(*array));
     }
     return longest;
@@ -174,7 +176,7 @@ class Finder {
   // A single number beside the signal, at the root, or an attribute of either; 0: none.
   double scalar(const std::vector<std::string>& names) const {
     const auto wanted = [&](const std::string& name) {
-      return std::find(names.begin(), names.end(), lowerCase(name)) != names.end();
+      return std::find(names.begin(), names.end(), text::lowerCase(name)) != names.end();
     };
     for (const auto& array : tree_.arrays) {
       const std::string parent = parentOf(array.path);
@@ -182,7 +184,7 @@ class Finder {
       const auto values = numbersOf(array);
       if (!wanted(nameOf(array.path)) || values.size() != 1 || !(values[0] > 0)) continue;
       const std::string unit = unitOf(array);
-      if (!unit.empty() && !isUnit(unit))
+      if (!unit.empty() && !text::isUnit(unit))
         throw FileError(path_, array.path, "has the unit '" + unit + "', which is not known",
                         "Give the value in the call");
       return values[0] * scaleOf(unit, nameOf(array.path), Role::signal).factor;
@@ -213,12 +215,12 @@ class Finder {
 
 }  // namespace
 
-std::vector<MeasuredSignal> readHdf5Signals(const std::string& path, const SignalFileOptions& options) {
+std::vector<signals::Record> readHdf5Signals(const std::string& path, const SignalFileOptions& options) {
   results::Hdf5Limits limits;
   limits.skipForeign = true;
   const ArrayTree tree = results::readHdf5(path, limits);
   Finder finder(path, tree, options);
-  const TextTable table = finder.table();
+  const text::DelimitedTable table = finder.table();
   auto signals = signalsOf(table, finder.options(table));
   if (results::textAttribute(tree.attributes, "schema") == results::kResultSchema &&
       results::numberAttribute(tree.attributes, "complete", 1) != 1)

@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "measured/SignalFile.h"
-#include "measured/TextTable.h"
+#include "text/DelimitedTable.h"
 
 namespace squat::measured {
 
-std::vector<MeasuredSignal> readHdf5Signals(const std::string& path, const SignalFileOptions& options);
+std::vector<signals::Record> readHdf5Signals(const std::string& path, const SignalFileOptions& options);
 
 // All runs of a table: the part that text and HDF5 have in common.
-std::vector<MeasuredSignal> signalsOf(const TextTable& table, const SignalFileOptions& options);
+std::vector<signals::Record> signalsOf(const text::DelimitedTable& table, const SignalFileOptions& options);
 
 }  // namespace squat::measured

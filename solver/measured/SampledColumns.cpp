@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "core/Errors.h"
 #include "signals/Resample.h"
 #include "signals/SignalError.h"
+#include "text/Numbers.h"
 
 namespace squat::measured {
 namespace {
-
-std::string numberText(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 double medianStep(const std::vector<double>& values) {
   std::vector<double> steps(values.size() - 1);
@@ -29,11 +23,12 @@ class Builder {
  public:
   Builder(SampledColumns columns, const SignalFileOptions& options) : in_(std::move(columns)), options_(options) {}
 
-  MeasuredSignal build() {
+  signals::Record build() {
     out_.file = in_.file;
     out_.run = in_.run;
-    out_.series.name = in_.name;
-    out_.series.unit = in_.unit;
+    out_.origin = signals::Origin::measured;
+    series_.name = in_.name;
+    series_.unit = in_.unit;
     trimEnd();
     if (in_.signal.size() < 2)
       fail("", "has " + std::to_string(in_.signal.size()) + " samples of '" + in_.name + "'; at least 2 are needed");
@@ -43,7 +38,7 @@ class Builder {
     requireUsable(in_.speed, "speed");
     for (std::size_t i = 0; i < in_.speed.size(); ++i)
       if (in_.speed[i] <= 0)
-        fail(in_.place(i), "the speed is " + numberText(in_.speed[i]) + " m/s, not a positive number",
+        fail(in_.place(i), "the speed is " + text::roundedText(in_.speed[i]) + " m/s, not a positive number",
              "Remove standstill and reversing");
     smoothPosition();
     if (options_.rate > 0)
@@ -56,11 +51,12 @@ class Builder {
       fail("", "has no time column that is known as one, so the sampling rate is not known",
            "Give the rate, name the time column, or give the speed where the positions are equally spaced");
     constexpr double fastest = 1e7;  // [Hz]: beyond it the unit of the time is wrong, and spectra outgrow the memory
-    if (!(out_.series.step * fastest >= 1))
-      fail("", "is sampled at " + numberText(1 / out_.series.step) + " Hz",
+    if (!(series_.step * fastest >= 1))
+      fail("", "is sampled at " + text::roundedText(1 / series_.step) + " Hz",
            "Up to 1e7 Hz is read; check the unit of time");
-    if (out_.series.values.empty()) out_.series.values = std::move(in_.signal);
+    if (series_.values.empty()) series_.values = std::move(in_.signal);
     addPosition();
+    addSignal();
     return std::move(out_);
   }
 
@@ -91,7 +87,7 @@ class Builder {
         std::find_if(values.begin(), values.end(), [](double value) { return std::abs(value) > largest; });
     if (huge != values.end())
       fail(in_.place(static_cast<std::size_t>(huge - values.begin())),
-           "'" + name + "' is " + numberText(*huge) + " here, too large to compute with",
+           "'" + name + "' is " + text::roundedText(*huge) + " here, too large to compute with",
            "Values up to 1e100 are read; mend the sample, or check the unit");
   }
 
@@ -125,24 +121,24 @@ class Builder {
 
   void rateGiven() {
     if (!std::isfinite(options_.rate)) fail("", "the sampling rate given is not a number");
-    out_.series.step = 1 / options_.rate;
+    series_.step = 1 / options_.rate;
     if (in_.time.empty()) return;
-    out_.series.start = in_.time.front();
+    series_.start = in_.time.front();
     // The clock of the file may be coarse; jumps of more than its own resolution and a step are gaps.
     double resolution = HUGE_VAL;
     for (std::size_t i = 1; i < in_.time.size(); ++i)
       if (in_.time[i] > in_.time[i - 1]) resolution = std::min(resolution, in_.time[i] - in_.time[i - 1]);
     for (std::size_t i = 1; i < in_.time.size(); ++i) {
       const double step = in_.time[i] - in_.time[i - 1];
-      if (step < 0) fail(in_.place(i), "the time goes back by " + numberText(-step) + " s");
-      if (step > 1.6 * std::max(out_.series.step, resolution)) gap(i, step);
+      if (step < 0) fail(in_.place(i), "the time goes back by " + text::roundedText(-step) + " s");
+      if (step > 1.6 * std::max(series_.step, resolution)) gap(i, step);
     }
   }
 
   [[noreturn]] void gap(std::size_t row, double step) const {
     fail(in_.place(row),
-         "a gap of " + numberText(step * 1000) + " ms before this sample, where the step is " +
-             numberText(out_.series.step * 1000) + " ms",
+         "a gap of " + text::roundedText(step * 1000) + " ms before this sample, where the step is " +
+             text::roundedText(series_.step * 1000) + " ms",
          "Cut the file at the gap, or leave the time column out by giving the rate and naming no time column");
   }
 
@@ -152,18 +148,18 @@ class Builder {
       if (!(t[i] > t[i - 1]))
         fail(in_.place(i), t[i] == t[i - 1] ? "the time does not advance" : "the time goes back",
              "Where the time is written with too few digits, give the sampling rate");
-    out_.series.step = medianStep(t);
+    series_.step = medianStep(t);
     for (std::size_t i = 1; i < t.size(); ++i) {
       const double step = t[i] - t[i - 1];
-      if (std::abs(step - out_.series.step) <= 0.5 * out_.series.step) continue;
-      if (step > out_.series.step) gap(i, step);
+      if (std::abs(step - series_.step) <= 0.5 * series_.step) continue;
+      if (step > series_.step) gap(i, step);
       fail(in_.place(i),
-           "the time step is " + numberText(step * 1000) + " ms here, elsewhere " +
-               numberText(out_.series.step * 1000) + " ms",
+           "the time step is " + text::roundedText(step * 1000) + " ms here, elsewhere " +
+               text::roundedText(series_.step * 1000) + " ms",
            "Samples must be equally spaced");
     }
-    out_.series.start = t.front();
-    out_.series.step = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+    series_.start = t.front();
+    series_.step = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
   }
 
   // Sampled by the way run: time is its integral over the speed; the signal is put on equal steps of time.
@@ -173,12 +169,12 @@ class Builder {
     for (std::size_t i = 1; i < x.size(); ++i)
       if (std::abs(x[i] - x[i - 1] - step) > 0.5 * step)
         fail(in_.place(i),
-             "a gap: the position steps by " + numberText(x[i] - x[i - 1]) + " m, elsewhere by " + numberText(step) +
-                 " m",
+             "a gap: the position steps by " + text::roundedText(x[i] - x[i - 1]) + " m, elsewhere by " +
+                 text::roundedText(step) + " m",
              "Give the sampling rate where the samples are equally spaced in time");
     const double meanStep = (x.back() - x.front()) / static_cast<double>(x.size() - 1);
     if (in_.speed.empty()) {
-      out_.series.step = meanStep / options_.speed;
+      series_.step = meanStep / options_.speed;
       return;
     }
     std::vector<double> time(x.size(), 0.0), row(x.size());
@@ -186,13 +182,13 @@ class Builder {
       row[i] = static_cast<double>(i);
       if (i > 0) time[i] = time[i - 1] + (x[i] - x[i - 1]) * 2 / (in_.speed[i] + in_.speed[i - 1]);
     }
-    out_.series.step = time.back() / static_cast<double>(x.size() - 1);
+    series_.step = time.back() / static_cast<double>(x.size() - 1);
     const signals::TimeSeries byRow{0, 1, in_.signal, in_.name, in_.unit};
     const signals::Interpolator value(byRow);
     std::vector<double> position;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const double at = signals::interpolateLinear(time, row, out_.series.timeAt(i));
-      out_.series.values.push_back(value(at));
+      const double at = signals::interpolateLinear(time, row, series_.timeAt(i));
+      series_.values.push_back(value(at));
       position.push_back(signals::interpolateLinear(row, x, at));
     }
     position.back() = x.back();
@@ -208,22 +204,32 @@ class Builder {
     }
     try {
       if (!in_.speed.empty())
-        out_.position = signals::passageAtSpeed(out_.series, in_.speed).position;
+        out_.position = signals::passageAtSpeed(series_, in_.speed).position;
       else if (options_.speed > 0)
-        out_.position = signals::passageAtSpeed(out_.series, options_.speed).position;
+        out_.position = signals::passageAtSpeed(series_, options_.speed).position;
     } catch (const signals::SignalError& error) {
       fail(error.sample() ? in_.place(*error.sample()) : "", error.what());
     }
   }
 
+  void addSignal() {
+    const std::size_t n = series_.values.size();
+    out_.time.resize(n);
+    for (std::size_t i = 0; i < n; ++i) out_.time[i] = series_.timeAt(i);
+    if (out_.position.size() == n && n > 1 && series_.step > 0)
+      out_.speed = (out_.position.back() - out_.position.front()) / (static_cast<double>(n - 1) * series_.step);
+    out_.signals.push_back({series_.name, series_.unit, "measured", std::move(series_.values)});
+  }
+
   SampledColumns in_;
   const SignalFileOptions& options_;
-  MeasuredSignal out_;
+  signals::TimeSeries series_;
+  signals::Record out_;
 };
 
 }  // namespace
 
-MeasuredSignal toMeasuredSignal(SampledColumns columns, const SignalFileOptions& options) {
+signals::Record toRecord(SampledColumns columns, const SignalFileOptions& options) {
   return Builder(std::move(columns), options).build();
 }
 

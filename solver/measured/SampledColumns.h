@@ -17,6 +17,6 @@ struct SampledColumns {
 };
 
 // Throws FileError as readSignals says.
-MeasuredSignal toMeasuredSignal(SampledColumns columns, const SignalFileOptions& options);
+signals::Record toRecord(SampledColumns columns, const SignalFileOptions& options);
 
 }  // namespace squat::measured

@@ -12,15 +12,16 @@
 #include "measured/ColumnRoles.h"
 #include "measured/Hdf5Signals.h"
 #include "measured/SampledColumns.h"
-#include "measured/TextNumber.h"
-#include "measured/TextTable.h"
+#include "text/DelimitedTable.h"
+#include "text/Numbers.h"
+#include "text/Text.h"
 
 namespace squat::measured {
 namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-std::string listOf(const TextTable& table) {
+std::string listOf(const text::DelimitedTable& table) {
   std::string text;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& name = table.columns[c].name;
@@ -31,12 +32,12 @@ std::string listOf(const TextTable& table) {
 }
 
 // Case counts only where names differ in nothing else. Two columns of one name are no choice that could be guessed.
-std::size_t oneNamed(const TextTable& table, const std::string& wanted) {
-  const std::string name(trimmed(wanted)), lower = lowerCase(name);
+std::size_t oneNamed(const text::DelimitedTable& table, const std::string& wanted) {
+  const std::string name(text::trimmed(wanted)), lower = text::lowerCase(name);
   std::vector<std::size_t> found, exact;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& own = table.columns[c].name;
-    if (!own.empty() && lowerCase(own) == lower) found.push_back(c);
+    if (!own.empty() && text::lowerCase(own) == lower) found.push_back(c);
     if (!own.empty() && own == name) exact.push_back(c);
   }
   if (exact.size() == 1) return exact.front();
@@ -48,9 +49,9 @@ std::size_t oneNamed(const TextTable& table, const std::string& wanted) {
   return found.empty() ? none : found.front();
 }
 
-std::size_t findColumn(const TextTable& table, const std::string& wanted) {
+std::size_t findColumn(const text::DelimitedTable& table, const std::string& wanted) {
   if (const std::size_t c = oneNamed(table, wanted); c != none) return c;
-  const std::string lower = lowerCase(trimmed(wanted));
+  const std::string lower = text::lowerCase(text::trimmed(wanted));
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(lower.data(), lower.data() + lower.size(), number);
   if (error == std::errc() && end == lower.data() + lower.size() && number >= 1 && number <= table.columns.size())
@@ -71,7 +72,7 @@ struct Roles {
   std::vector<std::size_t> signals;
 };
 
-Roles rolesOf(const TextTable& table, const SignalFileOptions& options) {
+Roles rolesOf(const text::DelimitedTable& table, const SignalFileOptions& options) {
   Roles roles;
   const auto named = [&](const std::string& name) { return name.empty() ? none : findColumn(table, name); };
   roles.time = named(options.timeColumn);
@@ -105,7 +106,7 @@ Roles rolesOf(const TextTable& table, const SignalFileOptions& options) {
     roles.time = 0;
     rest.erase(rest.begin());
   }
-  if (lowerCase(options.column) == "all") {
+  if (text::lowerCase(options.column) == "all") {
     roles.signals = rest;
   } else if (!options.column.empty()) {
     for (std::size_t from = 0; from <= options.column.size();) {
@@ -126,7 +127,7 @@ Roles rolesOf(const TextTable& table, const SignalFileOptions& options) {
 }
 
 // An axis in a unit that nobody knows would pass for SI.
-void requireKnownUnits(const TextTable& table, const Roles& roles) {
+void requireKnownUnits(const text::DelimitedTable& table, const Roles& roles) {
   for (const auto& [c, role] : {std::pair{roles.time, Role::time}, std::pair{roles.position, Role::position},
                                 std::pair{roles.speed, Role::speed}})
     if (c != none && !isUnitOf(table.columns[c].unit, role))
@@ -137,7 +138,7 @@ void requireKnownUnits(const TextTable& table, const Roles& roles) {
                                                : "Speeds are in m/s or km/h");
 }
 
-void requireRunNumbers(const TextTable& table, const Roles& roles) {
+void requireRunNumbers(const text::DelimitedTable& table, const Roles& roles) {
   if (roles.run == none) return;
   const auto& column = table.columns[roles.run];
   for (std::size_t i = 0; i < column.values.size(); ++i)
@@ -147,7 +148,7 @@ void requireRunNumbers(const TextTable& table, const Roles& roles) {
 }
 
 // First rows of the runs, and the end of the last.
-std::vector<std::size_t> partRuns(const TextTable& table, const Roles& roles) {
+std::vector<std::size_t> partRuns(const text::DelimitedTable& table, const Roles& roles) {
   std::vector<std::size_t> starts{0};
   const std::size_t n = table.rows();
   const std::vector<double>* run = roles.run == none ? nullptr : &table.columns[roles.run].values;
@@ -163,7 +164,7 @@ std::vector<std::size_t> partRuns(const TextTable& table, const Roles& roles) {
   return starts;
 }
 
-std::vector<double> scaledRows(const TableColumn& column, Role role, std::size_t from, std::size_t to) {
+std::vector<double> scaledRows(const text::TableColumn& column, Role role, std::size_t from, std::size_t to) {
   const double factor = column.kilometresAndMetres ? 1.0 : scaleOf(column.unit, column.name, role).factor;
   std::vector<double> values(column.values.begin() + static_cast<std::ptrdiff_t>(from),
                              column.values.begin() + static_cast<std::ptrdiff_t>(to));
@@ -172,7 +173,7 @@ std::vector<double> scaledRows(const TableColumn& column, Role role, std::size_t
   return values;
 }
 
-std::string runName(const TextTable& table, const Roles& roles, std::size_t column, std::size_t firstRow,
+std::string runName(const text::DelimitedTable& table, const Roles& roles, std::size_t column, std::size_t firstRow,
                     std::size_t index, bool severalRuns) {
   std::string name = table.columns[column].name;
   if (name.empty()) name = "column " + std::to_string(column + 1);
@@ -213,12 +214,12 @@ void requireOptions(const SignalFileOptions& options) {
 
 }  // namespace
 
-std::vector<MeasuredSignal> signalsOf(const TextTable& table, const SignalFileOptions& options) {
+std::vector<signals::Record> signalsOf(const text::DelimitedTable& table, const SignalFileOptions& options) {
   const Roles roles = rolesOf(table, options);
   requireKnownUnits(table, roles);
   requireRunNumbers(table, roles);
   const auto starts = partRuns(table, roles);
-  std::vector<MeasuredSignal> result;
+  std::vector<signals::Record> result;
   for (const std::size_t c : roles.signals) {
     const auto& column = table.columns[c];
     if (column.badRow == 0 &&
@@ -239,24 +240,24 @@ std::vector<MeasuredSignal> signalsOf(const TextTable& table, const SignalFileOp
       run.place = [&table, from](std::size_t row) {
         return table.rowWord + " " + std::to_string(table.lines[from + row]);
       };
-      result.push_back(toMeasuredSignal(std::move(run), options));
+      result.push_back(toRecord(std::move(run), options));
       result.back().run = runName(table, roles, c, from, r, starts.size() > 2);
     }
   }
   return result;
 }
 
-signals::Passage MeasuredSignal::passage() const {
-  if (position.empty())
+signals::Passage passageWithPositions(const signals::Record& record) {
+  if (record.position.empty())
     throw CaseError({{"--speed", "none", "a positive number in m/s",
-                      file + " has neither a position nor a speed column: give the speed"}});
-  return {series, position};
+                      record.file + " has neither a position nor a speed column: give the speed"}});
+  return signals::passageOf(record);
 }
 
-std::vector<MeasuredSignal> readSignals(const std::string& path, const SignalFileOptions& options) {
+std::vector<signals::Record> readSignals(const std::string& path, const SignalFileOptions& options) {
   requireOptions(options);
   if (isHdf5(path)) return readHdf5Signals(path, options);
-  return signalsOf(readTextTable(path, options.delimiter, options.decimal), options);
+  return signalsOf(text::readDelimitedTable(path, options.delimiter, options.decimal), options);
 }
 
 }  // namespace squat::measured

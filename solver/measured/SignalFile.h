@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "signals/Alignment.h"
-#include "signals/TimeSeries.h"
+#include "signals/Record.h"
 
 namespace squat::measured {
 
@@ -21,20 +20,7 @@ struct SignalFileOptions {
   char decimal = 0;    // '.' or ','; 0: found
 };
 
-struct MeasuredSignal {
-  std::string file;                // path
-  std::string run;                 // name of the run inside the file: column, and value of the run column
-  signals::TimeSeries series;      // SI: g and mm/s2 become m/s2
-  std::vector<double> position;    // [m] at each sample, strictly rising in the direction of travel; empty: not known
-  bool chainage = false;           // position comes from the file's own axis (else it is speed times time from zero)
-  bool falling = false;            // the chainage falls along the run: position is its negative
-  std::vector<std::string> notes;  // what was assumed or mended on reading
-
-  // With position; throws CaseError where neither speed nor position is known.
-  signals::Passage passage() const;
-};
-
-// All runs of a file, one entry for each signal column and run.
+// All runs of a file, one record with one channel for each signal column and run.
 //
 // Text: any delimiter (, ; tab | blanks), decimal point or comma, with or without header, lines before the header, a
 // row of units under it; names in UTF-8 or Latin-1; CRLF, byte-order mark, quoted fields, lines that begin with # or %
@@ -45,6 +31,9 @@ struct MeasuredSignal {
 // Throws FileError with line or object: unreadable, no table, wrong column, a gap or a not-a-number in a column that is
 // used, a value beyond 1e100, a time or position that does not rise, no sampling rate, fewer than 2 samples, an axis in
 // an unknown unit. Limit: 4 GB of text, 384 MB of HDF5 values, 190 MB in one dataset.
-std::vector<MeasuredSignal> readSignals(const std::string& path, const SignalFileOptions& options = {});
+std::vector<signals::Record> readSignals(const std::string& path, const SignalFileOptions& options = {});
+
+// The record's signal with its positions. Throws CaseError where neither speed nor position is known.
+signals::Passage passageWithPositions(const signals::Record& record);
 
 }  // namespace squat::measured

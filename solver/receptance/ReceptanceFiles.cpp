@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "core/DurableFile.h"
-#include "laboratory/NumberTable.h"
 #include "results/Hdf5.h"
+#include "text/Csv.h"
 
 namespace squat::receptance {
 
@@ -92,12 +92,12 @@ std::string receptanceCsv(const TrackReceptance& receptance) {
     for (const auto* column : {&all[i].real, &all[i].imaginary, &all[i].magnitude, &all[i].phase})
       columns.push_back(column);
   }
-  return laboratory::csvColumns(names, columns);
+  return text::csvColumns(names, columns);
 }
 
 std::string modesCsv(const TrackReceptance& receptance) {
   const auto c = columnsOf(receptance.modes);
-  return laboratory::csvColumns(
+  return text::csvColumns(
       {"frequency [Hz]", "harmonic", "box [1/sqrt(kg)]", "wheel centre [1/sqrt(kg)]", "contact [1/sqrt(kg)]"},
       {&c.frequency, &c.harmonic, &c.box, &c.wheel, &c.contact});
 }

@@ -8,14 +8,11 @@
 #include <vector>
 
 #include "case/Resolve.h"
+#include "signals/Record.h"
 
 namespace squat::results {
 
-// One dataset: `name` is its name in the file's group, `unit` its attribute.
-struct Channel {
-  std::string name, unit, description;
-  std::vector<double> values;
-};
+using signals::Channel;
 
 struct Scalar {
   std::string name, unit, description;
@@ -76,7 +73,10 @@ struct WheelsetMode {
   double contactShare = 0;  // the same at the contact point
 };
 
-struct RunResult {
+// A run is a record, time from 0 at the start of rolling and position of the wheel centre from the deepest point of the
+// defect, with what only a computation knows beside it. Its signals: aba, aba_longitudinal, wheel_acceleration,
+// aba_filtered, wheel_acceleration_filtered, contact_force, creep_force, wheel_speed, patch_length, patch_width.
+struct RunResult : signals::Record {
   std::string stem;  // name of the case file without its ending
   std::string title;
   std::string caseToml;  // every default filled in
@@ -91,13 +91,6 @@ struct RunResult {
   bool complete = false;
   std::string stopReason;  // "done", "cancelled", "failed: ..."
   std::string created;     // UTC, ISO 8601
-
-  double speed = 0;              // [m/s] links time and position
-  std::vector<double> time;      // [s], 0 at the start of rolling
-  std::vector<double> position;  // [m] wheel centre relative to the deepest point of the defect
-  std::vector<Channel>
-      signals;  // aba, aba_longitudinal, wheel_acceleration, aba_filtered, wheel_acceleration_filtered,
-                // contact_force, creep_force, wheel_speed, patch_length, patch_width
 
   // Spectra of aba_filtered; window and its limits as text.
   std::vector<double> frequency, psd, psdWheel;
@@ -123,12 +116,6 @@ struct RunResult {
   SurfaceMesh surface;
   std::vector<SurfaceSnapshot> snapshots;
   std::vector<PatchSnapshot> patches;
-
-  const std::vector<double>* signal(const std::string& name) const {
-    for (const auto& channel : signals)
-      if (channel.name == name) return &channel.values;
-    return nullptr;
-  }
 };
 
 // Makes a case that of a result: its text, its hash and what it is resolved into.

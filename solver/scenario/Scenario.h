@@ -17,7 +17,8 @@ namespace squat::scenario {
 // The profile as a term of the gap between wheel and rail, or the surface nodes of the rail moved.
 enum class DefectModel { gapFunction, movedNodes };
 
-struct Scenario {
+// What a user writes and what is simulated alike.
+struct Inputs {
   Track track;
   Rail rail;
   Pad pad;
@@ -29,9 +30,12 @@ struct Scenario {
   Contact contact;
   Damping damping;
   MeshSizes mesh;
+  Output output;
+};
+
+struct Scenario : Inputs {
   DefectSurface defectSurface{Defect{}};
   DefectModel defectModel = DefectModel::gapFunction;
-  Output output;
 };
 
 }  // namespace squat::scenario

@@ -97,12 +97,11 @@ Comparison compare(const Passage& first, const Passage& second, const Comparison
   const double firstTime = timeOf(first, runs.impact[0]), secondTime = timeOf(second, runs.impact[1]);
   FeatureOptions features = options.features;
   features.anchor = anchor;
-  features.speed = speedAt(first, anchor.time);
+  features = anchored(first, features);
   result.firstFeatures = signals::features(first.series, features);
   FeatureOptions ofSecond = features;
   ofSecond.anchor = Anchor{secondTime + anchor.time - firstTime, AnchorRule::aligned};
-  ofSecond.speed = speedAt(second, ofSecond.anchor->time);
-  result.secondFeatures = signals::features(second.series, ofSecond);
+  result.secondFeatures = signals::features(second, ofSecond);
 
   // What is compared lies on one axis; places are divided by the first's speed, so that frequencies stay comparable.
   const double perAxis = runs.inPosition ? 1 / features.speed : 1.0;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "signals/Alignment.h"
 #include "signals/FourierTransform.h"
 #include "signals/SignalError.h"
 
@@ -67,12 +68,33 @@ std::vector<double> movingRms(const std::vector<double>& values, std::size_t n) 
   return result;
 }
 
-PowerSpectrum localSpectrum(const TimeSeries& series, double from, double to, double frequencyStep) {
+PowerSpectrum localSpectrum(const TimeSeries& series, double from, double to, Window window) {
+  constexpr double frequencyStep = 3;  // [Hz]
   const TimeSeries part = cutOut(series, from, to);
   PowerSpectrumOptions options;
+  options.window = window;
   options.transformLength =
       fastLength(std::max(part.values.size(), static_cast<std::size_t>(std::ceil(series.rate() / frequencyStep))));
   return powerSpectrum(part, options);
+}
+
+PowerSpectrum stretchSpectrum(const Passage& passage, double from, double to, Window window) {
+  const auto options = anchored(passage);
+  const Anchor anchor = *options.anchor;
+  const double zero = anchor.rule == AnchorRule::defect ? 0 : positionAtTime(passage, anchor.time);
+  const auto timeOf = [&](double position) { return anchor.time + (position - zero) / options.speed; };
+  return localSpectrum(passage.series, timeOf(from), timeOf(to), window);
+}
+
+FeatureOptions anchored(const Passage& passage, FeatureOptions options) {
+  if (!options.anchor) options.anchor = anchorOf(passage);
+  if (passage.position.size() < 2) return options;
+  if (const double speed = speedAt(passage, options.anchor->time); speed > 0) options.speed = speed;
+  return options;
+}
+
+Features features(const Passage& passage, const FeatureOptions& options) {
+  return features(passage.series, anchored(passage, options));
 }
 
 Features features(const TimeSeries& series, const FeatureOptions& options) {

@@ -13,6 +13,8 @@
 
 namespace squat::signals {
 
+struct Passage;
+
 struct Band {
   std::string name;
   double low = 0, high = 0;  // [Hz]
@@ -76,6 +78,11 @@ std::vector<SpectralPeak> namedLines(const PowerSpectrum& spectrum);
 // required bands above half the sampling rate.
 Features features(const TimeSeries& series, const FeatureOptions& options = {});
 
+// Anchor and speed of a passage where the options do not name them: anchorOf, and the wheel's own speed there, which
+// under torque differs a little from the nominal one. One rule for runs, files, comparisons and the studio.
+FeatureOptions anchored(const Passage& passage, FeatureOptions options = {});
+Features features(const Passage& passage, const FeatureOptions& options = {});
+
 // The same as a row of a table: names with unit ("peak [m/s2]"; a signal of unknown unit has "unit" there) and values,
 // in a fixed order; `peakCount` frequencies, not a number beyond those there are. The spectrum is the one around the
 // impact.
@@ -84,8 +91,13 @@ std::vector<std::pair<std::string, double>> featureRow(const Features& features,
 // Root mean square over the n samples centred on each sample (fewer at the ends).
 std::vector<double> movingRms(const std::vector<double>& values, std::size_t n);
 
-// Spectrum of the samples from..to [s], Hann, mean taken off, zeros appended until the step is at most `frequencyStep`.
-PowerSpectrum localSpectrum(const TimeSeries& series, double from, double to, double frequencyStep = 3.0);
+// The spectrum of a stretch, wherever one is shown or judged: of the samples from..to [s], mean taken off, zeros
+// appended until the frequency step is at most 3 Hz.
+PowerSpectrum localSpectrum(const TimeSeries& series, double from, double to, Window window = Window::hann);
+
+// The same from..to [m] on the passage's own positions, at the speed of the anchor. Throws SignalError for a stretch
+// that holds fewer than two samples.
+PowerSpectrum stretchSpectrum(const Passage& passage, double from, double to, Window window = Window::hann);
 
 // Mean wavelength [m] from the zero crossings of the band-passed record in from..to [s]; NaN with fewer than
 // three.

@@ -4,12 +4,11 @@
 
 #include "contact/ContactSurfaces.h"
 #include "contact/Hertz.h"
+#include "laboratory/Maps.h"
 #include "model/ContactPenalty.h"
 #include "model/WheelsetModes.h"
 #include "scenario/DefectSurface.h"
-#include "signals/ContinuousWavelet.h"
-#include "signals/FourierTransform.h"
-#include "signals/PowerSpectrum.h"
+#include "signals/Features.h"
 #include "simulation/Describe.h"
 
 namespace squat::simulation {
@@ -115,39 +114,30 @@ std::string addSpectra(const scenario::Scenario& d, results::RunResult& result) 
   };
   constexpr std::size_t leastRecord = 64, leastWindow = 32;
   const auto* filtered = result.signal("aba_filtered");
-  const auto* wheel = result.signal("wheel_acceleration_filtered");
   if (!filtered) return "no spectra: nothing was recorded";
   if (filtered->size() < leastRecord) return tooShort(filtered->size(), "in the record", leastRecord);
-  const double step = result.time[1] - result.time[0], speed = d.motion.speed;
   // Window of the paper's figures: from 0.1 m before to 0.28 m beyond the defect, as far as the record goes.
   result.psdFrom = std::max(-0.1, result.position.front()), result.psdTo = std::min(0.28, result.position.back());
-  const auto timeOf = [&](double position) {
-    const auto it = std::lower_bound(result.position.begin(), result.position.end(), position);
-    return result.time[std::min<std::size_t>(it - result.position.begin(), result.time.size() - 1)];
-  };
+  const auto within = std::count_if(result.position.begin(), result.position.end(),
+                                    [&](double x) { return x >= result.psdFrom && x <= result.psdTo; });
+  if (static_cast<std::size_t>(within) < leastWindow)
+    return tooShort(static_cast<std::size_t>(within), "from 0.1 m before to 0.28 m beyond the defect", leastWindow);
   try {
-    signals::PowerSpectrumOptions options;
-    options.window = signals::Window::hann;
-    for (const auto& [values, out] : {std::pair{filtered, &result.psd}, std::pair{wheel, &result.psdWheel}}) {
-      const signals::TimeSeries series{result.time.front(), step, *values, "", "m/s2"};
-      const auto part = signals::cutOut(series, timeOf(result.psdFrom), timeOf(result.psdTo));
-      if (part.values.size() < leastWindow)
-        return tooShort(part.values.size(), "from 0.1 m before to 0.28 m beyond the defect", leastWindow);
-      options.transformLength = std::max<std::size_t>(8192, signals::fastLength(part.values.size()));
-      const auto spectrum = signals::powerSpectrum(part, options);
-      result.frequency = spectrum.frequency;
-      *out = spectrum.density;
-      result.psdWindow = spectrum.window;
-    }
+    const auto spectrumOf = [&](const char* channel) {
+      return signals::stretchSpectrum(signals::passageOf(result, channel), result.psdFrom, result.psdTo);
+    };
+    auto spectrum = spectrumOf("aba_filtered");
+    result.frequency = std::move(spectrum.frequency), result.psd = std::move(spectrum.density);
+    result.psdWindow = spectrum.window;
+    result.psdWheel = spectrumOf("wheel_acceleration_filtered").density;
     signals::WaveletOptions wavelet;
-    wavelet.highest = std::min(2500.0, 0.45 / step);
     wavelet.voicesPerOctave = d.output.cwtVoices > 0 ? d.output.cwtVoices : 16;
-    const signals::TimeSeries series{result.time.front(), step, *filtered, "aba_filtered", "m/s2"};
-    const auto scalogram = signals::scalogram(series, wavelet);
+    std::vector<std::string> notes;
+    const auto scalogram = laboratory::scalogramMap(signals::seriesOf(result, "aba_filtered"), wavelet, notes);
     result.scalogramFrequency = scalogram.frequency, result.scalogramTime = scalogram.time;
     result.scalogramPower = scalogram.power, result.coneOfInfluence = scalogram.coneOfInfluence;
     for (const double t : scalogram.time)
-      result.scalogramPosition.push_back(result.position.front() + speed * (t - result.time.front()));
+      result.scalogramPosition.push_back(result.position.front() + d.motion.speed * (t - result.time.front()));
   } catch (const std::exception& error) {
     return std::string("no spectra: ") + error.what();
   }

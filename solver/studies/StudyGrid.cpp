@@ -7,6 +7,8 @@
 #include <set>
 
 #include "core/Errors.h"
+#include "text/Numbers.h"
+#include "text/Text.h"
 
 namespace squat::studies {
 namespace {
@@ -17,34 +19,14 @@ constexpr std::size_t mostValues = 1000, mostPoints = 10000;
   throw CaseError({{"--vary", "'" + text + "'", allowed, "Example: defect.length=20:60:5"}});
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t from = text.find_first_not_of(" \t"), to = text.find_last_not_of(" \t");
-  return from == std::string::npos ? std::string() : text.substr(from, to - from + 1);
-}
+std::optional<double> number(const std::string& text) { return text::numberIn(text, '.'); }
 
-std::vector<std::string> parts(const std::string& text, char mark) {
-  std::vector<std::string> list;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t end = std::min(text.find(mark, from), text.size());
-    list.push_back(trimmed(text.substr(from, end - from)));
-    from = end + 1;
-  }
-  return list;
-}
-
-std::optional<double> number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-std::string roundedText(double value) {
-  std::array<char, 40> text;
-  auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 12).ptr;
-  const double rounded = number(std::string(text.data(), end)).value_or(value);
-  end = std::to_chars(text.data(), text.data() + text.size(), rounded == 0 ? 0.0 : rounded).ptr;
-  return std::string(text.data(), end);
+// Twelve digits: 0.1 + 0.2 is 0.3.
+std::string withoutRounding(double value) {
+  std::array<char, 40> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 12);
+  const double rounded = text::numberFromText({digits.data(), end.ptr}).value_or(value);
+  return text::numberText(rounded == 0 ? 0.0 : rounded);
 }
 
 }  // namespace
@@ -52,16 +34,16 @@ std::string roundedText(double value) {
 Variation variationFromText(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) refuse(text, "key=first:last:count or key=value,value,...");
-  Variation variation{trimmed(text.substr(0, equals)), {}};
-  const std::string right = trimmed(text.substr(equals + 1));
+  Variation variation{std::string(text::trimmed(text.substr(0, equals))), {}};
+  const std::string right(text::trimmed(text.substr(equals + 1)));
   if (variation.key.empty() || right.empty()) refuse(text, "a key, = and its values");
   if (right.find(':') == std::string::npos) {
-    variation.values = parts(right, ',');
+    variation.values = text::split(right, ',');
     for (const auto& value : variation.values)
       if (value.empty()) refuse(text, "values without empty entries between commas");
     if (variation.values.size() > mostValues) refuse(text, "at most 1000 values");
   } else {
-    const auto range = parts(right, ':');
+    const auto range = text::split(right, ':');
     if (range.size() != 3) refuse(text, "first:last:count");
     const auto first = number(range[0]), last = number(range[1]), count = number(range[2]);
     if (!first || !last || !count) refuse(text, "three numbers first:last:count");
@@ -71,7 +53,7 @@ Variation variationFromText(const std::string& text) {
     const auto n = static_cast<std::size_t>(*count);
     for (std::size_t i = 0; i < n; ++i) {
       const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.0;
-      variation.values.push_back(roundedText(*first * (1 - share) + *last * share));
+      variation.values.push_back(withoutRounding(*first * (1 - share) + *last * share));
     }
   }
   const std::set<std::string> distinct(variation.values.begin(), variation.values.end());

@@ -1,14 +1,14 @@
 #include "studies/StudyTable.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
-#include "laboratory/NumberTable.h"
+#include "text/Csv.h"
+#include "text/Numbers.h"
 
 namespace squat::studies {
 namespace {
@@ -38,46 +38,13 @@ const char* stateText(RowState state) {
   return state == RowState::done ? "done" : state == RowState::failed ? "failed" : "open";
 }
 
-// Records of a CSV text, quotes resolved.
-std::vector<std::vector<std::string>> recordsOf(const std::string& text) {
-  std::vector<std::vector<std::string>> records;
-  std::vector<std::string> record;
-  std::string field;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted) {
-      if (c != '"')
-        field += c;
-      else if (i + 1 < text.size() && text[i + 1] == '"')
-        field += text[++i];
-      else
-        quoted = false;
-    } else if (c == '"') {
-      quoted = true;
-    } else if (c == ',' || c == '\n') {
-      record.push_back(std::move(field));
-      field.clear();
-      if (c == '\n') records.push_back(std::move(record)), record.clear();
-    } else if (c != '\r') {
-      field += c;
-    }
-  }
-  if (!field.empty() || !record.empty()) {
-    record.push_back(std::move(field));
-    records.push_back(std::move(record));
-  }
-  return records;
-}
-
 double numberFrom(const std::string& text, const std::string& path, std::size_t line) {
   if (text.empty()) return std::nan("");
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
+  const auto value = text::numberFromText(text);
+  if (!value)
     throw FileError(path, "line " + std::to_string(line), "'" + text + "' is not a number",
                     "Restore the table, or choose another folder with -o");
-  return value;
+  return *value;
 }
 
 }  // namespace
@@ -101,20 +68,20 @@ std::string tableText(const StudyTable& table) {
     for (const auto& [name, value] : row.features)
       if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   std::string text;
-  for (const auto& variation : table.definition.variations) text += laboratory::csvField(variation.key) + ",";
+  for (const auto& variation : table.definition.variations) text += text::csvField(variation.key) + ",";
   text += "state";
-  for (const auto& name : names) text += "," + laboratory::csvField(name);
+  for (const auto& name : names) text += "," + text::csvField(name);
   text += ",message\n";
   for (const auto& row : table.rows) {
     if (row.state == RowState::open) continue;
-    for (const auto& value : row.point.values) text += laboratory::csvField(value) + ",";
+    for (const auto& value : row.point.values) text += text::csvField(value) + ",";
     text += stateText(row.state);
     for (const auto& name : names) {
       const auto found = std::find_if(row.features.begin(), row.features.end(),
                                       [&](const auto& feature) { return feature.first == name; });
-      text += "," + (found == row.features.end() ? std::string() : laboratory::numberText(found->second));
+      text += "," + (found == row.features.end() ? std::string() : text::numberText(found->second));
     }
-    text += "," + laboratory::csvField(row.message) + "\n";
+    text += "," + text::csvField(row.message) + "\n";
   }
   return text;
 }
@@ -147,7 +114,7 @@ std::optional<StudyTable> readTable(const StudyDefinition& definition, const std
   StudyTable table = emptyTable(definition);
   const std::string path = tablePath(folder);
   if (!std::filesystem::exists(path)) return table;
-  const auto records = recordsOf(readWholeFile(path, largestFile));
+  const auto records = text::csvRecords(readWholeFile(path, largestFile));
   const std::size_t keys = definition.variations.size();
   if (records.empty() || records[0].size() < keys + 2)
     throw FileError(path, "line 1", "is not the table of this study", "Restore it, or choose another folder with -o");

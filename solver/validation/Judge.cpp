@@ -7,7 +7,8 @@
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
-#include "laboratory/NumberTable.h"
+#include "text/Csv.h"
+#include "text/Numbers.h"
 #include "validation/Measures.h"
 
 namespace squat::validation {
@@ -105,13 +106,7 @@ std::vector<Judged> judgeAll(const std::vector<Statement>& statements, const Res
   return all;
 }
 
-std::string bound(double value) { return std::isinf(value) ? std::string() : laboratory::numberText(value); }
-
-std::string printed(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, std::abs(value) < 1e4 ? "%.4g" : "%.0f", value);
-  return text;
-}
+std::string bound(double value) { return std::isinf(value) ? std::string() : text::numberText(value); }
 
 }  // namespace
 
@@ -141,9 +136,9 @@ std::string rangeText(const Statement& s) {
   if (s.measure == "none") return {};
   const bool bare = s.unit == "1" || s.unit == "ratio" || s.unit.empty();
   const std::string unit = bare ? "" : " " + (s.unit == "m/s2" ? "m/s²" : s.unit);
-  if (std::isinf(s.high)) return "at least " + printed(s.low) + unit;
-  if (std::isinf(s.low)) return "at most " + printed(s.high) + unit;
-  return printed(s.low) + " to " + printed(s.high) + unit;
+  if (std::isinf(s.high)) return "at least " + text::roundedText(s.low) + unit;
+  if (std::isinf(s.low)) return "at most " + text::roundedText(s.high) + unit;
+  return text::roundedText(s.low) + " to " + text::roundedText(s.high) + unit;
 }
 
 int countOf(const std::vector<Judged>& judged, Verdict verdict) {
@@ -167,8 +162,8 @@ std::vector<ComparedParameter> compareParameters(const Reference& reference, con
 }
 
 std::string judgedCsv(const std::vector<Judged>& judged) {
-  using laboratory::csvField;
-  using laboratory::numberText;
+  using text::csvField;
+  using text::numberText;
   std::string text =
       "section,statement,run,against,at,expected,low,high,value,unit,verdict,at the wheel centre,reason\n";
   for (const auto& one : judged) {
@@ -184,7 +179,7 @@ std::string judgedCsv(const std::vector<Judged>& judged) {
 }
 
 std::string parametersCsv(const std::vector<ComparedParameter>& parameters) {
-  using laboratory::csvField;
+  using text::csvField;
   std::string text = "section,parameter,key,paper,ours,unit,same\n";
   for (const auto& one : parameters)
     text += csvField(one.parameter.section) + "," + csvField(one.parameter.text) + "," + one.parameter.key + "," +

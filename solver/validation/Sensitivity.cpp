@@ -6,7 +6,8 @@
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "core/Errors.h"
-#include "laboratory/NumberTable.h"
+#include "text/Csv.h"
+#include "text/Numbers.h"
 #include "validation/Judge.h"
 
 namespace squat::validation {
@@ -98,14 +99,14 @@ SensitivityTable sensitivity(const Reference& reference, const cases::CaseOverri
 }
 
 std::string sensitivityCsv(const SensitivityTable& table) {
-  using laboratory::csvField;
+  using text::csvField;
   std::string text = "key,value,unit,base";
   for (const auto& statement : table.statements) text += "," + csvField(columnOf(statement)) + ",met";
   text += ",message\n";
   for (const auto& row : table.rows) {
     text += row.key + "," + csvField(row.value) + "," + csvField(row.unit) + "," + (row.base ? "yes" : "no");
     for (std::size_t i = 0; i < row.numbers.size(); ++i)
-      text += "," + (row.numbers[i] ? laboratory::numberText(*row.numbers[i]) : "") + "," + (row.met[i] ? "yes" : "no");
+      text += "," + (row.numbers[i] ? text::numberText(*row.numbers[i]) : "") + "," + (row.met[i] ? "yes" : "no");
     text += "," + csvField(row.message) + "\n";
   }
   return text;

@@ -145,6 +145,7 @@ TEST(HouseRules, Hdf5StaysInResults) {
 const std::vector<std::vector<Folder>>& floors() {
   static const std::vector<std::vector<Folder>> list{
       {"solver/core"},
+      {"solver/text"},
       {"solver/signals"},
       {"solver/scenario"},
       {"solver/geometry"},

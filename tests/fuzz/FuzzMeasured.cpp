@@ -20,8 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.speed = 30;
   try {
     for (const auto& signal : squat::measured::readSignals("/proc/self/fd/" + std::to_string(file), options)) {
-      if (!(signal.series.step > 0) || signal.series.values.size() < 2) std::abort();
-      for (const double value : signal.series.values)
+      if (!(squat::signals::seriesOf(signal).step > 0) || signal.signals[0].values.size() < 2) std::abort();
+      for (const double value : signal.signals[0].values)
         if (!std::isfinite(value)) std::abort();
       for (std::size_t i = 1; i < signal.position.size(); ++i)
         if (!(signal.position[i] > signal.position[i - 1])) std::abort();

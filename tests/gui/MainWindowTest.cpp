@@ -59,7 +59,7 @@ bool hasData(plots::Figure& figure) {
 TEST(MainWindow, everyTabShowsSomething) {
   MainWindow window(tests::services());
   ASSERT_TRUE(window.openCase("light-defect"));
-  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false});
   window.resize(1400, 900);
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
@@ -93,7 +93,7 @@ TEST(MainWindow, theFirstWindowFitsTheScreen) {
 TEST(MainWindow, everyTextHasRoom) {
   MainWindow window(tests::services());
   ASSERT_TRUE(window.openCase("light-defect"));
-  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false});
   for (const QSize size : {QSize(1500, 920), QSize(1440, 900), QSize(1280, 700)}) {
     window.resize(size);
     window.show();
@@ -162,7 +162,7 @@ TEST(MainWindow, figuresAreExportedOnceThereIsSomethingToSee) {
   const auto* button = window.findChild<QPushButton*>("exportAllButton");
   for (const char* name : {"copyFigure", "exportFigure", "exportAll"}) EXPECT_FALSE(enabled(name)) << name;
   EXPECT_FALSE(button->isEnabled());
-  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false});
   for (const char* name : {"copyFigure", "exportFigure", "exportAll"}) EXPECT_TRUE(enabled(name)) << name;
   EXPECT_TRUE(button->isEnabled());
 }
@@ -184,7 +184,7 @@ TEST(MainWindow, aWrongFileIsAMessageNotABox) {
 TEST(MainWindow, aResultIsSavedAndOpened) {
   const QTemporaryDir folder;
   MainWindow window(tests::services());
-  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false});
   ASSERT_TRUE(window.saveResultTo(folder.filePath("run.h5"))) << window.messages()->text().toStdString();
   ASSERT_TRUE(window.openAny(folder.filePath("run.h5")));
   ASSERT_EQ(window.store().rowCount(), 2);
@@ -375,7 +375,7 @@ TEST(MainWindow, theRunThatWasAskedAboutIsRemoved) {
   MainWindow window(services);
   asking = &window;
   for (const char* label : {"a", "b", "c"})
-    window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), label, {}, false, false});
+    window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), label, {}, false});
   auto* list = window.findChild<QListView*>("runs");
   list->setCurrentIndex(window.store().index(1, 0));
   for (auto* button : window.findChildren<QPushButton*>())
@@ -432,7 +432,7 @@ TEST(MainWindow, aMeasuredFileThatDoesNotTellByItselfIsAskedAbout) {
   dialog->accept();
   EXPECT_FALSE(dialog && dialog->isVisible());
   ASSERT_EQ(window.store().rowCount(), 1);
-  const auto& overlaid = *window.store().at(0).result;
+  const auto& overlaid = *window.store().at(0).record;
   EXPECT_NEAR(overlaid.time[1] - overlaid.time[0], 1 / 5000.0, 1e-12);
   EXPECT_NEAR((*overlaid.signal("aba"))[5], 2 * std::sin(1.5), 1e-5);
   EXPECT_TRUE(window.messages()->text().contains("No speed in file")) << window.messages()->text().toStdString();
@@ -441,7 +441,7 @@ TEST(MainWindow, aMeasuredFileThatDoesNotTellByItselfIsAskedAbout) {
 TEST(MainWindow, darkAndBackKeepsTheWindowAlive) {
   MainWindow window(tests::services());
   window.show();
-  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false, false});
+  window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), "run", {}, false});
   window.setDark(true);
   QTest::qWait(30);
   EXPECT_LT(window.palette().color(QPalette::Window).lightness(), 100);

@@ -64,7 +64,7 @@ TEST(Signals, whatCannotBeDoneIsSaidAndTheOldStays) {
 TEST(Signals, aWrongStretchCostsTheSpectrumAlone) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   panel.findChild<QDoubleSpinBox*>("psdFrom")->setValue(800);  // to 280
   const auto* problem = panel.findChild<QLabel*>("signalProblem");
   EXPECT_TRUE(problem->text().contains("Spectrum not updated")) << problem->text().toStdString();
@@ -86,7 +86,7 @@ TEST(Signals, aWrongStretchCostsTheSpectrumAlone) {
 TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   const QStringList alongTrack{"aba", "contact_force", "stft", "scalogram"};
   std::vector<QCPRange> before;
   for (const auto& name : alongTrack) {
@@ -109,8 +109,8 @@ TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
 TEST(Signals, overlaidRunsAreDrawnWithTheCurrentOne) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "first", {}, false, false});
-  store.add({synthetic(), "second", {}, false, false});
+  store.add({synthetic(), "first", {}, false});
+  store.add({synthetic(), "second", {}, false});
   const int alone = panel.view("aba")->figure()->graphCount();
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   EXPECT_EQ(panel.view("aba")->figure()->graphCount(), alone + 1);
@@ -123,8 +123,8 @@ TEST(Signals, axesHaveRoomForOverlaidRuns) {
     for (double& value : channel.values) value *= 10;
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({std::make_shared<const results::RunResult>(larger), "larger", {}, true, false});
-  store.add({synthetic(), "shown", {}, false, false});
+  store.add({std::make_shared<const results::RunResult>(larger), "larger", {}, true});
+  store.add({synthetic(), "shown", {}, false});
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   for (const char* name : {"aba", "psd", "contact_force"}) {
     panel.showTab(name);
@@ -144,7 +144,7 @@ TEST(Signals, whatCannotBeDrawnCostsItsFigureAlone) {
     if (channel.name == "aba" || channel.name == "aba_filtered") channel.values[channel.values.size() / 2] = NAN;
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({std::make_shared<const results::RunResult>(broken), "broken", {}, false, false});
+  store.add({std::make_shared<const results::RunResult>(broken), "broken", {}, false});
   for (const auto& name : panel.names()) {
     panel.showTab(name);
     EXPECT_TRUE(panel.view(name)->figure()) << name.toStdString();
@@ -154,7 +154,7 @@ TEST(Signals, whatCannotBeDrawnCostsItsFigureAlone) {
 TEST(Signals, viewsAgainstPositionAreLinked) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   panel.showTab("contact_force");
   panel.showTab("aba");
   panel.view("aba")->figure()->xAxis->setRange(-20, 60);
@@ -164,7 +164,7 @@ TEST(Signals, viewsAgainstPositionAreLinked) {
 TEST(Signals, cursorsGiveDifferencesAndFrequency) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   CursorPair* cursors = panel.view("aba")->cursors();
   cursors->setVisible(true);
   cursors->setPlaces(10, 40);  // mm at 30 m/s: 1 ms
@@ -177,7 +177,7 @@ TEST(Signals, everythingIsExportedInEveryFormat) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(true));
   panel.resize(600, 400);
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   const QStringList files = panel.exportAll(folder.path());
   EXPECT_EQ(files.size(), 7 * 4);
   for (const QString& path : files)
@@ -194,7 +194,7 @@ TEST(Signals, exportAsksBeforeItReplacesFiles) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
   panel.show();
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   tests::FileDialogTyping typing(folder.path());
   tests::BoxAnswer answer("Cancel");
   panel.askForFolder();
@@ -214,7 +214,7 @@ ResultPointer earlier(double seconds) {
 TEST(Signals, zoomIsLinkedThroughTheSpeed) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   for (const char* name : {"scalogram", "stft", "aba"}) panel.showTab(name);
   panel.view("aba")->figure()->xAxis->setRange(-30, 30);
   EXPECT_DOUBLE_EQ(panel.view("scalogram")->figure()->xAxis->range().upper, 30);
@@ -234,12 +234,12 @@ TEST(Signals, aNewRunIsShownOverItsOwnRange) {
   const QStringList alongTrack{"stft", "scalogram", "contact_force", "aba"};
   RunStore store, freshStore;
   SignalsPanel panel(store, figureStyle(false)), fresh(freshStore, figureStyle(false));
-  freshStore.add({next, "short", {}, false, false});
-  store.add({synthetic(), "long", {}, false, false});
+  freshStore.add({next, "short", {}, false});
+  store.add({synthetic(), "long", {}, false});
   for (const auto& name : alongTrack) panel.showTab(name);
   panel.view("aba")->figure()->xAxis->setRange(-30, 30);
   panel.view("aba")->resetZoom();
-  store.add({next, "short", {}, false, false});
+  store.add({next, "short", {}, false});
   for (const auto& name : alongTrack) {
     panel.showTab(name), fresh.showTab(name);
     const QCPRange seen = panel.view(name)->figure()->xAxis->range(), own = fresh.view(name)->figure()->xAxis->range();
@@ -252,8 +252,8 @@ TEST(Signals, aNewRunIsShownOverItsOwnRange) {
 TEST(Signals, curvesInATableHaveShortNames) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "Site A, north #1", {}, false, false});
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "Site A, north #1", {}, false});
+  store.add({synthetic(), "run", {}, false});
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   std::set<QByteArray> names;
   for (const QByteArray& line : figureTable(*panel.view("aba")->figure()).split('\n').mid(1))
@@ -270,8 +270,8 @@ TEST(Signals, curvesInATableHaveShortNames) {
 TEST(Signals, overlaidRunsPassTheDefectAtTheSameMoment) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({earlier(0.5), "earlier", {}, false, false});
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({earlier(0.5), "earlier", {}, false});
+  store.add({synthetic(), "run", {}, false});
   panel.findChild<QComboBox*>("abaAxis")->setCurrentIndex(1);
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   const auto* figure = panel.view("aba")->figure();
@@ -285,7 +285,7 @@ TEST(Signals, overlaidRunsPassTheDefectAtTheSameMoment) {
 TEST(Signals, theScalogramFollowsTheCutoff) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   panel.showTab("scalogram");
   // Largest power between 800 and 1200 Hz, where the made-up run has a line.
   const auto highLine = [&] {
@@ -309,7 +309,7 @@ TEST(Signals, theScalogramFollowsTheCutoff) {
 TEST(Signals, theShortTimeTransformHasItsWindow) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   panel.showTab("stft");
   panel.findChild<QSpinBox*>("stftSegment")->setValue(256);
   panel.findChild<QSpinBox*>("stftHop")->setValue(16);
@@ -326,7 +326,7 @@ int marksOn(const plots::Figure& figure) {
 TEST(Signals, peaksAreMarked) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   for (const auto& name : panel.names()) panel.showTab(name);
   EXPECT_EQ(marksOn(*panel.view("aba")->figure()), 2);
   EXPECT_EQ(marksOn(*panel.view("contact_force")->figure()), 2);
@@ -357,7 +357,7 @@ TEST(Signals, textsAtMarksAreWhole) {
     RunStore store;
     SignalsPanel panel(store, figureStyle(false));
     panel.show();
-    store.add({std::make_shared<const results::RunResult>(moved), "run", {}, false, false});
+    store.add({std::make_shared<const results::RunResult>(moved), "run", {}, false});
     for (const int width : {280, 320, 480})
       for (const char* name : {"aba", "contact_force", "scalogram"}) {
         panel.showTab(name);
@@ -374,7 +374,7 @@ TEST(Signals, namesOfPeaksAreWholeWithOverlaidRuns) {
   SignalsPanel panel(store, figureStyle(false));
   panel.resize(480, 400);
   panel.show();
-  for (const char* label : {"first", "second"}) store.add({synthetic(), label, {}, false, false});
+  for (const char* label : {"first", "second"}) store.add({synthetic(), label, {}, false});
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   panel.showTab("psd");
   QTest::qWait(30);
@@ -386,7 +386,7 @@ TEST(Signals, namesOfPeaksAreWholeWithOverlaidRuns) {
 TEST(Signals, markedLinesAreWhereTheLinesAre) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false, false});
+  store.add({synthetic(), "run", {}, false});
   panel.showTab("scalogram");
   plots::Figure& figure = *panel.view("scalogram")->figure();
   double nearest = 1e9;
@@ -400,7 +400,7 @@ TEST(Signals, theTableOfAFigureHoldsWhatIsSeen) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
   const ResultPointer run = synthetic();
-  store.add({run, "run", {}, false, false});
+  store.add({run, "run", {}, false});
   for (const char* name : {"scalogram", "aba"}) panel.showTab(name);
   plots::Figure* figure = panel.view("aba")->figure();
   figure->xAxis->setRange(-10, 10);
@@ -426,7 +426,7 @@ TEST(Signals, theTableOfAFigureHoldsWhatIsSeen) {
 
 TEST(RunStore, removingKeepsACurrentRun) {
   RunStore store;
-  for (const char* label : {"a", "b", "c"}) store.add({synthetic(), label, {}, false, false});
+  for (const char* label : {"a", "b", "c"}) store.add({synthetic(), label, {}, false});
   EXPECT_EQ(store.current(), 2);
   store.remove(2);
   EXPECT_EQ(store.current(), 1);
@@ -440,12 +440,12 @@ TEST(RunStore, removingKeepsACurrentRun) {
 // A measured signal is laid over a run; it is never the run that is shown, saved and compared with.
 TEST(RunStore, aMeasuredSignalIsNeverTheCurrentRun) {
   RunStore store;
-  store.add({synthetic(), "measured first", {}, true, true});
+  store.add({nullptr, "measured first", {}, true, synthetic()});
   EXPECT_EQ(store.current(), -1);
   store.remove(0);
-  store.add({synthetic(), "one", {}, false, false});
-  for (const char* label : {"measured", "measured too"}) store.add({synthetic(), label, {}, true, true});
-  store.add({synthetic(), "two", {}, false, false});
+  store.add({synthetic(), "one", {}, false});
+  for (const char* label : {"measured", "measured too"}) store.add({nullptr, label, {}, true, synthetic()});
+  store.add({synthetic(), "two", {}, false});
   store.setCurrent(0);
   store.remove(0);
   ASSERT_GE(store.current(), 0);
@@ -453,8 +453,8 @@ TEST(RunStore, aMeasuredSignalIsNeverTheCurrentRun) {
   store.remove(store.current());
   EXPECT_EQ(store.current(), -1);
   EXPECT_EQ(store.rowCount(), 2);
-  store.add({synthetic(), "three", {}, false, false});
-  store.add({synthetic(), "four", {}, false, false});
+  store.add({synthetic(), "three", {}, false});
+  store.add({synthetic(), "four", {}, false});
   store.remove(3);
   EXPECT_EQ(store.at(store.current()).label, "three");  // the one before, where none comes after
 }
@@ -466,7 +466,7 @@ TEST(RunsPanel, tickingARunDoesNotMakeItTheCurrentOne) {
   panel.resize(300, 200);
   panel.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
-  for (const char* label : {"a", "b"}) store.add({synthetic(), label, {}, false, false});
+  for (const char* label : {"a", "b"}) store.add({synthetic(), label, {}, false});
   QStyleOptionViewItem option;
   option.initFrom(panel.list());
   option.features = QStyleOptionViewItem::HasCheckIndicator | QStyleOptionViewItem::HasDisplay;

@@ -124,7 +124,7 @@ class WorkingDay : public testing::Test {
     ASSERT_TRUE(typing.done());
     ASSERT_EQ(window_.store().overlays().size(), 1u) << window_.messages()->text().toStdString();
     // The same signal: its impact lies where the run's does. A sample is 1.2 mm.
-    EXPECT_NEAR(window_.store().overlays()[0].result->position.front(), computed->position.front(), 1.3e-3);
+    EXPECT_NEAR(window_.store().overlays()[0].record->position.front(), computed->position.front(), 1.3e-3);
     EXPECT_GE(window_.signalsPanel()->view("aba")->figure()->graphCount(), 3);
   }
   void exportAll() {

@@ -7,7 +7,6 @@
 #include "laboratory/AnalysisFiles.h"
 #include "laboratory/FileComparison.h"
 #include "laboratory/Folder.h"
-#include "laboratory/PrintedUnit.h"
 #include "laboratory/RunFeatures.h"
 #include "signals/Butterworth.h"
 #include "studies/CaseStudy.h"
@@ -90,18 +89,18 @@ TEST(OneDefinition, theAnchorIsNamedInTheTables) {
 // 40 s of noise around one strike: the map of the stretch around it is that of a second cut out.
 TEST(OneDefinition, theScalogramOfALongRecordIsThatOfACut) {
   const double rate = 5000, strike = 20;
-  measured::MeasuredSignal longOne;
-  longOne.series = {0, 1 / rate, {}, "aba", "m/s2"};
+  signals::Record longOne;
+  longOne.signals = {{"aba", "m/s2", "", {}}};
   for (int i = 0; i < 200000; ++i) {
     const double t = i / rate, since = t - strike;
-    longOne.series.values.push_back(0.1 * std::sin(777 * t) +
-                                    (since < 0 ? 0 : 50 * std::exp(-since / 0.005) * std::sin(2 * M_PI * 400 * since)));
+    longOne.time.push_back(t);
+    longOne.signals[0].values.push_back(
+        0.1 * std::sin(777 * t) + (since < 0 ? 0 : 50 * std::exp(-since / 0.005) * std::sin(2 * M_PI * 400 * since)));
     longOne.position.push_back(30 * t);
   }
   auto cut = longOne;
-  cut.series.start = 19.5;
-  cut.series.values.assign(longOne.series.values.begin() + 97500, longOne.series.values.begin() + 102500);
-  cut.position.assign(longOne.position.begin() + 97500, longOne.position.begin() + 102500);
+  for (auto* values : {&cut.time, &cut.position, &cut.signals[0].values})
+    *values = {values->begin() + 97500, values->begin() + 102500};
   const auto all = analyseSignal(longOne, {}), part = analyseSignal(cut, {});
   const auto& one = all.scalogram.power;
   const auto& other = part.scalogram.power;
@@ -112,14 +111,6 @@ TEST(OneDefinition, theScalogramOfALongRecordIsThatOfACut) {
   EXPECT_NEAR(*std::max_element(one.begin(), one.end()), top, 1e-6 * top);
   EXPECT_GE(all.scalogramPosition.front(), -0.1 - 1e-9);
   EXPECT_LE(all.scalogramPosition.back(), 0.28 + 1e-9);
-}
-
-TEST(PrintedUnit, raisesSquaresAndSpellsMicro) {
-  EXPECT_EQ(printedUnit("m/s2"), "m/s²");
-  EXPECT_EQ(printedUnit("(m/s2)2/Hz"), "(m/s²)²/Hz");
-  EXPECT_EQ(printedUnit("us"), "µs");
-  EXPECT_EQ(printedUnit("km/h"), "km/h");
-  EXPECT_EQ(withPrintedUnit("peak 2 prominence [(m/s2)2/Hz]"), "peak 2 prominence [(m/s²)²/Hz]");
 }
 
 }  // namespace

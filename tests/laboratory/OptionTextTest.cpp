@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "core/Errors.h"
-#include "laboratory/NumberTable.h"
 
 namespace squat::laboratory {
 namespace {
@@ -38,15 +37,6 @@ TEST(OptionText, windows) {
   EXPECT_EQ(options.detrend, signals::Detrend::linear);
   EXPECT_THROW(setWindow(options, "flat"), CaseError);
   EXPECT_THROW(setDetrend(options, "flat"), CaseError);
-}
-
-TEST(NumberTable, csvIsExact) {
-  EXPECT_EQ(numberText(0.1), "0.1");
-  EXPECT_EQ(std::stod(numberText(1.0 / 3)), 1.0 / 3);
-  EXPECT_EQ(numberText(std::nan("")), "");
-  EXPECT_EQ(csvField("a,\"b\""), "\"a,\"\"b\"\"\"");
-  const std::vector<double> one{1, 2, 3}, two{4.5};
-  EXPECT_EQ(csvColumns({"x", "y, z"}, {&one, &two}), "x,\"y, z\"\n1,4.5\n2,\n3,\n");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "results/RunResult.h"
 #include "signals/SignalError.h"
 
 namespace squat::laboratory {

@@ -33,9 +33,9 @@ std::string complaint(const std::string& path, const SignalFileOptions& options 
 TEST(Hdf5Signals, matlabVariableWithItsRate) {
   const auto runs = readSignals(files + "matlab73.mat");
   ASSERT_EQ(runs.size(), 1u);
-  EXPECT_NEAR(runs[0].series.rate(), 25000, 1e-9);
-  ASSERT_EQ(runs[0].series.values.size(), 100u);
-  for (std::size_t i = 0; i < 100; ++i) ASSERT_NEAR(runs[0].series.values[i], aba(i), 1e-12);
+  EXPECT_NEAR(signals::seriesOf(runs[0]).rate(), 25000, 1e-9);
+  ASSERT_EQ(runs[0].signals[0].values.size(), 100u);
+  for (std::size_t i = 0; i < 100; ++i) ASSERT_NEAR(runs[0].signals[0].values[i], aba(i), 1e-12);
   EXPECT_TRUE(runs[0].position.empty());
 }
 
@@ -45,8 +45,8 @@ TEST(Hdf5Signals, matlabStructWithTimeAndSpeed) {
     options.object = object;
     const auto runs = readSignals(files + "matlab73.mat", options);
     ASSERT_EQ(runs.size(), 1u);
-    EXPECT_NEAR(runs[0].series.values[7], 2 * aba(7), 1e-12);
-    EXPECT_NEAR(runs[0].series.rate(), 25000, 1e-6);
+    EXPECT_NEAR(runs[0].signals[0].values[7], 2 * aba(7), 1e-12);
+    EXPECT_NEAR(signals::seriesOf(runs[0]).rate(), 25000, 1e-6);
     EXPECT_NEAR(runs[0].position[99], 99 * 28 / 25000.0, 1e-9);
   }
 }
@@ -57,12 +57,12 @@ TEST(Hdf5Signals, severalRunsInOneDataset) {
   const auto runs = readSignals(files + "runs.h5", options);
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[1].run, "aba 2");
-  EXPECT_NEAR(runs[1].series.values[9], 2 * 9.80665 * aba(9), 1e-4);  // stored in single precision
-  EXPECT_NEAR(runs[1].series.rate(), 25000, 1e-9);
-  EXPECT_EQ(runs[1].series.unit, "m/s2");
+  EXPECT_NEAR(runs[1].signals[0].values[9], 2 * 9.80665 * aba(9), 1e-4);  // stored in single precision
+  EXPECT_NEAR(signals::seriesOf(runs[1]).rate(), 25000, 1e-9);
+  EXPECT_EQ(runs[1].signals[0].unit, "m/s2");
   options.object = "line/track1";
   options.column = "counts";
-  EXPECT_NEAR(readSignals(files + "runs.h5", options)[0].series.values[10], std::trunc(100 * aba(10)), 1e-12);
+  EXPECT_NEAR(readSignals(files + "runs.h5", options)[0].signals[0].values[10], std::trunc(100 * aba(10)), 1e-12);
 }
 
 TEST(Hdf5Signals, badRequestsGetOneClearMessage) {
@@ -96,12 +96,12 @@ TEST(Hdf5Signals, resultFile) {
   const tests::TemporaryFile file(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()), ".h5");
   const auto runs = readSignals(file.path());
   ASSERT_EQ(runs.size(), 1u);
-  EXPECT_EQ(runs[0].series.values, values);
+  EXPECT_EQ(runs[0].signals[0].values, values);
   EXPECT_TRUE(runs[0].chainage);
   EXPECT_NEAR(runs[0].position[0], -0.5, 1e-12);
   SignalFileOptions options;
   options.column = "wheel_speed";
-  EXPECT_DOUBLE_EQ(readSignals(file.path(), options)[0].series.values[5], 65.2);
+  EXPECT_DOUBLE_EQ(readSignals(file.path(), options)[0].signals[0].values[5], 65.2);
 }
 
 // A run that was stopped half-way lacks what the defect leaves behind: features of it are of another thing.
@@ -137,7 +137,7 @@ TEST(Hdf5Signals, unitsOfRateAndSpeedCount) {
   writeSamples(file.path(), 25, "kHz", 108, "km/h");
   const auto runs = readSignals(file.path());
   ASSERT_EQ(runs.size(), 1u);
-  EXPECT_NEAR(runs[0].series.rate(), 25000, 1e-6);
+  EXPECT_NEAR(signals::seriesOf(runs[0]).rate(), 25000, 1e-6);
   EXPECT_NEAR(runs[0].position[39], 39 * 30 / 25000.0, 1e-9);
 }
 

@@ -7,7 +7,7 @@
 #include "core/Errors.h"
 #include "measured/Hdf5Signals.h"
 #include "measured/SignalFile.h"
-#include "measured/TextTable.h"
+#include "text/DelimitedTable.h"
 
 namespace squat::measured {
 namespace {
@@ -49,11 +49,11 @@ TEST(HostileTable, neverCrashes) {
     const std::string text = randomDamage(seeds[i % 5], random);
     options.rate = i % 3 == 0 ? 1000 : 0;
     try {
-      for (const auto& signal : signalsOf(parseTextTable(text, "hostile"), options)) {
-        ASSERT_GE(signal.series.values.size(), 2u);
-        ASSERT_TRUE(std::isfinite(signal.series.step) && signal.series.step > 0) << text;
-        for (const double value : signal.series.values) ASSERT_TRUE(std::isfinite(value)) << text;
-        ASSERT_TRUE(signal.position.empty() || signal.position.size() == signal.series.values.size());
+      for (const auto& signal : signalsOf(text::parseDelimitedTable(text, "hostile"), options)) {
+        ASSERT_GE(signal.signals[0].values.size(), 2u);
+        ASSERT_TRUE(std::isfinite(signals::seriesOf(signal).step) && signals::seriesOf(signal).step > 0) << text;
+        for (const double value : signal.signals[0].values) ASSERT_TRUE(std::isfinite(value)) << text;
+        ASSERT_TRUE(signal.position.empty() || signal.position.size() == signal.signals[0].values.size());
         for (std::size_t k = 1; k < signal.position.size(); ++k)
           ASSERT_GT(signal.position[k], signal.position[k - 1]) << text;
         ++read;
@@ -68,13 +68,13 @@ TEST(HostileTable, neverCrashes) {
 }
 
 TEST(HostileTable, absurdShapesAreRefused) {
-  EXPECT_THROW(parseTextTable(std::string(3 << 20, '1'), "hostile"), FileError);  // a line of 3 MB
+  EXPECT_THROW(text::parseDelimitedTable(std::string(3 << 20, '1'), "hostile"), FileError);  // a line of 3 MB
   std::string wide = "1";
   for (int i = 0; i < 5000; ++i) wide += ",2";
-  EXPECT_THROW(parseTextTable(wide + "\n" + wide + "\n", "hostile"), FileError);
-  EXPECT_THROW(parseTextTable("", "hostile"), FileError);
-  EXPECT_THROW(parseTextTable("\n\n\n", "hostile"), FileError);
-  EXPECT_THROW(parseTextTable("\"\"\"\"\"", "hostile"), FileError);
+  EXPECT_THROW(text::parseDelimitedTable(wide + "\n" + wide + "\n", "hostile"), FileError);
+  EXPECT_THROW(text::parseDelimitedTable("", "hostile"), FileError);
+  EXPECT_THROW(text::parseDelimitedTable("\n\n\n", "hostile"), FileError);
+  EXPECT_THROW(text::parseDelimitedTable("\"\"\"\"\"", "hostile"), FileError);
 }
 
 }  // namespace

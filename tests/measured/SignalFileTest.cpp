@@ -44,7 +44,7 @@ std::string complaint(const std::string& content, const SignalFileOptions& optio
   return {};
 }
 
-MeasuredSignal only(const std::string& content, const SignalFileOptions& options = {}) {
+signals::Record only(const std::string& content, const SignalFileOptions& options = {}) {
   const TemporaryFile file(content);
   auto runs = readSignals(file.path(), options);
   EXPECT_EQ(runs.size(), 1u);
@@ -55,10 +55,10 @@ TEST(SignalFile, timeColumnGivesTheRate) {
   const auto signal = only(table("time [ms],aba [g],speed [km/h]\n", 50, [](std::size_t i) {
     return text(100 + 0.04 * static_cast<double>(i)) + "," + text(0.1 * static_cast<double>(i)) + ",108";
   }));
-  EXPECT_NEAR(signal.series.rate(), 25000, 1e-6);
-  EXPECT_NEAR(signal.series.start, 0.1, 1e-12);
-  EXPECT_EQ(signal.series.unit, "m/s2");
-  EXPECT_NEAR(signal.series.values[10], 9.80665, 1e-12);
+  EXPECT_NEAR(signals::seriesOf(signal).rate(), 25000, 1e-6);
+  EXPECT_NEAR(signals::seriesOf(signal).start, 0.1, 1e-12);
+  EXPECT_EQ(signal.signals[0].unit, "m/s2");
+  EXPECT_NEAR(signal.signals[0].values[10], 9.80665, 1e-12);
   ASSERT_EQ(signal.position.size(), 50u);
   EXPECT_NEAR(signal.position[49], 49 * 30 / 25000.0, 1e-12);
   EXPECT_FALSE(signal.chainage);
@@ -67,8 +67,8 @@ TEST(SignalFile, timeColumnGivesTheRate) {
 
 TEST(SignalFile, noHeaderAndDecimalComma) {
   const auto signal = only("0,0000 1,5\n0,0001 2,5\n0,0002 -3,5\n0,0003 4,5\n");
-  EXPECT_NEAR(signal.series.rate(), 10000, 1e-6);
-  EXPECT_THAT(signal.series.values, ElementsAre(1.5, 2.5, -3.5, 4.5));
+  EXPECT_NEAR(signals::seriesOf(signal).rate(), 10000, 1e-6);
+  EXPECT_THAT(signal.signals[0].values, ElementsAre(1.5, 2.5, -3.5, 4.5));
 }
 
 TEST(SignalFile, oneColumnWithTheRateGiven) {
@@ -76,11 +76,11 @@ TEST(SignalFile, oneColumnWithTheRateGiven) {
   options.rate = 25000;
   options.speed = 30;
   const auto signal = only("1\n2\n3\n", options);
-  EXPECT_EQ(signal.series.values.size(), 3u);
+  EXPECT_EQ(signal.signals[0].values.size(), 3u);
   EXPECT_NEAR(signal.position[2], 2 * 30 / 25000.0, 1e-15);
-  EXPECT_NEAR(signal.passage().position[1], 30 / 25000.0, 1e-15);
+  EXPECT_NEAR(passageWithPositions(signal).position[1], 30 / 25000.0, 1e-15);
   options.speed = 0;
-  EXPECT_THROW(only("1\n2\n3\n", options).passage(), CaseError);
+  EXPECT_THROW(passageWithPositions(only("1\n2\n3\n", options)), CaseError);
   EXPECT_THAT(complaint("1\n2\n3\n"), HasSubstr("sampling rate is not known"));
 }
 
@@ -97,7 +97,7 @@ TEST(SignalFile, chainageInKilometresAndMetres) {
   EXPECT_TRUE(signal.falling);
   EXPECT_TRUE(signal.chainage);
   EXPECT_NEAR(signal.position.front(), -57100, 1e-9);
-  EXPECT_NEAR(signal.series.rate(), 25000, 0.01);
+  EXPECT_NEAR(signals::seriesOf(signal).rate(), 25000, 0.01);
   EXPECT_FALSE(signal.notes.empty());
 }
 
@@ -110,14 +110,14 @@ TEST(SignalFile, sampledByTheWayWithASpeedColumn) {
     const double x = 0.0012 * static_cast<double>(i);
     return text(x) + "," + text(24 + 10 * x) + "," + text(shape(x));
   }));
-  ASSERT_EQ(signal.series.values.size(), n);
+  ASSERT_EQ(signal.signals[0].values.size(), n);
   // dt = dx/v: T = ln((24 + 10 L)/24)/10.
-  EXPECT_NEAR(signal.series.step * 999, std::log((24 + 10 * 1.1988) / 24) / 10, 1e-7);
+  EXPECT_NEAR(signals::seriesOf(signal).step * 999, std::log((24 + 10 * 1.1988) / 24) / 10, 1e-7);
   for (std::size_t i = 20; i < n - 20; i += 7)
-    ASSERT_NEAR(signal.series.values[i], shape(signal.position[i]), 2e-3) << i;
+    ASSERT_NEAR(signal.signals[0].values[i], shape(signal.position[i]), 2e-3) << i;
   const auto& x = signal.position;
-  EXPECT_NEAR((x[1] - x[0]) / signal.series.step, 24, 0.05);
-  EXPECT_NEAR((x[998] - x[997]) / signal.series.step, 36, 0.05);
+  EXPECT_NEAR((x[1] - x[0]) / signals::seriesOf(signal).step, 24, 0.05);
+  EXPECT_NEAR((x[998] - x[997]) / signals::seriesOf(signal).step, 36, 0.05);
 }
 
 TEST(SignalFile, coarsePositionsAreSpread) {
@@ -138,9 +138,9 @@ TEST(SignalFile, severalRuns) {
   const auto columns = readSignals(beside.path(), options);
   ASSERT_EQ(columns.size(), 2u);
   EXPECT_EQ(columns[1].run, "right");
-  EXPECT_THAT(columns[1].series.values, ElementsAre(4, 5, 6));
+  EXPECT_THAT(columns[1].signals[0].values, ElementsAre(4, 5, 6));
   options.column = "2";
-  EXPECT_THAT(readSignals(beside.path(), options)[0].series.values, ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(readSignals(beside.path(), options)[0].signals[0].values, ElementsAre(1, 2, 3, 4));
   options.column = "right,left";
   EXPECT_EQ(readSignals(beside.path(), options)[1].run, "left");
   // one below the other: by a run column, and by a time that begins again
@@ -148,7 +148,7 @@ TEST(SignalFile, severalRuns) {
   const auto rows = readSignals(below.path());
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[1].run, "aba, run 8");
-  EXPECT_THAT(rows[1].series.values, ElementsAre(4, 5));
+  EXPECT_THAT(rows[1].signals[0].values, ElementsAre(4, 5));
   const TemporaryFile again("t,aba\n0,1\n0.1,2\n0.2,3\n0,4\n0.1,5\n0.2,6\n");
   ASSERT_EQ(readSignals(again.path()).size(), 2u);
 }
@@ -162,17 +162,17 @@ TEST(SignalFile, columnsOfOneNameAreToldApartByNumber) {
     EXPECT_THAT(complaint(twice, options), HasSubstr("'" + std::string(*column ? column : "aba") + "': 2 and 3"));
   }
   options.column = "3";
-  EXPECT_THAT(only(twice, options).series.values, ElementsAre(4, 5, 6));
+  EXPECT_THAT(only(twice, options).signals[0].values, ElementsAre(4, 5, 6));
   options.column = "Left";  // names that differ in case are two names
-  EXPECT_THAT(only("t,left,Left\n0,1,4\n0.1,2,5\n0.2,3,6\n", options).series.values, ElementsAre(4, 5, 6));
+  EXPECT_THAT(only("t,left,Left\n0,1,4\n0.1,2,5\n0.2,3,6\n", options).signals[0].values, ElementsAre(4, 5, 6));
 }
 
 // A header in Latin-1, as older programs write it: the name comes out in UTF-8, and the unit is known.
 TEST(SignalFile, namesAreUtf8WhateverTheFileIsIn) {
   const auto signal = only("t [\xB5s];Achslager \xE4u\xDF\x65ren [m/s\xB2]\n0;1\n40;2\n80;3\n");
   EXPECT_EQ(signal.run, "Achslager \xC3\xA4u\xC3\x9F\x65ren");
-  EXPECT_EQ(signal.series.unit, "m/s2");
-  EXPECT_NEAR(signal.series.rate(), 25000, 1e-6);
+  EXPECT_EQ(signal.signals[0].unit, "m/s2");
+  EXPECT_NEAR(signals::seriesOf(signal).rate(), 25000, 1e-6);
   SignalFileOptions options;
   options.column = "\xC3\xA4";
   EXPECT_EQ(only("t,\xC3\xA4,b\n0,1,0\n1,2,0\n2,3,0\n", options).run, "\xC3\xA4") << "UTF-8 stays as it is";
@@ -224,7 +224,7 @@ TEST(SignalFile, roundedTimesGiveTheMeanRate) {
   const auto signal = only(table("t,aba\n", 2561, [](std::size_t i) {
     return text(std::round(1e6 * static_cast<double>(i) / 25600) / 1e6) + "," + text(static_cast<double>(i % 5));
   }));
-  EXPECT_NEAR(signal.series.rate(), 25600, 0.3);  // half a microsecond in 0.1 s
+  EXPECT_NEAR(signals::seriesOf(signal).rate(), 25600, 0.3);  // half a microsecond in 0.1 s
 }
 
 TEST(SignalFile, aMillionSamples) {
@@ -237,9 +237,9 @@ TEST(SignalFile, aMillionSamples) {
                std::to_string(static_cast<int>(i % 2001) - 1000) + ",25\n";
   }
   const auto signal = only(content);
-  ASSERT_EQ(signal.series.values.size(), n);
-  EXPECT_NEAR(signal.series.rate(), 25000, 1e-6);
-  EXPECT_DOUBLE_EQ(signal.series.values[2], -998.25);
+  ASSERT_EQ(signal.signals[0].values.size(), n);
+  EXPECT_NEAR(signals::seriesOf(signal).rate(), 25000, 1e-6);
+  EXPECT_DOUBLE_EQ(signal.signals[0].values[2], -998.25);
 }
 
 TEST(SignalFile, columnsCalledRunWithAUnitAreSignals) {
@@ -251,7 +251,7 @@ TEST(SignalFile, columnsCalledRunWithAUnitAreSignals) {
   }));
   const auto runs = readSignals(file.path(), options);
   ASSERT_EQ(runs.size(), 2u);
-  EXPECT_EQ(runs[1].series.values.size(), 40u);
+  EXPECT_EQ(runs[1].signals[0].values.size(), 40u);
 }
 
 // Seconds labelled as microseconds: 1 kHz becomes 1 GHz, whose spectra would outgrow any memory.

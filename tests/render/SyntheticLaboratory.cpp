@@ -18,17 +18,19 @@ namespace {
 constexpr double rate = 25000;
 
 // A kick at `impact` [s] that rings at 300 and `high` Hz; a little hum, so that nothing is constant.
-measured::MeasuredSignal passing(const std::string& name, double impact, double speed, double size, double high) {
-  measured::MeasuredSignal signal;
+signals::Record passing(const std::string& name, double impact, double speed, double size, double high) {
+  signals::Record signal;
+  signal.origin = signals::Origin::measured;
   signal.file = name + ".csv";
   signal.run = name;
-  signal.series = {0, 1 / rate, {}, name, "m/s2"};
+  signal.signals = {{name, "m/s2", "", {}}};
   for (int i = 0; i < 2000; ++i) {
     const double t = i / rate, since = t - impact, late = std::max(since, 0.0);
     const double smooth = 1 / (1 + std::exp(-since / 1.5e-4));
     const double tones = 70 * std::exp(-late / 0.006) * std::sin(2 * M_PI * 300 * since) +
                          60 * std::exp(-late / 0.003) * std::sin(2 * M_PI * high * since);
-    signal.series.values.push_back(size * smooth * tones + 1.5 * std::sin(2 * M_PI * 420 * t));
+    signal.time.push_back(t);
+    signal.signals[0].values.push_back(size * smooth * tones + 1.5 * std::sin(2 * M_PI * 420 * t));
     signal.position.push_back(speed * t);
   }
   return signal;
@@ -48,12 +50,12 @@ laboratory::Analysis twoRuns() {
   return analysis;
 }
 
-laboratory::FileComparison pairOf(const measured::MeasuredSignal& first, const measured::MeasuredSignal& second,
-                                  bool smooth) {
+laboratory::FileComparison pairOf(const signals::Record& first, const signals::Record& second, bool smooth) {
   signals::ComparisonOptions options;
   options.align = !smooth;
   options.inPosition = smooth;
-  return {first.file, second.file, signals::compare(first.passage(), second.passage(), options), {}};
+  return {
+      first.file, second.file, signals::compare(signals::passageOf(first), signals::passageOf(second), options), {}};
 }
 
 studies::StudyTable severity() {

@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "colours/ColourTables.h"
+#include "laboratory/Maps.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "plots/ScalogramGrid.h"
 #include "plots/UnitText.h"
 #include "signals/Resample.h"
-#include "signals/Stft.h"
 
 namespace squat::plots {
 namespace {
@@ -151,13 +151,12 @@ std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style
   local.position = result.position;
   const std::vector<double>* values = result.signal("aba_filtered");
   if (values && values->size() == result.time.size() && values->size() > segment && result.time.size() > 1) {
-    signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, "aba_filtered",
-                               signalUnit(result)};
     signals::StftOptions options;
     options.segment = segment;
     options.hop = std::max(hop > 0 ? hop : std::max<std::size_t>(1, segment / 32), values->size() / mostColumns);
     options.transformLength = 8 * segment;
-    const signals::Stft stft = signals::shortTimeTransform(series, options);
+    std::vector<std::string> notes;
+    const auto stft = *laboratory::stftMap(signals::seriesOf(result, "aba_filtered"), options, notes);
     // Row 0 is the mean, which has no place on a logarithmic axis.
     local.scalogramFrequency.assign(stft.frequency.begin() + 1, stft.frequency.end());
     local.scalogramPower.assign(stft.density.begin() + static_cast<std::ptrdiff_t>(stft.time.size()),

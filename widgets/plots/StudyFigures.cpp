@@ -1,17 +1,17 @@
 #include "plots/StudyFigures.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <optional>
 
 #include "case/ParameterTable.h"
 #include "laboratory/AnalysisFiles.h"
-#include "laboratory/PrintedUnit.h"
 #include "plots/AxisTicker.h"
 #include "plots/LineFigure.h"
 #include "plots/UnitText.h"
+#include "text/Numbers.h"
+#include "text/Units.h"
 
 namespace squat::plots {
 namespace {
@@ -27,19 +27,12 @@ const std::vector<std::string>& shownFeatures() {
   return names;
 }
 
-std::optional<double> numberOf(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 // Places of a key's values on the axis: the numbers themselves, or 0, 1, 2 ... where one of them is none.
 std::vector<double> placesOf(const studies::Variation& variation, bool& numeric) {
   std::vector<double> places;
   numeric = true;
-  for (const auto& text : variation.values) {
-    const auto value = numberOf(text);
+  for (const auto& entry : variation.values) {
+    const auto value = text::numberFromText(entry);
     numeric = numeric && value.has_value();
     places.push_back(value.value_or(0));
   }
@@ -86,7 +79,7 @@ std::string othersOf(const studies::StudyDefinition& definition, const studies::
     const auto* parameter = cases::findParameter(name);
     const bool hasUnit = parameter && !parameter->unit.empty() && parameter->unit != "-";
     text += (text.empty() ? "" : ", ") + name.substr(name.rfind('.') + 1) + " " + point.values[v] +
-            (hasUnit ? " " + laboratory::printedUnit(parameter->unit) : std::string());
+            (hasUnit ? " " + text::printedUnit(parameter->unit) : std::string());
   }
   return text;
 }

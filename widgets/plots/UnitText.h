@@ -4,7 +4,7 @@
 #include <QString>
 #include <string>
 
-#include "laboratory/PrintedUnit.h"
+#include "text/Units.h"
 
 namespace squat::plots {
 
@@ -12,8 +12,8 @@ namespace squat::plots {
 // so.
 inline QString unitText(const std::string& unit) {
   if (unit.empty()) return QStringLiteral("unknown unit");
-  return QString::fromStdString(unit.find('[') == std::string::npos ? laboratory::printedUnit(unit)
-                                                                    : laboratory::withPrintedUnit(unit));
+  return QString::fromStdString(unit.find('[') == std::string::npos ? text::printedUnit(unit)
+                                                                    : text::withPrintedUnit(unit));
 }
 
 }  // namespace squat::plots

@@ -52,7 +52,9 @@ ImportDialog::ImportDialog(const QString& path, const plots::Style& style, QWidg
 }
 
 void ImportDialog::makeControls() {
-  delimiter_ = box(this, {{tr("comma"), ','}, {tr("semicolon"), ';'}, {tr("tab"), '\t'}, {tr("space"), ' '}});
+  delimiter_ = box(
+      this,
+      {{tr("comma"), ','}, {tr("semicolon"), ';'}, {tr("tab"), '\t'}, {tr("space"), ' '}, {tr("vertical bar"), '|'}});
   const QList<QPair<QString, QVariant>> units{{"m", 1.0}, {"mm", 1e-3}, {"µm", 1e-6}};
   positionUnit_ = box(this, units);
   heightUnit_ = box(this, units);

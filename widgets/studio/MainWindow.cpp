@@ -160,7 +160,7 @@ void MainWindow::connectParts() {
           [this](const QString& sentence, const QString& details, const ResultPointer& soFar) {
             messages_->warn(sentence, details);
             if (soFar)
-              store_.add({soFar, QString::fromStdString(soFar->stem) + tr(" (failed)"), QString(), false, false});
+              store_.add({soFar, QString::fromStdString(soFar->stem) + tr(" (failed)"), QString(), false});
           });
   connect(profile_, &ProfileEditor::failed, messages_, [this](const QString& text) { messages_->warn(text); });
   connect(signals_, &SignalsPanel::failed, messages_, [this](const QString& text) { messages_->warn(text); });
@@ -234,12 +234,12 @@ void MainWindow::keep(const ResultPointer& result) {
   // What a run had when it was stopped is a part of what it has now, as far as it reaches.
   for (int row = store_.rowCount() - 1; resumed_ && row >= 0; --row) {
     const StoredRun& run = store_.at(row);
-    if (!run.measured && run.path.isEmpty() && !run.result->complete && run.result->caseHash == result->caseHash &&
+    if (!run.isMeasured() && run.path.isEmpty() && !run.result->complete && run.result->caseHash == result->caseHash &&
         run.result->time.size() <= result->time.size())
       store_.remove(row);
   }
   const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(++runsMade_);
-  store_.add({result, label, QString(), false, false, kept});
+  store_.add({result, label, QString(), false, result, kept});
 }
 
 void MainWindow::showStopped() {

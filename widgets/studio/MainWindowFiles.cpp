@@ -7,7 +7,7 @@
 #include "results/ResultFile.h"
 #include "studio/MainWindow.h"
 #include "studio/MeasuredDialog.h"
-#include "studio/MeasuredRun.h"
+#include "studio/MeasuredRecords.h"
 #include "studio/MessageBar.h"
 #include "studio/ParameterForm.h"
 #include "studio/PlaceToSave.h"
@@ -71,7 +71,7 @@ bool MainWindow::openResult(const QString& path) {
     const QString label = QFileInfo(path).completeBaseName();
     if (result->stem.empty()) result->stem = label.toStdString();
     addRecentFile(path);
-    store_.add({result, label, QFileInfo(path).absoluteFilePath(), false, false});
+    store_.add({result, label, QFileInfo(path).absoluteFilePath(), false});
     if (result->caseToml.empty() || hasUnsavedChanges()) return true;
     // The case that made the result, to be looked at and changed.
     if (!result->resolvedCase) {
@@ -91,14 +91,14 @@ bool MainWindow::openResult(const QString& path) {
 void MainWindow::overlay(const QString& path, const measured::SignalFileOptions& options) {
   const ResultPointer current = store_.currentResult();
   const double speed = options.speed > 0 ? options.speed : document_.description().motion.speed;
-  const auto runs = measuredRuns(path, speed, current.get(), options);
+  const auto records = measuredRecords(path, speed, current.get(), options);
   messages_->hide();
   QStringList notes;
-  for (const auto& run : runs) {
+  for (const auto& record : records) {
     QString label = QFileInfo(path).completeBaseName();
-    if (runs.size() > 1) label += ": " + QString::fromStdString(run->title);
-    store_.add({run, label, QFileInfo(path).absoluteFilePath(), true, true});
-    for (const auto& note : run->warnings) notes << QString::fromStdString(note);
+    if (records.size() > 1) label += ": " + QString::fromStdString(record->run);
+    store_.add({nullptr, label, QFileInfo(path).absoluteFilePath(), true, record});
+    for (const auto& note : record->notes) notes << QString::fromStdString(note);
   }
   if (!notes.isEmpty()) messages_->say(sentence(notes[0]), notes.join('\n'));
 }
@@ -280,7 +280,7 @@ QString MainWindow::recoverResults() {
   for (const QString& file : unsaved_.takeLeft()) try {
       auto result = std::make_shared<results::RunResult>(results::readResult(file.toStdString()));
       if (result->stem.empty()) result->stem = UnsavedResults::stemOf(file).toStdString();
-      store_.add({result, UnsavedResults::stemOf(file) + tr(" (recovered)"), QString(), false, false,
+      store_.add({result, UnsavedResults::stemOf(file) + tr(" (recovered)"), QString(), false, result,
                   std::make_shared<KeptFile>(file)});
       resultsRecovered_.push_back(result);
       ++found;

@@ -2,92 +2,66 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
+
+#include "core/Errors.h"
+#include "text/Lines.h"
+#include "text/Numbers.h"
+#include "text/TableLayout.h"
+#include "text/Text.h"
 
 namespace squat::studio {
 namespace {
 
 constexpr std::size_t mostLines = 100001, previewLines = 8;
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::size_t at = text.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0;
-  while (at < text.size() && lines.size() < mostLines + 1) {
-    std::size_t end = text.find('\n', at);
-    if (end == std::string::npos) end = text.size();
-    std::string line = text.substr(at, end - at);
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    lines.push_back(std::move(line));
-    at = end + 1;
-  }
-  return lines;
+// At most one line more than allowed. Throws FileError for what is not text.
+std::vector<std::string_view> linesOf(const std::string& text) {
+  std::vector<std::string_view> all;
+  text::Lines lines(text, "the file", "Export the profile as CSV");
+  for (std::string_view line; all.size() <= mostLines && lines.next(line);) all.push_back(line);
+  return all;
 }
 
-std::vector<std::string> cellsOf(const std::string& line, char delimiter) {
+std::vector<std::string> cellsOf(std::string_view line, char delimiter) {
+  std::vector<std::string_view> fields;
+  text::splitFields(line, delimiter, fields);
   std::vector<std::string> cells;
-  std::string cell;
-  const auto finish = [&] {
-    const auto first = cell.find_first_not_of(" \""), last = cell.find_last_not_of(" \"");
-    cells.push_back(first == std::string::npos ? std::string() : cell.substr(first, last - first + 1));
-    cell.clear();
-  };
-  for (char letter : line) {
-    if (letter != delimiter)
-      cell += letter;
-    else if (delimiter != ' ' || !cell.empty())
-      finish();
-  }
-  if (!cell.empty() || delimiter != ' ') finish();
+  for (const auto field : fields) cells.emplace_back(text::trimmed(field));
   return cells;
-}
-
-std::optional<double> numberOf(std::string cell, bool decimalComma) {
-  if (decimalComma) std::replace(cell.begin(), cell.end(), ',', '.');
-  if (!cell.empty() && cell[0] == '+') cell.erase(0, 1);
-  double value = 0;
-  const auto [end, failure] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (failure != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
 }
 
 // Position and height as they stand there; what else the line tells (a name, a remark) does not matter.
 std::optional<std::pair<double, double>> numbersOf(const std::vector<std::string>& cells, const ImportChoices& choices,
                                                    bool decimalComma) {
+  const char decimal = decimalComma ? ',' : '.';
   const auto place = static_cast<std::size_t>(choices.positionColumn);
   const auto rise = static_cast<std::size_t>(choices.heightColumn);
   if (cells.size() <= std::max(place, rise)) return std::nullopt;
-  const auto position = numberOf(cells[place], decimalComma), height = numberOf(cells[rise], decimalComma);
+  const auto position = text::numberIn(cells[place], decimal), height = text::numberIn(cells[rise], decimal);
   if (!position || !height) return std::nullopt;
   return std::pair{*position, *height};
 }
 
-bool isDecimalComma(const std::string& cell) {
-  return cell.find(',') != std::string::npos && numberOf(cell, true).has_value();
-}
-
 // The first line that is no remark; where that holds numbers already, the remark above it.
-std::string headingOf(const std::vector<std::string>& lines, const ImportChoices& choices) {
-  std::string above;
-  for (const auto& line : lines) {
-    if (line.find_first_not_of(" \t") == std::string::npos) continue;
-    if (line[0] != '#')
+std::string_view headingOf(const std::vector<std::string_view>& lines, const ImportChoices& choices) {
+  std::string_view above;
+  for (const auto line : lines) {
+    if (text::trimmed(line).empty()) continue;
+    if (!text::isComment(line))
       return numbersOf(cellsOf(line, choices.delimiter), choices, choices.decimalComma) ? above : line;
     above = line;
   }
   return above;
 }
 
-char findDelimiter(const std::vector<std::string>& lines) {
-  for (char candidate : {';', '\t', ',', ' '}) {
-    std::size_t found = 0;
-    for (const auto& line : lines)
-      found += cellsOf(line, candidate).size() >= 2 && line.find(candidate) != std::string::npos;
-    if (2 * found > lines.size()) return candidate;
-  }
-  return ',';
+text::TableLayout layoutOf(std::vector<std::string_view> lines, char delimiter) {
+  constexpr std::size_t looked = 200;
+  if (lines.size() > looked) lines.resize(looked);
+  return text::findLayout(lines, delimiter, 0);
 }
 
 // "height [mm]", "z (um)", "z_mm", not the letters within "Column" or "maximum".
@@ -137,16 +111,12 @@ std::vector<cases::ProfilePoint> resampled(const std::vector<cases::ProfilePoint
 
 }  // namespace
 
-ImportChoices suggestedChoices(const std::string& text) {
+ImportChoices suggestedChoices(const std::string& text) try {
   ImportChoices choices;
   const auto lines = linesOf(text);
-  choices.delimiter = findDelimiter(lines);
-  if (choices.delimiter != ',') {
-    for (const auto& line : lines) {
-      const auto cells = cellsOf(line, choices.delimiter);
-      if (line[0] != '#' && std::any_of(cells.begin(), cells.end(), isDecimalComma)) choices.decimalComma = true;
-    }
-  }
+  const auto layout = layoutOf(lines, 0);
+  choices.delimiter = layout.delimiter;
+  choices.decimalComma = layout.decimal == ',';
   const auto header = cellsOf(headingOf(lines, choices), choices.delimiter);
   const auto unitOf = [](const std::string& cell, double standard) {
     for (const auto& [name, metres] : {std::pair{"um", 1e-6}, {"µm", 1e-6}, {"mm", 1e-3}, {"m", 1.0}})
@@ -156,12 +126,15 @@ ImportChoices suggestedChoices(const std::string& text) {
   if (header.size() > 0) choices.positionUnit = unitOf(header[0], 1e-3);
   if (header.size() > 1) choices.heightUnit = unitOf(header[1], 1e-3);
   return choices;
+} catch (const FileError&) {  // importProfile says what is wrong
+  return {};
 }
 
-ImportedProfile importProfile(const std::string& text, const ImportChoices& choices) {
+namespace {
+
+ImportedProfile importLines(const std::vector<std::string_view>& lines, const ImportChoices& choices) {
   ImportedProfile result;
-  const auto lines = linesOf(text);
-  result.delimiter = choices.delimiter ? choices.delimiter : findDelimiter(lines);
+  result.delimiter = choices.delimiter ? choices.delimiter : layoutOf(lines, 0).delimiter;
   const bool comma = choices.decimalComma && result.delimiter != ',';
   std::size_t line = 0;
   if (choices.skippedLines >= 0)
@@ -175,7 +148,7 @@ ImportedProfile importProfile(const std::string& text, const ImportChoices& choi
   }
   if (lines.size() > mostLines) result.problem = "more than 100000 lines: reduce the file first";
   for (; line < lines.size() && result.problem.empty(); ++line) {
-    if (lines[line].find_first_not_of(" \t") == std::string::npos || lines[line][0] == '#') continue;
+    if (text::isComment(lines[line])) continue;
     const auto numbers = numbersOf(cellsOf(lines[line], result.delimiter), choices, comma);
     if (!numbers) {
       result.problem = "line " + std::to_string(line + 1) + ": the chosen columns do not hold two numbers";
@@ -200,6 +173,18 @@ ImportedProfile importProfile(const std::string& text, const ImportChoices& choi
   for (const auto& point : points)
     if (std::abs(point.height) > 0.05) result.problem = "heights above 50 mm: check the unit";
   return result;
+}
+
+}  // namespace
+
+ImportedProfile importProfile(const std::string& text, const ImportChoices& choices) {
+  try {
+    return importLines(linesOf(text), choices);
+  } catch (const FileError& error) {
+    ImportedProfile nothing;
+    nothing.problem = error.what();
+    return nothing;
+  }
 }
 
 }  // namespace squat::studio

@@ -11,7 +11,7 @@ namespace squat::studio {
 enum class Levelling { none, throughEnds, leastSquares };
 
 struct ImportChoices {
-  char delimiter = 0;         // 0: found from the text; else , ; tab or space
+  char delimiter = 0;         // 0: found from the text; else , ; | tab or space
   bool decimalComma = false;  // meaningless with the delimiter ","
   int skippedLines = -1;      // -1: lines before the first one that is all numbers
   int positionColumn = 0, heightColumn = 1;

@@ -15,9 +15,9 @@ QVariant RunStore::data(const QModelIndex& index, int role) const {
   const StoredRun& run = at(index.row());
   if (role == Qt::DisplayRole) {
     QString text = run.label;
-    if (run.measured) text += tr(" (measured)");
-    if (!run.measured && !run.result->complete) text += tr(" (incomplete)");
-    if (!run.measured && run.path.isEmpty()) text += " *";
+    if (run.isMeasured()) text += tr(" (measured)");
+    if (!run.isMeasured() && !run.result->complete) text += tr(" (incomplete)");
+    if (!run.isMeasured() && run.path.isEmpty()) text += " *";
     return text;
   }
   if (role == Qt::ToolTipRole)
@@ -46,7 +46,7 @@ Qt::ItemFlags RunStore::flags(const QModelIndex& index) const {
 
 int RunStore::add(StoredRun run) {
   const int row = rowCount();
-  const bool measured = run.measured;
+  const bool measured = run.isMeasured();
   run.overlaid = measured;
   beginInsertRows({}, row, row);
   runs_.push_back(std::move(run));
@@ -73,9 +73,9 @@ void RunStore::remove(int row) {
 // A measured signal is laid over a run and is none itself.
 int RunStore::computedNear(int row) const {
   for (int below = row; below < rowCount(); ++below)
-    if (!at(below).measured) return below;
+    if (!at(below).isMeasured()) return below;
   for (int above = row - 1; above >= 0; --above)
-    if (!at(above).measured) return above;
+    if (!at(above).isMeasured()) return above;
   return -1;
 }
 
@@ -103,7 +103,7 @@ int RunStore::rowOf(const ResultPointer& result) const {
 std::vector<ResultPointer> RunStore::unsaved() const {
   std::vector<ResultPointer> found;
   for (const StoredRun& run : runs_)
-    if (!run.measured && run.path.isEmpty()) found.push_back(run.result);
+    if (!run.isMeasured() && run.path.isEmpty()) found.push_back(run.result);
   return found;
 }
 

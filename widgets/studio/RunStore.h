@@ -5,18 +5,22 @@
 #include <QString>
 #include <vector>
 
+#include "studio/MeasuredRecords.h"
 #include "studio/RunController.h"
 #include "studio/UnsavedResults.h"
 
 namespace squat::studio {
 
+// A run of this program, or a measured record, which is laid over runs and is never the current one.
 struct StoredRun {
-  ResultPointer result;
+  ResultPointer result;  // null: measured
   QString label;
-  QString path;           // empty: not in a file yet
-  bool overlaid = false;  // drawn with the current one
-  bool measured = false;
+  QString path;                              // empty: not in a file yet
+  bool overlaid = false;                     // drawn with the current one
+  RecordPointer record = result;             // what is drawn; that of the result where there is one
   std::shared_ptr<KeptFile> kept = nullptr;  // for a crash, until the run has a path
+
+  bool isMeasured() const { return !result; }
 };
 
 // A list with check boxes: checked runs are overlaid on the current one.

@@ -37,7 +37,7 @@ RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_
   layout->addWidget(list_, 1);
   layout->addLayout(buttons);
   const auto show = [this](const QModelIndex& index) {
-    if (index.isValid() && !store_.at(index.row()).measured) store_.setCurrent(index.row());
+    if (index.isValid() && !store_.at(index.row()).isMeasured()) store_.setCurrent(index.row());
   };
   // A click on the box overlays the run; it does not make it the current one.
   connect(list_, &QListView::pressed, this, [this] { ticked_ = false; });

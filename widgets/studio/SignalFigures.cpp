@@ -4,6 +4,7 @@
 
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "signals/SignalError.h"
 #include "studio/PeakMarks.h"
 
 namespace squat::studio {
@@ -25,18 +26,23 @@ void addOverlays(plots::Figure& figure, const QString& name, const results::RunR
                  const std::vector<StoredRun>& overlays, const SignalSettings& settings) {
   std::size_t colour = 2;
   for (const StoredRun& run : overlays) {
-    std::string ignored;
-    const ResultPointer other = analysed(*run.result, settings, ignored);
-    if (name == "psd") {
-      if (!other->psd.empty()) plots::addCurve(figure, {other->frequency, other->psd, run.label, colour++, 0.9});
-      continue;
+    signals::Record other = *run.record;
+    try {
+      filterAnew(other, settings);
+      if (name == "psd") {
+        const auto spectrum = spectrumOf(other, settings);
+        plots::addCurve(figure, {spectrum.frequency, spectrum.density, run.label, colour++, 0.9});
+      }
+    } catch (const signals::SignalError&) {
+      // Shown as it was recorded, and without a spectrum.
     }
-    const auto* values = other->signal(name == "aba" ? "aba_filtered" : "contact_force");
+    if (name == "psd") continue;
+    const auto* values = other.signal(name == "aba" ? "aba_filtered" : "contact_force");
     if (!values) continue;
-    std::vector<double> x = other->position;
+    std::vector<double> x = other.position;
     if (name == "aba" && settings.againstTime) {
-      const double shift = passageTime(shown) - passageTime(*other);
-      x = other->time;
+      const double shift = passageTime(shown) - passageTime(other);
+      x = other.time;
       for (double& time : x) time += shift;
     }
     plots::addCurve(
@@ -51,7 +57,7 @@ void addOverlays(plots::Figure& figure, const QString& name, const results::RunR
 
 }  // namespace
 
-double passageTime(const results::RunResult& result) {
+double passageTime(const signals::Record& result) {
   if (result.time.empty() || result.position.empty() || !(result.speed > 0)) return 0;
   return result.time.front() - result.position.front() / result.speed;
 }

@@ -21,7 +21,7 @@ std::unique_ptr<plots::Figure> signalFigure(const QString& name, const results::
                                             const plots::Style& style);
 
 // Moment [s] at which the wheel is over the defect, by the constant speed that links time and position.
-double passageTime(const results::RunResult& result);
+double passageTime(const signals::Record& result);
 
 // Every point of contact with pressure, traction and slip, as CSV; empty without a patch.
 QByteArray patchTable(const results::RunResult& result);

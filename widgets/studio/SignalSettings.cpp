@@ -3,108 +3,86 @@
 #include <algorithm>
 #include <cmath>
 
+#include "laboratory/Maps.h"
 #include "signals/Butterworth.h"
-#include "signals/ContinuousWavelet.h"
-#include "signals/PowerSpectrum.h"
+#include "signals/Features.h"
 #include "signals/Resample.h"
 #include "signals/SignalError.h"
 
 namespace squat::studio {
 namespace {
 
-results::Channel* channel(results::RunResult& result, const std::string& name) {
-  for (auto& each : result.signals)
-    if (each.name == name) return &each;
-  return nullptr;
-}
-
-void filter(results::RunResult& result, const std::string& raw, const std::string& filtered, double cutoff) {
-  const auto* values = result.signal(raw);
-  results::Channel* target = channel(result, filtered);
-  if (!values || !target || values->size() != result.time.size() || values->size() < 2) return;
-  const signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, raw, "m/s2"};
-  target->values = signals::lowPass(series, cutoff).values;
+void filter(signals::Record& record, const char* raw, const char* filtered, double cutoff) {
+  signals::Channel* target = record.channel(filtered);
+  if (!record.channel(raw) || !target || record.time.size() < 2) return;
+  target->values = signals::lowPass(signals::seriesOf(record, raw), cutoff).values;
 }
 
 // In the unit that the user types.
 std::string millimetres(double metres) { return std::to_string(std::lround(1e3 * metres)) + " mm"; }
 
-void requireSamples(const results::RunResult& result, double from, double to) {
-  const auto within = std::count_if(result.position.begin(), result.position.end(),
-                                    [&](double position) { return position >= from && position <= to; });
+void requireSamples(const signals::Record& record, double from, double to) {
+  const auto& x = record.position;
+  const auto within =
+      std::count_if(x.begin(), x.end(), [&](double position) { return position >= from && position <= to; });
   constexpr int fewest = 2;
-  if (within >= fewest) return;
+  if (within >= fewest || x.empty()) return;
   throw signals::SignalError("the section from " + millimetres(from) + " to " + millimetres(to) +
-                             " lies outside the record, which extends from " + millimetres(result.position.front()) +
-                             " to " + millimetres(result.position.back()));
-}
-
-std::vector<double> spectrum(results::RunResult& result, const std::string& name, const SignalSettings& settings) {
-  const auto* values = result.signal(name);
-  if (!values || values->size() != result.time.size() || values->size() < 2) return {};
-  const signals::TimeSeries series{result.time.front(), result.time[1] - result.time[0], *values, name, "m/s2"};
-  requireSamples(result, settings.from, settings.to);
-  const double from = signals::interpolateLinear(result.position, result.time, settings.from);
-  const double to = signals::interpolateLinear(result.position, result.time, settings.to);
-  signals::PowerSpectrumOptions options;
-  options.window = signals::windowFromText(settings.window);
-  const signals::TimeSeries part = signals::cutOut(series, from, to);
-  constexpr std::size_t padding = 4;  // a smooth curve; the resolution stays that of the stretch
-  options.transformLength = padding * part.values.size();
-  signals::PowerSpectrum density = signals::powerSpectrum(part, options);
-  result.frequency = std::move(density.frequency);
-  return std::move(density.density);
-}
-
-// The stretch that the other figures show (psdFrom, psdTo) stays that of the run.
-void takeSpectra(results::RunResult& result, const SignalSettings& settings) {
-  auto before = result.frequency;
-  const auto wheel = spectrum(result, "wheel_acceleration_filtered", settings);
-  auto box = spectrum(result, "aba_filtered", settings);
-  if (box.empty()) {
-    result.frequency = std::move(before);  // that of the spectrum that stays
-    return;
-  }
-  result.psd = std::move(box);
-  result.psdWheel = wheel.size() == result.psd.size() ? wheel : std::vector<double>();
-  result.psdWindow = settings.window;
+                             " lies outside the record, which extends from " + millimetres(x.front()) + " to " +
+                             millimetres(x.back()));
 }
 
 }  // namespace
+
+void filterAnew(signals::Record& record, const SignalSettings& settings) {
+  filter(record, "aba", "aba_filtered", settings.cutoff);
+  filter(record, "wheel_acceleration", "wheel_acceleration_filtered", settings.cutoff);
+}
+
+signals::PowerSpectrum spectrumOf(const signals::Record& record, const SignalSettings& settings,
+                                  const std::string& channel) {
+  requireSamples(record, settings.from, settings.to);
+  return signals::stretchSpectrum(signals::passageOf(record, channel), settings.from, settings.to,
+                                  signals::windowFromText(settings.window));
+}
 
 std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
                                                    std::string& problem) {
   auto changed = std::make_shared<results::RunResult>(result);
   problem.clear();
   try {
-    filter(*changed, "aba", "aba_filtered", settings.cutoff);
-    filter(*changed, "wheel_acceleration", "wheel_acceleration_filtered", settings.cutoff);
+    filterAnew(*changed, settings);
   } catch (const signals::SignalError& error) {
     problem = error.what();
     return std::make_shared<const results::RunResult>(result);
   }
+  if (!changed->channel("aba_filtered") || changed->time.size() < 2) return changed;
   try {
-    takeSpectra(*changed, settings);
+    auto box = spectrumOf(*changed, settings);
+    std::vector<double> wheel;
+    if (changed->channel("wheel_acceleration_filtered"))
+      wheel = spectrumOf(*changed, settings, "wheel_acceleration_filtered").density;
+    changed->frequency = std::move(box.frequency);
+    changed->psd = std::move(box.density);
+    changed->psdWheel = std::move(wheel);
+    changed->psdWindow = settings.window;
   } catch (const signals::SignalError& error) {  // the filtered signals are none the worse for it
     problem = std::string("Spectrum not updated: ") + error.what();
-    changed->frequency = result.frequency;
   }
   return changed;
 }
 
 std::shared_ptr<const results::RunResult> withScalogram(const results::RunResult& result) {
   auto changed = std::make_shared<results::RunResult>(result);
-  const auto* values = changed->signal("aba_filtered");
-  if (!values || values->size() != changed->time.size() || changed->position.size() != changed->time.size() ||
-      values->size() < 64)
+  constexpr std::size_t fewest = 64;  // samples, as for a run
+  if (!changed->channel("aba_filtered") || changed->position.size() != changed->time.size() ||
+      changed->time.size() < fewest)
     return changed;
-  const signals::TimeSeries series{changed->time.front(), changed->time[1] - changed->time[0], *values, "", "m/s2"};
-  signals::WaveletOptions options;  // as runs have it: up to 2500 Hz, 16 voices an octave
-  options.highest = std::min(options.highest, 0.45 * series.rate());
-  constexpr std::size_t mostColumns = 2000;  // more than a screen has
-  options.cell = 1 + values->size() / mostColumns;
   try {
-    signals::Scalogram anew = signals::scalogram(series, options);
+    signals::WaveletOptions options;
+    options.cell = 0;
+    std::vector<std::string> notes;
+    signals::Scalogram anew = laboratory::scalogramMap(signals::seriesOf(*changed, "aba_filtered"), options, notes);
     changed->scalogramFrequency = std::move(anew.frequency);
     changed->scalogramTime = std::move(anew.time);
     changed->scalogramPower = std::move(anew.power);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "results/RunResult.h"
+#include "signals/PowerSpectrum.h"
 
 namespace squat::studio {
 
@@ -16,9 +17,17 @@ struct SignalSettings {
   std::size_t segment = 128, hop = 4;  // [samples] of the short-time Fourier transform
 };
 
-// The result with aba_filtered, wheel_acceleration_filtered and both spectra computed anew. Where that cannot be done
-// (no raw signal, cut-off above half the rate) these stay as they are and `problem` says why; where only the stretch of
-// the spectra is wrong, only they do. The stretch that other figures show (psdFrom, psdTo) is that of the run.
+// The filtered channels of a record computed anew from the raw ones, where it has them. Throws SignalError, e.g. for a
+// cut-off above half the rate.
+void filterAnew(signals::Record& record, const SignalSettings& settings);
+
+// The spectrum of aba_filtered, or of another channel, over the chosen stretch. Throws SignalError with what is wrong.
+signals::PowerSpectrum spectrumOf(const signals::Record& record, const SignalSettings& settings,
+                                  const std::string& channel = "aba_filtered");
+
+// The result with filtered channels and both spectra computed anew. Where that cannot be done these stay as they are
+// and `problem` says why; where only the stretch of the spectra is wrong, only they do. The stretch that other figures
+// show (psdFrom, psdTo) is that of the run.
 std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
                                                    std::string& problem);
 

@@ -1,4 +1,4 @@
-// solver/measured/TextTable.h - a text file as columns of numbers.
+// solver/text/DelimitedTable.h - a text file as columns of numbers.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "measured/TableLayout.h"
+#include "text/TableLayout.h"
 
-namespace squat::measured {
+namespace squat::text {
 
 struct TableColumn {
   std::string name, unit;      // empty where the file does not tell
@@ -20,7 +20,7 @@ struct TableColumn {
   std::string badText;
 };
 
-struct TextTable {
+struct DelimitedTable {
   std::string path;
   std::vector<TableColumn> columns;
   std::vector<std::uint32_t> lines;  // line of each row in the file, from 1
@@ -31,9 +31,10 @@ struct TextTable {
 
 // Throws FileError (path, line) for an unreadable or binary file, one without a table of numbers, and for rows with
 // another number of fields than the first.
-TextTable readTextTable(const std::string& path, char delimiter = 0, char decimal = 0);
+DelimitedTable readDelimitedTable(const std::string& path, char delimiter = 0, char decimal = 0);
 
 // The same for text that stands in memory.
-TextTable parseTextTable(std::string_view text, const std::string& path, char delimiter = 0, char decimal = 0);
+DelimitedTable parseDelimitedTable(std::string_view text, const std::string& path, char delimiter = 0,
+                                   char decimal = 0);
 
-}  // namespace squat::measured
+}  // namespace squat::text

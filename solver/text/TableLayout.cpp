@@ -1,14 +1,16 @@
-#include "measured/TableLayout.h"
+#include "text/TableLayout.h"
 
 #include <algorithm>
 #include <array>
 #include <tuple>
 
-#include "measured/ColumnRoles.h"
-#include "measured/TextNumber.h"
-#include "measured/Utf8Text.h"
+#include "text/Lines.h"
+#include "text/Numbers.h"
+#include "text/Text.h"
+#include "text/Units.h"
+#include "text/Utf8Text.h"
 
-namespace squat::measured {
+namespace squat::text {
 namespace {
 
 bool isNumeric(std::string_view field, char decimal) {
@@ -86,42 +88,9 @@ void readHeader(const std::vector<std::string_view>& lines, TableLayout& layout)
 
 }  // namespace
 
-void splitFields(std::string_view line, char delimiter, std::vector<std::string_view>& fields) {
-  fields.clear();
-  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
-  std::size_t from = 0;
-  while (from <= line.size()) {
-    if (delimiter == ' ')
-      while (from < line.size() && isBlank(line[from])) ++from;
-    std::size_t quote = from;
-    while (delimiter != ' ' && quote < line.size() && line[quote] == ' ') ++quote;
-    if (quote < line.size() && line[quote] == '"') {
-      const std::size_t close = std::min(line.find('"', quote + 1), line.size());
-      fields.push_back(line.substr(quote + 1, close - quote - 1));
-      std::size_t end = std::min(close + 1, line.size());
-      while (end < line.size() && (delimiter == ' ' ? !isBlank(line[end]) : line[end] != delimiter)) ++end;
-      from = end + 1;
-      continue;
-    }
-    std::size_t end = from;
-    if (delimiter == ' ')
-      while (end < line.size() && !isBlank(line[end])) ++end;
-    else
-      end = std::min(line.find(delimiter, from), line.size());
-    if (delimiter != ' ' || end > from) fields.push_back(line.substr(from, end - from));
-    from = end + 1;
-  }
-}
-
 void splitRow(std::string_view line, const TableLayout& layout, std::vector<std::string_view>& fields) {
   splitFields(line, layout.delimiter, fields);
   while (fields.size() > layout.fields && trimmed(fields.back()).empty()) fields.pop_back();
-}
-
-bool isComment(std::string_view line) {
-  line = trimmed(line);
-  return line.empty() || line.front() == '#' || line.front() == '%';
 }
 
 void splitNameAndUnit(std::string_view header, std::string& name, std::string& unit) {
@@ -178,4 +147,4 @@ TableLayout findLayout(const std::vector<std::string_view>& lines, char delimite
   return layout;
 }
 
-}  // namespace squat::measured
+}  // namespace squat::text

@@ -1,8 +1,8 @@
-#include "measured/Utf8Text.h"
+#include "text/Utf8Text.h"
 
 #include <cstddef>
 
-namespace squat::measured {
+namespace squat::text {
 namespace {
 
 unsigned byteAt(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
@@ -43,4 +43,4 @@ std::string asUtf8(std::string_view text) {
   return result;
 }
 
-}  // namespace squat::measured
+}  // namespace squat::text

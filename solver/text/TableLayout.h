@@ -1,4 +1,4 @@
-// solver/measured/TableLayout.h - how a text table is laid out, found from its first lines.
+// solver/text/TableLayout.h - how a text table is laid out, found from its first lines.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace squat::measured {
+namespace squat::text {
 
 struct TableLayout {
   char delimiter = ',';  // ' ' stands for any blanks
@@ -18,20 +18,14 @@ struct TableLayout {
   std::vector<bool> numeric;       // columns that held numbers at the end of the lines looked at
 };
 
-// The fields of a line; quotes around a field are taken off, delimiters inside them do not part.
-void splitFields(std::string_view line, char delimiter, std::vector<std::string_view>& fields);
-
-// The same for a row of the table: empty fields beyond its last column do not count.
+// The fields of a row of the table (splitFields): empty fields beyond its last column do not count.
 void splitRow(std::string_view line, const TableLayout& layout, std::vector<std::string_view>& fields);
 
-// Lines that carry nothing: empty ones, and (inside the table) comments.
-bool isComment(std::string_view line);
-
-// `lines` are the first lines of the file, whole, without line ends. `delimiter` and `decimal` 0: found. The layout
-// with fields == 0 tells that no table was found.
+// `lines` are the first lines of the file, whole, without line ends. `delimiter` and `decimal` 0: found. A layout
+// with fields == 0: no table was found.
 TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal);
 
 // "aba [m/s2]" -> "aba" and "m/s2"; "(..)" as well.
 void splitNameAndUnit(std::string_view header, std::string& name, std::string& unit);
 
-}  // namespace squat::measured
+}  // namespace squat::text

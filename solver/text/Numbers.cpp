@@ -1,18 +1,14 @@
-#include "measured/TextNumber.h"
+#include "text/Numbers.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
-namespace squat::measured {
+#include "text/Text.h"
 
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
+namespace squat::text {
 
 std::optional<double> numberIn(std::string_view field, char decimal) {
   field = trimmed(field);
@@ -53,4 +49,24 @@ bool isMissing(std::string_view field) {
   return std::any_of(words.begin(), words.end(), same);
 }
 
-}  // namespace squat::measured
+std::string numberText(double value) {
+  if (std::isnan(value)) return {};
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() ? std::string(text.data(), end) : std::string();
+}
+
+std::optional<double> numberFromText(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::string roundedText(double value) {
+  char text[64];
+  const bool whole = std::abs(value) < 1e15 && (value == std::floor(value) || std::abs(value) >= 1e4);
+  std::snprintf(text, sizeof text, whole ? "%.0f" : "%.4g", value);
+  return text;
+}
+
+}  // namespace squat::text

@@ -1,32 +1,13 @@
-#include "measured/TableLayout.h"
+#include "text/DelimitedTable.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "measured/ColumnRoles.h"
-#include "measured/TextNumber.h"
-#include "measured/TextTable.h"
-
-namespace squat::measured {
+namespace squat::text {
 namespace {
 
 using ::testing::ElementsAre;
-
-TEST(TextNumber, pointAndComma) {
-  EXPECT_EQ(numberIn(" 1.5e-3 ", '.'), 1.5e-3);
-  EXPECT_EQ(numberIn("+2,5", ','), 2.5);
-  EXPECT_EQ(numberIn("-,5", ','), -0.5);
-  EXPECT_EQ(numberIn("7", ','), 7.0);
-  for (const auto* bad : {"", "-", "1,5", "nan", "inf", "1.5x", "0x10", "1e999", "1 2"})
-    EXPECT_FALSE(numberIn(bad, '.')) << bad;
-  EXPECT_FALSE(numberIn("1.234,5", ','));
-  EXPECT_EQ(kilometresAndMetresIn("12+345.6", '.'), 12345.6);
-  EXPECT_FALSE(kilometresAndMetresIn("1.5+20", '.'));
-  EXPECT_FALSE(kilometresAndMetresIn("1e+20", '.'));
-  EXPECT_TRUE(isMissing(" NaN "));
-  EXPECT_FALSE(isMissing("5"));
-}
 
 struct LayoutCase {
   const char* text;
@@ -39,7 +20,7 @@ class Layouts : public testing::TestWithParam<LayoutCase> {};
 
 TEST_P(Layouts, areFound) {
   const auto& c = GetParam();
-  const TextTable table = parseTextTable(c.text, "test");
+  const DelimitedTable table = parseDelimitedTable(c.text, "test");
   ASSERT_EQ(table.columns.size(), c.columns) << c.text;
   ASSERT_EQ(table.rows(), c.rows) << c.text;
   const double last = table.columns.back().values.back();
@@ -65,8 +46,8 @@ INSTANTIATE_TEST_SUITE_P(Matrix, Layouts,
                                                     3, std::nan("")}),
                          [](const auto& instance) { return "layout" + std::to_string(instance.index); });
 
-TEST(TextTable, preambleHeaderAndUnits) {
-  const auto table = parseTextTable(
+TEST(DelimitedTable, preambleHeaderAndUnits) {
+  const auto table = parseDelimitedTable(
       "Measuring train 7;;\nDate;2014-01-06;\n\n\"Time\";\"ABA; "
       "left\";Speed\n[s];[m/s2];[km/h]\n0,0;1,5;100\n0,1;2,5;101\n",
       "test");
@@ -78,8 +59,8 @@ TEST(TextTable, preambleHeaderAndUnits) {
   EXPECT_THAT(table.columns[1].values, ElementsAre(1.5, 2.5));
 }
 
-TEST(TextTable, unitsInTheHeader) {
-  const auto table = parseTextTable("time [ms], aba (g), km\n0,1,12+000.0\n1,2,12+000.5\n", "test");
+TEST(DelimitedTable, unitsInTheHeader) {
+  const auto table = parseDelimitedTable("time [ms], aba (g), km\n0,1,12+000.0\n1,2,12+000.5\n", "test");
   EXPECT_EQ(table.columns[0].name, "time");
   EXPECT_EQ(table.columns[0].unit, "ms");
   EXPECT_EQ(table.columns[1].unit, "g");
@@ -87,21 +68,5 @@ TEST(TextTable, unitsInTheHeader) {
   EXPECT_DOUBLE_EQ(table.columns[2].values[1], 12000.5);
 }
 
-TEST(ColumnRoles, byNameAndUnit) {
-  EXPECT_EQ(roleOf("Time", ""), Role::time);
-  EXPECT_EQ(roleOf("time_s", ""), Role::time);
-  EXPECT_EQ(roleOf("Zeit", "s"), Role::time);
-  EXPECT_EQ(roleOf("chainage", "km"), Role::position);
-  EXPECT_EQ(roleOf("km", ""), Role::position);
-  EXPECT_EQ(roleOf("Speed", "km/h"), Role::speed);
-  EXPECT_EQ(roleOf("aba", "m/s2"), Role::signal);
-  EXPECT_EQ(roleOf("vertical", ""), Role::signal);
-  EXPECT_EQ(roleOf("timeliness", ""), Role::signal);
-  EXPECT_DOUBLE_EQ(scaleOf("km/h", "v", Role::speed).factor, 1 / 3.6);
-  EXPECT_DOUBLE_EQ(scaleOf("", "km", Role::position).factor, 1000);
-  EXPECT_EQ(scaleOf("g", "aba", Role::signal).unit, "m/s2");
-  EXPECT_EQ(scaleOf("counts", "aba", Role::signal).unit, "counts");
-}
-
 }  // namespace
-}  // namespace squat::measured
+}  // namespace squat::text

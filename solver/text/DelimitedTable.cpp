@@ -1,0 +1,93 @@
+#include "text/DelimitedTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "text/Lines.h"
+#include "text/Numbers.h"
+#include "text/Text.h"
+
+namespace squat::text {
+namespace {
+
+constexpr std::size_t largestFile = std::size_t{4} << 30;
+constexpr std::size_t linesForLayout = 200;
+constexpr std::size_t mostColumns = 4096;
+constexpr std::size_t mostReserved = std::size_t{1} << 26;  // rows
+constexpr const char* advice = "Export the table as CSV or HDF5";
+
+TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal) {
+  std::vector<std::string_view> head;
+  std::string_view line;
+  for (Lines lines(text, path, advice); head.size() < linesForLayout && lines.next(line);) head.push_back(line);
+  TableLayout layout = findLayout(head, delimiter, decimal);
+  if (layout.fields == 0 || layout.firstLine >= head.size())
+    throw FileError(path, "", "contains no table of numbers in its first " + std::to_string(head.size()) + " lines",
+                    "Give a table with one row per sample; name delimiter and decimal sign where they are unusual");
+  if (layout.fields > mostColumns)
+    throw FileError(path, "line " + std::to_string(layout.firstLine + 1), "has too many columns");
+  return layout;
+}
+
+DelimitedTable emptyTable(const TableLayout& layout, const std::string& path) {
+  DelimitedTable table;
+  table.path = path;
+  table.columns.resize(layout.fields);
+  for (std::size_t c = 0; c < layout.fields; ++c) {
+    if (!layout.names.empty()) table.columns[c].name = layout.names[c];
+    if (!layout.units.empty()) table.columns[c].unit = layout.units[c];
+  }
+  return table;
+}
+
+// The rows to come are taken to be as long as the first.
+void reserveRows(DelimitedTable& table, std::size_t bytes, std::string_view firstRow) {
+  const std::size_t rows = std::min(bytes / (firstRow.size() + 1) + 16, mostReserved);
+  for (auto& column : table.columns) column.values.reserve(rows);
+  table.lines.reserve(rows);
+}
+
+void addField(TableColumn& column, std::string_view field, char decimal, std::size_t row) {
+  double value = std::nan("");
+  if (const auto number = numberIn(field, decimal)) {
+    value = *number;
+  } else if (const auto metres = kilometresAndMetresIn(field, decimal)) {
+    value = *metres;
+    column.kilometresAndMetres = true;
+  } else if (column.badText.empty()) {
+    column.badRow = row;
+    column.badText = trimmed(field).empty() ? "an empty field" : shown(trimmed(field));
+  }
+  column.values.push_back(value);
+}
+
+}  // namespace
+
+DelimitedTable parseDelimitedTable(std::string_view text, const std::string& path, char delimiter, char decimal) {
+  const TableLayout layout = layoutOf(text, path, delimiter, decimal);
+  std::string_view line;
+  Lines lines(text, path, advice);
+  while (lines.number() < layout.firstLine && lines.next(line)) continue;
+  auto table = emptyTable(layout, path);
+  std::vector<std::string_view> fields;
+  while (lines.nextRow(line)) {
+    if (table.lines.empty()) reserveRows(table, text.size(), line);
+    splitRow(line, layout, fields);
+    if (fields.size() != layout.fields)
+      throw FileError(path, lines.place(),
+                      "has " + std::to_string(fields.size()) + " fields, the table " + std::to_string(layout.fields),
+                      "Correct the line, or give the delimiter");
+    for (std::size_t c = 0; c < fields.size(); ++c)
+      addField(table.columns[c], fields[c], layout.decimal, table.lines.size());
+    table.lines.push_back(lines.number());
+  }
+  return table;
+}
+
+DelimitedTable readDelimitedTable(const std::string& path, char delimiter, char decimal) {
+  return parseDelimitedTable(readWholeFile(path, largestFile), path, delimiter, decimal);
+}
+
+}  // namespace squat::text
