@@ -41,7 +41,7 @@ void limitVoices(signals::WaveletOptions& options, std::vector<std::string>& not
 }  // namespace
 
 std::optional<signals::Stft> stftMap(const signals::TimeSeries& series, signals::StftOptions options,
-                                    std::vector<std::string>& notes) {
+                                     std::vector<std::string>& notes) {
   const std::size_t n = series.values.size();
   if (options.segment == 0) {
     options.segment = signals::fastLength(static_cast<std::size_t>(std::max(16.0, 0.01 * series.rate())));
@@ -55,7 +55,7 @@ std::optional<signals::Stft> stftMap(const signals::TimeSeries& series, signals:
 }
 
 signals::Scalogram scalogramMap(const signals::TimeSeries& series, signals::WaveletOptions options,
-                               std::vector<std::string>& notes) {
+                                std::vector<std::string>& notes) {
   const double half = series.rate() / 2;
   if (options.highest > half) {
     notes.push_back("the scalogram ends at " + hertz(half) + ", half the sampling rate");

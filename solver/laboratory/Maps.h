@@ -1,4 +1,5 @@
-// solver/laboratory/Maps.h - a signal over time and frequency, in the one way in which runs, files and the studio show it.
+// solver/laboratory/Maps.h - a signal over time and frequency, in the one way in which runs, files and the studio show
+// it.
 #pragma once
 
 #include <optional>
@@ -15,8 +16,8 @@ namespace squat::laboratory {
 std::optional<signals::Stft> stftMap(const signals::TimeSeries& series, signals::StftOptions options,
                                      std::vector<std::string>& notes);
 
-// Cell 0: at most 2000 columns of what is shown. The highest frequency is lowered to half the rate, the lowest raised to
-// one wave in the record and 1e-5 of the rate, the voices lowered to 1000 rows; `notes` says so. Throws SignalError.
+// Cell 0: at most 2000 columns of what is shown. The highest frequency is lowered to half the rate, the lowest raised
+// to one wave in the record and 1e-5 of the rate, the voices lowered to 1000 rows; `notes` says so. Throws SignalError.
 signals::Scalogram scalogramMap(const signals::TimeSeries& series, signals::WaveletOptions options,
                                 std::vector<std::string>& notes);
 

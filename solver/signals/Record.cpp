@@ -20,7 +20,7 @@ const std::vector<double>* Record::signal(std::string_view name) const {
 }
 
 TimeSeries seriesOf(const Record& record, std::string_view name) {
-  const Channel* channel = !name.empty()             ? record.channel(name)
+  const Channel* channel = !name.empty()            ? record.channel(name)
                            : record.signals.empty() ? nullptr
                                                     : &record.signals.front();
   if (!channel) throw SignalError("the record has no signal '" + std::string(name) + "'");

@@ -15,8 +15,8 @@ class Lines {
  public:
   Lines(std::string_view text, std::string path, const std::string& advice);
 
-  bool next(std::string_view& line);     // any line
-  bool nextRow(std::string_view& line);  // the next that is neither empty nor a comment (isComment)
+  bool next(std::string_view& line);                // any line
+  bool nextRow(std::string_view& line);             // the next that is neither empty nor a comment (isComment)
   std::uint32_t number() const { return number_; }  // of the line that came last, from 1
   std::string place() const;                        // "line 12", for messages
 

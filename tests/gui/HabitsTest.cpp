@@ -32,7 +32,7 @@ namespace squat::studio {
 namespace {
 
 StoredRun madeUp(const QString& label, const QString& path = {}) {
-  return {std::make_shared<const results::RunResult>(tests::syntheticResult()), label, path, false, false};
+  return {std::make_shared<const results::RunResult>(tests::syntheticResult()), label, path, false};
 }
 
 // Every entry of the menus; those of "Recent" come and go.

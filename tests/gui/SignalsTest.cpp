@@ -83,6 +83,17 @@ TEST(Signals, aWrongStretchCostsTheSpectrumAlone) {
   EXPECT_TRUE(problem->text().isEmpty()) << problem->text().toStdString();
 }
 
+// Points above half the maximum around it.
+int widthOfTallestLine(const QCPGraph& graph) {
+  const auto& points = *graph.data();
+  const auto top =
+      std::max_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  auto from = top, to = top;
+  while (from != points.begin() && from->value > 0.5 * top->value) --from;
+  while (to != points.end() && to->value > 0.5 * top->value) ++to;
+  return static_cast<int>(to - from);
+}
+
 TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
@@ -94,9 +105,10 @@ TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
     before.push_back(panel.view(name)->figure()->xAxis->range());
   }
   panel.showTab("psd");
-  const int points = panel.view("psd")->figure()->graph(0)->dataCount();
+  const int wide = widthOfTallestLine(*panel.view("psd")->figure()->graph(0));
   panel.findChild<QDoubleSpinBox*>("psdTo")->setValue(50);
-  EXPECT_LT(panel.view("psd")->figure()->graph(0)->dataCount(), points);  // a shorter stretch resolves less
+  // A shorter stretch resolves less: Hann's main lobe is four steps of 1/T wide, on the same axis of frequencies.
+  EXPECT_GT(widthOfTallestLine(*panel.view("psd")->figure()->graph(0)), wide);
   for (int i = 0; i < alongTrack.size(); ++i) {
     panel.showTab(alongTrack[i]);
     panel.view(alongTrack[i])->resetZoom();

@@ -159,8 +159,7 @@ void MainWindow::connectParts() {
   connect(&controller_, &RunController::failed, this,
           [this](const QString& sentence, const QString& details, const ResultPointer& soFar) {
             messages_->warn(sentence, details);
-            if (soFar)
-              store_.add({soFar, QString::fromStdString(soFar->stem) + tr(" (failed)"), QString(), false});
+            if (soFar) store_.add({soFar, QString::fromStdString(soFar->stem) + tr(" (failed)"), QString(), false});
           });
   connect(profile_, &ProfileEditor::failed, messages_, [this](const QString& text) { messages_->warn(text); });
   connect(signals_, &SignalsPanel::failed, messages_, [this](const QString& text) { messages_->warn(text); });
