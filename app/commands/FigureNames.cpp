@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "commands/FigureOutput.h"
+
 namespace squat::commands {
 
 CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<std::string>& entries,
@@ -15,8 +17,10 @@ CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<std
 }
 
 void addFigureNames(CLI::App& command, std::vector<std::string>& figures, std::vector<std::string>& formats) {
-  addList(command, "--figures", figures, "Figures to draw, separated by commas (default: all)")->type_name("NAME,...");
+  addList(command, "--figures", figures, "Figures to draw, separated by commas (default: all that the result has)")
+      ->type_name("NAME,...");
   addList(command, "--format", formats, "png, svg, pdf (default: all)")->type_name("FORMAT,...");
+  if (const auto list = figureList(); !list.empty()) command.footer("Figures:\n" + list);
 }
 
 }  // namespace squat::commands

@@ -11,7 +11,7 @@ namespace squat::commands {
 CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<std::string>& entries,
                      const std::string& help);
 
-// --figures and --format; empty: all.
+// --figures and --format; empty: all. The help lists the figures with their titles.
 void addFigureNames(CLI::App& command, std::vector<std::string>& figures, std::vector<std::string>& formats);
 
 }  // namespace squat::commands

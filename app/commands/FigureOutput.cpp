@@ -1,14 +1,14 @@
 #include "commands/FigureOutput.h"
 
-#include <algorithm>
-
-#include "core/Errors.h"
 #include "plots/Application.h"
+#include "plots/FigureRegistry.h"
 #include "plots/Figures.h"
 
 namespace squat::commands {
 
 bool figuresAvailable() { return true; }
+
+std::string figureList() { return plots::figureList(); }
 
 namespace {
 
@@ -21,11 +21,9 @@ plots::FigureRequest requestOf(const std::vector<std::string>& figures, const st
 
 }  // namespace
 
-void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats, bool plastic) {
-  plots::checkRequest(requestOf(figures, formats));
-  for (const char* name : {"permanent_change", "residual_stress"})
-    if (!plastic && std::find(figures.begin(), figures.end(), name) != figures.end())
-      throw CaseError({{"--figures", name, "a figure of an elastic rail", "It needs rail.plastic = true in the case"}});
+void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats,
+                      const cases::CaseDescription* description) {
+  plots::checkRequest(requestOf(figures, formats), description);
 }
 
 FigureOutput writeFigures(const results::RunResult& result, const std::string& folder,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "case/CaseDescription.h"
 #include "results/RunResult.h"
 
 namespace squat::commands {
@@ -15,9 +16,13 @@ struct FigureOutput {
 
 bool figuresAvailable();
 
-// Throws CaseError for unknown names, and for figures of plastic flow where the rail is elastic, before hours are
-// spent; says nothing in a headless build, which draws none.
-void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats, bool plastic);
+// Names and titles of all figures, one a line; empty in a headless build.
+std::string figureList();
+
+// Throws CaseError for unknown names and, where a case is given, for figures that a run of it will have nothing for,
+// before hours are spent; a headless build, which draws none, checks the formats alone.
+void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats,
+                      const cases::CaseDescription* description = nullptr);
 
 // `figures` and `formats` empty: all. Throws CaseError for unknown names (and for any call in a headless build),
 // FileError where a file cannot be written.

@@ -6,8 +6,11 @@ namespace squat::commands {
 
 bool figuresAvailable() { return false; }
 
+std::string figureList() { return {}; }
+
 // The names of figures belong to the full build; formats are known here too.
-void checkFigureNames(const std::vector<std::string>&, const std::vector<std::string>& formats, bool) {
+void checkFigureNames(const std::vector<std::string>&, const std::vector<std::string>& formats,
+                      const cases::CaseDescription*) {
   for (const auto& format : formats)
     if (format != "png" && format != "svg" && format != "pdf")
       throw CaseError({{"--format", format, "png, svg or pdf", "This headless build draws no figures"}});

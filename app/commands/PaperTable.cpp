@@ -5,9 +5,12 @@
 #include <cstdio>
 
 #include "commands/TextTable.h"
+#include "commands/ValidationText.h"
 #include "laboratory/RunFeatures.h"
 #include "signals/SignalError.h"
-#include "validation/PaperCase.h"
+#include "validation/JudgeRun.h"
+#include "validation/Measures.h"
+#include "validation/RunChecks.h"
 
 namespace squat::commands {
 
@@ -17,25 +20,7 @@ using results::RunResult;
 
 constexpr const char* kNone = "not available";
 
-struct PaperLine {
-  const char* name;       // row
-  double low, high;       // [Hz] within which the line counts as the paper's
-  const char* statement;  // of the paper
-};
-// Light defect: about 300 and 1000 Hz (section 4.1). Class C squat: 130-320 and 1030-1130 Hz (section 4.2).
-constexpr PaperLine kLightLines[] = {{"line near 300 Hz", 250, 400, "300 Hz"},
-                                     {"line near 1000 Hz", 950, 1200, "1000 Hz"}};
-constexpr PaperLine kSquatLines[] = {{"line at 130-320 Hz", 130, 320, "130-320 Hz"},
-                                     {"line at 1030-1130 Hz", 1030, 1130, "1030-1130 Hz"}};
-
 using validation::PaperCase;
-
-bool startsWith(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
-
-// Which of the paper's cases the result is; nothing where it is none of them or a key differs.
-std::string paperName(const std::optional<PaperCase>& nearest) {
-  return nearest && nearest->isThePapers() ? nearest->name : std::string();
-}
 
 // Why the paper's statements are not judged, for a case that is nearly the paper's.
 void addChangedKeys(std::vector<PaperRow>& rows, const PaperCase& nearest) {
@@ -50,64 +35,24 @@ void addChangedKeys(std::vector<PaperRow>& rows, const PaperCase& nearest) {
                     "and " + std::to_string(nearest.changed.size() - listed) + " more keys", "", "not judged"});
 }
 
-struct Lines {
-  std::vector<signals::SpectralPeak> peaks;
-  double apart = 0;  // [Hz] nearer lines are one: Hann's main lobe is two steps of 1/T wide either way
-};
-
-// From 0.1 m before the defect to `after` behind it, as far as the record goes.
-Lines strongLines(const RunResult& result, double after) {
-  signals::FeatureOptions options;
-  options.after = after;
-  try {
-    const auto spectrum = laboratory::runFeatures(result, options).spectrum;
-    Lines lines{signals::namedLines(spectrum), 0};
-    const double step = (result.time.back() - result.time.front()) / static_cast<double>(result.time.size() - 1);
-    lines.apart = 2 / (static_cast<double>(spectrum.segmentLength) * step);
-    return lines;
-  } catch (const signals::SignalError&) {  // too short, constant
-    return {};
-  }
-}
-
-std::string listed(const std::vector<signals::SpectralPeak>& lines) {
-  std::string text;
-  for (const auto& line : lines) text += (text.empty() ? "" : ", ") + std::to_string(std::lround(line.frequency));
-  return text.empty() ? kNone : text + " Hz";
-}
-
-void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* channel, const char* what,
-             const std::string& paper) {
+void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* channel, const char* what) {
   const auto* values = result.signal(channel);
   if (!values || values->empty()) {
-    rows.push_back({what, kNone, paper, ""});
+    rows.push_back({what, kNone, "", ""});
     return;
   }
   const auto [low, high] = std::minmax_element(values->begin(), values->end());
-  rows.push_back({what, number(*high) + " / " + number(*low) + " m/s²", paper, ""});
+  rows.push_back({what, number(*high) + " / " + number(*low) + " m/s²", "", ""});
 }
 
-void addLines(std::vector<PaperRow>& rows, const RunResult& result, const std::string& paper) {
-  constexpr double figure = 0.28, lowLines = 0.58, lowest = 320;  // [m], [m], [Hz] as `squat validate` judges
-  const auto strong = strongLines(result, figure);
-  rows.push_back({"strongest lines of the PSD", listed(strong.peaks),
-                  strong.peaks.empty() ? "" : "resolution " + number(std::round(strong.apart), "Hz"), ""});
-  const bool light = paper == "light-defect";
-  if (!light && !startsWith(paper, "class-c-squat")) return;
-  for (const auto& wanted : light ? kLightLines : kSquatLines) {
-    const bool isLow = wanted.low < lowest && !result.position.empty();
-    const auto seen = isLow ? strongLines(result, std::clamp(result.position.back() - 0.02, figure, lowLines)) : strong;
-    if (seen.apart == 0) {
-      rows.push_back({wanted.name, kNone, wanted.statement, ""});
-      continue;
-    }
-    const auto& lines = seen.peaks;
-    const auto found = std::find_if(lines.begin(), lines.end(), [&](const auto& line) {
-      return line.frequency >= wanted.low && line.frequency <= wanted.high;
-    });
-    rows.push_back({wanted.name, found == lines.end() ? "none" : number(std::round(found->frequency), "Hz"),
-                    wanted.statement, found == lines.end() ? "not met" : "met"});
-  }
+void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
+  constexpr std::size_t most = 6;
+  const auto lines = validation::strongLines(result, {});
+  std::string text;
+  for (std::size_t i = 0; lines && i < std::min(most, lines->frequencies.size()); ++i)
+    text += (text.empty() ? "" : ", ") + std::to_string(std::lround(lines->frequencies[i]));
+  rows.push_back({"strongest lines of the PSD", text.empty() ? kNone : text + " Hz",
+                  text.empty() ? "" : "resolution " + number(std::round(lines->resolution), "Hz"), ""});
 }
 
 // What lines, wavelength and band powers refer to.
@@ -120,14 +65,17 @@ void addAnchor(std::vector<PaperRow>& rows, const RunResult& result) {
   }
 }
 
-void addWavelength(std::vector<PaperRow>& rows, const RunResult& result, const std::string& paper) {
-  PaperRow row{"mean wavelength after the impact", kNone, paper == "light-defect" ? "29 mm" : "", ""};
-  try {
-    const double length = laboratory::runFeatures(result).wavelengthByRidge;
-    if (length > 0) row.ours = number(1e3 * length, "mm");
-  } catch (const signals::SignalError&) {  // too short for a spectrum: stays "not available"
-  }
-  rows.push_back(row);
+void addWavelength(std::vector<PaperRow>& rows, const RunResult& result) {
+  validation::Statement wanted;
+  wanted.measure = "wavelength";
+  const auto length = validation::measure(result, wanted);
+  rows.push_back({"mean wavelength after the impact", length ? number(*length, "mm") : kNone, "", ""});
+}
+
+// As `squat validate` prints them.
+void addStatements(std::vector<PaperRow>& rows, const std::vector<validation::Judged>& judged) {
+  for (const auto& one : judged)
+    rows.push_back({one.statement.name, valueText(one), rangeText(one.statement), toText(one.verdict)});
 }
 
 void addContact(std::vector<PaperRow>& rows, const RunResult& result) {
@@ -166,42 +114,24 @@ void addContact(std::vector<PaperRow>& rows, const RunResult& result) {
 
 const char* passed(bool isPassed) { return isPassed ? "passed" : "failed"; }
 
-// Where the rail is no longer smooth, at most 40 mm before the deepest point of the defect.
-double defectBegins(const RunResult& result) {
-  double from = -0.04;
-  for (std::size_t i = 0; i < result.profileHeight.size(); ++i)
-    if (result.profileHeight[i] != 0) return std::min(from, result.profilePosition[i]);
-  return from;
-}
-
-// Maximum deviation from the mean over the last 0.2 m (or what there is) before the defect.
-void addQuietness(std::vector<PaperRow>& rows, const RunResult& result) {
-  const double end = defectBegins(result), begin = end - 0.2;
-  const auto* values = result.signal("aba_filtered");
-  if (!values || values->size() != result.position.size()) return;
-  std::vector<double> window;
-  double first = end;
-  for (std::size_t i = 0; i < values->size(); ++i)
-    if (result.position[i] >= begin && result.position[i] <= end) {
-      first = std::min(first, result.position[i]);
-      window.push_back((*values)[i]);
-    }
-  if (window.size() < 2) return;
-  double mean = 0, largest = 0;
-  for (const double value : window) mean += value / static_cast<double>(window.size());
-  for (const double value : window) largest = std::max(largest, std::abs(value - mean));
-  constexpr double limit = 5;  // [m/s2]
+void addQuietness(std::vector<PaperRow>& rows, const RunResult& result, const validation::Reference& reference) {
+  const auto seen = validation::residualVibration(result);
+  if (!seen) return;
   char what[64];
-  std::snprintf(what, sizeof what, "residual vibration before the defect (%.2f m)", end - first);
-  rows.push_back({what, number(largest, "m/s2"), "limit " + number(limit, "m/s2"), passed(largest < limit)});
+  std::snprintf(what, sizeof what, "residual vibration before the defect (%.2f m)", seen->length);
+  PaperRow row{what, number(seen->largest, "m/s2"), "", ""};
+  if (const auto limit = validation::residualVibrationLimit(reference)) {
+    row.paper = "limit " + number(*limit, "m/s2");
+    row.verdict = passed(seen->largest <= *limit);
+  }
+  rows.push_back(row);
 }
 
-// Maximum error of the energy balance, relative to the strain energy at equilibrium plus all dissipation.
 void addEnergy(std::vector<PaperRow>& rows, const RunResult& result) {
-  const auto residual = scalarNamed(result.performance, "energy_residual");
-  if (!residual) return;
-  rows.push_back({"energy balance error, maximum", number(100 * *residual, "%"), "limit 0.1 %",
-                  passed(std::abs(*residual) < 0.001)});
+  if (const auto error = validation::energyError(result))
+    rows.push_back({"energy balance error, maximum", number(100 * *error, "%"),
+                    "limit " + number(100 * validation::energyErrorLimit, "%"),
+                    passed(*error < validation::energyErrorLimit)});
 }
 
 // Only where the rail may yield.
@@ -217,7 +147,7 @@ void addCost(std::vector<PaperRow>& rows, const RunResult& result) {
                        const char* unit) {
     if (const auto value = scalarNamed(list, name)) rows.push_back({what, number(factor * *value, unit), "", ""});
   };
-  add(result.meshFigures, "elements", "elements", 1, "");
+  add(result.meshFigures, "elements", "elements of the mesh", 1, "");
   add(result.performance, "steps", "time steps", 1, "");
   add(result.meshFigures, "stable_step", "stable time step", 1e6, "us");
   add(result.performance, "element_updates_per_second", "element updates per second", 1e-6, "million");
@@ -233,34 +163,46 @@ std::optional<double> scalarNamed(const std::vector<results::Scalar>& list, cons
   return std::nullopt;
 }
 
-std::vector<PaperRow> paperRows(const RunResult& result) {
+namespace {
+
+std::vector<PaperRow> rowsOf(const RunResult& result, const validation::Reference& reference,
+                             const validation::RunJudgement& run) {
   std::vector<PaperRow> rows;
-  const auto nearest = validation::paperCaseOf(result);
-  const std::string paper = paperName(nearest);
-  if (nearest) addChangedKeys(rows, *nearest);
-  addPeak(rows, result, "aba_filtered", "axle box acceleration, maximum / minimum",
-          paper == "light-defect" ? "115 m/s² computed, 100 measured" : "");
-  addPeak(rows, result, "wheel_acceleration_filtered", "wheel centre acceleration, maximum / minimum", "");
+  if (run.nearest) addChangedKeys(rows, *run.nearest);
+  addPeak(rows, result, "aba_filtered", "axle box acceleration, maximum / minimum");
+  addPeak(rows, result, "wheel_acceleration_filtered", "wheel centre acceleration, maximum / minimum");
   addAnchor(rows, result);
-  addLines(rows, result, paper);
-  addWavelength(rows, result, paper);
+  addLines(rows, result);
+  addWavelength(rows, result);
+  addStatements(rows, run.judged);
   addContact(rows, result);
-  addQuietness(rows, result);
+  addQuietness(rows, result, reference);
   addPlasticity(rows, result);
   addEnergy(rows, result);
   addCost(rows, result);
   return rows;
 }
 
+bool missesALine(const std::vector<validation::Judged>& judged) {
+  return std::any_of(judged.begin(), judged.end(), [](const auto& one) {
+    return one.statement.measure == "line" && one.verdict == validation::Verdict::notMet;
+  });
+}
+
+}  // namespace
+
+std::vector<PaperRow> paperRows(const RunResult& result) {
+  const auto reference = validation::installedReference();
+  return rowsOf(result, reference, validation::judgeRun(reference, result));
+}
+
 std::string paperTable(const RunResult& result) {
+  const auto reference = validation::installedReference();
+  const auto run = validation::judgeRun(reference, result);
   TextTable table({result.stem, "this run", "paper or theory", ""});
-  bool missed = false;
-  for (const auto& row : paperRows(result)) {
-    table.add({row.what, row.ours, row.paper, row.verdict});
-    missed = missed || (row.verdict == "not met" && startsWith(row.what, "line "));
-  }
-  auto text = table.text(kTerminalWidth);
-  if (missed && !result.modes.empty())
+  for (const auto& row : rowsOf(result, reference, run)) table.add({row.what, row.ours, row.paper, row.verdict});
+  auto text = table.text(kTerminalWidth) + reasonsText(run.judged);
+  if (missesALine(run.judged) && !result.modes.empty())
     text += "\nA spectral line of the paper is not met. Natural modes of the free half wheelset, for comparison:\n" +
             modesTable(result);
   return text;

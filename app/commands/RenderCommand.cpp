@@ -17,6 +17,7 @@ struct RenderOptions {
 };
 
 int render(const RenderOptions& options) {
+  checkFigureNames(options.figures, options.formats);
   const auto result = results::readResult(options.result);
   makeFolder(options.folder);
   const auto output = writeFigures(result, options.folder, options.figures, options.formats);

@@ -131,7 +131,7 @@ int run(const RunCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
   keepInputs(files, options.caseOptions.name, description);
-  if (!options.noFigures) checkFigureNames(options.figures, options.formats, description.rail.plastic);
+  if (!options.noFigures) checkFigureNames(options.figures, options.formats, &description);
   const OutputFolder folder(options.folder);
   prepareFolder(files);
   const FolderLock owner(options.folder, "squat run " + options.caseOptions.name);

@@ -7,9 +7,6 @@
 #include <optional>
 
 #include "case/CaseFile.h"
-#include "case/ParameterTable.h"
-#include "case/ParameterValue.h"
-#include "case/ShippedCases.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
@@ -24,6 +21,7 @@
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
 #include "validation/Judge.h"
+#include "validation/PaperCase.h"
 #include "validation/Sensitivity.h"
 
 namespace squat::commands {
@@ -95,10 +93,6 @@ bool makeAll(const ValidateOptions& options, const validation::Reference& refere
   return well;
 }
 
-std::string meshOf(const results::RunResult& result) {
-  return cases::valueText(results::caseOf(result).description, *cases::findParameter("mesh.preset"));
-}
-
 // What stands in a folder, whatever mesh or version made it; says where it is not what the reference asks for. Returns
 // the mesh preset of the results.
 std::string readAll(const ValidateOptions& options, const validation::Reference& reference, Results& results,
@@ -116,7 +110,7 @@ std::string readAll(const ValidateOptions& options, const validation::Reference&
       monitor.message(files.result() + " is incomplete (" + result.stopReason + "): its statements are not judged");
       continue;
     }
-    const auto own = meshOf(result);
+    const auto own = validation::meshPresetOf(result);
     if (mesh.empty()) mesh = own;
     auto asked = options;
     asked.mesh = own;
@@ -186,9 +180,8 @@ int cancelled() {
 }
 
 int validate(const ValidateOptions& options) {
-  const auto path =
-      options.reference.empty() ? (cases::resourcesFolder() / "reference/paper.json").string() : options.reference;
-  const auto reference = validation::readReference(path);
+  const auto reference =
+      validation::readReference(options.reference.empty() ? validation::paperReferencePath() : options.reference);
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);

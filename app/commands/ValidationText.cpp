@@ -8,9 +8,6 @@ namespace {
 
 using validation::Verdict;
 
-// A ratio is a pure number.
-std::string withUnit(double value, const std::string& unit) { return number(value, unit == "ratio" ? "" : unit); }
-
 std::string stated(const std::string& value, const std::string& unit) {
   return unit == "1" || unit.empty() ? value : value + " " + unit;
 }
@@ -40,19 +37,29 @@ std::string countsText(const std::vector<validation::Judged>& judged) {
          " not met, " + std::to_string(countOf(judged, Verdict::notJudged)) + " not judged";
 }
 
+// A ratio is a pure number.
+std::string valueText(const validation::Judged& one) {
+  const auto& unit = one.statement.unit;
+  return one.value ? number(*one.value, unit == "ratio" ? "" : unit) : "none";
+}
+
 std::string statementsText(const std::vector<validation::Judged>& judged) {
   TextTable table({"section", "statement of the paper", "result", "accepted", "verdict"});
+  for (const auto& one : judged)
+    table.add({one.statement.section, one.statement.name, valueText(one), validation::rangeText(one.statement),
+               validation::toText(one.verdict)});
+  return table.text(kTerminalWidth) + reasonsText(judged);
+}
+
+std::string reasonsText(const std::vector<validation::Judged>& judged) {
   std::string reasons;
   for (const auto& one : judged) {
-    const auto& s = one.statement;
-    table.add({s.section, s.name, one.value ? withUnit(*one.value, s.unit) : "none", validation::rangeText(s),
-               validation::toText(one.verdict)});
     if (one.value || one.why.empty()) continue;
-    TextTable reason({s.name + ": " + one.why});
+    TextTable reason({one.statement.name + ": " + one.why});
     const auto text = reason.text(kTerminalWidth);
     reasons += text.substr(0, text.rfind('\n', text.size() - 2) + 1);  // without the line below a head
   }
-  return table.text(kTerminalWidth) + (reasons.empty() ? "" : "\n" + reasons);
+  return reasons.empty() ? "" : "\n" + reasons;
 }
 
 std::string parametersText(const std::vector<validation::ComparedParameter>& parameters) {

@@ -10,8 +10,11 @@
 namespace squat::commands {
 
 std::string countsText(const std::vector<validation::Judged>& judged);  // "9 met, 11 not met, 2 not judged"
-// Below the table: why there is no result, for each statement without one.
+// Below the table: reasonsText().
 std::string statementsText(const std::vector<validation::Judged>& judged);
+std::string valueText(const validation::Judged& judged);  // "1041 Hz"; "none"
+// Why there is no result, for each statement without one, below an empty line; empty where all have one.
+std::string reasonsText(const std::vector<validation::Judged>& judged);
 // How many match the paper, and a table of the others.
 std::string parametersText(const std::vector<validation::ComparedParameter>& parameters);
 std::string numbersText(const validation::Reference& reference);

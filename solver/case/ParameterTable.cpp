@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "case/Applicability.h"
 #include "case/DecimalNumber.h"
@@ -26,7 +27,7 @@ Parameter row(const char* key, Kind kind, Access access, const char* doc, const 
   parameter.key = key;
   parameter.group = groupOf(parameter.key);
   parameter.kind = kind;
-  parameter.access = access;
+  parameter.access = std::move(access);
   parameter.doc = doc;
   parameter.source = source;
   return parameter;
@@ -49,7 +50,7 @@ Parameter number(const char* key, Unit unit, double standard, Range range, doubl
 Parameter wholeNumber(const char* key, double standard, Range range, Access access, const char* doc,
                       const char* source) {
   Parameter parameter = number(key, none, standard, range, nullptr, doc, source);
-  parameter.access = access;
+  parameter.access = std::move(access);
   parameter.integer = true;
   return parameter;
 }
@@ -105,7 +106,7 @@ Parameter seats(const char* key, std::vector<Seat>& (*access)(CaseDescription&),
 
 namespace {
 
-Parameter withRequirement(Requirement requirement, Parameter parameter) {
+Parameter withRequirement(const Requirement& requirement, Parameter parameter) {
   if (parameter.condition.empty()) parameter.condition.emplace_back();
   for (auto& alternative : parameter.condition) alternative.insert(alternative.begin(), requirement);
   return parameter;

@@ -92,7 +92,8 @@ Scalogram scalogram(const TimeSeries& series, const WaveletOptions& options) {
   Scalogram result;
   result.frequency = frequenciesFor(series, options);
   const TimeSeries seen = seenPart(series, options);
-  const auto [begin, end] = shownSamples(seen, options);
+  const auto shown = shownSamples(seen, options);
+  const auto begin = shown.first, end = shown.second;  // no names of a pair: clang lets no lambda hold those
   const std::size_t n = end - begin;
   const std::size_t cell = std::clamp<std::size_t>(options.cell, 1, n);
   const std::size_t columns = (n + cell - 1) / cell;

@@ -20,7 +20,10 @@ double freeMemory() {
 int jobsThatFit(int threadsPerRun, double bytesPerRun) {
   double jobs = std::numeric_limits<int>::max();
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  if (threadsPerRun > 0 && cores > 0) jobs = std::min(jobs, static_cast<double>(cores / threadsPerRun));
+  if (threadsPerRun > 0 && cores > 0) {
+    const int sharing = cores / threadsPerRun;  // whole runs
+    jobs = std::min(jobs, static_cast<double>(sharing));
+  }
   const double memory = freeMemory();
   if (bytesPerRun > 0 && memory > 0) jobs = std::min(jobs, 0.9 * memory / bytesPerRun);
   if (jobs >= std::numeric_limits<int>::max()) return 1;

@@ -15,7 +15,7 @@ namespace squat::validation {
 
 namespace {
 
-using Results = std::map<std::string, results::RunResult>;
+using Results = std::map<std::string, const results::RunResult*>;
 
 bool isAboutALine(const Statement& statement) { return statement.measure == "line" && statement.against.empty(); }
 
@@ -52,7 +52,7 @@ std::map<std::size_t, double> ownLines(const std::vector<Statement>& statements,
   std::map<std::size_t, double> shared;
   for (const auto& [key, group] : groups)
     if (const auto found = results.find(key.first); found != results.end())
-      shareLines(statements, group, found->second, shared);
+      shareLines(statements, group, *found->second, shared);
   return shared;
 }
 
@@ -85,11 +85,11 @@ Judged judgeOne(const Statement& statement, std::size_t place, const Results& re
     const auto found = results.find(name);
     if (found == results.end()) return notJudged(judged, "no result of run " + name);
     if (isAboutALine(statement)) {
-      judged = judgeLine(judged, found->second, lines, place);
+      judged = judgeLine(judged, *found->second, lines, place);
       if (!judged.value) return judged;
       continue;
     }
-    const auto value = measure(found->second, statement);
+    const auto value = measure(*found->second, statement);
     if (!value || !std::isfinite(*value) || (name == statement.against && *value == 0))
       return notJudged(judged, "cannot be determined from run " + name);
     judged.value = judged.value ? *judged.value / *value : *value;
@@ -106,18 +106,34 @@ std::vector<Judged> judgeAll(const std::vector<Statement>& statements, const Res
   return all;
 }
 
-std::string bound(double value) { return std::isinf(value) ? std::string() : text::numberText(value); }
-
-}  // namespace
-
-std::vector<Judged> judge(const Reference& reference, const Results& results, const std::string& mesh) {
-  auto all = judgeAll(reference.statements, results, mesh);
-  auto statements = reference.statements;
+// With the numbers at the wheel centre beside them.
+std::vector<Judged> judgeHereAndThere(std::vector<Statement> statements, const Results& results,
+                                      const std::string& mesh) {
+  auto all = judgeAll(statements, results, mesh);
   for (auto& statement : statements) statement.point = wheelCentre;
   const auto elsewhere = judgeAll(statements, results, mesh);
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i].statement.measure != "elements") all[i].elsewhere = elsewhere[i].value;
   return all;
+}
+
+std::string bound(double value) { return std::isinf(value) ? std::string() : text::numberText(value); }
+
+}  // namespace
+
+std::vector<Judged> judge(const Reference& reference, const std::map<std::string, results::RunResult>& results,
+                          const std::string& mesh) {
+  Results seen;
+  for (const auto& [name, result] : results) seen.emplace(name, &result);
+  return judgeHereAndThere(reference.statements, seen, mesh);
+}
+
+std::vector<Judged> judgeAlone(const Reference& reference, const std::string& run, const results::RunResult& result,
+                               const std::string& mesh) {
+  std::vector<Statement> own;
+  for (const auto& statement : reference.statements)
+    if (statement.run == run && statement.against.empty()) own.push_back(statement);
+  return judgeHereAndThere(own, {{run, &result}}, mesh);
 }
 
 std::string toText(Verdict verdict) {

@@ -28,6 +28,10 @@ struct Judged {
 std::vector<Judged> judge(const Reference& reference, const std::map<std::string, results::RunResult>& results,
                           const std::string& mesh);
 
+// The statements about one run that need no other, as judge() has them.
+std::vector<Judged> judgeAlone(const Reference& reference, const std::string& run, const results::RunResult& result,
+                               const std::string& mesh);
+
 std::string toText(Verdict verdict);                // "met", "not met", "not judged"
 std::string rangeText(const Statement& statement);  // "250 to 400 Hz", "at least 1.05"; empty for "none"
 int countOf(const std::vector<Judged>& judged, Verdict verdict);

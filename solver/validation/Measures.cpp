@@ -8,6 +8,7 @@
 #include "laboratory/RunFeatures.h"
 #include "signals/BandDecay.h"
 #include "signals/SignalError.h"
+#include "validation/RunChecks.h"
 
 namespace squat::validation {
 
@@ -118,16 +119,8 @@ std::optional<double> impactTop(const RunResult& result, const Statement& statem
 }
 
 std::optional<double> quiet(const RunResult& result, const Statement& statement) {
-  const auto* aba = result.signal(channelOf(statement));
-  if (!aba || aba->size() != result.position.size()) return std::nullopt;
-  std::vector<double> window;
-  for (std::size_t i = 0; i < aba->size(); ++i)
-    if (result.position[i] >= -0.24 && result.position[i] <= -0.04) window.push_back((*aba)[i]);
-  if (window.size() < 2) return std::nullopt;
-  double mean = 0, largest = 0;
-  for (const double value : window) mean += value / static_cast<double>(window.size());
-  for (const double value : window) largest = std::max(largest, std::abs(value - mean));
-  return largest;
+  const auto seen = residualVibration(result, channelOf(statement));
+  return seen ? std::optional(seen->largest) : std::nullopt;
 }
 
 const std::map<std::string, Measure>& measures() {

@@ -22,7 +22,7 @@ namespace squat::validation {
 //                   what rings as long is a stronger line beside the band
 //   impact_top      [Hz] highest frequency with 5 % of the scalogram's largest power, within 10 mm of the deepest point
 //                   of the defect
-//   quiet           [m/s2] largest deviation from the mean over 0.2 m before the defect (-0.24 to -0.04 m)
+//   quiet           [m/s2] residualVibration() of RunChecks.h
 // Spectra reach from 0.1 m before the impact to 0.28 m behind it; those for lines or bands at or below 320 Hz, a period
 // of which takes 0.1 m, to 0.58 m where the run goes that far.
 std::vector<std::string> measureNames();
@@ -35,6 +35,7 @@ struct Lines {
   std::vector<double> frequencies;  // most prominent first
   double resolution = 0;
 };
+// Nothing where the record is too short. A statement that names no line takes the window of the impact.
 std::optional<Lines> strongLines(const results::RunResult& result, const Statement& statement);
 
 }  // namespace squat::validation

@@ -50,7 +50,7 @@ std::optional<PaperCase> paperCaseOf(const results::RunResult& result) {
   try {
     const auto& ours = result.resolvedCase->description;
     cases::CaseOverrides overrides;
-    overrides.preset = cases::valueText(ours, *cases::findParameter("mesh.preset"));
+    overrides.preset = meshPresetOf(result);
     for (const char* name : kPaperCases) {
       auto changed = differences(ours, cases::loadCase(name, overrides));
       if (!nearest || changed.size() < nearest->changed.size()) nearest = PaperCase{name, std::move(changed)};
@@ -62,6 +62,10 @@ std::optional<PaperCase> paperCaseOf(const results::RunResult& result) {
   }
   if (std::any_of(nearest->changed.begin(), nearest->changed.end(), isDefect)) return std::nullopt;
   return nearest;
+}
+
+std::string meshPresetOf(const results::RunResult& result) {
+  return cases::valueText(results::caseOf(result).description, *cases::findParameter("mesh.preset"));
 }
 
 }  // namespace squat::validation

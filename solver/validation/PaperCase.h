@@ -25,4 +25,7 @@ struct PaperCase {
 // number of wavelets. Nothing where the defect is another one, and where the result carries no case.
 std::optional<PaperCase> paperCaseOf(const results::RunResult& result);
 
+// The mesh preset that a result was made on. Throws FileError where it carries no case that this version can read.
+std::string meshPresetOf(const results::RunResult& result);
+
 }  // namespace squat::validation

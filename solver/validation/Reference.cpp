@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case/ParameterTable.h"
+#include "case/ShippedCases.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "validation/Measures.h"
@@ -151,5 +152,7 @@ Reference readReference(const std::string& path) {
     throw FileError(path, place, error.what());
   }
 }
+
+std::string paperReferencePath() { return (cases::resourcesFolder() / "reference/paper.json").string(); }
 
 }  // namespace squat::validation

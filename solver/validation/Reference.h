@@ -67,4 +67,7 @@ struct Reference {
 // upside down, newer schema.
 Reference readReference(const std::string& path);
 
+// The paper's statements as they are installed.
+std::string paperReferencePath();
+
 }  // namespace squat::validation

@@ -46,7 +46,8 @@ class Looks : public testing::Test {
   void SetUp() override {
     window_ = std::make_unique<MainWindow>(tests::services());
     window_->openCase("light-defect");
-    window_->store().add({std::make_shared<const results::RunResult>(seenRun()), "light-defect #1", QString(), false});
+    window_->store().add(
+        {std::make_shared<const results::RunResult>(seenRun()), "light-defect #1", QString(), false});
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   }

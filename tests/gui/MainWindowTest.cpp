@@ -38,7 +38,7 @@ namespace {
 // What a tab is for, seen: a figure of signals has points within its axes, or a map.
 QString widgetOf(const QString& tab) {
   if (tab == "profile") return "profileTable";
-  if (tab == "3d") return "scene";
+  if (tab == "model") return "scene";
   if (tab == "paper") return "paperTitle";
   if (tab == "run" || tab == "runs") return tab;
   return "view " + tab;
@@ -46,8 +46,10 @@ QString widgetOf(const QString& tab) {
 
 bool hasData(plots::Figure& figure) {
   const QCPRange seen = figure.xAxis->range();
-  for (int i = 0; i < figure.plottableCount(); ++i)
-    if (qobject_cast<const QCPColorMap*>(figure.plottable(i))) return true;
+  for (int i = 0; i < figure.plottableCount(); ++i) {
+    const auto* curve = qobject_cast<const QCPCurve*>(figure.plottable(i));
+    if (qobject_cast<const QCPColorMap*>(figure.plottable(i)) || (curve && curve->dataCount() > 10)) return true;
+  }
   for (int i = 0; i < figure.graphCount(); ++i) {
     const auto data = figure.graph(i)->data();
     if (std::count_if(data->constBegin(), data->constEnd(), [&](const auto& at) { return seen.contains(at.key); }) > 10)

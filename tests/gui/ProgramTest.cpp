@@ -60,7 +60,7 @@ TEST(Program, aPictureOfTheWindowAtPlainAndDoubleResolution) {
   const QString result = folder.filePath("run.h5");
   results::writeResult(result.toStdString(), tests::syntheticResult());
   const QString plain = folder.filePath("plain.png"), twice = folder.filePath("twice.png");
-  const Outcome first = studio({"--screenshot", plain, "--result", result, "--tab", "aba"});
+  const Outcome first = studio({"--screenshot", plain, "--result", result, "--tab", "aba_position"});
   ASSERT_EQ(first.code, 0) << first.error.toStdString();
   const Outcome second =
       studio({"--screenshot", twice, "--case", "light-defect", "--tab", "profile", "--size", "1280x700"}, "2");

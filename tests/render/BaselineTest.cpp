@@ -7,6 +7,7 @@
 #include <QString>
 
 #include "plots/Application.h"
+#include "plots/FigureRegistry.h"
 #include "plots/Figures.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
@@ -20,9 +21,9 @@ TEST(Baseline, figuresLookAsTheyDid) {
   const QString kept = QStringLiteral(SQUAT_SOURCE_DIR "/tests/render/baselines/%1.png");
   const QString now = QString::fromStdString(folder) + "/now_%1.png";
   plots::renderFigures(tests::syntheticResult(), folder, {{}, {"png"}});
-  for (const auto& name : plots::figureNames()) {
-    const QString figure = QString::fromStdString(name);
-    const QImage small = tests::thumbnail(QImage(QString::fromStdString(folder + "/" + name + ".png")), 251);
+  for (const auto& row : plots::figureRegistry()) {
+    const QString figure = QString::fromStdString(row.name);
+    const QImage small = tests::thumbnail(QImage(QString::fromStdString(folder + "/" + row.name + ".png")), 251);
     small.save(now.arg(figure));
     const QImage baseline(kept.arg(figure));
     // Another version of the font library moves letters by a pixel (0.01 to 0.02); a missing curve, label or colour

@@ -82,6 +82,19 @@ TEST_F(FigureContent, contactForceShowsZero) {
   EXPECT_GT(figure->yAxis->range().upper, 87.8);  // kN
 }
 
+TEST_F(FigureContent, tracksideShowsRailAndSleeperInTheJudgedWindow) {
+  const auto figure = plots::tracksideFigure(result_, plots::lightStyle());
+  ASSERT_EQ(figure->graphCount(), 2);
+  EXPECT_EQ(figure->xAxis->range(), QCPRange(-100, 280));
+  const auto& rail = *result_.signal("rail_acceleration");
+  ASSERT_EQ(figure->graph(0)->dataCount(), static_cast<int>(rail.size()));
+  const auto highest = std::max_element(rail.begin(), rail.end());
+  const auto& drawn = *figure->graph(0)->data()->at(static_cast<int>(highest - rail.begin()));
+  EXPECT_DOUBLE_EQ(drawn.value, *highest);
+  EXPECT_DOUBLE_EQ(drawn.key, 1e3 * result_.position[static_cast<std::size_t>(highest - rail.begin())]);
+  EXPECT_GT(figure->yAxis->range().upper, *highest);
+}
+
 TEST_F(FigureContent, permanentChangeShowsTheGrooveInMicrometres) {
   const auto figure = plots::permanentChangeFigure(result_, plots::lightStyle());
   // The made-up groove: 2 um along the rail, 3 um behind the dip.

@@ -23,6 +23,19 @@ double line(double frequency, double centre, double decay) {
   return 1 / (1 + detuning * detuning);
 }
 
+// The wheel passes the sensors beside the defect: the rail answers at once, the sleeper later and less.
+void addTrackside(results::RunResult& result) {
+  results::Channel rail{"rail_acceleration", "m/s2", "rail foot", {}};
+  results::Channel sleeper{"sleeper_acceleration", "m/s2", "nearest sleeper", {}};
+  for (const double time : result.time) {
+    const double since = time - runUp / speed;
+    rail.values.push_back(ringing(since, 220, 350));
+    sleeper.values.push_back(ringing(since - 0.5e-3, 60, 10));
+  }
+  result.signals.push_back(rail);
+  result.signals.push_back(sleeper);
+}
+
 void addSignals(results::RunResult& result) {
   const auto count = static_cast<int>((runUp + beyond) / speed * rate) + 1;
   results::Channel box{"aba_filtered", "m/s2", "axle box, vertical, low-passed", {}};
@@ -41,6 +54,7 @@ void addSignals(results::RunResult& result) {
   results::Channel raw = box;
   raw.name = "aba";
   result.signals = {raw, box, wheel, force, creep};
+  addTrackside(result);
 }
 
 void addSpectra(results::RunResult& result) {
@@ -112,6 +126,26 @@ void addPermanent(results::RunResult& result) {
   }
 }
 
+// Hertz's pressure over an ellipse of 14 x 10 mm, slipping in its rear third.
+void addPatch(results::RunResult& result) {
+  results::PatchSnapshot patch;
+  patch.name = "impact";
+  constexpr double along = 7e-3, across = 5e-3, size = 1.3e-3, highest = 1.2e9;
+  for (int i = -6; i <= 6; ++i)
+    for (int j = -6; j <= 6; ++j) {
+      const double x = size * i, y = size * j;
+      const double left = 1 - x * x / (along * along) - y * y / (across * across);
+      patch.x.push_back(static_cast<float>(x));
+      patch.y.push_back(static_cast<float>(y));
+      patch.pressure.push_back(static_cast<float>(highest * std::sqrt(std::max(left, 0.0))));
+      patch.tractionX.push_back(0.3f * patch.pressure.back());
+      patch.tractionY.push_back(0);
+      patch.slipping.push_back(x < -along / 3);
+      patch.area.push_back(static_cast<float>(size * size));
+    }
+  result.patches.push_back(patch);
+}
+
 }  // namespace
 
 results::RunResult syntheticResult() {
@@ -128,6 +162,7 @@ results::RunResult syntheticResult() {
   addSpectra(result);
   addProfile(result);
   addPermanent(result);
+  addPatch(result);
   result.equilibrium.push_back({"contact_force", "N", "vertical", 87.8e3});
   result.surface = syntheticSurface(-runUp);
   result.snapshots.push_back(syntheticSnapshot(result.surface, -runUp, runUp + 0.004));

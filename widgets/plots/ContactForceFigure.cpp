@@ -24,8 +24,7 @@ std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, con
     const double to = std::max(position.back(), 1e3 * window.to);
     addCurve(*figure, {{position.front(), to}, {level, level}, "static", 6, 0.7, Qt::DashLine});
   }
-  fitValues(*figure);
-  keepZeroInSight(*figure);  // where contact is lost
+  fitWithZero(*figure);  // where contact is lost
   setCaption(*figure, result);
   return figure;
 }

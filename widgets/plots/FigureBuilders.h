@@ -2,6 +2,7 @@
 // A result that lacks what a figure shows yields that figure with a notice in it, never an error.
 #pragma once
 
+#include <QByteArray>
 #include <memory>
 
 #include "plots/Figure.h"
@@ -25,9 +26,14 @@ std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style
 std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style);
 // The moment that it draws: the impact, else the last one that has pressures; null where there is none.
 const results::PatchSnapshot* shownPatch(const results::RunResult& result);
+// Every point of contact with pressure, traction and slip, as CSV; empty without a patch.
+QByteArray patchTable(const results::RunResult& result);
 // What plastic flow leaves in the unloaded rail: change of the running surface; stress against depth where most flowed.
 std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> residualStressFigure(const results::RunResult& result, const Style& style);
+// Accelerations of the rail foot and of the nearest sleeper beside the track; a dashed line where the wheel is over the
+// sensor.
+std::unique_ptr<Figure> tracksideFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, const Style& style);
 
 }  // namespace squat::plots

@@ -91,6 +91,17 @@ void keepZeroInSight(Figure& figure) {
   figure.yAxis->setRange(std::min(range.lower, 0.0), std::max(range.upper, 0.0));
 }
 
+void fitWithZero(Figure& figure) {
+  fitValues(figure);
+  keepZeroInSight(figure);
+}
+
+void fitDensity(Figure& figure) {
+  fitValues(figure);
+  constexpr double roomForNames = 1.12;  // of the peaks
+  figure.yAxis->setRange(0, roomForNames * figure.yAxis->range().upper);
+}
+
 void setCaption(Figure& figure, const results::RunResult& result) {
   QString left = QString::fromStdString(result.title.empty() ? result.stem : result.title);
   // In front, where a narrow figure does not cut it off.

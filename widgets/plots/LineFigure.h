@@ -37,6 +37,9 @@ void addNotice(Figure& figure, const QString& text);
 void fitValues(Figure& figure, double margin = 0.06);
 // Widens the range of y to zero.
 void keepZeroInSight(Figure& figure);
+// fitValues() with zero in sight; of a density, from zero, with room for the names of its lines.
+void fitWithZero(Figure& figure);
+void fitDensity(Figure& figure);
 
 // Caption of every figure: title, and stem with hash; says so where the run is incomplete.
 void setCaption(Figure& figure, const results::RunResult& result);

@@ -116,4 +116,18 @@ std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Styl
   return figure;
 }
 
+QByteArray patchTable(const results::RunResult& result) {
+  const results::PatchSnapshot* patch = shownPatch(result);
+  if (!patch) return {};
+  QByteArray text = "along [m],across [m],pressure [Pa],traction along [Pa],traction across [Pa],slips\n";
+  for (std::size_t i = 0; i < patch->pressure.size(); ++i) {
+    const auto at = [i](const std::vector<float>& values) {
+      return i < values.size() ? QByteArray::number(values[i], 'g', 7) : QByteArray();
+    };
+    text += at(patch->x) + ',' + at(patch->y) + ',' + at(patch->pressure) + ',' + at(patch->tractionX) + ',' +
+            at(patch->tractionY) + ',' + (i < patch->slipping.size() && patch->slipping[i] ? "1\n" : "0\n");
+  }
+  return text;
+}
+
 }  // namespace squat::plots

@@ -47,8 +47,7 @@ std::unique_ptr<Figure> psdFigure(const results::RunResult& result, const Style&
     addCurve(*figure, {result.frequency, result.psdWheel, "wheel centre", 1, 0.8});
   const double top = result.frequency.empty() ? shownUpTo : std::min(shownUpTo, result.frequency.back());
   figure->xAxis->setRange(0, std::max(top, 1.0));
-  fitValues(*figure);
-  figure->yAxis->setRange(0, 1.12 * figure->yAxis->range().upper);
+  fitDensity(*figure);
   addLineLabels(*figure, linesOf(result));
   setCaption(*figure, result);
   return figure;

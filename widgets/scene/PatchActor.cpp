@@ -94,7 +94,7 @@ vtkSmartPointer<vtkActor> patchActor(const results::PatchSnapshot& patch, const 
     const auto colour = colourOf(patch, i, look);
     unsigned char bytes[3];
     for (std::size_t channel = 0; channel < 3; ++channel)
-      bytes[channel] = static_cast<unsigned char>(255 * colour[channel] + 0.5);
+      bytes[channel] = static_cast<unsigned char>(std::lround(255 * colour[channel]));
     shades->InsertNextTypedTuple(bytes);
   }
   vtkNew<vtkPolyData> data;

@@ -271,15 +271,14 @@ void MainWindow::setDark(bool dark) {
 }
 
 QStringList MainWindow::tabNames() {
-  return {"profile", "3d",   "paper",     "run",           "runs",          "aba",
-          "psd",     "stft", "scalogram", "contact_force", "contact_patch", "defect_profile"};
+  return QStringList{"profile", "model", "paper", "run", "runs"} + SignalsPanel::names();
 }
 
 bool MainWindow::showTab(const QString& name) {
   if (!tabNames().contains(name)) return false;
   if (name == "profile")
     middle_->setCurrentWidget(profile_);
-  else if (name == "3d")
+  else if (name == "model")
     middle_->setCurrentWidget(scene_);
   else if (name == "paper")
     middle_->setCurrentWidget(paper_);

@@ -74,7 +74,7 @@ class MainWindow : public QMainWindow {
   void startRun() { beginRun(false); }
   void goOnWithRun() { beginRun(true); }  // with the one of this case that was stopped
   void setDark(bool dark);
-  // "profile", "3d", "paper", "run", "runs", or one of the signals panel's; false for another name.
+  // "profile", "model", "paper", "run", "runs", or one of the signals panel's; false for another name.
   bool showTab(const QString& name);
   static QStringList tabNames();
 

@@ -33,12 +33,21 @@ QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, const c
   return action;
 }
 
-// As the tab itself is headed: "contact_force" -> "contact force", "psd" -> "PSD".
+// As it reads behind "Show": "contact force", "3-D model".
 QString tabTitle(const QString& name) {
-  if (name == "3d") return QObject::tr("3-D model");
+  if (name == "model") return QObject::tr("3-D model");
   if (name == "paper") return QObject::tr("comparison with the paper");
-  if (name == "aba" || name == "psd" || name == "stft") return name.toUpper();
-  return QString(name).replace('_', ' ');
+  if (!SignalsPanel::names().contains(name)) return name;
+  const QString title = QString::fromStdString(plots::figureRow(name.toStdString()).title);
+  return title.left(1).toLower() + title.mid(1);
+}
+
+// Ctrl+1 to Ctrl+9, then Ctrl+Alt+1 to Ctrl+Alt+9; no keys beyond.
+QKeySequence tabKeys(int index) {
+  constexpr int digits = 9;
+  if (index >= 2 * digits) return {};
+  return QKeySequence(
+      (index < digits ? QStringLiteral("Ctrl+%1") : QStringLiteral("Ctrl+Alt+%1")).arg(index % digits + 1));
 }
 
 }  // namespace
@@ -138,12 +147,10 @@ void MainWindow::makeFigureMenu() {
 
 void MainWindow::makeViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
-  const char* keys[] = {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4",     "Ctrl+5",     "Ctrl+6",
-                        "Ctrl+7", "Ctrl+8", "Ctrl+9", "Ctrl+Alt+1", "Ctrl+Alt+2", "Ctrl+Alt+3"};
   int index = 0;
   for (const QString& name : tabNames()) {
     QAction* action = menu->addAction(tr("Show %1").arg(tabTitle(name)), this, [this, name] { showTab(name); });
-    action->setShortcut(QKeySequence(QLatin1String(keys[index++])));
+    action->setShortcut(tabKeys(index++));
     action->setObjectName("show " + name);
   }
   menu->addSeparator();

@@ -10,10 +10,9 @@
 namespace squat::studio {
 
 struct SignalSettings {
-  double cutoff = 2000;           // [Hz] low-pass, Butterworth of order 4 forward and back
-  std::string window = "hann";    // of the spectrum
-  double from = -0.1, to = 0.28;  // [m] stretch of the spectrum
-  bool againstTime = false;
+  double cutoff = 2000;                // [Hz] low-pass, Butterworth of order 4 forward and back
+  std::string window = "hann";         // of the spectrum
+  double from = -0.1, to = 0.28;       // [m] stretch of the spectrum
   std::size_t segment = 128, hop = 4;  // [samples] of the short-time Fourier transform
 };
 

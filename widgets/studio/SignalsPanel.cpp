@@ -20,6 +20,9 @@
 #include "case/CaseFile.h"
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
+#include "plots/FigureRegistry.h"
+#include "plots/Overlays.h"
+#include "scene/ModelPicture.h"
 #include "studio/EditorHabits.h"
 #include "studio/FigureView.h"
 #include "studio/FlowLayout.h"
@@ -29,27 +32,24 @@
 namespace squat::studio {
 namespace {
 
-const QList<QPair<QString, QString>>& tabTitles() {
-  static const QList<QPair<QString, QString>> titles{{"aba", QObject::tr("ABA")},
-                                                     {"psd", QObject::tr("PSD")},
-                                                     {"stft", QObject::tr("STFT")},
-                                                     {"scalogram", QObject::tr("CWT")},
-                                                     {"contact_force", QObject::tr("Force")},
-                                                     {"contact_patch", QObject::tr("Patch")},
-                                                     {"defect_profile", QObject::tr("Defect")}};
-  return titles;
+// The figures that have a tab here; the 3-D picture has one of its own in the window.
+std::vector<const plots::FigureRow*> tabRows() {
+  std::vector<const plots::FigureRow*> rows;
+  for (const auto& row : plots::figureRegistry())
+    if (row.kind == plots::FigureKind::plot) rows.push_back(&row);
+  return rows;
 }
 
-// What the short titles stand for.
-QString tabToolTip(const QString& name) {
-  static const QMap<QString, QString> full{{"aba", QObject::tr("Axle box acceleration")},
-                                           {"psd", QObject::tr("Power spectral density")},
-                                           {"stft", QObject::tr("Short-time Fourier transform")},
-                                           {"scalogram", QObject::tr("Scalogram: continuous wavelet transform")},
-                                           {"contact_force", QObject::tr("Contact force")},
-                                           {"contact_patch", QObject::tr("Contact patch")},
-                                           {"defect_profile", QObject::tr("Profile of the defect")}};
-  return full.value(name);
+const plots::FigureRow& rowOf(const QString& name) { return plots::figureRow(name.toStdString()); }
+
+QString nameOf(const plots::FigureRow& row) { return QString::fromStdString(row.name); }
+
+QString unitOf(const QString& name) { return QString::fromStdString(plots::unitOf(rowOf(name).axis)); }
+
+// Views along the track zoom together, whatever their unit: the speed links time and position.
+bool isInMilliseconds(const QString& name) { return rowOf(name).axis == plots::FigureAxis::time; }
+bool isLinked(const QString& name) {
+  return rowOf(name).axis == plots::FigureAxis::wheelPosition || isInMilliseconds(name);
 }
 
 ResultPointer noRun(const QString& title) {
@@ -71,20 +71,19 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   layout->setSpacing(2);
   layout->addWidget(makeControls());
   layout->addWidget(tabs_, 1);
-  for (const auto& [name, title] : tabTitles()) {
+  for (const auto* row : tabRows()) {
+    const QString name = nameOf(*row);
     auto* view = new FigureView(name, tabs_);
     views_[name] = view;
-    tabs_->setTabToolTip(tabs_->addTab(makePage(name, view), title), tabToolTip(name));
+    tabs_->addTab(makePage(row->control, view), QString::fromStdString(row->tab));
     connect(view, &FigureView::failed, this, &SignalsPanel::failed);
     if (!isLinked(name)) continue;
-    const QString from = name;
-    connect(view, &FigureView::rangeChanged, this, [this, from](const QCPRange& range) { link(from, range); });
+    connect(view, &FigureView::rangeChanged, this, [this, name](const QCPRange& range) { link(name, range); });
   }
   const QMargins around = layout->contentsMargins();
   setMinimumWidth(tabs_->tabBar()->sizeHint().width() + around.left() + around.right());  // no tab behind an arrow
   letWheelPass(*this);
-  connect(tabs_, &QTabWidget::currentChanged, this,
-          [this] { rebuild(tabTitles().value(tabs_->currentIndex()).first); });
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] { rebuild(names().value(tabs_->currentIndex())); });
   connect(&store_, &RunStore::currentChanged, this, [this] {
     linked_.reset();
     for (const auto& [name, view] : views_) view->forgetZoom();
@@ -169,19 +168,14 @@ QWidget* SignalsPanel::makeControls() {
   return bar;
 }
 
-// What applies to one figure stands above it: its axis, window or section.
-QWidget* SignalsPanel::makePage(const QString& name, FigureView* view) {
+// What applies to one figure stands above it: its window or section.
+QWidget* SignalsPanel::makePage(plots::FigureControl control, FigureView* view) {
   auto* page = new QWidget(tabs_);
   auto* rows = new QVBoxLayout(page);
   rows->setContentsMargins(0, 4, 0, 0);
   rows->setSpacing(2);
   auto* flow = new FlowLayout;
-  if (name == "aba") {
-    axis_ = choice(tr("x axis of the ABA figure"), {tr("position"), tr("time")});
-    axis_->setObjectName("abaAxis");
-    connect(axis_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
-    flow->addTogether({new QLabel(tr("x axis:")), axis_});
-  } else if (name == "psd") {
+  if (control == plots::FigureControl::spectrumSection) {
     window_ = choice(tr("Window function of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
     connect(window_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("Window")), window_});
@@ -193,7 +187,7 @@ QWidget* SignalsPanel::makePage(const QString& name, FigureView* view) {
     for (QDoubleSpinBox* box : {from_, to_}) connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("from")), from_});
     flow->addTogether({new QLabel(tr("to")), to_});
-  } else if (name == "stft") {
+  } else if (control == plots::FigureControl::shortTime) {
     segment_ = samples(tr("Window length of the short-time Fourier transform"), settings_.segment, 8192);
     segment_->setMinimum(16);
     segment_->setSingleStep(16);
@@ -222,9 +216,9 @@ FigureView* SignalsPanel::view(const QString& name) const {
   return found == views_.end() ? nullptr : found->second;
 }
 
-QStringList SignalsPanel::names() const {
+QStringList SignalsPanel::names() {
   QStringList list;
-  for (const auto& [name, title] : tabTitles()) list << name;
+  for (const auto* row : tabRows()) list << nameOf(*row);
   return list;
 }
 
@@ -247,7 +241,6 @@ void SignalsPanel::takeWindow() {
 }
 
 void SignalsPanel::update() {
-  settings_.againstTime = axis_->currentIndex() == 1;
   settings_.segment = static_cast<std::size_t>(segment_->value());
   settings_.hop = static_cast<std::size_t>(hop_->value());
   settings_.cutoff = cutoff_->value();
@@ -264,40 +257,49 @@ void SignalsPanel::update() {
   exportAll_->setEnabled(current || !store_.overlays().empty());
   // Only what is seen is drawn now; the rest when its tab is opened.
   for (const auto& name : names()) stale_[name] = true;
-  rebuild(tabTitles().value(tabs_->currentIndex()).first);
+  greyWhatDoesNotApply();
+  rebuild(names().value(tabs_->currentIndex()));
+}
+
+// Without a run there is nothing to judge by: every tab says how to get one.
+bool SignalsPanel::applies(const plots::FigureRow& row) const {
+  return !store_.currentResult() || row.applies(*store_.currentResult());
+}
+
+void SignalsPanel::greyWhatDoesNotApply() {
+  int index = 0;
+  for (const auto* row : tabRows()) {
+    const bool seen = applies(*row);
+    tabs_->setTabEnabled(index, seen);
+    tabs_->setTabToolTip(index++, QString::fromStdString(seen ? row->title : row->title + ".\n" + row->needs));
+  }
 }
 
 void SignalsPanel::rebuild(const QString& name) {
   if (!stale_[name] || !shown_) return;
   stale_[name] = false;
+  const plots::FigureRow& row = rowOf(name);
   const bool alongTrack = isLinked(name);
-  const QString unit = isInMilliseconds(name) ? "ms" : name == "psd" ? "Hz" : "mm";
+  const QString unit = unitOf(name);
   const double secondsPerMillimetre = shown_->speed > 0 ? 1e-3 / shown_->speed : 0;
   const double secondsPerUnit = !alongTrack ? 0 : unit == "ms" ? 1e-3 : secondsPerMillimetre;
   linking_ = true;
   try {
-    views_[name]->show(signalFigure(name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
-                       name == "contact_patch" ? patchTable(*shown_) : QByteArray());
+    views_[name]->show(signalFigure(row.name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
+                       row.table ? row.table(*shown_) : QByteArray());
   } catch (const std::exception& error) {  // a signal that cannot be analysed costs its figure, not the session
     problem_->setText(QString::fromStdString(error.what()));
     problem_->show();
-    views_[name]->show(signalFigure(name, *noRun(tr("This figure cannot be drawn")), {}, settings_, style_),
+    views_[name]->show(signalFigure(row.name, *noRun(tr("This figure cannot be drawn")), {}, settings_, style_),
                        secondsPerUnit, unit, {});
   }
   linking_ = false;
   applyLink(name);
 }
 
-// Views along the track zoom together, whatever their unit: the speed links time and position.
-bool SignalsPanel::isLinked(const QString& name) const {
-  return name == "aba" || name == "contact_force" || name == "stft" || name == "scalogram";
-}
-
-bool SignalsPanel::isInMilliseconds(const QString& name) const { return name == "aba" && settings_.againstTime; }
-
 void SignalsPanel::link(const QString& from, const QCPRange& range) {
   if (linking_ || !shown_ || !(shown_->speed > 0)) return;
-  const double passage = 1e3 * passageTime(*shown_);
+  const double passage = 1e3 * plots::passageTime(*shown_);
   linked_ = isInMilliseconds(from)
                 ? QCPRange((range.lower - passage) * shown_->speed, (range.upper - passage) * shown_->speed)
                 : range;
@@ -307,7 +309,7 @@ void SignalsPanel::link(const QString& from, const QCPRange& range) {
 
 void SignalsPanel::applyLink(const QString& name) {
   if (!linked_ || !isLinked(name) || stale_[name]) return;
-  const double passage = 1e3 * passageTime(*shown_);
+  const double passage = 1e3 * plots::passageTime(*shown_);
   const bool already = linking_;
   linking_ = true;
   views_[name]->setRange(isInMilliseconds(name) ? QCPRange(passage + linked_->lower / shown_->speed,
@@ -316,7 +318,7 @@ void SignalsPanel::applyLink(const QString& name) {
   linking_ = already;
 }
 
-FigureView* SignalsPanel::currentView() const { return view(tabTitles().value(tabs_->currentIndex()).first); }
+FigureView* SignalsPanel::currentView() const { return view(names().value(tabs_->currentIndex())); }
 
 void SignalsPanel::toggleCursors() { cursors_->toggle(); }
 
@@ -341,19 +343,34 @@ void SignalsPanel::askForFolder() {
 
 QStringList SignalsPanel::exportPaths(const QString& folder) const {
   QStringList paths;
-  for (const auto& name : names())
-    for (const char* ending : {"png", "svg", "pdf", "csv"}) paths << QDir(folder).filePath(name + "." + ending);
+  const QDir into(folder);
+  for (const auto& row : plots::figureRegistry()) {
+    if (!applies(row)) continue;
+    if (row.kind == plots::FigureKind::plot)
+      for (const char* ending : {"png", "svg", "pdf", "csv"}) paths << into.filePath(nameOf(row) + "." + ending);
+    else if (store_.currentResult())
+      paths << into.filePath(nameOf(row) + ".png");
+  }
   return paths;
 }
 
 QStringList SignalsPanel::exportAll(const QString& folder) {
-  const QStringList paths = exportPaths(folder);
-  for (const QString& path : paths) {
+  QStringList paths = exportPaths(folder);
+  paths.removeIf([this](const QString& path) {
     const QString name = QFileInfo(path).completeBaseName();
+    if (views_.find(name) == views_.end()) return !exportModel(path);
     rebuild(name);
     views_[name]->writeFile(path);
-  }
+    return false;
+  });
   return paths;
+}
+
+// False where this machine cannot draw it, which is said.
+bool SignalsPanel::exportModel(const QString& path) {
+  const auto outcome = scene::writeModelPicture(*store_.currentResult(), style_.colourMap, path.toStdString());
+  if (!outcome.written) Q_EMIT failed(tr("3-D picture not drawn: %1").arg(QString::fromStdString(outcome.reason)));
+  return outcome.written;
 }
 
 }  // namespace squat::studio

@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "plots/Figure.h"
+#include "plots/FigureRegistry.h"
 #include "studio/RunStore.h"
 #include "studio/SignalSettings.h"
 
@@ -27,13 +27,15 @@ class SignalsPanel : public QWidget {
   SignalsPanel(RunStore& store, const plots::Style& style, QWidget* parent = nullptr);
 
   void setStyle(const plots::Style& style);
-  // "aba", "psd", "stft", "scalogram", "contact_force", "defect_profile"
+  // The names of plots::figureRegistry() that are plots, a tab each. A figure that the current run has nothing for is
+  // greyed; its tool tip says what it needs.
+  static QStringList names();
   void showTab(const QString& name);
   FigureView* view(const QString& name) const;
-  QStringList names() const;
   FigureView* currentView() const;
   const SignalSettings& settings() const { return settings_; }
-  // Every figure as seen, in every format, and the curves as CSV. Returns the files. Throws FileError.
+  // Every figure of the run as seen, in every format, and the curves as CSV; the 3-D picture as PNG. Returns the files.
+  // Throws FileError.
   QStringList exportAll(const QString& folder);          // replaces what stands there
   QStringList exportPaths(const QString& folder) const;  // what it writes
   void askForFolder();
@@ -44,12 +46,13 @@ class SignalsPanel : public QWidget {
 
  private:
   QWidget* makeControls();
-  QWidget* makePage(const QString& name, FigureView* view);
+  QWidget* makePage(plots::FigureControl control, FigureView* view);
   void takeWindow();
   void update();
   void rebuild(const QString& name);
-  bool isLinked(const QString& name) const;
-  bool isInMilliseconds(const QString& name) const;
+  bool applies(const plots::FigureRow& row) const;
+  void greyWhatDoesNotApply();
+  bool exportModel(const QString& path);
   void link(const QString& from, const QCPRange& range);
   void applyLink(const QString& name);
 
@@ -64,7 +67,7 @@ class SignalsPanel : public QWidget {
   bool linking_ = false;
   QDoubleSpinBox *cutoff_, *from_, *to_;
   QSpinBox *segment_, *hop_;
-  QComboBox *axis_, *window_, *map_;
+  QComboBox *window_, *map_;
   QPushButton* exportAll_;
   QCheckBox* cursors_;
   QLabel* problem_;

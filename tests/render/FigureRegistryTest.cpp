@@ -1,0 +1,143 @@
+// The registry of figures: what has a row is built, written, listed and refused in one place.
+#include "plots/FigureRegistry.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <set>
+
+#include "case/CaseFile.h"
+#include "core/Errors.h"
+#include "plots/FigureBuilders.h"
+#include "plots/FigureFiles.h"
+#include "plots/Figures.h"
+#include "plots/Overlays.h"
+#include "render/PictureComparison.h"
+#include "render/SyntheticResult.h"
+#include "render/WithoutDisplay.h"
+
+namespace squat::plots {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+using FigureRegistry = tests::WithoutDisplay;
+
+TEST_F(FigureRegistry, everyRowIsComplete) {
+  std::set<std::string> names, tabs;
+  for (const auto& row : figureRegistry()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name << " stands twice";
+    EXPECT_TRUE(tabs.insert(row.tab).second) << row.tab << " stands twice";
+    EXPECT_FALSE(row.title.empty()) << row.name;
+    EXPECT_TRUE(row.needs.starts_with("Needs ") && row.needs.ends_with(".")) << row.name << ": " << row.needs;
+    ASSERT_NE(row.applies, nullptr) << row.name;
+    EXPECT_EQ(row.build != nullptr, row.kind == FigureKind::plot) << row.name;
+    EXPECT_EQ(&figureRow(row.name), &row);
+  }
+}
+
+// The made-up run has something for every figure; drawn figures differ from the notice of an empty result.
+TEST_F(FigureRegistry, everyRowIsBuiltAndNamedAsItsFile) {
+  const auto full = tests::syntheticResult();
+  results::RunResult empty;
+  for (const auto& row : figureRegistry()) {
+    EXPECT_TRUE(row.applies(full)) << row.name;
+    EXPECT_FALSE(row.applies(empty)) << row.name;
+    if (row.kind != FigureKind::plot) continue;
+    const auto figure = buildFigure(row, full, lightStyle());
+    EXPECT_EQ(figure->name().toStdString(), row.name);
+    const auto unit = QString::fromStdString("[" + unitOf(row.axis) + "]");
+    EXPECT_TRUE(figure->xAxis->label().endsWith(unit)) << row.name << ": " << figure->xAxis->label().toStdString();
+    const auto notice = buildFigure(row, empty, lightStyle());
+    EXPECT_NE(toSvg(*figure), toSvg(*notice)) << row.name;
+  }
+}
+
+TEST_F(FigureRegistry, everyRowIsWrittenByItsName) {
+  const std::string folder = tests::freshFolder("registry");
+  for (const auto& row : figureRegistry()) {
+    const auto written = renderFigures(tests::syntheticResult(), folder, {{row.name}, {"png"}});
+    ASSERT_EQ(written.size(), 1u) << row.name;
+    EXPECT_EQ(std::filesystem::path(written[0]).filename().string(), row.name + ".png");
+    EXPECT_GT(std::filesystem::file_size(written[0]), 5000u) << row.name;  // an empty figure has some 3000
+  }
+}
+
+TEST_F(FigureRegistry, helpListsEveryRowWithItsTitle) {
+  const std::string list = figureList();
+  for (const auto& row : figureRegistry())
+    EXPECT_THAT(list, AllOf(HasSubstr("  " + row.name + " "), HasSubstr(row.title)));
+}
+
+TEST_F(FigureRegistry, anUnknownNameIsAnErrorThatListsTheNames) {
+  try {
+    figureRow("defect");
+    FAIL() << "no error";
+  } catch (const CaseError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("--figures"), HasSubstr("defect,"), HasSubstr("residual_stress")));
+  }
+  EXPECT_THROW(buildFigure(figureRow("model"), tests::syntheticResult(), lightStyle()), CaseError);
+}
+
+// A result without what a row needs: refused by name, left out of the rest.
+TEST_F(FigureRegistry, whatDoesNotApplyIsLeftOutAndRefusedByName) {
+  auto result = tests::syntheticResult();
+  result.permanent = {};
+  result.patches.clear();
+  const std::string folder = tests::freshFolder("registry-lacking");
+  for (const auto& path : renderFigures(result, folder, {{}, {"svg"}}))
+    EXPECT_NE(std::filesystem::path(path).stem(), "contact_patch") << path;
+  for (const char* name : {"contact_patch", "permanent_change", "residual_stress"}) try {
+      renderFigures(result, folder, {{name}, {"svg"}});
+      FAIL() << name;
+    } catch (const CaseError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(figureRow(name).needs));
+    }
+}
+
+TEST_F(FigureRegistry, aRunOfAnElasticRailIsNotAskedForItsResidualStress) {
+  auto description = cases::defaultCase();
+  description.rail.plastic = false;
+  EXPECT_THROW(checkRequest({{"residual_stress"}}, &description), CaseError);
+  description.rail.plastic = true;
+  EXPECT_NO_THROW(checkRequest({{"residual_stress"}}, &description));
+  EXPECT_THROW(checkRequest({{"no_such"}}, &description), CaseError);
+}
+
+TEST_F(FigureRegistry, settingsReachTheShortTimeTransform) {
+  const auto result = tests::syntheticResult();
+  const auto lowest = [&](std::size_t segment) {
+    FigureSettings settings;
+    settings.segment = segment;
+    return buildFigure(figureRow("stft"), result, lightStyle(), settings)->yAxis->range().lower;
+  };
+  // 25 kHz, 8 x 128 and 8 x 256 points: the first line above the mean is at 24 and at 12 Hz; shown from 50 Hz on, the
+  // first multiples are 73 and 61 Hz.
+  EXPECT_GT(lowest(128), lowest(256));
+}
+
+// The same run begun half a second earlier, laid over itself in time: the wheels pass the defect together.
+TEST_F(FigureRegistry, overlaidRunsStandOnTheAxisOfTheShownOne) {
+  const auto shown = tests::syntheticResult();
+  auto other = std::make_shared<results::RunResult>(shown);
+  for (double& time : other->time) time += 0.5;
+  FigureSettings settings;
+  signals::PowerSpectrum spectrum;
+  spectrum.frequency = other->frequency, spectrum.density = other->psd;
+  settings.overlays = {{other, spectrum, "earlier"}};
+  for (const auto& row : figureRegistry()) {
+    if (!row.overlay) continue;
+    const auto alone = buildFigure(row, shown, lightStyle());
+    const auto both = buildFigure(row, shown, lightStyle(), settings);
+    ASSERT_EQ(both->graphCount(), alone->graphCount() + 1) << row.name;
+    const auto* over = both->graph(both->graphCount() - 1);
+    EXPECT_EQ(over->name(), "earlier") << row.name;
+    ASSERT_EQ(over->dataCount(), both->graph(0)->dataCount()) << row.name;
+    for (const int i : {0, over->dataCount() / 2, over->dataCount() - 1})
+      EXPECT_NEAR(over->data()->at(i)->key, both->graph(0)->data()->at(i)->key, 1e-9) << row.name;  // [ms], [mm], [Hz]
+  }
+}
+
+}  // namespace
+}  // namespace squat::plots

@@ -1,0 +1,76 @@
+#include "plots/FigureRegistry.h"
+
+#include <algorithm>
+
+#include "core/Errors.h"
+
+namespace squat::plots {
+namespace {
+
+using results::RunResult;
+
+void addOverlays(Figure& figure, const FigureRow& row, const RunResult& shown,
+                 const std::vector<OverlaidRun>& overlays) {
+  constexpr std::size_t firstColour = 2;
+  std::size_t colour = firstColour;
+  for (const auto& run : overlays) {
+    Curve curve = row.overlay(run, shown);
+    if (curve.y.empty()) continue;
+    curve.label = QString::fromStdString(run.label);
+    curve.colour = colour++;
+    curve.width = 0.9;
+    addCurve(figure, curve);
+  }
+  if (colour == firstColour) return;
+  if (row.fit)
+    row.fit(figure);
+  else
+    fitValues(figure);
+}
+
+}  // namespace
+
+std::string unitOf(FigureAxis axis) {
+  switch (axis) {
+    case FigureAxis::time:
+      return "ms";
+    case FigureAxis::frequency:
+      return "Hz";
+    case FigureAxis::stress:
+      return "MPa";
+    case FigureAxis::wheelPosition:
+    case FigureAxis::railPosition:
+    case FigureAxis::patch:
+      break;
+  }
+  return "mm";
+}
+
+const FigureRow& figureRow(const std::string& name) {
+  std::string names;
+  for (const auto& row : figureRegistry()) {
+    if (row.name == name) return row;
+    names += (names.empty() ? "" : ", ") + row.name;
+  }
+  throw CaseError({{"--figures", name, names, "Name one or more of these, separated by commas"}});
+}
+
+std::unique_ptr<Figure> buildFigure(const FigureRow& row, const RunResult& result, const Style& style,
+                                    const FigureSettings& settings) {
+  if (!row.build)
+    throw CaseError({{"--figures", row.name, "a figure that is a plot", "The 3-D picture is written as PNG only"}});
+  auto figure = row.build(result, style, settings);
+  if (row.overlay) addOverlays(*figure, row, result, settings.overlays);
+  return figure;
+}
+
+std::string figureList() {
+  std::size_t widest = 0;
+  for (const auto& row : figureRegistry()) widest = std::max(widest, row.name.size());
+  std::string text;
+  for (const auto& row : figureRegistry())
+    text += "  " + row.name + std::string(widest + 2 - row.name.size(), ' ') + row.title + "\n";
+  return text;
+}
+
+}  // namespace squat::plots

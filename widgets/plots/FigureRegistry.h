@@ -1,0 +1,78 @@
+// widgets/plots/FigureRegistry.h - the figures of a run, one row each. `render`, `run`, their help, the studio's tabs
+// and every export read it: a figure that has a row is everywhere.
+#pragma once
+
+#include <QByteArray>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case/CaseDescription.h"
+#include "plots/LineFigure.h"
+#include "signals/PowerSpectrum.h"
+
+namespace squat::plots {
+
+enum class FigureKind { plot, model };  // the 3-D picture is no plot: it comes as PNG, in the studio as its own tab
+
+// What the x axis is, in the unit of the figure. Figures against the wheel's position and against time zoom together.
+enum class FigureAxis { wheelPosition, time, railPosition, frequency, stress, patch };
+std::string unitOf(FigureAxis axis);  // "mm", "ms", "Hz", "MPa"
+
+enum class FigureMarks { none, extremes, lines };  // what a viewer marks: peaks of the first curve, of the map
+enum class FigureControl { none, spectrumSection, shortTime };  // what a viewer lets the user choose beside the figure
+
+// A record laid over the run that is shown, computed or measured.
+struct OverlaidRun {
+  std::shared_ptr<const signals::Record> record;
+  signals::PowerSpectrum spectrum;  // of its axle box acceleration; empty: none
+  std::string label;
+};
+
+// What a viewer may choose; a file has the defaults.
+struct FigureSettings {
+  std::size_t segment = 128, hop = 0;  // [samples] of the short-time Fourier transform; hop 0: a 32nd of the segment
+  std::vector<OverlaidRun> overlays;   // drawn where the row has an overlay
+};
+
+struct FigureRow {
+  std::string name;   // of the file and of the option: "contact_force"
+  std::string tab;    // a short heading
+  std::string title;  // in words, for help and tool tips
+  std::string needs;  // a sentence: what a result must hold
+  FigureKind kind = FigureKind::plot;
+
+  // Whether the result holds what the figure shows.
+  bool (*applies)(const results::RunResult& result) = nullptr;
+  // Whether a run of the case will; null: any run.
+  bool (*expected)(const cases::CaseDescription& description) = nullptr;
+  // Null for the model. A result that it does not apply to yields the figure with a notice in it.
+  std::unique_ptr<Figure> (*build)(const results::RunResult& result, const Style& style,
+                                   const FigureSettings& settings) = nullptr;
+
+  // Another run over the one that is shown, on its axis; without points where that run lacks it. Null: no overlays.
+  Curve (*overlay)(const OverlaidRun& other, const results::RunResult& shown) = nullptr;
+  void (*fit)(Figure& figure) = nullptr;  // range of y once other runs lie in it; null: fitValues()
+
+  FigureAxis axis = FigureAxis::wheelPosition;
+  FigureMarks marks = FigureMarks::none;
+  FigureControl control = FigureControl::none;
+  bool drawsScalogram = false;  // a viewer that filters anew computes the scalogram anew before it builds
+  // The numbers as CSV where the curves do not tell them all; null: they do.
+  QByteArray (*table)(const results::RunResult& result) = nullptr;
+};
+
+// In the order of tabs and of help. Names are unique.
+const std::vector<FigureRow>& figureRegistry();
+
+// Throws CaseError (key --figures, with the names that there are) for an unknown name.
+const FigureRow& figureRow(const std::string& name);
+
+// As row.build, with the overlays of the settings. Throws CaseError for a row that is no plot.
+std::unique_ptr<Figure> buildFigure(const FigureRow& row, const results::RunResult& result, const Style& style,
+                                    const FigureSettings& settings = {});
+
+// "  psd              Power spectral density", a line for each row.
+std::string figureList();
+
+}  // namespace squat::plots
