@@ -1,6 +1,7 @@
 #include "render/PictureComparison.h"
 
-#include <cmath>
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 namespace squat::tests {
@@ -14,12 +15,34 @@ double inkShare(const QImage& image) {
   return static_cast<double>(ink) / (static_cast<double>(rgb.width()) * rgb.height());
 }
 
-double difference(const QImage& a, const QImage& b) {
-  if (a.size() != b.size() || a.isNull()) return 1;
-  double sum = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x) sum += std::pow((qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) / 255.0, 2);
-  return std::sqrt(sum / (static_cast<double>(a.width()) * a.height()));
+PixelDifference difference(const QImage& a, const QImage& b) {
+  PixelDifference found;
+  if (a.size() != b.size() || a.isNull()) {
+    found.pixels = std::max(1LL, static_cast<long long>(a.width()) * a.height());
+    found.largest = 255, found.where = a.rect();
+    return found;
+  }
+  const QImage first = a.convertToFormat(QImage::Format_RGB32), second = b.convertToFormat(QImage::Format_RGB32);
+  for (int y = 0; y < first.height(); ++y)
+    for (int x = 0; x < first.width(); ++x) {
+      const QRgb p = first.pixel(x, y), q = second.pixel(x, y);
+      const int most =
+          std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+      found.largest = std::max(found.largest, most);
+      if (most <= channelTolerance) continue;
+      ++found.pixels;
+      found.where |= QRect(x, y, 1, 1);
+    }
+  return found;
+}
+
+std::string lookDifferent(const QImage& now, const QImage& kept) {
+  const auto found = difference(now, kept);
+  if (found.pixels <= pixelsAllowed) return {};
+  const auto& w = found.where;
+  return std::to_string(found.pixels) + " pixels differ by up to " + std::to_string(found.largest) +
+         " levels, between columns " + std::to_string(w.left()) + " and " + std::to_string(w.right()) + ", lines " +
+         std::to_string(w.top()) + " and " + std::to_string(w.bottom());
 }
 
 QImage thumbnail(const QImage& image, int width) {

@@ -24,6 +24,20 @@ using testing::yielded;
 TEST(PlasticRun, LeavesItsMark) {
   const auto& r = yielded();
   ASSERT_TRUE(r.complete);
+  for (const auto& item : r.plasticity) std::printf("%s %.5g\n", item.name.c_str(), item.value);
+  for (const auto& item : r.equilibrium) std::printf("%s %.5g\n", item.name.c_str(), item.value);
+  for (std::size_t i = 0; i < r.permanent.position.size(); ++i) {
+    std::printf("%.4f:", r.permanent.position[i]);
+    for (std::size_t j = 0; j < r.permanent.lateral.size(); ++j)
+      std::printf(" %.3f", 1e6 * r.permanent.height[i * r.permanent.lateral.size() + j]);
+    std::printf(" |");
+    for (std::size_t j = 0; j < r.permanent.depth.size(); ++j)
+      std::printf(" %.1f:%.5f %.0f %.0f", 1e3 * r.permanent.depth[j],
+                  r.permanent.equivalentStrain[i * r.permanent.depth.size() + j],
+                  1e-6 * r.permanent.stressAlong[i * r.permanent.depth.size() + j],
+                  1e-6 * r.permanent.stressAcross[i * r.permanent.depth.size() + j]);
+    std::printf("\n");
+  }
   // More than the yield strain, 0.4 / 210, and less than a hundredth.
   const double strain = scalar(r.plasticity, "largest_equivalent_strain");
   EXPECT_GT(strain, 0.0019);
@@ -42,6 +56,55 @@ TEST(PlasticRun, LeavesItsMark) {
   for (std::size_t i = 0; i < last.plasticStrain.size(); ++i)
     if (std::abs(r.surface.points[3 * i]) > 0.15F) far = std::max(far, last.plasticStrain[i]);
   EXPECT_EQ(far, 0.F);
+}
+
+// Everything that is a force, a stiffness or a mass twice as large, times and lengths as before: the same run in
+// another unit of force. Strain and groove stay, stresses double. Doubling is exact in binary numbers, so that only
+// constants with a unit of their own could make a difference: 1e-9 of each value.
+TEST(PlasticRun, IsTheSameInAnotherUnitOfForce) {
+  const auto doubled = run(softRail({{"rail.young_modulus", "420"},
+                                     {"rail.density", "15600"},
+                                     {"rail.yield_stress", "0.8"},
+                                     {"rail.tangent_modulus", "42"},
+                                     {"wheelset.young_modulus", "420"},
+                                     {"wheelset.density", "15600"},
+                                     {"wheelset.total_mass", "1900"},
+                                     {"wheelset.axle_box_mass", "300"},
+                                     {"sleeper.young_modulus", "76.8"},
+                                     {"sleeper.density", "4900"},
+                                     {"pad.stiffness", "2600"},
+                                     {"pad.damping", "90"},
+                                     {"pad.longitudinal_stiffness", "260"},
+                                     {"pad.longitudinal_damping", "9"},
+                                     {"pad.lateral_stiffness", "260"},
+                                     {"pad.lateral_damping", "9"},
+                                     {"ballast.stiffness", "90"},
+                                     {"ballast.damping", "64"},
+                                     {"ballast.longitudinal_stiffness", "40"},
+                                     {"ballast.longitudinal_damping", "28"},
+                                     {"ballast.lateral_stiffness", "40"},
+                                     {"ballast.lateral_damping", "28"},
+                                     {"suspension.sprung_mass", "16000"},
+                                     {"suspension.stiffness", "2.3"},
+                                     {"suspension.damping", "5"},
+                                     {"suspension.longitudinal_stiffness", "40"},
+                                     {"suspension.longitudinal_damping", "40"},
+                                     {"motion.torque", "24900.98"}}));
+  const auto &a = yielded().permanent, &b = doubled.permanent;
+  const auto expectTimes = [](double factor, const std::vector<double>& from, const std::vector<double>& to) {
+    ASSERT_EQ(from.size(), to.size());
+    double most = 0, difference = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      most = std::max(most, std::abs(factor * from[i]));
+      difference = std::max(difference, std::abs(to[i] - factor * from[i]));
+    }
+    EXPECT_GT(most, 0);
+    EXPECT_LE(difference, 1e-9 * most);
+  };
+  expectTimes(1, a.height, b.height);
+  expectTimes(1, a.equivalentStrain, b.equivalentStrain);
+  expectTimes(2, a.stressAlong, b.stressAlong);
+  expectTimes(1, *yielded().signal("aba"), *doubled.signal("aba"));
 }
 
 // The surface that was pressed is left in compression along the rail: it wants to spread and the rail below holds it

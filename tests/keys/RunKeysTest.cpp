@@ -1,0 +1,112 @@
+// What a run records, and how it starts: one short run with all these keys changed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "elasticity/SweptSamples.h"
+#include "keys/Keys.h"
+#include "signals/Butterworth.h"
+#include "simulation/RunCase.h"
+#include "simulation/Signals.h"
+
+namespace squat {
+namespace {
+
+constexpr double spin = 68, rate = 20e3, cutoff = 1.2e3, sensor = 0.35;
+
+cases::CaseDescription changedCase() {
+  return cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny",
+                                                             {{"title", "Another name"},
+                                                              {"note", "kept with the case"},
+                                                              {"motion.run_up", "0.06"},
+                                                              {"motion.beyond", "0.06"},
+                                                              {"motion.torque", "0"},
+                                                              {"contact.friction", "0"},
+                                                              {"motion.angular_velocity", "68"},
+                                                              {"output.rate", "20"},
+                                                              {"output.filter_cutoff", "1.2"},
+                                                              {"output.cwt_voices", "9"},
+                                                              {"output.rail_accelerometer", "0.35"}}});
+}
+
+const results::RunResult& changed() {
+  static const results::RunResult result = [] {
+    simulation::RunOptions options;
+    options.threads = 1;
+    options.wheelsetModes = options.snapshots = false;
+    Monitor silent;
+    return simulation::runCase(changedCase(), options, silent);
+  }();
+  return result;
+}
+
+TEST(RunKeys, TitleAndNoteGoWithTheCaseAndChangeNothing) {
+  EXPECT_EQ(changed().title, "Another name");
+  EXPECT_THAT(changed().caseToml, testing::HasSubstr("kept with the case"));
+  auto renamed = changedCase();
+  renamed.title = "x", renamed.note = "y";
+  EXPECT_EQ(cases::caseHash(renamed), changed().caseHash);
+}
+
+// Without friction and torque nothing turns the wheel faster or slower: the spin that it starts with stays. 1e-6: what
+// the patch, which swings along the rail by some micrometres, does to a wheel of 60 kg m2 in 4 ms.
+TEST(RunKeys, TheWheelStartsWithItsAngularVelocity) {
+  for (const double w : *changed().signal("wheel_speed")) ASSERT_NEAR(w, spin, 1e-6 * spin);
+}
+
+TEST(RunKeys, SamplesComeAtTheRate) {
+  const auto& time = changed().time;
+  ASSERT_GT(time.size(), 50u);
+  for (std::size_t i = 1; i < time.size(); ++i) ASSERT_NEAR(time[i] - time[i - 1], 1 / rate, 1e-12);
+}
+
+// The filtered record is the record through a Butterworth of order 4 forward and back. The run filters what it records
+// beyond the end as well, so the last milliseconds differ: compared is the first half, which the end reaches by less
+// than a thousandth at this cut-off.
+TEST(RunKeys, TheFilteredRecordIsCutAtItsFrequency) {
+  const auto &raw = *changed().signal("aba"), &filtered = *changed().signal("aba_filtered");
+  const auto expected = signals::lowPass({0, 1 / rate, raw, "", ""}, cutoff).values;
+  const auto wrong = signals::lowPass({0, 1 / rate, raw, "", ""}, 2 * cutoff).values;
+  double most = 0, difference = 0, other = 0;
+  for (std::size_t i = 0; i < raw.size() / 2; ++i) {
+    most = std::max(most, std::abs(expected[i]));
+    difference = std::max(difference, std::abs(filtered[i] - expected[i]));
+    other = std::max(other, std::abs(filtered[i] - wrong[i]));
+  }
+  EXPECT_LT(difference, 1e-3 * most);
+  EXPECT_GT(other, 1e-2 * most) << "another cut-off would not show";
+}
+
+TEST(RunKeys, ScalesOfTheScalogramAreThatMuchApart) {
+  const auto& frequency = changed().scalogramFrequency;
+  ASSERT_GT(frequency.size(), 9u);
+  for (std::size_t i = 1; i < frequency.size(); ++i)
+    EXPECT_NEAR(std::abs(std::log2(frequency[i] / frequency[i - 1])), 1.0 / 9, 1e-9);
+}
+
+// The track at rest is given velocities a + b x from one moment to the next: what the two accelerometers read, times
+// the step, tells where they stand. The sleeper nearest to 0.35 m stands at 0.6 m.
+TEST(RunKeys, TheAccelerometersStandAtTheirPlaces) {
+  const auto model = model::buildModel(cases::resolve(changedCase()));
+  ThreadTeam team(1);
+  constexpr double step = 1e-7, a = 0.3, b = 2;
+  dynamics::Rolling rolling(model, elasticity::kernelsFor(""), team, step, 0);
+  const AlignedVector rest(model.stateSize, 0.0);
+  rolling.start(rest, rest, 0);
+  const auto signals = simulation::outputSignals(rolling);
+  auto state = rolling.state();
+  for (std::size_t block = 0; block < model.blocks.size(); ++block)
+    elasticity::setField(
+        model.blocks[block], [](const Eigen::Vector3d& p) { return Eigen::Vector3d(0, 0, a + b * p[0]); },
+        state.velocity);
+  rolling.restore(state);
+  std::map<std::string, double> places;
+  for (const auto& signal : signals) places[signal.name] = (signal.probe(rolling) * step - a) / b;
+  EXPECT_NEAR(places.at("rail_acceleration"), sensor, 1e-9);
+  EXPECT_NEAR(places.at("sleeper_acceleration"), 0.6, 1e-9);
+}
+
+}  // namespace
+}  // namespace squat
