@@ -17,5 +17,6 @@ void addRenderCommand(CLI::App& program, Action& action);
 void addRunCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 void addValidateCommand(CLI::App& program, Action& action);
+void addWarmCommand(CLI::App& program, Action& action);
 
 }  // namespace squat::commands

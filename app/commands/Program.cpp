@@ -118,6 +118,7 @@ int runProgram(int argc, char** argv) {
   program.failure_message(CLI::FailureMessage::help);
   Action action;
   addRunCommand(program, action);
+  addWarmCommand(program, action);
   addRenderCommand(program, action);
   addDescribeCommand(program, action);
   addFiguresCommand(program, action);

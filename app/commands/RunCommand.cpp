@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "case/CaseFile.h"
+#include "case/ParameterValue.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
@@ -24,6 +25,7 @@
 #include "results/Checkpoint.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
+#include "simulation/WarmStateFile.h"
 
 namespace squat::commands {
 
@@ -32,6 +34,7 @@ namespace {
 struct RunCommandOptions {
   CaseOptions caseOptions;
   std::string folder = ".";
+  std::string warmFile;
   simulation::RunOptions run;
   std::vector<std::string> figures, formats;
   bool noFigures = false, verbose = false;
@@ -127,8 +130,24 @@ void printMemory() {
   std::printf("\npeak memory of the command: %s\n", number(std::round(usage.ru_maxrss / 1024.0), "MiB").c_str());
 }
 
+// --warm: the case on the mesh of the warm state, which `run` is to start from. Throws where it does not fit.
+cases::CaseDescription onMeshOfWarmState(const std::string& file, const cases::CaseDescription& description,
+                                         simulation::RunOptions& run) {
+  auto warm = simulation::readWarmState(file);
+  simulation::requireFit(warm, description);
+  auto meshed = simulation::onMeshOf(warm, description);
+  if (cases::caseHash(meshed) != cases::caseHash(description))
+    std::fprintf(stderr, "mesh as in %s: mesh.zone_before = %s mm, mesh.zone_behind = %s mm\n", file.c_str(),
+                 cases::valueText(meshed, *cases::findParameter("mesh.zone_before")).c_str(),
+                 cases::valueText(meshed, *cases::findParameter("mesh.zone_behind")).c_str());
+  run.warm = std::make_shared<const simulation::WarmState>(std::move(warm));
+  return meshed;
+}
+
 int run(const RunCommandOptions& options) {
-  const auto description = readCase(options.caseOptions);
+  auto runOptions = options.run;
+  auto description = readCase(options.caseOptions);
+  if (!options.warmFile.empty()) description = onMeshOfWarmState(options.warmFile, description, runOptions);
   const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
   keepInputs(files, options.caseOptions.name, description);
   if (!options.noFigures) checkFigureNames(options.figures, options.formats, &description);
@@ -143,7 +162,6 @@ int run(const RunCommandOptions& options) {
   if (!options.run.resume)
     for (const auto& line : keepOtherCases(files, hash)) std::fprintf(stderr, "%s\n", line.c_str());
 
-  auto runOptions = options.run;
   runOptions.checkpointPath = files.checkpoint();
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
@@ -175,6 +193,8 @@ void addRunCommand(CLI::App& program, Action& action) {
   addThreads(*command, options->run.threads);
   addInstructionSet(*command, options->run.isa);
   command->add_flag("--resume", options->run.resume, "Resume from the checkpoint, if there is one");
+  command->add_option("--warm", options->warmFile, "Start just before the defect, from a file of squat warm")
+      ->type_name("FILE");
   command
       ->add_option("--checkpoint-every", options->run.checkpointSeconds, "Seconds between checkpoints (default: 300)")
       ->check(between(0.0, 1e6))

@@ -19,6 +19,7 @@ struct RunFiles {
   std::string partialResult() const { return folder + "/" + stem + ".partial.h5"; }
   std::string partialSignals() const { return folder + "/" + stem + ".partial.csv"; }
   std::string checkpoint() const { return folder + "/" + stem + ".checkpoint"; }
+  std::string warmState() const { return folder + "/" + stem + ".warm"; }
 };
 
 // Makes the folder and sees to it that it can be written to, before hours are spent. FileError otherwise.

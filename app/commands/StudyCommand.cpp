@@ -18,6 +18,7 @@
 #include "simulation/RunCase.h"
 #include "studies/CaseStudy.h"
 #include "studies/Jobs.h"
+#include "studies/SharedStart.h"
 
 namespace squat::commands {
 
@@ -55,8 +56,10 @@ int study(StudyCommandOptions options) {
 
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  const int cores = options.run.threads * options.study.jobs;
+  studies::SharedStart start(definition, overrides, options.run, cores);
   const auto run = [&](const cases::CaseDescription& description, const studies::StudyPoint& point, Monitor& own) {
-    auto result = simulation::runCase(description, options.run, own);
+    auto result = start.run(description, own);
     char name[32];
     std::snprintf(name, sizeof name, "run-%04zu", point.index + 1);
     result.stem = name;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "scenario/DefectZone.h"
 #include "scenario/Scenario.h"
 #include "scenario/TrackCentre.h"
 
@@ -18,6 +19,8 @@ using scenario::Defect;
 using scenario::defectHeight;
 using scenario::DefectShape;
 using scenario::DefectSurface;
+using scenario::DefectZone;
+using scenario::defectZone;
 using scenario::ElementPrecision;
 using scenario::ForcePoint;
 using scenario::Hardening;

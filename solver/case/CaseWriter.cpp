@@ -1,10 +1,9 @@
 // Writing of case files, and the hash of a case.
-#include <array>
-#include <cstdint>
 #include <span>
 
 #include "case/CaseFile.h"
 #include "case/ParameterValue.h"
+#include "case/ShortHash.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 
@@ -64,10 +63,13 @@ std::string comment(const Parameter& parameter) {
   return text;
 }
 
-// Curves and seats count only where there are some: what was computed before there were such keys keeps its hash.
+// Curves, seats and a set zone count only where there are some: what was computed before there were such keys keeps its
+// hash.
 bool countsInHash(const CaseDescription& description, const Parameter& parameter) {
   if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file") return false;
   if (parameter.key == "pad.preload") return countsInHash(description, *findParameter("pad.curve"));
+  const bool isZone = parameter.key == "mesh.zone_before" || parameter.key == "mesh.zone_behind";
+  if (isZone) return numberInUnit(description, parameter) != 0;
   const bool isNew = parameter.kind == Kind::forceCurve || parameter.kind == Kind::seats;
   return !isNew || valueText(description, parameter) != "[]";
 }
@@ -100,19 +102,10 @@ void saveCase(const CaseDescription& description, const std::filesystem::path& p
 }
 
 std::string caseHash(const CaseDescription& description) {
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, 64 bits, folded to 32
-  const auto add = [&hash](const std::string& text) {
-    for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3u;
-  };
-  for (const auto& parameter : parameterTable()) {
-    if (!countsInHash(description, parameter)) continue;
-    add(parameter.key + "=" + valueText(description, parameter) + "\n");
-  }
-  const auto folded = static_cast<std::uint32_t>(hash ^ (hash >> 32));
-  constexpr const char* digits = "0123456789abcdef";
-  std::string text;
-  for (int shift = 28; shift >= 0; shift -= 4) text += digits[(folded >> shift) & 15u];
-  return text;
+  std::string content;
+  for (const auto& parameter : parameterTable())
+    if (countsInHash(description, parameter)) content += parameter.key + "=" + valueText(description, parameter) + "\n";
+  return shortHash(content);
 }
 
 }  // namespace squat::cases

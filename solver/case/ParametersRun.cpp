@@ -124,6 +124,15 @@ void addMesh(Rows& rows) {
   rows.push_back(number(
       "mesh.fine_start", millimetre, 20, {0, 500}, [](Case& c) -> double& { return c.mesh.fineStart; },
       "fine zone on each side of the starting point", notStated));
+  rows.push_back(number(
+      "mesh.zone_before", millimetre, 0, {0, 2000}, [](Case& c) -> double& { return c.mesh.zoneBefore; },
+      "mesh for every defect that begins at most this far before its deepest point, so that their runs share a mesh; "
+      "0: for the defect of this case",
+      "assumed: no more fine elements than the defect needs"));
+  rows.push_back(number(
+      "mesh.zone_behind", millimetre, 0, {0, 2000}, [](Case& c) -> double& { return c.mesh.zoneBehind; },
+      "mesh for every defect that ends at most this far behind its deepest point; 0: for the defect of this case",
+      "assumed: no more fine elements than the defect needs"));
   rows.push_back(wholeNumber(
       "mesh.wheel_sectors", 64, {16, 720}, [](Case& c) -> int& { return c.mesh.wheelSectors; },
       "sectors of the coarse wheel body around the axle", notStated));

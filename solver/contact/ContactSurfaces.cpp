@@ -26,14 +26,14 @@ struct CrownArc {
 };
 CrownArc crownAt(double y) { return {geometry::crownHeight54E1(y), std::atan(geometry::crownSlope54E1(y))}; }
 
+}  // namespace
+
 // On a slope the wheel touches radius times slope beside its lowest point, though not farther than the defect goes; the
 // patch, 7 mm each way, comes on top. On smooth rail 20 mm hold any patch.
 double reachAlong(const scenario::DefectSurface& defect, double radius) {
   constexpr double least = 0.020, patch = 0.012;  // [m]
   return std::max(least, std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first())) + patch);
 }
-
-}  // namespace
 
 Seat seatOf(const scenario::Scenario& d) {
   constexpr double edge = 0.0248;  // [m] end of the R80 arc

@@ -54,6 +54,9 @@ struct Seat {
 // Throws CaseError where they touch beyond the arcs of the crown.
 Seat seatOf(const scenario::Scenario& scenario);
 
+// Surfaces::reach [m] for a wheel of this radius [m].
+double reachAlong(const scenario::DefectSurface& defect, double radius);
+
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
                       int rimBlock, const scenario::Scenario& scenario, double from, double to);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -388,6 +389,17 @@ std::vector<contact::PatchPoint> Rolling::patchPoints() const {
               wheelRolling(state_.displaced.data()), state_.displaced.data(), state_.velocity.data(), step_, history,
               forceLines(model_, model_.rail, forces), forceLines(model_, model_.rim, forces), &points);
   return points;
+}
+
+double Rolling::frontOfContact(double margin) const {
+  const auto& s = model_.surfaces;
+  double front = -std::numeric_limits<double>::infinity();
+  const double* displaced = state_.displaced.data();
+  for (const auto& [interval, column, point] :
+       pointsWithin(margin, s, model_.blocks[model_.rail], model_.blocks[model_.rim], wheelRolling(displaced).placement,
+                    displaced))
+    front = std::max(front, s.pointX[s.pointIndex(interval, column, point)]);
+  return front;
 }
 
 }  // namespace squat::dynamics

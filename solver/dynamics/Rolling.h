@@ -101,6 +101,8 @@ class Rolling {
   AlignedVector displacement() const;
   // Contact points of the present state, for pictures; changes nothing.
   std::vector<contact::PatchPoint> patchPoints() const;
+  // [m] x of the foremost contact point whose gap is below `margin` [m]; minus infinity where there is none.
+  double frontOfContact(double margin) const;
 
  private:
   void pushWheelset();  // contact, irregular elements, torque, spin

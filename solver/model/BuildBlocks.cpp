@@ -9,7 +9,7 @@
 #include "elasticity/SectionClusters.h"
 #include "geometry/RailSection.h"
 #include "geometry/WheelSection.h"
-#include "scenario/DefectSurface.h"
+#include "scenario/DefectZone.h"
 #include "scenario/TrackCentre.h"
 
 namespace squat::model {
@@ -58,7 +58,8 @@ void append(Model& model, elasticity::SweptBlock block) {
 
 // Where the fine zone of the defect begins, at or behind that of the start [m].
 double fineStart(const scenario::Scenario& d) {
-  return std::max(-d.motion.runUp - d.mesh.fineStart, d.defectSurface.first() - d.mesh.fineBefore);
+  const double before = scenario::defectZone(d.defectSurface, d.mesh).before;
+  return std::max(-d.motion.runUp - d.mesh.fineStart, -before - d.mesh.fineBefore);
 }
 
 // The rim rolls with the stations of the rail; the rest of the circumference is coarser.
@@ -144,7 +145,8 @@ RollingStretch laidStretch(const scenario::Scenario& d, double railStart, double
 
 RollingStretch rollingStretch(const scenario::Scenario& d, double railStart, double railEnd) {
   const double end = d.motion.beyond + patchEnd;
-  const double fineTo = std::max(d.defectSurface.last() + d.mesh.fineBefore, fineStart(d) + d.mesh.contactSize);
+  const double behind = scenario::defectZone(d.defectSurface, d.mesh).behind;
+  const double fineTo = std::max(behind + d.mesh.fineBefore, fineStart(d) + d.mesh.contactSize);
   // Fine stations share their inertia in whole groups, which begin at whole groups from the rail's end: the time step
   // is as long as the smallest group of the finest allows. The tiny mesh has no elements to spare for that.
   const bool tiny = d.mesh.preset == scenario::MeshPreset::tiny;

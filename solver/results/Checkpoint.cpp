@@ -1,49 +1,23 @@
 #include "results/Checkpoint.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
-#include "core/DurableFile.h"
 #include "core/Errors.h"
-#include "results/TreeStream.h"
+#include "results/StateFile.h"
 
 namespace squat::results {
 
 namespace {
 
-constexpr std::size_t kLargestCheckpoint = std::size_t{2} << 30;  // [bytes]; the paper's mesh needs about 0.1e9
-constexpr const char* kSchema = "squat-checkpoint";
-
-ArrayTree readOne(const std::string& path) {
-  const auto text = readWholeFile(path, kLargestCheckpoint);
-  auto state = decodeTree(sourceOf(std::as_bytes(std::span(text))), path, kLargestCheckpoint);
-  if (textAttribute(state.attributes, "schema") != kSchema)
-    throw FileError(path, "attribute schema", "is not a checkpoint", "Name a checkpoint of this program");
-  const double version = numberAttribute(state.attributes, "schema_version", -1);
-  if (!(version >= 1)) throw FileError(path, "attribute schema_version", "is missing or wrong");
-  if (version > kCheckpointVersion)
-    throw FileError(path, "attribute schema_version", "was written by a newer version of the program",
-                    "Use that version, or start the run anew without --resume");
-  if (const auto array = firstNotFinite(state); !array.empty())
-    throw FileError(path, array, "holds a value that is not a number", "Start the run anew without --resume");
-  return state;
-}
+constexpr StateKind kKind{"squat-checkpoint", kCheckpointVersion, "a checkpoint",
+                          "start the run anew without --resume"};
 
 }  // namespace
 
 void writeCheckpoint(const std::string& path, ArrayTree state) {
-  if (const auto array = firstNotFinite(state); !array.empty())
-    throw FileError(path, array, "not written: the state holds a value that is not a number");
-  setAttribute(state.attributes, "schema", std::string(kSchema));
-  setAttribute(state.attributes, "schema_version", std::int64_t{kCheckpointVersion});
-  const auto bytes = encodeTree(state);
-  const auto verify = [&](const std::string& part) {
-    const auto back = readWholeFile(part, kLargestCheckpoint);
-    if (!std::ranges::equal(std::as_bytes(std::span(back)), bytes))
-      throw FileError(path, "", "did not read back as it was written", "Check the disk");
-  };
-  writeDurably(path, bytes, verify, Previous::kept);
+  writeState(path, std::move(state), kKind, Previous::kept);
 }
 
 std::optional<ArrayTree> readCheckpoint(const std::string& path, bool* usedPrevious) {
@@ -53,7 +27,7 @@ std::optional<ArrayTree> readCheckpoint(const std::string& path, bool* usedPrevi
   if (usedPrevious) *usedPrevious = false;
   if (std::filesystem::exists(path, ignored)) {
     try {
-      return readOne(path);
+      return readState(path, kKind);
     } catch (const FileError&) {
       if (!hasPrevious) throw;
     }
@@ -61,7 +35,7 @@ std::optional<ArrayTree> readCheckpoint(const std::string& path, bool* usedPrevi
     return std::nullopt;
   }
   if (usedPrevious) *usedPrevious = true;
-  return readOne(previous);
+  return readState(previous, kKind);
 }
 
 void removeCheckpoint(const std::string& path) {

@@ -16,8 +16,10 @@ struct MeshSizes {
   double bandHalfWidth = 0;  // [m] lateral half width of the contact band with contactSize
   double fineBefore = 0;     // [m] fine zone before the first and after the last point of the defect
   double fineStart = 0;      // [m] fine zone each side of the starting point
-  int wheelSectors = 0;      // sectors of the coarse wheel body
-  double rimDepth = 0;       // [m] depth of the finely meshed rim
+  // [m] The mesh serves every defect that reaches at most so far before and behind its deepest point; 0: its own.
+  double zoneBefore = 0, zoneBehind = 0;
+  int wheelSectors = 0;  // sectors of the coarse wheel body
+  double rimDepth = 0;   // [m] depth of the finely meshed rim
   ElementPrecision precision = ElementPrecision::single;
   bool coarseWeb = false;         // three columns of the band become one below the upper head
   bool selectiveInertia = false;  // waves as short as the elements are slowed

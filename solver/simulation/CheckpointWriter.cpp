@@ -20,21 +20,27 @@ CheckpointWriter::CheckpointWriter(CheckpointOptions options, const RunStart& st
       clock_(clock),
       warn_(std::move(warn)) {}
 
+results::ArrayTree stateOf(const dynamics::Rolling& rolling, const RunStart& start, const Observers& observers,
+                           const results::RunResult& result) {
+  DivergenceGuard::checkEverything(rolling);
+  results::ArrayTree tree;
+  setAttribute(tree.attributes, "case_hash", result.caseHash);
+  setAttribute(tree.attributes, "code_version", result.codeVersion);
+  setAttribute(tree.attributes, "isa", result.isa);
+  saveRolling(rolling, tree);
+  for (const auto* observer : observers) observer->save(tree);
+  saveStart(start, result, tree);
+  savePictures(result, tree);
+  return tree;
+}
+
 void CheckpointWriter::onStep(const dynamics::Rolling& rolling) {
   if (clock_.seconds() - lastWritten_ > options_.seconds) write(rolling);
 }
 
 void CheckpointWriter::write(const dynamics::Rolling& rolling) {
   if (options_.path.empty()) return;
-  DivergenceGuard::checkEverything(rolling);
-  results::ArrayTree tree;
-  setAttribute(tree.attributes, "case_hash", result_.caseHash);
-  setAttribute(tree.attributes, "code_version", result_.codeVersion);
-  setAttribute(tree.attributes, "isa", result_.isa);
-  saveRolling(rolling, tree);
-  for (const auto* observer : observers_) observer->save(tree);
-  saveStart(start_, result_, tree);
-  savePictures(result_, tree);
+  auto tree = stateOf(rolling, start_, observers_, result_);
   try {
     results::writeCheckpoint(options_.path, std::move(tree));
   } catch (const FileError& error) {

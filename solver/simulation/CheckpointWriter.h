@@ -15,6 +15,11 @@ struct CheckpointOptions {
   double seconds = 300;  // wall time between them
 };
 
+// The state of a run behind a step, with that of its observers and the figures of its start: what a checkpoint and a
+// warm state hold. Throws RunError for a state that has gone astray.
+results::ArrayTree stateOf(const dynamics::Rolling& rolling, const RunStart& start, const Observers& observers,
+                           const results::RunResult& result);
+
 // Writes when the run starts, then whenever the time is over. Last in the list of observers: what it writes is the
 // state of all of them behind the same step.
 class CheckpointWriter : public StepObserver {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/Errors.h"
+#include "results/StateFile.h"
 #include "simulation/DivergenceGuard.h"
 
 namespace squat::simulation {
@@ -22,15 +23,15 @@ void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
            "1");
 }
 
-void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling& rolling, long lastStep,
-                         const std::string& file) {
+void requireFittingState(const StoredState& stored, const dynamics::Rolling& rolling, long lastStep) {
+  const auto& [tree, file, instead] = stored;
   results::ArrayTree own;
   saveRolling(rolling, own);
   std::vector<std::string> needed{"/rolling/displaced", "/rolling/velocity", "/rolling/traction", "/rolling/small"};
   if (own.find("/rolling/plastic")) needed.push_back("/rolling/plastic");
   for (const auto& path : needed)
     if (results::valuesOf<double>(tree, path, file).size() != results::valuesOf<double>(own, path, file).size())
-      throw FileError(file, path, "has another length than this case and mesh need", "Start anew without --resume");
+      throw FileError(file, path, "has another length than this case and mesh need", results::asSentence(instead));
   const auto points = static_cast<std::int64_t>(results::valuesOf<double>(own, "/rolling/traction", file).size() / 2);
   std::int64_t before = -1;
   for (const auto point : results::valuesOf<std::int64_t>(tree, "/rolling/closed", file)) {

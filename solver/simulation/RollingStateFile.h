@@ -5,6 +5,7 @@
 
 #include "dynamics/Rolling.h"
 #include "results/ArrayTree.h"
+#include "simulation/RunStart.h"
 
 namespace squat::simulation {
 
@@ -12,8 +13,7 @@ void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree);
 dynamics::RollingState loadRolling(const results::ArrayTree& tree);
 
 // Throws FileError(file, array) where a stored state has other arrays or lengths than this run, points of contact that
-// the model does not have, or a step beyond the end: a checkpoint may be an untrusted file.
-void requireFittingState(const results::ArrayTree& tree, const dynamics::Rolling& rolling, long lastStep,
-                         const std::string& file);
+// the model does not have, or a step beyond the end: it may be an untrusted file.
+void requireFittingState(const StoredState& stored, const dynamics::Rolling& rolling, long lastStep);
 
 }  // namespace squat::simulation

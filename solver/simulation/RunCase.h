@@ -1,6 +1,7 @@
 // solver/simulation/RunCase.h - the one way through: studio, command line, tests and studies enter here.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "case/CaseDescription.h"
@@ -8,6 +9,8 @@
 #include "results/RunResult.h"
 
 namespace squat::simulation {
+
+struct WarmState;  // WarmState.h
 
 struct RunOptions {
   int threads = 0;                 // 0: all cores
@@ -17,11 +20,16 @@ struct RunOptions {
   std::string checkpointPath;      // empty: no checkpoints
   double checkpointSeconds = 300;  // wall time between checkpoints
   bool resume = false;             // go on from checkpointPath where it exists
+
+  // Start from this state just before the defect, on its mesh; a checkpoint that is resumed comes first. The result is
+  // that of the whole run on that mesh (WarmState.h: onMeshOf), to the bit.
+  std::shared_ptr<const WarmState> warm;
 };
 
 // Case -> mesh -> model -> equilibrium -> rolling -> signals -> spectra. Returns also what a cancelled run has so far
 // (complete == false, stopReason "cancelled"). A failed run throws RunError; what it has so far is handed to `partial`
-// where one is given. Throws CaseError for a case that cannot be run. Never prints, aborts or exits.
+// where one is given. Throws CaseError for a case that cannot be run, or not from options.warm. Never prints,
+// aborts or exits.
 results::RunResult runCase(const cases::CaseDescription& description, const RunOptions& options, Monitor& monitor,
                            results::RunResult* partial = nullptr);
 

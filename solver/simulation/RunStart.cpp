@@ -5,6 +5,7 @@
 
 #include "core/Errors.h"
 #include "results/ResultTree.h"
+#include "results/StateFile.h"
 
 namespace squat::simulation {
 
@@ -34,10 +35,11 @@ void saveStart(const RunStart& start, const results::RunResult& result, results:
       tree.arrays.push_back(std::move(array)), tree.arrays.back().path.insert(0, kStart);
 }
 
-RunStart loadStart(const results::ArrayTree& tree, const std::string& file, double rate, results::RunResult& result) {
+RunStart loadStart(const StoredState& stored, double rate, results::RunResult& result) {
+  const auto& [tree, file, instead] = stored;
   if (numberAttribute(tree.attributes, kLayoutName) != kLayout)
     throw FileError(file, std::string("attribute ") + kLayoutName, "was written by another version of the program",
-                    "Use that version, or start the run anew without --resume");
+                    "Use that version, or " + instead);
   results::ArrayTree figures;
   setAttribute(figures.attributes, "schema", std::string(results::kResultSchema));
   setAttribute(figures.attributes, "schema_version", std::int64_t{results::kResultVersion});
@@ -49,7 +51,7 @@ RunStart loadStart(const results::ArrayTree& tree, const std::string& file, doub
   const auto& steps = results::valuesOf<double>(tree, "/steps", file);
   if (steps.size() != 3 || !(steps[0] >= 2 && steps[0] <= maximumStepsPerSample) || steps[0] != std::floor(steps[0]) ||
       !(std::abs(steps[0] * steps[1] * rate - 1) < 1e-9) || !(steps[2] >= 0))
-    throw FileError(file, "/steps", "does not fit the output rate of this case", "Start anew without --resume");
+    throw FileError(file, "/steps", "does not fit the output rate of this case", results::asSentence(instead));
   auto read = results::fromTree(std::move(figures), file);
   result.equilibrium = std::move(read.equilibrium);
   result.meshFigures = std::move(read.meshFigures);

@@ -16,9 +16,16 @@ struct RunStart {
   double step = 0, beta = 0;  // [s]
 };
 
+// A state to go on from: a checkpoint, or a warm state. May be an untrusted file.
+struct StoredState {
+  const results::ArrayTree& tree;
+  std::string file;     // for messages
+  std::string instead;  // what to do where it does not fit: "start the run anew without --resume"
+};
+
 // With the figures of mesh, equilibrium and modes. Loading throws FileError where they are missing or damaged, do not
-// fit the output rate [Hz], or the checkpoint keeps its state in the order of another version.
+// fit the output rate [Hz], or the file keeps its state in the order of another version.
 void saveStart(const RunStart& start, const results::RunResult& result, results::ArrayTree& tree);
-RunStart loadStart(const results::ArrayTree& tree, const std::string& file, double rate, results::RunResult& result);
+RunStart loadStart(const StoredState& stored, double rate, results::RunResult& result);
 
 }  // namespace squat::simulation

@@ -8,6 +8,12 @@
 
 namespace squat::simulation {
 
+namespace {
+
+const std::string kComplete = "/recorder/complete";
+
+}  // namespace
+
 SignalRecorder::SignalRecorder(const dynamics::Rolling& rolling, std::size_t stepsPerSample)
     : signals_(outputSignals(rolling)),
       sample_(signals_.size()),
@@ -54,8 +60,17 @@ void SignalRecorder::save(results::ArrayTree& tree) const {
   tree.addScalar("/recorder/pushed", static_cast<double>(state.pushed), "1");
   tree.add("/recorder/last", state.last, "1");
   tree.add("/recorder/pending", state.pending, "1");
-  for (std::size_t c = 0; c < state.complete.size(); ++c)
-    tree.add("/recorder/complete" + std::to_string(c), state.complete[c], "1");
+  for (std::size_t c = 0; c < state.complete.size(); ++c) {
+    auto& array = tree.add(kComplete + std::to_string(c), state.complete[c], "1");
+    setAttribute(array.attributes, "name", std::string(signals_[c].name));
+  }
+}
+
+std::vector<double> recordedIn(const results::ArrayTree& tree, const std::string& name) {
+  for (const auto& array : tree.arrays)
+    if (array.path.starts_with(kComplete) && results::textAttribute(array.attributes, "name") == name)
+      if (const auto* values = std::get_if<std::vector<double>>(&array.values)) return *values;
+  return {};
 }
 
 void SignalRecorder::load(const results::ArrayTree& tree, const std::string& file) {
@@ -67,7 +82,7 @@ void SignalRecorder::load(const results::ArrayTree& tree, const std::string& fil
   state.last = results::valuesOf<double>(tree, "/recorder/last", file);
   state.pending = results::valuesOf<double>(tree, "/recorder/pending", file);
   for (std::size_t c = 0; c < signals_.size(); ++c)
-    state.complete.push_back(results::valuesOf<double>(tree, "/recorder/complete" + std::to_string(c), file));
+    state.complete.push_back(results::valuesOf<double>(tree, kComplete + std::to_string(c), file));
   try {
     filter_.restore(std::move(state));
   } catch (const signals::SignalError& error) {

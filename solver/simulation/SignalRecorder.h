@@ -32,4 +32,8 @@ class SignalRecorder : public StepObserver {
   signals::DecimatingFilter filter_;
 };
 
+// The values of a signal that a stored state holds: those whose filter is complete, from the start of rolling at the
+// output rate. Empty where there is none of that name ("position" is among them).
+std::vector<double> recordedIn(const results::ArrayTree& tree, const std::string& name);
+
 }  // namespace squat::simulation

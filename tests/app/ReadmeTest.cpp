@@ -24,7 +24,7 @@ for word in "$@"; do
   [[ $word == --mesh ]] && meshed=yes
   words+=("$word") previous=$word
 done
-case "$1" in run | study | validate | receptance | figures | describe) [[ $meshed ]] || words+=(--mesh tiny) ;; esac
+case "$1" in run | warm | study | validate | receptance | figures | describe) [[ $meshed ]] || words+=(--mesh tiny) ;; esac
 exec "PROGRAM" "${words[@]}"
 )";
 constexpr const char* kStudio = R"(#!/usr/bin/env bash

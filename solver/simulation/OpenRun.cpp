@@ -1,0 +1,194 @@
+#include "simulation/OpenRun.h"
+
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+#include "case/CaseFile.h"
+#include "case/MeshPresets.h"
+#include "case/Resolve.h"
+#include "case/Validation.h"
+#include "core/Errors.h"
+#include "simulation/Describe.h"
+#include "simulation/RollingStateFile.h"
+#include "simulation/SurfaceFields.h"
+#include "statics/QuietStart.h"
+
+#ifndef SQUAT_VERSION
+#define SQUAT_VERSION "unknown"
+#endif
+
+namespace squat::simulation {
+
+namespace {
+
+constexpr long maximumStepsAtOnce = 24;  // cancel is asked at least this often
+constexpr int samplesPerLedger = 5;      // output samples between entries of the energy balance
+
+std::string utcNow() {
+  const std::time_t now = std::time(nullptr);
+  char text[32];
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+// Steps per output sample: the stable step, or the user's where it is shorter.
+long stepsPerSample(const scenario::Scenario& d, const dynamics::StableStep& stable) {
+  const double sample = 1 / d.output.rate;
+  if (d.output.timeStep > stable.step)
+    throw CaseError({{"output.time_step", std::to_string(d.output.timeStep * 1e6) + " us",
+                      "0 or at most " + std::to_string(stable.step * 1e6) + " us: the stable step of this mesh",
+                      "Leave it at 0 for the stable step; it is set by " + stable.place}});
+  const double wished = d.output.timeStep > 0 ? d.output.timeStep : stable.step;
+  if (sample / wished > maximumStepsPerSample)
+    throw CaseError({{"output.time_step", std::to_string(d.output.timeStep * 1e6) + " us",
+                      "0 or at least " + std::to_string(sample / maximumStepsPerSample * 1e6) + " us",
+                      "Leave it at 0 for the stable step; it is set by " + stable.place}});
+  return std::max(2L, static_cast<long>(std::ceil(sample / wished - 1e-9)));
+}
+
+void tellStep(Monitor& monitor, double step, const std::string& place) {
+  Progress progress;
+  progress.phase = "stable step";
+  progress.fraction = 1;
+  progress.step = step;
+  progress.limitedBy = place;
+  monitor.report(progress);
+}
+
+}  // namespace
+
+RollingRun::RollingRun(const RunOptions& options, results::RunResult& result, Monitor& monitor,
+                       dynamics::Rolling& rolling, const SurfaceFields* fields, const RunStart& start,
+                       double startStrain, long last, std::function<void(const std::string&)> warn)
+    : ledger(rolling, startStrain),
+      recorder(rolling, static_cast<std::size_t>(start.stepsPerSample)),
+      energy(ledger, samplesPerLedger * start.stepsPerSample),
+      guard(rolling, ledger, start.stepsPerSample, maximumStepsAtOnce),
+      firstStep(rolling.state().step),
+      lastStep(last),
+      progress(rolling, lastStep, recorder, ledger, clock, monitor),
+      checkpoint({options.checkpointPath, options.checkpointSeconds}, start, observers, result, clock,
+                 std::move(warn)) {
+  observers = {&recorder, &energy, &guard};
+  if (fields) observers.push_back(&frames.emplace(*fields, result, start.stepsPerSample, maximumStepsAtOnce));
+  observers.insert(observers.end(), {&progress, &checkpoint});
+}
+
+OpenRun::OpenRun(const cases::CaseDescription& d, const RunOptions& o, Monitor& m)
+    : description(d), scenario(cases::resolve(d)), options(o), monitor(m) {
+  refuseOrWarn();
+  try {
+    kernels = elasticity::kernelsFor(options.isa);
+  } catch (const std::invalid_argument& error) {
+    throw CaseError({{"--isa", options.isa, "one that this processor has", error.what()}});
+  }
+  team = std::make_unique<ThreadTeam>(threadCount(options.threads));
+  identify();
+}
+
+void OpenRun::warn(const std::string& text) {
+  result.warnings.push_back(text);
+  monitor.message("warning: " + text);
+}
+
+void OpenRun::tellPhase(const char* name) {
+  Progress progress;
+  progress.phase = name;
+  std::replace(progress.phase.begin(), progress.phase.end(), '_', ' ');
+  monitor.report(progress);
+}
+
+void OpenRun::refuseOrWarn() {
+  const auto validation = cases::validate(description);
+  if (!validation.problems.empty()) throw CaseError(validation.problems);
+  for (const auto& warning : validation.warnings) warn(toWarning(warning));
+  if (const std::string note = cases::presetNote(description); !note.empty()) warn(note);
+}
+
+void OpenRun::identify() {
+  result.title = description.title;
+  results::setCase(result, description);
+  result.codeVersion = SQUAT_VERSION;
+  result.isa = kernels.name;
+  result.threads = team->size();
+  result.created = utcNow();
+  result.speed = scenario.motion.speed;
+  result.stopReason = "cancelled";
+}
+
+long OpenRun::samples() const {
+  const auto& motion = scenario.motion;
+  return static_cast<long>(std::floor((motion.runUp + motion.beyond) / motion.speed * scenario.output.rate)) + 1;
+}
+
+long OpenRun::lastStep() const {
+  const SignalRecorder recorder(*rolling, static_cast<std::size_t>(steps.stepsPerSample));
+  return samples() * steps.stepsPerSample + static_cast<long>(std::ceil(recorder.wait() / rolling->stepSize()));
+}
+
+bool OpenRun::start(const StoredState* stored) {
+  model = timed("mesh", [&] { return model::buildModel(scenario); });
+  if (scenario.rail.plastic && model.layer.empty())
+    warn("rail.plastic_depth is less than half an element of the head: no element can yield, the rail stays elastic");
+  describeProfile(scenario, result);
+  if (!stored) return begin();
+  restore(*stored);
+  return true;
+}
+
+// Everything ahead of the rolling. A stored state holds what comes of it.
+bool OpenRun::begin() {
+  if (monitor.cancelled()) return false;
+  if (options.wheelsetModes) timed("modes", [&] { return describeModes(scenario, result), 0; });
+  if (monitor.cancelled()) return false;
+  const auto stable = timed("stable_step", [&] { return dynamics::stableStep(model, kernels, *team, monitor); });
+  if (monitor.cancelled()) return false;
+  const long perSample = stepsPerSample(scenario, stable);
+  steps = {perSample, 1 / scenario.output.rate / static_cast<double>(perSample), stable.beta};
+  describeMesh(model, stable, steps.step, result);
+  tellStep(monitor, steps.step, stable.place);
+  const auto quiet = timed("equilibrium", [&] { return statics::prepareQuietStart(model, kernels, *team, monitor); });
+  const auto& equilibrium = quiet.equilibrium;
+  if (equilibrium.cancelled) return false;
+  describeEquilibrium(model, equilibrium, result);
+  startStrain_ = equilibrium.strainEnergy;
+
+  rolling.emplace(model, kernels, *team, steps.step, steps.beta);
+  const auto& motion = scenario.motion;
+  rolling->start(equilibrium.displacement, quiet.velocity,
+                 motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
+  if (!options.snapshots) return true;
+  fields = std::make_unique<SurfaceFields>(model);
+  result.surface = fields->mesh();
+  result.snapshots.push_back(
+      fields->snapshot("equilibrium", equilibrium.displacement, 0, 0, 0, rolling->state().plastic));
+  return true;
+}
+
+// Nothing is taken from a stored state before all of it is known to fit.
+void OpenRun::restore(const StoredState& stored) {
+  steps = loadStart(stored, scenario.output.rate, result);
+  if (options.wheelsetModes && result.modes.empty())
+    timed("modes", [&] { return describeModes(scenario, result), 0; });
+  if (options.snapshots) {
+    fields = std::make_unique<SurfaceFields>(model);
+    result.surface = fields->mesh();
+  }
+  rolling.emplace(model, kernels, *team, steps.step, steps.beta);
+  rolling->start(AlignedVector(model.stateSize, 0.0), AlignedVector(model.stateSize, 0.0), 0);
+  requireFittingState(stored, *rolling, lastStep());
+  rolling->restore(loadRolling(stored.tree));
+  if (options.snapshots) loadPictures(stored.tree, stored.file, result);
+}
+
+void OpenRun::observe(const StoredState* stored, long rolledTo) {
+  parts.emplace(options, result, monitor, *rolling, fields.get(), steps, startStrain_,
+                rolledTo > 0 ? rolledTo : lastStep(), [this](const std::string& text) { warn(text); });
+  if (!stored) return;
+  for (auto* observer : parts->observers) observer->load(stored->tree, stored->file);
+}
+
+}  // namespace squat::simulation

@@ -1,0 +1,100 @@
+// solver/simulation/OpenRun.h - a run under way: what it carries from phase to phase, from the case to the first step.
+// Internal to solver/simulation: runCase and makeWarmState walk the same way.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/Model.h"
+#include "simulation/CheckpointWriter.h"
+#include "simulation/DivergenceGuard.h"
+#include "simulation/EnergyObserver.h"
+#include "simulation/FieldRecorder.h"
+#include "simulation/ProgressReporter.h"
+#include "simulation/RunCase.h"
+#include "simulation/SignalRecorder.h"
+
+namespace squat::simulation {
+
+using Clock = std::chrono::steady_clock;
+inline double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Everything that looks at the rolling, in the order in which it looks.
+class RollingRun {
+ public:
+  // `lastStep`: the end that progress is told of. `warn` as CheckpointWriter's.
+  RollingRun(const RunOptions& options, results::RunResult& result, Monitor& monitor, dynamics::Rolling& rolling,
+             const SurfaceFields* fields, const RunStart& start, double startStrain, long lastStep,
+             std::function<void(const std::string&)> warn);
+  RollingRun(const RollingRun&) = delete;
+  RollingRun& operator=(const RollingRun&) = delete;
+
+  EnergyLedger ledger;
+  RunClock clock;
+  SignalRecorder recorder;
+  EnergyObserver energy;
+  DivergenceGuard guard;
+  std::optional<FieldRecorder> frames;
+  long firstStep, lastStep;
+  ProgressReporter progress;
+  CheckpointWriter checkpoint;
+  Observers observers;
+};
+
+// Validates the case (CaseError), then builds and starts what rolls. Members stand in the order in which they are made.
+class OpenRun {
+ public:
+  OpenRun(const cases::CaseDescription& description, const RunOptions& options, Monitor& monitor);
+  OpenRun(const OpenRun&) = delete;
+  OpenRun& operator=(const OpenRun&) = delete;
+
+  // Mesh, equilibrium and start, or the same from a stored state, which FileError refuses where it does not fit. False
+  // where it was cancelled.
+  bool start(const StoredState* stored);
+  // Makes the observers; `rolledTo`: the step that progress counts to, 0: the last one of the run.
+  void observe(const StoredState* stored, long rolledTo = 0);
+
+  template <typename Phase>
+  auto timed(const char* name, const Phase& phase) {
+    const auto begun = Clock::now();
+    tellPhase(name);
+    auto value = phase();
+    phases.push_back({std::string("seconds_") + name, "s", "wall time", secondsSince(begun)});
+    return value;
+  }
+  void warn(const std::string& text);
+  long samples() const;  // of the whole run
+  // The filter of the signals waits for what comes behind the last sample.
+  long lastStep() const;
+
+  const Clock::time_point begun = Clock::now();
+  const cases::CaseDescription& description;
+  const scenario::Scenario scenario;
+  const RunOptions& options;
+  Monitor& monitor;
+  results::RunResult result;
+  std::vector<results::Scalar> phases;
+  elasticity::KernelSet kernels;
+  std::unique_ptr<ThreadTeam> team;
+  model::Model model;
+  RunStart steps;
+  std::unique_ptr<SurfaceFields> fields;
+  std::optional<dynamics::Rolling> rolling;
+  std::optional<RollingRun> parts;
+
+ private:
+  void refuseOrWarn();
+  void identify();
+  void tellPhase(const char* name);
+  bool begin();
+  void restore(const StoredState& stored);
+  double startStrain_ = 0;  // [J]
+};
+
+}  // namespace squat::simulation

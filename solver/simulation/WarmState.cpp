@@ -1,0 +1,162 @@
+#include "simulation/WarmState.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "case/BeforeDefect.h"
+#include "case/ParameterValue.h"
+#include "case/Resolve.h"
+#include "contact/ContactSurfaces.h"
+#include "core/Errors.h"
+#include "simulation/OpenRun.h"
+#include "simulation/SurfaceFields.h"
+
+namespace squat::simulation {
+
+namespace {
+
+// Gap that a point must have to count as not felt [m]: wheel and rail bounce by some micrometres before the defect.
+constexpr double untouched = 0.1e-3;
+// A state is looked for at least this often [m].
+constexpr double stride = 1e-3;
+
+std::string nameOf(const WarmState& warm) { return warm.file.empty() ? "the warm state" : warm.file; }
+
+std::string withUnit(const cases::CaseDescription& description, const cases::Parameter& parameter) {
+  const auto text = cases::valueText(description, parameter);
+  return parameter.unit.empty() || parameter.unit == "-" ? text : text + " " + parameter.unit;
+}
+
+cases::DefectZone zoneOf(const cases::CaseDescription& description) {
+  return cases::defectZone(cases::DefectSurface(description.defect), description.mesh);
+}
+
+// What is wrong with one side of the zone; `own` of the case, `set` whether its key states it.
+void checkZone(const WarmState& warm, const char* key, double own, bool set, double served,
+               std::vector<CaseProblem>& problems) {
+  if (own == served || (own < served && !set)) return;
+  const auto& parameter = *cases::findParameter(key);
+  const auto text = [&](double value) {
+    auto with = warm.description;
+    std::get<double& (*)(cases::CaseDescription&)>(parameter.access)(with) = value;
+    return withUnit(with, parameter);
+  };
+  const bool tooLong = own > served;
+  problems.push_back({key, text(own), (tooLong ? "at most " : "") + text(served) + ", as in " + nameOf(warm),
+                      tooLong ? "The defect reaches so far: make the warm state with this value of the key"
+                              : "Leave the key out, or make the warm state with this value"});
+}
+
+// Contact is looked for, and a rail may flow, this far from below the axis [m].
+double reachOf(const scenario::Scenario& scenario) {
+  return contact::reachAlong(scenario.defectSurface, contact::seatOf(scenario).radius);
+}
+
+void checkDefect(const WarmState& warm, const cases::CaseDescription& description, std::vector<CaseProblem>& problems) {
+  if (description.defect.moveNodes)
+    problems.push_back({"defect.move_nodes", "true", "false with a warm state",
+                        "Moved nodes change the stiffness of the rail, which waves feel before the wheel arrives: "
+                        "run the whole case"});
+  const auto own = zoneOf(description), served = zoneOf(warm.description);
+  const auto& mesh = description.mesh;
+  checkZone(warm, "mesh.zone_before", own.before, mesh.zoneBefore > 0, served.before, problems);
+  checkZone(warm, "mesh.zone_behind", own.behind, mesh.zoneBehind > 0, served.behind, problems);
+  if (!description.rail.plastic || !problems.empty()) return;
+  const double here = reachOf(cases::resolve(description)), there = reachOf(cases::resolve(warm.description));
+  if (here == there) return;
+  const auto millimetres = [](double metres) { return std::to_string(std::lround(1e3 * metres)) + " mm"; };
+  problems.push_back({"rail.plastic", "true", "false for this defect with " + nameOf(warm),
+                      "A defect as steep as this one lets the rail flow up to " + millimetres(here) +
+                          " from the wheel, that of the warm state up to " + millimetres(there) +
+                          ": make a warm state with this defect, or run the whole case"});
+}
+
+}  // namespace
+
+void requireFit(const WarmState& warm, const cases::CaseDescription& description) {
+  std::vector<CaseProblem> problems;
+  for (const auto* parameter : cases::differencesBeforeDefect(description, warm.description))
+    problems.push_back({parameter->key, withUnit(description, *parameter),
+                        withUnit(warm.description, *parameter) + ", as in " + nameOf(warm),
+                        "Only the defect may differ from what the warm state was made for"});
+  if (problems.empty()) checkDefect(warm, description, problems);
+  if (!problems.empty()) throw CaseError(problems);
+}
+
+cases::CaseDescription onMeshOf(const WarmState& warm, cases::CaseDescription description) {
+  const auto zone = zoneOf(warm.description);
+  if (zoneOf(description) == zone) return description;
+  description.mesh.zoneBefore = zone.before, description.mesh.zoneBehind = zone.behind;
+  return description;
+}
+
+void requireAhead(const WarmState& warm, const dynamics::Rolling& rolling) {
+  const auto& surface = rolling.model().scenario.defectSurface;
+  if (surface.first() == surface.last() || rolling.frontOfContact(0.5 * untouched) < surface.first()) return;
+  throw CaseError({{"--warm", nameOf(warm), "a state before the wheel feels the defect",
+                    "The profile rises so high that the wheel touches it earlier: make the warm state with this "
+                    "defect, or with a longer mesh.zone_before"}});
+}
+
+StoredState storedIn(const WarmState& warm) {
+  return {warm.state, nameOf(warm), "make the warm state anew with squat warm"};
+}
+
+std::size_t byteCount(const WarmState& warm) { return sizeof warm + results::byteCount(warm.state); }
+
+namespace {
+
+void refuseMovedNodes(const cases::CaseDescription& description) {
+  if (description.defect.moveNodes)
+    throw CaseError({{"defect.move_nodes", "true", "false for a warm state",
+                      "Moved nodes change the stiffness of the rail, which waves feel before the wheel arrives"}});
+}
+
+// Rolls on until the wheel is about to feel the zone, which begins at `zone` [m]. False where it was cancelled.
+bool rollUpTo(OpenRun& run, double zone) {
+  auto& rolling = *run.rolling;
+  const double perStep = run.scenario.motion.speed * rolling.stepSize();
+  const long steps = std::clamp(static_cast<long>(stride / perStep), 1L, run.steps.stepsPerSample);
+  // Between two looks the gap of a point that the wheel nears closes by the way times the slope of the tread there.
+  const double margin = untouched + static_cast<double>(steps) * perStep * 0.020 / run.model.surfaces.radius;
+  const auto isAhead = [&] { return rolling.frontOfContact(margin) < zone; };
+  if (!isAhead())
+    throw CaseError({{"motion.run_up", std::to_string(run.scenario.motion.runUp) + " m",
+                      "such that the wheel starts some 20 mm before the defect and mesh.zone_before",
+                      "There is nothing to keep: lengthen the run-up"}});
+  DivergenceGuard::checkEverything(rolling);
+  while (isAhead())
+    if (roll(rolling, rolling.state().step + steps, run.parts->observers, run.monitor, run.parts->clock) ==
+        LoopEnd::cancelled)
+      return false;
+  if (rolling.frontOfContact(0.5 * untouched) >= zone)
+    throw RunError("the wheel felt the defect before a state could be taken", rolling.state().step,
+                   rolling.state().time, "contact");
+  return true;
+}
+
+}  // namespace
+
+std::optional<WarmState> makeWarmState(const cases::CaseDescription& description, const RunOptions& options,
+                                       Monitor& monitor) {
+  refuseMovedNodes(description);
+  auto plain = options;
+  plain.checkpointPath.clear(), plain.resume = false, plain.warm.reset();
+  WarmState warm;
+  warm.description = description;
+  const auto zone = zoneOf(description);
+  warm.description.mesh.zoneBefore = zone.before, warm.description.mesh.zoneBehind = zone.behind;
+  OpenRun run(warm.description, plain, monitor);
+  if (!run.start(nullptr)) return std::nullopt;
+  const auto way = run.scenario.motion.runUp - zone.before - 0.014;  // about
+  run.observe(nullptr, std::max(1L, std::lround(way / (run.scenario.motion.speed * run.rolling->stepSize()))));
+  if (!run.timed("rolling", [&] { return rollUpTo(run, -zone.before); })) return std::nullopt;
+  warm.position = run.rolling->view().position;
+  warm.state = stateOf(*run.rolling, run.steps, run.parts->observers, run.result);
+  return warm;
+}
+
+}  // namespace squat::simulation
