@@ -3,18 +3,18 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/Analysis.h"
+#include "analysis/AnalysisFiles.h"
+#include "analysis/OptionText.h"
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
+#include "commands/FigureSheets.h"
 #include "commands/Interrupt.h"
-#include "commands/LaboratoryFigures.h"
 #include "commands/NumberRange.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
 #include "core/Errors.h"
-#include "laboratory/Analysis.h"
-#include "laboratory/AnalysisFiles.h"
-#include "laboratory/OptionText.h"
 #include "text/Units.h"
 
 namespace squat::commands {
@@ -25,7 +25,7 @@ struct AnalyseOptions {
   std::vector<std::string> files, bands;
   std::string folder, window = "hann", detrend = "constant";
   SignalOptions signal;
-  laboratory::AnalysisOptions analysis;
+  analysis::AnalysisOptions analysis;
   FigureChoice figures;
   bool noAlignment = false, json = false, amplitude = false;
 };
@@ -36,12 +36,12 @@ void printSpectrum(const char* name, const signals::PowerSpectrum& spectrum) {
               number(spectrum.meanSquare).c_str(), unit.c_str(), spectrum.window.c_str());
 }
 
-void printTable(const laboratory::Analysis& analysis) {
+void printTable(const analysis::Analysis& analysis) {
   if (analysis.signals.empty()) return;
   std::vector<std::string> head{"feature"};
   for (const auto& signal : analysis.signals) head.push_back(signal.run);
   TextTable table(head);
-  const auto features = laboratory::featureTable(analysis);
+  const auto features = analysis::featureTable(analysis);
   for (std::size_t row = 0; row < features.names.size(); ++row) {
     std::vector<std::string> cells{text::withPrintedUnit(features.names[row])};
     for (const auto& column : features.values) cells.push_back(std::isnan(column[row]) ? "-" : number(column[row]));
@@ -74,10 +74,10 @@ int analyse(const AnalyseOptions& given) {
   options.file = fileOptions(given.signal);
   options.align = !given.noAlignment;
   if (given.amplitude) options.wavelet.normalisation = signals::WaveletNormalisation::amplitude;
-  laboratory::setWindow(options.spectrum, given.window);
-  laboratory::setDetrend(options.spectrum, given.detrend);
+  analysis::setWindow(options.spectrum, given.window);
+  analysis::setDetrend(options.spectrum, given.detrend);
   for (const auto& text : given.bands) {
-    auto band = laboratory::bandFromText(text);
+    auto band = analysis::bandFromText(text);
     for (const auto& other : options.features.bands)
       if (other.name == band.name)
         throw CaseError({{"--band", text, "a unique name", "Band '" + band.name + "' already exists"}});
@@ -86,15 +86,15 @@ int analyse(const AnalyseOptions& given) {
 
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
-  const auto analysis = laboratory::analyse(given.files, options, monitor);
+  const auto analysis = analysis::analyse(given.files, options, monitor);
   monitor.clearLine();
   if (given.json)
-    std::printf("%s\n", laboratory::featureJson(analysis).c_str());
+    std::printf("%s\n", analysis::featureJson(analysis).c_str());
   else
     printTable(analysis);
   if (InterruptGuard::asked()) return kCancelled;
   if (given.folder.empty()) return kDone;
-  const auto tables = laboratory::writeAnalysis(analysis, given.folder);
+  const auto tables = analysis::writeAnalysis(analysis, given.folder);
   std::FILE* const list = given.json ? stderr : stdout;
   std::fprintf(list, "\nwritten:\n");
   for (const auto& path : tables) std::fprintf(list, "  %s\n", path.c_str());

@@ -3,16 +3,16 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/ComparisonFiles.h"
+#include "analysis/FileComparison.h"
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
+#include "commands/FigureSheets.h"
 #include "commands/Interrupt.h"
-#include "commands/LaboratoryFigures.h"
 #include "commands/NumberRange.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
-#include "laboratory/ComparisonFiles.h"
-#include "laboratory/FileComparison.h"
 #include "text/Units.h"
 
 namespace squat::commands {
@@ -23,11 +23,11 @@ struct CompareOptions {
   std::string result, folder, resultColumn;
   std::vector<std::string> measured;
   SignalOptions signal;
-  laboratory::FileComparisonOptions comparison;
+  analysis::FileComparisonOptions comparison;
   FigureChoice figures;
 };
 
-void printTable(const laboratory::FileComparison& pair) {
+void printTable(const analysis::FileComparison& pair) {
   const auto& comparison = pair.comparison;
   std::printf("%s against %s (%s)\n", comparison.firstName.c_str(), comparison.secondName.c_str(),
               pair.secondFile.c_str());
@@ -51,12 +51,12 @@ int compare(const CompareOptions& given) {
 
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
-  const auto pairs = laboratory::compareFiles(given.result, given.measured, options, monitor);
+  const auto pairs = analysis::compareFiles(given.result, given.measured, options, monitor);
   monitor.clearLine();
   for (const auto& pair : pairs) printTable(pair);
   if (InterruptGuard::asked()) return kCancelled;
   if (given.folder.empty()) return kDone;
-  const auto tables = laboratory::writeComparisons(pairs, given.folder);
+  const auto tables = analysis::writeComparisons(pairs, given.folder);
   std::printf("written:\n");
   for (const auto& path : tables) std::printf("  %s\n", path.c_str());
   for (const auto& path : writeComparisonFigures(pairs, options.smooth, given.folder, given.figures))

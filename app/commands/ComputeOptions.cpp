@@ -16,7 +16,7 @@ CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& he
 
 namespace {
 
-constexpr int mostThreads = 1024;
+constexpr int maximumThreads = 1024;
 
 // Threads wait for each other at every step: far more than there are cores bring a run to a crawl. The numbers of a
 // result do not depend on how many there are, so fewer than asked for do no harm.
@@ -24,7 +24,7 @@ std::string limitThreads(std::string& input) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const int most = usefulThreads(cores);
   int threads = 0;
-  if (CLI::detail::lexical_cast(input, threads) && threads > most && threads <= mostThreads) {
+  if (CLI::detail::lexical_cast(input, threads) && threads > most && threads <= maximumThreads) {
     std::fprintf(stderr, "note: using %d threads instead of %d; this machine has %d cores\n", most, threads, cores);
     input = std::to_string(most);
   }
@@ -37,7 +37,7 @@ int usefulThreads(int cores) { return std::max(8, 4 * cores); }
 
 void addThreads(CLI::App& command, int& threads, const std::string& help) {
   command.add_option("--threads", threads, help)
-      ->check(CLI::Range(1, mostThreads))
+      ->check(CLI::Range(1, maximumThreads))
       ->transform(CLI::Validator(limitThreads, ""))
       ->type_name("N");
 }

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/RunFeatures.h"
 #include "commands/TextTable.h"
 #include "commands/ValidationText.h"
-#include "laboratory/RunFeatures.h"
 #include "signals/SignalError.h"
-#include "validation/JudgeRun.h"
-#include "validation/Measures.h"
-#include "validation/RunChecks.h"
+#include "statements/JudgeRun.h"
+#include "statements/Measures.h"
+#include "statements/RunChecks.h"
 
 namespace squat::commands {
 
@@ -20,7 +20,7 @@ using results::RunResult;
 
 constexpr const char* kNone = "not available";
 
-using validation::PaperCase;
+using statements::PaperCase;
 
 // Why the paper's statements are not judged, for a case that is nearly the paper's.
 void addChangedKeys(std::vector<PaperRow>& rows, const PaperCase& nearest) {
@@ -47,7 +47,7 @@ void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* c
 
 void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
   constexpr std::size_t most = 6;
-  const auto lines = validation::strongLines(result, {});
+  const auto lines = statements::strongLines(result, {});
   std::string text;
   for (std::size_t i = 0; lines && i < std::min(most, lines->frequencies.size()); ++i)
     text += (text.empty() ? "" : ", ") + std::to_string(std::lround(lines->frequencies[i]));
@@ -58,7 +58,7 @@ void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
 // What lines, wavelength and band powers refer to.
 void addAnchor(std::vector<PaperRow>& rows, const RunResult& result) {
   try {
-    const auto features = laboratory::runFeatures(result);
+    const auto features = analysis::runFeatures(result);
     rows.push_back(
         {"features anchored at", number(1e3 * features.impactTime, "ms"), signals::toText(features.anchor), ""});
   } catch (const signals::SignalError&) {  // too short: no features
@@ -66,14 +66,14 @@ void addAnchor(std::vector<PaperRow>& rows, const RunResult& result) {
 }
 
 void addWavelength(std::vector<PaperRow>& rows, const RunResult& result) {
-  validation::Statement wanted;
+  statements::Statement wanted;
   wanted.measure = "wavelength";
-  const auto length = validation::measure(result, wanted);
+  const auto length = statements::measure(result, wanted);
   rows.push_back({"mean wavelength after the impact", length ? number(*length, "mm") : kNone, "", ""});
 }
 
 // As `squat validate` prints them.
-void addStatements(std::vector<PaperRow>& rows, const std::vector<validation::Judged>& judged) {
+void addStatements(std::vector<PaperRow>& rows, const std::vector<statements::Judged>& judged) {
   for (const auto& one : judged)
     rows.push_back({one.statement.name, valueText(one), rangeText(one.statement), toText(one.verdict)});
 }
@@ -114,13 +114,14 @@ void addContact(std::vector<PaperRow>& rows, const RunResult& result) {
 
 const char* passed(bool isPassed) { return isPassed ? "passed" : "failed"; }
 
-void addQuietness(std::vector<PaperRow>& rows, const RunResult& result, const validation::Reference& reference) {
-  const auto seen = validation::residualVibration(result);
+void addResidualVibration(std::vector<PaperRow>& rows, const RunResult& result,
+                          const statements::Reference& reference) {
+  const auto seen = statements::residualVibration(result);
   if (!seen) return;
   char what[64];
   std::snprintf(what, sizeof what, "residual vibration before the defect (%.2f m)", seen->length);
   PaperRow row{what, number(seen->largest, "m/s2"), "", ""};
-  if (const auto limit = validation::residualVibrationLimit(reference)) {
+  if (const auto limit = statements::residualVibrationLimit(reference)) {
     row.paper = "limit " + number(*limit, "m/s2");
     row.verdict = passed(seen->largest <= *limit);
   }
@@ -128,10 +129,10 @@ void addQuietness(std::vector<PaperRow>& rows, const RunResult& result, const va
 }
 
 void addEnergy(std::vector<PaperRow>& rows, const RunResult& result) {
-  if (const auto error = validation::energyError(result))
+  if (const auto error = statements::energyError(result))
     rows.push_back({"energy balance error, maximum", number(100 * *error, "%"),
-                    "limit " + number(100 * validation::energyErrorLimit, "%"),
-                    passed(*error < validation::energyErrorLimit)});
+                    "limit " + number(100 * statements::energyErrorLimit, "%"),
+                    passed(*error < statements::energyErrorLimit)});
 }
 
 // Only where the rail may yield.
@@ -165,8 +166,8 @@ std::optional<double> scalarNamed(const std::vector<results::Scalar>& list, cons
 
 namespace {
 
-std::vector<PaperRow> rowsOf(const RunResult& result, const validation::Reference& reference,
-                             const validation::RunJudgement& run) {
+std::vector<PaperRow> rowsOf(const RunResult& result, const statements::Reference& reference,
+                             const statements::RunJudgement& run) {
   std::vector<PaperRow> rows;
   if (run.nearest) addChangedKeys(rows, *run.nearest);
   addPeak(rows, result, "aba_filtered", "axle box acceleration, maximum / minimum");
@@ -176,29 +177,29 @@ std::vector<PaperRow> rowsOf(const RunResult& result, const validation::Referenc
   addWavelength(rows, result);
   addStatements(rows, run.judged);
   addContact(rows, result);
-  addQuietness(rows, result, reference);
+  addResidualVibration(rows, result, reference);
   addPlasticity(rows, result);
   addEnergy(rows, result);
   addCost(rows, result);
   return rows;
 }
 
-bool missesALine(const std::vector<validation::Judged>& judged) {
+bool missesALine(const std::vector<statements::Judged>& judged) {
   return std::any_of(judged.begin(), judged.end(), [](const auto& one) {
-    return one.statement.measure == "line" && one.verdict == validation::Verdict::notMet;
+    return one.statement.measure == "line" && one.verdict == statements::Verdict::notMet;
   });
 }
 
 }  // namespace
 
 std::vector<PaperRow> paperRows(const RunResult& result) {
-  const auto reference = validation::installedReference();
-  return rowsOf(result, reference, validation::judgeRun(reference, result));
+  const auto reference = statements::installedReference();
+  return rowsOf(result, reference, statements::judgeRun(reference, result));
 }
 
 std::string paperTable(const RunResult& result) {
-  const auto reference = validation::installedReference();
-  const auto run = validation::judgeRun(reference, result);
+  const auto reference = statements::installedReference();
+  const auto run = statements::judgeRun(reference, result);
   TextTable table({result.stem, "this run", "paper or theory", ""});
   for (const auto& row : rowsOf(result, reference, run)) table.add({row.what, row.ours, row.paper, row.verdict});
   auto text = table.text(kTerminalWidth) + reasonsText(run.judged);

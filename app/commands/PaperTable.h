@@ -19,7 +19,7 @@ struct PaperRow {
 // Peak, lines of the spectrum, wavelength; contact against Hertz; residual vibration; energy; cost. Rows whose numbers
 // the result does not hold say "not available". The paper's statements stand beside the paper's own cases only, known
 // by their values, whatever the file is called: name, number, range and verdict are those of `squat validate`
-// (validation::judgeRun).
+// (statements::judgeRun).
 std::vector<PaperRow> paperRows(const results::RunResult& result);
 
 std::string paperTable(const results::RunResult& result);

@@ -1,7 +1,7 @@
 #include "commands/SignalOptions.h"
 
+#include "analysis/OptionText.h"
 #include "commands/NumberRange.h"
-#include "laboratory/OptionText.h"
 
 namespace squat::commands {
 
@@ -29,10 +29,10 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
   command.add_flag("--decimal-comma", options.decimalComma, "Numbers have a decimal comma");
 }
 
-measured::SignalFileOptions fileOptions(const SignalOptions& options) {
+readers::SignalFileOptions fileOptions(const SignalOptions& options) {
   auto file = options.file;
-  if (!options.speed.empty()) file.speed = laboratory::speedFromText(options.speed);
-  file.delimiter = laboratory::delimiterFromText(options.delimiter);
+  if (!options.speed.empty()) file.speed = analysis::speedFromText(options.speed);
+  file.delimiter = analysis::delimiterFromText(options.delimiter);
   if (options.decimalComma) file.decimal = ',';
   return file;
 }

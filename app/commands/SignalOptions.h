@@ -4,12 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "measured/SignalFile.h"
+#include "readers/SignalFile.h"
 
 namespace squat::commands {
 
 struct SignalOptions {
-  measured::SignalFileOptions file;
+  readers::SignalFileOptions file;
   std::string speed, delimiter = "auto";
   bool decimalComma = false;
 };
@@ -17,6 +17,6 @@ struct SignalOptions {
 void addSignalOptions(CLI::App& command, SignalOptions& options);
 
 // With the texts turned into values; throws CaseError.
-measured::SignalFileOptions fileOptions(const SignalOptions& options);
+readers::SignalFileOptions fileOptions(const SignalOptions& options);
 
 }  // namespace squat::commands

@@ -10,7 +10,7 @@ namespace squat::commands {
 
 namespace {
 
-constexpr std::size_t kMostRows = 40;
+constexpr std::size_t kMaximumRows = 40;
 
 // Features with their short heads; a hundred columns hold these beside two keys.
 struct Shown {
@@ -45,7 +45,7 @@ std::string studySummary(const studies::StudyTable& table) {
   TextTable text(head);
   std::size_t rows = 0, ended = 0;
   for (const auto& row : table.rows) {
-    if (row.state == studies::RowState::open || ++ended > kMostRows) continue;
+    if (row.state == studies::RowState::open || ++ended > kMaximumRows) continue;
     std::vector<std::string> cells = row.point.values;
     cells.emplace_back(row.state == studies::RowState::done ? "done" : "failed");
     for (const auto& shown : kShown) cells.push_back(cellOf(row, shown));

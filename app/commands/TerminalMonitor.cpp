@@ -52,7 +52,7 @@ std::string progressText(const Progress& progress, std::size_t atMost) {
 
 void TerminalMonitor::report(const Progress& progress) {
   const auto now = Clock::now();
-  const bool newPhase = progress.phase != phase_ && told_.insert(progress.phase).second;
+  const bool newPhase = progress.phase != phase_ && reported_.insert(progress.phase).second;
   if (!newPhase && now - last_ < (isTerminal_ ? Clock::duration(kBetweenRefreshes) : Clock::duration(kBetweenLines)))
     return;
   last_ = now;

@@ -30,7 +30,7 @@ class TerminalMonitor : public Monitor {
   std::FILE* stream_;
   bool isTerminal_, lineStands_ = false;
   std::string phase_;
-  std::set<std::string> told_;  // phases that had their line; jobs of a study take turns
+  std::set<std::string> reported_;  // phases that had their line; jobs of a study take turns
   Clock::time_point last_{};
 };
 

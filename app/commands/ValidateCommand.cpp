@@ -10,8 +10,8 @@
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
+#include "commands/FigureSheets.h"
 #include "commands/Interrupt.h"
-#include "commands/LaboratoryFigures.h"
 #include "commands/OutputFolder.h"
 #include "commands/RunFiles.h"
 #include "commands/TerminalMonitor.h"
@@ -20,9 +20,9 @@
 #include "core/Errors.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
-#include "validation/Judge.h"
-#include "validation/PaperCase.h"
-#include "validation/Sensitivity.h"
+#include "statements/Judge.h"
+#include "statements/PaperCase.h"
+#include "statements/Sensitivity.h"
 
 namespace squat::commands {
 
@@ -37,7 +37,7 @@ struct ValidateOptions {
 
 using Results = std::map<std::string, results::RunResult>;
 
-cases::CaseDescription caseOf(const ValidateOptions& options, const validation::ReferenceRun& run) {
+cases::CaseDescription caseOf(const ValidateOptions& options, const statements::ReferenceRun& run) {
   cases::CaseOverrides overrides;
   overrides.preset = options.mesh;
   overrides.values = run.sets;
@@ -54,7 +54,7 @@ std::optional<results::RunResult> finished(const RunFiles& files, const std::str
   return result && result->codeVersion == SQUAT_VERSION ? result : std::nullopt;
 }
 
-std::optional<results::RunResult> make(const ValidateOptions& options, const validation::ReferenceRun& run,
+std::optional<results::RunResult> make(const ValidateOptions& options, const statements::ReferenceRun& run,
                                        TerminalMonitor& monitor) {
   const auto description = caseOf(options, run);
   const RunFiles files{options.folder, run.name};
@@ -71,7 +71,7 @@ std::optional<results::RunResult> make(const ValidateOptions& options, const val
 }
 
 // Makes the runs that do not stand there yet. False where one of them failed.
-bool makeAll(const ValidateOptions& options, const validation::Reference& reference, Results& results,
+bool makeAll(const ValidateOptions& options, const statements::Reference& reference, Results& results,
              TerminalMonitor& monitor) {
   bool well = true;
   // Hours later would be the wrong moment to find a foreign result, or the checkpoint of another case.
@@ -95,7 +95,7 @@ bool makeAll(const ValidateOptions& options, const validation::Reference& refere
 
 // What stands in a folder, whatever mesh or version made it; says where it is not what the reference asks for. Returns
 // the mesh preset of the results.
-std::string readAll(const ValidateOptions& options, const validation::Reference& reference, Results& results,
+std::string readAll(const ValidateOptions& options, const statements::Reference& reference, Results& results,
                     TerminalMonitor& monitor) {
   std::string mesh;
   for (const auto& run : reference.runs) {
@@ -110,7 +110,7 @@ std::string readAll(const ValidateOptions& options, const validation::Reference&
       monitor.message(files.result() + " is incomplete (" + result.stopReason + "): its statements are not judged");
       continue;
     }
-    const auto own = validation::meshPresetOf(result);
+    const auto own = statements::meshPresetOf(result);
     if (mesh.empty()) mesh = own;
     auto asked = options;
     asked.mesh = own;
@@ -125,9 +125,9 @@ std::string readAll(const ValidateOptions& options, const validation::Reference&
   return mesh;
 }
 
-int judgeAndWrite(const ValidateOptions& options, const validation::Reference& reference, const Results& results,
+int judgeAndWrite(const ValidateOptions& options, const statements::Reference& reference, const Results& results,
                   const std::string& mesh) {
-  const auto judged = validation::judge(reference, results, mesh);
+  const auto judged = statements::judge(reference, results, mesh);
   std::string text = "Mesh " + mesh + ". " + countsText(judged) +
                      ".\nJudged at the axle box. validation.csv adds the paper's wording, the runs, the reasons for "
                      "the\naccepted ranges and the values at the wheel centre.\n\n" +
@@ -138,13 +138,13 @@ int judgeAndWrite(const ValidateOptions& options, const validation::Reference& r
     writeDurably(written.back(), std::string_view(content));
   };
   if (const auto light = results.find(reference.runs.front().name); light != results.end()) {
-    const auto parameters = validation::compareParameters(reference, light->second);
+    const auto parameters = statements::compareParameters(reference, light->second);
     text += parametersText(parameters) + "\n";
-    write("validation_parameters.csv", validation::parametersCsv(parameters));
+    write("validation_parameters.csv", statements::parametersCsv(parameters));
   }
   std::printf("%s%s\n", text.c_str(), countsText(judged).c_str());
   write("validation.txt", text + numbersText(reference));
-  write("validation.csv", validation::judgedCsv(judged));
+  write("validation.csv", statements::judgedCsv(judged));
   for (auto& path : writeValidationFigure(judged, "mesh " + mesh, options.folder, options.figures))
     written.push_back(std::move(path));
   std::printf("\nwritten:\n");
@@ -152,7 +152,7 @@ int judgeAndWrite(const ValidateOptions& options, const validation::Reference& r
   return kDone;
 }
 
-int showSensitivity(const ValidateOptions& options, const validation::Reference& reference, TerminalMonitor& monitor) {
+int showSensitivity(const ValidateOptions& options, const statements::Reference& reference, TerminalMonitor& monitor) {
   cases::CaseOverrides overrides;
   overrides.preset = options.mesh;
   auto runOptions = options.run;
@@ -160,13 +160,13 @@ int showSensitivity(const ValidateOptions& options, const validation::Reference&
   const studies::CaseRunner run = [&](const cases::CaseDescription& description, const studies::StudyPoint&,
                                       Monitor& own) { return simulation::runCase(description, runOptions, own); };
   const auto table =
-      validation::sensitivity(reference, overrides, run, {options.folder + "/sensitivity", 1, false}, monitor);
+      statements::sensitivity(reference, overrides, run, {options.folder + "/sensitivity", 1, false}, monitor);
   monitor.clearLine();
   const std::string text =
       "Mesh " + options.mesh + ", run " + reference.sensitivityRun + "\n\n" + sensitivityText(table);
   std::printf("%s", text.c_str());
   writeDurably(options.folder + "/sensitivity.txt", std::string_view(text));
-  writeDurably(options.folder + "/sensitivity.csv", std::string_view(validation::sensitivityCsv(table)));
+  writeDurably(options.folder + "/sensitivity.csv", std::string_view(statements::sensitivityCsv(table)));
   std::printf("\nwritten:\n  %s/sensitivity.txt\n  %s/sensitivity.csv\n", options.folder.c_str(),
               options.folder.c_str());
   const bool failed = std::any_of(table.rows.begin(), table.rows.end(),
@@ -181,7 +181,7 @@ int cancelled() {
 
 int validate(const ValidateOptions& options) {
   const auto reference =
-      validation::readReference(options.reference.empty() ? validation::paperReferencePath() : options.reference);
+      statements::readReference(options.reference.empty() ? statements::paperReferencePath() : options.reference);
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);

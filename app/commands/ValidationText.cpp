@@ -6,24 +6,24 @@ namespace squat::commands {
 
 namespace {
 
-using validation::Verdict;
+using statements::Verdict;
 
 std::string stated(const std::string& value, const std::string& unit) {
   return unit == "1" || unit.empty() ? value : value + " " + unit;
 }
 
-std::string markText(const validation::SensitivityRow& row, std::size_t statement) {
+std::string markText(const statements::SensitivityRow& row, std::size_t statement) {
   if (!row.message.empty()) return row.message;
   return (row.numbers[statement] ? number(*row.numbers[statement]) : "none") + (row.met[statement] ? "" : " *");
 }
 
 // The statements down, the values of one input across.
-std::string inputText(const validation::SensitivityTable& table, const std::vector<validation::SensitivityRow>& rows) {
+std::string inputText(const statements::SensitivityTable& table, const std::vector<statements::SensitivityRow>& rows) {
   std::vector<std::string> head{"statement", "accepted"};
   for (const auto& row : rows) head.push_back(stated(row.value, row.unit) + (row.base ? " (base)" : ""));
   TextTable text(head);
   for (std::size_t i = 0; i < table.statements.size(); ++i) {
-    std::vector<std::string> cells{table.statements[i].name, validation::rangeText(table.statements[i])};
+    std::vector<std::string> cells{table.statements[i].name, statements::rangeText(table.statements[i])};
     for (const auto& row : rows) cells.push_back(i < row.numbers.size() ? markText(row, i) : row.message);
     text.add(cells);
   }
@@ -32,26 +32,26 @@ std::string inputText(const validation::SensitivityTable& table, const std::vect
 
 }  // namespace
 
-std::string countsText(const std::vector<validation::Judged>& judged) {
+std::string countsText(const std::vector<statements::Judged>& judged) {
   return std::to_string(countOf(judged, Verdict::met)) + " met, " + std::to_string(countOf(judged, Verdict::notMet)) +
          " not met, " + std::to_string(countOf(judged, Verdict::notJudged)) + " not judged";
 }
 
 // A ratio is a pure number.
-std::string valueText(const validation::Judged& one) {
+std::string valueText(const statements::Judged& one) {
   const auto& unit = one.statement.unit;
   return one.value ? number(*one.value, unit == "ratio" ? "" : unit) : "none";
 }
 
-std::string statementsText(const std::vector<validation::Judged>& judged) {
+std::string statementsText(const std::vector<statements::Judged>& judged) {
   TextTable table({"section", "statement of the paper", "result", "accepted", "verdict"});
   for (const auto& one : judged)
-    table.add({one.statement.section, one.statement.name, valueText(one), validation::rangeText(one.statement),
-               validation::toText(one.verdict)});
+    table.add({one.statement.section, one.statement.name, valueText(one), statements::rangeText(one.statement),
+               statements::toText(one.verdict)});
   return table.text(kTerminalWidth) + reasonsText(judged);
 }
 
-std::string reasonsText(const std::vector<validation::Judged>& judged) {
+std::string reasonsText(const std::vector<statements::Judged>& judged) {
   std::string reasons;
   for (const auto& one : judged) {
     if (one.value || one.why.empty()) continue;
@@ -62,7 +62,7 @@ std::string reasonsText(const std::vector<validation::Judged>& judged) {
   return reasons.empty() ? "" : "\n" + reasons;
 }
 
-std::string parametersText(const std::vector<validation::ComparedParameter>& parameters) {
+std::string parametersText(const std::vector<statements::ComparedParameter>& parameters) {
   TextTable table({"section", "parameter of the paper", "paper", "this run", "key"});
   int same = 0;
   for (const auto& one : parameters) {
@@ -76,15 +76,15 @@ std::string parametersText(const std::vector<validation::ComparedParameter>& par
   return table.empty() ? text + ".\n" : text + "; the others:\n\n" + table.text(kTerminalWidth);
 }
 
-std::string numbersText(const validation::Reference& reference) {
+std::string numbersText(const statements::Reference& reference) {
   TextTable table({"section", "stated by the paper, not judged", "value"});
   for (const auto& one : reference.numbers) table.add({one.section, one.text, stated(one.value, one.unit)});
   return table.text(kTerminalWidth);
 }
 
-std::string sensitivityText(const validation::SensitivityTable& table) {
+std::string sensitivityText(const statements::SensitivityTable& table) {
   std::string text;
-  std::vector<validation::SensitivityRow> same;  // rows of one key stand together
+  std::vector<statements::SensitivityRow> same;  // rows of one key stand together
   for (const auto& row : table.rows) {
     if (!same.empty() && same.front().key != row.key) {
       text += inputText(table, same);

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <iostream>
 
-#include "studio/MainWindow.h"
+#include "studio/window/MainWindow.h"
 
 namespace squat::studio {
 namespace {

@@ -4,7 +4,7 @@
 #include <QElapsedTimer>
 #include <QThread>
 
-#include "studio/MainWindow.h"
+#include "studio/window/MainWindow.h"
 
 namespace squat::studio {
 

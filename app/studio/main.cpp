@@ -14,9 +14,9 @@
 #include "core/SteadyMemory.h"
 #include "simulation/RunCase.h"
 #include "studio/Arguments.h"
-#include "studio/MainWindow.h"
-#include "studio/MessageBar.h"
 #include "studio/Screenshot.h"
+#include "studio/common/MessageBar.h"
+#include "studio/window/MainWindow.h"
 
 namespace {
 

@@ -9,7 +9,7 @@ namespace squat::cases {
 
 namespace {
 
-std::string defaultText(const Parameter& parameter) { return isList(parameter) ? "[]" : parameter.standardText; }
+std::string defaultText(const Parameter& parameter) { return isList(parameter) ? "[]" : parameter.defaultText; }
 
 // Value as text; lists, which may have thousands of points, only as empty or not.
 std::string briefText(const CaseDescription& description, const Parameter& parameter) {

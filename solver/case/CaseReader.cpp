@@ -21,7 +21,7 @@ namespace squat::cases {
 namespace {
 
 constexpr std::size_t largestFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
-constexpr std::size_t mostProblems = 50, mostParts = 8;
+constexpr std::size_t maximumProblems = 50, maximumParts = 8;
 
 // A key as the file states it.
 struct Stated {
@@ -197,7 +197,7 @@ class Statements {
         one.typeProblem = CaseProblem{key, typeName(node), allowedText(*parameter), formAdvice(node, *parameter)};
     } else {
       // Looking for the nearest key takes its time; a list of thousands is not read by anybody.
-      one.typeProblem = ++unknown_ <= mostProblems ? unknownKey(key) : CaseProblem{key, {}, {}, {}};
+      one.typeProblem = ++unknown_ <= maximumProblems ? unknownKey(key) : CaseProblem{key, {}, {}, {}};
     }
     stated.push_back(std::move(one));
   }
@@ -210,7 +210,7 @@ class Statements {
 class Problems {
  public:
   void add(CaseProblem problem, const std::string& note = {}) {
-    if (problems_.size() >= mostProblems) {
+    if (problems_.size() >= maximumProblems) {
       ++more_;
       return;
     }
@@ -381,8 +381,8 @@ std::string valueAdvice(std::string_view line) {
 }
 
 toml::table parsedToml(std::string_view text, const std::string& origin) {
-  if (mostKeyParts(text) > mostParts)
-    throw FileError(origin, "", "key with more than " + std::to_string(mostParts) + " parts",
+  if (maximumKeyParts(text) > maximumParts)
+    throw FileError(origin, "", "key with more than " + std::to_string(maximumParts) + " parts",
                     "Keys of a case have two parts, like pad.stiffness");
   if (const auto foreign = firstForeignByte(text); foreign.position != std::string_view::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(foreign.position), '\n');

@@ -21,7 +21,7 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-std::string defaultText(const Parameter& parameter) { return isList(parameter) ? "[]" : parameter.standardText; }
+std::string defaultText(const Parameter& parameter) { return isList(parameter) ? "[]" : parameter.defaultText; }
 
 // A value as text in the unit of the case file, short enough for a table.
 std::string shortText(const Parameter& parameter, std::string text) {

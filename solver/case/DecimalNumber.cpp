@@ -52,7 +52,7 @@ std::optional<Parts> split(std::string_view text) {
 }  // namespace
 
 std::optional<double> parseDecimal(std::string_view text, int powerOfTen) {
-  const auto parts = split(text::trimmed(text));
+  const auto parts = split(text::trimmed(text, " \t"));
   if (!parts) return std::nullopt;
   const std::string shifted = std::string(parts->mantissa) + "e" + std::to_string(parts->exponent + powerOfTen);
   double value = 0;

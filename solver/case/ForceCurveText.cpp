@@ -30,10 +30,10 @@ std::string formatForceCurve(const std::vector<ForcePoint>& curve) {
 }
 
 std::string forceCurveMistake(const std::vector<ForcePoint>& curve) {
-  constexpr std::size_t mostCurvePoints = 100;
+  constexpr std::size_t maximumCurvePoints = 100;
   constexpr double farthest = 0.05, strongest = 1e7, softest = 1e4, stiffest = 2e10;  // [m], [N], [N/m]
   if (curve.size() == 1) return "Give at least two points";
-  if (curve.size() > mostCurvePoints) return "Give at most " + std::to_string(mostCurvePoints) + " points";
+  if (curve.size() > maximumCurvePoints) return "Give at most " + std::to_string(maximumCurvePoints) + " points";
   for (std::size_t i = 0; i < curve.size(); ++i) {
     const std::string which = "Point " + std::to_string(i + 1) + ": ";
     if (!(std::abs(curve[i].compression) <= farthest)) return which + "compressions go from -50 to 50 mm";

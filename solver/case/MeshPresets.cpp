@@ -49,9 +49,9 @@ std::string presetNote(const CaseDescription& description) {
     const Parameter& parameter = *findParameter(row.key);
     const double value = numberInUnit(description, parameter);
     const bool ownValue = valueText(description, parameter) != row.values[preset];
-    if (ownValue || !(value < std::stod(parameter.standardText))) continue;
+    if (ownValue || !(value < std::stod(parameter.defaultText))) continue;
     shortened += (shortened.empty() ? "" : ", ") + row.key + " = " + row.values[preset] + " " + parameter.unit +
-                 " (default " + parameter.standardText + " " + parameter.unit + ")";
+                 " (default " + parameter.defaultText + " " + parameter.unit + ")";
   }
   if (shortened.empty()) return {};
   return "mesh preset " + findParameter("mesh.preset")->choices[preset] + " shortens " + shortened +

@@ -23,19 +23,19 @@ struct Range {
   double minimum, maximum;
 };
 
-Parameter number(const char* key, Unit unit, double standard, Range range, double& (*access)(CaseDescription&),
+Parameter number(const char* key, Unit unit, double defaultValue, Range range, double& (*access)(CaseDescription&),
                  const char* doc, const char* source);
-Parameter wholeNumber(const char* key, double standard, Range range, Access access, const char* doc,
+Parameter wholeNumber(const char* key, double defaultValue, Range range, Access access, const char* doc,
                       const char* source);
-Parameter choice(const char* key, std::vector<std::string> names, std::size_t standard, ChoiceAccess access,
+Parameter choice(const char* key, std::vector<std::string> names, std::size_t defaultValue, ChoiceAccess access,
                  const char* doc, const char* source);
 
 // Names in the order of the enumerators.
 template <typename Enum>
-Parameter choice(const char* key, std::vector<std::string> names, Enum standard, Enum& (*access)(CaseDescription&),
+Parameter choice(const char* key, std::vector<std::string> names, Enum defaultValue, Enum& (*access)(CaseDescription&),
                  const char* doc, const char* source) {
   // The accessors take a mutable description; reading through them does not change it.
-  return choice(key, std::move(names), static_cast<std::size_t>(standard),
+  return choice(key, std::move(names), static_cast<std::size_t>(defaultValue),
                 ChoiceAccess{[access](const CaseDescription& description) {
                                return static_cast<std::size_t>(access(const_cast<CaseDescription&>(description)));
                              },
@@ -44,7 +44,7 @@ Parameter choice(const char* key, std::vector<std::string> names, Enum standard,
                              }},
                 doc, source);
 }
-Parameter boolean(const char* key, bool standard, bool& (*access)(CaseDescription&), const char* doc,
+Parameter boolean(const char* key, bool defaultValue, bool& (*access)(CaseDescription&), const char* doc,
                   const char* source);
 Parameter text(const char* key, std::string& (*access)(CaseDescription&), const char* doc, const char* source);
 Parameter points(const char* key, std::vector<ProfilePoint>& (*access)(CaseDescription&), const char* doc,

@@ -35,38 +35,38 @@ Parameter row(const char* key, Kind kind, Access access, const char* doc, const 
 
 }  // namespace
 
-Parameter number(const char* key, Unit unit, double standard, Range range, double& (*access)(CaseDescription&),
+Parameter number(const char* key, Unit unit, double defaultValue, Range range, double& (*access)(CaseDescription&),
                  const char* doc, const char* source) {
   Parameter parameter = row(key, Kind::number, access, doc, source);
   parameter.unit = unit.name;
   parameter.powerOfTen = unit.power;
-  parameter.standard = standard;
+  parameter.defaultValue = defaultValue;
   parameter.minimum = range.minimum;
   parameter.maximum = range.maximum;
-  parameter.standardText = formatDecimal(standard);
+  parameter.defaultText = formatDecimal(defaultValue);
   return parameter;
 }
 
-Parameter wholeNumber(const char* key, double standard, Range range, Access access, const char* doc,
+Parameter wholeNumber(const char* key, double defaultValue, Range range, Access access, const char* doc,
                       const char* source) {
-  Parameter parameter = number(key, none, standard, range, nullptr, doc, source);
+  Parameter parameter = number(key, none, defaultValue, range, nullptr, doc, source);
   parameter.access = std::move(access);
   parameter.integer = true;
   return parameter;
 }
 
-Parameter choice(const char* key, std::vector<std::string> names, std::size_t standard, ChoiceAccess access,
+Parameter choice(const char* key, std::vector<std::string> names, std::size_t defaultValue, ChoiceAccess access,
                  const char* doc, const char* source) {
   Parameter parameter = row(key, Kind::choice, std::move(access), doc, source);
-  parameter.standardText = names.at(standard);
+  parameter.defaultText = names.at(defaultValue);
   parameter.choices = std::move(names);
   return parameter;
 }
 
-Parameter boolean(const char* key, bool standard, bool& (*access)(CaseDescription&), const char* doc,
+Parameter boolean(const char* key, bool defaultValue, bool& (*access)(CaseDescription&), const char* doc,
                   const char* source) {
   Parameter parameter = row(key, Kind::boolean, access, doc, source);
-  parameter.standardText = standard ? "true" : "false";
+  parameter.defaultText = defaultValue ? "true" : "false";
   return parameter;
 }
 
@@ -94,13 +94,13 @@ Parameter forceCurve(const char* key, std::vector<ForcePoint>& (*access)(CaseDes
                      const char* source) {
   Parameter parameter = row(key, Kind::forceCurve, access, doc, source);
   parameter.unit = "mm, kN";
-  parameter.standardText = "[]";
+  parameter.defaultText = "[]";
   return parameter;
 }
 
 Parameter seats(const char* key, std::vector<Seat>& (*access)(CaseDescription&), const char* doc, const char* source) {
   Parameter parameter = row(key, Kind::seats, access, doc, source);
-  parameter.standardText = "[]";
+  parameter.defaultText = "[]";
   return parameter;
 }
 
@@ -141,8 +141,8 @@ std::vector<Parameter> makeTable() {
   for (const auto& preset : presetTable())
     for (auto& parameter : table)
       if (parameter.key == preset.key) {
-        parameter.standardText = preset.values[static_cast<std::size_t>(MeshPreset::draft)];
-        parameter.standard = parseDecimal(parameter.standardText).value_or(parameter.standard);
+        parameter.defaultText = preset.values[static_cast<std::size_t>(MeshPreset::draft)];
+        parameter.defaultValue = parseDecimal(parameter.defaultText).value_or(parameter.defaultValue);
       }
   for (auto& parameter : table)
     if (!parameter.condition.empty()) parameter.doc += "; applies if " + conditionText(parameter.condition);

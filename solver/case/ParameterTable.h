@@ -43,14 +43,14 @@ struct Parameter {
   std::string key;   // path in the case file, e.g. "pad.stiffness"
   std::string unit;  // of the value in the case file, e.g. "MN/m"; "-" for a pure number, empty where there is none
   Kind kind = Kind::number;
-  int powerOfTen = 0;                             // value in SI = value in the case file times 10^powerOfTen
-  double standard = 0, minimum = 0, maximum = 0;  // numbers, in `unit`: default and allowed range, all finite
-  bool integer = false;                           // number: whole numbers only
-  std::vector<std::string> choices;               // names a choice may take
-  std::string standardText;  // default of every kind as the case file would state it, without quotes
-  std::string group;         // table of the case file: "pad"; "case" for the keys above all tables
-  std::string doc;           // one line, with the condition under which the key applies
-  std::string source;        // evidence of the default: "paper, Table 1", "literature: ...", "assumed: ..."
+  int powerOfTen = 0;                                 // value in SI = value in the case file times 10^powerOfTen
+  double defaultValue = 0, minimum = 0, maximum = 0;  // numbers, in `unit`: default and allowed range, all finite
+  bool integer = false;                               // number: whole numbers only
+  std::vector<std::string> choices;                   // names a choice may take
+  std::string defaultText;  // default of every kind as the case file would state it, without quotes
+  std::string group;        // table of the case file: "pad"; "case" for the keys above all tables
+  std::string doc;          // one line, with the condition under which the key applies
+  std::string source;       // evidence of the default: "paper, Table 1", "literature: ...", "assumed: ..."
   Access access;
   Condition condition;  // Applicability.h
 };

@@ -241,7 +241,7 @@ void setValue(CaseDescription& description, std::string_view key, std::string_vi
 }
 
 void setToDefault(CaseDescription& description, const Parameter& parameter) {
-  trySetValue(description, parameter, isList(parameter) ? "[]" : parameter.standardText);
+  trySetValue(description, parameter, isList(parameter) ? "[]" : parameter.defaultText);
 }
 
 double numberInUnit(const CaseDescription& description, const Parameter& parameter) {

@@ -45,7 +45,7 @@ std::optional<std::vector<ProfilePoint>> readPoints(Cursor& cursor, int powerOfT
   std::vector<ProfilePoint> points;
   if (!cursor.take('[')) return std::nullopt;
   while (!cursor.take(']')) {
-    if (!cursor.take('[') || points.size() >= mostPoints) return std::nullopt;
+    if (!cursor.take('[') || points.size() >= maximumPoints) return std::nullopt;
     const auto position = cursor.number(powerOfTen);
     if (!position || !cursor.take(',')) return std::nullopt;
     const auto height = cursor.number(secondPowerOfTen);
@@ -75,7 +75,7 @@ std::optional<std::vector<ProfileLine>> parseLines(std::string_view text, int po
   std::vector<ProfileLine> lines;
   if (!cursor.take('[')) return std::nullopt;
   while (!cursor.take(']')) {
-    if (!cursor.take('[') || lines.size() >= mostLines) return std::nullopt;
+    if (!cursor.take('[') || lines.size() >= maximumLines) return std::nullopt;
     const auto lateral = cursor.number(powerOfTen);
     if (!lateral || !cursor.take(',')) return std::nullopt;
     auto points = readPoints(cursor, powerOfTen, powerOfTen);
@@ -101,7 +101,7 @@ std::string formatLines(const std::vector<ProfileLine>& lines, int powerOfTen) {
 std::string linesMistake(const std::vector<ProfileLine>& lines) {
   constexpr double edge = 0.036;  // [m] half the width of the head
   if (lines.size() == 1) return "Give at least two lines, or use defect.points for a single profile";
-  if (lines.size() > mostLines) return "Give at most " + std::to_string(mostLines) + " lines";
+  if (lines.size() > maximumLines) return "Give at most " + std::to_string(maximumLines) + " lines";
   std::size_t all = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string which = "Line " + std::to_string(i + 1) + ": ";
@@ -111,7 +111,7 @@ std::string linesMistake(const std::vector<ProfileLine>& lines) {
     if (const std::string wrong = pointsMistake(lines[i].points); !wrong.empty()) return which + wrong;
     all += lines[i].points.size();
   }
-  return all > mostPoints ? "Give at most " + std::to_string(mostPoints) + " points" : std::string();
+  return all > maximumPoints ? "Give at most " + std::to_string(maximumPoints) + " points" : std::string();
 }
 
 std::string formatPoints(const std::vector<ProfilePoint>& points, int powerOfTen) {
@@ -126,7 +126,7 @@ std::string formatPoints(const std::vector<ProfilePoint>& points, int powerOfTen
 std::string pointsMistake(const std::vector<ProfilePoint>& points) {
   constexpr double farthest = 1e6, highest = 0.05;  // [m]
   if (points.size() == 1) return "Give at least two points";
-  if (points.size() > mostPoints) return "Give at most " + std::to_string(mostPoints) + " points";
+  if (points.size() > maximumPoints) return "Give at most " + std::to_string(maximumPoints) + " points";
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string which = "Point " + std::to_string(i + 1) + ": ";
     if (!(std::abs(points[i].position) <= farthest))

@@ -10,7 +10,7 @@
 
 namespace squat::cases {
 
-inline constexpr std::size_t mostPoints = 80000;  // of a profile; a case that holds it stays below 4 MB
+inline constexpr std::size_t maximumPoints = 80000;  // of a profile; a case that holds it stays below 4 MB
 
 // Numbers times 10^powerOfTen; nothing where the text is anything else. Exact as DecimalNumber.h.
 std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen);
@@ -18,7 +18,7 @@ std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int 
 std::optional<std::vector<ProfilePoint>> parsePoints(std::string_view text, int powerOfTen, int secondPowerOfTen);
 std::string formatPoints(const std::vector<ProfilePoint>& points, int powerOfTen);
 
-inline constexpr std::size_t mostLines = 64;  // of profiles side by side
+inline constexpr std::size_t maximumLines = 64;  // of profiles side by side
 
 // Several profiles side by side, "[[-10, [[0, -0.1], [5, 0]]], [10, [[0, -0.2], [5, 0]]]]".
 std::optional<std::vector<ProfileLine>> parseLines(std::string_view text, int powerOfTen);

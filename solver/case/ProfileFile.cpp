@@ -101,7 +101,7 @@ class ProfileParser {
 
  private:
   [[noreturn]] void fail(const std::string& what, const std::string& advice = {}) const {
-    throw FileError(origin_, textLines_.place(), what, advice);
+    throw FileError(origin_, textLines_.location(), what, advice);
   }
 
   void readHeader() {
@@ -129,7 +129,7 @@ class ProfileParser {
     const std::string example = "Write a header such as: position [mm]; height [mm]";
     if (std::any_of(fields.begin(), fields.end(), [](auto field) { return parseDecimal(field).has_value(); }))
       fail("no header with units", example);
-    const bool sideBySide = columns.size() > 2 && columns.size() <= mostLines + 1 &&
+    const bool sideBySide = columns.size() > 2 && columns.size() <= maximumLines + 1 &&
                             std::all_of(columns.begin() + 1, columns.end(),
                                         [](const Column& column) { return lateralOf(column.name).has_value(); });
     if (columns.size() != 2 && !sideBySide)
@@ -146,8 +146,8 @@ class ProfileParser {
 
   void addRow(std::string_view line) {
     auto& first = lines_.front().points;
-    if (first.size() * lines_.size() >= mostPoints)
-      fail("more than " + std::to_string(mostPoints) + " points", "Use a larger step");
+    if (first.size() * lines_.size() >= maximumPoints)
+      fail("more than " + std::to_string(maximumPoints) + " points", "Use a larger step");
     auto fields = fieldsOf(line, delimiter_);
     if (fields.size() != powers_.size()) failForColumns(fields.size());
     if (swapped_) std::swap(fields[0], fields[1]);

@@ -11,7 +11,7 @@ namespace squat::cases {
 
 namespace {
 
-constexpr std::size_t mostSeats = 100;
+constexpr std::size_t maximumSeats = 100;
 constexpr double farthestSleeper = 1000;
 
 struct Field {
@@ -86,7 +86,7 @@ ParsedSeats parseSeats(std::string_view text) {
   if (!list) return notSeats;
   ParsedSeats parsed;
   for (const auto part : separated(*list)) {
-    if (parsed.seats.size() >= mostSeats) return {{}, "Give at most " + std::to_string(mostSeats) + " seats"};
+    if (parsed.seats.size() >= maximumSeats) return {{}, "Give at most " + std::to_string(maximumSeats) + " seats"};
     const auto own = inside(part, '{', '}');
     if (!own || own->find_first_of("{}") != std::string_view::npos) return notSeats;
     const std::string which = "Seat " + std::to_string(parsed.seats.size() + 1) + ": ";

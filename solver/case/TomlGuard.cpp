@@ -64,7 +64,7 @@ void walk(std::string_view text, const Visit& visit, const VisitString& visitStr
 
 }  // namespace
 
-std::size_t mostKeyParts(std::string_view text) {
+std::size_t maximumKeyParts(std::string_view text) {
   std::size_t dots = 0, most = 0;
   const auto count = [&](char letter, std::size_t) {
     if (letter == '.') most = std::max(most, ++dots);

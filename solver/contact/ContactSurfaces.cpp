@@ -14,6 +14,7 @@ namespace {
 
 // At this distance from where it touches the crown lies so far below the tread that no load presses it on [m].
 constexpr double reach = 0.017;
+const double gauss = 1 / std::sqrt(3.0);
 
 std::vector<double> lateralPositions(const elasticity::SweptBlock& block, const std::vector<int>& line, int axis) {
   std::vector<double> y;
@@ -66,7 +67,6 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
   s.railBlock = railBlock, s.rimBlock = rimBlock;
   const Seat seat = seatOf(scenario);
   s.radius = seat.radius, s.crownRadius = seat.crownRadius, s.touchY = seat.touchY;
-  s.reach = reachAlong(scenario.defectSurface, seat.radius);
   s.railCosine = std::cos(seat.lean), s.railSine = std::sin(seat.lean);
   s.treadCosine = 1 / std::hypot(1.0, seat.treadSlope), s.treadSine = seat.treadSlope * s.treadCosine;
   const auto treadRadius = [&](double y) { return scenario.wheelset.radius - seat.treadSlope * y; };
@@ -93,7 +93,6 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
 
   s.rolledInterval = s.firstInterval;
 
-  const double gauss = 1 / std::sqrt(3.0);
   for (int j = 0; j < s.columns; ++j)
     for (int lateral = 0; lateral < 2; ++lateral) {
       const double y0 = s.railY[s.firstColumn + j], y1 = s.railY[s.firstColumn + j + 1];
@@ -106,7 +105,13 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
       s.treadColumn.push_back(column);
       s.treadFraction.push_back((y - s.treadY[column]) / (s.treadY[column + 1] - s.treadY[column]));
     }
-  const auto& defect = scenario.defectSurface;
+  layDefect(s, rail, scenario.defectSurface);
+  return s;
+}
+
+void layDefect(Surfaces& s, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect) {
+  s.reach = reachAlong(defect, s.radius);
+  s.height.clear(), s.area.clear(), s.pointX.clear(), s.pointY.clear();
   for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
     for (int j = 0; j < s.columns; ++j)
       for (int point = 0; point < 4; ++point) {
@@ -119,7 +124,6 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
         s.height.push_back(y * s.railSine + z * s.railCosine);
         s.area.push_back((x1 - x0) * (y1 - y0) * std::hypot(1.0, geometry::crownSlope54E1(y)) / 4);
       }
-  return s;
 }
 
 }  // namespace squat::contact

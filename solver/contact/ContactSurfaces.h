@@ -54,6 +54,9 @@ struct Seat {
 // Throws CaseError where they touch beyond the arcs of the crown.
 Seat seatOf(const scenario::Scenario& scenario);
 
+// Gives surfaces, which have all but their contact points, this profile: their reach, heights, areas and places.
+void layDefect(Surfaces& surfaces, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect);
+
 // Surfaces::reach [m] for a wheel of this radius [m].
 double reachAlong(const scenario::DefectSurface& defect, double radius);
 

@@ -49,17 +49,17 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
   PatchState patch;
   Sums sums;
   if (closed) closed->rail.clear(), closed->rim.clear();
-  const auto& place = wheel.placement;
+  const auto& location = wheel.placement;
   std::vector<std::size_t> before;
   before.swap(history.closed);
   for (const auto& [i, j, point] : *among) {
     TouchPoint t;
-    if (!evaluatePoint(s, rail, rim, displaced, place, i, j, point, nearGap, t) || t.penetration <= 0) continue;
+    if (!evaluatePoint(s, rail, rim, displaced, location, i, j, point, nearGap, t) || t.penetration <= 0) continue;
     const double pressure = law.normalPenalty * t.penetration, area = s.area[t.point];
     const double railX = railValue(rail, t, velocity, 0);
     const auto [railY, railZ] = railAcross(s, rail, t, velocity);
     const double radius = s.treadRadius[2 * (j - s.firstColumn) + point / 2];
-    const double slipAlong = wheel.speed * t.cosine - wheel.spinRate * radius + treadAlong(rim, t, velocity) -
+    const double slipAlong = wheel.speed * t.cosine - wheel.angularVelocity * radius + treadAlong(rim, t, velocity) -
                              (t.cosine * railX + t.sine * railZ);
     // Along the tread's own lateral tangent, cos e_y - sin e_r: with the cone the wheel spins on the patch.
     double slipAcross = s.treadCosine * (treadLateral(rim, t, velocity) - railY);
@@ -115,8 +115,8 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         closed->rim.push_back({t.treadNode[a], t.treadStation[side], t.treadWeight[2 * a + side] * area});
       }
     patch.vertical -= forceZ, patch.longitudinal += forceX, patch.lateral += forceY;
-    patch.spinMoment += radius * area * (along + outwards * t.lead);
-    const double x = s.pointX[t.point] - place.centreX - place.hubX, y = s.pointY[t.point], n = pressure * area;
+    patch.rotationMoment += radius * area * (along + outwards * t.lead);
+    const double x = s.pointX[t.point] - location.centreX - location.hubX, y = s.pointY[t.point], n = pressure * area;
     sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
     if (points) points->push_back({x, y, pressure, along, across, area, slips});
   }

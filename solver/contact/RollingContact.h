@@ -20,8 +20,8 @@ struct ContactLaw {
 // How the wheel moves besides its nodal velocities.
 struct WheelRolling {
   WheelPlacement placement;
-  double speed = 0;     // [m/s] of the reference along x
-  double spinRate = 0;  // [rad/s]
+  double speed = 0;            // [m/s] of the reference along x
+  double angularVelocity = 0;  // [rad/s]
 };
 
 // Tractions on the rail, along e_alpha and y [Pa]; zero where open. Two per contact point of the surfaces.
@@ -34,7 +34,7 @@ struct PatchState {
   double vertical = 0;           // [N] of the wheel on the rail, downwards
   double longitudinal = 0;       // [N] of the wheel on the rail, along x
   double lateral = 0;            // [N]
-  double spinMoment = 0;         // [N m] on the wheel about y, arms those of its reference
+  double rotationMoment = 0;     // [N m] on the wheel about y, arms those of its reference
   double length = 0, width = 0;  // [m] 2 sqrt(5 <x^2>), 2 sqrt(5 <y^2>) of the pressure
   double storedEnergy = 0;       // [J] in the penalties
   double frictionPower = 0;      // [W] dissipated

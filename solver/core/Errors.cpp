@@ -31,10 +31,10 @@ std::string joined(const std::vector<CaseProblem>& problems) {
   return text;
 }
 
-std::string runText(const std::string& what, long step, double time, const std::string& place) {
+std::string runText(const std::string& what, long step, double time, const std::string& location) {
   char where[96];
   std::snprintf(where, sizeof where, " (step %ld, time %.6f ms", step, time * 1e3);
-  return what + where + (place.empty() ? ")" : ", " + place + ")");
+  return what + where + (location.empty() ? ")" : ", " + location + ")");
 }
 
 std::string fileText(const std::string& path, const std::string& location, const std::string& what,
@@ -51,8 +51,11 @@ std::string fileText(const std::string& path, const std::string& location, const
 CaseError::CaseError(std::vector<CaseProblem> problems)
     : std::runtime_error(joined(problems)), problems_(std::move(problems)) {}
 
-RunError::RunError(const std::string& what, long step, double time, std::string place)
-    : std::runtime_error(runText(what, step, time, place)), step_(step), time_(time), place_(std::move(place)) {}
+RunError::RunError(const std::string& what, long step, double time, std::string location)
+    : std::runtime_error(runText(what, step, time, location)),
+      step_(step),
+      time_(time),
+      location_(std::move(location)) {}
 
 FileError::FileError(std::string path, std::string location, const std::string& what, const std::string& advice)
     : std::runtime_error(fileText(path, location, what, advice)),

@@ -20,7 +20,7 @@ struct CaseProblem {
 // "pad.stiffness is 0 MN/m, must be 1 to 20000 MN/m. Advice"; without allowed values: "pad.stifness: advice".
 std::string toText(const CaseProblem& problem);
 
-// The same for a case that can be run nevertheless: "should be" in place of "must be".
+// The same for a case that can be run nevertheless: "should be" in location of "must be".
 std::string toWarning(const CaseProblem& problem);
 
 // Invalid case or call (exit code 2). Carries every problem found, not only the first.
@@ -36,15 +36,15 @@ class CaseError : public std::runtime_error {
 // Failed run (exit code 3): what happened, at which step and time, in which element or node.
 class RunError : public std::runtime_error {
  public:
-  RunError(const std::string& what, long step, double time, std::string place);
+  RunError(const std::string& what, long step, double time, std::string location);
   long step() const { return step_; }
   double time() const { return time_; }  // [s] simulated
-  const std::string& place() const { return place_; }
+  const std::string& location() const { return location_; }
 
  private:
   long step_;
   double time_;
-  std::string place_;
+  std::string location_;
 };
 
 // Invalid file, or one that cannot be written (exit code 4): its path, the line or object in it, advice.

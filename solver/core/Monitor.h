@@ -17,7 +17,7 @@ struct Progress {
   double axleBoxAcceleration = 0.0;   // [m/s2] vertical, anti-aliased: its filter waits for what comes, so that it
                                       // belongs to an earlier place than `position`
   double accelerationPosition = 0.0;  // [m] of the wheel at that instant
-  double energyResidual = 0.0;        // of the ledger, relative
+  double energyResidual = 0.0;        // of the energy balance, relative
   double step = 0.0;                  // [s] that the run takes; known once the stable step is
   std::string limitedBy;              // what sets the stable step: block and place
 };

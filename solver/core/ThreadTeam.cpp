@@ -113,8 +113,8 @@ void ThreadTeam::work(int index) {
   }
 }
 
-int threadCount(int wished) {
-  if (wished > 0) return wished;
+int threadCount(int requested) {
+  if (requested > 0) return requested;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 

@@ -65,6 +65,6 @@ class ThreadTeam {
 };
 
 // Number of threads for a wish of the user; 0 or less: all cores.
-int threadCount(int wished);
+int threadCount(int requested);
 
 }  // namespace squat

@@ -8,16 +8,16 @@
 // for then x.(K + K_c) x <= 4 / (dt^2 + 2 beta dt) x.(M + D) x for every x. D is diagonal: by the bound of Gershgorin
 // for 3x3 blocks the largest penalty times the node's share in the closed area, twice because the weights of either
 // body sum to one. That is some grams in a patch, with the usual penalties what four layers of elements weigh: nothing
-// to a wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy ledger leaves its motion
+// to a wheelset of a thousand kilograms at the frequencies that an axle box feels. The energy balance leaves its motion
 // out (millijoules at the 0.4 m/s with which material enters the patch). But tread that leaves the patch of a driven
 // wheel moves otherwise than tread that enters, which takes some newtons of force and, times the speed, 45 W: the
 // moment
 //   sum of r D dv_alpha/dt - a' sum of r^2 D
 // is given to the turning reference one step later (Rolling.h); the weight of D is left out.
 // Masses that come and go may be heavy only so far: where stiff penalties asked for 30 (tiny) to 150 (draft) layers of
-// elements, runs did not close their ledger or broke off. Beyond ten layers the step is shortened instead (StableStep).
-// Where short waves have more inertia, blocks with such nodes have a filter of their own, orthogonal in M + D: the
-// effective mass grows by D at least (SelectiveInertia.h).
+// elements, runs did not close their energy balance or broke off. Beyond ten layers the step is shortened instead
+// (StableStep). Where short waves have more inertia, blocks with such nodes have a filter of their own, orthogonal in M
+// + D: the effective mass grows by D at least (SelectiveInertia.h).
 #pragma once
 
 #include <array>
@@ -33,9 +33,9 @@ namespace squat::dynamics {
 // The larger of the normal and the tangential penalty [Pa/m]: what the added mass is for.
 double stiffestPenalty(const scenario::Scenario& scenario);
 
-// Smallest 4 / (dt^2 + 2 beta dt) [rad2/s2] with which the added mass stays below mostLayers layers of contact
-// elements: D per area = (dt^2 + 2 beta dt) / 4 * 2 k <= mostLayers * density * size.
-constexpr double mostLayers = 10;
+// Smallest 4 / (dt^2 + 2 beta dt) [rad2/s2] with which the added mass stays below maximumLayers layers of contact
+// elements: D per area = (dt^2 + 2 beta dt) / 4 * 2 k <= maximumLayers * density * size.
+constexpr double maximumLayers = 10;
 double eigenvalueOfStiffContact(const scenario::Scenario& scenario);
 
 class ContactInertia {
@@ -57,10 +57,10 @@ class ContactInertia {
   // the rolling, sum of r v_alpha, in velocities (state layout) whose bases have turned since by an angle of this
   // cosine and sine.
   double addedInertia() const;
-  double addedSpin(const double* velocity, double cosine, double sine) const;
+  double addedAngularVelocity(const double* velocity, double cosine, double sine) const;
 
  private:
-  static constexpr int most = elasticity::mostRows * elasticity::mostStations;
+  static constexpr int most = elasticity::maximumRows * elasticity::maximumStations;
   using Areas = std::array<double, most>;  // [m2] per node of a cluster and station
   // A cluster on stations that share their inertia, where the patch touches it.
   struct Touched {

@@ -108,16 +108,16 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
     blockSteps_[b].turningMoment = turningMoment_[index].data();
   }
   shareTies();
-  shareHeld();
+  shareFixed();
   shareForceElements();
 }
 
-void Rolling::start(const AlignedVector& displacement, const AlignedVector& velocity, double spinRate) {
+void Rolling::start(const AlignedVector& displacement, const AlignedVector& velocity, double angularVelocity) {
   state_ = {};
   state_.velocity = velocity;
   state_.displaced = displacement;
   for (std::size_t i = 0; i < velocity.size(); ++i) state_.displaced[i] += beta_ * velocity[i];
-  state_.spinRate = spinRate;
+  state_.angularVelocity = angularVelocity;
   state_.friction.traction.assign(2 * model_.surfaces.points(), 0.0);
   state_.plastic = plasticity::restState(model_.layer);
   restore(std::move(state_));
@@ -126,7 +126,7 @@ void Rolling::start(const AlignedVector& displacement, const AlignedVector& velo
 void Rolling::restore(RollingState state) {
   state_ = std::move(state);
   nearUntil_ = state_.step;
-  hold(model_.held);
+  hold(model_.fixed);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   layerForces_ = plasticity::layerForces(model_.layer, layerKernels_, state_.plastic);
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
@@ -136,7 +136,7 @@ void Rolling::restore(RollingState state) {
   const auto wheel = wheelRolling(state_.displaced.data());
   view_.step = state_.step, view_.time = state_.time;
   view_.position = positionOf(wheel);
-  view_.spinRate = state_.spinRate;
+  view_.angularVelocity = state_.angularVelocity;
 }
 
 double Rolling::torqueAt(double time) const {
@@ -156,9 +156,9 @@ contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
                      state_.rotation,
                      hub.x,
                      hub.z,
-                     state_.spinRate * beta_};
+                     state_.angularVelocity * beta_};
   wheel.speed = d.motion.speed;
-  wheel.spinRate = state_.spinRate;
+  wheel.angularVelocity = state_.angularVelocity;
   return wheel;
 }
 
@@ -192,7 +192,7 @@ void Rolling::touch() {
                   state_.velocity.data(), step_, state_.friction, forceLines(model_, model_.rail, forces_),
                   forceLines(model_, model_.rim, forces_), nullptr, &inertia_.closed(), &near_);
   inertia_.apply(inverseMass_[model_.rail].data(), inverseMass_[model_.rim].data());
-  addedSpin_ = inertia_.addedSpin(state_.velocity.data(), 1, 0);
+  addedAngularVelocity_ = inertia_.addedAngularVelocity(state_.velocity.data(), 1, 0);
   for (const auto& [side, b] : {std::pair{0, model_.rail}, std::pair{1, model_.rim}})
     blockSteps_[b].ownFilter = inertia_.ownFilter(side), blockSteps_[b].filters = inertia_.filters(side);
 }
@@ -208,14 +208,14 @@ void Rolling::pushHub() {
   torque_ = torqueAt(state_.time);
   const auto& body = model_.blocks[model_.body];
   const auto& loaded = model_.loaded[model_.body];
-  hubSpinRate_ = 0;
+  hubAngularVelocity_ = 0;
   for (std::size_t i = 0; i < model_.hub.nodes.size(); ++i) {
     const int node = model_.hub.nodes[i];
     const double radius = body.section.nodes[node][0], share = model_.hub.weight[i] / body.stationCount;
     double* a = forces_.data() + loaded.offset + static_cast<std::size_t>(loaded.lineOfNode[node]) * 3 * body.stride;
     const auto va = body.line(std::as_const(state_.velocity).data(), node, 0);
     for (int s = 0; s < body.stationCount; ++s)
-      a[s] -= torque_ * share / radius, hubSpinRate_ -= share * va[s] / radius;
+      a[s] -= torque_ * share / radius, hubAngularVelocity_ -= share * va[s] / radius;
   }
 }
 
@@ -228,8 +228,8 @@ void Rolling::pushWheelset() {
   pushHub();
   for (auto* state : {&state_.displaced, &state_.velocity}) followJournal(model_, turned_, state->data());
   const auto& w = model_.wheelset;
-  referenceAcceleration_ = (torque_ + view_.patch.spinMoment + state_.addedMoment) / w.inertia;
-  spinAcceleration_ = referenceAcceleration_ + state_.turningMoment / w.inertia;
+  referenceAcceleration_ = (torque_ + view_.patch.rotationMoment + state_.addedMoment) / w.inertia;
+  angularAcceleration_ = referenceAcceleration_ + state_.turningMoment / w.inertia;
   // The reference turns about its centre of mass.
   const double share = -referenceAcceleration_ / w.turningMass, c = std::cos(state_.rotation),
                s = std::sin(state_.rotation);
@@ -237,9 +237,9 @@ void Rolling::pushWheelset() {
   const double g = model_.scenario.motion.gravity;
   fillGravity(model_.blocks[model_.body], g, &turned_, drift, acceleration_[model_.body]);
   fillGravity(model_.blocks[model_.rim], g, &turnedRim_, drift, acceleration_[model_.rim]);
-  const double rate = state_.spinRate + step_ * spinAcceleration_;
+  const double rate = state_.angularVelocity + step_ * angularAcceleration_;
   for (const int b : {model_.rim, model_.body}) {
-    blockSteps_[b].spinAcceleration = referenceAcceleration_;
+    blockSteps_[b].angularAcceleration = referenceAcceleration_;
     blockSteps_[b].cosine = std::cos(rate * step_);
     blockSteps_[b].sine = std::sin(rate * step_);
   }
@@ -345,20 +345,20 @@ void Rolling::finishStep() {
     advance(model_.boxZ, d.wheelset.axleBoxMass, d.motion.gravity);
   }
 
-  const double oldRate = state_.spinRate;
-  state_.spinRate += step_ * spinAcceleration_;
-  state_.rotation += step_ * state_.spinRate;
+  const double oldRate = state_.angularVelocity;
+  state_.angularVelocity += step_ * angularAcceleration_;
+  state_.rotation += step_ * state_.angularVelocity;
   state_.turningMoment = 0;
   for (auto& line : turningMoment_)
     for (double& moment : line) state_.turningMoment += std::exchange(moment, 0.0);
   const auto& turn = blockSteps_[model_.rim];
-  state_.addedMoment = (inertia_.addedSpin(v, turn.cosine, turn.sine) - addedSpin_) / step_ -
+  state_.addedMoment = (inertia_.addedAngularVelocity(v, turn.cosine, turn.sine) - addedAngularVelocity_) / step_ -
                        referenceAcceleration_ * inertia_.addedInertia();
   ++state_.step;
   state_.time = static_cast<double>(state_.step) * step_;
   state_.sums.friction += step_ * view_.patch.frictionPower;
   state_.sums.damping += step_ * damperPower_;
-  state_.sums.torqueWork += step_ * torque_ * (0.5 * (oldRate + state_.spinRate) + hubSpinRate_);
+  state_.sums.torqueWork += step_ * torque_ * (0.5 * (oldRate + state_.angularVelocity) + hubAngularVelocity_);
 
   // The new velocities stand in the basis of the new rotation.
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
@@ -367,7 +367,7 @@ void Rolling::finishStep() {
   const auto wheel = ringMean(model_, model_.centre, turned_, v);
   view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};
   view_.wheelAcceleration = {(wheel.x - wheelVelocity_.x) / step_, (wheel.z - wheelVelocity_.z) / step_};
-  view_.spinRate = 0.5 * (oldRate + state_.spinRate);
+  view_.angularVelocity = 0.5 * (oldRate + state_.angularVelocity);
   boxVelocity_ = box, wheelVelocity_ = wheel;
 }
 

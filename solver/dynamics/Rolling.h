@@ -12,10 +12,11 @@
 //
 // Spin of the wheelset: in the turning reference every mass feels +a' r along alpha,
 //   I a' = torque + moment of the outer forces with undisplaced arms + what the contact's added inertia resists,
-// so that no mean spin gathers in the displacements; the reference turns about its centre of mass, which lumped masses
-// leave some micrometres beside the axis. It turns with rate w, I w' = I a' - S, S the moment of the inner forces about
-// the displaced places, sum of (e x u) . f: the power w S is what the stored energy, which knows the displacements in
-// the turning basis, misses of the inner forces' work. S and the added inertia's moment are taken from the step before.
+// so that no mean rotation gathers in the displacements; the reference turns about its centre of mass, which lumped
+// masses leave some micrometres beside the axis. It turns with rate w, I w' = I a' - S, S the moment of the inner
+// forces about the displaced places, sum of (e x u) . f: the power w S is what the stored energy, which knows the
+// displacements in the turning basis, misses of the inner forces' work. S and the added inertia's moment are taken from
+// the step before.
 #pragma once
 
 #include <array>
@@ -40,15 +41,15 @@ struct StepView {
   double time = 0, position = 0;  // [s], [m] wheel centre relative to the defect
   contact::PatchState patch;
   model::PlaneVector boxAcceleration, wheelAcceleration;  // [m/s2]
-  double spinRate = 0;                                    // [rad/s]
+  double angularVelocity = 0;                             // [rad/s]
 };
 
 class Rolling {
  public:
   Rolling(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double step, double beta);
 
-  // Quiet start: displacements of the equilibrium, velocities that rolling implies.
-  void start(const AlignedVector& displacement, const AlignedVector& velocity, double spinRate);
+  // Steady-rolling start: displacements of the equilibrium, velocities that rolling implies.
+  void start(const AlignedVector& displacement, const AlignedVector& velocity, double angularVelocity);
 
   // Advances `steps` steps; `observe(view)` is called on the calling thread for every step.
   template <typename Observe>
@@ -76,7 +77,7 @@ class Rolling {
         if (!wheelsetOfOne_) team_.barrier();
         passTieForces(index);
         advanceMasters(index);
-        hold(heldOf_[index]);
+        hold(fixedOf_[index]);
         team_.barrier();
       }
     });
@@ -149,7 +150,7 @@ class Rolling {
   plasticity::LayerForces layerForces_;
   StepView view_;
   model::PlaneVector boxVelocity_, wheelVelocity_;
-  double spinAcceleration_ = 0, referenceAcceleration_ = 0;
+  double angularAcceleration_ = 0, referenceAcceleration_ = 0;
   double damperPower_ = 0;                 // [W]
   std::vector<double> groupDamperPowers_;  // [W] of each group of force elements, written while they push
   struct TieShare {
@@ -160,15 +161,15 @@ class Rolling {
   int ownerOf(std::size_t unknown) const;  // thread that advances it
   void shareBlocks();
   void shareTies();
-  void shareHeld();
+  void shareFixed();
   void shareForceElements();
   std::vector<forces::ForceShare> forceShares_;     // per thread
-  std::vector<std::vector<std::size_t>> heldOf_;    // per thread: held unknowns of its stations
+  std::vector<std::vector<std::size_t>> fixedOf_;   // per thread: held unknowns of its stations
   std::vector<std::vector<TieShare>> tieShares_;    // per thread: master stations that it advances
   std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it places
   std::vector<AlignedVector> tieWorkspaces_;        // per thread
   std::array<AlignedVector, 2> turningMoment_;      // of rim and body: what each station adds to -S
-  double torque_ = 0, hubSpinRate_ = 0, addedSpin_ = 0;
+  double torque_ = 0, hubAngularVelocity_ = 0, addedAngularVelocity_ = 0;
 };
 
 }  // namespace squat::dynamics

@@ -90,9 +90,9 @@ int Rolling::ownerOf(std::size_t unknown) const {
   return 0;
 }
 
-void Rolling::shareHeld() {
-  heldOf_.resize(static_cast<std::size_t>(team_.size()));
-  for (const auto unknown : model_.held) heldOf_[static_cast<std::size_t>(ownerOf(unknown))].push_back(unknown);
+void Rolling::shareFixed() {
+  fixedOf_.resize(static_cast<std::size_t>(team_.size()));
+  for (const auto unknown : model_.fixed) fixedOf_[static_cast<std::size_t>(ownerOf(unknown))].push_back(unknown);
 }
 
 void Rolling::shareForceElements() {

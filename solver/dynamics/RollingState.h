@@ -15,9 +15,9 @@ struct RollingState {
   AlignedVector displaced;  // u + beta v, state layout
   AlignedVector velocity;   // half a step behind the displacement [m/s]
   long step = 0;
-  double time = 0;      // [s] of the displacement
-  double rotation = 0;  // [rad]
-  double spinRate = 0;  // [rad/s] half a step behind
+  double time = 0;             // [s] of the displacement
+  double rotation = 0;         // [rad]
+  double angularVelocity = 0;  // [rad/s] half a step behind
   contact::FrictionHistory friction;
   plasticity::LayerState plastic;  // empty where nothing may yield
   EnergySums sums;

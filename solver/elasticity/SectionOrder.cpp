@@ -121,9 +121,9 @@ void placeForces(const std::vector<Item>& items, SectionOrder& order) {
   order.forceSlots = static_cast<int>(taken.size());
   std::vector<int> slotOf(nodes);
   for (std::size_t k = 0; k < items.size(); ++k)
-    for (int place = start[k]; place < start[k + 1]; ++place) {
-      order.placeSlot.push_back(slot[k] + place - start[k]);
-      slotOf[order.members[place]] = order.placeSlot.back();
+    for (int location = start[k]; location < start[k + 1]; ++location) {
+      order.placeSlot.push_back(slot[k] + location - start[k]);
+      slotOf[order.members[location]] = order.placeSlot.back();
     }
   for (const int n : order.nodes) order.rowSlot.push_back(slotOf[n]);
 }
@@ -133,7 +133,7 @@ void placeForces(const std::vector<Item>& items, SectionOrder& order) {
 SectionOrder sectionOrder(const std::vector<int>& rowStart, const std::vector<int>& columns,
                           const std::vector<std::vector<int>>& clusters) {
   for (const auto& cluster : clusters)
-    if (cluster.size() > mostRows) throw std::invalid_argument("a cluster of section nodes has too many of them");
+    if (cluster.size() > maximumRows) throw std::invalid_argument("a cluster of section nodes has too many of them");
   SectionOrder best;
   for (int start = 0; start + 1 < static_cast<int>(rowStart.size()); ++start) {
     SectionOrder trial = follow(breadthFirst(rowStart, columns, start), rowStart, columns);

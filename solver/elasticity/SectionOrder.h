@@ -28,7 +28,7 @@ struct SectionOrder {
   std::vector<KernelCluster> clusters;  // those of the caller, as they become ready
 };
 
-// For pairs of section nodes as in SweptBlock: row starts and columns; clusters of at most mostRows nodes.
+// For pairs of section nodes as in SweptBlock: row starts and columns; clusters of at most maximumRows nodes.
 SectionOrder sectionOrder(const std::vector<int>& rowStart, const std::vector<int>& columns,
                           const std::vector<std::vector<int>>& clusters = {});
 

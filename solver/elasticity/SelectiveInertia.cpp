@@ -89,11 +89,11 @@ SelectiveInertia selectiveInertia(const SweptBlock& block) {
     const double before = r > 0 ? runs[r - 1].length : block.closed ? runs.back().length : 0.0;
     out.along[r].resize(projectionsSize);
     const double own = massOfInterval(block, runs[r].length);
-    for (const int stations : {stationUnit, mostStations})
+    for (const int stations : {stationUnit, maximumStations})
       for (const bool isFirst : {true, false}) {
         const auto projection = alongProjection(stations, isFirst ? massOfInterval(block, before) : own, own);
         std::copy_n(projection.data(), projection.size(),
-                    out.along[r].data() + projectionPlace[stations == mostStations][!isFirst]);
+                    out.along[r].data() + projectionLocation[stations == maximumStations][!isFirst]);
       }
     out.singleAlong[r].assign(out.along[r].begin(), out.along[r].end());
   }
@@ -104,9 +104,9 @@ StationGroup stationGroup(const SweptBlock& block, int station) {
   if (station >= block.intervals || block.inertia.along.empty()) return {station, 1};
   const auto r = static_cast<std::size_t>(block.runOf(station));
   if (block.inertia.along[r].empty()) return {station, 1};
-  const int first = station / mostStations * mostStations;
+  const int first = station / maximumStations * maximumStations;
   const auto [begin, end] = block.runIntervals[r];
-  if (first >= begin && first + mostStations <= end) return {first, mostStations};
+  if (first >= begin && first + maximumStations <= end) return {first, maximumStations};
   return {station / stationUnit * stationUnit, stationUnit};
 }
 
@@ -188,32 +188,34 @@ void blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int s
 
 void slowShortWaves(const SweptBlock& block, double* acceleration) {
   const auto& inertia = block.inertia;
-  const auto at = [&](int place, int c, int s) -> double& {
-    return acceleration[block.index(block.order.members[place], c, s) - block.offset];
+  const auto at = [&](int location, int c, int s) -> double& {
+    return acceleration[block.index(block.order.members[location], c, s) - block.offset];
   };
   const auto amplitudes = [&](const KernelCluster& cluster, int c, int s) {
     std::array<double, keptAcross> sum{};
-    for (int place = cluster.first; place < cluster.end; ++place)
-      for (int k = 0; k < keptAcross; ++k) sum[k] += inertia.weights[2 * keptAcross * place + k] * at(place, c, s);
+    for (int location = cluster.first; location < cluster.end; ++location)
+      for (int k = 0; k < keptAcross; ++k)
+        sum[k] += inertia.weights[2 * keptAcross * location + k] * at(location, c, s);
     return sum;
   };
   const auto filter = [&](const KernelCluster& cluster, int c, int s, const std::array<double, keptAcross>& sum) {
-    for (int place = cluster.first; place < cluster.end; ++place) {
-      double& value = at(place, c, s);
+    for (int location = cluster.first; location < cluster.end; ++location) {
+      double& value = at(location, c, s);
       value *= inertia.share;
-      for (int k = 0; k < keptAcross; ++k) value += inertia.weights[2 * keptAcross * place + keptAcross + k] * sum[k];
+      for (int k = 0; k < keptAcross; ++k)
+        value += inertia.weights[2 * keptAcross * location + keptAcross + k] * sum[k];
     }
   };
   for (const auto& cluster : inertia.clusters)
     for (int c = 0; c < 3; ++c)
       for (int first = 0; first < block.stationCount;) {
         const int count = stationGroup(block, first).count;
-        std::array<std::array<double, keptAcross>, mostStations> sums{}, along{};
+        std::array<std::array<double, keptAcross>, maximumStations> sums{}, along{};
         for (int s = 0; s < count; ++s) along[s] = sums[s] = amplitudes(cluster, c, first + s);
         if (count > 1) {
           const auto r = static_cast<std::size_t>(block.runOf(first));
           const double* projection =
-              inertia.along[r].data() + projectionPlace[count == mostStations][first != block.runIntervals[r][0]];
+              inertia.along[r].data() + projectionLocation[count == maximumStations][first != block.runIntervals[r][0]];
           for (int k = 0; k < keptAcross; ++k) {
             for (int i = 0; i < count; ++i) along[i][k] = 0;
             for (int field = 0; field < keptAlong; ++field) {  // here of accelerations themselves
@@ -233,15 +235,15 @@ void slowShortWavesAcross(const SweptBlock& block, double* acceleration) {
   for (const auto& cluster : inertia.clusters)
     for (int c = 0; c < 3; ++c) {
       std::array<double, keptAcross> amplitude{};
-      for (int place = cluster.first; place < cluster.end; ++place)
+      for (int location = cluster.first; location < cluster.end; ++location)
         for (int k = 0; k < keptAcross; ++k)
           amplitude[k] +=
-              inertia.weights[2 * keptAcross * place + k] * acceleration[3 * block.order.members[place] + c];
-      for (int place = cluster.first; place < cluster.end; ++place) {
-        double& value = acceleration[3 * block.order.members[place] + c];
+              inertia.weights[2 * keptAcross * location + k] * acceleration[3 * block.order.members[location] + c];
+      for (int location = cluster.first; location < cluster.end; ++location) {
+        double& value = acceleration[3 * block.order.members[location] + c];
         value *= inertia.share;
         for (int k = 0; k < keptAcross; ++k)
-          value += inertia.weights[2 * keptAcross * place + keptAcross + k] * amplitude[k];
+          value += inertia.weights[2 * keptAcross * location + keptAcross + k] * amplitude[k];
       }
     }
 }

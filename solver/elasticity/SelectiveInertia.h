@@ -29,7 +29,7 @@ struct SelectiveInertia {
   // Per place: (1 - share) times its weights in the amplitudes of three fields, then the fields' values there.
   std::vector<double> weights;
   std::vector<float> singleWeights;
-  // Per run: what is kept along the sweep (projectionPlace); empty where blocks are one station long.
+  // Per run: what is kept along the sweep (projectionLocation); empty where blocks are one station long.
   std::vector<std::vector<double>> along;
   std::vector<std::vector<float>> singleAlong;
 };

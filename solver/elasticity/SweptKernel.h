@@ -12,7 +12,7 @@ namespace squat::elasticity {
 
 constexpr int stationChunk = 32;   // stations that state vectors keep together (SweptBlock.h)
 constexpr int rowBundle = 8;       // rows that share their coefficients in the first-level cache
-constexpr int mostRows = 32;       // nodes of a cluster
+constexpr int maximumRows = 32;    // nodes of a cluster
 constexpr int advancedPerRow = 2;  // nodes that are advanced after each row: they keep up and wait for clusters only
 
 // Between the force and the velocity of a node stand its accelerations times its station's mass (SweptBlock.h): for
@@ -22,8 +22,8 @@ constexpr int advancedPerRow = 2;  // nodes that are advanced after each row: th
 // with eight. What is kept along the sweep, two fields: their weights in both amplitudes, then both fields, a line of
 // stations each. Where a run's stand: on eight and on 16 stations; of the run's first group, which shares a station
 // with the run before, and of the others.
-constexpr int stationUnit = 8, mostStations = 16, keptAlong = 2;
-constexpr int projectionPlace[2][2] = {{0, 32}, {64, 128}}, projectionsSize = 192;
+constexpr int stationUnit = 8, maximumStations = 16, keptAlong = 2;
+constexpr int projectionLocation[2][2] = {{0, 32}, {64, 128}}, projectionsSize = 192;
 
 // Intervals of one length, [first, last), both multiples of 8.
 struct KernelRun {
@@ -64,11 +64,11 @@ struct KernelCall {
   const int* placeSlot = nullptr;
   const int* rowSlot = nullptr;
   const int* readyAfter = nullptr;
-  int middle = 0, far = 0;          // nodes next to the section's centre and farthest from it
-  const double* places = nullptr;   // nodes x 2: section coordinates [m]
-  const KernelRun* runs = nullptr;  // of the whole block
-  std::size_t stride = 0;           // of the lines of masses, forces and accelerations
-  std::size_t chunkSize = 0;        // doubles of a chunk of the state vectors
+  int middle = 0, far = 0;            // nodes next to the section's centre and farthest from it
+  const double* locations = nullptr;  // nodes x 2: section coordinates [m]
+  const KernelRun* runs = nullptr;    // of the whole block
+  std::size_t stride = 0;             // of the lines of masses, forces and accelerations
+  std::size_t chunkSize = 0;          // doubles of a chunk of the state vectors
   int first = 0, count = 0;
   const double* source = nullptr;                     // displacement that the elasticity acts on, u + beta v
   const double *cosines = nullptr, *sines = nullptr;  // around an axis: of every station's angle; null along a line
@@ -97,7 +97,7 @@ struct KernelCall {
   const double* acceleration = nullptr;
   double evenAcceleration[3] = {};
   const double* radialWeight = nullptr;     // per node: radius for the spin, or null
-  double spinAcceleration = 0;              // [rad/s2] added times radius to a
+  double angularAcceleration = 0;           // [rad/s2] added times radius to a
   double step = 0, beta = 0;                // [s]
   double cosine = 1, sine = 0;              // of the angle by which the local basis turns in this step
   const KernelCluster* clusters = nullptr;  // SelectiveInertia, as are the next four

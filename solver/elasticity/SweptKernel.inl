@@ -52,11 +52,11 @@ inline void findAlong(const KernelCall& call, Group<Real>& group) {
   for (int at = 0; at < group.count;) {
     const int station = group.at + at;
     while (run->last <= station) ++run;
-    const bool isWide = station % mostStations == 0 && station + mostStations <= run->last;
+    const bool isWide = station % maximumStations == 0 && station + maximumStations <= run->last;
     const Real* along = alongOf(*run, Real{});
-    if (along) group.along[at / stationUnit] = along + projectionPlace[isWide][station != run->first];
-    group.alongStations[at / stationUnit] = isWide ? mostStations : stationUnit;
-    at += isWide ? mostStations : stationUnit;
+    if (along) group.along[at / stationUnit] = along + projectionLocation[isWide][station != run->first];
+    group.alongStations[at / stationUnit] = isWide ? maximumStations : stationUnit;
+    at += isWide ? maximumStations : stationUnit;
   }
 }
 
@@ -65,7 +65,7 @@ void carryOver(const KernelCall& call) {
   const FlushTiny flush;
   Group<typename Whole::Real> group;
   group.at = call.first - 8, group.count = 8;
-  group.state = placeOf(call, group.at), group.next = call.source + placeOf(call, call.first);
+  group.state = locationOf(call, group.at), group.next = call.source + locationOf(call, call.first);
   findParts<Whole, Piece>(call, group);
   overRows<Whole, Piece>(
       call, group, [&](int) { return (*waiting<typename Whole::Real>(call, 0))[0]; }, [](int) { return Unscaled{}; },
@@ -81,7 +81,7 @@ inline void overGroups(const KernelCall& call, const Body& body) {
     const int stop = (at / chunk + 1) * chunk < end ? (at / chunk + 1) * chunk : end;
     Group<typename Whole::Real> group;
     group.at = at, group.count = stop - at;
-    group.state = placeOf(call, at), group.next = call.source + placeOf(call, stop);
+    group.state = locationOf(call, at), group.next = call.source + locationOf(call, stop);
     if (stop == end && call.after) group.next = call.after, group.nextNode = 3, group.nextLine = 1;
     findParts<Whole, Piece>(call, group);
     if (call.clusterCount > 0) findAlong(call, group);

@@ -38,7 +38,7 @@ inline typename Kind::Packed sumOfLanes(typename Kind::Packed x) {
   return x;
 }
 
-// What of STATIONS of the amplitudes is kept along the sweep (projectionPlace).
+// What of STATIONS of the amplitudes is kept along the sweep (projectionLocation).
 template <typename Kind, int STATIONS, typename Real = typename Kind::Real>
 inline void projectAlong(Real (&sums)[3][chunk], const Real* kept, int at) {
   using Packed = typename Kind::Packed;
@@ -80,7 +80,7 @@ inline void keepFields(Real (*rows)[3][chunk], int count, const Real* weights, R
 // Stations of a cluster by a filter of their own (KernelFilter), from accelerations to those times station masses.
 template <typename Kind, typename Real = typename Kind::Real>
 inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, Real share, int c, int at, int stations,
-                        const Real (&before)[mostRows][chunk], const double* stationMass) {
+                        const Real (&before)[maximumRows][chunk], const double* stationMass) {
   using Packed = typename Kind::Packed;
   static_assert(stationUnit % Kind::lanes == 0);
   const std::size_t size = static_cast<std::size_t>(count) * stations;
@@ -118,7 +118,7 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
   const Real share = static_cast<Real>(call.shortShare);
   const int* ownFilter = call.ownFilter ? call.ownFilter + index * call.stationUnits + group.at / stationUnit : nullptr;
   alignas(64) Real sums[3][chunk];
-  alignas(64) Real before[mostRows][chunk];
+  alignas(64) Real before[maximumRows][chunk];
   const double* stationMass = call.stationMass + group.at;
   bool hasOwn = false;
   for (int at = 0; ownFilter && at < group.count; at += stationUnit) hasOwn |= ownFilter[at / stationUnit] >= 0;
@@ -132,8 +132,8 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
     for (at = 0; at < group.count; at += stationUnit) {
       const Real* projection = group.along[at / stationUnit];
       if (!projection) continue;
-      if (group.alongStations[at / stationUnit] == mostStations)
-        projectAlong<Piece, mostStations>(sums, projection, at);
+      if (group.alongStations[at / stationUnit] == maximumStations)
+        projectAlong<Piece, maximumStations>(sums, projection, at);
       else
         projectAlong<Piece, stationUnit>(sums, projection, at);
     }

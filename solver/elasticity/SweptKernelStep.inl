@@ -73,7 +73,7 @@ inline void advanceStations(const KernelCall& call, const Group<Real>& group, in
   const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
   const double* source = call.source + base;
   const double step = call.step, beta = call.beta, both = step + beta, cosine = call.cosine, sine = call.sine;
-  const double spin = call.radialWeight ? call.spinAcceleration * call.radialWeight[n] : 0.0;
+  const double spin = call.radialWeight ? call.angularAcceleration * call.radialWeight[n] : 0.0;
   const double pushed[3] = {spin, 0, 0};
   double *rates = call.velocity + base, *target = call.target + base;
   for (int c = 0; c < 3; ++c) {

@@ -119,7 +119,7 @@ inline Real (*waiting(const KernelCall& call, int slot))[3][chunk] {
   return reinterpret_cast<Real(*)[3][chunk]>(call.waiting) + slot;
 }
 
-inline std::size_t placeOf(const KernelCall& call, int station) {
+inline std::size_t locationOf(const KernelCall& call, int station) {
   return station / chunk * call.chunkSize + station % chunk;
 }
 

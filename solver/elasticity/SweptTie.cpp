@@ -9,7 +9,7 @@ namespace squat::elasticity {
 
 namespace {
 
-struct EdgePlace {
+struct EdgeLocation {
   int first = -1, second = -1;            // ends of the master edge
   int firstInner = -1, secondInner = -1;  // their neighbours across the quad
   double fraction = 0;                    // of the way from first to second
@@ -17,7 +17,7 @@ struct EdgePlace {
 
 // The master edge on which a section point lies. Around the axis only edges along y count: at a corner the edge along
 // the radius would name the lateral neighbour for the one further in.
-EdgePlace findEdge(const geometry::SectionMesh& mesh, const geometry::Point2& point, bool around) {
+EdgeLocation findEdge(const geometry::SectionMesh& mesh, const geometry::Point2& point, bool around) {
   for (const auto& quad : mesh.quads) {
     for (int i = 0; i < 4; ++i) {
       const auto &p = mesh.nodes[quad[i]], &q = mesh.nodes[quad[(i + 1) % 4]];
@@ -32,13 +32,13 @@ EdgePlace findEdge(const geometry::SectionMesh& mesh, const geometry::Point2& po
   throw std::invalid_argument("a tied node lies on no edge of the coarser section");
 }
 
-struct Place {
+struct Location {
   int left = 0, right = 0;
   double leftCosine = 0, leftSine = 0, rightCosine = 0, rightSine = 0, leftWeight = 0, rightWeight = 0;
   double extrapolation = 0;
 };
 
-Place alongLine(const std::vector<double>& master, double at) {
+Location alongLine(const std::vector<double>& master, double at) {
   int k = 0;
   while (k + 2 < static_cast<int>(master.size()) && master[k + 1] <= at) ++k;
   const double t = (at - master[k]) / (master[k + 1] - master[k]);
@@ -47,7 +47,7 @@ Place alongLine(const std::vector<double>& master, double at) {
 
 // On an arc the point r e(alpha) is sought as r' ((1 - t) e(alpha1) + t e(alpha2)): t and r' / r follow from the two
 // components; r' exceeds r, that is the extrapolation beyond the chord.
-Place aroundArc(const SweptBlock& master, double at, double radius, double layer) {
+Location aroundArc(const SweptBlock& master, double at, double radius, double layer) {
   const double full = 2 * std::acos(-1.0);
   const double start = master.positions.front();
   at = start + std::fmod(std::fmod(at - start, full) + full, full);
@@ -71,7 +71,7 @@ Place aroundArc(const SweptBlock& master, double at, double radius, double layer
           (stretched - radius) / layer};
 }
 
-void addStation(const Place& at, SweptTie& tie) {
+void addStation(const Location& at, SweptTie& tie) {
   auto& s = tie.stations;
   const bool joins = !s.left.empty() && s.left.back() == at.left && s.right.back() == at.right;
   const int station = static_cast<int>(s.left.size());

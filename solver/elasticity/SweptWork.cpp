@@ -35,7 +35,7 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   call.members = block.order.members.data(), call.placeSlot = block.order.placeSlot.data();
   call.rowSlot = block.order.rowSlot.data(), call.readyAfter = block.order.readyAfter.data();
   call.middle = block.middle, call.far = block.far;
-  call.places = block.section.nodes.front().data();
+  call.locations = block.section.nodes.front().data();
   call.runs = scratch.runs[index].data();
   call.stride = block.stride;
   call.stationMass = block.stationMass.data();
@@ -119,7 +119,7 @@ std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& block
   double done = besides;
   for (const int b : which)
     for (int at = 0, count = 0; at < blocks[b].intervals; at += count) {
-      count = std::min(mostStations, blocks[b].intervals - at);  // those that share their inertia stay together
+      count = std::min(maximumStations, blocks[b].intervals - at);  // those that share their inertia stay together
       const double here = cost(b, at, count);
       // To the part in whose share the middle of these intervals lies.
       const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * here) / total * parts));
@@ -207,7 +207,7 @@ void advanceSegments(const std::vector<Segment>& segments, const std::vector<Swe
     call.velocity = velocity + block.offset, call.target = target + block.offset;
     call.acceleration = with.acceleration, call.radialWeight = with.radialWeight;
     std::copy_n(with.evenAcceleration, 3, call.evenAcceleration);
-    call.spinAcceleration = with.spinAcceleration, call.step = step, call.beta = with.beta;
+    call.angularAcceleration = with.angularAcceleration, call.step = step, call.beta = with.beta;
     call.cosine = with.cosine, call.sine = with.sine;
     call.turningMoment = with.turningMoment;
     call.clusters = block.inertia.clusters.data(), call.clusterCount = static_cast<int>(block.inertia.clusters.size());

@@ -47,7 +47,7 @@ struct BlockStep {
   const double* acceleration = nullptr;  // 3 lines; null: KernelCall
   double evenAcceleration[3] = {};
   const double* radialWeight = nullptr;
-  double spinAcceleration = 0, beta = 0, cosine = 1, sine = 0;
+  double angularAcceleration = 0, beta = 0, cosine = 1, sine = 0;
   double* turningMoment = nullptr;  // closed blocks: KernelCall
 };
 

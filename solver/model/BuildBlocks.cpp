@@ -150,7 +150,7 @@ RollingStretch rollingStretch(const scenario::Scenario& d, double railStart, dou
   // Fine stations share their inertia in whole groups, which begin at whole groups from the rail's end: the time step
   // is as long as the smallest group of the finest allows. The tiny mesh has no elements to spare for that.
   const bool tiny = d.mesh.preset == scenario::MeshPreset::tiny;
-  for (int whole = tiny ? vectorMultiple : elasticity::mostStations; whole >= vectorMultiple; whole /= 2) {
+  for (int whole = tiny ? vectorMultiple : elasticity::maximumStations; whole >= vectorMultiple; whole /= 2) {
     RollingStretch stretch = laidStretch(d, railStart, railEnd, fineTo, whole);
     // Where nothing is laid between fine zone and far rail, the fine zone reaches as far as the wheel rolls.
     if (stretch.to < d.motion.beyond + patchMargin / 2 && fineTo < end)

@@ -15,7 +15,7 @@ namespace {
 using Terms = std::vector<std::pair<std::size_t, double>>;
 
 // Place of a value between ascending positions: index of the left one and the fraction towards the right.
-std::pair<int, double> place(const std::vector<double>& positions, double at) {
+std::pair<int, double> location(const std::vector<double>& positions, double at) {
   int k = static_cast<int>(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;
   k = std::clamp(k, 0, static_cast<int>(positions.size()) - 2);
   return {k, (at - positions[k]) / (positions[k + 1] - positions[k])};
@@ -27,8 +27,8 @@ void interpolate(const elasticity::SweptBlock& block, const std::vector<int>& li
                  double station, int component, double sign, Terms& terms) {
   std::vector<double> coordinates;
   for (const int node : line) coordinates.push_back(block.section.nodes[node][axis]);
-  const auto [j, v] = place(coordinates, section);
-  const auto [s, u] = place(block.positions, station);
+  const auto [j, v] = location(coordinates, section);
+  const auto [s, u] = location(block.positions, station);
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b) {
       const double weight = (a ? v : 1 - v) * (b ? u : 1 - u);
@@ -253,12 +253,12 @@ void addForceElements(Model& model) {
   for (auto& set : sets) fillSlots(model, set);
 }
 
-void holdRailEnds(Model& model) {
+void fixRailEnds(Model& model) {
   if (model.scenario.track.railEnds != scenario::RailEnds::clamped) return;
   const auto& rail = model.blocks[model.rail];
   for (const int station : {0, rail.stationCount - 1})
     for (int n = 0; n < rail.nodes; ++n)
-      for (int c = 0; c < 3; ++c) model.held.push_back(rail.index(n, c, station));
+      for (int c = 0; c < 3; ++c) model.fixed.push_back(rail.index(n, c, station));
 }
 
 }  // namespace squat::model

@@ -13,7 +13,7 @@ void layOutForces(Model& model);
 void addForceElements(Model& model);
 
 // Fixes the ends of the rail where they are clamped.
-void holdRailEnds(Model& model);
+void fixRailEnds(Model& model);
 
 // Where the force on a state unknown is collected in the force buffer.
 std::size_t forceSlot(const Model& model, std::size_t stateIndex);

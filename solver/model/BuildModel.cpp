@@ -116,7 +116,7 @@ void addMasses(Model& model) {
 }
 
 // Symmetry plane at the track centre: no lateral motion of axle end and sleeper ends.
-void holdSymmetry(Model& model) {
+void fixSymmetry(Model& model) {
   for (const auto& block : model.blocks) model.freeMask.emplace_back(block.lines(), 1.0);
   const auto& body = model.blocks[model.body];
   for (int n = 0; n < body.nodes; ++n)
@@ -124,7 +124,7 @@ void holdSymmetry(Model& model) {
       model.freeMask[model.body][3 * n + 2] = 0;
   for (int i = 0; i < model.sleepers; ++i) {
     const auto& sleeper = model.blocks[model.firstSleeper + i];
-    for (int n = 0; n < sleeper.nodes; ++n) model.held.push_back(sleeper.index(n, 0, 0));
+    for (int n = 0; n < sleeper.nodes; ++n) model.fixed.push_back(sleeper.index(n, 0, 0));
   }
 }
 
@@ -176,6 +176,12 @@ std::size_t Model::nodeCount() const {
   return sum;
 }
 
+Model withDefect(Model model, const scenario::Scenario& scenario) {
+  model.scenario = scenario;
+  contact::layDefect(model.surfaces, model.blocks[model.rail], scenario.defectSurface);
+  return model;
+}
+
 Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals) {
   Model model;
   model.scenario = scenario;
@@ -200,8 +206,8 @@ Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals) {
   layOutForces(model);
   fillIrregularSlots(model);
   addForceElements(model);
-  holdRailEnds(model);
-  holdSymmetry(model);
+  fixRailEnds(model);
+  fixSymmetry(model);
   addMasses(model);
   return model;
 }

@@ -54,7 +54,7 @@ bool inverted(const SweptBlock& block, const std::array<int, 4>& quad, int inter
   return false;
 }
 
-std::string placeOf(const SweptBlock& block, int quad, int interval) {
+std::string locationOf(const SweptBlock& block, int quad, int interval) {
   Eigen::Vector3d centre(0, 0, 0);
   for (const int n : block.section.quads[quad]) centre += 0.25 * elasticity::nodePosition(block, n, interval);
   char text[160];
@@ -82,7 +82,8 @@ std::string invertedElement(const Model& model, const AlignedVector& displacemen
         const double allowed = harmless * shortestEdge(corners);
         differences(block, quad, first, last, u, largest);
         for (int s = first; s < last; ++s)
-          if (largest[s - first] > allowed && inverted(block, quad, s, corners, turn, u)) return placeOf(block, q, s);
+          if (largest[s - first] > allowed && inverted(block, quad, s, corners, turn, u))
+            return locationOf(block, q, s);
       }
     }
   return {};

@@ -8,7 +8,7 @@ namespace squat::model {
 
 namespace {
 
-std::string placeOf(const elasticity::SweptBlock& block, int quad, int interval) {
+std::string locationOf(const elasticity::SweptBlock& block, int quad, int interval) {
   Eigen::Vector3d centre(0, 0, 0);
   for (const int n : block.section.quads[quad]) centre += 0.25 * elasticity::nodePosition(block, n, interval);
   char text[160];
@@ -28,7 +28,7 @@ MeshQuality meshQuality(const Model& model) {
         const double jacobian = elasticity::jacobianRatio(corners);
         if (jacobian < quality.smallestJacobian) {
           quality.smallestJacobian = jacobian;
-          quality.jacobianPlace = placeOf(block, q, block.runIntervals[r][0]);
+          quality.jacobianLocation = locationOf(block, q, block.runIntervals[r][0]);
         }
         double shortest = 1e30, longest = 0;
         for (int i = 0; i < 4; ++i) {
@@ -37,13 +37,13 @@ MeshQuality meshQuality(const Model& model) {
         }
         if (longest / shortest > quality.largestAspect) {
           quality.largestAspect = longest / shortest;
-          quality.aspectPlace = placeOf(block, q, block.runIntervals[r][0]);
+          quality.aspectLocation = locationOf(block, q, block.runIntervals[r][0]);
         }
       }
   return quality;
 }
 
-std::string placeName(const Model& model, std::size_t index) {
+std::string locationName(const Model& model, std::size_t index) {
   for (const auto& block : model.blocks) {
     if (index < block.offset || index >= block.offset + block.size()) continue;
     const auto [node, component, s] = block.unknownAt(index);

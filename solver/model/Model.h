@@ -5,7 +5,8 @@
 // journal), and the mean motion of the bearing's seat on the journal along x and z. The latter depends on the wheel
 // body and on its rotation as a slave does on its masters: whoever walks the force elements fills it first
 // (followJournal) and passes its forces on to the seat. Displacements are relative to a reference that moves with the
-// vehicle's speed and, for the wheelset, turns with its mean spin; components are local to each block (SweptBlock.h).
+// vehicle's speed and, for the wheelset, turns with its mean rotation; components are local to each block
+// (SweptBlock.h).
 #pragma once
 
 #include <string>
@@ -56,7 +57,7 @@ struct Model {
   plasticity::SurfaceLayer layer;                 // of the rail head; empty where nothing may yield
   std::vector<std::vector<unsigned char>> slave;  // per block and section node
   std::vector<std::vector<double>> freeMask;      // per block: nodes x 3, 0 where a whole line is held
-  std::vector<std::size_t> held;                  // single unknowns that are held
+  std::vector<std::size_t> fixed;                 // single unknowns that are held
   std::vector<LoadedNodes> loaded;                // per block
   std::size_t stateSize = 0, forceSize = 0;
   std::size_t sprungX = 0, sprungZ = 0;    // state indices of the auxiliary degrees of freedom
@@ -81,13 +82,17 @@ struct Model {
 // `sleeperIntervals` along a half sleeper, a multiple of 8; 0: as the mesh preset has it.
 Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals = 0);
 
+// The model of another case that differs in its defect alone, a term of the gap function in both (no nodes moved), on a
+// mesh for the same zone (scenario/DefectZone.h): as buildModel() makes it, in the time of a copy.
+Model withDefect(Model model, const scenario::Scenario& scenario);
+
 // Block, node, station and position of a state index, for messages.
-std::string placeName(const Model& model, std::size_t index);
+std::string locationName(const Model& model, std::size_t index);
 
 // Mesh quality: smallest Jacobian ratio, largest aspect ratio, and where.
 struct MeshQuality {
   double smallestJacobian = 1, largestAspect = 1;
-  std::string jacobianPlace, aspectPlace;
+  std::string jacobianLocation, aspectLocation;
 };
 MeshQuality meshQuality(const Model& model);
 

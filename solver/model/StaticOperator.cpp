@@ -7,7 +7,7 @@ namespace squat::model {
 
 namespace {
 
-std::vector<unsigned char> findFree(const Model& model, bool holdSprungMassAlong) {
+std::vector<unsigned char> findFree(const Model& model, bool fixSprungMassAlong) {
   std::vector<unsigned char> free(model.stateSize, 0);
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
     const auto& block = model.blocks[b];
@@ -16,9 +16,9 @@ std::vector<unsigned char> findFree(const Model& model, bool holdSprungMassAlong
         if (!model.slave[b][n] && model.freeMask[b][3 * n + c] != 0)
           for (int s = 0; s < block.stationCount; ++s) free[block.index(n, c, s)] = 1;
   }
-  for (const auto index : model.held) free[index] = 0;
+  for (const auto index : model.fixed) free[index] = 0;
   free[model.sprungZ] = 1;
-  free[model.sprungX] = holdSprungMassAlong ? 0 : 1;
+  free[model.sprungX] = fixSprungMassAlong ? 0 : 1;
   if (model.boxOnSpring()) free[model.boxX] = free[model.boxZ] = 1;
   return free;
 }
@@ -57,8 +57,8 @@ void addTiedDiagonal(const elasticity::SweptTie& tie, const std::vector<elastici
 }  // namespace
 
 StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
-                               double rotation, double spinStiffness, bool holdSprungMassAlong)
-    : model_(model), kernels_(kernels), team_(team), free_(findFree(model, holdSprungMassAlong)) {
+                               double rotation, double rotationStiffness, bool fixSprungMassAlong)
+    : model_(model), kernels_(kernels), team_(team), free_(findFree(model, fixSprungMassAlong)) {
   for (std::size_t i = 0; i < free_.size(); ++i) {
     if (free_[i]) continue;
     if (notFree_.empty() || notFree_.back()[1] != i) notFree_.push_back({i, i});
@@ -82,7 +82,7 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
   }
   const AlignedVector atRest(tangents_.empty() ? 0 : model.stateSize, 0.0);
   linearise(atRest.data());
-  if (spinStiffness > 0) spin_.add(hubTurn(model), spinStiffness, 0);
+  if (rotationStiffness > 0) spin_.add(hubTurn(model), rotationStiffness, 0);
   std::size_t most = 0;
   for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie));
   for (int i = 0; i < team.size(); ++i) tieWorkspaces_.emplace_back(most, 0.0);

@@ -16,10 +16,10 @@ namespace squat::model {
 // written by apply() (slaves and ghosts from their masters).
 class StaticOperator {
  public:
-  // `spinStiffness` [N m/rad] holds the wheelset's mean spin, which nothing else does without friction; zero leaves it
-  // free.
+  // `rotationStiffness` [N m/rad] holds the wheelset's mean rotation, which nothing else does without friction; zero
+  // leaves it free.
   StaticOperator(const Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double rotation,
-                 double spinStiffness, bool holdSprungMassAlong);
+                 double rotationStiffness, bool fixSprungMassAlong);
 
   void apply(double* u, double* result);
   // Force elements with an elastic law enter apply() and diagonal() by their tangents: at rest at first, then about a

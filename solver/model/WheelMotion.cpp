@@ -81,7 +81,7 @@ void turnBases(const Model& model, double rotation, AlignedVector& state) {
   elasticity::refreshGhosts(model.blocks, state.data());
 }
 
-double meanSpin(const Model& model, const double* state) {
+double meanRotation(const Model& model, const double* state) {
   double sum = 0;
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
@@ -95,7 +95,7 @@ double meanSpin(const Model& model, const double* state) {
   return sum / model.wheelset.inertia;
 }
 
-void removeSpin(const Model& model, double spin, double* state) {
+void removeMeanRotation(const Model& model, double spin, double* state) {
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
     for (int n = 0; n < block.nodes; ++n)

@@ -38,8 +38,8 @@ void turnBases(const Model& model, double rotation, AlignedVector& state);
 
 // Mean turn of the wheelset about its axis in a state, sum of m r u_alpha over the inertia [rad]; of velocities
 // [rad/s].
-double meanSpin(const Model& model, const double* state);
+double meanRotation(const Model& model, const double* state);
 // Subtracts a rigid turn from the wheelset's displacements or velocities.
-void removeSpin(const Model& model, double spin, double* state);
+void removeMeanRotation(const Model& model, double spin, double* state);
 
 }  // namespace squat::model

@@ -23,15 +23,15 @@ Eigen::Index chunksOf(const elasticity::SweptBlock& block) {
   return static_cast<Eigen::Index>(block.size() / block.chunkSize());
 }
 
-struct Place {
+struct Location {
   int quad = 0;
   double weight[4] = {0, 0, 0, 0};
 };
 
 // The quad of a section in which a point lies, with the bilinear weights of its corners; where none holds it, the one
 // that misses it least.
-Place locate(const geometry::SectionMesh& section, const geometry::Point2& p) {
-  Place best;
+Location locate(const geometry::SectionMesh& section, const geometry::Point2& p) {
+  Location best;
   double least = 1e30;
   for (int q = 0; q < static_cast<int>(section.quads.size()); ++q) {
     const geometry::Point2* corner[4];
@@ -57,7 +57,7 @@ Place locate(const geometry::SectionMesh& section, const geometry::Point2& p) {
   return best;
 }
 
-std::vector<double> interpolated(const elasticity::SweptBlock& block, const std::vector<Place>& places,
+std::vector<double> interpolated(const elasticity::SweptBlock& block, const std::vector<Location>& locations,
                                  const geometry::SectionMesh& section, const std::vector<double>& shape,
                                  const std::vector<double>& freeMask) {
   std::vector<double> values(3 * static_cast<std::size_t>(block.nodes), 0.0);
@@ -65,7 +65,7 @@ std::vector<double> interpolated(const elasticity::SweptBlock& block, const std:
     for (int i = 0; i < 4; ++i)
       for (int c = 0; c < 3; ++c)
         values[3 * n + c] +=
-            freeMask[3 * n + c] * places[n].weight[i] * shape[3 * section.quads[places[n].quad][i] + c];
+            freeMask[3 * n + c] * locations[n].weight[i] * shape[3 * section.quads[locations[n].quad][i] + c];
   return values;
 }
 
@@ -101,7 +101,7 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model
   const double between = static_cast<double>(every_) * step;
 
   const int indices[2] = {model.rim, model.body};
-  std::vector<Place> places[2];
+  std::vector<Location> locations[2];
   for (int b = 0; b < 2; ++b) {
     const auto& block = model.blocks[indices[b]];
     blocks_[b] = {indices[b], MatrixXd::Zero(chunk * chunksOf(block), 2 * harmonics + 1)};
@@ -112,7 +112,7 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model
         blocks_[b].waves(s, 2 * n) = std::sin(n * block.positions[s]);
       }
     }
-    for (const auto& p : block.section.nodes) places[b].push_back(locate(shapes.section, p));
+    for (const auto& p : block.section.nodes) locations[b].push_back(locate(shapes.section, p));
   }
   // Rigid motions: spin, up and down with its pair along the track.
   const std::size_t sectionNodes = shapes.section.nodes.size();
@@ -123,7 +123,7 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model
     Vector vector{harmonic, false, box, {}};
     for (int b = 0; b < 2; ++b)
       vector.amplitude[b] =
-          interpolated(model.blocks[indices[b]], places[b], shapes.section, shape, model.freeMask[indices[b]]);
+          interpolated(model.blocks[indices[b]], locations[b], shapes.section, shape, model.freeMask[indices[b]]);
     return vector;
   };
   addPair(vectorOf(0, spin, 0));

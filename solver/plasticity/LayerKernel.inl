@@ -18,9 +18,9 @@ using Vector = double __attribute__((vector_size(LANES * sizeof(double)), may_al
 using Loose = double __attribute__((vector_size(LANES * sizeof(double)), aligned(8), may_alias));
 
 constexpr int groupLanes = 8, stateRows = 6;
-constexpr double tolerance = 1e-5;   // of the yield radius, what is left of the amplitudes' change in strain
-constexpr int mostIterations = 40;   // reached only without hardening
-constexpr double leastShare = 0.02;  // bound of the curvature without hardening
+constexpr double tolerance = 1e-5;     // of the yield radius, what is left of the amplitudes' change in strain
+constexpr int maximumIterations = 40;  // reached only without hardening
+constexpr double minimumShare = 0.02;  // bound of the curvature without hardening
 
 inline Vector loadLoose(const double* p) { return *reinterpret_cast<const Loose*>(p); }
 inline Vector load(const double* p) { return *reinterpret_cast<const Vector*>(p); }
@@ -123,12 +123,12 @@ inline void returnAll(const LayerCall& call, int at, Point* points, const Vector
 template <bool Own>
 void settle(const LayerCall& call, int at, Point* points, Vector (&a)[9]) {
   const double share = call.kinematicShare + call.isotropicShare;
-  const double low = std::max(share / (1 + share), leastShare);
+  const double low = std::max(share / (1 + share), minimumShare);
   const double middle = 0.5 * (1 + low), half = 0.5 * (1 - low), sigma = middle / half;
   double rho = 1 / sigma;
   const Vector steepest = coefficientAt<Own>(call, coefficient::steepest, at);
   Vector step[9] = {};
-  for (int k = 0; k < mostIterations; ++k) {
+  for (int k = 0; k < maximumIterations; ++k) {
     returnAll<Own>(call, at, points, a);
     Vector wanted[9], most{};
     addAmplitudes<Own>(call, at, points, wanted);

@@ -133,7 +133,7 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
         const Complex direct = (responses.col(p).cast<Complex>().cwiseProduct(solutions[i].front().col(p))).sum();
         difference = std::max(difference, std::abs(predicted[p] - direct) / std::abs(direct));
       }
-      if (difference > options.tolerance && result.solutions < options.mostSolutions) {
+      if (difference > options.tolerance && result.solutions < options.maximumSolutions) {
         next.push_back({open[i].from, middles[i]}), next.push_back({middles[i], open[i].to});
       } else {
         result.largestDifference = std::max(result.largestDifference, difference);

@@ -18,7 +18,7 @@ namespace squat::receptance {
 struct HarmonicOptions {
   double tolerance = 0.005;  // of the magnitude: 0.04 dB
   int firstStretches = 4;
-  int mostSolutions = 120;
+  int maximumSolutions = 120;
 };
 
 struct HarmonicResponse {

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kDeepest = 8;
 constexpr std::size_t kLongestFixedText = 4096;
-constexpr std::size_t kMostTexts = 100000;
-constexpr std::size_t kMostPacked = 1100;  // deflate packs at most 1032 to one
+constexpr std::size_t kMaximumTexts = 100000;
+constexpr std::size_t kMaximumPacked = 1100;  // deflate packs at most 1032 to one
 constexpr const char* kAdvice = "Use a file that this program has written";
 constexpr const char* kForeignAdvice = "Export the signals alone, as plain numbers";
 
@@ -255,7 +255,7 @@ class Walker {
 
   template <typename T>
   std::vector<T> numbers(hid_t dataset, const std::string& path, std::size_t count, hid_t type) {
-    if (count * sizeof(T) / kMostPacked > fileBytes_)
+    if (count * sizeof(T) / kMaximumPacked > fileBytes_)
       refuse(path, "claims more values than the file can hold (" + std::to_string(count) + ")");
     account(count * sizeof(T), path);
     std::vector<T> values(count);
@@ -265,7 +265,7 @@ class Walker {
   }
 
   std::vector<std::string> texts(hid_t dataset, const std::string& path, std::size_t count, hid_t type) {
-    if (count > kMostTexts) refuse(path, "has too many texts");
+    if (count > kMaximumTexts) refuse(path, "has too many texts");
     std::vector<std::string> list;
     if (count == 0) return list;
     if (H5Tis_variable_str(type) > 0) {

@@ -12,7 +12,7 @@ namespace squat::results {
 struct StateKind {
   const char* schema;  // "squat-checkpoint"
   int version;
-  const char* name;      // "a checkpoint"
+  const char* name;       // "a checkpoint"
   const char* insteadOf;  // what to do where the file cannot be used: "start the run anew without --resume"
 };
 

@@ -19,9 +19,9 @@ static_assert(std::endian::native == std::endian::little, "the stream is little-
 namespace {
 
 constexpr std::string_view kMagic = "SQTREE01";
-constexpr std::size_t kMostSections = 100000;
-constexpr std::size_t kMostAttributes = 1000;  // of one owner
-constexpr std::size_t kMostRank = 8;
+constexpr std::size_t kMaximumSections = 100000;
+constexpr std::size_t kMaximumAttributes = 1000;  // of one owner
+constexpr std::size_t kMaximumRank = 8;
 constexpr std::size_t kStep = std::size_t{1} << 20;  // memory grows by this much while bytes come
 enum Kind : std::uint8_t { kEnd = 0, kRoot = 1, kGroup = 2, kArray = 3 };
 
@@ -92,7 +92,7 @@ class Reader {
   }
   std::vector<Attribute> attributes() {
     const auto count = number<std::uint32_t>();
-    if (count > kMostAttributes) refuse_("too many attributes");
+    if (count > kMaximumAttributes) refuse_("too many attributes");
     std::vector<Attribute> list;
     for (std::uint32_t i = 0; i < count; ++i) {
       Attribute attribute;
@@ -192,7 +192,7 @@ Array readArray(Reader& reader, const std::function<void(const char*)>& refuse) 
   Array array;
   array.path = reader.text();
   const auto rank = reader.number<std::uint8_t>();
-  if (rank > kMostRank) refuse("too many dimensions");
+  if (rank > kMaximumRank) refuse("too many dimensions");
   for (int i = 0; i < rank; ++i) array.shape.push_back(reader.number<std::uint64_t>());
   array.attributes = reader.attributes();
   array.values = reader.values();
@@ -264,7 +264,7 @@ ArrayTree decodeTree(const ByteSource& source, const std::string& path, std::siz
   std::size_t used = 0;
   for (std::uint64_t index = 0;; ++index) {
     section = "section " + std::to_string(index);
-    if (index > kMostSections) refuse("too many sections");
+    if (index > kMaximumSections) refuse("too many sections");
     std::array<std::byte, 9> head{};
     fill(head);
     std::uint64_t length = 0;

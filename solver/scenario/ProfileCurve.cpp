@@ -102,18 +102,19 @@ std::vector<ProfilePoint> ProfileCurve::points() const {
   return list;
 }
 
-double monotoneBetween(const std::vector<double>& places, const std::vector<double>& values, double y) {
-  const std::size_t n = places.size();
-  if (y <= places.front()) return values.front();
-  if (y >= places.back()) return values.back();
-  const auto k = static_cast<std::size_t>(std::upper_bound(places.begin(), places.end(), y) - places.begin()) - 1;
-  const auto width = [&](std::size_t i) { return places[i + 1] - places[i]; };
+double monotoneBetween(const std::vector<double>& locations, const std::vector<double>& values, double y) {
+  const std::size_t n = locations.size();
+  if (y <= locations.front()) return values.front();
+  if (y >= locations.back()) return values.back();
+  const auto k =
+      static_cast<std::size_t>(std::upper_bound(locations.begin(), locations.end(), y) - locations.begin()) - 1;
+  const auto width = [&](std::size_t i) { return locations[i + 1] - locations[i]; };
   const auto secant = [&](std::size_t i) { return (values[i + 1] - values[i]) / width(i); };
   // The outermost lines go on level, so the slope there is zero.
   const auto slope = [&](std::size_t i) {
     return i == 0 || i + 1 == n ? 0.0 : innerSlope(width(i - 1), width(i), secant(i - 1), secant(i));
   };
-  return hermite(y - places[k], width(k), values[k], values[k + 1], slope(k), slope(k + 1)).height;
+  return hermite(y - locations[k], width(k), values[k], values[k + 1], slope(k), slope(k + 1)).height;
 }
 
 }  // namespace squat::scenario

@@ -20,19 +20,20 @@ AlignedRuns overlay(const Passage& first, const Passage& second, bool inPosition
   const std::size_t count = first.series.values.size();
   const double step = (first.position.back() - first.position.front()) / static_cast<double>(count - 1);
   for (std::size_t i = 0; i < count; ++i) {
-    const double place = inPosition ? first.position.front() + step * static_cast<double>(i) : first.series.timeAt(i);
-    const bool inside = inPosition ? place >= second.position.front() && place <= second.position.back()
-                                   : place >= second.series.start && place <= end;
+    const double location =
+        inPosition ? first.position.front() + step * static_cast<double>(i) : first.series.timeAt(i);
+    const bool inside = inPosition ? location >= second.position.front() && location <= second.position.back()
+                                   : location >= second.series.start && location <= end;
     if (!inside) continue;
-    result.axis.push_back(place);
-    result.values[0].push_back(inPosition ? own(timeAtPosition(first, place)) : first.series.values[i]);
-    result.values[1].push_back(at(inPosition ? timeAtPosition(second, place) : place));
+    result.axis.push_back(location);
+    result.values[0].push_back(inPosition ? own(timeAtPosition(first, location)) : first.series.values[i]);
+    result.values[1].push_back(at(inPosition ? timeAtPosition(second, location) : location));
   }
   if (result.axis.size() < 32)
     throw SignalError("signals '" + first.series.name + "' and '" + second.series.name + "' do not overlap");
-  const double place = inPosition ? positionAtTime(first, anchor) : anchor;
+  const double location = inPosition ? positionAtTime(first, anchor) : anchor;
   const double impact = *std::min_element(result.axis.begin(), result.axis.end(), [&](double a, double b) {
-    return std::abs(a - place) < std::abs(b - place);
+    return std::abs(a - location) < std::abs(b - location);
   });
   for (double& x : result.axis) x -= impact;
   result.impact = {impact, impact};

@@ -33,7 +33,7 @@ double crossing(const std::vector<double>& values, std::size_t peak, std::size_t
 
 }  // namespace
 
-std::vector<Peak> findPeaks(const std::vector<double>& values, double leastProminence) {
+std::vector<Peak> findPeaks(const std::vector<double>& values, double minimumProminence) {
   std::vector<Peak> peaks;
   const std::size_t n = values.size();
   for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -48,7 +48,7 @@ std::vector<Peak> findPeaks(const std::vector<double>& values, double leastPromi
       const double left = lowestBeside(values, peak.index, -1, leftBase);
       const double right = lowestBeside(values, peak.index, 1, rightBase);
       peak.prominence = peak.height - std::max(left, right);
-      if (peak.prominence >= leastProminence) {
+      if (peak.prominence >= minimumProminence) {
         const double level = peak.height - 0.5 * peak.prominence;
         peak.left = crossing(values, peak.index, leftBase, level);
         peak.right = crossing(values, peak.index, rightBase, level);

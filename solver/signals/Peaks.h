@@ -17,7 +17,7 @@ struct Peak {
 };
 
 // All maxima with at least the given prominence, in order of place. The first and the last sample are none.
-std::vector<Peak> findPeaks(const std::vector<double>& values, double leastProminence = 0.0);
+std::vector<Peak> findPeaks(const std::vector<double>& values, double minimumProminence = 0.0);
 
 struct SpectralPeak {
   double frequency = 0;   // [Hz] vertex of the parabola through the three highest samples

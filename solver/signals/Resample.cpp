@@ -13,7 +13,7 @@ constexpr int lobes = 16;        // zero crossings of the sinc to each side
 constexpr double beta = 8.0;     // Kaiser: side lobes 80 dB down
 constexpr int tableSteps = 512;  // per lobe; linear between: error (pi/512)^2/8 = 5e-6
 // Longer records are a wrong unit of time, and outgrow the memory.
-constexpr double mostSamples = 2e7;
+constexpr double maximumSamples = 2e7;
 
 double besselI0(double x) {
   double term = 1, sum = 1;
@@ -53,21 +53,21 @@ double kernel(double u) {
 Interpolator::Interpolator(const TimeSeries& series, double bandwidth)
     : series_(series), bandwidth_(bandwidth), reach_(0) {
   requireUsable(series, 1, "interpolation");
-  if (!(lobes / bandwidth < mostSamples))
+  if (!(lobes / bandwidth < maximumSamples))
     throw SignalError("'" + series.name + "': the new step is far too long; check its unit");
   reach_ = static_cast<int>(std::ceil(lobes / bandwidth));
 }
 
 double Interpolator::operator()(double time) const {
-  const double place = (time - series_.start) / series_.step;
+  const double location = (time - series_.start) / series_.step;
   const auto last = static_cast<double>(series_.values.size() - 1);
-  if (place <= -reach_) return series_.values.front();
-  if (place >= last + reach_) return series_.values.back();
-  const double centre = std::floor(place);
+  if (location <= -reach_) return series_.values.front();
+  if (location >= last + reach_) return series_.values.back();
+  const double centre = std::floor(location);
   double sum = 0, weights = 0;
   for (int k = -reach_ + 1; k <= reach_; ++k) {
     const double sample = centre + k;
-    const double weight = kernel((place - sample) * bandwidth_);
+    const double weight = kernel((location - sample) * bandwidth_);
     sum += weight * series_.values[static_cast<std::size_t>(std::clamp(sample, 0.0, last))];
     weights += weight;
   }
@@ -80,7 +80,7 @@ TimeSeries resample(const TimeSeries& series, double step) {
   const Interpolator at(series, std::min(1.0, 0.9 * series.step / step + (step <= series.step ? 1.0 : 0.0)));
   TimeSeries result{series.start, step, {}, series.name, series.unit};
   const double length = series.step * static_cast<double>(series.values.size() - 1);
-  if (!(length / step < mostSamples))
+  if (!(length / step < maximumSamples))
     throw SignalError("'" + series.name + "' would have more than 2e7 samples at the new step");
   const auto count = static_cast<std::size_t>(std::floor(length / step * (1 + 1e-12) + 1e-9)) + 1;
   result.values.resize(count);

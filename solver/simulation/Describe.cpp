@@ -2,9 +2,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/Maps.h"
 #include "contact/ContactSurfaces.h"
 #include "contact/Hertz.h"
-#include "laboratory/Maps.h"
 #include "model/ContactPenalty.h"
 #include "model/WheelsetModes.h"
 #include "scenario/DefectSurface.h"
@@ -52,9 +52,9 @@ void describeMesh(const model::Model& model, const dynamics::StableStep& stable,
   result.meshFigures = {
       {"elements", "1", "", static_cast<double>(model.elements())},
       {"nodes", "1", "", static_cast<double>(model.nodeCount())},
-      {"smallest_jacobian", "1", quality.jacobianPlace, quality.smallestJacobian},
-      {"largest_aspect", "1", quality.aspectPlace, quality.largestAspect},
-      {"stable_step", "s", stable.place, stable.step},
+      {"smallest_jacobian", "1", quality.jacobianLocation, quality.smallestJacobian},
+      {"largest_aspect", "1", quality.aspectLocation, quality.largestAspect},
+      {"stable_step", "s", stable.location, stable.step},
       {"step", "s", "as run", step},
       {"highest_frequency", "rad/s", "of the assembled model, undamped, contact open", stable.highestFrequency},
       {"beta", "s", "stiffness-proportional damping", stable.beta},
@@ -112,16 +112,16 @@ std::string addSpectra(const scenario::Scenario& d, results::RunResult& result) 
     return "no spectra: " + std::to_string(samples) + " samples " + where + ", at least " + std::to_string(least) +
            " are needed; raise output.rate or lengthen motion.run_up and motion.beyond";
   };
-  constexpr std::size_t leastRecord = 64, leastWindow = 32;
+  constexpr std::size_t minimumRecord = 64, minimumWindow = 32;
   const auto* filtered = result.signal("aba_filtered");
   if (!filtered) return "no spectra: nothing was recorded";
-  if (filtered->size() < leastRecord) return tooShort(filtered->size(), "in the record", leastRecord);
+  if (filtered->size() < minimumRecord) return tooShort(filtered->size(), "in the record", minimumRecord);
   // Window of the paper's figures: from 0.1 m before to 0.28 m beyond the defect, as far as the record goes.
   result.psdFrom = std::max(-0.1, result.position.front()), result.psdTo = std::min(0.28, result.position.back());
   const auto within = std::count_if(result.position.begin(), result.position.end(),
                                     [&](double x) { return x >= result.psdFrom && x <= result.psdTo; });
-  if (static_cast<std::size_t>(within) < leastWindow)
-    return tooShort(static_cast<std::size_t>(within), "from 0.1 m before to 0.28 m beyond the defect", leastWindow);
+  if (static_cast<std::size_t>(within) < minimumWindow)
+    return tooShort(static_cast<std::size_t>(within), "from 0.1 m before to 0.28 m beyond the defect", minimumWindow);
   try {
     const auto spectrumOf = [&](const char* channel) {
       return signals::stretchSpectrum(signals::passageOf(result, channel), result.psdFrom, result.psdTo);
@@ -133,7 +133,7 @@ std::string addSpectra(const scenario::Scenario& d, results::RunResult& result) 
     signals::WaveletOptions wavelet;
     wavelet.voicesPerOctave = d.output.cwtVoices > 0 ? d.output.cwtVoices : 16;
     std::vector<std::string> notes;
-    const auto scalogram = laboratory::scalogramMap(signals::seriesOf(result, "aba_filtered"), wavelet, notes);
+    const auto scalogram = analysis::scalogramMap(signals::seriesOf(result, "aba_filtered"), wavelet, notes);
     result.scalogramFrequency = scalogram.frequency, result.scalogramTime = scalogram.time;
     result.scalogramPower = scalogram.power, result.coneOfInfluence = scalogram.coneOfInfluence;
     for (const double t : scalogram.time)

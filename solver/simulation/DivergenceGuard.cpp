@@ -8,9 +8,9 @@
 
 namespace squat::simulation {
 
-DivergenceGuard::DivergenceGuard(const dynamics::Rolling& rolling, const EnergyLedger& ledger, long perSample,
+DivergenceGuard::DivergenceGuard(const dynamics::Rolling& rolling, const EnergyBalance& balance, long perSample,
                                  long grid)
-    : ledger_(ledger),
+    : balance_(balance),
       perSample_(perSample),
       grid_(grid),
       firstStep_(rolling.state().step),
@@ -25,8 +25,8 @@ long DivergenceGuard::nextStep(long done) const {
 }
 
 void DivergenceGuard::onStep(const dynamics::Rolling& rolling) {
-  if (ledger_.entries() != entries_) {
-    entries_ = ledger_.entries();
+  if (balance_.entries() != entries_) {
+    entries_ = balance_.entries();
     checkEverything(rolling);
   }
   check(rolling);
@@ -39,37 +39,37 @@ void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling) {
     for (std::size_t i = 0; i < values->size(); ++i)
       if (!(std::abs((*values)[i]) < absurd))
         throw RunError("the run diverges: a displacement or velocity is not a number or grows without bound",
-                       state.step, state.time, model::placeName(rolling.model(), i));
-  if (!(std::abs(state.rotation) < maximumRotation) || !(std::abs(state.spinRate) < maximumAngularVelocity))
+                       state.step, state.time, model::locationName(rolling.model(), i));
+  if (!(std::abs(state.rotation) < maximumRotation) || !(std::abs(state.angularVelocity) < maximumAngularVelocity))
     throw RunError("the run diverges: the angular velocity of the wheel grows without bound", state.step, state.time,
                    "wheelset");
-  if (const auto place = model::invertedElement(rolling.model(), rolling.displacement()); !place.empty())
-    throw RunError("an element is turned inside out", state.step, state.time, place);
+  if (const auto location = model::invertedElement(rolling.model(), rolling.displacement()); !location.empty())
+    throw RunError("an element is turned inside out", state.step, state.time, location);
 }
 
 void DivergenceGuard::check(const dynamics::Rolling& rolling) {
   const auto& view = rolling.view();
   const auto& state = rolling.state();
-  const auto fail = [&](const std::string& what, const std::string& place) {
-    throw RunError(what, state.step, state.time, place);
+  const auto fail = [&](const std::string& what, const std::string& location) {
+    throw RunError(what, state.step, state.time, location);
   };
   const auto diverges = [&] {
     std::size_t worst = 0;
     for (std::size_t i = 0; i < state.velocity.size(); ++i)
       if (!(std::abs(state.velocity[i]) <= std::abs(state.velocity[worst]))) worst = i;
     fail("the run diverges: a velocity is not a number or grows without bound",
-         model::placeName(rolling.model(), worst));
+         model::locationName(rolling.model(), worst));
   };
   if (!std::isfinite(view.patch.vertical) || !std::isfinite(view.boxAcceleration.z) ||
-      !(std::abs(state.spinRate) < maximumAngularVelocity))
+      !(std::abs(state.angularVelocity) < maximumAngularVelocity))
     diverges();
   if (view.patch.deepest > 2e-3)
     fail("runaway penetration of " + std::to_string(view.patch.deepest * 1e3) + " mm", "contact");
   if (std::abs(view.patch.vertical) > 1e3 * rolling.wheelLoad()) diverges();
   if (view.patch.points > 0) lastContact_ = state.time;
   if (state.time - lastContact_ > 0.010) fail("the wheel has lost contact for 10 ms", "contact");
-  if (std::abs(ledger_.relativeResidual()) > 0.005)
-    fail("the energy balance does not close: error " + std::to_string(100 * ledger_.relativeResidual()) +
+  if (std::abs(balance_.relativeResidual()) > 0.005)
+    fail("the energy balance does not close: error " + std::to_string(100 * balance_.relativeResidual()) +
              " % of the strain energy at the start plus all dissipation",
          "energy");
 }

@@ -1,7 +1,7 @@
 // solver/simulation/DivergenceGuard.h - stops a run that has gone astray.
 #pragma once
 
-#include "simulation/EnergyLedger.h"
+#include "simulation/EnergyBalance.h"
 #include "simulation/StepObserver.h"
 
 namespace squat::simulation {
@@ -15,7 +15,7 @@ class DivergenceGuard : public StepObserver {
  public:
   // Looks at every `grid`-th step of a sample of `perSample` steps; at all numbers and elements at the steps of the
   // energy balance. A run that resumes in mid-air has not lost contact since the beginning of time.
-  DivergenceGuard(const dynamics::Rolling& rolling, const EnergyLedger& ledger, long perSample, long grid);
+  DivergenceGuard(const dynamics::Rolling& rolling, const EnergyBalance& balance, long perSample, long grid);
 
   long nextStep(long done) const override;
   void onStep(const dynamics::Rolling& rolling) override;
@@ -26,7 +26,7 @@ class DivergenceGuard : public StepObserver {
  private:
   void check(const dynamics::Rolling& rolling);
 
-  const EnergyLedger& ledger_;
+  const EnergyBalance& balance_;
   long perSample_, grid_, firstStep_;
   std::size_t entries_ = 0;
   double lastContact_;  // [s]

@@ -12,7 +12,8 @@
 #include "simulation/Describe.h"
 #include "simulation/RollingStateFile.h"
 #include "simulation/SurfaceFields.h"
-#include "statics/QuietStart.h"
+#include "simulation/WarmState.h"
+#include "statics/SteadyRollingStart.h"
 
 #ifndef SQUAT_VERSION
 #define SQUAT_VERSION "unknown"
@@ -23,7 +24,7 @@ namespace squat::simulation {
 namespace {
 
 constexpr long maximumStepsAtOnce = 24;  // cancel is asked at least this often
-constexpr int samplesPerLedger = 5;      // output samples between entries of the energy balance
+constexpr int samplesPerBalance = 5;     // output samples between entries of the energy balance
 
 std::string utcNow() {
   const std::time_t now = std::time(nullptr);
@@ -40,21 +41,21 @@ long stepsPerSample(const scenario::Scenario& d, const dynamics::StableStep& sta
   if (d.output.timeStep > stable.step)
     throw CaseError({{"output.time_step", std::to_string(d.output.timeStep * 1e6) + " us",
                       "0 or at most " + std::to_string(stable.step * 1e6) + " us: the stable step of this mesh",
-                      "Leave it at 0 for the stable step; it is set by " + stable.place}});
-  const double wished = d.output.timeStep > 0 ? d.output.timeStep : stable.step;
-  if (sample / wished > maximumStepsPerSample)
+                      "Leave it at 0 for the stable step; it is set by " + stable.location}});
+  const double requested = d.output.timeStep > 0 ? d.output.timeStep : stable.step;
+  if (sample / requested > maximumStepsPerSample)
     throw CaseError({{"output.time_step", std::to_string(d.output.timeStep * 1e6) + " us",
                       "0 or at least " + std::to_string(sample / maximumStepsPerSample * 1e6) + " us",
-                      "Leave it at 0 for the stable step; it is set by " + stable.place}});
-  return std::max(2L, static_cast<long>(std::ceil(sample / wished - 1e-9)));
+                      "Leave it at 0 for the stable step; it is set by " + stable.location}});
+  return std::max(2L, static_cast<long>(std::ceil(sample / requested - 1e-9)));
 }
 
-void tellStep(Monitor& monitor, double step, const std::string& place) {
+void reportStep(Monitor& monitor, double step, const std::string& location) {
   Progress progress;
   progress.phase = "stable step";
   progress.fraction = 1;
   progress.step = step;
-  progress.limitedBy = place;
+  progress.limitedBy = location;
   monitor.report(progress);
 }
 
@@ -63,13 +64,13 @@ void tellStep(Monitor& monitor, double step, const std::string& place) {
 RollingRun::RollingRun(const RunOptions& options, results::RunResult& result, Monitor& monitor,
                        dynamics::Rolling& rolling, const SurfaceFields* fields, const RunStart& start,
                        double startStrain, long last, std::function<void(const std::string&)> warn)
-    : ledger(rolling, startStrain),
+    : balance(rolling, startStrain),
       recorder(rolling, static_cast<std::size_t>(start.stepsPerSample)),
-      energy(ledger, samplesPerLedger * start.stepsPerSample),
-      guard(rolling, ledger, start.stepsPerSample, maximumStepsAtOnce),
+      energy(balance, samplesPerBalance * start.stepsPerSample),
+      guard(rolling, balance, start.stepsPerSample, maximumStepsAtOnce),
       firstStep(rolling.state().step),
       lastStep(last),
-      progress(rolling, lastStep, recorder, ledger, clock, monitor),
+      progress(rolling, lastStep, recorder, balance, clock, monitor),
       checkpoint({options.checkpointPath, options.checkpointSeconds}, start, observers, result, clock,
                  std::move(warn)) {
   observers = {&recorder, &energy, &guard};
@@ -130,7 +131,8 @@ long OpenRun::lastStep() const {
 }
 
 bool OpenRun::start(const StoredState* stored) {
-  model = timed("mesh", [&] { return model::buildModel(scenario); });
+  const auto* made = options.warm ? options.warm->model.get() : nullptr;
+  model = timed("mesh", [&] { return made ? withDefect(*made, scenario) : model::buildModel(scenario); });
   if (scenario.rail.plastic && model.layer.empty())
     warn("rail.plastic_depth is less than half an element of the head: no element can yield, the rail stays elastic");
   describeProfile(scenario, result);
@@ -149,8 +151,9 @@ bool OpenRun::begin() {
   const long perSample = stepsPerSample(scenario, stable);
   steps = {perSample, 1 / scenario.output.rate / static_cast<double>(perSample), stable.beta};
   describeMesh(model, stable, steps.step, result);
-  tellStep(monitor, steps.step, stable.place);
-  const auto quiet = timed("equilibrium", [&] { return statics::prepareQuietStart(model, kernels, *team, monitor); });
+  reportStep(monitor, steps.step, stable.location);
+  const auto quiet =
+      timed("equilibrium", [&] { return statics::prepareSteadyRollingStart(model, kernels, *team, monitor); });
   const auto& equilibrium = quiet.equilibrium;
   if (equilibrium.cancelled) return false;
   describeEquilibrium(model, equilibrium, result);
@@ -171,8 +174,7 @@ bool OpenRun::begin() {
 // Nothing is taken from a stored state before all of it is known to fit.
 void OpenRun::restore(const StoredState& stored) {
   steps = loadStart(stored, scenario.output.rate, result);
-  if (options.wheelsetModes && result.modes.empty())
-    timed("modes", [&] { return describeModes(scenario, result), 0; });
+  if (options.wheelsetModes && result.modes.empty()) timed("modes", [&] { return describeModes(scenario, result), 0; });
   if (options.snapshots) {
     fields = std::make_unique<SurfaceFields>(model);
     result.surface = fields->mesh();

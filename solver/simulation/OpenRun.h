@@ -35,7 +35,7 @@ class RollingRun {
   RollingRun(const RollingRun&) = delete;
   RollingRun& operator=(const RollingRun&) = delete;
 
-  EnergyLedger ledger;
+  EnergyBalance balance;
   RunClock clock;
   SignalRecorder recorder;
   EnergyObserver energy;
@@ -73,7 +73,7 @@ class OpenRun {
   // The filter of the signals waits for what comes behind the last sample.
   long lastStep() const;
 
-  const Clock::time_point begun = Clock::now();
+  const Clock::time_point opened = Clock::now();
   const cases::CaseDescription& description;
   const scenario::Scenario scenario;
   const RunOptions& options;

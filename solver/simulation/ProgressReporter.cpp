@@ -5,11 +5,11 @@
 namespace squat::simulation {
 
 ProgressReporter::ProgressReporter(const dynamics::Rolling& rolling, long lastStep, const SignalRecorder& signals,
-                                   const EnergyLedger& ledger, const RunClock& clock, Monitor& monitor)
+                                   const EnergyBalance& balance, const RunClock& clock, Monitor& monitor)
     : firstStep_(rolling.state().step),
       lastStep_(lastStep),
       signals_(signals),
-      ledger_(ledger),
+      balance_(balance),
       clock_(clock),
       monitor_(monitor) {}
 
@@ -29,7 +29,7 @@ void ProgressReporter::onStep(const dynamics::Rolling& rolling) {
   p.contactForce = rolling.view().patch.vertical;
   p.axleBoxAcceleration = signals_.latest("aba");
   p.accelerationPosition = p.simulatedTime > signals_.wait() ? signals_.latest("position") : p.position;
-  p.energyResidual = ledger_.relativeResidual();
+  p.energyResidual = balance_.relativeResidual();
   monitor_.report(p);
 }
 

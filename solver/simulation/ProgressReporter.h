@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/Monitor.h"
-#include "simulation/EnergyLedger.h"
+#include "simulation/EnergyBalance.h"
 #include "simulation/RollingLoop.h"
 #include "simulation/SignalRecorder.h"
 
@@ -12,13 +12,13 @@ namespace squat::simulation {
 class ProgressReporter : public StepObserver {
  public:
   ProgressReporter(const dynamics::Rolling& rolling, long lastStep, const SignalRecorder& signals,
-                   const EnergyLedger& ledger, const RunClock& clock, Monitor& monitor);
+                   const EnergyBalance& balance, const RunClock& clock, Monitor& monitor);
   void onStep(const dynamics::Rolling& rolling) override;
 
  private:
   long firstStep_, lastStep_;
   const SignalRecorder& signals_;
-  const EnergyLedger& ledger_;
+  const EnergyBalance& balance_;
   const RunClock& clock_;
   Monitor& monitor_;
   double lastReport_ = -1;  // [s] of the clock

@@ -17,8 +17,8 @@ void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
   tree.add("/rolling/traction", s.friction.traction, "Pa");
   if (!s.plastic.values.empty()) tree.add("/rolling/plastic", plain(s.plastic.values), "1");
   tree.add("/rolling/closed", std::vector<std::int64_t>(s.friction.closed.begin(), s.friction.closed.end()), "1");
-  tree.add("/rolling/small",
-           std::vector<double>{static_cast<double>(s.step), s.time, s.rotation, s.spinRate, s.sums.friction,
+  tree.add("/rolling/scalars",
+           std::vector<double>{static_cast<double>(s.step), s.time, s.rotation, s.angularVelocity, s.sums.friction,
                                s.sums.damping, s.sums.torqueWork, s.turningMoment, s.addedMoment},
            "1");
 }
@@ -27,7 +27,7 @@ void requireFittingState(const StoredState& stored, const dynamics::Rolling& rol
   const auto& [tree, file, instead] = stored;
   results::ArrayTree own;
   saveRolling(rolling, own);
-  std::vector<std::string> needed{"/rolling/displaced", "/rolling/velocity", "/rolling/traction", "/rolling/small"};
+  std::vector<std::string> needed{"/rolling/displaced", "/rolling/velocity", "/rolling/traction", "/rolling/scalars"};
   if (own.find("/rolling/plastic")) needed.push_back("/rolling/plastic");
   for (const auto& path : needed)
     if (results::valuesOf<double>(tree, path, file).size() != results::valuesOf<double>(own, path, file).size())
@@ -39,15 +39,16 @@ void requireFittingState(const StoredState& stored, const dynamics::Rolling& rol
       throw FileError(file, "/rolling/closed", "names points of contact that are not there");
     before = point;
   }
-  const auto& small = results::valuesOf<double>(tree, "/rolling/small", file);
-  const double step = small[0];
+  const auto& scalars = results::valuesOf<double>(tree, "/rolling/scalars", file);
+  const double step = scalars[0];
   if (!(step >= 0 && step <= static_cast<double>(lastStep)))
-    throw FileError(file, "/rolling/small", "names a step beyond the end of the run");
+    throw FileError(file, "/rolling/scalars", "names a step beyond the end of the run");
   const double change = rolling.stepSize() / rolling.model().wheelset.inertia;  // of the spin by a moment
-  if (!(std::abs(small[1] - step * rolling.stepSize()) < 1e-9) || !(std::abs(small[2]) < maximumRotation) ||
-      !(std::abs(small[3]) < maximumAngularVelocity) ||
-      !((std::abs(small[7]) + std::abs(small[8])) * change < maximumAngularVelocity))
-    throw FileError(file, "/rolling/small", "names a time, rotation, spin or moment that no run of this case has");
+  if (!(std::abs(scalars[1] - step * rolling.stepSize()) < 1e-9) || !(std::abs(scalars[2]) < maximumRotation) ||
+      !(std::abs(scalars[3]) < maximumAngularVelocity) ||
+      !((std::abs(scalars[7]) + std::abs(scalars[8])) * change < maximumAngularVelocity))
+    throw FileError(file, "/rolling/scalars",
+                    "names a time, rotation, angular velocity or moment that no run of this case has");
 }
 
 dynamics::RollingState loadRolling(const results::ArrayTree& tree) {
@@ -63,10 +64,11 @@ dynamics::RollingState loadRolling(const results::ArrayTree& tree) {
   const auto* closed = tree.find("/rolling/closed");
   if (const auto* list = closed ? std::get_if<std::vector<std::int64_t>>(&closed->values) : nullptr)
     s.friction.closed.assign(list->begin(), list->end());
-  const auto& small = results::valuesOf<double>(tree, "/rolling/small", "checkpoint");
-  s.step = static_cast<long>(small.at(0)), s.time = small.at(1), s.rotation = small.at(2), s.spinRate = small.at(3);
-  s.sums = {small.at(4), small.at(5), small.at(6)};
-  s.turningMoment = small.at(7), s.addedMoment = small.at(8);
+  const auto& scalars = results::valuesOf<double>(tree, "/rolling/scalars", "checkpoint");
+  s.step = static_cast<long>(scalars.at(0)), s.time = scalars.at(1), s.rotation = scalars.at(2),
+  s.angularVelocity = scalars.at(3);
+  s.sums = {scalars.at(4), scalars.at(5), scalars.at(6)};
+  s.turningMoment = scalars.at(7), s.addedMoment = scalars.at(8);
   return s;
 }
 

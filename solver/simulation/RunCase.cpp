@@ -35,9 +35,9 @@ void store(OpenRun& run) {
   const auto& parts = *run.parts;
   const auto& rolling = *run.rolling;
   parts.recorder.store(r, static_cast<std::size_t>(run.samples()), run.scenario.output.filterCutoff);
-  r.energyTime = parts.ledger.times();
-  r.energy = parts.ledger.channels();
-  const auto shares = parts.ledger.shares();
+  r.energyTime = parts.balance.times();
+  r.energy = parts.balance.channels();
+  const auto shares = parts.balance.shares();
   r.equilibrium.push_back({"strain_energy_rail", "J", "at the end", shares.rail});
   r.equilibrium.push_back({"strain_energy_wheelset", "J", "at the end", shares.wheelset});
   r.equilibrium.push_back({"strain_energy_sleepers", "J", "at the end", shares.sleepers});
@@ -49,7 +49,7 @@ void store(OpenRun& run) {
   r.performance.push_back({"element_updates_per_second", "1/s", "elements times steps over wall time of the rolling",
                            steps * static_cast<double>(rolling.model().elements()) / seconds});
   r.performance.push_back({"energy_residual", "1", "largest, of strain energy at the start plus all dissipation",
-                           parts.ledger.largestRelativeResidual()});
+                           parts.balance.largestRelativeResidual()});
 }
 
 void warnOfOtherProcessor(OpenRun& run, const results::ArrayTree& tree, const std::string& what) {
@@ -75,7 +75,7 @@ std::optional<results::ArrayTree> readMatchingCheckpoint(OpenRun& run) {
 // Beyond this creepage friction is exhausted everywhere in a patch of this size, many times over.
 constexpr double spinning = 0.01;
 
-void markSpin(OpenRun& run, double radius) {
+void markRotation(OpenRun& run, double radius) {
   auto& r = run.result;
   const auto* spin = r.signal("wheel_speed");
   if (!spin) return;
@@ -109,7 +109,7 @@ void finish(OpenRun& run) {
   auto& r = run.result;
   const std::string lacking = addSpectra(run.scenario, r);
   if (r.complete && !lacking.empty()) run.warn(lacking);  // a part of a run has seldom enough
-  r.performance.push_back({"seconds", "s", "wall time of the whole run", secondsSince(run.begun)});
+  r.performance.push_back({"seconds", "s", "wall time of the whole run", secondsSince(run.opened)});
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   r.performance.push_back({"peak_memory", "B", "largest resident size", 1024.0 * static_cast<double>(usage.ru_maxrss)});
@@ -120,7 +120,7 @@ void rollAndStore(OpenRun& run, results::RunResult* partial) {
   try {
     bool complete = run.timed("rolling", [&] { return rollToTheEnd(run); });
     store(run);
-    markSpin(run, run.model.surfaces.radius);
+    markRotation(run, run.model.surfaces.radius);
     if (complete && !run.model.layer.empty()) complete = run.timed("unloading", [&] { return unload(run); });
     run.result.complete = complete;
     run.result.stopReason = complete ? "done" : "cancelled";

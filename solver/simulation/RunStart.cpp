@@ -13,10 +13,10 @@ namespace {
 
 // Figures of the start are kept in the layout of the result file below this group.
 constexpr const char* kStart = "/start";
-// The order of unknowns in /rolling/displaced and /rolling/velocity (elasticity/SweptBlock.h), of /rolling/small and of
-// /ledger: raise it with them.
+// The order of unknowns in /rolling/displaced and /rolling/velocity (elasticity/SweptBlock.h), of /rolling/scalars and
+// of /energy_balance: raise it with them.
 constexpr const char* kLayoutName = "state_layout";
-constexpr int kLayout = 6;
+constexpr int kLayout = 7;
 
 bool belongsToTheStart(const std::string& path) {
   return path.starts_with("/equilibrium/") || path.starts_with("/modes/") ||

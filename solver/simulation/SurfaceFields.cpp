@@ -40,8 +40,8 @@ int SurfaceFields::point(int b, int node, int station) {
   if (block.closed && station == block.intervals) station = 0;
   int& index = pointOf_[b][static_cast<std::size_t>(node) * (block.intervals + 1) + station];
   if (index < 0) {
-    index = static_cast<int>(places_.size());
-    places_.push_back({b, node, station});
+    index = static_cast<int>(locations_.size());
+    locations_.push_back({b, node, station});
     const Eigen::Vector3d p = elasticity::nodePosition(block, node, station);
     for (int c = 0; c < 3; ++c) mesh_.points.push_back(static_cast<float>(p[c]));
   }
@@ -103,10 +103,10 @@ results::SurfaceSnapshot SurfaceFields::snapshot(const std::string& name, const 
   results::SurfaceSnapshot shot;
   shot.name = name, shot.time = time, shot.wheelTravel = travel, shot.wheelRotation = rotation;
   shot.position = model_.startX + travel;
-  shot.displacement.resize(3 * places_.size());
-  shot.vonMises.assign(places_.size(), 0.0f);
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const auto& [b, node, station] = places_[i];
+  shot.displacement.resize(3 * locations_.size());
+  shot.vonMises.assign(locations_.size(), 0.0f);
+  for (std::size_t i = 0; i < locations_.size(); ++i) {
+    const auto& [b, node, station] = locations_[i];
     const auto& block = model_.blocks[b];
     const bool turns = block.kind == elasticity::SweepKind::aroundAxis;
     const Eigen::Vector3d local(u[block.index(node, 0, station)], u[block.index(node, 1, station)],
@@ -115,7 +115,7 @@ results::SurfaceSnapshot SurfaceFields::snapshot(const std::string& name, const 
         elasticity::localBasis(block, block.positions[station] - (turns ? rotation : 0)) * local;
     for (int c = 0; c < 3; ++c) shot.displacement[3 * i + c] = static_cast<float>(global[c]);
   }
-  std::vector<float> count(places_.size(), 0.0f);
+  std::vector<float> count(locations_.size(), 0.0f);
   const double full = 2 * std::acos(-1.0);
   for (int b : {model_.rail, model_.rim, model_.body}) {
     const auto& block = model_.blocks[b];
@@ -163,8 +163,8 @@ void SurfaceFields::addPlasticStrain(const plasticity::LayerState& flow, results
   const auto& layer = model_.layer;
   if (layer.empty()) return;
   const int intervals = model_.blocks[model_.rail].intervals, first = layer.firstInterval;
-  shot.plasticStrain.assign(places_.size(), 0.0f);
-  std::vector<float> count(places_.size(), 0.0f);
+  shot.plasticStrain.assign(locations_.size(), 0.0f);
+  std::vector<float> count(locations_.size(), 0.0f);
   for (int interval = first; interval < first + layer.groups * plasticity::lanes; ++interval)
     for (std::size_t q = 0; q < layer.quads.size(); ++q) {
       const auto mean = static_cast<float>(elementFlow(layer, flow, layer.quads[q], interval).equivalent);

@@ -24,7 +24,7 @@ class SurfaceFields {
                                     bool stressEverywhere = false) const;
 
  private:
-  struct Place {
+  struct Location {
     int block, node, station;
   };
   int point(int block, int node, int station);
@@ -36,7 +36,7 @@ class SurfaceFields {
   const model::Model& model_;
   results::SurfaceMesh mesh_;
   std::vector<std::vector<int>> pointOf_;  // per block: nodes x (intervals + 1), -1 where not on the surface
-  std::vector<Place> places_;
+  std::vector<Location> locations_;
 };
 
 }  // namespace squat::simulation

@@ -156,6 +156,7 @@ std::optional<WarmState> makeWarmState(const cases::CaseDescription& description
   if (!run.timed("rolling", [&] { return rollUpTo(run, -zone.before); })) return std::nullopt;
   warm.position = run.rolling->view().position;
   warm.state = stateOf(*run.rolling, run.steps, run.parts->observers, run.result);
+  warm.model = std::make_shared<const model::Model>(run.model);
   return warm;
 }
 

@@ -30,11 +30,13 @@ struct WarmState {
   double position = 0;                 // [m] of the wheel centre from the deepest point of the defect, negative
   results::ArrayTree state;            // as in a checkpoint
   std::string file;                    // it was read from, for messages; empty: none
+  // On which it was made: runs need not build it again. None where the state was read from a file.
+  std::shared_ptr<const model::Model> model;
 };
 
-// Rolls a case up to its defect; nothing where it was cancelled. Of the options threads and isa count, and whether modes
-// and pictures are kept: without them a run from the state computes the former and lacks the latter's beginning. Throws
-// CaseError for a case that cannot be run, whose nodes are moved, or whose run-up leaves no room; RunError.
+// Rolls a case up to its defect; nothing where it was cancelled. Of the options threads and isa count, and whether
+// modes and pictures are kept: without them a run from the state computes the former and lacks the latter's beginning.
+// Throws CaseError for a case that cannot be run, whose nodes are moved, or whose run-up leaves no room; RunError.
 std::optional<WarmState> makeWarmState(const cases::CaseDescription& description, const RunOptions& options,
                                        Monitor& monitor);
 
@@ -50,6 +52,6 @@ void requireAhead(const WarmState& warm, const dynamics::Rolling& rolling);
 
 StoredState storedIn(const WarmState& warm);
 
-std::size_t byteCount(const WarmState& warm);  // memory that it takes
+std::size_t byteCount(const WarmState& warm);  // of the state; the model takes some times as much
 
 }  // namespace squat::simulation

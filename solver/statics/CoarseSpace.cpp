@@ -265,7 +265,7 @@ void CoarseSpace::prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, doubl
     prolongWheel(model_.rim, coarse.data(), index, parts, z);
   });
   for (std::size_t i = 0; i < sprung_.size(); ++i) z[sprung_[i]] += coarse[sprungFirst_ + static_cast<int>(i)];
-  for (const auto index : model_.held) z[index] = 0;
+  for (const auto index : model_.fixed) z[index] = 0;
 }
 
 bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {

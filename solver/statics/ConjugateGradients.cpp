@@ -20,7 +20,7 @@ struct Norms {
 }  // namespace
 
 LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& coarse, const AlignedVector& b,
-                                  AlignedVector& x, double target, int mostIterations,
+                                  AlignedVector& x, double target, int maximumIterations,
                                   const std::function<bool(int, double)>& step) {
   auto& team = op.team();
   const std::size_t n = b.size();
@@ -45,7 +45,7 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
     });
     solution.residual = std::sqrt(norms.residual2);
     const auto correction = coarse.correctionOf(team, r.data());
-    if (solution.residual < target || solution.iterations >= mostIterations) {
+    if (solution.residual < target || solution.iterations >= maximumIterations) {
       for (std::size_t i = 0; i < n; ++i) x[i] += alpha * p[i];
       // A last coarse correction leaves no resultant force on any coarse field, rigid motions of the wheelset among
       // them.

@@ -14,10 +14,10 @@ struct LinearSolution {
   bool cancelled = false;
 };
 
-// Solves (K + contact) x = b from x = 0 until the residual's 2-norm is below `target` or `mostIterations` are done.
+// Solves (K + contact) x = b from x = 0 until the residual's 2-norm is below `target` or `maximumIterations` are done.
 // `step(iterations, residual)` is asked every few iterations and returns false to stop; x is not to be used then.
 LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& coarse, const AlignedVector& b,
-                                  AlignedVector& x, double target, int mostIterations,
+                                  AlignedVector& x, double target, int maximumIterations,
                                   const std::function<bool(int, double)>& step);
 
 }  // namespace squat::statics

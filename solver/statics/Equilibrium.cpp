@@ -17,10 +17,10 @@ constexpr double patchReach = 0.022;  // [m] along the rail, far beyond any patc
 constexpr double nearGap = 1.2e-3;    // [m] undeformed gap that a deflection of the track may close
 
 struct ClosedContact {
-  forces::ForceElements springs;             // tangent of the closed points
-  std::vector<double> penetration;           // of each spring
-  std::vector<std::array<double, 2>> place;  // x relative to the wheel, y
-  double vertical = 0, lateral = 0;          // [N] on the rail, downwards and outwards positive
+  forces::ForceElements springs;                // tangent of the closed points
+  std::vector<double> penetration;              // of each spring
+  std::vector<std::array<double, 2>> location;  // x relative to the wheel, y
+  double vertical = 0, lateral = 0;             // [N] on the rail, downwards and outwards positive
 };
 
 ClosedContact evaluateContact(const model::Model& model, const model::TurnedStations& turned, const double* u,
@@ -38,7 +38,7 @@ ClosedContact evaluateContact(const model::Model& model, const model::TurnedStat
         if (!evaluatePoint(s, rail, rim, u, wheel, i, j, point, nearGap, t) || t.penetration <= 0) continue;
         closed.springs.add(contact::penetrationTerms(s, rail, rim, t), penalty * s.area[t.point], 0);
         closed.penetration.push_back(t.penetration);
-        closed.place.push_back({s.pointX[t.point] - wheelX, s.pointY[t.point]});
+        closed.location.push_back({s.pointX[t.point] - wheelX, s.pointY[t.point]});
         const double force = penalty * s.area[t.point] * t.penetration;
         closed.vertical += force * s.treadCosine * t.cosine;
         closed.lateral += force * s.treadSine;
@@ -59,8 +59,9 @@ void describePatch(const ClosedContact& closed, Equilibrium& e) {
   for (std::size_t i = 0; i < closed.springs.size(); ++i) {
     const double force = closed.springs.stiffness[i] * closed.penetration[i];
     n += force;
-    x1 += force * closed.place[i][0], y1 += force * closed.place[i][1];
-    x2 += force * closed.place[i][0] * closed.place[i][0], y2 += force * closed.place[i][1] * closed.place[i][1];
+    x1 += force * closed.location[i][0], y1 += force * closed.location[i][1];
+    x2 += force * closed.location[i][0] * closed.location[i][0],
+        y2 += force * closed.location[i][1] * closed.location[i][1];
   }
   e.halfAxisRolling = std::sqrt(5 * std::max(0.0, x2 / n - x1 * x1 / n / n));
   e.halfAxisLateral = std::sqrt(5 * std::max(0.0, y2 / n - y1 * y1 / n / n));
@@ -151,7 +152,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
       break;
     }
     if (!std::isfinite(norm)) throw RunError("the equilibrium is not a number", 0, 0, "equilibrium");
-    if (e.newtonSteps >= options.mostNewtonSteps || e.iterations >= options.mostIterations)
+    if (e.newtonSteps >= options.maximumNewtonSteps || e.iterations >= options.maximumIterations)
       throw RunError("the equilibrium does not converge: residual " + std::to_string(e.residual) +
                          " of the load after " + std::to_string(e.newtonSteps) + " Newton steps and " +
                          std::to_string(e.iterations) + " iterations",
@@ -166,7 +167,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
     const double forcing = changed > 0.03 ? 0.2 : changed > 0.005 || hasNewTangents ? 1e-2 : 1e-5;
     const double goal = std::max(0.3 * options.tolerance * load, norm * forcing);
     const auto solution = conjugateGradients(
-        op, coarse, r, change, goal, options.mostIterations - e.iterations, [&](int, double residual) {
+        op, coarse, r, change, goal, options.maximumIterations - e.iterations, [&](int, double residual) {
           Progress progress;
           progress.phase = "equilibrium";
           const double all = std::log(std::max(startNorm, load) / (options.tolerance * load));
@@ -184,7 +185,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
     for (std::size_t i = 0; i < n; ++i) e.displacement[i] += change[i];
   }
   op.fillSlaves(e.displacement.data());
-  model::removeSpin(model, model::meanSpin(model, e.displacement.data()), e.displacement.data());
+  model::removeMeanRotation(model, model::meanRotation(model, e.displacement.data()), e.displacement.data());
   op.fillSlaves(e.displacement.data());
   op.contactSprings() = {};
   AlignedVector copy = e.displacement;

@@ -2,7 +2,7 @@
 //
 // Newton's method on the active set of contact points and the tangents of the force elements; each linear system by
 // conjugate gradients with a coarse space (CoarseSpace.h). Load: weight of everything. The sprung mass is held along
-// the track, the wheelset's mean spin is held and taken out of the result.
+// the track, the wheelset's mean rotation is held and taken out of the result.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +16,8 @@ namespace squat::statics {
 
 struct EquilibriumOptions {
   double tolerance = 1e-7;  // residual 2-norm relative to the wheel load
-  int mostNewtonSteps = 40;
-  int mostIterations = 20000;  // of conjugate gradients in all
+  int maximumNewtonSteps = 40;
+  int maximumIterations = 20000;  // of conjugate gradients in all
   const AlignedVector* guess = nullptr;
 };
 

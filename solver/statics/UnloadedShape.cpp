@@ -13,7 +13,7 @@ namespace squat::statics {
 UnloadedShape findUnloadedShape(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                                 const plasticity::LayerForces& forces, Monitor& monitor) {
   constexpr double tolerance = 1e-7;  // of the plastic forces
-  constexpr int mostIterations = 20000;
+  constexpr int maximumIterations = 20000;
   UnloadedShape shape;
   shape.displacement.assign(model.stateSize, 0.0);
   AlignedVector force(model.stateSize, 0.0);
@@ -40,7 +40,7 @@ UnloadedShape findUnloadedShape(const model::Model& model, const elasticity::Ker
   const double norm = std::sqrt(std::inner_product(force.begin(), force.end(), force.begin(), 0.0));
   if (norm == 0) return shape;
   const auto solution = conjugateGradients(
-      op, coarse, force, shape.displacement, tolerance * norm, mostIterations, [&](int, double residual) {
+      op, coarse, force, shape.displacement, tolerance * norm, maximumIterations, [&](int, double residual) {
         Progress progress;
         progress.phase = "unloading";
         progress.fraction = std::clamp(std::log(norm / residual) / std::log(1 / tolerance), 0.0, 1.0);

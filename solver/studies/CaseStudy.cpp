@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/RunFeatures.h"
 #include "case/Applicability.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/SteadyMemory.h"
-#include "laboratory/RunFeatures.h"
 
 namespace squat::studies {
 namespace {
@@ -81,7 +81,7 @@ cases::CaseDescription caseAt(const StudyDefinition& definition, const cases::Ca
 }
 
 FeatureRow studyFeatures(const results::RunResult& result) {
-  FeatureRow row = signals::featureRow(laboratory::runFeatures(result));
+  FeatureRow row = signals::featureRow(analysis::runFeatures(result));
   if (const auto* force = result.signal("contact_force"); force && !force->empty()) {
     const auto [low, high] = std::minmax_element(force->begin(), force->end());
     row.emplace_back("smallest contact force [N]", *low);

@@ -13,9 +13,9 @@
 namespace squat::studies {
 
 // Where all points of a study share mesh, track, vehicle and motion, one warm state is made, by the run that comes
-// first, and all runs start there. The fine zone of their mesh is then as long as the longest defect of the study, which
-// is what each run computes by itself where all defects are equally long: the same table to the bit. Other studies, and
-// defects whose nodes are moved, run whole.
+// first, and all runs start there. The fine zone of their mesh is then as long as the longest defect of the study,
+// which is what each run computes by itself where all defects are equally long: the same table to the bit. Other
+// studies, and defects whose nodes are moved, run whole.
 class SharedStart {
  public:
   // `options` for each run; `threads` for the warm state, while the other runs wait for it.

@@ -13,7 +13,7 @@
 namespace squat::studies {
 namespace {
 
-constexpr std::size_t mostValues = 1000, mostPoints = 10000;
+constexpr std::size_t maximumValues = 1000, maximumPoints = 10000;
 
 [[noreturn]] void refuse(const std::string& text, const std::string& allowed) {
   throw CaseError({{"--vary", "'" + text + "'", allowed, "Example: defect.length=20:60:5"}});
@@ -41,13 +41,13 @@ Variation variationFromText(const std::string& text) {
     variation.values = text::split(right, ',');
     for (const auto& value : variation.values)
       if (value.empty()) refuse(text, "values without empty entries between commas");
-    if (variation.values.size() > mostValues) refuse(text, "at most 1000 values");
+    if (variation.values.size() > maximumValues) refuse(text, "at most 1000 values");
   } else {
     const auto range = text::split(right, ':');
     if (range.size() != 3) refuse(text, "first:last:count");
     const auto first = number(range[0]), last = number(range[1]), count = number(range[2]);
     if (!first || !last || !count) refuse(text, "three numbers first:last:count");
-    if (*count != std::floor(*count) || *count < 1 || *count > static_cast<double>(mostValues))
+    if (*count != std::floor(*count) || *count < 1 || *count > static_cast<double>(maximumValues))
       refuse(text, "a whole count from 1 to 1000");
     if (*count == 1 && *first != *last) refuse(text, "a count of at least 2 where first and last differ");
     const auto n = static_cast<std::size_t>(*count);
@@ -70,7 +70,7 @@ std::vector<StudyPoint> gridOf(const StudyDefinition& definition) {
     if (!keys.insert(variation.key).second)
       throw CaseError({{"--vary", variation.key, "given once per key", "Put all its values into one --vary"}});
     count *= variation.values.size();
-    if (count > mostPoints || count == 0)
+    if (count > maximumPoints || count == 0)
       throw CaseError({{"--vary", "more than 10000 runs", "1 to 10000 runs", "Use fewer values"}});
   }
   std::vector<StudyPoint> points(count);

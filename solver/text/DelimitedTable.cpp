@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t largestFile = std::size_t{4} << 30;
 constexpr std::size_t linesForLayout = 200;
-constexpr std::size_t mostColumns = 4096;
-constexpr std::size_t mostReserved = std::size_t{1} << 26;  // rows
+constexpr std::size_t maximumColumns = 4096;
+constexpr std::size_t maximumReserved = std::size_t{1} << 26;  // rows
 constexpr const char* advice = "Export the table as CSV or HDF5";
 
 TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal) {
@@ -26,7 +26,7 @@ TableLayout layoutOf(std::string_view text, const std::string& path, char delimi
   if (layout.fields == 0 || layout.firstLine >= head.size())
     throw FileError(path, "", "contains no table of numbers in its first " + std::to_string(head.size()) + " lines",
                     "Give a table with one row per sample; name delimiter and decimal sign where they are unusual");
-  if (layout.fields > mostColumns)
+  if (layout.fields > maximumColumns)
     throw FileError(path, "line " + std::to_string(layout.firstLine + 1), "has too many columns");
   return layout;
 }
@@ -44,7 +44,7 @@ DelimitedTable emptyTable(const TableLayout& layout, const std::string& path) {
 
 // The rows to come are taken to be as long as the first.
 void reserveRows(DelimitedTable& table, std::size_t bytes, std::string_view firstRow) {
-  const std::size_t rows = std::min(bytes / (firstRow.size() + 1) + 16, mostReserved);
+  const std::size_t rows = std::min(bytes / (firstRow.size() + 1) + 16, maximumReserved);
   for (auto& column : table.columns) column.values.reserve(rows);
   table.lines.reserve(rows);
 }
@@ -76,7 +76,7 @@ DelimitedTable parseDelimitedTable(std::string_view text, const std::string& pat
     if (table.lines.empty()) reserveRows(table, text.size(), line);
     splitRow(line, layout, fields);
     if (fields.size() != layout.fields)
-      throw FileError(path, lines.place(),
+      throw FileError(path, lines.location(),
                       "has " + std::to_string(fields.size()) + " fields, the table " + std::to_string(layout.fields),
                       "Correct the line, or give the delimiter");
     for (std::size_t c = 0; c < fields.size(); ++c)

@@ -23,7 +23,7 @@ bool Lines::next(std::string_view& line) {
   line = rest_.substr(0, end);
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
   ++number_;
-  if (line.size() > longest) throw FileError(path_, place(), "is longer than 1 MB", "Put one row on each line");
+  if (line.size() > longest) throw FileError(path_, location(), "is longer than 1 MB", "Put one row on each line");
   return true;
 }
 
@@ -33,7 +33,7 @@ bool Lines::nextRow(std::string_view& line) {
   return false;
 }
 
-std::string Lines::place() const { return number_ > 0 ? "line " + std::to_string(number_) : std::string(); }
+std::string Lines::location() const { return number_ > 0 ? "line " + std::to_string(number_) : std::string(); }
 
 bool isComment(std::string_view line) {
   line = trimmed(line);

@@ -18,7 +18,7 @@ class Lines {
   bool next(std::string_view& line);                // any line
   bool nextRow(std::string_view& line);             // the next that is neither empty nor a comment (isComment)
   std::uint32_t number() const { return number_; }  // of the line that came last, from 1
-  std::string place() const;                        // "line 12", for messages
+  std::string location() const;                     // "line 12", for messages
 
  private:
   std::string_view rest_;

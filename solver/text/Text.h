@@ -7,8 +7,8 @@
 
 namespace squat::text {
 
-// Without the blanks (space, tab, line ends) on both sides.
-std::string_view trimmed(std::string_view text);
+// Without the blanks on both sides: spaces, tabs and line ends where nothing else is said.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r\n");
 
 // Letters A to Z as a to z; all others as they are.
 std::string lowerCase(std::string_view text);

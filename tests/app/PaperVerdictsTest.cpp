@@ -6,8 +6,8 @@
 #include "app/MadeUpPaperRun.h"
 #include "commands/PaperTable.h"
 #include "commands/ValidationText.h"
-#include "validation/Judge.h"
-#include "validation/RunChecks.h"
+#include "statements/Judge.h"
+#include "statements/RunChecks.h"
 
 namespace squat::commands {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-const validation::Reference& paper() {
-  static const auto reference = validation::readReference(SQUAT_SOURCE_DIR "/resources/reference/paper.json");
+const statements::Reference& paper() {
+  static const auto reference = statements::readReference(SQUAT_SOURCE_DIR "/resources/reference/paper.json");
   return reference;
 }
 
@@ -28,7 +28,7 @@ class PaperVerdicts : public ::testing::TestWithParam<const char*> {
 TEST_P(PaperVerdicts, AreThoseOfTheJudgeValueByValue) {
   const auto rows = paperRows(result_);
   int judgedRows = 0;
-  for (const auto& one : validation::judge(paper(), {{GetParam(), result_}}, "tiny")) {
+  for (const auto& one : statements::judge(paper(), {{GetParam(), result_}}, "tiny")) {
     const auto& statement = one.statement;
     const auto row =
         std::find_if(rows.begin(), rows.end(), [&](const PaperRow& each) { return each.what == statement.name; });
@@ -37,8 +37,8 @@ TEST_P(PaperVerdicts, AreThoseOfTheJudgeValueByValue) {
     if (!isOwn) continue;
     ++judgedRows;
     EXPECT_EQ(row->ours, valueText(one)) << statement.name;
-    EXPECT_EQ(row->paper, validation::rangeText(statement)) << statement.name;
-    EXPECT_EQ(row->verdict, validation::toText(one.verdict)) << statement.name;
+    EXPECT_EQ(row->paper, statements::rangeText(statement)) << statement.name;
+    EXPECT_EQ(row->verdict, statements::toText(one.verdict)) << statement.name;
   }
   // No other row has a verdict of the paper.
   EXPECT_EQ(std::count_if(rows.begin(), rows.end(),
@@ -50,10 +50,12 @@ TEST_P(PaperVerdicts, AreThoseOfTheJudgeValueByValue) {
 }
 
 TEST_P(PaperVerdicts, WhatHasNoNumberSaysWhyBelowTheTable) {
-  const auto judged = validation::judgeAlone(paper(), GetParam(), result_, "tiny");
+  const auto judged = statements::judgeAlone(paper(), GetParam(), result_, "tiny");
   EXPECT_THAT(paperTable(result_), HasSubstr(reasonsText(judged)));
-  for (const auto& one : judged)
-    if (!one.value) EXPECT_THAT(reasonsText(judged), HasSubstr(one.statement.name + ": "));
+  for (const auto& one : judged) {
+    if (one.value) continue;
+    EXPECT_THAT(reasonsText(judged), HasSubstr(one.statement.name + ": "));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, PaperVerdicts,

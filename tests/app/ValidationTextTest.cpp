@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 constexpr std::size_t kColumns = 100;
 
-validation::Reference paper() { return validation::readReference(SQUAT_SOURCE_DIR "/resources/reference/paper.json"); }
+statements::Reference paper() { return statements::readReference(SQUAT_SOURCE_DIR "/resources/reference/paper.json"); }
 
 // Lines that are longer, counted in signs.
 std::string tooLong(const std::string& text) {
@@ -28,11 +28,11 @@ std::string tooLong(const std::string& text) {
 }
 
 // Judged with every verdict in turn; the longest reasons among them.
-std::vector<validation::Judged> judgedOf(const validation::Reference& reference) {
-  std::vector<validation::Judged> judged;
+std::vector<statements::Judged> judgedOf(const statements::Reference& reference) {
+  std::vector<statements::Judged> judged;
   for (const auto& statement : reference.statements) {
-    validation::Judged one{statement, {}, validation::Verdict::notJudged, statement.reason, {}};
-    if (judged.size() % 3 != 0) one.value = -12345.678, one.verdict = validation::Verdict::notMet;
+    statements::Judged one{statement, {}, statements::Verdict::notJudged, statement.reason, {}};
+    if (judged.size() % 3 != 0) one.value = -12345.678, one.verdict = statements::Verdict::notMet;
     judged.push_back(one);
   }
   return judged;
@@ -48,7 +48,7 @@ TEST(ValidationText, ParametersAndNumbersFit) {
   const auto reference = paper();
   results::RunResult result;  // on tiny, where mesh, run-up and length are not the paper's
   results::setCase(result, cases::loadCase("light-defect", {"tiny", {}}));
-  const auto text = parametersText(validation::compareParameters(reference, result));
+  const auto text = parametersText(statements::compareParameters(reference, result));
   EXPECT_EQ(tooLong(text), "");
   EXPECT_THAT(text, HasSubstr("mesh.contact_size"));
   EXPECT_EQ(tooLong(numbersText(reference)), "");
@@ -56,12 +56,12 @@ TEST(ValidationText, ParametersAndNumbersFit) {
 
 TEST(ValidationText, SensitivityFitsWithOneTableForEachInput) {
   const auto reference = paper();
-  validation::SensitivityTable table;
+  statements::SensitivityTable table;
   for (const auto& statement : reference.statements)
     if (statement.run == reference.sensitivityRun && statement.against.empty()) table.statements.push_back(statement);
   for (const auto& key : reference.sensitivity)
     for (const auto& value : key.values) {
-      validation::SensitivityRow row{key.key, key.text, value, "MN/m", value == "1", {}, {}, {}};
+      statements::SensitivityRow row{key.key, key.text, value, "MN/m", value == "1", {}, {}, {}};
       row.numbers.assign(table.statements.size(), -12345.678);
       row.met.assign(table.statements.size(), false);
       if (value == "0.67") row.message = "not run", row.numbers.clear(), row.met.clear();

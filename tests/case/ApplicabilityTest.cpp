@@ -34,7 +34,7 @@ std::string otherThan(const Parameter& parameter, const std::vector<std::string>
   if (parameter.kind == Kind::choice) candidates = parameter.choices;
   if (parameter.kind == Kind::boolean) candidates = {"true", "false"};
   if (parameter.kind == Kind::number)
-    candidates = {formatDecimal(parameter.maximum), formatDecimal(parameter.minimum), parameter.standardText};
+    candidates = {formatDecimal(parameter.maximum), formatDecimal(parameter.minimum), parameter.defaultText};
   if (parameter.kind == Kind::text) candidates = {"other.csv", ""};
   if (parameter.kind == Kind::points) candidates = {"[[0, 0], [5, -0.1], [10, 0]]", "[]"};
   if (parameter.kind == Kind::lines)
@@ -86,7 +86,7 @@ TEST(Applicability, EveryKeyWithoutEffectBringsAWarningThatNamesTheKeyThatDecide
   for (const auto* parameter : conditional())
     for (const auto& alternative : parameter->condition) {
       CaseDescription description = where(*parameter, alternative);
-      const auto value = otherThan(*parameter, {isList(*parameter) ? "[]" : parameter->standardText});
+      const auto value = otherThan(*parameter, {isList(*parameter) ? "[]" : parameter->defaultText});
       setValue(description, parameter->key, value);
       EXPECT_FALSE(warnsOf(description, parameter->key)) << parameter->key << " = " << value;
       for (const auto& requirement : alternative) {
@@ -127,10 +127,10 @@ TEST(Applicability, AKeyOfTheDefectChangesTheSurfaceWhereItAppliesAndOnlyThere) 
         CaseDescription changed = description;
         const bool isNumber = parameter->kind == Kind::number;
         setValue(changed, parameter->key,
-                 !isNumber                  ? "false"
-                 : parameter->standard == 0 ? "3"
-                 : parameter->integer       ? "2"
-                                            : formatDecimal(0.8 * parameter->standard));
+                 !isNumber                      ? "false"
+                 : parameter->defaultValue == 0 ? "3"
+                 : parameter->integer           ? "2"
+                                                : formatDecimal(0.8 * parameter->defaultValue));
         const double change = largestChange(description.defect, changed.defect);
         EXPECT_EQ(change > 0, applies(description, *parameter))
             << parameter->key << " with " << shape << ", " << lateral << ": " << change;

@@ -193,7 +193,7 @@ TEST(CaseHash, StandsForWhatThePhysicsSees) {
     if (parameter.key == "pad.preload") setValue(plain, "pad.curve", "[[0, 0], [0.1, 20]]");  // seen with a curve only
     CaseDescription changed = plain;
     setValue(changed, parameter.key,
-             formatDecimal(parameter.standard == parameter.maximum ? parameter.minimum : parameter.maximum));
+             formatDecimal(parameter.defaultValue == parameter.maximum ? parameter.minimum : parameter.maximum));
     EXPECT_NE(caseHash(changed), caseHash(plain)) << parameter.key;
   }
 }

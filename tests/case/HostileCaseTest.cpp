@@ -130,11 +130,11 @@ TEST(HostileCase, AMultiLineTextEndsBehindItsFifthQuote) {
 }
 
 TEST(HostileCase, CountsThePartsOfKeysAsTomlDoes) {
-  EXPECT_EQ(mostKeyParts(""), 1u);
-  EXPECT_EQ(mostKeyParts("a.b = 1.5\n[c.d.e]"), 3u);
-  EXPECT_EQ(mostKeyParts("a = '....' # .....\nb = \"\"\"\n.....\"\"\""), 1u);
-  EXPECT_EQ(mostKeyParts("a = [[0.5, -0.1], [1.5, -0.2]]"), 2u);
-  EXPECT_EQ(mostKeyParts("'='.\"=,\\\"\".a.\"#\" = 1"), 4u);
+  EXPECT_EQ(maximumKeyParts(""), 1u);
+  EXPECT_EQ(maximumKeyParts("a.b = 1.5\n[c.d.e]"), 3u);
+  EXPECT_EQ(maximumKeyParts("a = '....' # .....\nb = \"\"\"\n.....\"\"\""), 1u);
+  EXPECT_EQ(maximumKeyParts("a = [[0.5, -0.1], [1.5, -0.2]]"), 2u);
+  EXPECT_EQ(maximumKeyParts("'='.\"=,\\\"\".a.\"#\" = 1"), 4u);
 }
 
 TEST(HostileCase, ManyMistakesAreCounted) {

@@ -46,8 +46,8 @@ TEST(ParameterTable, EveryNumberHasUnitFiniteRangeAndDefaultWithinIt) {
     EXPECT_FALSE(parameter.unit.empty()) << parameter.key;
     EXPECT_TRUE(std::isfinite(parameter.minimum) && std::isfinite(parameter.maximum)) << parameter.key;
     EXPECT_LT(parameter.minimum, parameter.maximum) << parameter.key;
-    EXPECT_LE(parameter.minimum, parameter.standard) << parameter.key;
-    EXPECT_GE(parameter.maximum, parameter.standard) << parameter.key;
+    EXPECT_LE(parameter.minimum, parameter.defaultValue) << parameter.key;
+    EXPECT_GE(parameter.maximum, parameter.defaultValue) << parameter.key;
   }
 }
 
@@ -58,14 +58,13 @@ TEST(ParameterTable, EveryRowHasAMemberOfItsOwn) {
     std::string text;
     switch (parameter.kind) {
       case Kind::number:
-        text = formatDecimal(parameter.standard == parameter.maximum ? parameter.minimum : parameter.maximum);
+        text = formatDecimal(parameter.defaultValue == parameter.maximum ? parameter.minimum : parameter.maximum);
         break;
       case Kind::choice:
-        text =
-            parameter.choices.back() == parameter.standardText ? parameter.choices.front() : parameter.choices.back();
+        text = parameter.choices.back() == parameter.defaultText ? parameter.choices.front() : parameter.choices.back();
         break;
       case Kind::boolean:
-        text = parameter.standardText == "true" ? "false" : "true";
+        text = parameter.defaultText == "true" ? "false" : "true";
         break;
       case Kind::text:
         text = "other";

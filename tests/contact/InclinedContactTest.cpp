@@ -72,17 +72,17 @@ struct Stand {
   }
 };
 
-struct Place {
+struct Location {
   const char *inclination, *cone, *offset;
   double touch;  // [m] on the crown
 };
 
-class InclinedContact : public testing::TestWithParam<Place> {};
+class InclinedContact : public testing::TestWithParam<Location> {};
 
 TEST_P(InclinedContact, TouchesWhereTheSlopesAgree) {
-  const auto& place = GetParam();
-  Stand stand(place.inclination, place.cone, place.offset);
-  EXPECT_NEAR(stand.model.surfaces.touchY, place.touch, 1e-9);
+  const auto& location = GetParam();
+  Stand stand(location.inclination, location.cone, location.offset);
+  EXPECT_NEAR(stand.model.surfaces.touchY, location.touch, 1e-9);
   stand.wheel.placement.centreZ += lowered - 1e-9;  // a nanometre deep: only the touching point is near
   const auto& s = stand.model.surfaces;
   const auto [first, last] = reachableIntervals(s, stand.model.blocks[stand.model.rail], stand.model.startX, 0.01);
@@ -102,14 +102,14 @@ TEST_P(InclinedContact, TouchesWhereTheSlopesAgree) {
 
 // Terms of fourth order over an ellipse of 9 x 7 mm: 1e-3 of the depth.
 TEST_P(InclinedContact, PenetrationIsTheGapAlongTheCommonNormal) {
-  const auto& place = GetParam();
-  Stand stand(place.inclination, place.cone, place.offset);
+  const auto& location = GetParam();
+  Stand stand(location.inclination, location.cone, location.offset);
   stand.roll({law.normalPenalty, law.tangentialPenalty, 0});
   ASSERT_GT(stand.points.size(), 8u);
   const auto& s = stand.model.surfaces;
-  const double lean = std::atan(std::stod(place.inclination));
-  const double z = -place.touch * place.touch / (2 * crown);  // crown height at the touching point, R300
-  const double touchY = place.touch * std::cos(lean) - z * std::sin(lean);
+  const double lean = std::atan(std::stod(location.inclination));
+  const double z = -location.touch * location.touch / (2 * crown);  // crown height at the touching point, R300
+  const double touchY = location.touch * std::cos(lean) - z * std::sin(lean);
   for (const auto& p : stand.points) {
     const double y = (p.y - touchY) / s.treadCosine;  // along the common tangent
     const double expected = s.treadCosine * (lowered - p.x * p.x / (2 * s.radius)) - y * y / (2 * crown);
@@ -118,8 +118,8 @@ TEST_P(InclinedContact, PenetrationIsTheGapAlongTheCommonNormal) {
 }
 
 TEST_P(InclinedContact, ForcesAreEqualOppositeAndAlongTheNormal) {
-  const auto& place = GetParam();
-  Stand stand(place.inclination, place.cone, place.offset);
+  const auto& location = GetParam();
+  Stand stand(location.inclination, location.cone, location.offset);
   const auto patch = stand.roll({law.normalPenalty, law.tangentialPenalty, 0});
   const Eigen::Vector3d onRail = stand.resultant(stand.model.rail, stand.railLines, stand.railForces);
   const Eigen::Vector3d onWheel = stand.resultant(stand.model.rim, stand.rimLines, stand.rimForces);
@@ -127,23 +127,23 @@ TEST_P(InclinedContact, ForcesAreEqualOppositeAndAlongTheNormal) {
   EXPECT_NEAR(-onRail[2], patch.vertical, 1e-9 * patch.vertical);
   EXPECT_NEAR(onRail[1], patch.lateral, 1e-9 * patch.vertical);
   // The slope of crown and tread at the touching point; e_r leans by up to 9 mm / 460 mm, squared over two.
-  const double slope = std::tan(std::atan(std::stod(place.inclination)) - std::asin(place.touch / crown));
+  const double slope = std::tan(std::atan(std::stod(location.inclination)) - std::asin(location.touch / crown));
   EXPECT_NEAR(patch.lateral / patch.vertical, slope, 3e-4 * std::abs(slope) + 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Places, InclinedContact,
-                         testing::Values(Place{"0.025", "0.025", "0", 0}, Place{"0.025", "0.025", "4", 0.004},
-                                         Place{"0.025", "0.025", "-4", -0.004}, Place{"0", "0", "4", 0.004},
-                                         Place{"0.025", "0.0125", "0",
-                                               crown* std::sin(std::atan(0.025) - std::atan(0.0125))},
-                                         Place{"0", "0.01", "0", -crown* std::sin(std::atan(0.01))}));
+INSTANTIATE_TEST_SUITE_P(Locations, InclinedContact,
+                         testing::Values(Location{"0.025", "0.025", "0", 0}, Location{"0.025", "0.025", "4", 0.004},
+                                         Location{"0.025", "0.025", "-4", -0.004}, Location{"0", "0", "4", 0.004},
+                                         Location{"0.025", "0.0125", "0",
+                                                  crown* std::sin(std::atan(0.025) - std::atan(0.0125))},
+                                         Location{"0", "0.01", "0", -crown* std::sin(std::atan(0.01))}));
 
 // On the first step after standing still, the traction is the tangential penalty times slip times the step.
 TEST(InclinedContactSpin, AConeSpinsOnThePatch) {
   Stand stand("0.025", "0.025", "0");
   const auto& s = stand.model.surfaces;
   const double speed = 30, spin = s.treadSine / s.radius;
-  stand.wheel.speed = speed, stand.wheel.spinRate = speed / s.radius;
+  stand.wheel.speed = speed, stand.wheel.angularVelocity = speed / s.radius;
   stand.roll({law.normalPenalty, law.tangentialPenalty, 1e3});  // nothing slips
   ASSERT_GT(stand.points.size(), 8u);
   for (const auto& p : stand.points) {

@@ -32,7 +32,7 @@ class RollingContactTest : public testing::Test {
     history_.traction.assign(2 * model.surfaces.points(), 0.0);
     wheel_.placement = {model.startX, model.wheelset.centreHeight, 0, 0, 0};
     wheel_.speed = model.scenario.motion.speed;
-    wheel_.spinRate = wheel_.speed / model.surfaces.radius;
+    wheel_.angularVelocity = wheel_.speed / model.surfaces.radius;
     lines(model.surfaces.railLine, model.rail, railLines_, railBuffer_);
     lines(model.surfaces.treadLine, model.rim, rimLines_, rimBuffer_);
     lower(approach);
@@ -94,7 +94,7 @@ class RollingContactTest : public testing::Test {
 
   // Sliding by which the tread's material leads the rail's: the wheel spins on the spot, so that it is the same at all
   // points (rolling adds the speed times 1 - cos(angle), 4 mm/s at the patch's ends of undeformed bodies).
-  void slide(double speed) { wheel_.speed = 0, wheel_.spinRate = -speed / tiny().surfaces.radius; }
+  void slide(double speed) { wheel_.speed = 0, wheel_.angularVelocity = -speed / tiny().surfaces.radius; }
 
   AlignedVector displaced_, velocity_;
   FrictionHistory history_;
@@ -167,7 +167,7 @@ TEST_F(RollingContactTest, FrictionlessForcesPointAtTheAxis) {
     const auto patch = roll({law.normalPenalty, law.tangentialPenalty, 0});
     for (const auto& p : points_) EXPECT_EQ(std::hypot(p.tractionX, p.tractionY), 0);
     EXPECT_EQ(patch.frictionPower, 0);
-    EXPECT_NEAR(patch.spinMoment, 0, 1e-15 * patch.vertical);  // the arm: rounding of 0.08 mm
+    EXPECT_NEAR(patch.rotationMoment, 0, 1e-15 * patch.vertical);  // the arm: rounding of 0.08 mm
     // Symmetric about the wheel's centre but for where the Gauss points lie.
     double moment = 0;
     for (const auto& p : points_) moment += p.pressure * p.area * p.x;
@@ -247,11 +247,11 @@ TEST_F(RollingContactTest, TheSpinFeelsTheForcesOnTheRim) {
   const double radius = tiny().surfaces.radius;
   spin(turn);
   auto patch = roll({law.normalPenalty, law.tangentialPenalty, 0});
-  EXPECT_NEAR(patch.spinMoment, patch.vertical * radius * turn, 1e-3 * patch.vertical * radius * turn);
-  EXPECT_NEAR(patch.spinMoment, moment(), 1e-5 * patch.vertical * radius * turn);
+  EXPECT_NEAR(patch.rotationMoment, patch.vertical * radius * turn, 1e-3 * patch.vertical * radius * turn);
+  EXPECT_NEAR(patch.rotationMoment, moment(), 1e-5 * patch.vertical * radius * turn);
   slide(0.3);
   for (int k = 0; k < 5; ++k) patch = roll();
-  EXPECT_NEAR(patch.spinMoment, moment(), 1e-5 * std::abs(patch.spinMoment));
+  EXPECT_NEAR(patch.rotationMoment, moment(), 1e-5 * std::abs(patch.rotationMoment));
 }
 
 TEST_F(RollingContactTest, SticksWithTheTangentialPenaltyBelowTheCone) {
@@ -286,7 +286,8 @@ TEST_F(RollingContactTest, ReturnsToTheFrictionCone) {
     EXPECT_NEAR(std::abs(patch.longitudinal), law.friction * normal, 1e-3 * law.friction * normal);
     // All of the sliding is dissipated: mu N times the sliding speed.
     EXPECT_NEAR(patch.frictionPower, law.friction * normal * std::abs(speed), 2e-3 * law.friction * normal * 0.5);
-    EXPECT_NEAR(patch.spinMoment, tiny().surfaces.radius * patch.longitudinal, 1e-3 * std::abs(patch.spinMoment));
+    EXPECT_NEAR(patch.rotationMoment, tiny().surfaces.radius * patch.longitudinal,
+                1e-3 * std::abs(patch.rotationMoment));
   }
 }
 

@@ -74,20 +74,20 @@ AlignedVector accelerations(const model::Model& model, const model::StaticOperat
     for (const auto& cluster : block.inertia.clusters)
       for (int first = 0, group = 1; first < block.intervals; first += group) {
         group = elasticity::stationGroup(block, first).count;
-        std::vector<std::pair<int, int>> places;
+        std::vector<std::pair<int, int>> locations;
         bool grown = false;
-        for (int place = cluster.first; place < cluster.end; ++place)
+        for (int location = cluster.first; location < cluster.end; ++location)
           for (int s = first; s < first + group; ++s) {
-            const int node = block.order.members[place];
-            places.emplace_back(node, s);
+            const int node = block.order.members[location];
+            locations.emplace_back(node, s);
             grown |= std::abs(now(node, s) * model.mass[b][node * block.stride + s] - 1) > 1e-9;
           }
         if (!grown || group == 1) continue;
-        const auto count = static_cast<Eigen::Index>(places.size());
+        const auto count = static_cast<Eigen::Index>(locations.size());
         Eigen::MatrixXd fields(count, 6);
         Eigen::VectorXd root(count);
         for (Eigen::Index i = 0; i < count; ++i) {
-          const auto [node, s] = places[i];
+          const auto [node, s] = locations[i];
           const double y = 1e2 * block.section.nodes[node][0], z = 1e2 * block.section.nodes[node][1], x = s - first;
           fields.row(i) << 1, y, z, x, x * y, x * z;
           root[i] = 1 / std::sqrt(now(node, s));
@@ -98,10 +98,10 @@ AlignedVector accelerations(const model::Model& model, const model::StaticOperat
         for (int c = 0; c < 3; ++c) {
           Eigen::VectorXd own(count);
           for (Eigen::Index i = 0; i < count; ++i)
-            own[i] = root[i] * plain[block.index(places[i].first, c, places[i].second)];
+            own[i] = root[i] * plain[block.index(locations[i].first, c, locations[i].second)];
           own = (0.1 * own + 0.9 * q * (q.transpose() * own)).eval();
           for (Eigen::Index i = 0; i < count; ++i)
-            a[block.index(places[i].first, c, places[i].second)] = own[i] / root[i];
+            a[block.index(locations[i].first, c, locations[i].second)] = own[i] / root[i];
         }
       }
   }
@@ -161,26 +161,26 @@ TEST(ContactInertia, StiffPenaltiesShortenTheStep) {
   const auto kernels = elasticity::kernelsFor("");
   ThreadTeam team(1);
   Monitor quiet;
-  const auto layersOf = [&](const char* normal, const char* tangential, std::string& place) {
+  const auto layersOf = [&](const char* normal, const char* tangential, std::string& location) {
     const auto model = model::buildModel(cases::loadScenario(
         tests::fixtureCase("smooth-rail"),
         {"tiny", {{"contact.normal_penalty", normal}, {"contact.tangential_penalty", tangential}}}));
     const auto stable = stableStep(model, kernels, team, quiet);
-    place = stable.place;
+    location = stable.location;
     const auto& rail = model.scenario.rail.material;
     const double size = model.scenario.mesh.contactSize,
                  penalty = std::stod(normal) * std::max(1.0, std::stod(tangential)) * rail.young / size;
     return 0.5 * penalty * (stable.step * stable.step + 2 * stable.beta * stable.step) / (rail.density * size);
   };
-  std::string place, stiffPlace;
-  EXPECT_LT(layersOf("2.5", "1", place), 5);
+  std::string location, stiffLocation;
+  EXPECT_LT(layersOf("2.5", "1", location), 5);
   for (const auto& [normal, tangential] : {std::pair{"50", "1"}, std::pair{"10", "10"}, std::pair{"50", "0.5"}}) {
-    const double layers = layersOf(normal, tangential, stiffPlace);
+    const double layers = layersOf(normal, tangential, stiffLocation);
     EXPECT_LT(layers, 10) << normal << " " << tangential;
     EXPECT_GT(layers, 9) << normal << " " << tangential;
-    EXPECT_EQ(stiffPlace, "the contact, by its penalties");
+    EXPECT_EQ(stiffLocation, "the contact, by its penalties");
   }
-  EXPECT_NE(place, stiffPlace);
+  EXPECT_NE(location, stiffLocation);
 }
 
 }  // namespace

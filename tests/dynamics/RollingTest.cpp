@@ -12,7 +12,7 @@
 #include "case/Resolve.h"
 #include "dynamics/StableStep.h"
 #include "elasticity/SelectiveInertia.h"
-#include "statics/QuietStart.h"
+#include "statics/SteadyRollingStart.h"
 #include "verification/StepBlocks.h"
 
 namespace squat::dynamics {
@@ -21,7 +21,7 @@ namespace {
 struct Started {
   model::Model model;
   StableStep stable;
-  statics::QuietStart start;
+  statics::SteadyRollingStart start;
 };
 
 const Started& smooth() {
@@ -31,7 +31,7 @@ const Started& smooth() {
     ThreadTeam team(1);
     Monitor quiet;
     s.stable = stableStep(s.model, elasticity::kernelsFor(""), team, quiet);
-    s.start = statics::prepareQuietStart(s.model, elasticity::kernelsFor(""), team, quiet);
+    s.start = statics::prepareSteadyRollingStart(s.model, elasticity::kernelsFor(""), team, quiet);
     return s;
   }();
   return started;
@@ -42,7 +42,7 @@ double weight() {
   return d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
 }
 
-double rollingSpin() {
+double rollingAngularVelocity() {
   const auto& d = smooth().model.scenario;
   return d.motion.speed / d.wheelset.radius;
 }
@@ -50,7 +50,7 @@ double rollingSpin() {
 RollingState rolled(int threads, long steps, const std::string& isa = "") {
   ThreadTeam team(threads);
   Rolling rolling(smooth().model, elasticity::kernelsFor(isa), team, smooth().stable.step, smooth().stable.beta);
-  rolling.start(smooth().start.equilibrium.displacement, smooth().start.velocity, rollingSpin());
+  rolling.start(smooth().start.equilibrium.displacement, smooth().start.velocity, rollingAngularVelocity());
   rolling.advance(steps, [](const StepView&) {});
   return rolling.state();
 }
@@ -60,7 +60,7 @@ void expectSame(const RollingState& a, const RollingState& b) {
   EXPECT_EQ(a.velocity, b.velocity);
   EXPECT_EQ(a.friction.traction, b.friction.traction);
   EXPECT_EQ(a.friction.closed, b.friction.closed);
-  EXPECT_EQ(a.spinRate, b.spinRate);
+  EXPECT_EQ(a.angularVelocity, b.angularVelocity);
   EXPECT_EQ(a.rotation, b.rotation);
   EXPECT_EQ(a.sums.friction, b.sums.friction);
   EXPECT_EQ(a.sums.damping, b.sums.damping);
@@ -91,7 +91,7 @@ TEST(Rolling, GoesOnFromARestoredStateWithTheSameBits) {
 TEST(Rolling, StartsQuietly) {
   ThreadTeam team(1);
   Rolling rolling(smooth().model, elasticity::kernelsFor(""), team, smooth().stable.step, smooth().stable.beta);
-  rolling.start(smooth().start.equilibrium.displacement, smooth().start.velocity, rollingSpin());
+  rolling.start(smooth().start.equilibrium.displacement, smooth().start.velocity, rollingAngularVelocity());
   double first = 0, sum = 0;
   long count = 0, lost = 0;
   rolling.advance(static_cast<long>(1e-3 / smooth().stable.step), [&](const StepView& view) {
@@ -108,7 +108,7 @@ TEST(Rolling, StartsQuietly) {
   EXPECT_LT(rolling.contactInertia(), 1e-4 * smooth().model.scenario.wheelset.totalMass);
   // It has gone on: speed times time, but for the give of the guidance.
   EXPECT_NEAR(rolling.view().position - smooth().model.startX, 30 * rolling.state().time, 1e-4);
-  EXPECT_NEAR(rolling.state().spinRate, rollingSpin(), 1e-3 * rollingSpin());
+  EXPECT_NEAR(rolling.state().angularVelocity, rollingAngularVelocity(), 1e-3 * rollingAngularVelocity());
 }
 
 // The stable step against the highest frequency of the bare rail by power steps, all waves with their own inertia:
@@ -125,7 +125,7 @@ TEST(StableStep, CoversTheBareRail) {
   const double z = stable.beta * stable.highestFrequency / 2;
   EXPECT_NEAR(z, model.scenario.damping.fraction, 1e-12);
   EXPECT_NEAR(stable.step, 0.95 * 2 / stable.highestFrequency * (std::sqrt(1 + z * z) - z), 1e-12 * stable.step);
-  EXPECT_FALSE(stable.place.empty());
+  EXPECT_FALSE(stable.location.empty());
   // Slower short waves change nothing else: the damping is that of the mesh as it is, within what the Lanczos steps
   // leave of the frequency.
   EXPECT_NEAR(smooth().stable.beta, stable.beta, 2e-4 * stable.beta);
@@ -212,12 +212,12 @@ TEST(StableStep, FollowsStrongDashpots) {
   // 0.1 % for where the search for the bound stops, and for what the Lanczos steps leave.
   EXPECT_LT(stable.step, 0.95 * 2 / g * (1 + 2e-3));
   EXPECT_GT(stable.step, 0.95 * lower * (1 - 2e-3));
-  EXPECT_NE(stable.place.find("dampers"), std::string::npos) << stable.place;
-  EXPECT_EQ(smooth().stable.place.find("dampers"), std::string::npos) << smooth().stable.place;
+  EXPECT_NE(stable.location.find("dampers"), std::string::npos) << stable.location;
+  EXPECT_EQ(smooth().stable.location.find("dampers"), std::string::npos) << smooth().stable.location;
 
   const auto fastest = [&](double step, long steps) {
     Rolling rolling(model, kernels, team, step, stable.beta);
-    rolling.start(smooth().start.equilibrium.displacement, smooth().start.velocity, rollingSpin());
+    rolling.start(smooth().start.equilibrium.displacement, smooth().start.velocity, rollingAngularVelocity());
     rolling.advance(steps, [](const StepView&) {});
     const auto& rail = model.blocks[model.rail];
     double most = 0;

@@ -13,7 +13,7 @@
 #include "dynamics/Rolling.h"
 #include "dynamics/StableStep.h"
 #include "model/WheelsetModes.h"
-#include "simulation/EnergyLedger.h"
+#include "simulation/EnergyBalance.h"
 
 namespace squat::dynamics {
 namespace {
@@ -98,16 +98,16 @@ TEST(WheelsetModes, StiffBearingComesToTheRigidOne) {
   }
 }
 
-double lastOf(const simulation::EnergyLedger& ledger, const std::string& name) {
-  for (const auto& channel : ledger.channels())
+double lastOf(const simulation::EnergyBalance& balance, const std::string& name) {
+  for (const auto& channel : balance.channels())
     if (channel.name == name) return channel.values.back();
   return NAN;
 }
 
-void enter(simulation::EnergyLedger& ledger, Rolling& rolling) {
-  ledger.before(rolling);
+void enter(simulation::EnergyBalance& balance, Rolling& rolling) {
+  balance.before(rolling);
   rolling.advance(1, [](const StepView&) {});
-  ledger.after(rolling);
+  balance.after(rolling);
 }
 
 // Free decay of a mode: its energy falls as exp(-2 zeta omega t), omega from the mode itself, what is left counted from
@@ -129,19 +129,19 @@ TEST(WheelsetDamping, ModeDecaysAsItsRatioSays) {
   damping.addMode(chosen, 1, free.velocity.data());
   free.start();
   constexpr double given = 0.5;  // [J] of a mode of unit modal mass that moves with 1 m/s
-  simulation::EnergyLedger ledger(*free.rolling, given);
-  enter(ledger, *free.rolling);
-  const double started = lastOf(ledger, "kinetic") + lastOf(ledger, "strain");
+  simulation::EnergyBalance balance(*free.rolling, given);
+  enter(balance, *free.rolling);
+  const double started = lastOf(balance, "kinetic") + lastOf(balance, "strain");
   EXPECT_NEAR(started, given, 0.02 * given);
   const double time = periods / damping.frequency(chosen);
   free.rolling->advance(std::lround(time / free.stable.step) - 1, [](const StepView&) {});
-  enter(ledger, *free.rolling);
-  const double left = lastOf(ledger, "kinetic") + lastOf(ledger, "strain");
+  enter(balance, *free.rolling);
+  const double left = lastOf(balance, "kinetic") + lastOf(balance, "strain");
   const double expected = std::exp(-2 * ratio * 2 * std::numbers::pi * periods);
   EXPECT_NEAR(left / started, expected, 0.03);
   // Motion is counted half a step off the strain: of first order in omega dt, at either end.
   const double offset = 2 * std::numbers::pi * damping.frequency(chosen) * free.stable.step;
-  EXPECT_NEAR(lastOf(ledger, "damping"), started - left, 2 * offset * given);
+  EXPECT_NEAR(lastOf(balance, "damping"), started - left, 2 * offset * given);
 }
 
 // Rigid motion loses nothing: a wheelset thrown upwards keeps its energy to round-off.
@@ -173,12 +173,12 @@ TEST(WheelsetDamping, BooksCloseWithBearingAndDamping) {
   const double mass = free.model.scenario.wheelset.axleBoxMass, given = 0.5 * mass * 0.1 * 0.1;
   free.velocity[free.model.boxZ] = 0.1;
   free.start();
-  simulation::EnergyLedger ledger(*free.rolling, given);
-  enter(ledger, *free.rolling);
+  simulation::EnergyBalance balance(*free.rolling, given);
+  enter(balance, *free.rolling);
   free.rolling->advance(std::lround(0.0025 / free.stable.step), [](const StepView&) {});
-  enter(ledger, *free.rolling);
-  EXPECT_GT(lastOf(ledger, "damping"), 0.3 * given);
-  EXPECT_NEAR(lastOf(ledger, "residual"), 0, 0.01 * given);
+  enter(balance, *free.rolling);
+  EXPECT_GT(lastOf(balance, "damping"), 0.3 * given);
+  EXPECT_NEAR(lastOf(balance, "residual"), 0, 0.01 * given);
 }
 
 // 24 chords cut up to 3.45 mm off a layer of 5 mm: the nodes behind the rim's tie would have less than no mass.

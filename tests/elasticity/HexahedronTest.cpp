@@ -104,11 +104,11 @@ TEST(Hexahedron, BendsLikeABeamWithoutLocking) {
     const Matrix24 k = hexahedronStiffness(corners, {1, nu, 1});
     // Ends turned by -+ half a unit about z; the lateral motion is left free (least energy).
     Eigen::Matrix<double, 24, 1> u = Eigen::Matrix<double, 24, 1>::Zero();
-    std::vector<int> held, open;
+    std::vector<int> fixed, open;
     for (int i = 0; i < 8; ++i) {
       u[3 * i] = (i < 4 ? 0.5 : -0.5) * corners[i][1];
-      held.push_back(3 * i);
-      for (int c = 1; c < 3; ++c) (i == 0 || (i == 1 && c == 2) || (i == 4) ? held : open).push_back(3 * i + c);
+      fixed.push_back(3 * i);
+      for (int c = 1; c < 3; ++c) (i == 0 || (i == 1 && c == 2) || (i == 4) ? fixed : open).push_back(3 * i + c);
     }
     Eigen::MatrixXd koo(open.size(), open.size());
     Eigen::VectorXd load(open.size());

@@ -98,9 +98,10 @@ TEST(SectionOrder, ForcesStandUntilTheirNodesAreAdvanced) {
       const int ready = order.readyAfter[row];
       for (; cluster < order.clusters.size() && order.clusters[cluster].end <= ready; ++cluster) {
         const auto& own = order.clusters[cluster];
-        for (int place = own.first; place < own.end; ++place) {
-          EXPECT_EQ(order.placeSlot[place], order.placeSlot[own.first] + place - own.first);  // one piece of memory
-          ASSERT_EQ(standing[order.placeSlot[place]], order.members[place]);
+        for (int location = own.first; location < own.end; ++location) {
+          EXPECT_EQ(order.placeSlot[location],
+                    order.placeSlot[own.first] + location - own.first);  // one piece of memory
+          ASSERT_EQ(standing[order.placeSlot[location]], order.members[location]);
         }
       }
       advanceUpTo(std::min(advanced + advancedPerRow, ready));

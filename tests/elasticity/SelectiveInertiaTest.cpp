@@ -33,35 +33,35 @@ std::vector<SweptBlock> filteredBlocks() {
   return {ring, bar};
 }
 
-using Places = std::vector<std::pair<int, int>>;  // node, station
+using Locations = std::vector<std::pair<int, int>>;  // node, station
 
 // Blocks of nodes that are filtered together, and whether along the sweep as well.
-std::vector<std::pair<Places, bool>> blocksOf(const SweptBlock& block) {
-  std::vector<std::pair<Places, bool>> all;
+std::vector<std::pair<Locations, bool>> blocksOf(const SweptBlock& block) {
+  std::vector<std::pair<Locations, bool>> all;
   for (const auto& cluster : block.clusters)
     for (int s = 0; s < block.stationCount;) {
       const bool along = s < block.intervals && block.stations.runs[block.runOf(s)].length <= block.shortLength;
       // Sixteen where they begin at a multiple of 16 and are of one run, else eight.
       const bool wide = along && s % 16 == 0 && s + 16 <= block.runIntervals[block.runOf(s)][1];
       const int end = wide ? s + 16 : along ? s + 8 : s + 1;
-      Places places;
+      Locations locations;
       for (const int node : cluster)
-        for (int k = s; k < end; ++k) places.emplace_back(node, k);
-      all.emplace_back(places, along);
+        for (int k = s; k < end; ++k) locations.emplace_back(node, k);
+      all.emplace_back(locations, along);
       s = end;
     }
   return all;
 }
 
 // Fields that are kept: products of (1, p, q) across and (1, station) along.
-Eigen::MatrixXd keptOf(const SweptBlock& block, const Places& places, bool along) {
-  Eigen::MatrixXd fields(static_cast<Eigen::Index>(places.size()), along ? 6 : 3);
+Eigen::MatrixXd keptOf(const SweptBlock& block, const Locations& locations, bool along) {
+  Eigen::MatrixXd fields(static_cast<Eigen::Index>(locations.size()), along ? 6 : 3);
   for (Eigen::Index i = 0; i < fields.rows(); ++i) {
-    const auto [node, s] = places[i];
+    const auto [node, s] = locations[i];
     const auto& p = block.section.nodes[node];
     const Eigen::RowVector3d across(1, 1e2 * p[0], 1e2 * p[1]);
     fields.row(i).head<3>() = across;
-    if (along) fields.row(i).tail<3>() = across * (s - places.front().second);
+    if (along) fields.row(i).tail<3>() = across * (s - locations.front().second);
   }
   return fields;
 }
@@ -80,16 +80,18 @@ Eigen::MatrixXd filterOf(const Eigen::MatrixXd& fields, const Eigen::VectorXd& m
 AlignedVector byDefinition(const SweptBlock& block, const AlignedVector& accelerations,
                            const std::vector<double>& mass) {
   AlignedVector result = accelerations;
-  for (const auto& [places, along] : blocksOf(block)) {
-    Eigen::VectorXd own(static_cast<Eigen::Index>(places.size()));
-    for (Eigen::Index i = 0; i < own.size(); ++i) own[i] = mass[places[i].first * block.stride + places[i].second];
-    const Eigen::MatrixXd filter = filterOf(keptOf(block, places, along), own);
+  for (const auto& [locations, along] : blocksOf(block)) {
+    Eigen::VectorXd own(static_cast<Eigen::Index>(locations.size()));
+    for (Eigen::Index i = 0; i < own.size(); ++i)
+      own[i] = mass[locations[i].first * block.stride + locations[i].second];
+    const Eigen::MatrixXd filter = filterOf(keptOf(block, locations, along), own);
     for (int c = 0; c < 3; ++c) {
       Eigen::VectorXd a(own.size());
       for (Eigen::Index i = 0; i < own.size(); ++i)
-        a[i] = accelerations[block.index(places[i].first, c, places[i].second)];
+        a[i] = accelerations[block.index(locations[i].first, c, locations[i].second)];
       a = (filter * a).eval();
-      for (Eigen::Index i = 0; i < own.size(); ++i) result[block.index(places[i].first, c, places[i].second)] = a[i];
+      for (Eigen::Index i = 0; i < own.size(); ++i)
+        result[block.index(locations[i].first, c, locations[i].second)] = a[i];
     }
   }
   return result;
@@ -122,9 +124,9 @@ struct Sample {
   void grow(std::size_t b, int first, int stations) {
     const auto& block = blocks[b];
     for (std::size_t k = 0; k < block.inertia.clusters.size(); ++k) {
-      const auto& places = block.inertia.clusters[k];
-      const std::vector<int> nodes(block.order.members.begin() + places.first,
-                                   block.order.members.begin() + places.end);
+      const auto& locations = block.inertia.clusters[k];
+      const std::vector<int> nodes(block.order.members.begin() + locations.first,
+                                   block.order.members.begin() + locations.end);
       std::vector<double> grown;
       for (const int node : nodes)
         for (int s = first; s < first + stations; ++s) {
@@ -308,8 +310,8 @@ TEST(SelectiveInertia, KeepsMomentumAndItsMoments) {
       for (int n = 0; n < block.nodes; ++n)
         for (int s = 0; s < block.stationCount; ++s) {
           const Eigen::Vector3d p = mass[n * block.stride + s] * displacementAt(block, n, s, a);
-          const Eigen::Vector3d place = nodePosition(block, n, s) - block.origin;
-          sum.head<3>() += p, sum.tail<3>() += place.cross(p);
+          const Eigen::Vector3d location = nodePosition(block, n, s) - block.origin;
+          sum.head<3>() += p, sum.tail<3>() += location.cross(p);
           size += p.norm();
         }
       return std::pair{sum, size};
@@ -345,10 +347,10 @@ TEST(SelectiveInertia, AddedMassIsFeltInFullByEveryMotion) {
     const Eigen::Map<const Eigen::MatrixXd> weights(values.data(), count, 6),
         fields(values.data() + 6 * count, count, 6);
     const Eigen::MatrixXd filter = 0.1 * Eigen::MatrixXd::Identity(count, count) + fields * weights.transpose();
-    Places places;
+    Locations locations;
     for (const int node : cluster)
-      for (int s = 0; s < stations; ++s) places.emplace_back(node, s);
-    const Eigen::MatrixXd expected = filterOf(keptOf(block, places, true), m);
+      for (int s = 0; s < stations; ++s) locations.emplace_back(node, s);
+    const Eigen::MatrixXd expected = filterOf(keptOf(block, locations, true), m);
     EXPECT_LT((filter - expected).cwiseAbs().maxCoeff(), 1e-9);
     return Eigen::MatrixXd(m.asDiagonal() * filter.inverse());
   };
@@ -374,7 +376,7 @@ TEST(SelectiveInertia, ClustersHoldEveryNodeOnce) {
   std::size_t largestOne = 0;
   for (const auto& cluster : clusters) {
     largestOne = std::max(largestOne, cluster.size());
-    EXPECT_LE(cluster.size(), static_cast<std::size_t>(mostRows));
+    EXPECT_LE(cluster.size(), static_cast<std::size_t>(maximumRows));
     for (const int n : cluster) ++seen[n];
   }
   for (int n = 0; n < block.nodes; ++n) EXPECT_EQ(seen[n], mayJoin(n) ? 1 : 0);

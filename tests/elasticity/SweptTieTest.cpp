@@ -149,7 +149,7 @@ TEST(SweptTie, TransferInRangesOfMastersGivesTheSameBits) {
 
 // Solves the tied blocks with the given nodes held at a field; the rest is free of load. Plain sparse solution: the
 // slaves' rows are replaced by their interpolation, columns of which come from unit displacements of the masters.
-AlignedVector solveHeld(const Tied& t, const Field& field, const std::function<bool(int, int, int)>& held) {
+AlignedVector solveFixed(const Tied& t, const Field& field, const std::function<bool(int, int, int)>& fixed) {
   const auto k = plainMatrix(t.blocks, t.size);
   std::vector<int> number(t.size, -1);
   AlignedVector u(t.size, 0.0);
@@ -163,7 +163,7 @@ AlignedVector solveHeld(const Tied& t, const Field& field, const std::function<b
         for (int c = 0; c < 3; ++c) {
           const std::size_t i = t.blocks[b].index(n, c, s);
           if (b == 0 && slaves.count(n)) continue;
-          if (held(b, n, s))
+          if (fixed(b, n, s))
             given[i] = u[i];
           else
             number[i] = unknowns++;
@@ -232,7 +232,7 @@ TEST(SweptTie, NestedPlanarTiePassesThePatchTest) {
   const Field field = [&](const Eigen::Vector3d& p) {
     return Eigen::Vector3d(-nu * strain * p[0], -nu * strain * p[1], strain * p[2]);
   };
-  const AlignedVector u = solveHeld(t, field, [&](int b, int n, int) {
+  const AlignedVector u = solveFixed(t, field, [&](int b, int n, int) {
     const double z = t.blocks[b].section.nodes[n][1];
     return b == 0 ? z > 0.01 - 1e-9 : z < -0.03 + 1e-9;
   });
@@ -255,7 +255,7 @@ TEST(SweptTie, UniformStressPassesAnArcWithinTwoPercent) {
   expected[0] = stress;
   for (const int sectors : {64, 96}) {
     const Tied t = arc(sectors);
-    const AlignedVector u = solveHeld(t, field, [&](int b, int n, int) {
+    const AlignedVector u = solveFixed(t, field, [&](int b, int n, int) {
       const double r = t.blocks[b].section.nodes[n][0];
       return b == 0 ? r > 0.46 - 1e-9 : r < 0.36 + 1e-9;
     });

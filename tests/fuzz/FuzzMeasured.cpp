@@ -9,17 +9,17 @@
 #include <string>
 
 #include "core/Errors.h"
-#include "measured/SignalFile.h"
+#include "readers/SignalFile.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const int file = ::memfd_create("fuzz.csv", 0);
   if (file < 0 || ::ftruncate(file, 0) != 0) std::abort();
   if (::pwrite(file, data, size, 0) != static_cast<ssize_t>(size)) std::abort();
-  squat::measured::SignalFileOptions options;
+  squat::readers::SignalFileOptions options;
   options.column = "all";
   options.speed = 30;
   try {
-    for (const auto& signal : squat::measured::readSignals("/proc/self/fd/" + std::to_string(file), options)) {
+    for (const auto& signal : squat::readers::readSignals("/proc/self/fd/" + std::to_string(file), options)) {
       if (!(squat::signals::seriesOf(signal).step > 0) || signal.signals[0].values.size() < 2) std::abort();
       for (const double value : signal.signals[0].values)
         if (!std::isfinite(value)) std::abort();

@@ -8,8 +8,8 @@
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
-#include "studio/CaseDocument.h"
-#include "studio/ProfileModel.h"
+#include "studio/document/CaseDocument.h"
+#include "studio/profile/ProfileModel.h"
 
 namespace squat::studio {
 namespace {

@@ -24,9 +24,9 @@
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "render/SyntheticResult.h"
-#include "studio/ParameterForm.h"
-#include "studio/ProfileEditor.h"
-#include "studio/SignalsPanel.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/signals/SignalsPanel.h"
 
 namespace squat::studio {
 namespace {

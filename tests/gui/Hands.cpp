@@ -50,22 +50,22 @@ void type(QWidget& window, const QString& text) {
 void click(QWidget& target) {
   QWidget& window = *target.window();
   bringToFront(window);
-  const QPoint place = target.mapTo(&window, target.rect().center());
-  const QWidget* hit = window.childAt(place);
+  const QPoint location = target.mapTo(&window, target.rect().center());
+  const QWidget* hit = window.childAt(location);
   if (hit != &target && !target.isAncestorOf(hit))
     throw std::runtime_error(target.objectName().toStdString() + " cannot be reached with the mouse");
-  QTest::mouseClick(window.windowHandle(), Qt::LeftButton, {}, place);
+  QTest::mouseClick(window.windowHandle(), Qt::LeftButton, {}, location);
 }
 
 void drag(QWidget& target, const QPoint& from, const QPoint& to) {
   QWidget& window = *target.window();
   bringToFront(window);
-  const auto place = [&](double share) {
+  const auto location = [&](double share) {
     return target.mapTo(&window, (QPointF(from) * (1 - share) + QPointF(to) * share).toPoint());
   };
-  QTest::mousePress(window.windowHandle(), Qt::LeftButton, {}, place(0));
-  for (const double share : {0.25, 0.5, 0.75, 1.0}) QTest::mouseMove(window.windowHandle(), place(share));
-  QTest::mouseRelease(window.windowHandle(), Qt::LeftButton, {}, place(1));
+  QTest::mousePress(window.windowHandle(), Qt::LeftButton, {}, location(0));
+  for (const double share : {0.25, 0.5, 0.75, 1.0}) QTest::mouseMove(window.windowHandle(), location(share));
+  QTest::mouseRelease(window.windowHandle(), Qt::LeftButton, {}, location(1));
 }
 
 // Only what comes from the window system goes on to parents.

@@ -10,7 +10,7 @@
 
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
-#include "studio/HelpWindow.h"
+#include "studio/window/HelpWindow.h"
 
 namespace squat::studio {
 namespace {

@@ -16,7 +16,7 @@
 #include "plots/Figure.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
-#include "studio/SceneWidget.h"
+#include "studio/model/SceneWidget.h"
 
 namespace squat::studio {
 namespace {
@@ -38,6 +38,7 @@ results::RunResult seenRun() {
       patch.area.push_back(4e-6f);
     }
   result.patches = {patch};
+  result.permanent = {};  // an ordinary rail: the two figures of a yielding one stand behind an arrow
   return result;
 }
 
@@ -46,8 +47,7 @@ class Looks : public testing::Test {
   void SetUp() override {
     window_ = std::make_unique<MainWindow>(tests::services());
     window_->openCase("light-defect");
-    window_->store().add(
-        {std::make_shared<const results::RunResult>(seenRun()), "light-defect #1", QString(), false});
+    window_->store().add({std::make_shared<const results::RunResult>(seenRun()), "light-defect #1", QString(), false});
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   }
@@ -193,9 +193,9 @@ TEST_F(Looks, everyTabInLightAndDarkAtPlainAndDoubleResolution) {
           if (!drawn || !figure->isVisible()) continue;
           const QPoint corner = figure->mapTo(window_.get(), QPoint(1, 1));
           const QRectF part(corner, figure->size() - QSize(2, 2));
-          const QRect place(part.topLeft().toPoint() * ratio, (part.size() * ratio).toSize());
+          const QRect location(part.topLeft().toPoint() * ratio, (part.size() * ratio).toSize());
           // Lines and letters of a figure take 2 % and more of its area; an empty one has none.
-          EXPECT_GT(tests::inkShare(image.copy(place)), 0.01) << figure->objectName().toStdString();
+          EXPECT_GT(tests::inkShare(image.copy(location)), 0.01) << figure->objectName().toStdString();
         }
       }
     }

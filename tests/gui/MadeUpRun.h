@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "studio/MainWindow.h"
+#include "studio/window/MainWindow.h"
 
 namespace squat::tests {
 

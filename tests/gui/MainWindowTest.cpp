@@ -23,14 +23,14 @@
 #include "gui/MadeUpRun.h"
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
-#include "studio/FigureView.h"
-#include "studio/MeasuredDialog.h"
-#include "studio/MessageBar.h"
-#include "studio/ParameterForm.h"
-#include "studio/ParameterRow.h"
-#include "studio/ProfileEditor.h"
-#include "studio/ProfilePlot.h"
-#include "studio/SignalsPanel.h"
+#include "studio/common/MessageBar.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/document/ParameterRow.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/profile/ProfilePlot.h"
+#include "studio/runs/MeasuredDialog.h"
+#include "studio/signals/FigureView.h"
+#include "studio/signals/SignalsPanel.h"
 
 namespace squat::studio {
 namespace {

@@ -7,9 +7,9 @@
 #include <QToolButton>
 
 #include "case/ParameterTable.h"
-#include "studio/CaseDocument.h"
-#include "studio/ParameterForm.h"
-#include "studio/ParameterRow.h"
+#include "studio/document/CaseDocument.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/document/ParameterRow.h"
 
 namespace squat::studio {
 namespace {

@@ -11,10 +11,10 @@
 #include "case/ParameterTable.h"
 #include "plots/Style.h"
 #include "scenario/DefectSurface.h"
-#include "studio/CaseDocument.h"
-#include "studio/ProfileEditor.h"
-#include "studio/ProfileModel.h"
-#include "studio/ProfilePlot.h"
+#include "studio/document/CaseDocument.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/profile/ProfileModel.h"
+#include "studio/profile/ProfilePlot.h"
 
 namespace squat::studio {
 namespace {
@@ -33,13 +33,13 @@ class Editor : public testing::Test {
     editor_.plot()->replot(QCustomPlot::rpImmediateRefresh);
   }
   const std::vector<cases::ProfilePoint>& points() { return document_.description().defect.points; }
-  QPoint place(std::size_t index) { return editor_.plot()->placeOf(index).toPoint(); }
+  QPoint location(std::size_t index) { return editor_.plot()->locationOf(index).toPoint(); }
   CaseDocument document_;
   ProfileEditor editor_{document_, plots::lightStyle()};
 };
 
 TEST_F(Editor, draggingMovesAPointInOneStep) {
-  const QPoint from = place(1);
+  const QPoint from = location(1);
   QTest::mousePress(editor_.plot(), Qt::LeftButton, {}, from);
   for (int i = 1; i <= 5; ++i) QTest::mouseMove(editor_.plot(), from + QPoint(0, 6 * i));
   QTest::mouseRelease(editor_.plot(), Qt::LeftButton, {}, from + QPoint(0, 30));
@@ -50,7 +50,7 @@ TEST_F(Editor, draggingMovesAPointInOneStep) {
 }
 
 TEST_F(Editor, aPointCannotPassItsNeighbour) {
-  const QPoint from = place(1);
+  const QPoint from = location(1);
   QTest::mousePress(editor_.plot(), Qt::LeftButton, {}, from);
   QTest::mouseMove(editor_.plot(), from + QPoint(4000, 0));
   QTest::mouseRelease(editor_.plot(), Qt::LeftButton, {}, from);
@@ -58,7 +58,7 @@ TEST_F(Editor, aPointCannotPassItsNeighbour) {
 }
 
 TEST_F(Editor, doubleClickInsertsAndDeleteRemoves) {
-  const QPoint between = (place(1) + place(2)) / 2 + QPoint(0, -60);
+  const QPoint between = (location(1) + location(2)) / 2 + QPoint(0, -60);
   QTest::mouseDClick(editor_.plot(), Qt::LeftButton, {}, between);
   ASSERT_EQ(points().size(), 6u);
   EXPECT_NEAR(points()[2].position, -0.01, 1e-3);  // half-way, within a pixel or two
@@ -117,11 +117,11 @@ TEST_F(Editor, pointsTableAndCurveAgreeWithAHeightScale) {
   EXPECT_NEAR(points()[2].height, -1e-4, 1e-12);
   QTest::qWait(30);  // the notes below the plot take some of its height
   editor_.plot()->replot(QCustomPlot::rpImmediateRefresh);
-  const QPoint to = place(1) + QPoint(0, 30);
-  QTest::mousePress(editor_.plot(), Qt::LeftButton, {}, place(1));
+  const QPoint to = location(1) + QPoint(0, 30);
+  QTest::mousePress(editor_.plot(), Qt::LeftButton, {}, location(1));
   QTest::mouseMove(editor_.plot(), to);
   QTest::mouseRelease(editor_.plot(), Qt::LeftButton, {}, to);
-  EXPECT_NEAR(place(1).y(), to.y(), 1);  // it stays under the mouse
+  EXPECT_NEAR(location(1).y(), to.y(), 1);  // it stays under the mouse
   auto* notes = editor_.findChild<QLabel*>("profileNotes");
   EXPECT_TRUE(notes->text().contains("height_scale = 2")) << notes->text().toStdString();
 }

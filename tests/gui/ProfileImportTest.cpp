@@ -1,7 +1,7 @@
 // Tables of many makes, read as profiles.
 #include <gtest/gtest.h>
 
-#include "studio/ProfileImport.h"
+#include "studio/profile/ProfileImport.h"
 
 namespace squat::studio {
 namespace {

@@ -11,10 +11,10 @@
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "simulation/RunCase.h"
-#include "studio/LivePlot.h"
-#include "studio/MessageBar.h"
-#include "studio/ParameterForm.h"
-#include "studio/RunPanel.h"
+#include "studio/common/MessageBar.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/runs/LivePlot.h"
+#include "studio/runs/RunPanel.h"
 
 namespace squat::studio {
 namespace {

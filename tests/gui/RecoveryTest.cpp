@@ -12,13 +12,13 @@
 #include "gui/MadeUpRun.h"
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
-#include "studio/CaseDocument.h"
-#include "studio/MessageBar.h"
-#include "studio/ProcessIdentity.h"
-#include "studio/ProfileEditor.h"
-#include "studio/ProfilePlot.h"
-#include "studio/Recovery.h"
-#include "studio/StoppedRuns.h"
+#include "studio/common/MessageBar.h"
+#include "studio/common/ProcessIdentity.h"
+#include "studio/document/CaseDocument.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/profile/ProfilePlot.h"
+#include "studio/runs/StoppedRuns.h"
+#include "studio/window/Recovery.h"
 
 namespace squat::studio {
 namespace {

@@ -13,9 +13,9 @@
 
 #include "gui/MadeUpRun.h"
 #include "simulation/RunCase.h"
-#include "studio/ParameterForm.h"
-#include "studio/ProfileEditor.h"
-#include "studio/ProfilePlot.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/profile/ProfilePlot.h"
 
 namespace squat::studio {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "case/ParameterTable.h"
 #include "gui/MadeUpRun.h"
-#include "studio/RunController.h"
+#include "studio/runs/RunController.h"
 
 namespace squat::studio {
 namespace {
@@ -68,9 +68,9 @@ TEST(RunController, pauseHoldsTheRun) {
   ASSERT_TRUE(tests::passes([&] { return fraction > 0; }));
   controller.setPaused(true);
   QTest::qWait(150);  // the step that was going on is done long before
-  const double held = fraction;
+  const double fixed = fraction;
   QTest::qWait(200);
-  EXPECT_EQ(fraction, held);
+  EXPECT_EQ(fraction, fixed);
   EXPECT_TRUE(controller.isRunning());
   controller.setPaused(false);
   EXPECT_TRUE(controller.waitFor(20000));

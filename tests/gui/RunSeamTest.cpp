@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "core/Errors.h"
-#include "studio/RunController.h"
+#include "studio/runs/RunController.h"
 
 namespace squat::studio {
 namespace {

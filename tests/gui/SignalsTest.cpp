@@ -18,14 +18,14 @@
 #include "gui/Hands.h"
 #include "plots/FigureRegistry.h"
 #include "render/SyntheticResult.h"
-#include "studio/CursorPair.h"
-#include "studio/FigureTable.h"
-#include "studio/FigureView.h"
-#include "studio/RunStore.h"
-#include "studio/RunsPanel.h"
-#include "studio/SignalSettings.h"
-#include "studio/SignalsPanel.h"
-#include "studio/Theme.h"
+#include "studio/common/Theme.h"
+#include "studio/runs/RunStore.h"
+#include "studio/runs/RunsPanel.h"
+#include "studio/signals/CursorPair.h"
+#include "studio/signals/FigureTable.h"
+#include "studio/signals/FigureView.h"
+#include "studio/signals/SignalSettings.h"
+#include "studio/signals/SignalsPanel.h"
 
 namespace squat::studio {
 namespace {
@@ -83,6 +83,17 @@ TEST(Signals, aWrongStretchCostsTheSpectrumAlone) {
   EXPECT_TRUE(problem->text().isEmpty()) << problem->text().toStdString();
 }
 
+// Points above half the maximum around it.
+int widthOfTallestLine(const QCPGraph& graph) {
+  const auto& points = *graph.data();
+  const auto top = std::max_element(points.constBegin(), points.constEnd(),
+                                    [](const auto& a, const auto& b) { return a.value < b.value; });
+  auto from = top, to = top;
+  while (from != points.constBegin() && from->value > 0.5 * top->value) --from;
+  while (to != points.constEnd() && to->value > 0.5 * top->value) ++to;
+  return static_cast<int>(to - from);
+}
+
 TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
@@ -94,9 +105,10 @@ TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
     before.push_back(panel.view(name)->figure()->xAxis->range());
   }
   panel.showTab("psd");
-  const int points = panel.view("psd")->figure()->graph(0)->dataCount();
+  const int wide = widthOfTallestLine(*panel.view("psd")->figure()->graph(0));
   panel.findChild<QDoubleSpinBox*>("psdTo")->setValue(50);
-  EXPECT_LT(panel.view("psd")->figure()->graph(0)->dataCount(), points);  // a shorter stretch resolves less
+  // A shorter stretch resolves less: Hann's main lobe is four steps of 1/T wide, on the same axis of frequencies.
+  EXPECT_GT(widthOfTallestLine(*panel.view("psd")->figure()->graph(0)), wide);
   for (int i = 0; i < alongTrack.size(); ++i) {
     panel.showTab(alongTrack[i]);
     panel.view(alongTrack[i])->resetZoom();
@@ -167,7 +179,7 @@ TEST(Signals, cursorsGiveDifferencesAndFrequency) {
   store.add({synthetic(), "run", {}, false});
   CursorPair* cursors = panel.view("aba_position")->cursors();
   cursors->setVisible(true);
-  cursors->setPlaces(10, 40);  // mm at 30 m/s: 1 ms
+  cursors->setLocations(10, 40);  // mm at 30 m/s: 1 ms
   EXPECT_TRUE(cursors->text().contains("30.00 mm")) << cursors->text().toStdString();
   EXPECT_TRUE(cursors->text().contains("1000.0 Hz")) << cursors->text().toStdString();
 }
@@ -298,7 +310,7 @@ TEST(Signals, theScalogramFollowsTheCutoff) {
       if (const auto* map = qobject_cast<const QCPColorMap*>(figure->plottable(i)))
         for (int row = 0; row < map->data()->valueSize(); ++row)
           for (int column = 0; column < map->data()->keySize(); ++column) {
-            const double frequency = cellPlace(*map, column, row).y();
+            const double frequency = cellLocation(*map, column, row).y();
             if (frequency > 800 && frequency < 1200) largest = std::max(largest, map->data()->cell(column, row));
           }
     return largest;

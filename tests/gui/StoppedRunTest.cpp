@@ -12,8 +12,8 @@
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "simulation/RunCase.h"
-#include "studio/MessageBar.h"
-#include "studio/RunPanel.h"
+#include "studio/common/MessageBar.h"
+#include "studio/runs/RunPanel.h"
 
 namespace squat::studio {
 namespace {

@@ -17,15 +17,15 @@
 #include "gui/MadeUpRun.h"
 #include "results/SignalTable.h"
 #include "simulation/RunCase.h"
-#include "studio/FigureView.h"
-#include "studio/LivePlot.h"
-#include "studio/MessageBar.h"
-#include "studio/ParameterForm.h"
-#include "studio/ParameterRow.h"
-#include "studio/ProfileEditor.h"
-#include "studio/ProfilePlot.h"
-#include "studio/RunPanel.h"
-#include "studio/SignalsPanel.h"
+#include "studio/common/MessageBar.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/document/ParameterRow.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/profile/ProfilePlot.h"
+#include "studio/runs/LivePlot.h"
+#include "studio/runs/RunPanel.h"
+#include "studio/signals/FigureView.h"
+#include "studio/signals/SignalsPanel.h"
 
 namespace squat::studio {
 namespace {
@@ -76,7 +76,7 @@ class WorkingDay : public testing::Test {
     for (std::size_t i = 0; i < points.size(); ++i)
       if (points[i].height < points[deepest].height) deepest = i;
     const double before = points[deepest].height;
-    const QPoint from = plot->placeOf(deepest).toPoint();
+    const QPoint from = plot->locationOf(deepest).toPoint();
     drag(*plot, from, from + QPoint(0, 12));
     const double deeper = window_.document().description().defect.points[deepest].height;
     EXPECT_LT(deeper, before);
@@ -104,7 +104,7 @@ class WorkingDay : public testing::Test {
     click(*run);
     ASSERT_TRUE(tests::passes([&] { return panel->live()->sampleCount() > 2; }, patience));
     EXPECT_FALSE(run->isEnabled());
-    // Step and what sets it, updates a second and the ledger are told while it runs.
+    // Step and what sets it, updates a second and the energy balance are told while it runs.
     for (const char* word : {"limited by", "element updates per second", "energy balance error"})
       EXPECT_TRUE(tests::passes([&] { return figures->text().contains(word); }, patience))
           << figures->text().toStdString();

@@ -14,7 +14,9 @@ namespace {
 using tests::modelWith;
 using tests::scenarioWith;
 
-// Across the running surface faces are of the contact size within the band, and larger beyond it.
+// Across the running surface faces are of the contact size within the band, and larger beyond it. They are equal along
+// the outline, y is across: 15 mm from the middle it leans by 10/300 + 5/80 rad, so that a face is up to 0.25 %
+// narrower or wider than its size.
 TEST(MeshKeys, TheBandIsFine) {
   const auto model = modelWith({{"mesh.band_half_width", "15"}, {"mesh.contact_size", "5"}});
   const auto& y = model.surfaces.railY;
@@ -22,10 +24,10 @@ TEST(MeshKeys, TheBandIsFine) {
   for (std::size_t j = 0; j + 1 < y.size(); ++j) {
     const double size = y[j + 1] - y[j];
     if (std::max(std::abs(y[j]), std::abs(y[j + 1])) < 0.015 + 1e-6) {
-      EXPECT_NEAR(size, 0.005, 1e-6) << y[j];
+      EXPECT_NEAR(size, 0.005, 0.0025 * 0.005) << y[j];
       ++inside;
     } else {
-      EXPECT_GT(std::abs(y[j]) + 1e-6, 0.015) << "a face across the edge of the band";
+      EXPECT_GT(std::abs(y[j]), 0.9975 * 0.015) << "a face across the edge of the band";
     }
   }
   EXPECT_EQ(inside, 6);

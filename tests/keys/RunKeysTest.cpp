@@ -102,10 +102,10 @@ TEST(RunKeys, TheAccelerometersStandAtTheirPlaces) {
         model.blocks[block], [](const Eigen::Vector3d& p) { return Eigen::Vector3d(0, 0, a + b * p[0]); },
         state.velocity);
   rolling.restore(state);
-  std::map<std::string, double> places;
-  for (const auto& signal : signals) places[signal.name] = (signal.probe(rolling) * step - a) / b;
-  EXPECT_NEAR(places.at("rail_acceleration"), sensor, 1e-9);
-  EXPECT_NEAR(places.at("sleeper_acceleration"), 0.6, 1e-9);
+  std::map<std::string, double> locations;
+  for (const auto& signal : signals) locations[signal.name] = (signal.probe(rolling) * step - a) / b;
+  EXPECT_NEAR(locations.at("rail_acceleration"), sensor, 1e-9);
+  EXPECT_NEAR(locations.at("sleeper_acceleration"), 0.6, 1e-9);
 }
 
 }  // namespace

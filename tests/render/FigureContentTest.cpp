@@ -175,17 +175,17 @@ TEST_F(FigureContent, namesInALegendAreWhole) {
   figure->settleLayout(units);
   const QFontMetrics metrics(figure->style().tickFont());
   const QRect seen(QPoint(0, 0), units);
-  std::vector<QRect> places;
+  std::vector<QRect> locations;
   for (const auto& name : names)
     for (int i = 0; i < figure->legend->itemCount(); ++i) {
       auto* item = qobject_cast<QCPPlottableLegendItem*>(figure->legend->item(i));
       if (!item || item->plottable()->name() != name) continue;
       EXPECT_TRUE(seen.contains(item->rect())) << name.toStdString();
       EXPECT_GE(item->rect().width(), metrics.boundingRect(name).width()) << name.toStdString();
-      for (const QRect& other : places) EXPECT_FALSE(other.intersects(item->rect())) << name.toStdString();
-      places.push_back(item->rect());
+      for (const QRect& other : locations) EXPECT_FALSE(other.intersects(item->rect())) << name.toStdString();
+      locations.push_back(item->rect());
     }
-  EXPECT_EQ(places.size(), 4u);
+  EXPECT_EQ(locations.size(), 4u);
 }
 
 TEST_F(FigureContent, aNameLongerThanTheFigureKeepsBothEnds) {

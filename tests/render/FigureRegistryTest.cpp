@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "case/CaseFile.h"
+#include "case/ParameterTable.h"
 #include "core/Errors.h"
 #include "plots/FigureBuilders.h"
 #include "plots/FigureFiles.h"
@@ -105,16 +105,18 @@ TEST_F(FigureRegistry, aRunOfAnElasticRailIsNotAskedForItsResidualStress) {
   EXPECT_THROW(checkRequest({{"no_such"}}, &description), CaseError);
 }
 
+// The first window is centred half a segment behind the start of the record, at -200 mm; the figure begins there, or at
+// -100 mm.
 TEST_F(FigureRegistry, settingsReachTheShortTimeTransform) {
   const auto result = tests::syntheticResult();
-  const auto lowest = [&](std::size_t segment) {
+  const auto begins = [&](std::size_t segment) {
     FigureSettings settings;
     settings.segment = segment;
-    return buildFigure(figureRow("stft"), result, lightStyle(), settings)->yAxis->range().lower;
+    settings.hop = 1;  // 1.2 mm at 30 m/s and 25 kHz
+    return buildFigure(figureRow("stft"), result, lightStyle(), settings)->xAxis->range().lower;
   };
-  // 25 kHz, 8 x 128 and 8 x 256 points: the first line above the mean is at 24 and at 12 Hz; shown from 50 Hz on, the
-  // first multiples are 73 and 61 Hz.
-  EXPECT_GT(lowest(128), lowest(256));
+  EXPECT_NEAR(begins(128), -100, 1.2);
+  EXPECT_NEAR(begins(256), -200 + 1.2 * 128, 1.2);
 }
 
 // The same run begun half a second earlier, laid over itself in time: the wheels pass the defect together.

@@ -117,7 +117,7 @@ void expectSameGrid(const std::string& path, const results::SurfaceMesh& surface
   auto* grid = reader->GetOutput();
   ASSERT_EQ(grid->GetNumberOfPoints(), static_cast<vtkIdType>(surface.points.size() / 3)) << path;
   ASSERT_EQ(grid->GetNumberOfCells(), static_cast<vtkIdType>(surface.part.size())) << path;
-  const auto places = scene::placesOf(surface, snapshot, 1);
+  const auto locations = scene::locationsOf(surface, snapshot, 1);
   auto* moved = grid->GetPointData()->GetArray("displacement [m]");
   auto* stress = grid->GetPointData()->GetArray("von Mises stress [Pa]");
   auto* part = grid->GetCellData()->GetArray("part");
@@ -127,7 +127,7 @@ void expectSameGrid(const std::string& path, const results::SurfaceMesh& surface
     for (int c = 0; c < 3; ++c) {
       const auto k = static_cast<std::size_t>(3 * i + c);
       ASSERT_EQ(static_cast<float>(moved->GetComponent(i, c)), snapshot.displacement[k]) << path << " " << k;
-      ASSERT_EQ(static_cast<float>(grid->GetPoint(i)[c]), places[k]) << path << " " << k;
+      ASSERT_EQ(static_cast<float>(grid->GetPoint(i)[c]), locations[k]) << path << " " << k;
     }
     ASSERT_EQ(static_cast<float>(stress->GetTuple1(i)), snapshot.vonMises[static_cast<std::size_t>(i)]) << path;
     largest = std::max(largest, stress->GetTuple1(i));

@@ -56,13 +56,13 @@ class Builder {
   }
 
   // A plane patch: `place` maps a first coordinate in [from, to] and a share 0..1 to a point.
-  template <class Place>
-  void plate(double from, double to, int columns, int rows, const Place& place) {
+  template <class Location>
+  void plate(double from, double to, int columns, int rows, const Location& location) {
     std::vector<std::vector<std::int32_t>> grid;
     for (int i = 0; i <= columns; ++i) {
       grid.emplace_back();
       for (int j = 0; j <= rows; ++j) {
-        const auto at = place(from + (to - from) * i / columns, static_cast<double>(j) / rows);
+        const auto at = location(from + (to - from) * i / columns, static_cast<double>(j) / rows);
         grid.back().push_back(point(at[0], at[1], at[2]));
       }
     }

@@ -58,17 +58,17 @@ TEST(Alignment, repeatedRunsInTime) {
 
 // The same place at 27 to 30 m/s: in position the runs coincide within one sample (1.2 mm), in time they cannot.
 TEST(Alignment, repeatedRunsInPosition) {
-  const double places[4] = {1.50, 1.83, 1.221, 1.64}, speeds[4] = {30, 27, 28.4, 29.1};
+  const double locations[4] = {1.50, 1.83, 1.221, 1.64}, speeds[4] = {30, 27, 28.4, 29.1};
   std::vector<Passage> runs;
   for (unsigned r = 0; r < 4; ++r) {
     auto random = noise(r + 11);
-    auto series = sampled(5000, rate, [&](double t) { return shape(speeds[r] * t - places[r]) + random(); });
+    auto series = sampled(5000, rate, [&](double t) { return shape(speeds[r] * t - locations[r]) + random(); });
     runs.push_back(passageAtSpeed(series, speeds[r]));
   }
   const auto aligned = alignInPosition(runs);
   EXPECT_TRUE(aligned.inPosition);
   for (std::size_t r = 0; r < 4; ++r) {
-    EXPECT_NEAR(aligned.impact[r] - aligned.impact[0], places[r] - places[0], 30 / rate) << r;
+    EXPECT_NEAR(aligned.impact[r] - aligned.impact[0], locations[r] - locations[0], 30 / rate) << r;
     EXPECT_NEAR(aligned.speed[r], speeds[r], 0.01);
     EXPECT_GT(aligned.correlation[r], 0.9);
   }

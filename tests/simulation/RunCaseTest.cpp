@@ -118,9 +118,9 @@ double lastOf(const results::RunResult& result, const std::string& name) {
   return 0;
 }
 
-// Solids and springs are all that is strained: together they hold what the ledger counts at the end. Each solid holds
-// what it holds under a wheel that stands there (energies of solids at rest: Equilibrium.EverySolidStoresWhatItsModulus
-// Says), but for the wheel's vibration.
+// Solids and springs are all that is strained: together they hold what the energy balance counts at the end. Each solid
+// holds what it holds under a wheel that stands there (energies of solids at rest:
+// Equilibrium.EverySolidStoresWhatItsModulus Says), but for the wheel's vibration.
 TEST(RunCase, StrainEnergiesOfTheSolidsAreInTheLedger) {
   const auto& r = lightDefect();
   double sum = 0;

@@ -75,16 +75,16 @@ TEST(TracksideSensors, RecordTheSecondDifferenceOfDisplacement) {
   rolling.start(AlignedVector(model.stateSize, 0.0), velocity, 65);
   const auto motion = railFootAt(model, 0.02);
   Accelerometer accelerometer(motion, rolling);
-  std::vector<double> place, recorded;
+  std::vector<double> location, recorded;
   const auto nothing = [](const dynamics::StepView&) {};
   for (int k = 0; k < 40; ++k) {
-    place.push_back(motionOf(motion, rolling.displacement()));
+    location.push_back(motionOf(motion, rolling.displacement()));
     rolling.advance(1, nothing);
     recorded.push_back(accelerometer(rolling));
   }
   double largest = 0;
-  for (std::size_t k = 1; k + 1 < place.size(); ++k) {
-    const double second = (place[k + 1] - 2 * place[k] + place[k - 1]) / 1e-12;
+  for (std::size_t k = 1; k + 1 < location.size(); ++k) {
+    const double second = (location[k + 1] - 2 * location[k] + location[k - 1]) / 1e-12;
     EXPECT_NEAR(recorded[k], second, 1e-3) << k;
     largest = std::max(largest, std::abs(second));
   }

@@ -1,5 +1,5 @@
-// A run from a warm state is the whole run on its mesh, to the bit: result and final state, whatever the profile and the
-// number of threads. What tells of the machine and the clock is left out.
+// A run from a warm state is the whole run on its mesh, to the bit: result and final state, whatever the profile and
+// the number of threads. What tells of the machine and the clock is left out.
 #include <gmock/gmock.h>
 
 #include "FixtureCase.h"
@@ -19,10 +19,10 @@
 namespace squat::simulation {
 namespace {
 
-using ::testing::HasSubstr;
 using squat::testing::CancelAt;
 using squat::testing::comparable;
 using squat::testing::TemporaryFolder;
+using ::testing::HasSubstr;
 using Values = std::vector<std::pair<std::string, std::string>>;
 
 constexpr double never = 2;  // share of the rolling at which a run is cancelled
@@ -111,8 +111,8 @@ TEST(WarmState, ARunFromItIsTheWholeRunToTheBit) {
 
 // The state is not that of the start: without this the test above would show nothing.
 TEST(WarmState, IsTakenJustBeforeTheZone) {
-  const auto& small = results::valuesOf<double>(shared()->state, "/rolling/small", "");
-  EXPECT_GT(small[0], 100) << "steps";
+  const auto& scalars = results::valuesOf<double>(shared()->state, "/rolling/scalars", "");
+  EXPECT_GT(scalars[0], 100) << "steps";
   // 36 mm of zone and half a patch; at 20 mm the tread stands 0.43 mm above the rail, more than any bounce.
   EXPECT_LT(shared()->position, -0.036 - 0.007);
   EXPECT_GT(shared()->position, -0.036 - 0.020);
@@ -122,19 +122,21 @@ TEST(WarmState, IsTakenJustBeforeTheZone) {
 
 // What a preview draws before its own run has come farther.
 TEST(WarmState, HoldsTheSignalsSoFar) {
-  const auto position = recordedIn(shared()->state, "position"), aba = recordedIn(shared()->state, "aba");
-  auto options = threads(1);
-  options.warm = shared();
+  const auto description = caseWith({{"motion.run_up", "0.1"}});
+  const auto warm = made(description, threads(2));
+  const auto position = recordedIn(warm->state, "position"), aba = recordedIn(warm->state, "aba");
+  auto options = threads(2);
+  options.warm = warm;
   Monitor silent;
-  const auto result = runCase(caseWith(), options, silent);
-  ASSERT_GT(position.size(), 3U);
+  const auto result = runCase(description, options, silent);
+  ASSERT_GT(position.size(), 10U);
   ASSERT_EQ(aba.size(), position.size());
   for (std::size_t i = 0; i < position.size(); ++i) {
     EXPECT_EQ(position[i], result.position[i]);
     EXPECT_EQ(aba[i], (*result.signal("aba"))[i]);
   }
-  EXPECT_LT(position.back(), shared()->position);
-  EXPECT_TRUE(recordedIn(shared()->state, "no such signal").empty());
+  EXPECT_LT(position.back(), warm->position);
+  EXPECT_TRUE(recordedIn(warm->state, "no such signal").empty());
 }
 
 // Without a set zone the mesh is that of the case's own defect, and the case stays as it is.
@@ -194,7 +196,7 @@ TEST(WarmState, SaysWhichKeyDiffers) {
       {{{"track.defect_from_sleeper", "0.1"}}, "track.defect_from_sleeper is 0.1 m, must be 0 m"},
       {{{"mesh.selective_inertia", "false"}}, "mesh.selective_inertia is false, must be true"},
       {{{"mesh.wheel_sectors", "32"}}, "mesh.wheel_sectors is 32, must be 24"},
-      {{{"pad.curve", "[[0, 0], [1, 900]]"}}, "pad.curve is [[0, 0], [1, 900]], must be []"},
+      {{{"pad.curve", "[[0, 0], [1, 900]]"}}, "pad.curve is [[0, 0], [1, 900]] mm, kN, must be []"},
       {{{"output.rate", "30"}}, "output.rate is 30 kHz, must be 25 kHz"},
       {{{"defect.move_nodes", "true"}}, "defect.move_nodes is true, must be false with a warm state"},
       {{{"defect.shape", "cosine"}, {"defect.length", "80"}},
@@ -233,8 +235,8 @@ TEST(WarmState, EveryKeyCountsButThoseOfTheDefectAndOfTheFinishedRecord) {
 
 // A hump of 1.2 mm meets the tread where it stands 1.2 mm above the rail: 33 mm ahead of the wheel.
 TEST(WarmState, AProfileThatTheWheelTouchesEarlierIsRefused) {
-  const auto hump = caseWith(
-      {{"defect.points", "[[-34, 0], [-24, 1.2], [-14, 0], [0, -0.2], [20, 0]]"}, {"defect.level", "false"}});
+  const auto hump =
+      caseWith({{"defect.points", "[[-34, 0], [-24, 1.2], [-14, 0], [0, -0.2], [20, 0]]"}, {"defect.level", "false"}});
   auto options = threads(1);
   options.warm = shared();
   Monitor silent;

@@ -220,7 +220,7 @@ TEST(Equilibrium, EverySolidStoresWhatItsModulusSays) {
     const double change = (potential(1.02) - potential(1 / 1.02)) / (2 * std::log(1.02));
     std::printf("%s: %.5g J, expected %.5g J\n", row.key, change, row.energy);
     EXPECT_NEAR(change, row.energy, 2e-3 * row.energy) << row.key;
-    EXPECT_GT(row.energy, 1e-3 * e.strainEnergy) << row.key << ": a rigid body stores nothing";
+    EXPECT_GT(row.energy, 5e-4 * e.strainEnergy) << row.key << ": a rigid body stores nothing, and springs the most";
   }
 }
 
@@ -265,7 +265,7 @@ TEST(Equilibrium, SaysWhenItDoesNotConverge) {
   ThreadTeam team(1);
   Monitor quiet;
   EquilibriumOptions options;
-  options.mostNewtonSteps = 1;
+  options.maximumNewtonSteps = 1;
   EXPECT_THROW(findEquilibrium(tiny().model, elasticity::kernelsFor(""), team, tiny().model.startX, 0, options, quiet),
                RunError);
 }

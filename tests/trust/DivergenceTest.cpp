@@ -90,7 +90,7 @@ Outcome goOn(const TemporaryFolder& folder, const std::function<void(ArrayTree&)
 
 long storedStep() {
   auto state = goodState();
-  return static_cast<long>(numbers(state, "/rolling/small")[0]);
+  return static_cast<long>(numbers(state, "/rolling/scalars")[0]);
 }
 
 void expectStoppedSoon(const TemporaryFolder& folder, const std::string& what, const Outcome& outcome) {
@@ -119,7 +119,7 @@ TEST(Divergence, RunawayPenetrationIsCaught) {
   const auto model = model::buildModel(cases::resolve(shortCase()));
   const TemporaryFolder folder;
   expectStoppedSoon(folder, "runaway penetration", goOn(folder, [&](ArrayTree& state) {
-                      const double rotation = numbers(state, "/rolling/small")[2];
+                      const double rotation = numbers(state, "/rolling/scalars")[2];
                       auto& displaced = numbers(state, "/rolling/displaced");
                       for (const int b : {model.rim, model.body}) {
                         const auto& block = model.blocks[b];
@@ -190,17 +190,17 @@ TEST(HostileCheckpoint, WhatDoesNotFitIsRefusedByName) {
                 s.find("/rolling/closed")->shape = {1};
               }),
               HasSubstr("/rolling/closed"));
-  EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/rolling/small")[0] = -5; }), HasSubstr("/rolling/small"));
+  EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/rolling/scalars")[0] = -5; }), HasSubstr("/rolling/scalars"));
   // Time, rotation and spin: a search around the wheel would take its turns one by one.
   for (const std::size_t which : {1u, 2u, 3u})
     for (const double value : {1e300, -1e9})
-      EXPECT_THAT(refusal([&](ArrayTree& s) { numbers(s, "/rolling/small")[which] = value; }),
-                  HasSubstr("/rolling/small"))
+      EXPECT_THAT(refusal([&](ArrayTree& s) { numbers(s, "/rolling/scalars")[which] = value; }),
+                  HasSubstr("/rolling/scalars"))
           << which << ", " << value;
   // Moments that would turn the wheel as fast in one step.
   for (const std::size_t which : {7u, 8u})
-    EXPECT_THAT(refusal([&](ArrayTree& s) { numbers(s, "/rolling/small")[which] = -1e300; }),
-                HasSubstr("/rolling/small"))
+    EXPECT_THAT(refusal([&](ArrayTree& s) { numbers(s, "/rolling/scalars")[which] = -1e300; }),
+                HasSubstr("/rolling/scalars"))
         << which;
   // As many steps a sample as no filter's memory holds.
   EXPECT_THAT(refusal([](ArrayTree& s) {
@@ -210,10 +210,10 @@ TEST(HostileCheckpoint, WhatDoesNotFitIsRefusedByName) {
               HasSubstr("/steps"));
   EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/recorder/pushed")[0] += 1000; }), HasSubstr("/recorder"));
   EXPECT_THAT(refusal([](ArrayTree& s) {
-                numbers(s, "/ledger").resize(5);
-                s.find("/ledger")->shape = {5};
+                numbers(s, "/energy_balance").resize(5);
+                s.find("/energy_balance")->shape = {5};
               }),
-              HasSubstr("/ledger"));
+              HasSubstr("/energy_balance"));
   EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/steps")[0] += 1; }), HasSubstr("/steps"));
   EXPECT_THAT(refusal([](ArrayTree& s) {
                 s.find("/rolling/displaced")->values = std::vector<float>{};

@@ -93,7 +93,7 @@ TEST(Resume, GoesOnFromTheCheckpointAfterEquilibrium) {
   ASSERT_FALSE(run(options, 0.05).complete);
   const auto previous = options.checkpointPath + ".previous";
   auto first = results::readCheckpoint(previous).value();
-  EXPECT_EQ(std::get<std::vector<double>>(first.find("/rolling/small")->values)[0], 0) << "the step";
+  EXPECT_EQ(std::get<std::vector<double>>(first.find("/rolling/scalars")->values)[0], 0) << "the step";
   setAttribute(first.attributes, "isa", std::string("abacus"));
   writeDurably(previous, results::encodeTree(first));
   writeDurably(options.checkpointPath, "half writ");

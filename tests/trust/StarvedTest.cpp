@@ -20,7 +20,7 @@ namespace {
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
-constexpr std::size_t kMost = 100000000;
+constexpr std::size_t kMaximum = 100000000;
 
 // For programs started meanwhile: no file grows beyond so many bytes.
 class FileSizeLimit {
@@ -42,7 +42,7 @@ TEST(Starved, AFullDiskCostsNeitherTheEarlierResultNorTheProgramsLife) {
   const TemporaryFolder folder;
   const auto path = folder / "light-defect.h5";
   results::writeResult(path, testing::sampleResult());
-  const auto before = readWholeFile(path, kMost);
+  const auto before = readWholeFile(path, kMaximum);
   std::string output;
   {
     const FileSizeLimit limit(20000);
@@ -51,11 +51,11 @@ TEST(Starved, AFullDiskCostsNeitherTheEarlierResultNorTheProgramsLife) {
   EXPECT_THAT(output, HasSubstr("the run continues without this checkpoint"));
   EXPECT_THAT(output, HasSubstr(path + ": cannot be written"));
   EXPECT_THAT(output, HasSubstr("bytes needed"));
-  EXPECT_EQ(readWholeFile(path, kMost), before);
+  EXPECT_EQ(readWholeFile(path, kMaximum), before);
   // What was computed is not lost with it: the numbers are seen, the signals fit.
   EXPECT_THAT(output, HasSubstr("contact force at equilibrium"));
   EXPECT_THAT(output, HasSubstr(folder / "light-defect.partial.csv"));
-  EXPECT_THAT(readWholeFile(folder / "light-defect.partial.csv", kMost), ::testing::StartsWith("time [s],"));
+  EXPECT_THAT(readWholeFile(folder / "light-defect.partial.csv", kMaximum), ::testing::StartsWith("time [s],"));
 }
 
 // /dev/full is a disk without room. A shell as users have it: the program cannot see where its output goes.
@@ -67,13 +67,13 @@ TEST(Starved, OutputThatIsLostIsTold) {
   };
   for (const char* words : {"describe light-defect", "describe light-defect --json", "--version", "--help"}) {
     EXPECT_EQ(call(std::string(words) + " > /dev/full"), 4) << words;
-    EXPECT_THAT(readWholeFile(folder / "told", kMost), HasSubstr("cannot write the complete output")) << words;
+    EXPECT_THAT(readWholeFile(folder / "told", kMaximum), HasSubstr("cannot write the complete output")) << words;
     EXPECT_EQ(call(std::string(words) + " >&-"), 0) << "nobody wants to see it: " << words;
   }
   EXPECT_EQ(call("describe no-such-case > /dev/full"), 4);
   EXPECT_EQ(call("describe --bogus > /dev/full"), 2);
   EXPECT_EQ(call("describe light-defect | head -c 1 > " + (folder / "head")), 0);
-  EXPECT_EQ(readWholeFile(folder / "told", kMost), "") << "who reads the beginning only wants no more";
+  EXPECT_EQ(readWholeFile(folder / "told", kMaximum), "") << "who reads the beginning only wants no more";
 }
 
 // Whoever was to read the numbers has gone: the run stands in its files all the same.
@@ -83,7 +83,7 @@ TEST(Starved, AReaderThatHasGoneCostsNoRun) {
   for (const auto& word : testing::shortRun(folder.path())) words += " " + word;
   std::system((words + " 2> /dev/null | true").c_str());
   EXPECT_TRUE(results::isCompleteResult(folder / "light-defect.h5"));
-  EXPECT_THAT(readWholeFile(folder / "light-defect.csv", kMost), ::testing::StartsWith("time [s],"));
+  EXPECT_THAT(readWholeFile(folder / "light-defect.csv", kMaximum), ::testing::StartsWith("time [s],"));
 }
 
 TEST(Starved, ARunOutlivesTheFolderOfItsCheckpoints) {

@@ -17,15 +17,15 @@
 namespace squat {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::call;
+using ::testing::HasSubstr;
 using testing::Program;
 using testing::TemporaryFolder;
 using Words = std::vector<std::string>;
 
 Words words(const std::string& command, const std::string& folder, const Words& besides = {}) {
-  Words all{command,       "light-defect",         "--mesh", "tiny",     "-o", folder, "--set", "motion.run_up=0.06",
-            "--set",       "motion.beyond=0.03",   "--threads", "1"};
+  Words all{command, "light-defect",       "--mesh",    "tiny", "-o", folder, "--set", "motion.run_up=0.06",
+            "--set", "motion.beyond=0.03", "--threads", "1"};
   if (command == "run") all.emplace_back("--no-figures");
   all.insert(all.end(), besides.begin(), besides.end());
   return all;

@@ -11,8 +11,8 @@
 #include "case/CaseFile.h"
 #include "case/Resolve.h"
 #include "dynamics/StableStep.h"
-#include "simulation/EnergyLedger.h"
-#include "statics/QuietStart.h"
+#include "simulation/EnergyBalance.h"
+#include "statics/SteadyRollingStart.h"
 
 namespace squat::simulation {
 namespace {
@@ -28,8 +28,8 @@ cases::CaseDescription conservativeCase() {
   return d;
 }
 
-std::vector<double> valuesOf(const EnergyLedger& ledger, const std::string& name) {
-  for (const auto& channel : ledger.channels())
+std::vector<double> valuesOf(const EnergyBalance& balance, const std::string& name) {
+  for (const auto& channel : balance.channels())
     if (channel.name == name && !channel.values.empty()) return channel.values;
   ADD_FAILURE() << "no " << name;
   return {0};
@@ -42,7 +42,7 @@ TEST(ImpactEnergy, IsKeptThroughAnImpact) {
   Monitor quiet;
   const auto kernels = elasticity::kernelsFor("");
   const auto stable = dynamics::stableStep(model, kernels, team, quiet);
-  auto start = statics::prepareQuietStart(model, kernels, team, quiet);
+  auto start = statics::prepareSteadyRollingStart(model, kernels, team, quiet);
   // The whole wheelset thrown downwards: the force doubles, 43 J go over into the track.
   constexpr double thrown = -0.3;
   for (const int b : {model.rim, model.body}) {
@@ -58,20 +58,20 @@ TEST(ImpactEnergy, IsKeptThroughAnImpact) {
 
   dynamics::Rolling rolling(model, kernels, team, stable.step, stable.beta);
   rolling.start(start.equilibrium.displacement, start.velocity, description.motion.speed / description.wheelset.radius);
-  EnergyLedger ledger(rolling, start.equilibrium.strainEnergy);
+  EnergyBalance balance(rolling, start.equilibrium.strainEnergy);
   double most = 0;
   const auto watch = [&](const dynamics::StepView& view) { most = std::max(most, view.patch.vertical); };
   const double load = start.equilibrium.contactForce;
   while (rolling.state().time < 2e-3) {
-    ledger.before(rolling);
+    balance.before(rolling);
     rolling.advance(1, watch);
-    ledger.after(rolling);
+    balance.after(rolling);
     rolling.advance(39, watch);
   }
   EXPECT_GT(most, 1.8 * load);
-  for (const double value : valuesOf(ledger, "residual"))
+  for (const double value : valuesOf(balance, "residual"))
     EXPECT_LT(std::abs(value), 1e-3 * start.equilibrium.strainEnergy);
-  RecordProperty("relative_residual", std::to_string(ledger.largestRelativeResidual()));
+  RecordProperty("relative_residual", std::to_string(balance.largestRelativeResidual()));
 }
 
 // A driven wheel: the torque's work goes into travel, spin, strain and slip. Theory: conservation of energy.
@@ -88,26 +88,26 @@ TEST(DrivenWheel, KeepsTheBooks) {
   Monitor quiet;
   const auto kernels = elasticity::kernelsFor("");
   const auto stable = dynamics::stableStep(model, kernels, team, quiet);
-  const auto start = statics::prepareQuietStart(model, kernels, team, quiet);
+  const auto start = statics::prepareSteadyRollingStart(model, kernels, team, quiet);
   dynamics::Rolling rolling(model, kernels, team, stable.step, stable.beta);
   rolling.start(start.equilibrium.displacement, start.velocity, description.motion.speed / model.surfaces.radius);
-  EnergyLedger ledger(rolling, start.equilibrium.strainEnergy);
+  EnergyBalance balance(rolling, start.equilibrium.strainEnergy);
   const auto ignore = [](const dynamics::StepView&) {};
   while (rolling.state().time < 5e-3) {
-    ledger.before(rolling);
+    balance.before(rolling);
     rolling.advance(1, ignore);
-    ledger.after(rolling);
+    balance.after(rolling);
     rolling.advance(199, ignore);
   }
   double most = 0;
-  for (const double value : valuesOf(ledger, "residual")) {
+  for (const double value : valuesOf(balance, "residual")) {
     EXPECT_LT(std::abs(value), 0.05);
     most = std::max(most, std::abs(value));
   }
   // Traction times speed from the middle of the ramp on. 2 %: creepage, and the weight of wheels that rise and fall.
   const double work =
-      0.2 * start.equilibrium.contactForce * description.motion.speed * (ledger.times().back() - 0.5e-3);
-  EXPECT_NEAR(valuesOf(ledger, "external").back(), work, 0.02 * work);
+      0.2 * start.equilibrium.contactForce * description.motion.speed * (balance.times().back() - 0.5e-3);
+  EXPECT_NEAR(valuesOf(balance, "external").back(), work, 0.02 * work);
   RecordProperty("residual_joule", std::to_string(most));
 }
 

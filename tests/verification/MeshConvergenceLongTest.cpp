@@ -12,8 +12,8 @@
 #include <string>
 
 #include "FixtureCase.h"
+#include "analysis/RunFeatures.h"
 #include "case/CaseFile.h"
-#include "laboratory/RunFeatures.h"
 #include "simulation/RunCase.h"
 
 namespace squat::simulation {
@@ -23,7 +23,7 @@ signals::Features featuresOn(const std::string& mesh) {
   const auto description =
       cases::loadCase(tests::fixtureCase("light-defect"), {mesh, {{"motion.run_up", "0.3"}, {"motion.beyond", "0.3"}}});
   Monitor quiet;
-  return laboratory::runFeatures(runCase(description, {}, quiet));
+  return analysis::runFeatures(runCase(description, {}, quiet));
 }
 
 TEST(MeshConvergence, StandardIsThePapersMesh) {

@@ -68,7 +68,7 @@ TEST_P(RolledOver, SameAsElementByElement) {
   LayerForces forces = layerForces(layer, layerKernels, state);
 
   // Plain body: nodes numbered station by station.
-  const auto place = [&](int node, int station) { return static_cast<std::size_t>(station * block.nodes + node); };
+  const auto location = [&](int node, int station) { return static_cast<std::size_t>(station * block.nodes + node); };
   std::vector<elasticity::PlainElement> elements;
   std::vector<std::array<int, 2>> elementAt;  // quad, interval
   for (int q = 0; q < static_cast<int>(block.section.quads.size()); ++q)
@@ -78,7 +78,7 @@ TEST_P(RolledOver, SameAsElementByElement) {
         for (int i = 0; i < 4; ++i) {
           const int node = block.section.quads[q][i];
           element.corners[4 * side + i] = elasticity::nodePosition(block, node, s + side);
-          element.node[4 * side + i] = place(node, s + side);
+          element.node[4 * side + i] = location(node, s + side);
         }
       elements.push_back(element), elementAt.push_back({q, s});
     }
@@ -130,11 +130,11 @@ TEST_P(RolledOver, SameAsElementByElement) {
 
     Eigen::VectorXd push = -yielding.innerForce(plainW) - base.innerForce(plainW);
     load(block, patch,
-         [&](int n, int c, int s, double f) { push[static_cast<Eigen::Index>(3 * place(n, s)) + c] += ramp * f; });
+         [&](int n, int c, int s, double f) { push[static_cast<Eigen::Index>(3 * location(n, s)) + c] += ramp * f; });
     for (int s = 0; s <= intervals; ++s)
       for (int n = 0; n < block.nodes; ++n)
         for (int c = 0; c < 3; ++c) {
-          const auto i = static_cast<Eigen::Index>(3 * place(n, s)) + c;
+          const auto i = static_cast<Eigen::Index>(3 * location(n, s)) + c;
           const double old = plainV[i];
           plainV[i] = (old + step * push[i] * inverse[n * block.stride + s]) * freeMask[3 * n + c];
           plainW[i] += -beta * old + (step + beta) * plainV[i];
@@ -143,7 +143,7 @@ TEST_P(RolledOver, SameAsElementByElement) {
     for (int s = 0; s <= intervals; ++s)
       for (int n = 0; n < block.nodes; ++n)
         for (int c = 0; c < 3; ++c) {
-          const double plain = plainW[static_cast<Eigen::Index>(3 * place(n, s)) + c];
+          const double plain = plainW[static_cast<Eigen::Index>(3 * location(n, s)) + c];
           largestDisplacement = std::max(largestDisplacement, std::abs(plain));
           displacementError = std::max(displacementError, std::abs(plain - w[block.index(n, c, s)]));
         }

@@ -80,11 +80,11 @@ void PressedSphere::holdFor(bool shifted, const Field& far) {
   for (int n = 0; n < block.nodes; ++n)
     for (int s = 0; s < block.stationCount; ++s) {
       const auto p = nodePosition(block, n, s);
-      const bool held = s == block.intervals || p[1] > last[0] - 1e-9 || p[2] < first[1] + 1e-9;
+      const bool fixed = s == block.intervals || p[1] > last[0] - 1e-9 || p[2] < first[1] + 1e-9;
       for (int c = 0; c < 3; ++c) {
         const bool symmetric = (s == 0 && (c == 0) != shifted) || (c == 1 && p[1] < 1e-9);
-        free_[block.index(n, c, s)] = !held && !symmetric;
-        if (held && !symmetric) u_[block.index(n, c, s)] = far(p)[c];
+        free_[block.index(n, c, s)] = !fixed && !symmetric;
+        if (fixed && !symmetric) u_[block.index(n, c, s)] = far(p)[c];
       }
     }
 }

@@ -23,10 +23,10 @@ double level(const std::complex<double>& value) { return 20 * std::log10(std::ab
 using Quantity = double (*)(const std::complex<double>&);
 
 double interpolated(const std::vector<double>& frequency, const Complexes& values, double at, Quantity quantity) {
-  const double step = frequency[1] - frequency[0], place = (at - frequency[0]) / step;
+  const double step = frequency[1] - frequency[0], location = (at - frequency[0]) / step;
   const auto i =
-      static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, static_cast<double>(frequency.size()) - 2.0));
-  const double t = place - static_cast<double>(i);
+      static_cast<std::size_t>(std::clamp(std::floor(location), 0.0, static_cast<double>(frequency.size()) - 2.0));
+  const double t = location - static_cast<double>(i);
   return (1 - t) * quantity(values[i]) + t * quantity(values[i + 1]);
 }
 
@@ -52,7 +52,7 @@ TrackBeam beamOf(const cases::CaseDescription& description) {
   const auto& rail = model.blocks[model.rail];
   auto section = beamSection(rail.section);
   std::vector<double> across;
-  for (const double place : {-0.375, -0.125, 0.125, 0.375}) across.push_back(place * own.pad.width);
+  for (const double location : {-0.375, -0.125, 0.125, 0.375}) across.push_back(location * own.pad.width);
   section.footFlexibility =
       footFlexibility(rail.section, own.rail.material, across, own.pad.stiffness / own.pad.length);
   return {own, section, rail.positions.front(), model.sleeperPositions};

@@ -136,14 +136,14 @@ double RollingBlocks::stableStep() {
 
 std::size_t RollingBlocks::elements() const { return blocks_[0].elements() + blocks_[1].elements(); }
 
-void RollingBlocks::step(double speed, double spinRate, PatchState& patch, std::vector<PatchPoint>* points) {
+void RollingBlocks::step(double speed, double angularVelocity, PatchState& patch, std::vector<PatchPoint>* points) {
   static const auto kernels = elasticity::kernelsFor("");
   const double beta = blockSteps_[0].beta;
-  const WheelRolling wheel{placement_, speed, spinRate};
+  const WheelRolling wheel{placement_, speed, angularVelocity};
   patch =
       rollContact(surfaces_, blocks_[0], blocks_[1], law_, wheel, displaced_.data(), velocity_.data(), step_, history_,
                   {forces_[0].data(), lineOfNode_[0].data()}, {forces_[1].data(), lineOfNode_[1].data()}, points);
-  blockSteps_[1].cosine = std::cos(spinRate * step_), blockSteps_[1].sine = std::sin(spinRate * step_);
+  blockSteps_[1].cosine = std::cos(angularVelocity * step_), blockSteps_[1].sine = std::sin(angularVelocity * step_);
   std::vector<elasticity::Segment> all{{0, 0, blocks_[0].intervals}, {1, 0, blocks_[1].intervals}};
   for (auto& with : blockSteps_) with.kernels = &kernels;
   elasticity::advanceSegments(all, blocks_, blockSteps_, step_, displaced_.data(), target_.data(), velocity_.data(),
@@ -152,7 +152,7 @@ void RollingBlocks::step(double speed, double spinRate, PatchState& patch, std::
   const double lost = damping * step_;
   for (std::size_t i = 0; i < velocity_.size(); ++i)
     displaced_[i] -= beta * lost * velocity_[i], velocity_[i] *= 1 - lost;
-  placement_.centreX += speed * step_, placement_.rotation += spinRate * step_;
+  placement_.centreX += speed * step_, placement_.rotation += angularVelocity * step_;
   // Tangent of Hertz's law, F ~ approach^1.5.
   const double stiffness = 1.5 * with_.load / with_.approach;
   placement_.centreZ += step_ * (width_ * patch.vertical - with_.load) / (stiffness * sinkingTime);
@@ -195,7 +195,7 @@ void RollingBlocks::moveBack() {
 
 RollingBlocks::Steady RollingBlocks::roll(double creepage, int elements) {
   const double half = with_.size / 2, rows = with_.plane ? 2 : 1;  // of points within half an element of the middle
-  const double spinRate = with_.speed * (1 + creepage) / with_.radius;
+  const double angularVelocity = with_.speed * (1 + creepage) / with_.radius;
   Steady found;
   PatchState patch;
   std::vector<PatchPoint> points;
@@ -204,7 +204,7 @@ RollingBlocks::Steady RollingBlocks::roll(double creepage, int elements) {
     int samples = 0;
     for (; placement_.centreX < half; ++samples) {
       points.clear();
-      step(with_.speed, spinRate, patch, element + 1 == elements ? &points : nullptr);
+      step(with_.speed, angularVelocity, patch, element + 1 == elements ? &points : nullptr);
       found.load += width_ * patch.vertical, found.force -= width_ * patch.longitudinal;
       found.length += patch.length;
       for (const auto& p : points)

@@ -56,7 +56,7 @@ class RollingBlocks {
   void build();
   double stableStep();
   void moveBack();
-  void step(double speed, double spinRate, PatchState& patch, std::vector<PatchPoint>* points);
+  void step(double speed, double angularVelocity, PatchState& patch, std::vector<PatchPoint>* points);
 
   RolledCase with_;
   std::vector<elasticity::SweptBlock> blocks_;  // rail, wheel

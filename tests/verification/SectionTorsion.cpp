@@ -14,7 +14,7 @@ namespace {
 struct GaussPoint {
   Eigen::Vector4d shape;
   Eigen::Matrix<double, 2, 4> gradient;
-  Eigen::Vector2d place;
+  Eigen::Vector2d location;
   double weight = 0;
 };
 
@@ -33,7 +33,7 @@ std::array<GaussPoint, 4> gaussPoints(const geometry::SectionMesh& mesh, int qua
     }
     const Eigen::Matrix2d jacobian = local * nodes;
     points[k].gradient = jacobian.inverse() * local;
-    points[k].place = nodes.transpose() * points[k].shape;
+    points[k].location = nodes.transpose() * points[k].shape;
     points[k].weight = jacobian.determinant();
   }
   return points;
@@ -51,15 +51,15 @@ TorsionConstants sectionTorsion(const geometry::SectionMesh& section) {
   TorsionConstants result;
   double first = 0;
   overSection(section, [&](const auto&, const GaussPoint& p) {
-    result.area += p.weight, first += p.weight * p.place[1];
-    result.lateralMoment += p.weight * p.place[0] * p.place[0];
+    result.area += p.weight, first += p.weight * p.location[1];
+    result.lateralMoment += p.weight * p.location[0] * p.location[0];
   });
   result.centroid = first / result.area;
   const int n = static_cast<int>(section.nodes.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd load = Eigen::VectorXd::Zero(n);
   overSection(section, [&](const auto& quad, const GaussPoint& p) {
-    const double y = p.place[0], z = p.place[1] - result.centroid;
+    const double y = p.location[0], z = p.location[1] - result.centroid;
     result.polarMoment += p.weight * (y * y + z * z);
     for (int i = 0; i < 4; ++i) {
       load[quad[i]] += p.weight * (p.gradient(0, i) * z - p.gradient(1, i) * y);
@@ -74,7 +74,7 @@ TorsionConstants sectionTorsion(const geometry::SectionMesh& section) {
 
   double product = 0, mean = 0;
   overSection(section, [&](const auto& quad, const GaussPoint& p) {
-    const double y = p.place[0], z = p.place[1] - result.centroid;
+    const double y = p.location[0], z = p.location[1] - result.centroid;
     const Eigen::Vector4d own(w[quad[0]], w[quad[1]], w[quad[2]], w[quad[3]]);
     const Eigen::Vector2d slope = p.gradient * own;
     result.torsion += p.weight * (std::pow(slope[0] - z, 2) + std::pow(slope[1] + y, 2));
@@ -84,7 +84,7 @@ TorsionConstants sectionTorsion(const geometry::SectionMesh& section) {
   result.shearCentre = result.centroid + above;
   overSection(section, [&](const auto& quad, const GaussPoint& p) {
     const Eigen::Vector4d own(w[quad[0]], w[quad[1]], w[quad[2]], w[quad[3]]);
-    result.warping += p.weight * std::pow(p.shape.dot(own) - mean - above * p.place[0], 2);
+    result.warping += p.weight * std::pow(p.shape.dot(own) - mean - above * p.location[0], 2);
   });
   return result;
 }
@@ -141,15 +141,16 @@ geometry::SectionMesh plate(std::pair<double, double> b, std::pair<double, doubl
 }
 
 void join(geometry::SectionMesh& to, const geometry::SectionMesh& other) {
-  std::vector<int> place;
+  std::vector<int> location;
   for (const auto& p : other.nodes) {
     int found = -1;
     for (int k = 0; k < static_cast<int>(to.nodes.size()) && found < 0; ++k)
       if (std::abs(to.nodes[k][0] - p[0]) < 1e-9 && std::abs(to.nodes[k][1] - p[1]) < 1e-9) found = k;
     if (found < 0) found = static_cast<int>(to.nodes.size()), to.nodes.push_back(p);
-    place.push_back(found);
+    location.push_back(found);
   }
-  for (const auto& q : other.quads) to.quads.push_back({place[q[0]], place[q[1]], place[q[2]], place[q[3]]});
+  for (const auto& q : other.quads)
+    to.quads.push_back({location[q[0]], location[q[1]], location[q[2]], location[q[3]]});
 }
 
 }  // namespace squat::verification

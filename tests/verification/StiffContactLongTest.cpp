@@ -1,8 +1,8 @@
 // Stiff penalties: the mass that closed contact carries for them stays small enough for its coming and going not to be
-// felt (dynamics/ContactInertia.h). Conservation of energy: the ledger closes within the 0.1 % that every run asks of
-// itself; before the step was shortened for them these runs were 33 and 67 % away and broke off. And the added mass,
-// which goes with the square of the step, does not show: a fifth of the step, a twenty-fifth of the mass, gives the
-// same signal (0.1 % of the peak seen, half a percent asked as of all that makes runs faster).
+// felt (dynamics/ContactInertia.h). Conservation of energy: the energy balance closes within the 0.1 % that every run
+// asks of itself; before the step was shortened for them these runs were 33 and 67 % away and broke off. And the added
+// mass, which goes with the square of the step, does not show: a fifth of the step, a twenty-fifth of the mass, gives
+// the same signal (0.1 % of the peak seen, half a percent asked as of all that makes runs faster).
 #include <gtest/gtest.h>
 
 #include <algorithm>

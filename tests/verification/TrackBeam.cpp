@@ -13,7 +13,7 @@ constexpr int padsAlong = 6, padsAcross = 4;  // springs of a pad
 constexpr int sleeperParts = 24;
 constexpr double railStep = 0.025;  // [m]
 
-double padPlace(int index, int count, double length) { return ((index + 0.5) / count - 0.5) * length; }
+double padLocation(int index, int count, double length) { return ((index + 0.5) / count - 0.5) * length; }
 
 double shearModulus(const scenario::Material& m) { return m.young / 2 / (1 + m.poisson); }
 
@@ -58,7 +58,7 @@ void TrackBeam::layRail(const std::vector<double>& sleeperPositions) {
   for (int i = 0; i <= parts; ++i) railX_.push_back(railStart_ + length * i / parts);
   for (const double x : sleeperPositions)
     for (int p = 0; p < padsAlong; ++p)
-      railX_.push_back(std::clamp(x + padPlace(p, padsAlong, case_.pad.length), railStart_, end));
+      railX_.push_back(std::clamp(x + padLocation(p, padsAlong, case_.pad.length), railStart_, end));
   std::sort(railX_.begin(), railX_.end());
   railX_.erase(std::unique(railX_.begin(), railX_.end(), [](double a, double b) { return b - a < 1e-6; }),
                railX_.end());
@@ -143,7 +143,7 @@ void TrackBeam::addPad(int sleeper, double at, const scenario::Seat& seat) {
   const auto& pad = case_.pad;
   const double top = case_.sleeper.height / 2, share = 1.0 / (padsAlong * padsAcross);
   for (int p = 0; p < padsAlong; ++p) {
-    const double x = padPlace(p, padsAlong, pad.length);
+    const double x = padLocation(p, padsAlong, pad.length);
     const int rail = railUnknowns * railNode(at + x);
     int foot = rail + up;
     if (section_.footFlexibility > 0) {
@@ -151,27 +151,29 @@ void TrackBeam::addPad(int sleeper, double at, const scenario::Seat& seat) {
       system_.addSpring({{rail + up, 1}, {foot, -1}}, pad.length / padsAlong / section_.footFlexibility, 0);
     }
     for (int q = 0; q < padsAcross; ++q) {
-      const double y = padPlace(q, padsAcross, pad.width), place = y + case_.wheelset.trackCentre;
+      const double y = padLocation(q, padsAcross, pad.width), location = y + case_.wheelset.trackCentre;
       Terms vertical{{foot, 1}, {rail + turn, y}};
-      join(vertical, sleeperAt(sleeper, lift, place, -1)), join(vertical, sleeperAt(sleeper, twist, place, -x));
+      join(vertical, sleeperAt(sleeper, lift, location, -1)), join(vertical, sleeperAt(sleeper, twist, location, -x));
       system_.addSpring(vertical, share * seat.padStiffness.value_or(pad.stiffness),
                         share * seat.padDamping.value_or(pad.damping));
       Terms lengthwise{{rail + along, 1}, {rail + upSlope, section_.centroidAboveBase}, {rail + acrossSlope, -y}};
-      join(lengthwise, sleeperAt(sleeper, shift, place, -1)), join(lengthwise, sleeperAt(sleeper, twist, place, top));
+      join(lengthwise, sleeperAt(sleeper, shift, location, -1)),
+          join(lengthwise, sleeperAt(sleeper, twist, location, top));
       system_.addSpring(lengthwise, share * pad.longitudinalStiffness, share * pad.longitudinalDamping);
       Terms lateral{{rail + across, 1}, {rail + turn, section_.shearCentreAboveBase}};
-      join(lateral, sleeperAt(sleeper, stretch, place, -1)), join(lateral, sleeperAt(sleeper, liftSlope, place, top));
-      join(lateral, sleeperAt(sleeper, shiftSlope, place, x));
+      join(lateral, sleeperAt(sleeper, stretch, location, -1)),
+          join(lateral, sleeperAt(sleeper, liftSlope, location, top));
+      join(lateral, sleeperAt(sleeper, shiftSlope, location, x));
       system_.addSpring(lateral, share * pad.lateralStiffness, share * pad.lateralDamping);
     }
   }
 }
 
 Terms TrackBeam::sleeperAt(int sleeper, int unknown, double y, double factor) const {
-  const double place = y / case_.sleeper.halfLength * sleeperParts;
-  const int j = std::clamp(static_cast<int>(place), 0, sleeperParts - 1);
+  const double location = y / case_.sleeper.halfLength * sleeperParts;
+  const int j = std::clamp(static_cast<int>(location), 0, sleeperParts - 1);
   const int left = sleeper + sleeperUnknowns * j + unknown;
-  return {{left, factor * (1 - place + j)}, {left + sleeperUnknowns, factor * (place - j)}};
+  return {{left, factor * (1 - location + j)}, {left + sleeperUnknowns, factor * (location - j)}};
 }
 
 int TrackBeam::railNode(double x) const {

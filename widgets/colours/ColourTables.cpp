@@ -24,9 +24,9 @@ constexpr std::array<Rgb, 9> jet{fromHex(0x00007f), fromHex(0x0000ff), fromHex(0
 
 template <std::size_t count>
 Rgb interpolate(const std::array<Rgb, count>& table, double share) {
-  const double place = (std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0) * (count - 1);
-  const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(place), count - 2);
-  const double weight = place - static_cast<double>(below);
+  const double location = (std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0) * (count - 1);
+  const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(location), count - 2);
+  const double weight = location - static_cast<double>(below);
   const Rgb& a = table[below];
   const Rgb& b = table[below + 1];
   return {a.red + weight * (b.red - a.red), a.green + weight * (b.green - a.green),

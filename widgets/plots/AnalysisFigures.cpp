@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "laboratory/AnalysisFiles.h"
+#include "analysis/AnalysisFiles.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "plots/UnitText.h"
@@ -17,7 +17,7 @@ namespace {
 constexpr double shownBefore = 0.1, shownAfter = 0.28;  // [m] around the impact, as runs are judged
 constexpr double windowSeconds = 0.01;                  // of the short-time transform, as the analysis takes it
 
-QString titleOf(const laboratory::SignalAnalysis& signal) {
+QString titleOf(const analysis::SignalAnalysis& signal) {
   const auto stem = std::filesystem::path(signal.file).stem().string();
   return QString::fromStdString(signal.run.empty()               ? stem
                                 : signal.run.rfind(stem, 0) == 0 ? signal.run
@@ -26,7 +26,7 @@ QString titleOf(const laboratory::SignalAnalysis& signal) {
 
 // The signal in the shape of a run, so that it is drawn by the same builders: only the stretch around the impact, as
 // records may be long.
-results::RunResult asRun(const laboratory::SignalAnalysis& signal) {
+results::RunResult asRun(const analysis::SignalAnalysis& signal) {
   results::RunResult run;
   run.title = titleOf(signal).toStdString();
   run.complete = true;
@@ -44,10 +44,10 @@ results::RunResult asRun(const laboratory::SignalAnalysis& signal) {
   const double margin = 0.5 * windowSeconds * run.speed;
   results::Channel aba{"aba_filtered", series.unit, "", {}};
   for (std::size_t i = 0; i < std::min(position.size(), series.values.size()); ++i) {
-    const double place = position[i] - zero;
-    if (place < -shownBefore - margin || place > shownAfter + margin) continue;
+    const double location = position[i] - zero;
+    if (location < -shownBefore - margin || location > shownAfter + margin) continue;
     run.time.push_back(series.timeAt(i));
-    run.position.push_back(place);
+    run.position.push_back(location);
     aba.values.push_back(series.values[i]);
   }
   if (!run.position.empty()) {
@@ -64,7 +64,7 @@ std::string distinct(std::string name, std::set<std::string>& taken) {
   return name;
 }
 
-QString placeLabel() { return "Position relative to the impact [mm]"; }
+QString locationLabel() { return "Position relative to the impact [mm]"; }
 
 QString percentText(const signals::Dispersion& dispersion) {
   return std::isfinite(dispersion.mean) ? QString::number(100 * dispersion.range, 'f', 0) : QStringLiteral("-");
@@ -76,7 +76,7 @@ QString quantityLabel(const std::string& unit) {
 
 }  // namespace
 
-std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, const Style& style) {
+std::unique_ptr<Figure> historyFigure(const analysis::SignalAnalysis& signal, const Style& style) {
   auto figure = std::make_unique<Figure>("history", style);
   const auto& series = signal.filtered;
   const double end = series.timeAt(series.values.size() - 1);
@@ -97,7 +97,7 @@ std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, 
 std::unique_ptr<Figure> scatterFigure(const signals::AlignedRuns& runs, const std::string& unit, const Style& style) {
   auto figure = std::make_unique<Figure>("scatter", style);
   const auto axis = scaled(runs.axis, 1e3);
-  figure->xAxis->setLabel(runs.inPosition ? placeLabel() : QString("Time relative to the impact [ms]"));
+  figure->xAxis->setLabel(runs.inPosition ? locationLabel() : QString("Time relative to the impact [ms]"));
   figure->yAxis->setLabel(quantityLabel(unit));
   const double speed = runs.speed.empty() || runs.inPosition ? 1.0 : std::max(1e-3, runs.speed.front());
   if (!axis.empty())
@@ -119,12 +119,12 @@ std::unique_ptr<Figure> scatterFigure(const signals::AlignedRuns& runs, const st
   return figure;
 }
 
-std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, const Style& style) {
+std::vector<FigureSheet> analysisFigures(const analysis::Analysis& analysis, const Style& style) {
   std::vector<FigureSheet> sheets;
   std::set<std::string> taken;
   for (const auto& signal : analysis.signals) {
     const std::string stem =
-        distinct(laboratory::safeFileName(signal.run.empty() ? std::string("signal") : signal.run), taken);
+        distinct(analysis::safeFileName(signal.run.empty() ? std::string("signal") : signal.run), taken);
     const auto run = asRun(signal);
     sheets.push_back(sheetOf(stem + "_history", historyFigure(signal, style)));
     auto density = psdFigure(run, style);
@@ -140,7 +140,7 @@ std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, c
     sheets.push_back(sheetOf(stem + "_scalogram", signal.scalogramByAmplitude ? amplitudeScalogramFigure(run, style)
                                                                               : scalogramFigure(run, style)));
     for (std::size_t back = 1; back <= 2; ++back)
-      sheets[sheets.size() - back].panels.front()->xAxis->setLabel(placeLabel());
+      sheets[sheets.size() - back].panels.front()->xAxis->setLabel(locationLabel());
   }
   for (const auto* runs : {&analysis.inTime, &analysis.inPosition}) {
     if (!*runs) continue;

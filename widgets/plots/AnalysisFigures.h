@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "laboratory/Analysis.h"
+#include "analysis/Analysis.h"
 #include "plots/FigureSheet.h"
 
 namespace squat::plots {
@@ -11,9 +11,9 @@ namespace squat::plots {
 // Of each signal RUN_history (whole record), RUN_psd (the window around the anchor, lines named as in the table of
 // features), RUN_stft and RUN_scalogram (0.1 m before to 0.28 m behind the impact); of repeated runs scatter_time and
 // scatter_position: every run, their mean and the band between minimum and maximum.
-std::vector<FigureSheet> analysisFigures(const laboratory::Analysis& analysis, const Style& style);
+std::vector<FigureSheet> analysisFigures(const analysis::Analysis& analysis, const Style& style);
 
-std::unique_ptr<Figure> historyFigure(const laboratory::SignalAnalysis& signal, const Style& style);
+std::unique_ptr<Figure> historyFigure(const analysis::SignalAnalysis& signal, const Style& style);
 std::unique_ptr<Figure> scatterFigure(const signals::AlignedRuns& runs, const std::string& unit, const Style& style);
 
 }  // namespace squat::plots

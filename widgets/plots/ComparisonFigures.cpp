@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "laboratory/AnalysisFiles.h"
+#include "analysis/AnalysisFiles.h"
 #include "plots/AxisTicker.h"
 #include "plots/LineFigure.h"
 #include "plots/UnitText.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double shownBefore = 0.1, shownAfter = 0.28;  // [m]
 constexpr double shownUpTo = 2500;                      // [Hz]
-constexpr double leastShare = 1e-3;                     // of the second's largest density, for a ratio
+constexpr double minimumShare = 1e-3;                   // of the second's largest density, for a ratio
 
 void setPlaceAxis(Figure& figure, const signals::Comparison& c) {
   figure.xAxis->setLabel(c.inPosition ? "Position relative to the impact [mm]" : "Time relative to the impact [ms]");
@@ -90,7 +90,7 @@ std::unique_ptr<Figure> ratio(const signals::Comparison& c, bool smooth, const S
   double low = INFINITY, high = 0;
   for (std::size_t k = 0; k < std::min(value.size(), second.size()); ++k) {
     if (c.firstSpectrum.frequency[k] > shownUpTo) break;
-    if (!(second[k] > leastShare * largest) || !(c.densityRatio[k] > 0)) continue;
+    if (!(second[k] > minimumShare * largest) || !(c.densityRatio[k] > 0)) continue;
     value[k] = c.densityRatio[k];
     low = std::min(low, value[k]);
     high = std::max(high, value[k]);
@@ -120,12 +120,12 @@ FigureSheet comparisonFigure(const signals::Comparison& comparison, const std::s
   return sheet;
 }
 
-std::vector<FigureSheet> comparisonFigures(const std::vector<laboratory::FileComparison>& comparisons, bool smooth,
+std::vector<FigureSheet> comparisonFigures(const std::vector<analysis::FileComparison>& comparisons, bool smooth,
                                            const Style& style) {
   std::vector<FigureSheet> sheets;
   std::set<std::string> taken;
   for (const auto& pair : comparisons) {
-    const std::string wanted = laboratory::safeFileName(pair.comparison.secondName) + "_comparison";
+    const std::string wanted = analysis::safeFileName(pair.comparison.secondName) + "_comparison";
     std::string name = wanted;
     for (int number = 2; !taken.insert(name).second; ++number) name = wanted + "_" + std::to_string(number);
     sheets.push_back(comparisonFigure(pair.comparison, name, smooth, style));

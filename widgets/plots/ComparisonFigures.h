@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "laboratory/FileComparison.h"
+#include "analysis/FileComparison.h"
 #include "plots/FigureSheet.h"
 
 namespace squat::plots {
@@ -15,7 +15,7 @@ FigureSheet comparisonFigure(const signals::Comparison& comparison, const std::s
                              const Style& style);
 
 // One sheet a pair, NAME_comparison.
-std::vector<FigureSheet> comparisonFigures(const std::vector<laboratory::FileComparison>& comparisons, bool smooth,
+std::vector<FigureSheet> comparisonFigures(const std::vector<analysis::FileComparison>& comparisons, bool smooth,
                                            const Style& style);
 
 }  // namespace squat::plots

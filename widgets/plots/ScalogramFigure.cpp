@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/Maps.h"
 #include "colours/ColourTables.h"
-#include "laboratory/Maps.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "plots/ScalogramGrid.h"
@@ -13,7 +13,7 @@ namespace squat::plots {
 namespace {
 
 constexpr double lowest = 50, highest = 3000;  // [Hz] shown at most
-constexpr std::size_t mostColumns = 2000;      // of a short-time transform: more than a figure has pixels
+constexpr std::size_t maximumColumns = 2000;   // of a short-time transform: more than a figure has pixels
 
 QCPColorGradient gradientOf(const std::string& map) {
   QCPColorGradient gradient;
@@ -153,10 +153,10 @@ std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style
   if (values && values->size() == result.time.size() && values->size() > segment && result.time.size() > 1) {
     signals::StftOptions options;
     options.segment = segment;
-    options.hop = std::max(hop > 0 ? hop : std::max<std::size_t>(1, segment / 32), values->size() / mostColumns);
+    options.hop = std::max(hop > 0 ? hop : std::max<std::size_t>(1, segment / 32), values->size() / maximumColumns);
     options.transformLength = 8 * segment;
     std::vector<std::string> notes;
-    const auto stft = *laboratory::stftMap(signals::seriesOf(result, "aba_filtered"), options, notes);
+    const auto stft = *analysis::stftMap(signals::seriesOf(result, "aba_filtered"), options, notes);
     // Row 0 is the mean, which has no place on a logarithmic axis.
     local.scalogramFrequency.assign(stft.frequency.begin() + 1, stft.frequency.end());
     local.scalogramPower.assign(stft.density.begin() + static_cast<std::ptrdiff_t>(stft.time.size()),

@@ -8,13 +8,13 @@ namespace {
 
 constexpr int gridRows = 240, gridColumns = 480;
 
-struct Place {
+struct Location {
   std::size_t below = 0;
   double weight = 0;  // of the next one
 };
 
 // Where `value` lies between the entries of an ascending list.
-Place placeIn(const std::vector<double>& ascending, double value) {
+Location locationIn(const std::vector<double>& ascending, double value) {
   const auto above = std::upper_bound(ascending.begin(), ascending.end(), value);
   if (above == ascending.begin()) return {};
   if (above == ascending.end()) return {ascending.size() - 2, 1.0};
@@ -52,14 +52,14 @@ ScalogramGrid scalogramGrid(const results::RunResult& result, double positionFro
   if (hasCone) grid.cone.resize(gridColumns);
   for (int column = 0; column < gridColumns; ++column) {
     const double share = static_cast<double>(column) / (gridColumns - 1);
-    const Place at = placeIn(position, grid.positionFrom + share * (grid.positionTo - grid.positionFrom));
+    const Location at = locationIn(position, grid.positionFrom + share * (grid.positionTo - grid.positionFrom));
     if (hasCone)
       grid.cone[column] =
           (1 - at.weight) * result.coneOfInfluence[at.below] + at.weight * result.coneOfInfluence[at.below + 1];
     for (int row = 0; row < gridRows; ++row) {
       const double logShare = static_cast<double>(row) / (gridRows - 1);
       const double wanted = std::log(grid.frequencyFrom) + logShare * std::log(grid.frequencyTo / grid.frequencyFrom);
-      const Place up = placeIn(logFrequency, wanted);
+      const Location up = locationIn(logFrequency, wanted);
       const auto power = [&](std::size_t r, std::size_t c) {
         const std::size_t stored = descending ? rows - 1 - r : r;
         const double value = result.scalogramPower[stored * columns + c];

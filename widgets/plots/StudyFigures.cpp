@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "analysis/AnalysisFiles.h"
 #include "case/ParameterTable.h"
-#include "laboratory/AnalysisFiles.h"
 #include "plots/AxisTicker.h"
 #include "plots/LineFigure.h"
 #include "plots/UnitText.h"
@@ -16,8 +16,8 @@
 namespace squat::plots {
 namespace {
 
-constexpr std::size_t mostCurves = 12, mostPanels = 9, columns = 3;
-constexpr std::size_t mostNamed = 3 * columns;  // curves in the legends of the first row of panels
+constexpr std::size_t maximumCurves = 12, maximumPanels = 9, columns = 3;
+constexpr std::size_t maximumNamed = 3 * columns;  // curves in the legends of the first row of panels
 
 // Beginnings of the names of features, in the order of the panels.
 const std::vector<std::string>& shownFeatures() {
@@ -28,17 +28,17 @@ const std::vector<std::string>& shownFeatures() {
 }
 
 // Places of a key's values on the axis: the numbers themselves, or 0, 1, 2 ... where one of them is none.
-std::vector<double> placesOf(const studies::Variation& variation, bool& numeric) {
-  std::vector<double> places;
+std::vector<double> locationsOf(const studies::Variation& variation, bool& numeric) {
+  std::vector<double> locations;
   numeric = true;
   for (const auto& entry : variation.values) {
     const auto value = text::numberFromText(entry);
     numeric = numeric && value.has_value();
-    places.push_back(value.value_or(0));
+    locations.push_back(value.value_or(0));
   }
   if (!numeric)
-    for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<double>(i);
-  return places;
+    for (std::size_t i = 0; i < locations.size(); ++i) locations[i] = static_cast<double>(i);
+  return locations;
 }
 
 std::optional<double> featureOf(const studies::StudyRow& row, const std::string& name) {
@@ -60,7 +60,7 @@ std::vector<std::string> featuresIn(const studies::StudyTable& table) {
         break;
       }
   if (shown.empty()) shown = all;
-  if (shown.size() > mostPanels) shown.resize(mostPanels);
+  if (shown.size() > maximumPanels) shown.resize(maximumPanels);
   return shown;
 }
 
@@ -92,7 +92,7 @@ struct Named {
 // Three or fewer curves in the first panel; more are shared out over the panels of the first row, so that a legend
 // stays one line; too many are not named.
 Named namedIn(std::size_t panel, std::size_t curves) {
-  if (curves < 2 || curves > mostNamed || panel >= columns) return {};
+  if (curves < 2 || curves > maximumNamed || panel >= columns) return {};
   if (curves <= columns) return panel == 0 ? Named{0, curves} : Named{};
   const std::size_t share = (curves + columns - 1) / columns;
   return {panel * share, (panel + 1) * share};
@@ -103,16 +103,16 @@ std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key,
   auto figure = std::make_unique<Figure>(QString::fromStdString(feature), style);
   const auto& variation = table.definition.variations[key];
   bool numeric = true;
-  const auto places = placesOf(variation, numeric);
+  const auto locations = locationsOf(variation, numeric);
   figure->xAxis->setLabel(axisLabel(variation.key));
   figure->yAxis->setLabel(unitText(feature));
-  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  const auto [low, high] = std::minmax_element(locations.begin(), locations.end());
   const double margin = *high > *low ? 0.06 * (*high - *low) : std::max(0.5, 0.1 * std::abs(*high));
   figure->xAxis->setRange(*low - margin, *high + margin);
   if (!numeric) {
     auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-    for (std::size_t i = 0; i < places.size(); ++i)
-      ticker->addTick(places[i], QString::fromStdString(variation.values[i]));
+    for (std::size_t i = 0; i < locations.size(); ++i)
+      ticker->addTick(locations[i], QString::fromStdString(variation.values[i]));
     figure->xAxis->setTicker(ticker);
     figure->xAxis2->setTicker(ticker);
   }
@@ -125,10 +125,10 @@ std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key,
     if (isNew) curves.push_back({{}, {}, isNamed ? QString::fromStdString(others) : QString(), curves.size(), 1.1});
     const auto at = std::find(variation.values.begin(), variation.values.end(), row.point.values[key]);
     const auto value = row.state == studies::RowState::done ? featureOf(row, feature) : std::nullopt;
-    curves[found->second].x.push_back(places[static_cast<std::size_t>(at - variation.values.begin())]);
+    curves[found->second].x.push_back(locations[static_cast<std::size_t>(at - variation.values.begin())]);
     curves[found->second].y.push_back(value.value_or(NAN));
   }
-  for (std::size_t i = 0; i < std::min(curves.size(), mostCurves); ++i) {
+  for (std::size_t i = 0; i < std::min(curves.size(), maximumCurves); ++i) {
     QCPGraph* graph = addCurve(*figure, curves[i]);
     graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, style.curve(i), style.curve(i), 4));
     if (!numeric) graph->setLineStyle(QCPGraph::lsNone);  // nothing lies between two names
@@ -149,16 +149,16 @@ std::vector<FigureSheet> studyFigures(const studies::StudyTable& table, const St
   if (features.empty()) return sheets;
   for (std::size_t key = 0; key < table.definition.variations.size(); ++key) {
     FigureSheet sheet{
-        "study_" + laboratory::safeFileName(table.definition.variations[key].key), {}, static_cast<int>(columns)};
+        "study_" + analysis::safeFileName(table.definition.variations[key].key), {}, static_cast<int>(columns)};
     std::size_t curves = 1;
     for (std::size_t v = 0; v < table.definition.variations.size(); ++v)
       if (v != key) curves *= table.definition.variations[v].values.size();
     for (std::size_t i = 0; i < features.size(); ++i) {
       auto figure = panel(table, key, features[i], namedIn(i, curves), style);
-      const QString note = curves > mostNamed
+      const QString note = curves > maximumNamed
                                ? QStringLiteral("%1 curves, one for each combination of the other keys%2")
-                                     .arg(std::min(curves, mostCurves))
-                                     .arg(curves > mostCurves ? QStringLiteral(" (of %1)").arg(curves) : QString())
+                                     .arg(std::min(curves, maximumCurves))
+                                     .arg(curves > maximumCurves ? QStringLiteral(" (of %1)").arg(curves) : QString())
                                : QString();
       figure->setCaption(i == 0 ? QString::fromStdString(table.definition.caseName) : QString(),
                          i == 1   ? note

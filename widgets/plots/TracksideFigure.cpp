@@ -7,12 +7,12 @@ namespace {
 // Where the wheel is over the sensor, if the result says so.
 void addSensor(Figure& figure, const results::RunResult& result) {
   if (!result.resolvedCase) return;
-  const double place = 1e3 * result.resolvedCase->scenario.output.railAccelerometer;
-  if (!figure.xAxis->range().contains(place)) return;
+  const double location = 1e3 * result.resolvedCase->scenario.output.railAccelerometer;
+  if (!figure.xAxis->range().contains(location)) return;
   auto* line = new QCPItemStraightLine(&figure);
   line->setLayer("background");
-  line->point1->setCoords(place, 0);
-  line->point2->setCoords(place, 1);
+  line->point1->setCoords(location, 0);
+  line->point2->setCoords(location, 1);
   line->setPen(QPen(figure.style().muted, 0.8, Qt::DashLine));
   line->setSelectable(false);
 }

@@ -9,22 +9,22 @@
 namespace squat::plots {
 namespace {
 
-using validation::Judged;
-using validation::Verdict;
+using statements::Judged;
+using statements::Verdict;
 
 constexpr double outside = 0.5;  // of a range, shown on either side of it
 
 // 0 at the lower bound, 1 at the upper one; far above a lower bound without an upper one it nears 1.
-double placeOf(const Judged& one) {
+double locationOf(const Judged& one) {
   const auto& s = one.statement;
-  double place = 0;
+  double location = 0;
   if (std::isinf(s.high))
-    place = *one.value >= s.low ? 1 - s.low / *one.value : *one.value / s.low - 1;
+    location = *one.value >= s.low ? 1 - s.low / *one.value : *one.value / s.low - 1;
   else if (std::isinf(s.low))
-    place = *one.value / s.high;
+    location = *one.value / s.high;
   else
-    place = (*one.value - s.low) / (s.high - s.low);
-  return std::clamp(place, -outside, 1 + outside);
+    location = (*one.value - s.low) / (s.high - s.low);
+  return std::clamp(location, -outside, 1 + outside);
 }
 
 // Three digits; whole numbers where those would end before the point.
@@ -35,7 +35,7 @@ QString numberText(double value) {
 
 QString oursText(const Judged& one) {
   if (one.verdict == Verdict::notJudged) return "not judged";
-  const QString range = "   (" + unitText(validation::rangeText(one.statement)) + ")";
+  const QString range = "   (" + unitText(statements::rangeText(one.statement)) + ")";
   if (!one.value) return "none" + range;
   const auto& unit = one.statement.unit;
   const bool bare = unit.empty() || unit == "1" || unit == "ratio";
@@ -55,7 +55,7 @@ void addMarks(Figure& figure, const std::vector<Judged>& judged, Verdict verdict
   Curve curve{{}, {}, label + QStringLiteral(" (%1)").arg(countOf(judged, verdict)), colour, 1.4};
   for (std::size_t row = 0; row < judged.size(); ++row)
     if (judged[row].verdict == verdict && judged[row].value) {
-      curve.x.push_back(placeOf(judged[row]));
+      curve.x.push_back(locationOf(judged[row]));
       curve.y.push_back(static_cast<double>(row));
     }
   QCPGraph* graph = addCurve(figure, curve);

@@ -93,9 +93,10 @@ void addCaption(SurfacelessWindow& window, const results::RunResult& result, con
   auto renderer = newRenderer(window, 0, 1, bodyTop, 1);
   std::string left = result.title.empty() ? result.stem : result.title;
   if (snapshot) {
-    char place[80];
-    std::snprintf(place, sizeof place, ", wheel at %.0f mm (%s)", 1e3 * snapshot->position, snapshot->name.c_str());
-    left += place;
+    char location[80];
+    std::snprintf(location, sizeof location, ", wheel at %.0f mm (%s)", 1e3 * snapshot->position,
+                  snapshot->name.c_str());
+    left += location;
   }
   if (!result.complete) left = "incomplete (" + result.stopReason + "): " + left;
   renderer->AddActor2D(textActor(left, 0.01, 0.35, captionPixels, false));

@@ -131,7 +131,7 @@ vtkSmartPointer<vtkActor> springActor(vtkPolyData* lines, double width) {
   return actor;
 }
 
-vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<double, 4>& place, int textPixels) {
+vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<double, 4>& location, int textPixels) {
   auto bar = vtkSmartPointer<vtkScalarBarActor>::New();
   bar->SetLookupTable(lookupTable(look.colourMap, look.low, look.high));
   bar->SetNumberOfLabels(6);
@@ -140,9 +140,9 @@ vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<
   bar->SetTitle("");
   bar->SetBarRatio(0.25);
   bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  bar->SetPosition(place[0], place[1]);
-  bar->SetWidth(place[2]);
-  bar->SetHeight(place[3]);
+  bar->SetPosition(location[0], location[1]);
+  bar->SetWidth(location[2]);
+  bar->SetHeight(location[3]);
   setLetters(*bar->GetLabelTextProperty(), textPixels, look.dark);
   return bar;
 }

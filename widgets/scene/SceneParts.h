@@ -34,7 +34,7 @@ vtkSmartPointer<vtkActor> outlineActor(const PartData& part, const Look& look);
 vtkSmartPointer<vtkActor> springActor(vtkPolyData* lines, double width);
 
 // Colour bar for `look`, upright; place and size as shares of the renderer; `textPixels` high letters.
-vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<double, 4>& place, int textPixels);
+vtkSmartPointer<vtkScalarBarActor> colourBar(const Look& look, const std::array<double, 4>& location, int textPixels);
 
 // Text at a place given as shares of the renderer; `across` is the share of the text's width left of the place.
 vtkSmartPointer<vtkTextActor> textActor(const std::string& text, double x, double y, int pixels, bool dark,

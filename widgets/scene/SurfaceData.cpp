@@ -100,8 +100,8 @@ std::array<double, 3> wheelCentre(const results::SurfaceMesh& surface) {
   return {0.5 * (low[0] + high[0]), 0, 0.5 * (low[2] + high[2])};
 }
 
-std::vector<float> placesOf(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot,
-                            double displacementScale) {
+std::vector<float> locationsOf(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot,
+                               double displacementScale) {
   const std::size_t count = surface.points.size() / 3;
   const Point centre = wheelCentre(surface);
   std::vector<bool> rolling(count, false);
@@ -113,27 +113,27 @@ std::vector<float> placesOf(const results::SurfaceMesh& surface, const results::
       if (index < count) rolling[index] = true;
     }
   }
-  std::vector<float> places;
-  places.reserve(3 * count);
+  std::vector<float> locations;
+  locations.reserve(3 * count);
   for (std::size_t i = 0; i < count; ++i) {
-    Point place = pointAt(surface.points, i);
-    if (rolling[i]) place = rolled(place, centre, snapshot.wheelRotation, snapshot.wheelTravel);
+    Point location = pointAt(surface.points, i);
+    if (rolling[i]) location = rolled(location, centre, snapshot.wheelRotation, snapshot.wheelTravel);
     const bool moved = 3 * i + 2 < snapshot.displacement.size();
     const Point u = moved ? pointAt(snapshot.displacement, i) : Point{0, 0, 0};
     for (std::size_t axis = 0; axis < 3; ++axis)
-      places.push_back(static_cast<float>(place[axis] + displacementScale * u[axis]));
+      locations.push_back(static_cast<float>(location[axis] + displacementScale * u[axis]));
   }
-  return places;
+  return locations;
 }
 
 double largestNearContact(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot, Field field,
                           double reach) {
-  const std::vector<float> places = placesOf(surface, snapshot, 1);
+  const std::vector<float> locations = locationsOf(surface, snapshot, 1);
   const double contactAt = wheelCentre(surface)[0] + snapshot.wheelTravel;
   double largest = 0;
   for (const auto corner : surface.quads) {
     const auto index = static_cast<std::size_t>(corner);
-    if (3 * index + 2 >= places.size() || !(std::abs(static_cast<double>(places[3 * index]) - contactAt) < reach))
+    if (3 * index + 2 >= locations.size() || !(std::abs(static_cast<double>(locations[3 * index]) - contactAt) < reach))
       continue;
     const auto value = static_cast<double>(fieldAt(snapshot, field, index));
     if (std::isfinite(value)) largest = std::max(largest, value);
@@ -144,7 +144,7 @@ double largestNearContact(const results::SurfaceMesh& surface, const results::Su
 std::vector<PartData> partData(const results::SurfaceMesh& surface, const results::SurfaceSnapshot* snapshot,
                                Field field, double displacementScale) {
   const std::size_t pointCount = surface.points.size() / 3;
-  const std::vector<float> places = snapshot ? placesOf(surface, *snapshot, displacementScale) : surface.points;
+  const std::vector<float> locations = snapshot ? locationsOf(surface, *snapshot, displacementScale) : surface.points;
   std::vector<PartData> parts;
   for (std::size_t part = 0; part < surface.partNames.size(); ++part) {
     PartBuilder builder;
@@ -160,11 +160,11 @@ std::vector<PartData> partData(const results::SurfaceMesh& surface, const result
         if (!valid) break;
         vtkIdType& own = builder.pointOf[index];
         if (own < 0) {
-          const Point place = pointAt(places, index);
+          const Point location = pointAt(locations, index);
           if (snapshot) {
             builder.values->InsertNextValue(fieldAt(*snapshot, field, index));
           }
-          own = builder.points->InsertNextPoint(place.data());
+          own = builder.points->InsertNextPoint(location.data());
         }
         corners[corner] = own;
       }
@@ -195,11 +195,11 @@ vtkSmartPointer<vtkPolyData> springLines(const results::SurfaceMesh& surface, do
     for (int i = 0; i <= 2 * turns + 1; ++i) {
       const double share = static_cast<double>(i) / (2 * turns + 1);
       const double aside = i == 0 || i == 2 * turns + 1 ? 0 : (i % 2 ? swing : -swing);
-      Point place;
-      for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = from[axis] + share * (to[axis] - from[axis]);
-      place[0] += shift + (upright ? aside : 0);
-      if (!upright) place[2] += aside;
-      lines->InsertCellPoint(points->InsertNextPoint(place.data()));
+      Point location;
+      for (std::size_t axis = 0; axis < 3; ++axis) location[axis] = from[axis] + share * (to[axis] - from[axis]);
+      location[0] += shift + (upright ? aside : 0);
+      if (!upright) location[2] += aside;
+      lines->InsertCellPoint(points->InsertNextPoint(location.data()));
     }
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();

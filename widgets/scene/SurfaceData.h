@@ -27,8 +27,8 @@ struct PartData {
 };
 
 // Where every point is at the instant of the snapshot [m]: rolled, and displaced times `displacementScale`; 3 a point.
-std::vector<float> placesOf(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot,
-                            double displacementScale);
+std::vector<float> locationsOf(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot,
+                               double displacementScale);
 
 // Largest value of the field in the unit of fieldName(), among points of faces within `reach` [m] of the contact along
 // the rail, at the instant of the snapshot. 0 for fields of the patch.

@@ -14,8 +14,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "analysis/AnalysisFiles.h"
 #include "core/Errors.h"
-#include "laboratory/AnalysisFiles.h"
 #include "scene/SurfaceData.h"
 
 namespace squat::scene {
@@ -33,12 +33,12 @@ void addField(vtkUnstructuredGrid& grid, const char* name, const std::vector<flo
 
 vtkSmartPointer<vtkUnstructuredGrid> gridOf(const results::SurfaceMesh& surface,
                                             const results::SurfaceSnapshot& snapshot) {
-  const std::vector<float> places = placesOf(surface, snapshot, 1.0);
+  const std::vector<float> locations = locationsOf(surface, snapshot, 1.0);
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
-  const auto count = static_cast<vtkIdType>(places.size() / 3);
+  const auto count = static_cast<vtkIdType>(locations.size() / 3);
   points->SetNumberOfPoints(count);
-  for (vtkIdType i = 0; i < count; ++i) points->SetPoint(i, &places[static_cast<std::size_t>(3 * i)]);
+  for (vtkIdType i = 0; i < count; ++i) points->SetPoint(i, &locations[static_cast<std::size_t>(3 * i)]);
   grid->SetPoints(points);
   vtkNew<vtkUnsignedCharArray> part;
   part->SetName("part");
@@ -67,8 +67,8 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
     throw FileError(folder, "", "nothing to write: the result has no surface or no snapshots");
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  const std::filesystem::path place(folder);
-  const std::string stem = laboratory::safeFileName(result.stem);  // may come from a stranger
+  const std::filesystem::path location(folder);
+  const std::string stem = analysis::safeFileName(result.stem);  // may come from a stranger
   std::vector<std::string> written;
   std::string collection = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
@@ -76,7 +76,7 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
     std::snprintf(number, sizeof number, "_%03zu.vtu", i);
     const std::string name = stem + number;
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    const std::string path = (place / name).string();
+    const std::string path = (location / name).string();
     writer->SetFileName(path.c_str());
     writer->SetInputData(gridOf(result.surface, result.snapshots[i]));
     if (writer->Write() != 1)
@@ -87,7 +87,7 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
     collection += std::string("<DataSet timestep=\"") + time + "\" file=\"" + name + "\"/>\n";
   }
   collection += "</Collection>\n</VTKFile>\n";
-  const std::string path = (place / (stem + ".pvd")).string();
+  const std::string path = (location / (stem + ".pvd")).string();
   std::ofstream file(path, std::ios::binary);
   file << collection;
   file.close();

@@ -1,0 +1,74 @@
+#include "commands/FigureSheets.h"
+
+#include <utility>
+
+#include "plots/AnalysisFigures.h"
+#include "plots/Application.h"
+#include "plots/ComparisonFigures.h"
+#include "plots/PaperFigures.h"
+#include "plots/ReceptanceFigures.h"
+#include "plots/StudyFigures.h"
+#include "plots/ValidationFigure.h"
+
+namespace squat::commands {
+
+namespace {
+
+plots::Style styleOf(const FigureChoice& choice) {
+  plots::ensureApplication();
+  auto style = plots::lightStyle();
+  style.colourMap = choice.colours;
+  return style;
+}
+
+std::vector<std::string> write(const std::vector<plots::FigureSheet>& sheets, const std::string& folder,
+                               const FigureChoice& choice) {
+  std::vector<std::string> written;
+  for (const auto& sheet : sheets)
+    for (auto& path : plots::writeSheet(sheet, folder, choice.formats)) written.push_back(std::move(path));
+  return written;
+}
+
+}  // namespace
+
+std::vector<std::string> writeAnalysisFigures(const analysis::Analysis& analysis, const std::string& folder,
+                                              const FigureChoice& choice) {
+  if (choice.none) return {};
+  return write(plots::analysisFigures(analysis, styleOf(choice)), folder, choice);
+}
+
+std::vector<std::string> writeComparisonFigures(const std::vector<analysis::FileComparison>& comparisons, bool smooth,
+                                                const std::string& folder, const FigureChoice& choice) {
+  if (choice.none) return {};
+  return write(plots::comparisonFigures(comparisons, smooth, styleOf(choice)), folder, choice);
+}
+
+std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, const std::string& folder,
+                                           const FigureChoice& choice) {
+  if (choice.none) return {};
+  return write(plots::studyFigures(table, styleOf(choice)), folder, choice);
+}
+
+std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>& judged, const std::string& note,
+                                               const std::string& folder, const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::validationFigure(judged, note, styleOf(choice)));
+  return write(sheets, folder, choice);
+}
+
+std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance& receptance, const std::string& name,
+                                               const std::string& title, const std::string& hash,
+                                               const std::string& folder, const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::receptanceFigures(receptance, name, title, hash, styleOf(choice)));
+  return write(sheets, folder, choice);
+}
+
+std::vector<std::string> writePaperFigures(const PaperResults& results, const std::string& folder,
+                                           const FigureChoice& choice) {
+  return write(plots::paperFigures({results.light, results.squat, results.modified}, styleOf(choice)), folder, choice);
+}
+
+}  // namespace squat::commands

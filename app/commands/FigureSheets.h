@@ -1,0 +1,51 @@
+// app/commands/FigureSheets.h - figures of the signal analysis as files; a headless build writes none.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/Analysis.h"
+#include "analysis/FileComparison.h"
+#include "receptance/Receptance.h"
+#include "results/RunResult.h"
+#include "statements/Judge.h"
+#include "studies/StudyTable.h"
+
+namespace squat::commands {
+
+struct FigureChoice {
+  std::vector<std::string> formats;  // empty: png, svg, pdf
+  std::string colours = "viridis";
+  bool none = false;  // --no-figures
+};
+
+// --format, --colours and, where asked for, --no-figures.
+void addFigureOptions(CLI::App& command, FigureChoice& choice, bool mayBeNone = true);
+
+// Each writes into the folder and returns the paths; nothing where none are wanted or the build has no figures (then
+// one line on stderr says so). Throw FileError.
+std::vector<std::string> writeAnalysisFigures(const analysis::Analysis& analysis, const std::string& folder,
+                                              const FigureChoice& choice);
+std::vector<std::string> writeComparisonFigures(const std::vector<analysis::FileComparison>& comparisons, bool smooth,
+                                                const std::string& folder, const FigureChoice& choice);
+std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, const std::string& folder,
+                                           const FigureChoice& choice);
+
+// The judged statements as a figure; `note` stands beside its title.
+std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>& judged, const std::string& note,
+                                               const std::string& folder, const FigureChoice& choice);
+
+// FOLDER/NAME.FORMAT; title and hash of the case stand in the caption.
+std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance& receptance, const std::string& name,
+                                               const std::string& title, const std::string& hash,
+                                               const std::string& folder, const FigureChoice& choice);
+
+struct PaperResults {
+  const results::RunResult *light = nullptr, *squat = nullptr, *modified = nullptr;
+};
+// Counterparts of the figures of the paper.
+std::vector<std::string> writePaperFigures(const PaperResults& results, const std::string& folder,
+                                           const FigureChoice& choice);
+
+}  // namespace squat::commands

@@ -1,0 +1,19 @@
+// solver/statics/SteadyRollingStart.h - displacements and the velocities that steady rolling through them implies.
+//
+// The equilibrium at the start and its rate as the wheel rolls on: rate times speed is the velocity of every node.
+// Rolling then starts quietly.
+#pragma once
+
+#include "statics/Equilibrium.h"
+
+namespace squat::statics {
+
+struct SteadyRollingStart {
+  Equilibrium equilibrium;  // at the start
+  AlignedVector velocity;   // state layout [m/s]
+};
+
+SteadyRollingStart prepareSteadyRollingStart(const model::Model& model, const elasticity::KernelSet& kernels,
+                                             ThreadTeam& team, Monitor& monitor);
+
+}  // namespace squat::statics

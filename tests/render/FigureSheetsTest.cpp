@@ -1,0 +1,167 @@
+// The figures of the signal analysis as files, with no display: every format, text that is text, nothing cut, and
+// beside their baselines in tests/render/baselines (see BaselineTest.cpp for how to renew one).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "plots/FigureBuilders.h"
+#include "plots/FigureFiles.h"
+#include "plots/StudyFigures.h"
+#include "render/PictureComparison.h"
+#include "render/SyntheticResult.h"
+#include "render/SyntheticSheets.h"
+#include "render/WithoutDisplay.h"
+
+namespace squat {
+namespace {
+
+using testing::Contains;
+
+class FigureSheets : public tests::WithoutDisplay {
+ protected:
+  static void SetUpTestSuite() {
+    WithoutDisplay::SetUpTestSuite();
+    sheets_ = new std::vector<plots::FigureSheet>(tests::syntheticSheets());
+  }
+  static void TearDownTestSuite() { delete sheets_; }
+  static void expectEmptyBorder(const QImage& image, const std::string& name) {
+    const QRgb background = image.pixel(0, 0);
+    for (int x = 0; x < image.width(); ++x) {
+      ASSERT_EQ(image.pixel(x, 0), background) << name << " top, column " << x;
+      ASSERT_EQ(image.pixel(x, image.height() - 1), background) << name << " bottom, column " << x;
+    }
+    for (int y = 0; y < image.height(); ++y) {
+      ASSERT_EQ(image.pixel(0, y), background) << name << " left, line " << y;
+      ASSERT_EQ(image.pixel(image.width() - 1, y), background) << name << " right, line " << y;
+    }
+  }
+  static inline std::vector<plots::FigureSheet>* sheets_ = nullptr;
+};
+
+TEST_F(FigureSheets, allKindsAreThere) {
+  std::vector<std::string> names;
+  for (const auto& sheet : *sheets_) names.push_back(sheet.name);
+  EXPECT_THAT(names, testing::ElementsAre("run_1_history", "run_1_psd", "run_1_stft", "run_1_scalogram",
+                                          "run_2_history", "run_2_psd", "run_2_stft", "run_2_scalogram", "scatter_time",
+                                          "scatter_position", "measured_comparison", "smooth_comparison",
+                                          "study_defect_length", "study_defect_depth", "paper_figure_04",
+                                          "paper_figure_05", "paper_figure_06", "paper_figure_08", "paper_figure_09",
+                                          "paper_figure_10", "paper_figure_11", "track_receptance"));
+}
+
+TEST_F(FigureSheets, eachInEveryFormatWithTextAsText) {
+  const std::string folder = tests::freshFolder("sheets");
+  for (const auto& sheet : *sheets_) {
+    const auto paths = plots::writeSheet(sheet, folder, {});
+    ASSERT_EQ(paths.size(), 3u) << sheet.name;
+    for (const auto& path : paths) EXPECT_GT(std::filesystem::file_size(path), 5000u) << path;
+    EXPECT_GT(tests::inkShare(QImage(QString::fromStdString(paths[0]))), 0.03) << paths[0] << " is nearly empty";
+    const auto texts = textsOf(contents(paths[1]));
+    for (const auto& panel : sheet.panels)
+      for (const QCPAxis* axis : {panel->xAxis, panel->yAxis})
+        EXPECT_THAT(texts, Contains(axis->label().toStdString())) << paths[1];
+    const QByteArray pdf = contents(paths[2]);
+    EXPECT_TRUE(pdf.startsWith("%PDF-")) << paths[2];
+    EXPECT_TRUE(pdf.contains("/FontFile2")) << paths[2];
+  }
+}
+
+TEST_F(FigureSheets, everyAxisHasALabelAndSquaresAreRaised) {
+  for (const auto& sheet : *sheets_)
+    for (const auto& panel : sheet.panels)
+      for (const QCPAxis* axis : {panel->xAxis, panel->yAxis}) {
+        EXPECT_FALSE(axis->label().isEmpty()) << sheet.name << " " << panel->name().toStdString();
+        EXPECT_FALSE(axis->label().contains("s2") || axis->label().contains(")2")) << axis->label().toStdString();
+      }
+}
+
+// Nothing lies between two names; a feature without any value says so.
+TEST_F(FigureSheets, namesAreNotJoinedByLines) {
+  auto table = studies::emptyTable({"c", "12345678", {studies::variationFromText("defect.lateral=uniform,parabolic")}});
+  for (auto& row : table.rows) {
+    row.state = studies::RowState::done;
+    row.features = {{"peak [m/s2]", 1.0 + static_cast<double>(row.point.index)},
+                    {"free vibration 1000-1200 Hz [s]", std::nan("")}};
+  }
+  const auto sheets = plots::studyFigures(table, plots::lightStyle());
+  ASSERT_EQ(sheets.at(0).panels.size(), 2u);
+  EXPECT_EQ(sheets[0].panels[0]->graph(0)->lineStyle(), QCPGraph::lsNone);
+  ASSERT_EQ(sheets[0].panels[1]->itemCount(), 1);
+  EXPECT_EQ(qobject_cast<QCPItemText*>(sheets[0].panels[1]->item(0))->text(), "longer than the record");
+  table = studies::emptyTable({"c", "12345678", {studies::variationFromText("defect.depth=0.1,0.2")}});
+  for (auto& row : table.rows) row.state = studies::RowState::done, row.features = {{"peak [m/s2]", 1.0}};
+  EXPECT_EQ(plots::studyFigures(table, plots::lightStyle()).at(0).panels[0]->graph(0)->lineStyle(), QCPGraph::lsLine);
+}
+
+// Measured signals may be anything; what nobody named a unit for says so.
+TEST_F(FigureSheets, mapsTellTheUnitOfTheirSignal) {
+  auto result = tests::syntheticResult();
+  const auto scaleOf = [](const plots::Figure& figure) {
+    for (auto* element : figure.findChildren<QCPColorScale*>()) return element->axis()->label().toStdString();
+    return std::string("no scale");
+  };
+  for (auto& channel : result.signals)
+    if (channel.name == "aba_filtered") channel.unit = "V";
+  EXPECT_EQ(scaleOf(*plots::scalogramFigure(result, {})), "Wavelet power [(V)² s]");
+  EXPECT_EQ(scaleOf(*plots::amplitudeScalogramFigure(result, {})), "Wavelet power [(V)²]");
+  EXPECT_EQ(scaleOf(*plots::stftFigure(result, {}, 64)), "Power density [(V)²/Hz]");
+  EXPECT_EQ(scaleOf(*plots::scalogramFigure(tests::syntheticResult(), {})), "Wavelet power [(m/s²)² s]");
+}
+
+// One frequency axis below the other: a resonance and its phase stand in one vertical line.
+TEST_F(FigureSheets, receptancePanelsAreAligned) {
+  for (const auto& sheet : *sheets_)
+    if (sheet.name == "track_receptance") {
+      ASSERT_GT(sheet.panels.size(), 1u);
+      for (const auto& panel : sheet.panels) {
+        panel->settleLayout(panel->printedUnits());
+        EXPECT_EQ(panel->axisRect()->left(), sheet.panels.front()->axisRect()->left()) << panel->name().toStdString();
+        EXPECT_EQ(panel->axisRect()->right(), sheet.panels.front()->axisRect()->right()) << panel->name().toStdString();
+      }
+    }
+}
+
+// The paper prints its measurements as pictures only: the empty panel says what belongs there.
+TEST_F(FigureSheets, emptyPanelsOfThePaperSayWhatBelongsThere) {
+  int seen = 0;
+  for (const auto& sheet : *sheets_) {
+    if (sheet.name != "paper_figure_04" && sheet.name != "paper_figure_05" && sheet.name != "paper_figure_11") continue;
+    const auto& panel = *sheet.panels.front();
+    for (int i = 0; i < panel.itemCount(); ++i)
+      if (const auto* text = qobject_cast<QCPItemText*>(panel.item(i)); text && text->text().contains("Belongs here"))
+        seen += text->text().contains("ABA") ? 1 : 0;
+  }
+  EXPECT_EQ(seen, 3);
+}
+
+// Panels one by one: a label that a panel cuts would not show at the border of the sheet.
+TEST_F(FigureSheets, nothingIsCut) {
+  for (const auto& sheet : *sheets_)
+    for (const auto& panel : sheet.panels) {
+      const std::string name = sheet.name + " " + panel->name().toStdString();
+      expectEmptyBorder(plots::toImage(*panel, 150), name);
+      const QRectF axes = panel->axisRect()->rect().adjusted(-1, -1, 1, 1);
+      for (int i = 0; i < panel->itemCount(); ++i)
+        if (const auto* text = qobject_cast<QCPItemText*>(panel->item(i)); text && text->visible()) {
+          const QPointF from = text->topLeft->pixelPosition(), to = text->bottomRight->pixelPosition();
+          EXPECT_TRUE(axes.contains(from) && axes.contains(to))
+              << name << ": \"" << text->text().toStdString() << "\" from " << from.x() << ", " << from.y() << " to "
+              << to.x() << ", " << to.y() << " leaves the axes";
+        }
+    }
+}
+
+TEST_F(FigureSheets, lookAsTheyDid) {
+  const std::string folder = tests::freshFolder("sheets-baseline");
+  const QString kept = QStringLiteral(SQUAT_SOURCE_DIR "/tests/render/baselines/%1.png");
+  for (const auto& sheet : *sheets_) {
+    const QString name = QString::fromStdString(sheet.name), now = QString::fromStdString(folder) + "/" + name + ".png";
+    const QImage small = tests::thumbnail(plots::toImage(sheet, 200), sheet.panels.size() > 1 ? 420 : 251);
+    small.save(now);
+    EXPECT_EQ(tests::lookDifferent(small, QImage(kept.arg(name))), "") << "now: " << now.toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace squat

@@ -1,0 +1,138 @@
+#include "studio/document/CaseDocument.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include "case/CaseFile.h"
+#include "case/MeshPresets.h"
+#include "case/ParameterTable.h"
+#include "case/ParameterValue.h"
+#include "case/ProfileFile.h"
+#include "case/ShippedCases.h"
+#include "core/Errors.h"
+#include "studio/document/CaseCommand.h"
+
+namespace squat::studio {
+namespace {
+
+// Shipped cases are opened as copies: saving asks for a place.
+bool isShipped(const QString& path) {
+  const QString resources = QString::fromStdString(cases::resourcesFolder().string());
+  return !resources.isEmpty() &&
+         QFileInfo(path).canonicalFilePath().startsWith(QFileInfo(resources).canonicalFilePath() + "/");
+}
+
+// A case keeps the points that it rolls over beside the name of the file that they are from.
+std::optional<CaseProblem> readProfile(cases::CaseDescription& description, const QString& path) {
+  try {
+    auto lines = cases::readProfileLines(path.toStdString());
+    auto& defect = description.defect;
+    defect.points.clear(), defect.lines.clear();
+    if (lines.size() == 1)
+      defect.points = std::move(lines.front().points);
+    else
+      defect.lines = std::move(lines);
+    return std::nullopt;
+  } catch (const FileError& error) {
+    return CaseProblem{"defect.file", path.toStdString(), "a profile file", error.what()};
+  }
+}
+
+// What differs from the preset before was set by the user and stays, as where the command line chooses another preset.
+void takePreset(cases::CaseDescription& after, const cases::CaseDescription& before) {
+  cases::CaseDescription preset = before;
+  cases::applyPreset(preset, before.mesh.preset);
+  cases::applyPreset(after, after.mesh.preset);
+  for (const auto& row : cases::presetTable()) {
+    const cases::Parameter& parameter = *cases::findParameter(row.key);
+    const std::string own = cases::valueText(before, parameter);
+    if (own != cases::valueText(preset, parameter)) cases::trySetValue(after, parameter, own);
+  }
+}
+
+}  // namespace
+
+CaseDocument::CaseDocument(QObject* parent) : QObject(parent), undo_(this) {
+  connect(&undo_, &QUndoStack::cleanChanged, this, &CaseDocument::titleChanged);
+  startNew();
+}
+
+// The undo stack goes after name and path, and tells that it is clean: listeners would read what is gone.
+CaseDocument::~CaseDocument() { undo_.disconnect(this); }
+
+void CaseDocument::startNew() { startFrom(cases::defaultCase(), QString(), tr("untitled"), false); }
+
+void CaseDocument::open(const QString& nameOrPath) {
+  const std::string path = cases::findCase(nameOrPath.toStdString()).string();
+  const cases::CaseDescription description = cases::readCase(path);
+  const QString file = QString::fromStdString(path);
+  startFrom(description, isShipped(file) ? QString() : QFileInfo(file).absoluteFilePath(),
+            QFileInfo(file).completeBaseName(), false);
+}
+
+void CaseDocument::startFrom(const cases::CaseDescription& description, const QString& path, const QString& name,
+                             bool modified) {
+  path_ = path;
+  name_ = name;
+  undo_.clear();
+  become(std::make_shared<const cases::CaseDescription>(description));
+  if (modified) undo_.resetClean();
+  Q_EMIT replaced();
+  Q_EMIT titleChanged();
+}
+
+void CaseDocument::save(const QString& path) {
+  cases::saveCase(description(), path.toStdString());
+  path_ = QFileInfo(path).absoluteFilePath();
+  name_ = QFileInfo(path).completeBaseName();
+  undo_.setClean();
+  Q_EMIT titleChanged();
+}
+
+std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, const std::string& text) {
+  const cases::Parameter* parameter = cases::findParameter(key);
+  if (!parameter) return cases::unknownKey(key);
+  cases::CaseDescription after = description();
+  if (auto problem = cases::trySetValue(after, *parameter, text)) return problem;
+  if (cases::valueText(after, *parameter) == cases::valueText(description(), *parameter)) return std::nullopt;
+  if (key == "defect.file" && !text.empty()) {
+    if (auto problem = readProfile(after, QFileInfo(path_).dir().filePath(QString::fromStdString(text))))
+      return problem;
+  }
+  if (key == "mesh.preset") takePreset(after, description());
+  edit(tr("Change %1").arg(QString::fromStdString(key)), after);
+  if (key == "mesh.preset") notePreset();
+  return std::nullopt;
+}
+
+void CaseDocument::resetParameter(const std::string& key) {
+  const cases::Parameter* parameter = cases::findParameter(key);
+  if (!parameter) return;
+  cases::CaseDescription after = description();
+  cases::setToDefault(after, *parameter);
+  if (key == "mesh.preset") takePreset(after, description());
+  edit(tr("Reset %1").arg(QString::fromStdString(key)), after);
+  if (key == "mesh.preset") notePreset();
+}
+
+void CaseDocument::notePreset() {
+  const QString note = QString::fromStdString(cases::presetNote(description()));
+  if (!note.isEmpty()) Q_EMIT noted(note);
+}
+
+void CaseDocument::edit(const QString& what, const cases::CaseDescription& after, int gesture) {
+  if (gesture == 0 && sameCase(*current_, after)) return;  // nothing to undo, and what could be redone stays
+  undo_.push(new CaseCommand(*this, what, current_, std::make_shared<const cases::CaseDescription>(after), gesture));
+}
+
+void CaseDocument::become(std::shared_ptr<const cases::CaseDescription> description) {
+  current_ = std::move(description);
+  validation_ = cases::validate(*current_);
+  Q_EMIT changed();
+}
+
+bool sameCase(const cases::CaseDescription& a, const cases::CaseDescription& b) {
+  return cases::writeCase(a) == cases::writeCase(b);
+}
+
+}  // namespace squat::studio

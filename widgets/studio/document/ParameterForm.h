@@ -1,0 +1,53 @@
+// widgets/studio/document/ParameterForm.h - the form of all parameters, made from the one parameter table.
+#pragma once
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QStringList>
+#include <QToolButton>
+#include <QWidget>
+#include <vector>
+
+#include "core/Errors.h"
+
+namespace squat::studio {
+
+class CaseDocument;
+class ParameterRow;
+
+class ParameterForm : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ParameterForm(CaseDocument& document, QWidget* parent = nullptr);
+
+  // One sentence for each reason why the case cannot be run; empty: it can.
+  QStringList blockers() const;
+  // Those of them that are texts which the case has not taken: what is seen is not what would be saved.
+  QStringList refusals() const;
+  // Marks what only a run could find, until the case changes.
+  void mark(const std::vector<CaseProblem>& problems);
+  ParameterRow* row(const std::string& key) const;
+  const std::vector<ParameterRow*>& rows() const { return rows_; }
+
+ Q_SIGNALS:
+  void blockersChanged();
+
+ private:
+  struct Group {
+    QToolButton* header;
+    QWidget* body;
+    std::vector<ParameterRow*> rows;
+  };
+  void makeGroups(QWidget* inside);
+  void update();
+  void filter();
+
+  CaseDocument& document_;
+  QLineEdit* search_;
+  QCheckBox* changedOnly_;
+  std::vector<Group> groups_;
+  std::vector<ParameterRow*> rows_;
+  QStringList unplaced_;  // problems of keys without a row
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,186 @@
+#include "studio/document/ParameterRow.h"
+
+#include <QGridLayout>
+#include <QRegularExpression>
+#include <QSignalBlocker>
+
+#include "case/ParameterValue.h"
+#include "studio/common/Theme.h"
+#include "studio/common/Words.h"
+#include "studio/document/CaseDocument.h"
+
+namespace squat::studio {
+namespace {
+
+QString sentence(const CaseProblem& problem) {
+  QString text = QString::fromStdString(problem.value);
+  static const QRegularExpression decimalComma("\\d,\\d");
+  // The advice names the point of a curve or the seat that is wrong.
+  const bool needsAdvice = decimalComma.match(text).hasMatch() || text.startsWith('[');
+  const QString advice = needsAdvice ? ". " + QString::fromStdString(problem.advice) : QString();
+  if (text.size() > 40) text = text.left(40) + QChar(0x2026);
+  return QObject::tr("“%1” must be %2").arg(text, printedUnits(QString::fromStdString(problem.allowed))) + advice;
+}
+
+}  // namespace
+
+ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& parameter, QWidget* parent)
+    : QWidget(parent), document_(document), parameter_(parameter) {
+  makeEditor();
+  name_ = new QLabel(label(), this);
+  name_->setBuddy(editor_);
+  auto* unit = new QLabel(parameter.unit == "-" || cases::isList(parameter)
+                              ? QString()
+                              : printedUnits(QString::fromStdString(parameter.unit)),
+                          this);
+  unit->setFixedWidth(46);
+  reset_ = new QToolButton(this);
+  reset_->setText(QChar(0x21ba));
+  reset_->setAutoRaise(true);
+  QSizePolicy keepsLocation = reset_->sizePolicy();
+  keepsLocation.setRetainSizeWhenHidden(true);
+  reset_->setSizePolicy(keepsLocation);
+  reset_->setToolTip(tr("Reset to default: %1").arg(QString::fromStdString(parameter.defaultText)));
+  reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(parameter.key)));
+  reset_->setFocusPolicy(Qt::StrongFocus);
+  why_ = new QLabel(this);
+  why_->setWordWrap(true);
+  why_->setObjectName("reason");
+  why_->hide();
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(2, 1, 2, 1);
+  grid->setHorizontalSpacing(6);
+  grid->setVerticalSpacing(0);
+  grid->addWidget(name_, 0, 0);
+  const bool wide = parameter.kind == cases::Kind::text || parameter.kind == cases::Kind::forceCurve ||
+                    parameter.kind == cases::Kind::seats;
+  grid->addWidget(editor_, 0, 1, 1, wide ? 2 : 1);
+  if (!wide) grid->addWidget(unit, 0, 2);
+  unit->setVisible(!wide);
+  grid->addWidget(reset_, 0, 3);
+  grid->addWidget(why_, 1, 0, 1, 4);
+  grid->setColumnStretch(0, wide ? 1 : 5);
+  grid->setColumnStretch(1, wide ? 6 : 4);
+  name_->setMinimumWidth(wide ? 40 : 120);
+  name_->setWordWrap(!wide);  // long names take a second line, not the room of the whole form
+  setToolTip(toolTipText());
+  connect(reset_, &QToolButton::clicked, this, [this] {
+    dropRefused();
+    document_.resetParameter(parameter_.key);
+  });
+  showValue();
+}
+
+QString ParameterRow::label() const { return parameterLabel(parameter_.key); }
+
+void ParameterRow::makeEditor() {
+  const QString key = QString::fromStdString(parameter_.key);
+  if (parameter_.kind == cases::Kind::choice) {
+    editor_ = choice_ = new QComboBox(this);
+    for (const auto& name : parameter_.choices) choice_->addItem(QString::fromStdString(name));
+    connect(choice_, &QComboBox::activated, this, [this] { commit(choice_->currentText()); });
+  } else if (parameter_.kind == cases::Kind::boolean) {
+    editor_ = check_ = new QCheckBox(this);
+    connect(check_, &QCheckBox::clicked, this, [this](bool on) { commit(on ? "true" : "false"); });
+  } else {
+    editor_ = line_ = new QLineEdit(this);
+    line_->setReadOnly(cases::isList(parameter_));
+    connect(line_, &QLineEdit::textEdited, this, &ParameterRow::tryText);
+    connect(line_, &QLineEdit::editingFinished, this, [this] {
+      if (line_->isModified()) commit(line_->text());
+    });
+  }
+  editor_->setObjectName(key);
+  editor_->setAccessibleName(key);
+  editor_->setAccessibleDescription(QString::fromStdString(parameter_.doc));
+  editor_->setMinimumWidth(choice_ ? 116 : 90);
+}
+
+// A text that the user still has to mend is not taken away by a change of something else.
+void ParameterRow::showValue() {
+  const std::string text = cases::valueText(document_.description(), parameter_);
+  const bool dropsRefused = isRefused() && text != value_;
+  value_ = text;
+  if (dropsRefused) wrongText_.clear();
+  if (line_ && !isRefused()) {
+    QString shown = QString::fromStdString(text);
+    if (parameter_.kind == cases::Kind::points) {
+      const auto* points = std::get_if<4>(&parameter_.access);
+      auto copy = document_.description();
+      shown = tr("%n points", nullptr, points ? static_cast<int>((*points)(copy).size()) : 0);
+    }
+    if (const auto* lines = std::get_if<5>(&parameter_.access)) {
+      auto copy = document_.description();
+      shown = tr("%n lines", nullptr, static_cast<int>((*lines)(copy).size()));
+    }
+    if (line_->text() != shown) line_->setText(shown);
+    if (!line_->hasFocus()) line_->setCursorPosition(0);  // long texts are seen from their beginning
+    line_->setModified(false);
+  }
+  if (choice_) choice_->setCurrentText(QString::fromStdString(text));
+  if (check_) check_->setChecked(text == "true");
+  const bool noPoints = cases::isList(parameter_) && text == "[]";
+  changed_ = text != parameter_.defaultText && !noPoints;
+  QFont font = name_->font();
+  font.setBold(changed_);
+  name_->setFont(font);
+  showReason();
+  if (dropsRefused) Q_EMIT reasonChanged();
+}
+
+void ParameterRow::dropRefused() {
+  if (!isRefused()) return;
+  wrongText_.clear();
+  showValue();
+  Q_EMIT reasonChanged();
+}
+
+void ParameterRow::showRelation(const QString& reason) {
+  relation_ = reason;
+  showReason();
+}
+
+void ParameterRow::tryText(const QString& text) {
+  cases::CaseDescription copy = document_.description();
+  const auto problem = cases::trySetValue(copy, parameter_, text.toStdString());
+  wrongText_ = problem ? sentence(*problem) : QString();
+  showReason();
+  Q_EMIT reasonChanged();
+}
+
+void ParameterRow::commit(const QString& text) {
+  if (const auto problem = document_.setParameter(parameter_.key, text.toStdString())) {
+    wrongText_ = sentence(*problem);
+    showReason();
+    Q_EMIT reasonChanged();
+    return;
+  }
+  dropRefused();
+  showValue();
+}
+
+void ParameterRow::showReason() {
+  const QString text = reason();
+  reset_->setVisible((changed_ || isRefused()) && !cases::isList(parameter_));
+  why_->setText(text);
+  why_->setVisible(!text.isEmpty());
+  why_->setStyleSheet(QStringLiteral("color: %1; font-size: small;").arg(wrongColour));
+  editor_->setStyleSheet(text.isEmpty() ? QString() : QStringLiteral("border: 1px solid %1;").arg(wrongColour));
+}
+
+bool ParameterRow::matches(const QString& searched) const {
+  return searched.isEmpty() || QString::fromStdString(parameter_.key).contains(searched, Qt::CaseInsensitive) ||
+         label().contains(searched, Qt::CaseInsensitive) ||
+         QString::fromStdString(parameter_.doc).contains(searched, Qt::CaseInsensitive);
+}
+
+QString ParameterRow::toolTipText() const {
+  return QStringLiteral("<b>%1</b><br>%2<br>%3: %4<br>%5: %6<br><i>%7</i>")
+      .arg(QString::fromStdString(parameter_.key).toHtmlEscaped(),
+           QString::fromStdString(parameter_.doc).toHtmlEscaped(), tr("allowed values"),
+           printedUnits(QString::fromStdString(cases::allowedText(parameter_))).toHtmlEscaped(), tr("default"),
+           QString::fromStdString(parameter_.defaultText).toHtmlEscaped(),
+           QString::fromStdString(parameter_.source).toHtmlEscaped());
+}
+
+}  // namespace squat::studio

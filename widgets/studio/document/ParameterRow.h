@@ -1,0 +1,61 @@
+// widgets/studio/document/ParameterRow.h - one parameter in the form: name, editor, unit, reset, and what is wrong with
+// it.
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QWidget>
+#include <string>
+
+#include "case/ParameterTable.h"
+
+namespace squat::studio {
+
+class CaseDocument;
+
+class ParameterRow : public QWidget {
+  Q_OBJECT
+ public:
+  ParameterRow(CaseDocument& document, const cases::Parameter& parameter, QWidget* parent = nullptr);
+
+  const cases::Parameter& parameter() const { return parameter_; }
+  QString label() const;
+  bool isChanged() const { return changed_; }               // differs from the default
+  bool isRefused() const { return !wrongText_.isEmpty(); }  // what stands in the editor is not what the case holds
+  void dropRefused();
+  // What stands in the editor and cannot be taken, else what validation says of the value; empty: nothing.
+  QString reason() const { return wrongText_.isEmpty() ? relation_ : wrongText_; }
+
+  void showValue();                             // from the document; a refused text stays while the value does
+  void showRelation(const QString& reason);     // from validation
+  bool matches(const QString& searched) const;  // key, label or documentation
+  QWidget* editor() const { return editor_; }
+
+ Q_SIGNALS:
+  void reasonChanged();
+
+ private:
+  void makeEditor();
+  void tryText(const QString& text);  // while typing: flags, changes nothing
+  void commit(const QString& text);
+  void showReason();
+  QString toolTipText() const;
+
+  CaseDocument& document_;
+  const cases::Parameter& parameter_;
+  QWidget* editor_ = nullptr;
+  QLineEdit* line_ = nullptr;
+  QComboBox* choice_ = nullptr;
+  QCheckBox* check_ = nullptr;
+  QLabel* name_;
+  QLabel* why_;
+  QToolButton* reset_;
+  QString wrongText_, relation_;
+  std::string value_;  // of the document, as last seen
+  bool changed_ = false;
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,53 @@
+// widgets/studio/model/SceneWidget.h - the model in 3-D, painted from a picture drawn off screen.
+#pragma once
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "scene/SceneView.h"
+
+namespace squat::studio {
+
+// Left button turns, middle button or Shift moves, the wheel zooms; R shows all again. The same path with and without a
+// display, on X11 and Wayland. While it moves it draws coarser, the fine picture follows when it rests.
+class SceneWidget : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SceneWidget(QWidget* parent = nullptr);
+  ~SceneWidget() override;
+
+  void setResult(std::shared_ptr<const results::RunResult> result);
+  void setChoices(const scene::SceneChoices& choices, bool moving = false);
+  void lookFrom(scene::StandardView view);
+  bool isAvailable() const { return view_ != nullptr || !tried_; }
+  QString reason() const { return reason_; }
+  QImage picture(int width, int height);  // fine
+  double millisecondsPerFrame() const { return lastFrame_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  bool ensureView();  // made when first shown: starting OpenGL takes a moment
+  void refresh(bool moving);
+
+  std::unique_ptr<scene::SceneView> view_;
+  std::shared_ptr<const results::RunResult> result_;
+  scene::SceneChoices choices_;
+  QImage image_;
+  QString reason_;
+  QPoint last_;
+  QTimer rest_;
+  bool tried_ = false, stale_ = true, moving_ = false;
+  double lastFrame_ = 0;
+};
+
+}  // namespace squat::studio

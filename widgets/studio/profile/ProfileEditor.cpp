@@ -1,0 +1,218 @@
+#include "studio/profile/ProfileEditor.h"
+
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSplitter>
+#include <QTableView>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/Errors.h"
+#include "plots/FigureFiles.h"
+#include "studio/common/ButtonKeys.h"
+#include "studio/common/FlowLayout.h"
+#include "studio/common/LocationToSave.h"
+#include "studio/document/CaseDocument.h"
+#include "studio/profile/ImportDialog.h"
+#include "studio/profile/ProfileModel.h"
+#include "studio/profile/ProfilePlot.h"
+#include "studio/profile/ProfileTable.h"
+#include "studio/profile/ShapeControls.h"
+
+namespace squat::studio {
+
+ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, QWidget* parent)
+    : QWidget(parent), document_(document), style_(style) {
+  table_ = new QTableView(this);
+  points_ = new ProfileTable(document_, table_);
+  table_->setModel(points_);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->verticalHeader()->setDefaultSectionSize(22);
+  table_->setAccessibleName(tr("Points of the profile"));
+  table_->setObjectName("profileTable");
+  table_->setTabKeyNavigation(false);  // Tab leaves the table
+  location_ = new QLabel(this);
+  location_->setObjectName("placeInProfile");
+  hint_ = new QLabel(this);
+  hint_->setWordWrap(true);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
+  notes_ = new QLabel(this);
+  notes_->setWordWrap(true);
+  notes_->setObjectName("profileNotes");
+  auto* side = new QWidget(this);
+  auto* sideLayout = new QVBoxLayout(side);
+  sideLayout->setContentsMargins(0, 0, 0, 0);
+  sideLayout->addWidget(new ShapeControls(document_, side));
+  sideLayout->addWidget(table_, 1);
+  side->setMinimumWidth(235);
+  splitter_ = new QSplitter(Qt::Horizontal, this);
+  splitter_->setChildrenCollapsible(false);
+  splitter_->addWidget(new QWidget(splitter_));
+  splitter_->addWidget(side);
+  splitter_->setStretchFactor(0, 4);
+  splitter_->setStretchFactor(1, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addWidget(makeToolBar());
+  layout->addWidget(splitter_, 1);
+  layout->addWidget(notes_);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(hint_, 1);
+  foot->addWidget(location_);
+  layout->addLayout(foot);
+  makePlot(style);
+  connect(&document_, &CaseDocument::changed, this, &ProfileEditor::showNotes);
+  showNotes();
+  // Queued: the table lays out its rows first.
+  connect(points_, &QAbstractItemModel::modelReset, this, &ProfileEditor::showPoints, Qt::QueuedConnection);
+  showPoints();
+}
+
+QWidget* ProfileEditor::makeToolBar() {
+  auto* bar = new QWidget(this);
+  auto* layout = new FlowLayout(bar);
+  const auto button = [&](const QString& text, const QString& tip, auto action) {
+    auto* made = new QToolButton(bar);
+    made->setText(text);
+    made->setFocusPolicy(Qt::StrongFocus);
+    made->setToolTip(tip);
+    made->setAccessibleName(tip);
+    layout->addWidget(made);
+    connect(made, &QToolButton::clicked, this, action);
+    return made;
+  };
+  button(tr("Import…"), tr("Import a measured profile from a text table"), [this] {
+    askForFile();
+  })->setObjectName("importProfile");
+  button(tr("Export…"), tr("Export the profile as CSV"), [this] { exportFile(); })->setObjectName("exportProfile");
+  button(tr("To points"), tr("Convert the shape into points that can be dragged"), [this] {
+    document_.edit(tr("Convert the shape into points"), asPoints(document_.description()));
+  })->setObjectName("toPoints");
+  button(tr("Fit"), tr("Show the whole defect (F)"), [this] { plot_->fit(); });
+  giveKeys(*bar, {{"importProfile", "Ctrl+I"}, {"exportProfile", "Ctrl+Shift+I"}, {"toPoints", "Ctrl+T"}});
+  snap_ = new QComboBox(bar);
+  snap_->addItem(tr("Snapping off"), QPointF(0, 0));
+  snap_->addItem(tr("Snap 0.5 mm, 1 µm"), QPointF(5e-4, 1e-6));
+  snap_->addItem(tr("Snap 1 mm, 5 µm"), QPointF(1e-3, 5e-6));
+  snap_->addItem(tr("Snap 5 mm, 10 µm"), QPointF(5e-3, 1e-5));
+  snap_->setAccessibleName(tr("Snapping"));
+  snap_->setObjectName("snap");
+  connect(snap_, &QComboBox::currentIndexChanged, this, [this] {
+    const QPointF steps = snap_->currentData().toPointF();
+    plot_->setSnap(steps.x(), steps.y());
+  });
+  layout->addWidget(snap_);
+  unitChoice_ = new QComboBox(bar);
+  unitChoice_->addItems({tr("Heights in µm"), tr("Heights in mm")});
+  unitChoice_->setAccessibleName(tr("Unit of heights"));
+  unitChoice_->setObjectName("heightUnit");
+  connect(unitChoice_, &QComboBox::currentIndexChanged, this, [this] {
+    plot_->setUnit(unit());
+    points_->setUnit(unit());
+  });
+  layout->addWidget(unitChoice_);
+  return bar;
+}
+
+void ProfileEditor::makePlot(const plots::Style& style) {
+  style_ = style;
+  plot_ = new ProfilePlot(document_, style, this);
+  delete splitter_->replaceWidget(0, plot_);
+  splitter_->setStretchFactor(0, 4);
+  plot_->show();
+  const QPointF steps = snap_->currentData().toPointF();
+  plot_->setSnap(steps.x(), steps.y());
+  plot_->setUnit(unit());
+  connect(plot_, &ProfilePlot::cursorMoved, this, [this](double position, double height) {
+    location_->setText(tr("%1 mm, %2 %3")
+                           .arg(position * 1e3, 0, 'f', 1)
+                           .arg(height * unit().perMetre, 0, 'f', unit().digits)
+                           .arg(unit().name));
+  });
+  connect(plot_, &ProfilePlot::chosenChanged, this, [this] {
+    if (const auto chosen = plot_->chosen()) table_->selectRow(static_cast<int>(*chosen));
+  });
+  connect(table_, &QTableView::clicked, plot_,
+          [this](const QModelIndex& index) { plot_->choose(static_cast<std::size_t>(index.row())); });
+  // By keys as well.
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, plot_, [this](const QModelIndex& index) {
+    if (index.isValid() && table_->hasFocus()) plot_->choose(static_cast<std::size_t>(index.row()));
+  });
+}
+
+void ProfileEditor::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  QTimer::singleShot(0, this, &ProfileEditor::showPoints);
+}
+
+// The table begins where the defect is deepest, not with the smooth rail before it.
+void ProfileEditor::showPoints() {
+  const bool any = points_->rowCount() > 0;
+  hint_->setText(any ? tr("Drag points; double-click adds, Delete removes, wheel zooms, F fits")
+                     : tr("The sliders shape the curve; “To points” or a double-click turns it into points"));
+  if (!any) return;
+  const auto& points = document_.description().defect.points;
+  const auto deepest =
+      std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.height < b.height; });
+  const int row = static_cast<int>(deepest - points.begin());
+  table_->scrollTo(points_->index(std::min(row, points_->rowCount() - 1), 0), QAbstractItemView::PositionAtCenter);
+}
+
+void ProfileEditor::showNotes() {
+  const QString notes = profileNotes(document_.description().defect);
+  notes_->setText(notes);
+  notes_->setVisible(!notes.isEmpty());
+}
+
+HeightUnit ProfileEditor::unit() const { return unitChoice_->currentIndex() == 1 ? millimetres() : micrometres(); }
+
+void ProfileEditor::setStyle(const plots::Style& style) { makePlot(style); }
+
+void ProfileEditor::askForFile() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Import a profile"), QString(),
+                                                    tr("Tables (*.csv *.txt *.dat);;All files (*)"));
+  if (!path.isEmpty()) importFile(path);
+}
+
+void ProfileEditor::importFile(const QString& path) {
+  try {
+    auto* dialog = new ImportDialog(path, style_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+      cases::CaseDescription after = document_.description();
+      after.defect.shape = cases::DefectShape::profile;
+      after.defect.points = dialog->points();
+      after.defect.lines.clear();
+      after.defect.file.clear();
+      after.defect.level = dialog->levelsThroughEnds();  // what was levelled otherwise stays as it was seen
+      after.defect.heightScale = 1;
+      document_.edit(tr("Import a profile"), after);
+      plot_->fit();
+    });
+    dialog->open();
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+void ProfileEditor::exportFile() {
+  const QString path = locationToSave(this, tr("Export the profile"), "profile.csv", tr("CSV (*.csv)"));
+  if (path.isEmpty()) return;
+  const ProfileView view = profileView(document_.description());
+  QByteArray text("position [mm],height [um]\n");
+  for (const auto& point : view.handles.empty() ? view.surface : view.handles)
+    text += QByteArray::number(point.position * 1e3, 'g', 12) + ',' + QByteArray::number(point.height * 1e6, 'g', 12) +
+            '\n';
+  try {
+    plots::writeWhole(text, path.toStdString());
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,55 @@
+// widgets/studio/profile/ProfileEditor.h - the defect: curve, numbers, shapes, import.
+#pragma once
+
+#include <QWidget>
+
+#include "plots/Style.h"
+#include "studio/common/HeightUnit.h"
+
+class QComboBox;
+class QLabel;
+class QSplitter;
+class QTableView;
+
+namespace squat::studio {
+
+class CaseDocument;
+class ProfilePlot;
+class ProfileTable;
+
+class ProfileEditor : public QWidget {
+  Q_OBJECT
+ public:
+  ProfileEditor(CaseDocument& document, const plots::Style& style, QWidget* parent = nullptr);
+
+  ProfilePlot* plot() const { return plot_; }
+  QTableView* table() const { return table_; }
+  void setStyle(const plots::Style& style);
+  void importFile(const QString& path);  // opens the preview
+
+ Q_SIGNALS:
+  void failed(const QString& message);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void makePlot(const plots::Style& style);
+  void askForFile();
+  void exportFile();
+  QWidget* makeToolBar();
+  HeightUnit unit() const;
+  void showPoints();
+  void showNotes();
+
+  CaseDocument& document_;
+  plots::Style style_;
+  ProfilePlot* plot_ = nullptr;
+  QTableView* table_;
+  QSplitter* splitter_;
+  QComboBox *snap_, *unitChoice_;
+  ProfileTable* points_;
+  QLabel *location_, *hint_, *notes_;
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,81 @@
+#include "studio/runs/MeasuredRecords.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Errors.h"
+#include "signals/Butterworth.h"
+#include "signals/SignalError.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr double alignmentCutoff = 2000;  // [Hz] peaks are compared below it
+constexpr double kept = 5;                // [m] on both sides of the impact: records may be kilometres long
+
+// Index of the largest absolute value; 0 for an empty list.
+std::size_t largest(const std::vector<double>& values) {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::abs(values[i]) > std::abs(values[at])) at = i;
+  return at;
+}
+
+double impactOf(const signals::Record& reference) {
+  const auto* values = reference.signal("aba_filtered");
+  if (!values || values->empty() || values->size() != reference.position.size()) return 0;
+  return reference.position[largest(*values)];
+}
+
+// Times link to positions by `speed` where the file gives none.
+void givePositions(signals::Record& record, double speed) {
+  if (!record.position.empty()) return;
+  record.speed = speed;
+  for (const double time : record.time) record.position.push_back(speed * (time - record.time.front()));
+}
+
+RecordPointer shown(signals::Record record, const std::string& path, double speed, const signals::Record* reference) {
+  auto& raw = record.signals.front();
+  if (!raw.unit.empty() && raw.unit != "m/s2")
+    throw FileError(path, raw.name, "is in " + raw.unit + ", not an acceleration", "overlay a signal in m/s2 or g");
+  givePositions(record, speed);
+  signals::Channel filtered{"aba_filtered", "m/s2", "measured, low-passed", raw.values};
+  raw = {"aba", "m/s2", "measured", std::move(raw.values)};
+  try {
+    const auto series = signals::seriesOf(record);
+    if (series.rate() > 2.5 * alignmentCutoff) filtered.values = signals::lowPass(series, alignmentCutoff).values;
+  } catch (const signals::SignalError&) {
+    // Too short to be filtered: shown as it is.
+  }
+  const double middle = reference ? impactOf(*reference) : 0.0;
+  const double shift = middle - record.position[largest(filtered.values)];
+  for (double& position : record.position) position += shift;
+  // Positions rise: what lies near the impact is one stretch.
+  const auto& x = record.position;
+  const auto first = std::lower_bound(x.begin(), x.end(), middle - kept) - x.begin();
+  const auto last = std::upper_bound(x.begin(), x.end(), middle + kept) - x.begin();
+  record.signals.push_back(std::move(filtered));
+  for (auto* values : {&record.time, &record.position, &record.signals[0].values, &record.signals[1].values}) {
+    values->erase(values->begin() + last, values->end());
+    values->erase(values->begin(), values->begin() + first);
+  }
+  return std::make_shared<const signals::Record>(std::move(record));
+}
+
+}  // namespace
+
+std::vector<RecordPointer> measuredRecords(const QString& path, double speed, const signals::Record* reference,
+                                           const readers::SignalFileOptions& options) {
+  auto read = readers::readSignals(path.toStdString(), options);
+  if (read.empty()) throw FileError(path.toStdString(), "", "contains no signal");
+  std::vector<RecordPointer> records;
+  for (auto& record : read) {
+    if (record.position.empty() && options.speed == 0)
+      record.notes.push_back("no speed in file; using the case's speed (" + QString::number(speed).toStdString() +
+                             " m/s)");
+    records.push_back(shown(std::move(record), path.toStdString(), speed, reference));
+  }
+  return records;
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,117 @@
+#include "studio/runs/RunStore.h"
+
+#include <QFont>
+
+namespace squat::studio {
+
+RunStore::RunStore(QObject* parent) : QAbstractListModel(parent) {}
+
+int RunStore::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(runs_.size());
+}
+
+QVariant RunStore::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const StoredRun& run = at(index.row());
+  if (role == Qt::DisplayRole) {
+    QString text = run.label;
+    if (run.isMeasured()) text += tr(" (measured)");
+    if (!run.isMeasured() && !run.result->complete) text += tr(" (incomplete)");
+    if (!run.isMeasured() && run.path.isEmpty()) text += " *";
+    return text;
+  }
+  if (role == Qt::ToolTipRole)
+    return run.path.isEmpty() ? tr("not saved; case hash %1").arg(QString::fromStdString(run.result->caseHash))
+                              : run.path;
+  if (role == Qt::CheckStateRole) return run.overlaid ? Qt::Checked : Qt::Unchecked;
+  if (role == Qt::FontRole && index.row() == current_) {
+    QFont font;
+    font.setBold(true);
+    return font;
+  }
+  return {};
+}
+
+bool RunStore::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || role != Qt::CheckStateRole) return false;
+  runs_[static_cast<std::size_t>(index.row())].overlaid = value.toInt() == Qt::Checked;
+  Q_EMIT dataChanged(index, index);
+  Q_EMIT overlaysChanged();
+  return true;
+}
+
+Qt::ItemFlags RunStore::flags(const QModelIndex& index) const {
+  return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable : Qt::NoItemFlags;
+}
+
+int RunStore::add(StoredRun run) {
+  const int row = rowCount();
+  const bool measured = run.isMeasured();
+  run.overlaid = measured;
+  beginInsertRows({}, row, row);
+  runs_.push_back(std::move(run));
+  endInsertRows();
+  if (measured)
+    Q_EMIT overlaysChanged();
+  else
+    setCurrent(row);
+  return row;
+}
+
+void RunStore::remove(int row) {
+  if (row < 0 || row >= rowCount()) return;
+  beginRemoveRows({}, row, row);
+  runs_.erase(runs_.begin() + row);
+  endRemoveRows();
+  if (current_ > row)
+    --current_;
+  else if (current_ == row)
+    current_ = computedNear(row);
+  Q_EMIT currentChanged();
+}
+
+// A measured signal is laid over a run and is none itself.
+int RunStore::computedNear(int row) const {
+  for (int below = row; below < rowCount(); ++below)
+    if (!at(below).isMeasured()) return below;
+  for (int above = row - 1; above >= 0; --above)
+    if (!at(above).isMeasured()) return above;
+  return -1;
+}
+
+void RunStore::setCurrent(int row) {
+  if (row < -1 || row >= rowCount() || row == current_) return;
+  current_ = row;
+  if (rowCount() > 0) Q_EMIT dataChanged(index(0), index(rowCount() - 1));
+  Q_EMIT currentChanged();
+}
+
+ResultPointer RunStore::currentResult() const { return current_ < 0 ? nullptr : at(current_).result; }
+
+void RunStore::setPath(int row, const QString& path) {
+  auto& run = runs_.at(static_cast<std::size_t>(row));
+  run.path = path, run.kept.reset();
+  Q_EMIT dataChanged(index(row), index(row));
+}
+
+int RunStore::rowOf(const ResultPointer& result) const {
+  for (int row = 0; row < rowCount(); ++row)
+    if (at(row).result == result) return row;
+  return -1;
+}
+
+std::vector<ResultPointer> RunStore::unsaved() const {
+  std::vector<ResultPointer> found;
+  for (const StoredRun& run : runs_)
+    if (!run.isMeasured() && run.path.isEmpty()) found.push_back(run.result);
+  return found;
+}
+
+std::vector<StoredRun> RunStore::overlays() const {
+  std::vector<StoredRun> chosen;
+  for (int row = 0; row < rowCount(); ++row)
+    if (row != current_ && at(row).overlaid) chosen.push_back(at(row));
+  return chosen;
+}
+
+}  // namespace squat::studio

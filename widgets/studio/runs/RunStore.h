@@ -1,0 +1,59 @@
+// widgets/studio/runs/RunStore.h - the runs of this session, side by side.
+#pragma once
+
+#include <QAbstractListModel>
+#include <QString>
+#include <vector>
+
+#include "studio/runs/MeasuredRecords.h"
+#include "studio/runs/RunController.h"
+#include "studio/runs/UnsavedResults.h"
+
+namespace squat::studio {
+
+// A run of this program, or a measured record, which is laid over runs and is never the current one.
+struct StoredRun {
+  ResultPointer result;  // null: measured
+  QString label;
+  QString path;                              // empty: not in a file yet
+  bool overlaid = false;                     // drawn with the current one
+  RecordPointer record = result;             // what is drawn; that of the result where there is one
+  std::shared_ptr<KeptFile> kept = nullptr;  // for a crash, until the run has a path
+
+  bool isMeasured() const { return !result; }
+};
+
+// A list with check boxes: checked runs are overlaid on the current one.
+class RunStore : public QAbstractListModel {
+  Q_OBJECT
+ public:
+  explicit RunStore(QObject* parent = nullptr);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  // Makes it the current one, unless it is measured, which is overlaid instead. Returns its row.
+  int add(StoredRun run);
+  void remove(int row);
+  int current() const { return current_; }
+  void setCurrent(int row);
+  ResultPointer currentResult() const;
+  int rowOf(const ResultPointer& result) const;  // -1: not in the list (any more)
+  const StoredRun& at(int row) const { return runs_.at(static_cast<std::size_t>(row)); }
+  void setPath(int row, const QString& path);
+  std::vector<ResultPointer> unsaved() const;  // computed results that are in no file
+  std::vector<StoredRun> overlays() const;     // checked ones other than the current
+
+ Q_SIGNALS:
+  void currentChanged();
+  void overlaysChanged();
+
+ private:
+  int computedNear(int row) const;  // the next computed run from this row on, else the one before; -1: none
+  std::vector<StoredRun> runs_;
+  int current_ = -1;
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,42 @@
+// widgets/studio/signals/CursorPair.h - two vertical lines on a figure, with their distance and its inverse.
+#pragma once
+
+#include <QObject>
+
+#include "plots/Figure.h"
+
+namespace squat::studio {
+
+// Lines are dragged with the mouse. Shows the places, the values of the first curve there (not for coloured maps), both
+// differences and 1/dt. `secondsPerUnit` turns a distance on the axis into seconds (0: no frequency shown):
+// 1e-3 for an axis in ms, 1e-3/speed for one in mm.
+class CursorPair : public QObject {
+  Q_OBJECT
+ public:
+  CursorPair(plots::Figure& figure, double secondsPerUnit, const QString& unit);
+
+  void setVisible(bool visible);
+  bool isVisible() const { return visible_; }
+  void setLocations(double first, double second);
+  double location(int cursor) const { return locations_[cursor]; }
+  bool isPlaced() const { return placed_; }
+  QString text() const;
+
+ private:
+  void press(QMouseEvent* event);
+  void move(QMouseEvent* event);
+  void release();
+  void show();
+  QString valuesText() const;
+
+  plots::Figure& figure_;
+  double secondsPerUnit_;
+  QString unit_;
+  QCPItemStraightLine* lines_[2];
+  QCPItemText* label_;
+  double locations_[2] = {0, 0};
+  int dragged_ = -1;
+  bool visible_ = false, placed_ = false;
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,119 @@
+#include "studio/signals/FigureView.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+
+#include "core/Errors.h"
+#include "plots/FigureFiles.h"
+#include "studio/common/LocationToSave.h"
+#include "studio/signals/CursorPair.h"
+#include "studio/signals/FigureTable.h"
+
+namespace squat::studio {
+
+FigureView::FigureView(const QString& name, QWidget* parent) : QWidget(parent), name_(name) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  setObjectName("view " + name);
+  setMinimumSize(200, 140);
+}
+
+void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUnit, const QString& unit,
+                      const QByteArray& table) {
+  const bool sameAxis = figure_ && figure_->xAxis->label() == figure->xAxis->label();
+  const bool keep = sameAxis && isZoomed();
+  const QCPRange kept = keep ? figure_->xAxis->range() : QCPRange();
+  const bool keepCursors = sameAxis && cursors_->isPlaced();
+  const double locations[] = {keepCursors ? cursors_->location(0) : 0, keepCursors ? cursors_->location(1) : 0};
+  table_ = table;
+  delete figure_;
+  figure_ = figure.release();
+  figure_->setParent(this);
+  layout()->addWidget(figure_);
+  fullX_ = figure_->xAxis->range();
+  fullY_ = figure_->yAxis->range();
+  figure_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+  figure_->setContextMenuPolicy(Qt::CustomContextMenu);
+  figure_->setAccessibleName(tr("Figure %1").arg(name_));
+  figure_->setFocusPolicy(Qt::StrongFocus);
+  // Opposite axes follow, so that zooming moves all four.
+  connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), figure_->xAxis2,
+          qOverload<const QCPRange&>(&QCPAxis::setRange));
+  connect(figure_->yAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), figure_->yAxis2,
+          qOverload<const QCPRange&>(&QCPAxis::setRange));
+  cursors_ = new CursorPair(*figure_, secondsPerUnit, unit);
+  if (keepCursors) cursors_->setLocations(locations[0], locations[1]);
+  cursors_->setVisible(cursorsVisible_);
+  if (keep) figure_->xAxis->setRange(kept);
+  connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::rangeChanged);
+  connect(figure_, &QWidget::customContextMenuRequested, this, &FigureView::openMenu);
+  connect(figure_, &QCustomPlot::mouseDoubleClick, this, &FigureView::resetZoom);
+  figure_->show();
+}
+
+void FigureView::setCursors(bool visible) {
+  cursorsVisible_ = visible;
+  if (cursors_) cursors_->setVisible(visible);
+}
+
+void FigureView::setRange(const QCPRange& range) {
+  if (!figure_ || figure_->xAxis->range() == range) return;
+  figure_->xAxis->setRange(range);
+  figure_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void FigureView::resetZoom() {
+  if (!figure_) return;
+  figure_->xAxis->setRange(fullX_);
+  figure_->yAxis->setRange(fullY_);
+  figure_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void FigureView::forgetZoom() {
+  if (figure_) fullX_ = figure_->xAxis->range();
+}
+
+bool FigureView::isZoomed() const { return figure_ && figure_->xAxis->range() != fullX_; }
+
+void FigureView::copy() {
+  if (!figure_) return;
+  auto* both = new QMimeData;
+  both->setImageData(plots::toImage(*figure_, plots::printResolution, figure_->size()));
+  both->setText(QString::fromUtf8(table_.isEmpty() ? figureTable(*figure_) : table_));
+  QApplication::clipboard()->setMimeData(both);
+}
+
+void FigureView::openMenu(const QPoint& location) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("&Copy"), this, &FigureView::copy);
+  menu->addAction(tr("&Export…"), this, &FigureView::askForFile);
+  menu->addAction(tr("&Reset zoom"), this, &FigureView::resetZoom);
+  menu->popup(figure_->mapToGlobal(location));
+}
+
+void FigureView::askForFile() {
+  const QString path = locationToSave(this, tr("Export the figure"), name_ + ".png",
+                                      tr("PNG (*.png);;SVG (*.svg);;PDF (*.pdf);;CSV (*.csv)"));
+  if (path.isEmpty()) return;
+  try {
+    writeFile(path);
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+void FigureView::writeFile(const QString& path) {
+  if (!figure_) return;
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (ending == "csv") return plots::writeWhole(table_.isEmpty() ? figureTable(*figure_) : table_, path.toStdString());
+  if (ending != "png" && ending != "svg" && ending != "pdf")
+    throw FileError(path.toStdString(), "", "is of a kind that figures are not written in",
+                    "end its name with .png, .svg, .pdf or .csv");
+  plots::writeFigure(*figure_, ending.toStdString(), path.toStdString(), figure_->size());
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,99 @@
+#include "studio/signals/SignalSettings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/Maps.h"
+#include "signals/Butterworth.h"
+#include "signals/Features.h"
+#include "signals/Resample.h"
+#include "signals/SignalError.h"
+
+namespace squat::studio {
+namespace {
+
+void filter(signals::Record& record, const char* raw, const char* filtered, double cutoff) {
+  signals::Channel* target = record.channel(filtered);
+  if (!record.channel(raw) || !target || record.time.size() < 2) return;
+  target->values = signals::lowPass(signals::seriesOf(record, raw), cutoff).values;
+}
+
+// In the unit that the user types.
+std::string millimetres(double metres) { return std::to_string(std::lround(1e3 * metres)) + " mm"; }
+
+void requireSamples(const signals::Record& record, double from, double to) {
+  const auto& x = record.position;
+  const auto within =
+      std::count_if(x.begin(), x.end(), [&](double position) { return position >= from && position <= to; });
+  constexpr int fewest = 2;
+  if (within >= fewest || x.empty()) return;
+  throw signals::SignalError("the section from " + millimetres(from) + " to " + millimetres(to) +
+                             " lies outside the record, which extends from " + millimetres(x.front()) + " to " +
+                             millimetres(x.back()));
+}
+
+}  // namespace
+
+void filterAnew(signals::Record& record, const SignalSettings& settings) {
+  filter(record, "aba", "aba_filtered", settings.cutoff);
+  filter(record, "wheel_acceleration", "wheel_acceleration_filtered", settings.cutoff);
+}
+
+signals::PowerSpectrum spectrumOf(const signals::Record& record, const SignalSettings& settings,
+                                  const std::string& channel) {
+  requireSamples(record, settings.from, settings.to);
+  return signals::stretchSpectrum(signals::passageOf(record, channel), settings.from, settings.to,
+                                  signals::windowFromText(settings.window));
+}
+
+std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
+                                                   std::string& problem) {
+  auto changed = std::make_shared<results::RunResult>(result);
+  problem.clear();
+  try {
+    filterAnew(*changed, settings);
+  } catch (const signals::SignalError& error) {
+    problem = error.what();
+    return std::make_shared<const results::RunResult>(result);
+  }
+  if (!changed->channel("aba_filtered") || changed->time.size() < 2) return changed;
+  try {
+    auto box = spectrumOf(*changed, settings);
+    std::vector<double> wheel;
+    if (changed->channel("wheel_acceleration_filtered"))
+      wheel = spectrumOf(*changed, settings, "wheel_acceleration_filtered").density;
+    changed->frequency = std::move(box.frequency);
+    changed->psd = std::move(box.density);
+    changed->psdWheel = std::move(wheel);
+    changed->psdWindow = settings.window;
+  } catch (const signals::SignalError& error) {  // the filtered signals are none the worse for it
+    problem = std::string("Spectrum not updated: ") + error.what();
+  }
+  return changed;
+}
+
+std::shared_ptr<const results::RunResult> withScalogram(const results::RunResult& result) {
+  auto changed = std::make_shared<results::RunResult>(result);
+  constexpr std::size_t fewest = 64;  // samples, as for a run
+  if (!changed->channel("aba_filtered") || changed->position.size() != changed->time.size() ||
+      changed->time.size() < fewest)
+    return changed;
+  try {
+    signals::WaveletOptions options;
+    options.cell = 0;
+    std::vector<std::string> notes;
+    signals::Scalogram anew = analysis::scalogramMap(signals::seriesOf(*changed, "aba_filtered"), options, notes);
+    changed->scalogramFrequency = std::move(anew.frequency);
+    changed->scalogramTime = std::move(anew.time);
+    changed->scalogramPower = std::move(anew.power);
+    changed->coneOfInfluence = std::move(anew.coneOfInfluence);
+    changed->scalogramPosition.clear();
+    for (const double time : changed->scalogramTime)
+      changed->scalogramPosition.push_back(signals::interpolateLinear(changed->time, changed->position, time));
+  } catch (const signals::SignalError&) {
+    // What was there stays.
+  }
+  return changed;
+}
+
+}  // namespace squat::studio

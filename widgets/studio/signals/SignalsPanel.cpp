@@ -1,0 +1,392 @@
+#include "studio/signals/SignalsPanel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProxyStyle>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "case/CaseFile.h"
+#include "colours/ColourTables.h"
+#include "core/Errors.h"
+#include "plots/FigureRegistry.h"
+#include "plots/Overlays.h"
+#include "scene/ModelPicture.h"
+#include "studio/common/EditorHabits.h"
+#include "studio/common/FlowLayout.h"
+#include "studio/common/Theme.h"
+#include "studio/signals/FigureView.h"
+#include "studio/signals/SignalFigures.h"
+
+namespace squat::studio {
+namespace {
+
+// The figures that have a tab here; the 3-D picture has one of its own in the window.
+std::vector<const plots::FigureRow*> tabRows() {
+  std::vector<const plots::FigureRow*> rows;
+  for (const auto& row : plots::figureRegistry())
+    if (row.kind == plots::FigureKind::plot) rows.push_back(&row);
+  return rows;
+}
+
+const plots::FigureRow& rowOf(const QString& name) { return plots::figureRow(name.toStdString()); }
+
+QString nameOf(const plots::FigureRow& row) { return QString::fromStdString(row.name); }
+
+QString unitOf(const QString& name) { return QString::fromStdString(plots::unitOf(rowOf(name).axis)); }
+
+// Views along the track zoom together, whatever their unit: the speed links time and position.
+bool isInMilliseconds(const QString& name) { return rowOf(name).axis == plots::FigureAxis::time; }
+bool isLinked(const QString& name) {
+  return rowOf(name).axis == plots::FigureAxis::wheelPosition || isInMilliseconds(name);
+}
+
+// Tabs with less room beside their words: those of every run fit a screen of 1280 pixels.
+class NarrowTabs : public QProxyStyle {
+ public:
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    constexpr int besideText = 10;
+    return metric == PM_TabBarTabHSpace ? besideText : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+};
+
+ResultPointer noRun(const QString& title) {
+  auto none = std::make_shared<results::RunResult>();
+  none->title = title.toStdString();
+  none->complete = true;
+  return none;
+}
+
+}  // namespace
+
+SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* parent)
+    : QWidget(parent), store_(store), style_(style) {
+  tabs_ = new QTabWidget(this);
+  tabs_->setDocumentMode(true);
+  tabs_->setAccessibleName(tr("Signal figures"));
+  auto* narrow = new NarrowTabs;
+  narrow->setParent(tabs_);
+  tabs_->tabBar()->setStyle(narrow);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(2, 2, 2, 2);
+  layout->setSpacing(2);
+  layout->addWidget(makeControls());
+  layout->addWidget(tabs_, 1);
+  for (const auto* row : tabRows()) {
+    const QString name = nameOf(*row);
+    auto* view = new FigureView(name, tabs_);
+    views_[name] = view;
+    tabs_->addTab(makePage(row->control, view), QString::fromStdString(row->tab));
+    connect(view, &FigureView::failed, this, &SignalsPanel::failed);
+    if (!isLinked(name)) continue;
+    connect(view, &FigureView::rangeChanged, this, [this, name](const QCPRange& range) { link(name, range); });
+  }
+  hideWhatDoesNotApply();
+  const QMargins around = layout->contentsMargins();
+  setMinimumWidth(tabs_->tabBar()->sizeHint().width() + around.left() +
+                  around.right());  // no tab of an ordinary run behind an arrow
+  letWheelPass(*this);
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] { rebuild(names().value(tabs_->currentIndex())); });
+  connect(&store_, &RunStore::currentChanged, this, [this] {
+    linked_.reset();
+    for (const auto& [name, view] : views_) view->forgetZoom();
+    takeWindow();
+    update();
+  });
+  connect(&store_, &RunStore::overlaysChanged, this, &SignalsPanel::update);
+  update();
+}
+
+namespace {
+
+QDoubleSpinBox* number(const QString& label, const QString& unit, double low, double high, double value) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(low, high);
+  box->setDecimals(0);
+  box->setValue(value);
+  box->setSuffix(" " + unit);
+  box->setKeyboardTracking(false);
+  box->setAccessibleName(label);
+  box->setToolTip(label);
+  return box;
+}
+
+QSpinBox* samples(const QString& label, std::size_t value, int most) {
+  auto* box = new QSpinBox;
+  box->setRange(1, most);
+  box->setValue(static_cast<int>(value));
+  box->setSuffix(QObject::tr(" samples"));
+  box->setKeyboardTracking(false);
+  box->setAccessibleName(label);
+  box->setToolTip(label);
+  return box;
+}
+
+QComboBox* choice(const QString& label, const QStringList& entries) {
+  auto* box = new QComboBox;
+  box->addItems(entries);
+  box->setAccessibleName(label);
+  box->setToolTip(label);
+  return box;
+}
+
+}  // namespace
+
+// What holds for every figure.
+QWidget* SignalsPanel::makeControls() {
+  auto* bar = new QWidget(this);
+  auto* rows = new QVBoxLayout(bar);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(2);
+  auto* flow = new FlowLayout;
+  rows->addLayout(flow);
+  cutoff_ = number(tr("Cut-off frequency of the low-pass filter"), "Hz", 20, 12000, settings_.cutoff);
+  cutoff_->setSingleStep(100);
+  cutoff_->setObjectName("cutoff");
+  connect(cutoff_, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
+  flow->addTogether({new QLabel(tr("Low-pass")), cutoff_});
+  QStringList maps;
+  for (const auto& name : colours::mapNames()) maps << QString::fromStdString(name);
+  map_ = choice(tr("Colour map"), maps);
+  connect(map_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
+  flow->addTogether({new QLabel(tr("Colours")), map_});
+  cursors_ = new QCheckBox(tr("Cursors"));
+  cursors_->setObjectName("cursors");
+  cursors_->setToolTip(tr("Two draggable lines; the figure shows their difference and 1/Δt"));
+  connect(cursors_, &QCheckBox::toggled, this, [this](bool on) {
+    for (const auto& [name, view] : views_) view->setCursors(on);
+  });
+  flow->addWidget(cursors_);
+  exportAll_ = new QPushButton(tr("Export all…"));
+  exportAll_->setObjectName("exportAllButton");
+  exportAll_->setToolTip(tr("Export every figure as shown: PNG, SVG, PDF and CSV"));
+  connect(exportAll_, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
+  flow->addWidget(exportAll_);
+  problem_ = new QLabel(bar);
+  problem_->setObjectName("signalProblem");
+  problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
+  problem_->setWordWrap(true);
+  rows->addWidget(problem_);
+  problem_->hide();
+  return bar;
+}
+
+// What applies to one figure stands above it: its window or section.
+QWidget* SignalsPanel::makePage(plots::FigureControl control, FigureView* view) {
+  auto* page = new QWidget(tabs_);
+  auto* rows = new QVBoxLayout(page);
+  rows->setContentsMargins(0, 4, 0, 0);
+  rows->setSpacing(2);
+  auto* flow = new FlowLayout;
+  if (control == plots::FigureControl::spectrumSection) {
+    window_ = choice(tr("Window function of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
+    connect(window_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
+    flow->addTogether({new QLabel(tr("Window")), window_});
+    from_ =
+        number(tr("Start of the section that the spectrum is computed from"), "mm", -5000, 5000, settings_.from * 1e3);
+    to_ = number(tr("End of the section that the spectrum is computed from"), "mm", -5000, 5000, settings_.to * 1e3);
+    from_->setObjectName("psdFrom");
+    to_->setObjectName("psdTo");
+    for (QDoubleSpinBox* box : {from_, to_}) connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
+    flow->addTogether({new QLabel(tr("from")), from_});
+    flow->addTogether({new QLabel(tr("to")), to_});
+  } else if (control == plots::FigureControl::shortTime) {
+    segment_ = samples(tr("Window length of the short-time Fourier transform"), settings_.segment, 8192);
+    segment_->setMinimum(16);
+    segment_->setSingleStep(16);
+    segment_->setObjectName("stftSegment");
+    hop_ = samples(tr("Hop of the short-time Fourier transform: from one window to the next"), settings_.hop, 1024);
+    hop_->setObjectName("stftHop");
+    for (QSpinBox* box : {segment_, hop_}) connect(box, &QSpinBox::valueChanged, this, &SignalsPanel::update);
+    flow->addTogether({new QLabel(tr("Window")), segment_});
+    flow->addTogether({new QLabel(tr("Hop")), hop_});
+  }
+  if (flow->count() > 0)
+    rows->addLayout(flow);
+  else
+    delete flow;
+  rows->addWidget(view, 1);
+  return page;
+}
+
+void SignalsPanel::setStyle(const plots::Style& style) {
+  style_ = style;
+  update();
+}
+
+FigureView* SignalsPanel::view(const QString& name) const {
+  const auto found = views_.find(name);
+  return found == views_.end() ? nullptr : found->second;
+}
+
+QStringList SignalsPanel::names() {
+  QStringList list;
+  for (const auto* row : tabRows()) list << nameOf(*row);
+  return list;
+}
+
+void SignalsPanel::showTab(const QString& name) {
+  const int index = static_cast<int>(names().indexOf(name));
+  if (index >= 0) tabs_->setCurrentIndex(index);
+}
+
+// A new run is first seen through the low-pass of its case and the window that its own spectrum has.
+void SignalsPanel::takeWindow() {
+  const ResultPointer current = store_.currentResult();
+  if (current && current->resolvedCase) {  // one whose case cannot be read is seen as it was last chosen
+    const QSignalBlocker quiet(cutoff_);
+    cutoff_->setValue(current->resolvedCase->scenario.output.filterCutoff);
+  }
+  if (!current || !(current->psdTo > current->psdFrom)) return;
+  const QSignalBlocker quietFrom(from_), quietTo(to_);
+  from_->setValue(current->psdFrom * 1e3);
+  to_->setValue(current->psdTo * 1e3);
+}
+
+void SignalsPanel::update() {
+  settings_.segment = static_cast<std::size_t>(segment_->value());
+  settings_.hop = static_cast<std::size_t>(hop_->value());
+  settings_.cutoff = cutoff_->value();
+  settings_.window = window_->currentText().toStdString();
+  settings_.from = from_->value() * 1e-3;
+  settings_.to = to_->value() * 1e-3;
+  style_.colourMap = map_->currentText().toStdString();
+  const ResultPointer current = store_.currentResult();
+  std::string problem;
+  shown_ =
+      current ? analysed(*current, settings_, problem) : noRun(tr("No results yet: press F5 to run, or open a result"));
+  problem_->setText(QString::fromStdString(problem));
+  problem_->setVisible(!problem.empty());
+  exportAll_->setEnabled(current || !store_.overlays().empty());
+  // Only what is seen is drawn now; the rest when its tab is opened.
+  for (const auto& name : names()) stale_[name] = true;
+  hideWhatDoesNotApply();
+  rebuild(names().value(tabs_->currentIndex()));
+}
+
+// Without a run there is nothing to judge by: every tab that any run fills says how to get one.
+bool SignalsPanel::applies(const plots::FigureRow& row) const {
+  return store_.currentResult() ? row.applies(*store_.currentResult()) : !row.expected;
+}
+
+void SignalsPanel::hideWhatDoesNotApply() {
+  int index = 0;
+  for (const auto* row : tabRows()) {
+    const bool seen = applies(*row);
+    tabs_->setTabVisible(index, seen);
+    tabs_->setTabEnabled(index, seen);
+    tabs_->setTabToolTip(index++, QString::fromStdString(seen ? row->title : row->title + ".\n" + row->needs));
+  }
+}
+
+void SignalsPanel::rebuild(const QString& name) {
+  if (!stale_[name] || !shown_) return;
+  stale_[name] = false;
+  const plots::FigureRow& row = rowOf(name);
+  const bool alongTrack = isLinked(name);
+  const QString unit = unitOf(name);
+  const double secondsPerMillimetre = shown_->speed > 0 ? 1e-3 / shown_->speed : 0;
+  const double secondsPerUnit = !alongTrack ? 0 : unit == "ms" ? 1e-3 : secondsPerMillimetre;
+  linking_ = true;
+  try {
+    views_[name]->show(signalFigure(row.name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
+                       row.table ? row.table(*shown_) : QByteArray());
+  } catch (const std::exception& error) {  // a signal that cannot be analysed costs its figure, not the session
+    problem_->setText(QString::fromStdString(error.what()));
+    problem_->show();
+    views_[name]->show(signalFigure(row.name, *noRun(tr("This figure cannot be drawn")), {}, settings_, style_),
+                       secondsPerUnit, unit, {});
+  }
+  linking_ = false;
+  applyLink(name);
+}
+
+void SignalsPanel::link(const QString& from, const QCPRange& range) {
+  if (linking_ || !shown_ || !(shown_->speed > 0)) return;
+  const double passage = 1e3 * plots::passageTime(*shown_);
+  linked_ = isInMilliseconds(from)
+                ? QCPRange((range.lower - passage) * shown_->speed, (range.upper - passage) * shown_->speed)
+                : range;
+  for (const auto& [name, view] : views_)
+    if (name != from) applyLink(name);
+}
+
+void SignalsPanel::applyLink(const QString& name) {
+  if (!linked_ || !isLinked(name) || stale_[name]) return;
+  const double passage = 1e3 * plots::passageTime(*shown_);
+  const bool already = linking_;
+  linking_ = true;
+  views_[name]->setRange(isInMilliseconds(name) ? QCPRange(passage + linked_->lower / shown_->speed,
+                                                           passage + linked_->upper / shown_->speed)
+                                                : *linked_);
+  linking_ = already;
+}
+
+FigureView* SignalsPanel::currentView() const { return view(names().value(tabs_->currentIndex())); }
+
+void SignalsPanel::toggleCursors() { cursors_->toggle(); }
+
+void SignalsPanel::askForFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Export figures to folder"));
+  if (folder.isEmpty()) return;
+  const QStringList paths = exportPaths(folder);
+  const auto standing =
+      std::count_if(paths.begin(), paths.end(), [](const QString& path) { return QFile::exists(path); });
+  if (standing > 0 &&
+      QMessageBox::question(
+          this, tr("Export all"),
+          tr("%1 already contains %n of these files. Replace them?", nullptr, static_cast<int>(standing)).arg(folder),
+          QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel) != QMessageBox::Yes)
+    return;
+  try {
+    exportAll(folder);
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+QStringList SignalsPanel::exportPaths(const QString& folder) const {
+  QStringList paths;
+  const QDir into(folder);
+  for (const auto& row : plots::figureRegistry()) {
+    if (!applies(row)) continue;
+    if (row.kind == plots::FigureKind::plot)
+      for (const char* ending : {"png", "svg", "pdf", "csv"}) paths << into.filePath(nameOf(row) + "." + ending);
+    else if (store_.currentResult())
+      paths << into.filePath(nameOf(row) + ".png");
+  }
+  return paths;
+}
+
+QStringList SignalsPanel::exportAll(const QString& folder) {
+  QStringList paths = exportPaths(folder);
+  paths.removeIf([this](const QString& path) {
+    const QString name = QFileInfo(path).completeBaseName();
+    if (views_.find(name) == views_.end()) return !exportModel(path);
+    rebuild(name);
+    views_[name]->writeFile(path);
+    return false;
+  });
+  return paths;
+}
+
+// False where this machine cannot draw it, which is said.
+bool SignalsPanel::exportModel(const QString& path) {
+  const auto outcome = scene::writeModelPicture(*store_.currentResult(), style_.colourMap, path.toStdString());
+  if (!outcome.written) Q_EMIT failed(tr("3-D picture not drawn: %1").arg(QString::fromStdString(outcome.reason)));
+  return outcome.written;
+}
+
+}  // namespace squat::studio

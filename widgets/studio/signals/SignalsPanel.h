@@ -1,0 +1,76 @@
+// widgets/studio/signals/SignalsPanel.h - the signals of the current run, with others overlaid.
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <optional>
+
+#include "plots/FigureRegistry.h"
+#include "studio/runs/RunStore.h"
+#include "studio/signals/SignalSettings.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+class QTabWidget;
+
+namespace squat::studio {
+
+class FigureView;
+
+class SignalsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  SignalsPanel(RunStore& store, const plots::Style& style, QWidget* parent = nullptr);
+
+  void setStyle(const plots::Style& style);
+  // The names of plots::figureRegistry() that are plots, a tab each. A figure that the current run has nothing for is
+  // greyed; its tool tip says what it needs.
+  static QStringList names();
+  void showTab(const QString& name);
+  FigureView* view(const QString& name) const;
+  FigureView* currentView() const;
+  const SignalSettings& settings() const { return settings_; }
+  // Every figure of the run as seen, in every format, and the curves as CSV; the 3-D picture as PNG. Returns the files.
+  // Throws FileError.
+  QStringList exportAll(const QString& folder);          // replaces what stands there
+  QStringList exportPaths(const QString& folder) const;  // what it writes
+  void askForFolder();
+  void toggleCursors();
+
+ Q_SIGNALS:
+  void failed(const QString& message);
+
+ private:
+  QWidget* makeControls();
+  QWidget* makePage(plots::FigureControl control, FigureView* view);
+  void takeWindow();
+  void update();
+  void rebuild(const QString& name);
+  bool applies(const plots::FigureRow& row) const;
+  void hideWhatDoesNotApply();
+  bool exportModel(const QString& path);
+  void link(const QString& from, const QCPRange& range);
+  void applyLink(const QString& name);
+
+  RunStore& store_;
+  plots::Style style_;
+  SignalSettings settings_;
+  ResultPointer shown_;
+  QTabWidget* tabs_;
+  std::map<QString, FigureView*> views_;
+  std::map<QString, bool> stale_;
+  std::optional<QCPRange> linked_;  // [mm] what all views along the track show, once the user has zoomed
+  bool linking_ = false;
+  QDoubleSpinBox *cutoff_, *from_, *to_;
+  QSpinBox *segment_, *hop_;
+  QComboBox *window_, *map_;
+  QPushButton* exportAll_;
+  QCheckBox* cursors_;
+  QLabel* problem_;
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,28 @@
+// widgets/studio/window/HelpWindow.h - the installed manual pages in a window of their own.
+#pragma once
+
+#include <QMainWindow>
+#include <QStringList>
+
+class QTextBrowser;
+
+namespace squat::studio {
+
+// Markdown pages that are installed with the program: the manual, then the README. Empty: none found.
+QStringList helpPages();
+
+// Shows the index first: the manual's own, or the list of all pages. Links between pages stay in the window.
+class HelpWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit HelpWindow(const QStringList& pages, QWidget* parent = nullptr);
+
+  QTextBrowser* browser() const { return browser_; }
+  void showIndex();
+
+ private:
+  QStringList pages_;
+  QTextBrowser* browser_;
+};
+
+}  // namespace squat::studio

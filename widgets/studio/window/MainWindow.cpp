@@ -1,0 +1,354 @@
+#include "studio/window/MainWindow.h"
+
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QScreen>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "case/CaseFile.h"
+#include "studio/common/MessageBar.h"
+#include "studio/common/Theme.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/model/ScenePanel.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/runs/RunPanel.h"
+#include "studio/runs/RunsPanel.h"
+#include "studio/signals/SignalsPanel.h"
+#include "studio/window/Recovery.h"
+
+namespace squat::studio {
+namespace {
+
+Answer askWithBox(QWidget* parent, const QString& question, const QString& discardText) {
+  QMessageBox box(QMessageBox::Question, QObject::tr("Squat Studio"), question, QMessageBox::Cancel, parent);
+  QPushButton* discard = box.addButton(discardText, QMessageBox::DestructiveRole);
+  QPushButton* save = discardText == QObject::tr("Discard") ? box.addButton(QMessageBox::Save) : nullptr;
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  if (box.clickedButton() == discard) return Answer::discard;
+  return save && box.clickedButton() == save ? Answer::save : Answer::cancel;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(StudioServices services, QWidget* parent)
+    : QMainWindow(parent),
+      services_(std::move(services)),
+      controller_(services_.runner),
+      stopped_(services_.runsFolder),
+      unsaved_(services_.recoveryFolder) {
+  if (!services_.asker) services_.asker = askWithBox;
+  setObjectName("mainWindow");
+  setAcceptDrops(true);
+  makeParts();
+  makeDocks();
+  makeFileMenu();
+  makeEditMenu();
+  makeRunMenu();
+  makeFigureMenu();
+  makeViewMenu();
+  makeHelpMenu();
+  connectParts();
+  resize(usualSize.boundedTo(screen()->availableSize()));
+  const QSettings settings;
+  restoreGeometry(settings.value("geometry").toByteArray());
+  restoreState(settings.value("state").toByteArray());
+  showTitle();
+  if (!services_.recoveryFolder.isEmpty()) {
+    offerRecovery();
+    recovery_ = new Recovery(document_, services_.recoveryFolder, this);
+    if (document_.isModified()) recovery_->saveNow();  // what was recovered is not in a file yet
+  }
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeParts() {
+  const bool dark = requestedDark();
+  applyTheme(dark);
+  const plots::Style style = figureStyle(dark);
+  auto* centre = new QWidget(this);
+  messages_ = new MessageBar(centre);
+  middle_ = new QTabWidget(centre);
+  middle_->setDocumentMode(true);
+  middle_->setAccessibleName(tr("Profile, model and paper"));
+  profile_ = new ProfileEditor(document_, style, middle_);
+  scene_ = new ScenePanel(store_, dark, middle_);
+  paper_ = new PaperPanel(store_, services_.comparison, middle_);
+  middle_->addTab(profile_, tr("Profile"));
+  middle_->addTab(scene_, tr("3-D"));
+  middle_->addTab(paper_, tr("Paper"));
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  otherCase_ = new QLabel(centre);
+  otherCase_->setObjectName("otherCase");
+  otherCase_->setWordWrap(true);
+  otherCase_->setMargin(4);
+  otherCase_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
+  otherCase_->hide();
+  layout->addWidget(messages_);
+  layout->addWidget(otherCase_);
+  layout->addWidget(middle_, 1);
+  setCentralWidget(centre);
+  form_ = new ParameterForm(document_, this);
+  signals_ = new SignalsPanel(store_, style, this);
+  run_ = new RunPanel(controller_, style, this);
+  runs_ = new RunsPanel(store_, this);
+}
+
+QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(inside);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+// The case at the left in full height, signals at the right, the run and the list of runs side by side below.
+void MainWindow::makeDocks() {
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  formDock_ = addDock("caseDock", tr("Case"), form_, Qt::LeftDockWidgetArea);
+  signalsDock_ = addDock("signalsDock", tr("Signals"), signals_, Qt::RightDockWidgetArea);
+  runDock_ = addDock("runDock", tr("Run"), run_, Qt::BottomDockWidgetArea);
+  runsDock_ = addDock("runsDock", tr("Runs"), runs_, Qt::BottomDockWidgetArea);
+  splitDockWidget(runDock_, runsDock_, Qt::Horizontal);
+  resizeDocks({formDock_, signalsDock_}, {320, 480}, Qt::Horizontal);
+  resizeDocks({runDock_, runsDock_}, {760, 360}, Qt::Horizontal);
+  resizeDocks({runDock_}, {270}, Qt::Vertical);
+}
+
+void MainWindow::connectParts() {
+  connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::showTitle);
+  connect(form_, &ParameterForm::blockersChanged, this, [this] {
+    run_->setBlockers(form_->blockers());
+    showTitle();
+  });
+  run_->setBlockers(form_->blockers());
+  connect(run_, &RunPanel::runRequested, this, &MainWindow::startRun);
+  connect(run_, &RunPanel::resumeRequested, this, &MainWindow::goOnWithRun);
+  connect(&document_, &CaseDocument::changed, this, &MainWindow::showStopped);
+  connect(&controller_, &RunController::started, this, &MainWindow::showStopped);
+  connect(&controller_, &RunController::ended, this, &MainWindow::showStopped);
+  showStopped();
+  connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
+  connect(&store_, &RunStore::currentChanged, this, &MainWindow::showShownCase);
+  connect(&document_, &CaseDocument::changed, this, &MainWindow::showShownCase);
+  connect(&document_, &CaseDocument::noted, messages_,
+          [this](const QString& note) { messages_->say(note.left(1).toUpper() + note.mid(1)); });
+  connect(&store_, &RunStore::overlaysChanged, this, &MainWindow::enableActions);
+  connect(&controller_, &RunController::finished, this, &MainWindow::keep);
+  connect(&controller_, &RunController::refused, this, [this](const std::vector<CaseProblem>& problems) {
+    if (cases::writeCase(document_.description()) == running_) form_->mark(problems);  // else it may be mended already
+  });
+  connect(&controller_, &RunController::failed, this,
+          [this](const QString& sentence, const QString& details, const ResultPointer& soFar) {
+            messages_->warn(sentence, details);
+            if (soFar) store_.add({soFar, QString::fromStdString(soFar->stem) + tr(" (failed)"), QString(), false});
+          });
+  connect(profile_, &ProfileEditor::failed, messages_, [this](const QString& text) { messages_->warn(text); });
+  connect(signals_, &SignalsPanel::failed, messages_, [this](const QString& text) { messages_->warn(text); });
+  connect(scene_, &ScenePanel::failed, messages_, [this](const QString& text) { messages_->warn(text); });
+}
+
+void MainWindow::showTitle() {
+  setWindowTitle(tr("%1[*] - Squat Studio").arg(document_.name()));
+  setWindowModified(hasUnsavedChanges());
+  setWindowFilePath(document_.path());
+}
+
+void MainWindow::showShownCase() {
+  const int row = store_.current();
+  const QString name = row < 0 ? QString() : store_.at(row).label;
+  signalsDock_->setWindowTitle(name.isEmpty() ? tr("Signals") : tr("Signals: %1").arg(name));
+  const QString different = differenceOfCases(store_.currentResult().get(), document_.description());
+  otherCase_->setText(tr("Result “%1” was not computed from the open case: %2.").arg(name, different));
+  otherCase_->setVisible(!different.isEmpty());
+}
+
+// A value that is still being typed counts as typed: shortcuts do not move the focus, which is what enters it.
+void MainWindow::takeWhatIsTyped() {
+  QWidget* typing = focusWidget();
+  if (auto* number = qobject_cast<QAbstractSpinBox*>(typing)) return number->interpretText();
+  auto* line = qobject_cast<QLineEdit*>(typing);
+  if (!line || !line->isModified()) return;
+  if (line->hasFocus())
+    line->clearFocus(), line->setFocus();
+  else  // the window is not the active one
+    Q_EMIT line->editingFinished();
+}
+
+void MainWindow::beginRun(bool resume) {
+  takeWhatIsTyped();
+  showTab("run");  // where the reasons stand
+  if (!form_->blockers().isEmpty() || controller_.isRunning()) return;
+  const bool stopped = stopped_.has(document_.description());
+  if (resume && !stopped) return;
+  if (!resume && stopped &&
+      services_.asker(this, tr("A stopped run of this case can be resumed (Ctrl+F5). Starting over discards it."),
+                      tr("Start over")) == Answer::cancel)
+    return;
+  if (controller_.isRunning()) return;  // events have passed meanwhile
+  checkpoint_ = stopped_.file(document_.description());
+  running_ = cases::writeCase(document_.description());
+  resumed_ = resume;
+  simulation::RunOptions options;
+  options.threads = services_.threads;
+  options.checkpointPath = checkpoint_.toStdString();
+  options.resume = resume;
+  unsavedFile_ = unsaved_.nextFile(document_.name());
+  controller_.start(document_.description(), document_.name().toStdString(), options,
+                    [file = unsavedFile_](const results::RunResult& result) { UnsavedResults::write(file, result); });
+}
+
+void MainWindow::keep(const ResultPointer& result) {
+  const auto kept = std::make_shared<KeptFile>(unsavedFile_);
+  if (result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
+  if (ending_ && !result->complete) {
+    part_ = result;  // kept where the window stays after all
+    return;
+  }
+  if (result->complete) {
+    if (unsavedFile_.isEmpty() || QFileInfo::exists(unsavedFile_))
+      StoppedRuns::forget(checkpoint_);
+    else
+      messages_->warn(tr("The result could not be written to %1. Save it now: it is lost when the program ends.")
+                          .arg(unsavedFile_));
+  }
+  // What a run had when it was stopped is a part of what it has now, as far as it reaches.
+  for (int row = store_.rowCount() - 1; resumed_ && row >= 0; --row) {
+    const StoredRun& run = store_.at(row);
+    if (!run.isMeasured() && run.path.isEmpty() && !run.result->complete && run.result->caseHash == result->caseHash &&
+        run.result->time.size() <= result->time.size())
+      store_.remove(row);
+  }
+  const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(++runsMade_);
+  store_.add({result, label, QString(), false, result, kept});
+}
+
+void MainWindow::showStopped() {
+  const bool can = !controller_.isRunning() && stopped_.has(document_.description());
+  run_->setStopped(can);
+  if (goOnAction_) goOnAction_->setEnabled(can);
+  enableActions();
+}
+
+// What can do nothing now says so.
+void MainWindow::enableActions() {
+  const bool running = controller_.isRunning(), result = store_.currentResult() != nullptr;
+  const bool figures = result || !store_.overlays().empty();
+  const auto enable = [this](const char* name, bool on) {
+    if (auto* action = findChild<QAction*>(name)) action->setEnabled(on);
+  };
+  for (const char* name : {"pauseAction", "cancelAction"}) enable(name, running);
+  for (const char* name : {"saveResult", "modelPicture", "vtkSeries"}) enable(name, result);
+  for (const char* name : {"copyFigure", "exportFigure", "exportAll"}) enable(name, figures);
+}
+
+void MainWindow::setDark(bool dark) {
+  if (darkAction_) darkAction_->setChecked(dark);
+  applyTheme(dark);
+  const plots::Style style = figureStyle(dark);
+  profile_->setStyle(style);
+  signals_->setStyle(style);
+  run_->setStyle(style);
+  scene_->setDark(dark);
+}
+
+QStringList MainWindow::tabNames() {
+  return QStringList{"profile", "model", "paper", "run", "runs"} + SignalsPanel::names();
+}
+
+bool MainWindow::showTab(const QString& name) {
+  if (!tabNames().contains(name)) return false;
+  if (name == "profile")
+    middle_->setCurrentWidget(profile_);
+  else if (name == "model")
+    middle_->setCurrentWidget(scene_);
+  else if (name == "paper")
+    middle_->setCurrentWidget(paper_);
+  else if (name == "run")
+    runDock_->show(), runDock_->raise();
+  else if (name == "runs")
+    runsDock_->show(), runsDock_->raise();
+  else
+    signalsDock_->show(), signalsDock_->raise(), signals_->showTab(name);
+  return true;
+}
+
+void MainWindow::offerRecovery() {
+  QStringList said{recoverCase(), recoverResults()};
+  said.removeAll(QString());
+  if (said.isEmpty()) return;
+  recoverySaid_ = said.join(' ');
+  messages_->say(recoverySaid_);
+  // A case that is opened from the command line hides it before anybody has seen it.
+  QTimer::singleShot(0, this, [this] {
+    if (messages_->isHidden()) messages_->say(recoverySaid_);
+  });
+  connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::hideSettledRecovery);
+  connect(&store_, &RunStore::rowsRemoved, this, &MainWindow::hideSettledRecovery);
+  connect(&store_, &RunStore::dataChanged, this, &MainWindow::hideSettledRecovery);
+}
+
+// Cancels and waits. A part of a result goes with the window, as the question said; what is complete is kept.
+void MainWindow::endRun() {
+  ending_ = true;
+  controller_.setPaused(false);
+  controller_.cancel();
+  constexpr int patience = 20000;  // [ms]: a run asks whether it is cancelled many times a second
+  controller_.waitFor(patience);
+  ending_ = false;
+}
+
+// Computing stops with the answer, not after the questions that may follow.
+bool MainWindow::mayLeaveRun() {
+  if (!controller_.isRunning()) return true;
+  const QString fate = StoppedRuns::exists(checkpoint_) ? tr("It can be resumed when its case is opened again.")
+                                                        : tr("Its results so far are discarded.");
+  if (services_.asker(this, tr("A run is in progress. %1").arg(fate), tr("Stop it and close")) == Answer::cancel)
+    return false;
+  if (controller_.isRunning()) endRun();
+  return true;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  event->ignore();
+  if (closing_) return;  // events go on passing while a question stands or a run ends
+  closing_ = true;
+  const bool leave = mayLeaveRun() && mayLeaveCase() && mayLeaveAllResults();
+  closing_ = false;
+  const ResultPointer part = std::exchange(part_, nullptr);
+  if (!leave && part) keep(part);
+  if (!leave) return;
+  QSettings settings;
+  settings.setValue("geometry", saveGeometry());
+  settings.setValue("state", saveState());
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) openAny(url.toLocalFile());
+}
+
+}  // namespace squat::studio

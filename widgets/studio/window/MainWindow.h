@@ -1,0 +1,155 @@
+// widgets/studio/window/MainWindow.h - the studio's window: it puts the parts together and knows files, nothing more.
+#pragma once
+
+#include <QMainWindow>
+#include <QPointer>
+#include <functional>
+
+#include "readers/SignalFile.h"
+#include "studio/document/CaseDocument.h"
+#include "studio/document/ShownCase.h"
+#include "studio/runs/RunController.h"
+#include "studio/runs/RunStore.h"
+#include "studio/runs/StoppedRuns.h"
+#include "studio/window/PaperPanel.h"
+
+class QDockWidget;
+class QLabel;
+class QMenu;
+class QTabWidget;
+
+namespace squat::studio {
+
+class HelpWindow;
+class MessageBar;
+class ParameterForm;
+class ProfileEditor;
+class Recovery;
+class RunPanel;
+class RunsPanel;
+class ScenePanel;
+class SignalsPanel;
+
+enum class Answer { save, discard, cancel };
+// Asks what to do with unsaved changes (or a run in progress); tests answer without a window.
+using Asker = std::function<Answer(QWidget*, const QString& question, const QString& discardText)>;
+
+struct StudioServices {
+  Runner runner;
+  Comparison comparison;
+  Asker asker;             // empty: a message box
+  QString recoveryFolder;  // of unsaved changes and results; empty: none
+  QString runsFolder;      // of runs that were stopped; empty: none
+  int threads = 0;         // of a run; 0: all cores (the window goes first all the same)
+};
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  static constexpr QSize usualSize{1500, 920};  // where the screen has room for it
+  explicit MainWindow(StudioServices services, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  CaseDocument& document() { return document_; }
+  RunController& controller() { return controller_; }
+  RunStore& store() { return store_; }
+  ProfileEditor* profile() const { return profile_; }
+  ParameterForm* form() const { return form_; }
+  SignalsPanel* signalsPanel() const { return signals_; }
+  ScenePanel* scene() const { return scene_; }
+  MessageBar* messages() const { return messages_; }
+
+  // A case, a result or the name of a shipped case. False, with a message in the window, where it cannot be opened.
+  bool openAny(const QString& path);
+  bool openCase(const QString& nameOrPath);
+  bool openResult(const QString& path);
+  bool openMeasured(const QString& path);
+  void askHowToRead(const QString& path);  // a measured file that does not tell by itself
+  bool saveCase();
+  bool saveCaseAs();
+  bool saveCaseTo(const QString& path);
+  bool saveResult(const ResultPointer& result);  // asks for a place
+  bool saveResultTo(const QString& path) { return saveResultTo(store_.current(), path); }
+  bool saveResultTo(int row, const QString& path);
+  void startRun() { beginRun(false); }
+  void goOnWithRun() { beginRun(true); }  // with the one of this case that was stopped
+  void setDark(bool dark);
+  // "profile", "model", "paper", "run", "runs", or one of the signals panel's; false for another name.
+  bool showTab(const QString& name);
+  static QStringList tabNames();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void makeParts();
+  void makeDocks();
+  void connectParts();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeRunMenu();
+  void makeViewMenu();
+  void makeFigureMenu();
+  void makeHelpMenu();
+  void fillRecentMenu();
+  void showTitle();
+  void showHelp();
+  void showShownCase();  // where the result that is shown is not of the case that is open
+  void takeWhatIsTyped();
+  bool hasUnsavedChanges() const;  // of the case, also those that the form could not take
+  bool isTaken();                  // all that is typed; else says what is not, and that nothing is saved
+  bool mayLeaveCase();             // saves, or the user lets the changes go
+  bool mayLeaveResults(const std::vector<ResultPointer>& results);
+  bool mayLeaveAllResults();
+  void removeRun(int row);
+  void beginRun(bool resume);
+  void keep(const ResultPointer& result);
+  void showStopped();
+  void enableActions();
+  void endRun();
+  bool mayLeaveRun();  // stops it, or the user stays
+  void offerRecovery();
+  void hideSettledRecovery();  // once what was recovered is saved or let go
+  bool recoveredResultWaits() const;
+  void hideWordsOfOldCase();
+  QString recoverCase();  // what to say of it
+  QString recoverResults();
+  void overlay(const QString& path, const readers::SignalFileOptions& options);  // throws
+  QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
+
+  StudioServices services_;
+  CaseDocument document_;
+  RunStore store_;
+  RunController controller_;
+  StoppedRuns stopped_;
+  UnsavedResults unsaved_;
+  QString checkpoint_;    // of the run in progress
+  QString unsavedFile_;   // where its result is kept
+  ResultPointer part_;    // of the run that was stopped to close the window
+  std::string running_;   // the case of that run
+  bool resumed_ = false;  // the run in progress
+  Recovery* recovery_ = nullptr;
+  MessageBar* messages_;
+  QLabel* otherCase_;
+  QPointer<HelpWindow> help_;
+  ParameterForm* form_;
+  ProfileEditor* profile_;
+  ScenePanel* scene_;
+  PaperPanel* paper_;
+  SignalsPanel* signals_;
+  RunPanel* run_;
+  RunsPanel* runs_;
+  QTabWidget* middle_;
+  QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
+  QMenu* recent_ = nullptr;
+  QAction *darkAction_ = nullptr, *goOnAction_ = nullptr;
+  bool closing_ = false, ending_ = false;
+  bool caseRecovered_ = false;
+  std::vector<std::weak_ptr<const results::RunResult>> resultsRecovered_;
+  QString recoverySaid_;
+  int runsMade_ = 0;
+};
+
+}  // namespace squat::studio
