@@ -100,16 +100,19 @@ TEST_P(EverySolidIsOne, FourTimesTheModulusChangesTheAxleBoxAcceleration) {
   const auto& [key, value] = GetParam();
   const auto stiff = run(tinyCase("light-defect", {{key, value}}));
   const auto &before = *lightDefect().signal("aba_filtered"), &after = *stiff.signal("aba_filtered");
-  // Far above what rounding or another time step does to the signal (1e-6).
-  std::printf("%s: %.4f of the peak\n", key.c_str(), largestDifference(before, after) / largest(before));
-  EXPECT_GT(largestDifference(before, after), 0.01 * largest(before));
+  // Four times as stiff, the modes of a solid are up to twice as high: within a period of the slower ones both signals
+  // stand against each other, so that they differ by as much as the solid takes part in them. Seen: rail 0.6 of the
+  // peak (its pads stay as soft as they are), sleepers 0.9, wheelset 3.3; asked for is half of the least. Another time
+  // step changes 0.004 at most (mesh.selective_inertia).
+  const double change = largestDifference(before, after) / largest(before);
+  EXPECT_GT(change, 0.3) << key;
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, EverySolidIsOne,
                          ::testing::Values(std::pair<std::string, std::string>{"rail.young_modulus", "840"},
                                            std::pair<std::string, std::string>{"wheelset.young_modulus", "840"},
                                            std::pair<std::string, std::string>{"sleeper.young_modulus", "153.6"}),
-                         [](const auto& info) { return info.param.first.substr(0, info.param.first.find('.')); });
+                         [](const auto& solid) { return solid.param.first.substr(0, solid.param.first.find('.')); });
 
 double lastOf(const results::RunResult& result, const std::string& name) {
   for (const auto& channel : result.energy)
@@ -127,7 +130,6 @@ TEST(RunCase, StrainEnergiesOfTheSolidsAreInTheLedger) {
   for (const char* name :
        {"strain_energy_rail", "strain_energy_wheelset", "strain_energy_sleepers", "strain_energy_springs"}) {
     sum += scalar(r.equilibrium, name);
-    std::printf("%s %.5g J\n", name, scalar(r.equilibrium, name));
   }
   EXPECT_NEAR(sum, lastOf(r, "strain"), 1e-9 * sum);
 }
@@ -226,14 +228,14 @@ TEST(RunCase, StepAboveTheStableOneIsRefused) {
 
 TEST(RunCase, MovedNodesChangeLittle) {
   // The defect as a term of the gap alone against surface nodes moved as in the paper: 0.15 mm over an element layer of
-  // 20 mm changes its stiffness by less than a percent, hence 2 % of the peak.
+  // 20 mm changes its stiffness by 0.75 % at the deepest point, and this layer has less than a tenth of the flexibility
+  // below the wheel: 0.075 % of the peak. The manual says 0.05 %; asked for is 0.1 %.
   const auto moved = run(tinyCase("light-defect", {{"defect.move_nodes", "true"}}));
   const auto &gap = *lightDefect().signal("aba_filtered"), &nodes = *moved.signal("aba_filtered");
   const double difference = largestDifference(gap, nodes);
   RecordProperty("difference", std::to_string(difference / largest(gap)));
-  std::printf("moved nodes against gap term: %.3f %% of the peak\n", 100 * difference / largest(gap));
-  EXPECT_GT(difference, 0.0);
-  EXPECT_LT(difference, 0.02 * largest(gap));
+  EXPECT_GT(difference, 1e-4 * largest(gap)) << "the nodes have not moved";
+  EXPECT_LT(difference, 0.001 * largest(gap));
 }
 
 // A torque far beyond friction spins the wheel: the run goes on to its end, says so and marks it in the result.
