@@ -93,7 +93,7 @@ Scalogram scalogram(const TimeSeries& series, const WaveletOptions& options) {
   result.frequency = frequenciesFor(series, options);
   const TimeSeries seen = seenPart(series, options);
   const auto shown = shownSamples(seen, options);
-  const auto begin = shown.first, end = shown.second;  // no names of a pair: clang lets no lambda hold those
+  const auto begin = shown.first, end = shown.second;  // plain: in clang 14 no lambda captures a binding
   const std::size_t n = end - begin;
   const std::size_t cell = std::clamp<std::size_t>(options.cell, 1, n);
   const std::size_t columns = (n + cell - 1) / cell;
