@@ -45,7 +45,7 @@ std::vector<std::string> keepOtherCases(const RunFiles& files, const std::string
   try {
     state = results::readCheckpoint(files.checkpoint());
   } catch (const FileError&) {
-    // nothing goes on from a damaged one
+    // nothing resumes from a damaged one
   }
   if (state)
     if (const auto found = results::textAttribute(state->attributes, "case_hash", hash); found != hash)

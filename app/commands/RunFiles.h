@@ -30,11 +30,11 @@ void prepareFolder(const RunFiles& files);
 void keepInputs(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description);
 
 // For a run that begins anew. Throws CaseError where the checkpoint of another case's stopped run stands: hours that
-// somebody may want to go on from. Returns one line for each result of another case that will be replaced.
+// somebody may want to resume from. Returns one line for each result of another case that will be replaced.
 std::vector<std::string> keepOtherCases(const RunFiles& files, const std::string& hash);
 
-// Runs the case with checkpoints among the files. Goes on from the one that stands there where it fits; one of another
-// case or version is taken away, and that is told.
+// Runs the case with checkpoints among the files. Resumes from the one that is there, if it fits; one of another
+// case or version is removed, and that is reported.
 results::RunResult runOrGoOn(const cases::CaseDescription& description, simulation::RunOptions options,
                              const RunFiles& files, Monitor& monitor);
 
@@ -42,7 +42,7 @@ results::RunResult runOrGoOn(const cases::CaseDescription& description, simulati
 // is no result or is damaged: it may be somebody's, and is not replaced unasked.
 std::optional<results::RunResult> completeResult(const RunFiles& files);
 
-// Whether a run goes on from here with --resume.
+// Whether a run resumes from here with --resume.
 bool canGoOn(const RunFiles& files);
 
 // Where the result could not be written: the signals alone, as STEM.partial.csv, which need a hundredth of the room.

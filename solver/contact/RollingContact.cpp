@@ -49,12 +49,12 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
   PatchState patch;
   Sums sums;
   if (closed) closed->rail.clear(), closed->rim.clear();
-  const auto& location = wheel.placement;
+  const auto& placement = wheel.placement;
   std::vector<std::size_t> before;
   before.swap(history.closed);
   for (const auto& [i, j, point] : *among) {
     TouchPoint t;
-    if (!evaluatePoint(s, rail, rim, displaced, location, i, j, point, nearGap, t) || t.penetration <= 0) continue;
+    if (!evaluatePoint(s, rail, rim, displaced, placement, i, j, point, nearGap, t) || t.penetration <= 0) continue;
     const double pressure = law.normalPenalty * t.penetration, area = s.area[t.point];
     const double railX = railValue(rail, t, velocity, 0);
     const auto [railY, railZ] = railAcross(s, rail, t, velocity);
@@ -116,7 +116,7 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
       }
     patch.vertical -= forceZ, patch.longitudinal += forceX, patch.lateral += forceY;
     patch.rotationMoment += radius * area * (along + outwards * t.lead);
-    const double x = s.pointX[t.point] - location.centreX - location.hubX, y = s.pointY[t.point], n = pressure * area;
+    const double x = s.pointX[t.point] - placement.centreX - placement.hubX, y = s.pointY[t.point], n = pressure * area;
     sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
     if (points) points->push_back({x, y, pressure, along, across, area, slips});
   }

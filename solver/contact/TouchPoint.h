@@ -15,7 +15,7 @@ struct WheelPlacement {
   double centreX = 0, centreZ = 0;  // [m] reference position of the axis
   double rotation = 0;              // [rad] since the start, rolling in +x positive
   double hubX = 0, hubZ = 0;        // [m] mean displacement of the wheel centre relative to that
-  double turnAhead = 0;             // [rad] from the rotation in whose bases displacements are told to their instant
+  double turnAhead = 0;             // [rad] from the rotation in whose bases displacements are given to their instant
 };
 
 // Penetration (positive: overlap) after

@@ -135,7 +135,7 @@ void writeDurably(const std::string& path, std::span<const std::byte> bytes,
   } remover{part};
 
   {
-    const FileSizeSignalHeld fixed;
+    const FileSizeSignalHeld held;
     Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.get() < 0) {
       remover.armed = false;

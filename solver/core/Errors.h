@@ -20,7 +20,7 @@ struct CaseProblem {
 // "pad.stiffness is 0 MN/m, must be 1 to 20000 MN/m. Advice"; without allowed values: "pad.stifness: advice".
 std::string toText(const CaseProblem& problem);
 
-// The same for a case that can be run nevertheless: "should be" in location of "must be".
+// The same for a case that can be run nevertheless: "should be" in place of "must be".
 std::string toWarning(const CaseProblem& problem);
 
 // Invalid case or call (exit code 2). Carries every problem found, not only the first.

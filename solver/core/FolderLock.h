@@ -17,7 +17,7 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
-  bool fixed() const { return file_ >= 0; }
+  bool held() const { return file_ >= 0; }
 
  private:
   std::string path_;

@@ -1,4 +1,4 @@
-// solver/core/Monitor.h - how a long computation tells where it is and asks whether to go on.
+// solver/core/Monitor.h - how a long computation reports its progress and asks whether to continue.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int unit = elasticity::stationUnit;
 
-std::size_t locationOf(const elasticity::SweptBlock& block, int node, int station) {
+std::size_t indexOf(const elasticity::SweptBlock& block, int node, int station) {
   constexpr int chunk = elasticity::SweptBlock::chunk;
   return (static_cast<std::size_t>(station / chunk) * static_cast<std::size_t>(block.nodes) +
           static_cast<std::size_t>(node)) *
@@ -40,9 +40,9 @@ ContactInertia::ContactInertia(const model::Model& model, double penalty, double
     side.clusterOf.assign(static_cast<std::size_t>(block.nodes), -1), side.rankOf = side.clusterOf;
     const auto& clusters = block.inertia.clusters;
     for (std::size_t k = 0; k < clusters.size(); ++k)
-      for (int location = clusters[k].first; location < clusters[k].end; ++location) {
-        side.clusterOf[block.order.members[location]] = static_cast<int>(k);
-        side.rankOf[block.order.members[location]] = location - clusters[k].first;
+      for (int member = clusters[k].first; member < clusters[k].end; ++member) {
+        side.clusterOf[block.order.members[member]] = static_cast<int>(k);
+        side.rankOf[block.order.members[member]] = member - clusters[k].first;
       }
     side.slotOf.assign(clusters.size() * static_cast<std::size_t>(side.units), -1);
     side.nextOf.assign(side.slotOf.size(), 0);
@@ -79,9 +79,9 @@ void ContactInertia::applySide(Side& side, const std::vector<contact::AreaShare>
   const auto bare = [&](int node, int station) {
     return (*side.mass)[static_cast<std::size_t>(node) * block.stride + static_cast<std::size_t>(station)];
   };
-  for (const auto location : side.single) {
-    const int node = static_cast<int>(location / block.stride), station = static_cast<int>(location % block.stride);
-    inverse[locationOf(block, node, station)] = 1 / bare(node, station);
+  for (const auto index : side.single) {
+    const int node = static_cast<int>(index / block.stride), station = static_cast<int>(index % block.stride);
+    inverse[indexOf(block, node, station)] = 1 / bare(node, station);
   }
   side.single.clear(), side.next.clear();
   for (const auto& share : shares) {
@@ -89,7 +89,7 @@ void ContactInertia::applySide(Side& side, const std::vector<contact::AreaShare>
     const int cluster = side.clusterOf[share.node];
     const auto group = stationGroup(block, share.station);
     if (cluster < 0 || group.count == 1) {
-      double& now = inverse[locationOf(block, share.node, share.station)];
+      double& now = inverse[indexOf(block, share.node, share.station)];
       now = 1 / (1 / now + massPerArea_ * share.area);
       side.single.push_back(static_cast<std::size_t>(share.node) * block.stride + share.station);
       continue;
@@ -129,16 +129,15 @@ void ContactInertia::applyBlocks(Side& side, double* inverse) {
 
 void ContactInertia::weigh(Side& side, Touched& touched, double* inverse) const {
   const auto& block = *side.block;
-  const auto& locations = block.inertia.clusters[touched.key / side.units];
+  const auto& cluster = block.inertia.clusters[touched.key / side.units];
   const int first = touched.key % side.units * unit, stations = touched.stations;
-  const std::vector<int> nodes(block.order.members.begin() + locations.first,
-                               block.order.members.begin() + locations.end);
+  const std::vector<int> nodes(block.order.members.begin() + cluster.first, block.order.members.begin() + cluster.end);
   std::vector<double> mass;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (int s = 0; s < stations; ++s) {
       const double bare = (*side.mass)[static_cast<std::size_t>(nodes[i]) * block.stride + first + s];
       mass.push_back(bare + massPerArea_ * touched.areas[i * stations + s]);
-      inverse[locationOf(block, nodes[i], first + s)] = 1 / mass.back();
+      inverse[indexOf(block, nodes[i], first + s)] = 1 / mass.back();
     }
   elasticity::blockFilter(block, nodes, stations, mass, touched.values);
   touched.singleValues.assign(touched.values.begin(), touched.values.end());

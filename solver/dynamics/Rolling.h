@@ -10,7 +10,7 @@
 // and force elements collect forces; each thread adds the forces of plastic strain to the stations that it advances.
 // The start is elastic: what yields under the wheel at rest flows in the first step.
 //
-// Spin of the wheelset: in the turning reference every mass feels +a' r along alpha,
+// Angular velocity of the wheelset: in the turning reference every mass feels +a' r along alpha,
 //   I a' = torque + moment of the outer forces with undisplaced arms + what the contact's added inertia resists,
 // so that no mean rotation gathers in the displacements; the reference turns about its centre of mass, which lumped
 // masses leave some micrometres beside the axis. It turns with rate w, I w' = I a' - S, S the moment of the inner
@@ -106,7 +106,7 @@ class Rolling {
   double frontOfContact(double margin) const;
 
  private:
-  void pushWheelset();  // contact, irregular elements, torque, spin
+  void pushWheelset();  // contact, irregular elements, torque, angular acceleration
   void pushForceElements(int index);
   void sumDamperPower();
   void placeSlaves(int index);
@@ -164,7 +164,7 @@ class Rolling {
   void shareFixed();
   void shareForceElements();
   std::vector<forces::ForceShare> forceShares_;     // per thread
-  std::vector<std::vector<std::size_t>> fixedOf_;   // per thread: held unknowns of its stations
+  std::vector<std::vector<std::size_t>> fixedOf_;   // per thread: fixed unknowns of its stations
   std::vector<std::vector<TieShare>> tieShares_;    // per thread: master stations that it advances
   std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it places
   std::vector<AlignedVector> tieWorkspaces_;        // per thread

@@ -70,8 +70,8 @@ double largestOf(const std::vector<double>& diagonal, const std::vector<double>&
 }
 
 struct Highest {
-  double value = 0;          // [rad2/s2] of M^-1 K
-  std::size_t location = 0;  // unknown that moves most in about its mode
+  double value = 0;         // [rad2/s2] of M^-1 K
+  std::size_t unknown = 0;  // unknown that moves most in about its mode
   int iterations = 0;
 };
 
@@ -116,7 +116,7 @@ Highest highestEigenvalue(model::StaticOperator& op, const Accelerations& accele
   }
   // The last shape is rich in the highest modes: its largest entry shows about where they sit.
   for (std::size_t i = 0; i < n; ++i)
-    if (std::abs(shape[i]) > std::abs(shape[highest.location])) highest.location = i;
+    if (std::abs(shape[i]) > std::abs(shape[highest.unknown])) highest.unknown = i;
   return highest;
 }
 
@@ -163,7 +163,7 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
     return 2 / root * (std::sqrt(1 + z * z) - z);
   };
   double bound = stepFor(highest.value);
-  result.location = model::locationName(model, highest.location);
+  result.location = model::locationName(model, highest.unknown);
 
   // Dashpots act on the velocity of the half step before: 4 M - (dt^2 + 2 beta dt) K - 2 dt C must be positive
   // definite, as if they were springs of 2 C / (dt + 2 beta). The bound falls to its limit from above, half way (in its
@@ -176,7 +176,7 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
     const double shorter = stepFor(highest.value);
     if (shorter > bound * (1 - 1e-3)) break;
     bound = shorter;
-    result.location = model::locationName(model, highest.location) + ", by its dampers";
+    result.location = model::locationName(model, highest.unknown) + ", by its dampers";
   }
   if (const double byContact = stepFor(eigenvalueOfStiffContact(model.scenario)); byContact < bound) {
     bound = byContact;

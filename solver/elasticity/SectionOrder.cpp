@@ -121,9 +121,9 @@ void placeForces(const std::vector<Item>& items, SectionOrder& order) {
   order.forceSlots = static_cast<int>(taken.size());
   std::vector<int> slotOf(nodes);
   for (std::size_t k = 0; k < items.size(); ++k)
-    for (int location = start[k]; location < start[k + 1]; ++location) {
-      order.placeSlot.push_back(slot[k] + location - start[k]);
-      slotOf[order.members[location]] = order.placeSlot.back();
+    for (int member = start[k]; member < start[k + 1]; ++member) {
+      order.memberSlot.push_back(slot[k] + member - start[k]);
+      slotOf[order.members[member]] = order.memberSlot.back();
     }
   for (const int n : order.nodes) order.rowSlot.push_back(slotOf[n]);
 }

@@ -21,7 +21,7 @@ struct SectionOrder {
   std::vector<int> gatherUpTo;   // per row: so many nodes of the order must stand in the window
   int window = 0;                // nodes
   std::vector<int> members;      // node of each place
-  std::vector<int> placeSlot;    // where its forces wait
+  std::vector<int> memberSlot;   // where its forces wait
   std::vector<int> rowSlot;      // the same of each row
   std::vector<int> readyAfter;   // per row: so many places are ready when its force is found
   int forceSlots = 0;

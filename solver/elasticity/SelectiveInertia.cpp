@@ -188,22 +188,20 @@ void blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int s
 
 void slowShortWaves(const SweptBlock& block, double* acceleration) {
   const auto& inertia = block.inertia;
-  const auto at = [&](int location, int c, int s) -> double& {
-    return acceleration[block.index(block.order.members[location], c, s) - block.offset];
+  const auto at = [&](int member, int c, int s) -> double& {
+    return acceleration[block.index(block.order.members[member], c, s) - block.offset];
   };
   const auto amplitudes = [&](const KernelCluster& cluster, int c, int s) {
     std::array<double, keptAcross> sum{};
-    for (int location = cluster.first; location < cluster.end; ++location)
-      for (int k = 0; k < keptAcross; ++k)
-        sum[k] += inertia.weights[2 * keptAcross * location + k] * at(location, c, s);
+    for (int member = cluster.first; member < cluster.end; ++member)
+      for (int k = 0; k < keptAcross; ++k) sum[k] += inertia.weights[2 * keptAcross * member + k] * at(member, c, s);
     return sum;
   };
   const auto filter = [&](const KernelCluster& cluster, int c, int s, const std::array<double, keptAcross>& sum) {
-    for (int location = cluster.first; location < cluster.end; ++location) {
-      double& value = at(location, c, s);
+    for (int member = cluster.first; member < cluster.end; ++member) {
+      double& value = at(member, c, s);
       value *= inertia.share;
-      for (int k = 0; k < keptAcross; ++k)
-        value += inertia.weights[2 * keptAcross * location + keptAcross + k] * sum[k];
+      for (int k = 0; k < keptAcross; ++k) value += inertia.weights[2 * keptAcross * member + keptAcross + k] * sum[k];
     }
   };
   for (const auto& cluster : inertia.clusters)
@@ -235,15 +233,15 @@ void slowShortWavesAcross(const SweptBlock& block, double* acceleration) {
   for (const auto& cluster : inertia.clusters)
     for (int c = 0; c < 3; ++c) {
       std::array<double, keptAcross> amplitude{};
-      for (int location = cluster.first; location < cluster.end; ++location)
+      for (int member = cluster.first; member < cluster.end; ++member)
         for (int k = 0; k < keptAcross; ++k)
           amplitude[k] +=
-              inertia.weights[2 * keptAcross * location + k] * acceleration[3 * block.order.members[location] + c];
-      for (int location = cluster.first; location < cluster.end; ++location) {
-        double& value = acceleration[3 * block.order.members[location] + c];
+              inertia.weights[2 * keptAcross * member + k] * acceleration[3 * block.order.members[member] + c];
+      for (int member = cluster.first; member < cluster.end; ++member) {
+        double& value = acceleration[3 * block.order.members[member] + c];
         value *= inertia.share;
         for (int k = 0; k < keptAcross; ++k)
-          value += inertia.weights[2 * keptAcross * location + keptAcross + k] * amplitude[k];
+          value += inertia.weights[2 * keptAcross * member + keptAcross + k] * amplitude[k];
       }
     }
 }

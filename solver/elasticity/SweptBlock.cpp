@@ -90,15 +90,15 @@ void numberAsVisited(geometry::SectionMesh& section, std::vector<std::vector<int
   std::vector<int> rowStart, columns;
   findPairs(section, rowStart, columns);
   const auto order = sectionOrder(rowStart, columns, clusters).nodes;
-  std::vector<int> location(order.size());
+  std::vector<int> newIndex(order.size());
   auto nodes = section.nodes;
   for (std::size_t i = 0; i < order.size(); ++i)
-    location[order[i]] = static_cast<int>(i), nodes[i] = section.nodes[order[i]];
+    newIndex[order[i]] = static_cast<int>(i), nodes[i] = section.nodes[order[i]];
   section.nodes = std::move(nodes);
   for (auto& quad : section.quads)
-    for (int& node : quad) node = location[node];
+    for (int& node : quad) node = newIndex[node];
   for (auto& cluster : clusters) {
-    for (int& node : cluster) node = location[node];
+    for (int& node : cluster) node = newIndex[node];
     std::sort(cluster.begin(), cluster.end());
   }
 }

@@ -49,8 +49,8 @@ struct KernelFilter {
   const float* singleValues = nullptr;
 };
 
-// A stretch of intervals [first, first + count), both multiples of 8. Memory as told in SweptBlock.h; pointers are to
-// the first value of the block.
+// A stretch of intervals [first, first + count), both multiples of 8. Memory as laid out in SweptBlock.h; pointers are
+// to the first value of the block.
 struct KernelCall {
   int nodes = 0;
   const int* order = nullptr;  // SectionOrder, as are the next ten
@@ -61,14 +61,14 @@ struct KernelCall {
   const int* gatherUpTo = nullptr;
   int window = 0;
   const int* members = nullptr;
-  const int* placeSlot = nullptr;
+  const int* memberSlot = nullptr;
   const int* rowSlot = nullptr;
   const int* readyAfter = nullptr;
-  int middle = 0, far = 0;            // nodes next to the section's centre and farthest from it
-  const double* locations = nullptr;  // nodes x 2: section coordinates [m]
-  const KernelRun* runs = nullptr;    // of the whole block
-  std::size_t stride = 0;             // of the lines of masses, forces and accelerations
-  std::size_t chunkSize = 0;          // doubles of a chunk of the state vectors
+  int middle = 0, far = 0;              // nodes next to the section's centre and farthest from it
+  const double* coordinates = nullptr;  // nodes x 2: section coordinates [m]
+  const KernelRun* runs = nullptr;      // of the whole block
+  std::size_t stride = 0;               // of the lines of masses, forces and accelerations
+  std::size_t chunkSize = 0;            // doubles of a chunk of the state vectors
   int first = 0, count = 0;
   const double* source = nullptr;                     // displacement that the elasticity acts on, u + beta v
   const double *cosines = nullptr, *sines = nullptr;  // around an axis: of every station's angle; null along a line
@@ -86,17 +86,17 @@ struct KernelCall {
   const double* stationMass = nullptr;   // one line
   const double* inverseMass = nullptr;   // one value for each node and station, in chunks
   const double* evenInverse = nullptr;   // per node: inverse mass times station mass, or 0: as in inverseMass
-  const double* fixedMask = nullptr;     // nodes x 3: 1 free, 0 held
+  const double* fixedMask = nullptr;     // nodes x 3: 1 free, 0 fixed
   const int* externalLine = nullptr;     // per node: line triple in `external`, or -1
   const unsigned char* slave = nullptr;  // per node: 1: not advanced, its inner force is left in `external` instead
   double* external = nullptr;            // triples of lines; added to the inner force and cleared
   double* velocity = nullptr;            // in place
   double* target = nullptr;              // new u + beta v; may be `source`
   // 3 lines: body acceleration of each station in local components; null: evenAcceleration at all stations, no line is
-  // held, and there is no spin.
+  // fixed, and the wheelset is not accelerated about its axis.
   const double* acceleration = nullptr;
   double evenAcceleration[3] = {};
-  const double* radialWeight = nullptr;     // per node: radius for the spin, or null
+  const double* radialWeight = nullptr;     // per node: radius, for the angular acceleration; or null
   double angularAcceleration = 0;           // [rad/s2] added times radius to a
   double step = 0, beta = 0;                // [s]
   double cosine = 1, sine = 0;              // of the angle by which the local basis turns in this step

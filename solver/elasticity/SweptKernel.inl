@@ -65,7 +65,7 @@ void carryOver(const KernelCall& call) {
   const FlushTiny flush;
   Group<typename Whole::Real> group;
   group.at = call.first - 8, group.count = 8;
-  group.state = locationOf(call, group.at), group.next = call.source + locationOf(call, call.first);
+  group.state = stateIndex(call, group.at), group.next = call.source + stateIndex(call, call.first);
   findParts<Whole, Piece>(call, group);
   overRows<Whole, Piece>(
       call, group, [&](int) { return (*waiting<typename Whole::Real>(call, 0))[0]; }, [](int) { return Unscaled{}; },
@@ -81,7 +81,7 @@ inline void overGroups(const KernelCall& call, const Body& body) {
     const int stop = (at / chunk + 1) * chunk < end ? (at / chunk + 1) * chunk : end;
     Group<typename Whole::Real> group;
     group.at = at, group.count = stop - at;
-    group.state = locationOf(call, at), group.next = call.source + locationOf(call, stop);
+    group.state = stateIndex(call, at), group.next = call.source + stateIndex(call, stop);
     if (stop == end && call.after) group.next = call.after, group.nextNode = 3, group.nextLine = 1;
     findParts<Whole, Piece>(call, group);
     if (call.clusterCount > 0) findAlong(call, group);

@@ -152,7 +152,7 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
 template <typename Whole, typename Piece, typename Real = typename Piece::Real>
 inline void slowShortWaves(const KernelCall& call, const Group<Real>& group, int ready, int& cluster) {
   for (; cluster < call.clusterCount && call.clusters[cluster].end <= ready; ++cluster)
-    slowCluster<Whole, Piece>(call, group, cluster, waiting<Real>(call, call.placeSlot[call.clusters[cluster].first]));
+    slowCluster<Whole, Piece>(call, group, cluster, waiting<Real>(call, call.memberSlot[call.clusters[cluster].first]));
 }
 
 }  // namespace

@@ -24,9 +24,9 @@ struct RigidMotion<float> {
       while (run->last <= group.at + i) ++run;
       lengths[i] = run->length;
     }
-    const double* middle = call.locations + 2 * call.middle;
-    const double acrossB = call.locations[2 * call.far] - middle[0],
-                 acrossC = call.locations[2 * call.far + 1] - middle[1];
+    const double* middle = call.coordinates + 2 * call.middle;
+    const double acrossB = call.coordinates[2 * call.far] - middle[0],
+                 acrossC = call.coordinates[2 * call.far + 1] - middle[1];
     const double size2 = acrossB * acrossB + acrossC * acrossC;
     for (int i = 0; i < group.count; i += LANES) {
       Vector hereM[3], hereF[3], m[3], f[3];
@@ -130,8 +130,8 @@ inline void gatherParts(const KernelCall& call, const Group<Real>& group, const 
   Real* out = reinterpret_cast<Real*>(call.workspace) + slot * std::size_t{6 * chunk};
   const double *lines = call.source + group.state + static_cast<std::size_t>(node) * 3 * chunk,
                *beyond = group.next + node * group.nextNode;
-  const double besideB = call.locations[2 * node] - call.locations[2 * call.middle],
-               besideC = call.locations[2 * node + 1] - call.locations[2 * call.middle + 1];
+  const double besideB = call.coordinates[2 * node] - call.coordinates[2 * call.middle],
+               besideC = call.coordinates[2 * node + 1] - call.coordinates[2 * call.middle + 1];
   for (int p = 0; p < group.parts; ++p) {
     const int from = group.part[p].offset, width = group.part[p].width;
     const bool isLast = p + 1 == group.parts;
@@ -258,10 +258,10 @@ inline void forceOfPart(const KernelCall& call, const Part<Real>& part, int row,
 }
 
 // Goes through the rows of a group: a node is gathered shortly before the first row that needs it. The forces of a row
-// go to place(row), three lines of a chunk, times factorOf(row); whole(row) follows when they stand there on all
+// go to forceOf(row), three lines of a chunk, times factorOf(row); whole(row) follows when they stand there on all
 // stations: what it asks of memory hides behind the multiply-adds of the next.
-template <typename Whole, typename Piece, typename Location, typename FactorOf, typename Then>
-inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const Location& location,
+template <typename Whole, typename Piece, typename ForceOf, typename FactorOf, typename Then>
+inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& group, const ForceOf& forceOf,
                      const FactorOf& factorOf, const Then& whole) {
   const RigidMotion<typename Whole::Real> rigid(call, group);
   int gathered = 0, slot = 0;
@@ -274,7 +274,7 @@ inline void overRows(const KernelCall& call, const Group<typename Whole::Real>& 
           slot = slot + 1 == call.window ? 0 : slot + 1;
         }
         if (p == 0 && gathered + sourceAhead < call.nodes) askSource(call, group, call.order[gathered + sourceAhead]);
-        forceOfPart<Whole, Piece>(call, group.part[p], row, location(row), factorOf(row));
+        forceOfPart<Whole, Piece>(call, group.part[p], row, forceOf(row), factorOf(row));
         if (p + 1 == group.parts) whole(row);
       }
   }

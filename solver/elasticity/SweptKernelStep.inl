@@ -42,7 +42,7 @@ inline void accelerateStations(const KernelCall& call, const Group<Real>& group,
       for (int i = 0; i < count; i += LANES) storeAs(force[c] + i, -even * widened(force[c] + i));
     return;
   }
-  const double *inverse = call.inverseMass + placeOfMass(call, n, group.at), *mass = call.stationMass + group.at;
+  const double *inverse = call.inverseMass + massIndex(call, n, group.at), *mass = call.stationMass + group.at;
   for (int c = 0; c < 3; ++c) {
     double* added = outer ? outer + c * stride : nullptr;
 #pragma GCC unroll 4
@@ -73,8 +73,8 @@ inline void advanceStations(const KernelCall& call, const Group<Real>& group, in
   const std::size_t base = group.state + static_cast<std::size_t>(n) * 3 * chunk;
   const double* source = call.source + base;
   const double step = call.step, beta = call.beta, both = step + beta, cosine = call.cosine, sine = call.sine;
-  const double spin = call.radialWeight ? call.angularAcceleration * call.radialWeight[n] : 0.0;
-  const double pushed[3] = {spin, 0, 0};
+  const double tangential = call.radialWeight ? call.angularAcceleration * call.radialWeight[n] : 0.0;
+  const double pushed[3] = {tangential, 0, 0};
   double *rates = call.velocity + base, *target = call.target + base;
   for (int c = 0; c < 3; ++c) {
     const double mask = EVEN ? 1 : call.fixedMask[3 * n + c], push = EVEN ? call.evenAcceleration[c] : pushed[c];
@@ -121,7 +121,7 @@ inline void askStep(const KernelCall& call, const Group<Real>& group, int node) 
 template <typename Real>
 inline void askForce(const KernelCall& call, const Group<Real>& group, int node) {
   if (evenInverse(call, node) != 0) return;
-  for (int i = 0; i < group.count; i += 8) ask(call.inverseMass + placeOfMass(call, node, group.at) + i);
+  for (int i = 0; i < group.count; i += 8) ask(call.inverseMass + massIndex(call, node, group.at) + i);
   if (const int line = call.externalLine[node]; line >= 0)
     askLines(call.external + static_cast<std::size_t>(line) * 3 * call.stride + group.at, call.stride, group.count);
 }
@@ -135,7 +135,7 @@ inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Rea
   const auto advanceUpTo = [&](int end) {
     for (; advanced < end; ++advanced) {
       if (advanced + stepAhead < call.nodes) askStep(call, group, call.members[advanced + stepAhead]);
-      advanceNode(call, group, call.members[advanced], *waiting<Real>(call, call.placeSlot[advanced]));
+      advanceNode(call, group, call.members[advanced], *waiting<Real>(call, call.memberSlot[advanced]));
     }
   };
   overRows<Whole, Piece>(

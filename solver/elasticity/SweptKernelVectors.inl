@@ -119,11 +119,11 @@ inline Real (*waiting(const KernelCall& call, int slot))[3][chunk] {
   return reinterpret_cast<Real(*)[3][chunk]>(call.waiting) + slot;
 }
 
-inline std::size_t locationOf(const KernelCall& call, int station) {
+inline std::size_t stateIndex(const KernelCall& call, int station) {
   return station / chunk * call.chunkSize + station % chunk;
 }
 
-inline std::size_t placeOfMass(const KernelCall& call, int node, int station) {
+inline std::size_t massIndex(const KernelCall& call, int node, int station) {
   return station / chunk * (call.chunkSize / 3) + node * std::size_t{chunk} + station % chunk;
 }
 

@@ -32,10 +32,10 @@ KernelCall callFor(const SweptBlock& block, int index, int first, int count, con
   call.slots = block.order.slots.data();
   call.gatherUpTo = block.order.gatherUpTo.data();
   call.window = block.order.window;
-  call.members = block.order.members.data(), call.placeSlot = block.order.placeSlot.data();
+  call.members = block.order.members.data(), call.memberSlot = block.order.memberSlot.data();
   call.rowSlot = block.order.rowSlot.data(), call.readyAfter = block.order.readyAfter.data();
   call.middle = block.middle, call.far = block.far;
-  call.locations = block.section.nodes.front().data();
+  call.coordinates = block.section.nodes.front().data();
   call.runs = scratch.runs[index].data();
   call.stride = block.stride;
   call.stationMass = block.stationMass.data();

@@ -103,4 +103,10 @@ Stations stationsOver(double start, const std::vector<Zone>& zones, double growt
   return stations;
 }
 
+std::pair<int, double> intervalOf(const std::vector<double>& positions, double at) {
+  const auto above = std::upper_bound(positions.begin(), positions.end(), at) - positions.begin();
+  const int k = std::clamp(static_cast<int>(above) - 1, 0, static_cast<int>(positions.size()) - 2);
+  return {k, (at - positions[k]) / (positions[k + 1] - positions[k])};
+}
+
 }  // namespace squat::geometry

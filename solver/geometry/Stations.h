@@ -1,6 +1,7 @@
 // solver/geometry/Stations.h - where the sections of a swept block stand: runs of equally long intervals.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace squat::geometry {
@@ -25,7 +26,7 @@ struct Stations {
 // A stretch to be meshed with intervals of at most `length`.
 struct Zone {
   double to = 0;      // [m] end of the zone; it begins where the one before ended
-  double length = 0;  // [m] wished interval length
+  double length = 0;  // [m] requested interval length
   int whole = 0;      // its intervals in all are a multiple of this; 0: of those of a run
 };
 
@@ -39,5 +40,9 @@ std::vector<StationRun> fillGap(double gap, double length, double finerBefore, d
 // lengths are taken from the coarser zone. Runs get multiples of `multiple` intervals, so that vectors along the
 // stations are full; zone ends move slightly outwards of the finer zone for that, `start` and the last end stay exact.
 Stations stationsOver(double start, const std::vector<Zone>& zones, double growth, int multiple);
+
+// Interval of ascending positions that holds a value, the outermost where it lies beyond them: index of its left end,
+// and the fraction of the interval from there.
+std::pair<int, double> intervalOf(const std::vector<double>& positions, double at);
 
 }  // namespace squat::geometry

@@ -19,7 +19,7 @@ namespace {
 constexpr int vectorMultiple = 8;      // every run of stations fills whole vectors of any instruction set
 constexpr double runGrowth = 2.0;      // neighbouring runs differ by at most this factor
 constexpr double patchMargin = 0.020;  // [m] rolled mesh before the first and behind the last wheel position
-constexpr double patchEnd = 0.030;     // [m] behind the last one, as wished
+constexpr double patchEnd = 0.030;     // [m] behind the last one, as requested
 
 std::vector<double> evenly(double from, double to, int count) {
   std::vector<double> values;

@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "geometry/Stations.h"
 #include "scenario/TrackCentre.h"
 
 namespace squat::model {
@@ -14,21 +15,14 @@ namespace {
 
 using Terms = std::vector<std::pair<std::size_t, double>>;
 
-// Place of a value between ascending positions: index of the left one and the fraction towards the right.
-std::pair<int, double> location(const std::vector<double>& positions, double at) {
-  int k = static_cast<int>(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;
-  k = std::clamp(k, 0, static_cast<int>(positions.size()) - 2);
-  return {k, (at - positions[k]) / (positions[k + 1] - positions[k])};
-}
-
 // Bilinear interpolation on a face line of a block: one displacement component at (section coordinate, station
 // position).
 void interpolate(const elasticity::SweptBlock& block, const std::vector<int>& line, int axis, double section,
                  double station, int component, double sign, Terms& terms) {
   std::vector<double> coordinates;
   for (const int node : line) coordinates.push_back(block.section.nodes[node][axis]);
-  const auto [j, v] = location(coordinates, section);
-  const auto [s, u] = location(block.positions, station);
+  const auto [j, v] = geometry::intervalOf(coordinates, section);
+  const auto [s, u] = geometry::intervalOf(block.positions, station);
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b) {
       const double weight = (a ? v : 1 - v) * (b ? u : 1 - u);

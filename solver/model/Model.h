@@ -56,8 +56,8 @@ struct Model {
   elasticity::IrregularElements movedElements;    // of the rail, under a defect whose nodes are moved
   plasticity::SurfaceLayer layer;                 // of the rail head; empty where nothing may yield
   std::vector<std::vector<unsigned char>> slave;  // per block and section node
-  std::vector<std::vector<double>> freeMask;      // per block: nodes x 3, 0 where a whole line is held
-  std::vector<std::size_t> fixed;                 // single unknowns that are held
+  std::vector<std::vector<double>> freeMask;      // per block: nodes x 3, 0 where a whole line is fixed
+  std::vector<std::size_t> fixed;                 // single unknowns that are fixed
   std::vector<LoadedNodes> loaded;                // per block
   std::size_t stateSize = 0, forceSize = 0;
   std::size_t sprungX = 0, sprungZ = 0;    // state indices of the auxiliary degrees of freedom

@@ -23,7 +23,7 @@ std::vector<unsigned char> findFree(const Model& model, bool fixSprungMassAlong)
   return free;
 }
 
-// Mean turn of the hub: enough to hold the spin, whose force is zero in the equilibrium.
+// Mean turn of the hub: enough to fix the rotation, whose force is zero in the equilibrium.
 std::vector<std::pair<std::size_t, double>> hubTurn(const Model& model) {
   std::vector<std::pair<std::size_t, double>> terms;
   const auto& block = model.blocks[model.hub.block];

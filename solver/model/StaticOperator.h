@@ -12,7 +12,7 @@
 
 namespace squat::model {
 
-// Vectors are in state layout. Slaves, held unknowns, ghosts and padding are zero in results; in arguments they are
+// Vectors are in state layout. Slaves, fixed unknowns, ghosts and padding are zero in results; in arguments they are
 // written by apply() (slaves and ghosts from their masters).
 class StaticOperator {
  public:

@@ -95,11 +95,11 @@ double meanRotation(const Model& model, const double* state) {
   return sum / model.wheelset.inertia;
 }
 
-void removeMeanRotation(const Model& model, double spin, double* state) {
+void removeMeanRotation(const Model& model, double rotation, double* state) {
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
     for (int n = 0; n < block.nodes; ++n)
-      for (int s = 0; s < block.stationCount; ++s) state[block.index(n, 0, s)] -= spin * block.section.nodes[n][0];
+      for (int s = 0; s < block.stationCount; ++s) state[block.index(n, 0, s)] -= rotation * block.section.nodes[n][0];
   }
   elasticity::refreshGhosts(model.blocks, state);
 }

@@ -40,6 +40,6 @@ void turnBases(const Model& model, double rotation, AlignedVector& state);
 // [rad/s].
 double meanRotation(const Model& model, const double* state);
 // Subtracts a rigid turn from the wheelset's displacements or velocities.
-void removeMeanRotation(const Model& model, double spin, double* state);
+void removeMeanRotation(const Model& model, double rotation, double* state);
 
 }  // namespace squat::model

@@ -114,11 +114,11 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model
     }
     for (const auto& p : block.section.nodes) locations[b].push_back(locate(shapes.section, p));
   }
-  // Rigid motions: spin, up and down with its pair along the track.
+  // Rigid motions: rotation, up and down with its pair along the track.
   const std::size_t sectionNodes = shapes.section.nodes.size();
-  std::vector<double> spin(3 * sectionNodes, 0.0), lift(3 * sectionNodes, 0.0);
+  std::vector<double> turn(3 * sectionNodes, 0.0), lift(3 * sectionNodes, 0.0);
   for (std::size_t n = 0; n < sectionNodes; ++n)
-    spin[3 * n] = shapes.section.nodes[n][0], lift[3 * n] = 1, lift[3 * n + 1] = -1;
+    turn[3 * n] = shapes.section.nodes[n][0], lift[3 * n] = 1, lift[3 * n + 1] = -1;
   const auto vectorOf = [&](int harmonic, const std::vector<double>& shape, double box) {
     Vector vector{harmonic, false, box, {}};
     for (int b = 0; b < 2; ++b)
@@ -126,7 +126,7 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model
           interpolated(model.blocks[indices[b]], locations[b], shapes.section, shape, model.freeMask[indices[b]]);
     return vector;
   };
-  addPair(vectorOf(0, spin, 0));
+  addPair(vectorOf(0, turn, 0));
   addPair(vectorOf(1, lift, 1));
   const auto rigid = static_cast<Eigen::Index>(vectors_.size());
   for (const auto& m : shapes.modes) {

@@ -2,7 +2,8 @@
 //
 // A wheelset swept in equal sectors couples no two harmonics cos(n alpha): each is a problem of the size of one
 // section. Only the first harmonic (bending, translation) moves the axle box up and down; an axle box on a bearing
-// spring is one unknown more there. Rail, suspension and spin are left out, bearing damper and other damping as well.
+// spring is one unknown more there. Rail, suspension and rotation about the axle are left out, bearing damper and other
+// damping as well.
 #pragma once
 
 #include <vector>

@@ -9,7 +9,7 @@ namespace squat::readers {
 
 enum class Role { signal, time, position, speed, run };
 
-// By name in English, Dutch or German, and by unit where the name does not tell.
+// By name in English, Dutch or German, and by unit where the name says nothing.
 Role roleOf(std::string_view name, std::string_view unit);
 
 // Factor to SI for the role, and the SI unit's name. Unknown units keep the numbers: factor 1, unit as it is.

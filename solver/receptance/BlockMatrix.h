@@ -54,7 +54,7 @@ class BlockFactor {
 };
 
 // K + i w C - w^2 M: eliminated by whole groups, the one with fewest unknowns about it first. Pivots are sought within
-// a group only; residual() tells whether that was good enough.
+// a group only; residual() says whether that was good enough.
 class DynamicStiffness {
  public:
   // All three have the same groups.

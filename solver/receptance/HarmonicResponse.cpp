@@ -85,7 +85,7 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
   Projection projection(stiffness, damping, mass, loads, responses);
   const double lowest = frequencies.front(), highest = frequencies.back();
   const double reach = angular(highest - lowest) / (2 * options.firstStretches);
-  const auto tell = [&](double fraction) {
+  const auto reportProgress = [&](double fraction) {
     Progress progress;
     progress.phase = "receptance", progress.fraction = fraction;
     monitor.report(progress);
@@ -105,7 +105,7 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
       });
       result.solutions += static_cast<int>(std::min(threads, at.size() - done));
       // About four solutions for each of the first stretches, as it turns out.
-      tell(std::min(0.95, result.solutions / (4.0 * options.firstStretches)));
+      reportProgress(std::min(0.95, result.solutions / (4.0 * options.firstStretches)));
     }
     for (const double r : residuals) result.largestResidual = std::max(result.largestResidual, r);
     return solutions;
@@ -155,7 +155,7 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
       for (Index p = 0; p < values.size(); ++p) result.values[static_cast<std::size_t>(p)][f] = values[p];
     }
   });
-  tell(1);
+  reportProgress(1);
   return result;
 }
 

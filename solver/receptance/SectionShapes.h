@@ -2,7 +2,7 @@
 //
 // Natural modes of the section in standing waves from 12 m to 0.1 m long, and what it answers to the forces of pads and
 // load in such waves: rigid motions, warping, bending of web and foot, local give. Everything else is left out, which
-// makes the track a trifle too stiff; the number of shapes tells how little.
+// makes the track a trifle too stiff; the number of shapes says how little.
 #pragma once
 
 #include <Eigen/Dense>

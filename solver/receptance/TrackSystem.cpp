@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "elasticity/StandingWave.h"
+#include "geometry/Stations.h"
 
 namespace squat::receptance {
 
@@ -15,13 +16,6 @@ using Terms = std::vector<std::pair<std::size_t, double>>;
 
 constexpr int vertical = 2;       // component of a block swept along x
 constexpr double holding = 1e14;  // [N/m] of what is held: far above any element, far from round-off
-
-// Place of a value between ascending positions: index of the left one and the fraction towards the right.
-std::pair<int, double> location(const std::vector<double>& positions, double at) {
-  int k = static_cast<int>(std::upper_bound(positions.begin(), positions.end(), at) - positions.begin()) - 1;
-  k = std::clamp(k, 0, static_cast<int>(positions.size()) - 2);
-  return {k, (at - positions[k]) / (positions[k + 1] - positions[k])};
-}
 
 // Groups of all stations of the track, before anything is assembled: one for each family of shapes of a station.
 Groups groupsOf(const model::Model& model, const std::vector<int>& railFamilies) {
@@ -125,8 +119,8 @@ VectorXd TrackSystem::load(double position, double side) const {
   Terms terms;
   for (int p = 0; p < points; ++p)
     for (int q = 0; q < points; ++q) {
-      const auto [s, u] = location(rail.positions, position + ((p + 0.5) / points - 0.5) * side);
-      const auto [j, v] = location(model_.surfaces.railY, ((q + 0.5) / points - 0.5) * side);
+      const auto [s, u] = geometry::intervalOf(rail.positions, position + ((p + 0.5) / points - 0.5) * side);
+      const auto [j, v] = geometry::intervalOf(model_.surfaces.railY, ((q + 0.5) / points - 0.5) * side);
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b)
           terms.push_back({rail.index(model_.surfaces.railLine[j + a], vertical, s + b),
@@ -137,7 +131,7 @@ VectorXd TrackSystem::load(double position, double side) const {
 
 VectorXd TrackSystem::sectionMean(double position) const {
   const auto& rail = model_.blocks[model_.rail];
-  const auto [s, u] = location(rail.positions, position);
+  const auto [s, u] = geometry::intervalOf(rail.positions, position);
   const auto& mass = model_.mass[model_.rail];
   double sum = 0;
   for (int n = 0; n < rail.nodes; ++n) sum += mass[n * rail.stride + s];

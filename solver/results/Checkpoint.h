@@ -1,4 +1,4 @@
-// solver/results/Checkpoint.h - the state of a run on disk, to go on from after a kill.
+// solver/results/Checkpoint.h - the state of a run on disk, to resume from after a kill.
 // A checkpoint is an ArrayTree whose root carries the attributes `schema` = "squat-checkpoint" and `schema_version`;
 // whoever writes one adds what must agree on going on (case hash, instruction set, code version) as root attributes.
 #pragma once
@@ -17,7 +17,7 @@ inline constexpr int kCheckpointVersion = 1;
 // replaced by a diverged one. FileError as well where the file cannot be written; the earlier one then stays.
 void writeCheckpoint(const std::string& path, ArrayTree state);
 
-// The state under `path`, or under PATH.previous where `path` is missing or damaged (`usedPrevious` tells).
+// The state under `path`, or under PATH.previous where `path` is missing or damaged (`usedPrevious`).
 // No value where neither exists; FileError where none of the existing ones is whole, or it is of a newer version.
 std::optional<ArrayTree> readCheckpoint(const std::string& path, bool* usedPrevious = nullptr);
 

@@ -9,7 +9,7 @@ namespace squat::results {
 
 // Writes the result beside `path`, reads it back, compares every bit, then renames: whatever stood under `path` stays
 // until the new file is whole. Throws FileError (path, reason, bytes needed). Fields beyond what a reader accepts
-// (Hdf5Limits) are thinned out, a warning in the file tells.
+// (Hdf5Limits) are thinned out, a warning in the file says so.
 void writeResult(const std::string& path, const RunResult& result);
 
 // Reads any result file, also a stranger's (see Hdf5.h for what is refused). Throws FileError with the object's path.

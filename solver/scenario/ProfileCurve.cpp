@@ -102,19 +102,19 @@ std::vector<ProfilePoint> ProfileCurve::points() const {
   return list;
 }
 
-double monotoneBetween(const std::vector<double>& locations, const std::vector<double>& values, double y) {
-  const std::size_t n = locations.size();
-  if (y <= locations.front()) return values.front();
-  if (y >= locations.back()) return values.back();
+double monotoneBetween(const std::vector<double>& positions, const std::vector<double>& values, double y) {
+  const std::size_t n = positions.size();
+  if (y <= positions.front()) return values.front();
+  if (y >= positions.back()) return values.back();
   const auto k =
-      static_cast<std::size_t>(std::upper_bound(locations.begin(), locations.end(), y) - locations.begin()) - 1;
-  const auto width = [&](std::size_t i) { return locations[i + 1] - locations[i]; };
+      static_cast<std::size_t>(std::upper_bound(positions.begin(), positions.end(), y) - positions.begin()) - 1;
+  const auto width = [&](std::size_t i) { return positions[i + 1] - positions[i]; };
   const auto secant = [&](std::size_t i) { return (values[i + 1] - values[i]) / width(i); };
   // The outermost lines go on level, so the slope there is zero.
   const auto slope = [&](std::size_t i) {
     return i == 0 || i + 1 == n ? 0.0 : innerSlope(width(i - 1), width(i), secant(i - 1), secant(i));
   };
-  return hermite(y - locations[k], width(k), values[k], values[k + 1], slope(k), slope(k + 1)).height;
+  return hermite(y - positions[k], width(k), values[k], values[k + 1], slope(k), slope(k + 1)).height;
 }
 
 }  // namespace squat::scenario

@@ -43,6 +43,6 @@ class ProfileCurve {
 };
 
 // The same cubic across the rail: value at y from values at ascending places; constant beyond the outermost.
-double monotoneBetween(const std::vector<double>& locations, const std::vector<double>& values, double y);
+double monotoneBetween(const std::vector<double>& positions, const std::vector<double>& values, double y);
 
 }  // namespace squat::scenario

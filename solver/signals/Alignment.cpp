@@ -100,11 +100,11 @@ void requireRisingPositions(const Passage& passage) {
   throw SignalError("signal '" + name + "': the position does not rise at sample " + std::to_string(sample), sample);
 }
 
-double timeAtPosition(const Passage& passage, double location) {
+double timeAtPosition(const Passage& passage, double position) {
   const auto& x = passage.position;
-  const auto above = std::upper_bound(x.begin(), x.end() - 1, location);
+  const auto above = std::upper_bound(x.begin(), x.end() - 1, position);
   const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, above - x.begin()));
-  const double part = (location - x[k - 1]) / (x[k] - x[k - 1]);
+  const double part = (position - x[k - 1]) / (x[k] - x[k - 1]);
   return passage.series.start + passage.series.step * (static_cast<double>(k - 1) + part);
 }
 
@@ -144,9 +144,8 @@ Passage passageAtSpeed(TimeSeries series, const std::vector<double>& speed) {
 double speedAt(const Passage& passage, double time, double half) {
   const auto& x = passage.position;
   if (x.size() < 2) throw SignalError("signal '" + passage.series.name + "' has no positions");
-  const double location = (time - passage.series.start) / passage.series.step;
-  const auto centre =
-      static_cast<std::size_t>(std::clamp(std::round(location), 0.0, static_cast<double>(x.size() - 1)));
+  const double sample = (time - passage.series.start) / passage.series.step;
+  const auto centre = static_cast<std::size_t>(std::clamp(std::round(sample), 0.0, static_cast<double>(x.size() - 1)));
   const auto low = std::lower_bound(x.begin(), x.end(), x[centre] - half) - x.begin();
   const auto high = std::upper_bound(x.begin(), x.end(), x[centre] + half) - x.begin() - 1;
   const auto from = std::min(low, static_cast<std::ptrdiff_t>(x.size()) - 2), to = std::max(high, from + 1);

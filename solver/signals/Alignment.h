@@ -23,7 +23,7 @@ Passage passageAtSpeed(TimeSeries series, const std::vector<double>& speed);
 // Throws SignalError where a passage has not one position for each sample, or one that does not rise.
 void requireRisingPositions(const Passage& passage);
 // [s] straight line between the samples; the end's beyond.
-double timeAtPosition(const Passage& passage, double location);
+double timeAtPosition(const Passage& passage, double position);
 // [m] straight line between the samples; the end's beyond.
 double positionAtTime(const Passage& passage, double time);
 

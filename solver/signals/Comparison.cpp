@@ -20,20 +20,19 @@ AlignedRuns overlay(const Passage& first, const Passage& second, bool inPosition
   const std::size_t count = first.series.values.size();
   const double step = (first.position.back() - first.position.front()) / static_cast<double>(count - 1);
   for (std::size_t i = 0; i < count; ++i) {
-    const double location =
-        inPosition ? first.position.front() + step * static_cast<double>(i) : first.series.timeAt(i);
-    const bool inside = inPosition ? location >= second.position.front() && location <= second.position.back()
-                                   : location >= second.series.start && location <= end;
+    const double x = inPosition ? first.position.front() + step * static_cast<double>(i) : first.series.timeAt(i);
+    const bool inside =
+        inPosition ? x >= second.position.front() && x <= second.position.back() : x >= second.series.start && x <= end;
     if (!inside) continue;
-    result.axis.push_back(location);
-    result.values[0].push_back(inPosition ? own(timeAtPosition(first, location)) : first.series.values[i]);
-    result.values[1].push_back(at(inPosition ? timeAtPosition(second, location) : location));
+    result.axis.push_back(x);
+    result.values[0].push_back(inPosition ? own(timeAtPosition(first, x)) : first.series.values[i]);
+    result.values[1].push_back(at(inPosition ? timeAtPosition(second, x) : x));
   }
   if (result.axis.size() < 32)
     throw SignalError("signals '" + first.series.name + "' and '" + second.series.name + "' do not overlap");
-  const double location = inPosition ? positionAtTime(first, anchor) : anchor;
+  const double anchored = inPosition ? positionAtTime(first, anchor) : anchor;
   const double impact = *std::min_element(result.axis.begin(), result.axis.end(), [&](double a, double b) {
-    return std::abs(a - location) < std::abs(b - location);
+    return std::abs(a - anchored) < std::abs(b - anchored);
   });
   for (double& x : result.axis) x -= impact;
   result.impact = {impact, impact};

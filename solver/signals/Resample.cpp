@@ -59,15 +59,15 @@ Interpolator::Interpolator(const TimeSeries& series, double bandwidth)
 }
 
 double Interpolator::operator()(double time) const {
-  const double location = (time - series_.start) / series_.step;
+  const double sampleAt = (time - series_.start) / series_.step;
   const auto last = static_cast<double>(series_.values.size() - 1);
-  if (location <= -reach_) return series_.values.front();
-  if (location >= last + reach_) return series_.values.back();
-  const double centre = std::floor(location);
+  if (sampleAt <= -reach_) return series_.values.front();
+  if (sampleAt >= last + reach_) return series_.values.back();
+  const double centre = std::floor(sampleAt);
   double sum = 0, weights = 0;
   for (int k = -reach_ + 1; k <= reach_; ++k) {
     const double sample = centre + k;
-    const double weight = kernel((location - sample) * bandwidth_);
+    const double weight = kernel((sampleAt - sample) * bandwidth_);
     sum += weight * series_.values[static_cast<std::size_t>(std::clamp(sample, 0.0, last))];
     weights += weight;
   }

@@ -28,7 +28,7 @@ struct Stft {
   std::string window;           // in words
   std::size_t segment = 0;      // samples under the window
 
-  std::size_t location(std::size_t row, std::size_t column) const { return row * time.size() + column; }
+  std::size_t index(std::size_t row, std::size_t column) const { return row * time.size() + column; }
 };
 
 // Throws SignalError for a signal that is shorter than the segment or not finite, and for a hop of zero.

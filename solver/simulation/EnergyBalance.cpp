@@ -94,10 +94,10 @@ double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling) const {
     sum += 0.5 * d.wheelset.axleBoxMass * (boxX * boxX + boxZ * boxZ);
     momentum += d.wheelset.axleBoxMass * boxX;
   }
-  // Travel at the reference speed and spin at the first rate are taken off, exactly.
-  const double spin = 0.5 * model.wheelset.inertia * (state.angularVelocity - firstAngularVelocity_) *
-                      (state.angularVelocity + firstAngularVelocity_);
-  return sum + momentum * d.motion.speed + spin;
+  // Travel at the reference speed and rotation at the first angular velocity are taken off, exactly.
+  const double rotation = 0.5 * model.wheelset.inertia * (state.angularVelocity - firstAngularVelocity_) *
+                          (state.angularVelocity + firstAngularVelocity_);
+  return sum + momentum * d.motion.speed + rotation;
 }
 
 void EnergyBalance::before(const dynamics::Rolling& rolling) {

@@ -152,16 +152,16 @@ bool OpenRun::begin() {
   steps = {perSample, 1 / scenario.output.rate / static_cast<double>(perSample), stable.beta};
   describeMesh(model, stable, steps.step, result);
   reportStep(monitor, steps.step, stable.location);
-  const auto quiet =
+  const auto steady =
       timed("equilibrium", [&] { return statics::prepareSteadyRollingStart(model, kernels, *team, monitor); });
-  const auto& equilibrium = quiet.equilibrium;
+  const auto& equilibrium = steady.equilibrium;
   if (equilibrium.cancelled) return false;
   describeEquilibrium(model, equilibrium, result);
   startStrain_ = equilibrium.strainEnergy;
 
   rolling.emplace(model, kernels, *team, steps.step, steps.beta);
   const auto& motion = scenario.motion;
-  rolling->start(equilibrium.displacement, quiet.velocity,
+  rolling->start(equilibrium.displacement, steady.velocity,
                  motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
   if (!options.snapshots) return true;
   fields = std::make_unique<SurfaceFields>(model);

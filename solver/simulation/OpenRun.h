@@ -28,7 +28,7 @@ inline double secondsSince(Clock::time_point start) {
 // Everything that looks at the rolling, in the order in which it looks.
 class RollingRun {
  public:
-  // `lastStep`: the end that progress is told of. `warn` as CheckpointWriter's.
+  // `lastStep`: the end that progress counts to. `warn` as CheckpointWriter's.
   RollingRun(const RunOptions& options, results::RunResult& result, Monitor& monitor, dynamics::Rolling& rolling,
              const SurfaceFields* fields, const RunStart& start, double startStrain, long lastStep,
              std::function<void(const std::string&)> warn);

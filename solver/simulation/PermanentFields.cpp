@@ -33,10 +33,10 @@ std::vector<NodeMean> nodeMeans(const model::Model& model, const plasticity::Lay
   std::vector<NodeMean> means(static_cast<std::size_t>(count + 1) * column.size());
   for (int q = 0; q < static_cast<int>(rail.section.quads.size()); ++q) {
     const auto& quad = rail.section.quads[q];
-    std::vector<std::size_t> locations;
+    std::vector<std::size_t> inColumn;
     for (std::size_t i = 0; i < column.size(); ++i)
-      if (std::find(quad.begin(), quad.end(), column[i]) != quad.end()) locations.push_back(i);
-    if (locations.empty()) continue;
+      if (std::find(quad.begin(), quad.end(), column[i]) != quad.end()) inColumn.push_back(i);
+    if (inColumn.empty()) continue;
     for (int s = first; s < first + count; ++s) {
       const auto corners = elasticity::elementCorners(rail, q, rail.stations.runs[rail.runOf(s)].length);
       Eigen::Matrix<double, 24, 1> nodal;
@@ -47,7 +47,7 @@ std::vector<NodeMean> nodeMeans(const model::Model& model, const plasticity::Lay
       const Stress stress =
           hooke * (elasticity::centreStrain(corners) * nodal - Eigen::Map<const Stress>(own.strain.data()));
       for (int side = 0; side < 2; ++side)
-        for (const std::size_t i : locations) {
+        for (const std::size_t i : inColumn) {
           auto& mean = means[static_cast<std::size_t>(s - first + side) * column.size() + i];
           mean.stress += stress, mean.equivalent += own.equivalent, ++mean.count;
         }

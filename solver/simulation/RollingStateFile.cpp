@@ -43,7 +43,7 @@ void requireFittingState(const StoredState& stored, const dynamics::Rolling& rol
   const double step = scalars[0];
   if (!(step >= 0 && step <= static_cast<double>(lastStep)))
     throw FileError(file, "/rolling/scalars", "names a step beyond the end of the run");
-  const double change = rolling.stepSize() / rolling.model().wheelset.inertia;  // of the spin by a moment
+  const double change = rolling.stepSize() / rolling.model().wheelset.inertia;  // of the angular velocity by a moment
   if (!(std::abs(scalars[1] - step * rolling.stepSize()) < 1e-9) || !(std::abs(scalars[2]) < maximumRotation) ||
       !(std::abs(scalars[3]) < maximumAngularVelocity) ||
       !((std::abs(scalars[7]) + std::abs(scalars[8])) * change < maximumAngularVelocity))

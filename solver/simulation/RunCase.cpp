@@ -77,12 +77,12 @@ constexpr double spinning = 0.01;
 
 void markRotation(OpenRun& run, double radius) {
   auto& r = run.result;
-  const auto* spin = r.signal("wheel_speed");
-  if (!spin) return;
+  const auto* angularVelocity = r.signal("wheel_speed");
+  if (!angularVelocity) return;
   double most = 0;
-  for (const double rate : *spin)
+  for (const double rate : *angularVelocity)
     if (std::abs(rate * radius / r.speed - 1) > std::abs(most)) most = rate * radius / r.speed - 1;
-  r.equilibrium.push_back({"largest_creepage", "1", "spin times radius over speed, less one", most});
+  r.equilibrium.push_back({"largest_creepage", "1", "angular velocity times radius over speed, less one", most});
   if (std::abs(most) < spinning) return;
   char text[160];
   std::snprintf(text, sizeof text,

@@ -19,7 +19,7 @@ struct RunOptions {
   bool snapshots = true;           // keep fields for pictures
   std::string checkpointPath;      // empty: no checkpoints
   double checkpointSeconds = 300;  // wall time between checkpoints
-  bool resume = false;             // go on from checkpointPath where it exists
+  bool resume = false;             // resume from checkpointPath where it exists
 
   // Start from this state just before the defect, on its mesh; a checkpoint that is resumed comes first. The result is
   // that of the whole run on that mesh (WarmState.h: onMeshOf), to the bit.

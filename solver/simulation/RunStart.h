@@ -16,7 +16,7 @@ struct RunStart {
   double step = 0, beta = 0;  // [s]
 };
 
-// A state to go on from: a checkpoint, or a warm state. May be an untrusted file.
+// A state to resume from: a checkpoint, or a warm state. May be an untrusted file.
 struct StoredState {
   const results::ArrayTree& tree;
   std::string file;     // for messages

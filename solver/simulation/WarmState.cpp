@@ -46,11 +46,11 @@ void checkZone(const WarmState& warm, const char* key, double own, bool set, dou
   };
   const bool tooLong = own > served;
   problems.push_back({key, text(own), (tooLong ? "at most " : "") + text(served) + ", as in " + nameOf(warm),
-                      tooLong ? "The defect reaches so far: make the warm state with this value of the key"
+                      tooLong ? "The defect is longer: make the warm state with this value of the key"
                               : "Leave the key out, or make the warm state with this value"});
 }
 
-// Contact is looked for, and a rail may flow, this far from below the axis [m].
+// Contact is looked for, and a rail may yield, this far from below the axis [m].
 double reachOf(const scenario::Scenario& scenario) {
   return contact::reachAlong(scenario.defectSurface, contact::seatOf(scenario).radius);
 }
@@ -69,7 +69,7 @@ void checkDefect(const WarmState& warm, const cases::CaseDescription& descriptio
   if (here == there) return;
   const auto millimetres = [](double metres) { return std::to_string(std::lround(1e3 * metres)) + " mm"; };
   problems.push_back({"rail.plastic", "true", "false for this defect with " + nameOf(warm),
-                      "A defect as steep as this one lets the rail flow up to " + millimetres(here) +
+                      "A defect as steep as this one lets the rail yield up to " + millimetres(here) +
                           " from the wheel, that of the warm state up to " + millimetres(there) +
                           ": make a warm state with this defect, or run the whole case"});
 }
@@ -124,16 +124,16 @@ bool rollUpTo(OpenRun& run, double zone) {
   const double margin = untouched + static_cast<double>(steps) * perStep * 0.020 / run.model.surfaces.radius;
   const auto isAhead = [&] { return rolling.frontOfContact(margin) < zone; };
   if (!isAhead())
-    throw CaseError({{"motion.run_up", std::to_string(run.scenario.motion.runUp) + " m",
-                      "such that the wheel starts some 20 mm before the defect and mesh.zone_before",
-                      "There is nothing to keep: lengthen the run-up"}});
+    throw CaseError(
+        {{"motion.run_up", withUnit(run.description, *cases::findParameter("motion.run_up")),
+          "such that the wheel starts some 20 mm before the defect and mesh.zone_before", "Lengthen the run-up"}});
   DivergenceGuard::checkEverything(rolling);
   while (isAhead())
     if (roll(rolling, rolling.state().step + steps, run.parts->observers, run.monitor, run.parts->clock) ==
         LoopEnd::cancelled)
       return false;
   if (rolling.frontOfContact(0.5 * untouched) >= zone)
-    throw RunError("the wheel felt the defect before a state could be taken", rolling.state().step,
+    throw RunError("the wheel touched the defect before a state could be taken", rolling.state().step,
                    rolling.state().time, "contact");
   return true;
 }

@@ -28,7 +28,7 @@ cases::CaseDescription caseIn(const results::ArrayTree& state, const std::string
     throw damaged(std::string("is no case that this version can read: ") + error.what());
   }
   if (cases::hashBeforeDefect(description) != results::textAttribute(state.attributes, "shared_hash"))
-    throw damaged("does not have the hash that stands beside it");
+    throw damaged("does not match the stored hash");
   return description;
 }
 
@@ -51,7 +51,8 @@ WarmState readWarmState(const std::string& path) {
                     results::asSentence(kKind.insteadOf));
   warm.description = caseIn(warm.state, path);
   warm.position = results::numberAttribute(warm.state.attributes, "position", std::nan(""));
-  if (!std::isfinite(warm.position)) throw FileError(path, "attribute position", "is missing or wrong");
+  if (!std::isfinite(warm.position))
+    throw FileError(path, "attribute position", "is missing or wrong", results::asSentence(kKind.insteadOf));
   return warm;
 }
 

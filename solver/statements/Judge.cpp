@@ -19,7 +19,7 @@ using Results = std::map<std::string, const results::RunResult*>;
 
 bool isAboutALine(const Statement& statement) { return statement.measure == "line" && statement.against.empty(); }
 
-// The lines of one run and point shared out among the statements about them (places in `statements`).
+// The lines of one run and point shared out among the statements about them (indices into `statements`).
 void shareLines(const std::vector<Statement>& statements, const std::vector<std::size_t>& group,
                 const results::RunResult& result, std::map<std::size_t, double>& shared) {
   struct Pair {
@@ -28,10 +28,10 @@ void shareLines(const std::vector<Statement>& statements, const std::vector<std:
     double line, resolution;
   };
   std::vector<Pair> pairs;
-  for (const std::size_t location : group)
-    if (const auto lines = strongLines(result, statements[location]))
+  for (const std::size_t index : group)
+    if (const auto lines = strongLines(result, statements[index]))
       for (const double line : lines->frequencies)
-        pairs.push_back({std::abs(std::log(line / statements[location].near)), location, line, lines->resolution});
+        pairs.push_back({std::abs(std::log(line / statements[index].near)), index, line, lines->resolution});
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
   std::vector<Pair> taken;
   for (const auto& pair : pairs) {
@@ -63,8 +63,8 @@ Judged notJudged(Judged judged, const std::string& why) {
 }
 
 Judged judgeLine(Judged judged, const results::RunResult& result, const std::map<std::size_t, double>& lines,
-                 std::size_t location) {
-  if (const auto own = lines.find(location); own != lines.end()) {
+                 std::size_t index) {
+  if (const auto own = lines.find(index); own != lines.end()) {
     judged.value = own->second;
     return judged;
   }
@@ -75,7 +75,7 @@ Judged judgeLine(Judged judged, const results::RunResult& result, const std::map
   return judged;
 }
 
-Judged judgeOne(const Statement& statement, std::size_t location, const Results& results, const std::string& mesh,
+Judged judgeOne(const Statement& statement, std::size_t index, const Results& results, const std::string& mesh,
                 const std::map<std::size_t, double>& lines) {
   Judged judged{statement, {}, Verdict::notJudged, {}, {}};
   if (statement.measure == "none") return notJudged(judged, statement.reason);
@@ -85,7 +85,7 @@ Judged judgeOne(const Statement& statement, std::size_t location, const Results&
     const auto found = results.find(name);
     if (found == results.end()) return notJudged(judged, "no result of run " + name);
     if (isAboutALine(statement)) {
-      judged = judgeLine(judged, *found->second, lines, location);
+      judged = judgeLine(judged, *found->second, lines, index);
       if (!judged.value) return judged;
       continue;
     }

@@ -23,7 +23,7 @@ struct Statement {
   std::string section, text;             // of the paper
   std::string name;                      // a few words for a column or an axis; the text where none is given
   std::string run, against;              // names of runs; `against` not empty: the ratio of both is judged
-  std::string measure;                   // see Measures.h; "none": cannot be judged, the reason tells why
+  std::string measure;                   // see Measures.h; "none": cannot be judged, the reason says why
   std::string mesh;                      // judged on this mesh preset only; empty: on any
   std::string point = axleBox;           // where: axleBox or wheelCentre
   std::pair<double, double> band{0, 0};  // [Hz]

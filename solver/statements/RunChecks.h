@@ -1,5 +1,5 @@
-// solver/statements/RunChecks.h - what every run must show, whatever its case: quiet before the defect, energy in
-// balance.
+// solver/statements/RunChecks.h - what every run must show, whatever its case: little vibration before the defect,
+// energy in balance.
 #pragma once
 
 #include <optional>

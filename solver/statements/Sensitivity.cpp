@@ -50,7 +50,7 @@ SensitivityRow rowOf(const std::vector<Statement>& statements, const Sensitivity
   return row;
 }
 
-// Whether a point of the study is the case as it stands. A value that no case can have is none, and has told so itself.
+// Whether a point of the study is the case as it stands. A value that no case can have is none, and has been reported.
 bool isBase(const studies::StudyDefinition& definition, const cases::CaseOverrides& own,
             const studies::StudyPoint& point, const cases::Parameter& parameter,
             const cases::CaseDescription& description) {

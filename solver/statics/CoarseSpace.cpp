@@ -175,10 +175,10 @@ void CoarseSpace::projectWheel(int b, const double* r, double* coarse) const {
     if (model_.slave[b][n]) continue;
     const auto fa = block.line(r, n, 0), fb = block.line(r, n, 1), fc = block.line(r, n, 2);
     const double radius = block.section.nodes[n][0], y = block.section.nodes[n][1], share = rimShare_[b][n];
-    double x = 0, z = 0, lateral = 0, spin = 0, cosLateral = 0, sinLateral = 0;
+    double x = 0, z = 0, lateral = 0, turning = 0, cosLateral = 0, sinLateral = 0;
     for (int s = 0; s < count; ++s) {
       const double atX = cosine[s] * fa[s] + sine[s] * fb[s], atZ = sine[s] * fa[s] - cosine[s] * fb[s];
-      x += atX, z += atZ, lateral += fc[s], spin += fa[s];
+      x += atX, z += atZ, lateral += fc[s], turning += fa[s];
       cosLateral += cosine[s] * fc[s], sinLateral += sine[s] * fc[s];
       rim[s] += share * atX, rim[count + s] += share * fc[s], rim[2 * count + s] += share * atZ;
       rim[3 * count + s] += share * ((radius - rimMiddle_) * fc[s] - y * fb[s]);
@@ -188,7 +188,7 @@ void CoarseSpace::projectWheel(int b, const double* r, double* coarse) const {
       if (h == 0) continue;
       double* out = coarse + axleFirst_ + 6 * k;
       out[0] += h * x, out[1] += h * lateral, out[2] += h * z;
-      out[3] += h * (y * z + radius * cosLateral), out[4] -= h * radius * spin,
+      out[3] += h * (y * z + radius * cosLateral), out[4] -= h * radius * turning,
           out[5] += h * (radius * sinLateral - y * x);
     }
   }
@@ -361,7 +361,8 @@ void CoarseSpace::factorise(const forces::ForceElements& contact) {
   const double negligible = 1e-14 * whole.diagonal().maxCoeff();
   factor_.compute(whole.sparseView(negligible, 1.0));
   if (factor_.info() != Eigen::Success)
-    throw RunError("the coarse stiffness of the equilibrium has no factor: a part of the model is not held", 0, 0, "");
+    throw RunError("the coarse stiffness of the equilibrium has no factor: a part of the model is not supported", 0, 0,
+                   "");
 }
 
 CoarseSpace::Correction CoarseSpace::correctionOf(ThreadTeam& team, const double* r) const {

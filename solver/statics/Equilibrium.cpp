@@ -108,7 +108,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   const auto& d = model.scenario;
   const double load = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
   const double penalty = model::normalPenalty(d);
-  // Any stiffness holds the spin; this one is of the order of the contact's.
+  // Any stiffness fixes the rotation; this one is of the order of the contact's.
   model::StaticOperator op(model, kernels, team, rotation, 1e8, true);
   CoarseSpace coarse(model, op);
   const std::size_t n = model.stateSize;

@@ -22,7 +22,7 @@ using StudyRunner = std::function<std::optional<FeatureRow>(const StudyPoint&, M
 
 // Runs every point that the folder's table does not have yet and writes the table after each. A run that throws (any
 // exception) becomes a failed row with its message; the others go on. Cancelling stops at the runs under way: they stay
-// open, and the next call goes on from there. Reports progress and, as messages, each run's end. Throws CaseError and
+// open, and the next call resumes there. Reports progress and, as messages, each run's end. Throws CaseError and
 // FileError for the study itself, never for a single run.
 StudyTable runStudy(const StudyDefinition& definition, const StudyRunner& runner, const StudyOptions& options,
                     Monitor& monitor);

@@ -12,7 +12,7 @@
 namespace squat::text {
 
 struct TableColumn {
-  std::string name, unit;      // empty where the file does not tell
+  std::string name, unit;      // empty where the file has none
   std::vector<double> values;  // not-a-number where the field is missing or text
   bool kilometresAndMetres = false;
   // First field that is not a number: its row, and what stands there.

@@ -89,7 +89,7 @@ TEST(SectionOrder, ForcesStandUntilTheirNodesAreAdvanced) {
   std::size_t cluster = 0;
   int advanced = 0;
   const auto advanceUpTo = [&](int end) {
-    for (; advanced < end; ++advanced) ASSERT_EQ(standing[order.placeSlot[advanced]], order.members[advanced]);
+    for (; advanced < end; ++advanced) ASSERT_EQ(standing[order.memberSlot[advanced]], order.members[advanced]);
   };
   for (std::size_t b = 0; b + 1 < order.bundleStart.size(); ++b) {
     for (int row = order.bundleStart[b]; row < order.bundleStart[b + 1]; ++row) standing[order.rowSlot[row]] = -2;
@@ -99,9 +99,9 @@ TEST(SectionOrder, ForcesStandUntilTheirNodesAreAdvanced) {
       for (; cluster < order.clusters.size() && order.clusters[cluster].end <= ready; ++cluster) {
         const auto& own = order.clusters[cluster];
         for (int location = own.first; location < own.end; ++location) {
-          EXPECT_EQ(order.placeSlot[location],
-                    order.placeSlot[own.first] + location - own.first);  // one piece of memory
-          ASSERT_EQ(standing[order.placeSlot[location]], order.members[location]);
+          EXPECT_EQ(order.memberSlot[location],
+                    order.memberSlot[own.first] + location - own.first);  // one piece of memory
+          ASSERT_EQ(standing[order.memberSlot[location]], order.members[location]);
         }
       }
       advanceUpTo(std::min(advanced + advancedPerRow, ready));

@@ -21,8 +21,8 @@ TEST(Stft, isSciPys) {
   std::vector<double> real, imaginary;  // every sixth column is frozen
   for (std::size_t row = 0; row < stft.frequency.size(); ++row)
     for (std::size_t column = 0; column < stft.time.size(); column += 6) {
-      real.push_back(stft.coefficients[stft.location(row, column)].real());
-      imaginary.push_back(stft.coefficients[stft.location(row, column)].imag());
+      real.push_back(stft.coefficients[stft.index(row, column)].real());
+      imaginary.push_back(stft.coefficients[stft.index(row, column)].imag());
     }
   EXPECT_LT(tests::relativeDifference(real, reference["stft_real"]), 1e-12);
   EXPECT_LT(tests::relativeDifference(imaginary, reference["stft_imag"]), 1e-12);
@@ -36,10 +36,10 @@ TEST(Stft, toneHasHalfItsAmplitude) {
   ASSERT_EQ(stft.time.size(), 18u);
   EXPECT_NEAR(stft.time[0], 0.2 + 128 / rate, 1e-12);
   for (std::size_t column = 0; column < stft.time.size(); ++column) {
-    ASSERT_NEAR(std::abs(stft.coefficients[stft.location(8, column)]), 1.5, 1e-12);
+    ASSERT_NEAR(std::abs(stft.coefficients[stft.index(8, column)]), 1.5, 1e-12);
     double power = 0;
     for (std::size_t row = 0; row < stft.frequency.size(); ++row)
-      power += stft.density[stft.location(row, column)] * rate / 256;
+      power += stft.density[stft.index(row, column)] * rate / 256;
     ASSERT_NEAR(power, 4.5, 1e-10);
   }
 }

@@ -32,7 +32,7 @@ class FolderLockTest : public testing::Test {
 TEST_F(FolderLockTest, theSecondIsToldWhoOwnsTheFolder) {
   {
     const FolderLock lock(folder_, "squat study light-defect");
-    EXPECT_TRUE(lock.fixed());
+    EXPECT_TRUE(lock.held());
     EXPECT_THAT(refusal(), testing::AllOf(testing::HasSubstr(folder_), testing::HasSubstr("squat study light-defect"),
                                           testing::HasSubstr(std::to_string(::getpid()))));
   }

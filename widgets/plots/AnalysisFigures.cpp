@@ -44,10 +44,10 @@ results::RunResult asRun(const analysis::SignalAnalysis& signal) {
   const double margin = 0.5 * windowSeconds * run.speed;
   results::Channel aba{"aba_filtered", series.unit, "", {}};
   for (std::size_t i = 0; i < std::min(position.size(), series.values.size()); ++i) {
-    const double location = position[i] - zero;
-    if (location < -shownBefore - margin || location > shownAfter + margin) continue;
+    const double fromImpact = position[i] - zero;
+    if (fromImpact < -shownBefore - margin || fromImpact > shownAfter + margin) continue;
     run.time.push_back(series.timeAt(i));
-    run.position.push_back(location);
+    run.position.push_back(fromImpact);
     aba.values.push_back(series.values[i]);
   }
   if (!run.position.empty()) {

@@ -58,7 +58,7 @@ struct FigureRow {
   FigureMarks marks = FigureMarks::none;
   FigureControl control = FigureControl::none;
   bool drawsScalogram = false;  // a viewer that filters anew computes the scalogram anew before it builds
-  // The numbers as CSV where the curves do not tell them all; null: they do.
+  // The numbers as CSV where they are more than the curves; null: the curves alone.
   QByteArray (*table)(const results::RunResult& result) = nullptr;
 };
 

@@ -28,17 +28,17 @@ const std::vector<std::string>& shownFeatures() {
 }
 
 // Places of a key's values on the axis: the numbers themselves, or 0, 1, 2 ... where one of them is none.
-std::vector<double> locationsOf(const studies::Variation& variation, bool& numeric) {
-  std::vector<double> locations;
+std::vector<double> axisValues(const studies::Variation& variation, bool& numeric) {
+  std::vector<double> values;
   numeric = true;
   for (const auto& entry : variation.values) {
     const auto value = text::numberFromText(entry);
     numeric = numeric && value.has_value();
-    locations.push_back(value.value_or(0));
+    values.push_back(value.value_or(0));
   }
   if (!numeric)
-    for (std::size_t i = 0; i < locations.size(); ++i) locations[i] = static_cast<double>(i);
-  return locations;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
+  return values;
 }
 
 std::optional<double> featureOf(const studies::StudyRow& row, const std::string& name) {
@@ -103,16 +103,16 @@ std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key,
   auto figure = std::make_unique<Figure>(QString::fromStdString(feature), style);
   const auto& variation = table.definition.variations[key];
   bool numeric = true;
-  const auto locations = locationsOf(variation, numeric);
+  const auto values = axisValues(variation, numeric);
   figure->xAxis->setLabel(axisLabel(variation.key));
   figure->yAxis->setLabel(unitText(feature));
-  const auto [low, high] = std::minmax_element(locations.begin(), locations.end());
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double margin = *high > *low ? 0.06 * (*high - *low) : std::max(0.5, 0.1 * std::abs(*high));
   figure->xAxis->setRange(*low - margin, *high + margin);
   if (!numeric) {
     auto ticker = QSharedPointer<QCPAxisTickerText>::create();
-    for (std::size_t i = 0; i < locations.size(); ++i)
-      ticker->addTick(locations[i], QString::fromStdString(variation.values[i]));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      ticker->addTick(values[i], QString::fromStdString(variation.values[i]));
     figure->xAxis->setTicker(ticker);
     figure->xAxis2->setTicker(ticker);
   }
@@ -125,7 +125,7 @@ std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key,
     if (isNew) curves.push_back({{}, {}, isNamed ? QString::fromStdString(others) : QString(), curves.size(), 1.1});
     const auto at = std::find(variation.values.begin(), variation.values.end(), row.point.values[key]);
     const auto value = row.state == studies::RowState::done ? featureOf(row, feature) : std::nullopt;
-    curves[found->second].x.push_back(locations[static_cast<std::size_t>(at - variation.values.begin())]);
+    curves[found->second].x.push_back(values[static_cast<std::size_t>(at - variation.values.begin())]);
     curves[found->second].y.push_back(value.value_or(NAN));
   }
   for (std::size_t i = 0; i < std::min(curves.size(), maximumCurves); ++i) {

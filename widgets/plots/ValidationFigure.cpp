@@ -15,16 +15,16 @@ using statements::Verdict;
 constexpr double outside = 0.5;  // of a range, shown on either side of it
 
 // 0 at the lower bound, 1 at the upper one; far above a lower bound without an upper one it nears 1.
-double locationOf(const Judged& one) {
+double withinRange(const Judged& one) {
   const auto& s = one.statement;
-  double location = 0;
+  double share = 0;
   if (std::isinf(s.high))
-    location = *one.value >= s.low ? 1 - s.low / *one.value : *one.value / s.low - 1;
+    share = *one.value >= s.low ? 1 - s.low / *one.value : *one.value / s.low - 1;
   else if (std::isinf(s.low))
-    location = *one.value / s.high;
+    share = *one.value / s.high;
   else
-    location = (*one.value - s.low) / (s.high - s.low);
-  return std::clamp(location, -outside, 1 + outside);
+    share = (*one.value - s.low) / (s.high - s.low);
+  return std::clamp(share, -outside, 1 + outside);
 }
 
 // Three digits; whole numbers where those would end before the point.
@@ -55,7 +55,7 @@ void addMarks(Figure& figure, const std::vector<Judged>& judged, Verdict verdict
   Curve curve{{}, {}, label + QStringLiteral(" (%1)").arg(countOf(judged, verdict)), colour, 1.4};
   for (std::size_t row = 0; row < judged.size(); ++row)
     if (judged[row].verdict == verdict && judged[row].value) {
-      curve.x.push_back(locationOf(judged[row]));
+      curve.x.push_back(withinRange(judged[row]));
       curve.y.push_back(static_cast<double>(row));
     }
   QCPGraph* graph = addCurve(figure, curve);

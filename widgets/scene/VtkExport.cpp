@@ -67,7 +67,7 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
     throw FileError(folder, "", "nothing to write: the result has no surface or no snapshots");
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  const std::filesystem::path location(folder);
+  const std::filesystem::path directory(folder);
   const std::string stem = analysis::safeFileName(result.stem);  // may come from a stranger
   std::vector<std::string> written;
   std::string collection = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
@@ -76,7 +76,7 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
     std::snprintf(number, sizeof number, "_%03zu.vtu", i);
     const std::string name = stem + number;
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    const std::string path = (location / name).string();
+    const std::string path = (directory / name).string();
     writer->SetFileName(path.c_str());
     writer->SetInputData(gridOf(result.surface, result.snapshots[i]));
     if (writer->Write() != 1)
@@ -87,7 +87,7 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
     collection += std::string("<DataSet timestep=\"") + time + "\" file=\"" + name + "\"/>\n";
   }
   collection += "</Collection>\n</VTKFile>\n";
-  const std::string path = (location / (stem + ".pvd")).string();
+  const std::string path = (directory / (stem + ".pvd")).string();
   std::ofstream file(path, std::ios::binary);
   file << collection;
   file.close();

@@ -1,4 +1,4 @@
-// widgets/studio/runs/MeasuredDialog.h - how a measured file is read where it does not tell by itself.
+// widgets/studio/runs/MeasuredDialog.h - how a measured file is read where it does not say so itself.
 #pragma once
 
 #include <QDialog>
@@ -19,7 +19,7 @@ class MeasuredDialog : public QDialog {
   // Tries to read the file so and returns why it cannot be; empty: it was, and the dialog closes.
   using Reading = std::function<QString(const readers::SignalFileOptions&)>;
 
-  // `reason`: what the file did not tell.
+  // `reason`: what the file does not say.
   MeasuredDialog(const QString& path, const QString& reason, Reading read, QWidget* parent = nullptr);
 
   void accept() override;

@@ -43,7 +43,7 @@ class RunController : public QObject {
   void stopping();  // cancelled, not yet over
   void pausedChanged(bool paused);
   void news(const squat::studio::WorkerMonitor::News& news);  // about 20 times a second
-  // Complete or cancelled (result->complete tells).
+  // Complete or cancelled (result->complete).
   void finished(squat::studio::ResultPointer result);
   // The case turned out to be none that can be run; failed() follows.
   void refused(const std::vector<squat::CaseProblem>& problems);

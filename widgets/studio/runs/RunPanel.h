@@ -24,7 +24,7 @@ class RunPanel : public QWidget {
 
   // Why the case cannot be run, one sentence each; empty: it can.
   void setBlockers(const QStringList& reasons);
-  // True where a run of this case was stopped and can go on.
+  // True where a run of this case was stopped and can be resumed.
   void setStopped(bool canGoOn);
   LivePlot* live() const { return live_; }
   void setStyle(const plots::Style& style);

@@ -1,5 +1,5 @@
 // widgets/studio/runs/StoppedRuns.h - checkpoints of the studio's runs: one that was stopped, or went down with the
-// machine, goes on from there as soon as its case is open again.
+// machine, resumes as soon as its case is open again.
 #pragma once
 
 #include <QString>

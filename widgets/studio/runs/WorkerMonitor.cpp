@@ -7,12 +7,12 @@ namespace squat::studio {
 void WorkerMonitor::report(const Progress& progress) {
   const std::lock_guard lock(mutex_);
   Progress latest = progress;
-  if (!(latest.step > 0)) {  // told once: later phases do not repeat it
+  if (!(latest.step > 0)) {  // reported once: later phases do not repeat it
     latest.step = news_.progress.step;
     latest.limitedBy = news_.progress.limitedBy;
   }
   news_.progress = std::move(latest);
-  if (progress.phase != "rolling" || !(progress.simulatedTime > 0)) return;  // the phase is told before it begins
+  if (progress.phase != "rolling" || !(progress.simulatedTime > 0)) return;  // the phase is reported before it begins
   // Every report until the curves are long, then every second, fourth ...
   const std::size_t stride = std::size_t{1} << (taken_ / maximumSamples);
   if (reports_++ % stride != 0) return;

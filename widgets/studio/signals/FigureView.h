@@ -17,7 +17,7 @@ class FigureView : public QWidget {
   explicit FigureView(const QString& name, QWidget* parent = nullptr);
 
   // Takes the figure; a view that the user has zoomed keeps its range, and its cursors their places, where the axis
-  // label is the same. `table`: its numbers as CSV where its curves do not tell them all; empty: figureTable().
+  // label is the same. `table`: its numbers as CSV where they are more than its curves; empty: figureTable().
   void show(std::unique_ptr<plots::Figure> figure, double secondsPerUnit, const QString& unit,
             const QByteArray& table = {});
   plots::Figure* figure() const { return figure_; }

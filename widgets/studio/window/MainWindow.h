@@ -64,7 +64,7 @@ class MainWindow : public QMainWindow {
   bool openCase(const QString& nameOrPath);
   bool openResult(const QString& path);
   bool openMeasured(const QString& path);
-  void askHowToRead(const QString& path);  // a measured file that does not tell by itself
+  void askHowToRead(const QString& path);  // a measured file that does not say so itself
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);

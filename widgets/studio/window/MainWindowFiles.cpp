@@ -247,7 +247,7 @@ void MainWindow::removeRun(int row) {
 }
 
 void MainWindow::hideSettledRecovery() {
-  if (!caseRecovered_ && resultsRecovered_.empty()) return;  // it tells of files that cannot be read
+  if (!caseRecovered_ && resultsRecovered_.empty()) return;  // it reports files that cannot be read
   if (messages_->text() != recoverySaid_ || (caseRecovered_ && document_.isModified())) return;
   if (!recoveredResultWaits()) messages_->hide();
 }
