@@ -126,7 +126,7 @@ TEST(WarmStateFile, ForeignAndOldOnesAreRefusedByName) {
   EXPECT_THAT(refusalOf([](auto& tree) { setAttribute(tree.attributes, "state_layout", std::int64_t{5}); }),
               HasSubstr("another version"));
   EXPECT_THAT(refusalOf([](auto& tree) { setAttribute(tree.attributes, "shared_hash", std::string("00000000")); }),
-              HasSubstr("does not have the hash"));
+              HasSubstr("does not match the stored hash"));
   EXPECT_THAT(refusalOf([](auto& tree) { setAttribute(tree.attributes, "case_toml", std::string("[track]\nx = ")); }),
               HasSubstr("no case that this version can read"));
 }
