@@ -19,10 +19,14 @@ std::string shippedNames() {
 }  // namespace
 
 void addCaseOptions(CLI::App& command, CaseOptions& options) {
+  addCaseWithoutMesh(command, options);
+  command.add_option("--mesh", options.mesh, "Mesh preset: tiny, draft, standard or paper")->type_name("PRESET");
+}
+
+void addCaseWithoutMesh(CLI::App& command, CaseOptions& options) {
   command.add_option("case", options.name, "Case file (TOML), or a shipped case: " + shippedNames())
       ->required()
       ->type_name("CASE");
-  command.add_option("--mesh", options.mesh, "Mesh preset: tiny, draft, standard or paper")->type_name("PRESET");
   command
       .add_option("--set", options.sets,
                   "Sets one key of the case, in the unit of the case file or with a unit (motion.speed=\"108 km/h\"); "

@@ -17,6 +17,7 @@ struct CaseOptions {
 };
 
 void addCaseOptions(CLI::App& command, CaseOptions& options);
+void addCaseWithoutMesh(CLI::App& command, CaseOptions& options);  // the command has meshes of its own
 
 // The changes alone. Throws CaseError for a --set that is no KEY=VALUE.
 cases::CaseOverrides caseOverrides(const CaseOptions& options);

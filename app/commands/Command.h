@@ -9,6 +9,7 @@ namespace squat::commands {
 using Action = std::function<int()>;  // returns the exit code; throws CaseError, RunError, FileError
 
 void addAnalyseCommand(CLI::App& program, Action& action);
+void addCalibrateCommand(CLI::App& program, Action& action);
 void addCompareCommand(CLI::App& program, Action& action);
 void addDescribeCommand(CLI::App& program, Action& action);
 void addFiguresCommand(CLI::App& program, Action& action);

@@ -8,8 +8,8 @@
 
 namespace squat::commands {
 
-CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& help) {
-  return command.add_option("--mesh", mesh, help)
+CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& help, const std::string& name) {
+  return command.add_option(name, mesh, help)
       ->check(CLI::IsMember(cases::findParameter("mesh.preset")->choices))
       ->type_name("PRESET");
 }

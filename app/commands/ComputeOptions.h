@@ -7,7 +7,7 @@
 namespace squat::commands {
 
 // --mesh; `help` says what it falls back to. The names are those of the parameter table.
-CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& help);
+CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& help, const std::string& name = "--mesh");
 
 // As many threads as are taken on a machine of so many cores.
 int usefulThreads(int cores);

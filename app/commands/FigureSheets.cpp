@@ -4,6 +4,7 @@
 
 #include "plots/AnalysisFigures.h"
 #include "plots/Application.h"
+#include "plots/CalibrationFigure.h"
 #include "plots/ComparisonFigures.h"
 #include "plots/PaperFigures.h"
 #include "plots/ReceptanceFigures.h"
@@ -47,6 +48,14 @@ std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, con
                                            const FigureChoice& choice) {
   if (choice.none) return {};
   return write(plots::studyFigures(table, styleOf(choice)), folder, choice);
+}
+
+std::vector<std::string> writeCalibrationFigure(const calibration::Calibration& calibration, const std::string& folder,
+                                                const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::calibrationFigure(calibration, styleOf(choice)));
+  return write(sheets, folder, choice);
 }
 
 std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>& judged, const std::string& note,

@@ -7,6 +7,7 @@
 
 #include "analysis/Analysis.h"
 #include "analysis/FileComparison.h"
+#include "calibration/Calibration.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
 #include "statements/Judge.h"
@@ -31,6 +32,9 @@ std::vector<std::string> writeComparisonFigures(const std::vector<analysis::File
                                                 const std::string& folder, const FigureChoice& choice);
 std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, const std::string& folder,
                                            const FigureChoice& choice);
+
+std::vector<std::string> writeCalibrationFigure(const calibration::Calibration& calibration, const std::string& folder,
+                                                const FigureChoice& choice);
 
 // The judged statements as a figure; `note` stands beside its title.
 std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>& judged, const std::string& note,

@@ -29,6 +29,11 @@ std::vector<std::string> writeStudyFigures(const studies::StudyTable&, const std
   return none(choice);
 }
 
+std::vector<std::string> writeCalibrationFigure(const calibration::Calibration&, const std::string&,
+                                                const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>&, const std::string&,
                                                const std::string&, const FigureChoice& choice) {
   return none(choice);

@@ -123,6 +123,7 @@ int runProgram(int argc, char** argv) {
   addDescribeCommand(program, action);
   addFiguresCommand(program, action);
   addAnalyseCommand(program, action);
+  addCalibrateCommand(program, action);
   addCompareCommand(program, action);
   addStudyCommand(program, action);
   addReceptanceCommand(program, action);

@@ -123,12 +123,17 @@ std::optional<double> quiet(const RunResult& result, const Statement& statement)
   return seen ? std::optional(seen->largest) : std::nullopt;
 }
 
-const std::map<std::string, Measure>& measures() {
-  static const std::map<std::string, Measure> table = {
-      {"band_power", bandPower},         {"band_share", bandShare}, {"elements", elements},
-      {"free_vibration", freeVibration}, {"impact_top", impactTop}, {"line", line},
-      {"lines_within", linesWithin},     {"maximum", maximum},      {"quiet", quiet},
-      {"wave_frequency", waveFrequency}, {"wavelength", wavelength}};
+struct NamedMeasure {
+  const char* unit;
+  Measure measure;
+};
+
+const std::map<std::string, NamedMeasure>& measures() {
+  static const std::map<std::string, NamedMeasure> table = {
+      {"band_power", {"(m/s2)2", bandPower}},    {"band_share", {"1", bandShare}},  {"elements", {"1", elements}},
+      {"free_vibration", {"1", freeVibration}},  {"impact_top", {"Hz", impactTop}}, {"line", {"Hz", line}},
+      {"lines_within", {"1", linesWithin}},      {"maximum", {"m/s2", maximum}},    {"quiet", {"m/s2", quiet}},
+      {"wave_frequency", {"Hz", waveFrequency}}, {"wavelength", {"mm", wavelength}}};
   return table;
 }
 
@@ -136,8 +141,13 @@ const std::map<std::string, Measure>& measures() {
 
 std::vector<std::string> measureNames() {
   std::vector<std::string> names;
-  for (const auto& [name, function] : measures()) names.push_back(name);
+  for (const auto& [name, row] : measures()) names.push_back(name);
   return names;
+}
+
+std::string unitOfMeasure(const std::string& name) {
+  const auto found = measures().find(name);
+  return found == measures().end() ? std::string() : found->second.unit;
 }
 
 std::optional<Lines> strongLines(const RunResult& result, const Statement& statement) {
@@ -160,7 +170,7 @@ std::optional<double> measure(const RunResult& result, const Statement& statemen
   const auto found = measures().find(statement.measure);
   if (found == measures().end()) return std::nullopt;
   try {
-    return found->second(result, statement);
+    return found->second.measure(result, statement);
   } catch (const signals::SignalError&) {  // too short, constant: nothing to judge
     return std::nullopt;
   }

@@ -27,6 +27,9 @@ namespace squat::statements {
 // of which takes 0.1 m, to 0.58 m where the run goes that far.
 std::vector<std::string> measureNames();
 
+// The unit in which a measure is given and judged: "m/s2", "mm", "Hz"; "1" for a pure number.
+std::string unitOfMeasure(const std::string& name);
+
 // No value where the result does not hold what is needed (too short, no impact).
 std::optional<double> measure(const results::RunResult& result, const Statement& statement);
 

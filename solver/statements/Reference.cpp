@@ -119,7 +119,10 @@ const ReferenceRun* Reference::run(const std::string& name) const {
 
 Reference readReference(const std::string& path) {
   constexpr std::size_t largest = 10000000;
-  const auto text = readWholeFile(path, largest);
+  return parseReference(readWholeFile(path, largest), path);
+}
+
+Reference parseReference(std::string_view text, const std::string& path) {
   std::string location;
   try {
     const auto all = json::parse(text);

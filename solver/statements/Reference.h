@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,6 +67,9 @@ struct Reference {
 // of it). Throws FileError with the entry that is wrong: unknown run, measure, key or point, no range or one that is
 // upside down, newer schema.
 Reference readReference(const std::string& path);
+
+// The same for text that stands in memory; `path` names it in messages.
+Reference parseReference(std::string_view text, const std::string& path);
 
 // The paper's statements as they are installed.
 std::string paperReferencePath();

@@ -194,6 +194,28 @@ TEST_F(EndToEnd, ValidateJudgesWhatStandsThere) {
   EXPECT_GT(readCsv(folder + "/validation_parameters.csv").size(), 10u);
 }
 
+// A peak that a shallower defect gives: the depth that is found meets it when the calibrated case is run by itself, and
+// table, case, text and picture are there.
+TEST_F(EndToEnd, CalibrateWritesACaseThatMeetsItsTarget) {
+  const auto folder = file("calibrated");
+  std::filesystem::create_directories(folder);
+  writeDurably(folder + "/peak.json",
+               std::string_view(R"({"schema": "squat-targets", "schema_version": 1, "statements": [{"statement": "peak",
+                 "measure": "maximum", "expected": 60, "tolerance": 0.1, "unit": "m/s2"}]})"));
+  const auto said =
+      call({"calibrate", "light-defect", "--targets", folder + "/peak.json", "--free", "defect.depth=0.05:0.2",
+            "--confirm", "tiny", "--evaluations", "10", "-o", folder, "--format", "png"});
+  EXPECT_THAT(said, HasSubstr("defect.depth"));
+  for (const auto& row : readCsv(folder + "/calibration.csv")) {
+    const bool isMet = std::abs(std::stod(row.at("peak")) - 60) <= 6;
+    EXPECT_EQ(row.at("met"), isMet ? "yes" : "no");
+  }
+  EXPECT_FALSE(QImage(QString::fromStdString(folder + "/calibration.png")).isNull());
+  call({"run", folder + "/light-defect-calibrated.toml", "--mesh", "tiny", "--no-figures", "-o", folder});
+  const auto aba = *results::readResult(folder + "/light-defect-calibrated.h5").signal("aba_filtered");
+  EXPECT_NEAR(*std::max_element(aba.begin(), aba.end()), 60, 6);
+}
+
 // The table against the Timoshenko beam on the same seats (tests/verification): 1.5 dB from 50 to 250 Hz, below the
 // resonances, where a coarse mesh of the rail is a beam. Magnitude and phase are those of real and imaginary part; the
 // HDF5 file has the same numbers; the modes are those of the half wheelset.

@@ -171,6 +171,7 @@ const std::vector<std::vector<Folder>>& floors() {
       {"solver/receptance", "solver/simulation"},
       {"solver/studies"},
       {"solver/statements"},
+      {"solver/calibration"},
       {"widgets/colours"},
       {"widgets/scene"},
       {"widgets/plots"},

@@ -1,0 +1,132 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "calibration/CalibratedCase.h"
+#include "calibration/Calibration.h"
+#include "commands/CalibrationSummary.h"
+#include "commands/CaseOptions.h"
+#include "commands/Command.h"
+#include "commands/ComputeOptions.h"
+#include "commands/ExitCodes.h"
+#include "commands/FigureSheets.h"
+#include "commands/Interrupt.h"
+#include "commands/OutputFolder.h"
+#include "commands/TerminalMonitor.h"
+#include "core/DurableFile.h"
+#include "core/FolderLock.h"
+#include "core/SteadyMemory.h"
+#include "studies/Jobs.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct CalibrateCommandOptions {
+  CaseOptions caseOptions;  // without --mesh: see `mesh`
+  std::vector<std::string> targets, free;
+  std::string mesh = "tiny", confirm = "draft";
+  calibration::CalibrationOptions calibration;
+  FigureChoice figures;
+  int jobs = 0, threads = 0, evaluations = 0;
+};
+
+constexpr double kBytesOfARun = 0.5 * (1ULL << 30);  // draft takes a quarter of a GiB
+
+void shareCores(CalibrateCommandOptions& options) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  auto& shared = options.calibration;
+  shared.jobs = options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.threads), kBytesOfARun);
+  shared.threads = options.threads > 0 ? options.threads : std::max(1, cores / shared.jobs);
+}
+
+calibration::CalibrationDefinition definitionOf(const CalibrateCommandOptions& options) {
+  calibration::CalibrationDefinition definition;
+  definition.caseName = options.caseOptions.name;
+  definition.overrides = caseOverrides(options.caseOptions);
+  definition.inputs = calibration::freeInputsFromText(options.free);
+  definition.targets = calibration::readTargets(options.targets, options.caseOptions.name);
+  definition.searchMesh = options.mesh, definition.confirmMesh = options.confirm;
+  definition.evaluations = options.evaluations;
+  return definition;
+}
+
+int calibrate(CalibrateCommandOptions options) {
+  const auto description = readCase(options.caseOptions);
+  const auto definition = definitionOf(options);
+  const auto& folder = options.calibration.folder;
+  const auto stem = cases::caseStem(options.caseOptions.name);
+  const std::string casePath = folder + "/" + stem + "-calibrated.toml", textPath = folder + "/calibration.txt";
+  auto outputs = calibration::calibrationFiles(folder);
+  outputs.insert(outputs.end(), {casePath, textPath});
+  auto inputs = cases::filesOfCase(options.caseOptions.name, description.defect.file);
+  inputs.insert(inputs.end(), options.targets.begin(), options.targets.end());
+  keepInputs(inputs, outputs);
+  shareCores(options);
+  makeFolder(folder);
+  const FolderLock owner(folder, "squat calibrate " + options.caseOptions.name);
+
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  const auto found = calibration::calibrate(definition, options.calibration, monitor);
+  monitor.clearLine();
+  const auto summary = calibrationSummary(found);
+  std::printf("%s", summary.c_str());
+  if (!found.ranges.empty()) {
+    writeDurably(casePath, std::string_view(calibration::calibratedCase(found)));
+    writeDurably(textPath, std::string_view(summary));
+    outputs.erase(outputs.begin() + 1, outputs.begin() + 3);  // those that are only for resuming
+    std::printf("\nwritten:\n");
+    for (const auto& path : outputs) std::printf("  %s\n", path.c_str());
+    for (const auto& path : writeCalibrationFigure(found, folder, options.figures)) std::printf("  %s\n", path.c_str());
+  }
+  if (!found.complete) {
+    std::fprintf(stderr, "cancelled: repeat the command to resume\n");
+    return kCancelled;
+  }
+  return found.outOfReach.empty() ? kDone : kFileWrong;
+}
+
+}  // namespace
+
+void addCalibrateCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("calibrate",
+                                         "Find inputs of a case that nobody knows from what the case has to reproduce");
+  auto options = std::make_shared<CalibrateCommandOptions>();
+  addCaseWithoutMesh(*command, options->caseOptions);
+  command
+      ->add_option(
+          "--targets", options->targets,
+          "What the case has to reproduce: a target file (JSON), measured signals, a measured receptance, or one "
+          "of the shipped: light-defect, paper; repeatable")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  command
+      ->add_option("--free", options->free,
+                   "An input to be found and its limits, in the unit of the case file; repeatable")
+      ->required()
+      ->allow_extra_args(false)
+      ->type_name("KEY=LOW:HIGH");
+  addMesh(*command, options->mesh, "Mesh of the search (default: tiny)");
+  addMesh(*command, options->confirm, "Mesh on which the best points are computed again (default: draft)", "--confirm");
+  command->add_option("--evaluations", options->evaluations, "Runs of the search (default: 20 and 40 for each input)")
+      ->check(CLI::Range(10, 100000))
+      ->type_name("N");
+  command->add_option("-o,--output", options->calibration.folder, "Folder of the results (default: here)")
+      ->type_name("DIR");
+  command->add_option("--jobs", options->jobs, "Parallel runs (default: as many as cores and memory allow)")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  addThreads(*command, options->threads, "Threads of each run (default: cores / jobs)");
+  addInstructionSet(*command, options->calibration.isa);
+  addFigureOptions(*command, options->figures);
+  command->footer(
+      "Every point is kept in calibration.csv; the same command in the same folder resumes.\n"
+      "Exit code 4: a target is out of reach within the limits.");
+  command->callback([options, &action] { action = [options] { return calibrate(*options); }; });
+}
+
+}  // namespace squat::commands

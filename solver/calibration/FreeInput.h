@@ -1,0 +1,35 @@
+// solver/calibration/FreeInput.h - the inputs of a case that a calibration may change, and where it looks for them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/ParameterTable.h"
+
+namespace squat::calibration {
+
+// One number of the case and the limits between which it is looked for, in the unit of the case file.
+struct FreeInput {
+  const cases::Parameter* parameter = nullptr;
+  double low = 0, high = 0;
+
+  const std::string& key() const { return parameter->key; }
+};
+
+// A value for each free input, in their order and in the units of the case file; six significant digits, so that the
+// text of a table stands for exactly the same case.
+using Values = std::vector<double>;
+
+// A point of the search: every input from 0 (its lower limit) to 1.
+using UnitPoint = std::vector<double>;
+
+// From "KEY=LOW:HIGH". Throws CaseError with every problem: unknown key, a key that is not a number, limits outside the
+// range of the table or upside down, a key given twice, none at all.
+std::vector<FreeInput> freeInputsFromText(const std::vector<std::string>& texts);
+
+Values valuesAt(const std::vector<FreeInput>& inputs, const UnitPoint& point);
+UnitPoint pointOf(const std::vector<FreeInput>& inputs, const Values& values);
+
+std::string valueText(double value);  // six significant digits
+
+}  // namespace squat::calibration

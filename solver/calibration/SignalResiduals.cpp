@@ -1,0 +1,141 @@
+#include "calibration/SignalResiduals.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Errors.h"
+#include "signals/Butterworth.h"
+#include "signals/Features.h"
+#include "signals/PowerSpectrum.h"
+#include "signals/Resample.h"
+#include "signals/SignalError.h"
+
+namespace squat::calibration {
+
+namespace {
+
+signals::Passage filtered(signals::Passage passage, double cutoff) {
+  if (cutoff < 0.49 * passage.series.rate()) passage.series = signals::lowPass(passage.series, cutoff);
+  return passage;
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+std::vector<signals::Passage> runsOf(const SignalTarget& target, std::vector<std::string>& notes) {
+  std::vector<signals::Passage> runs;
+  for (const auto& file : target.files)
+    for (const auto& record : readers::readSignals(file, target.reading)) {
+      const auto& unit = record.signals.front().unit;
+      if (!unit.empty() && unit != "m/s2")
+        throw FileError(file, record.run, "unit is '" + unit + "', must be an acceleration (m/s2, g)",
+                        "Choose the column of the axle box acceleration with \"column\"");
+      for (const auto& note : record.notes) notes.push_back(target.name + ": " + note);
+      runs.push_back(filtered(readers::passageWithPositions(record), target.cutoff));
+    }
+  return runs;
+}
+
+// The mean over aligned runs as a passage of its own, and its standard error from their scatter.
+signals::Passage meanOf(const std::vector<signals::Passage>& runs, const SignalTarget& target, double& error) {
+  signals::AlignmentOptions options;
+  options.before = target.before, options.after = target.after;
+  const auto aligned = signals::alignInPosition(runs, options);
+  double sum = 0;
+  std::size_t count = 0;
+  for (const auto& row : aligned.values)
+    for (std::size_t i = 0; i < row.size(); ++i) sum += std::pow(row[i] - aligned.mean[i], 2), ++count;
+  const double runCount = static_cast<double>(runs.size());
+  error = std::sqrt(sum / static_cast<double>(count) / (runCount - 1));  // scatter over the root of the runs
+  const double speed = aligned.speed.front();
+  signals::Passage mean;
+  mean.series.step =
+      (aligned.axis.back() - aligned.axis.front()) / static_cast<double>(aligned.axis.size() - 1) / speed;
+  mean.series.start = aligned.axis.front() / speed;
+  mean.series.values = aligned.mean;
+  mean.position = aligned.axis;
+  return mean;
+}
+
+// Levels [dB] in one-third octaves from 160 to 1600 Hz, the noise of the measured signal added to the other.
+std::vector<double> levels(const std::vector<double>& values, double step, double noiseDensity) {
+  constexpr double lowest = 160, highest = 1700;
+  const double third = std::pow(2.0, 1.0 / 3), half = std::pow(2.0, 1.0 / 6);
+  signals::PowerSpectrumOptions options;
+  options.transformLength = 4 * values.size();
+  const auto spectrum = signals::powerSpectrum({0, step, values, "", "m/s2"}, options);
+  std::vector<double> all;
+  for (double centre = lowest; centre < highest; centre *= third) {
+    const double low = centre / half, high = std::min(centre * half, 0.499 / step);
+    if (low >= high) break;
+    all.push_back(10 * std::log10(signals::bandPower(spectrum, low, high) + noiseDensity * (high - low) + 1e-12));
+  }
+  return all;
+}
+
+double levelMisfit(const std::vector<double>& computed, const std::vector<double>& measured, double step,
+                   const MeasuredSignal& signal) {
+  constexpr double allowed = 2;  // [dB]
+  const auto ours = levels(computed, step, signal.noise * signal.noise / signal.target.cutoff);
+  const auto theirs = levels(measured, step, 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < ours.size(); ++i) sum += std::pow((ours[i] - theirs[i]) / allowed, 2);
+  return sum / static_cast<double>(std::max<std::size_t>(ours.size(), 1));
+}
+
+}  // namespace
+
+MeasuredSignal readMeasured(const SignalTarget& target) {
+  MeasuredSignal measured{target, {}, 0, 0, {}};
+  auto runs = runsOf(target, measured.notes);
+  try {
+    double error = 0;
+    measured.mean = runs.size() > 1 ? meanOf(runs, target, error) : runs.front();
+    measured.peak = largest(measured.mean.series.values);
+    constexpr double oneRun = 0.1;
+    if (target.noise > 0)
+      measured.noise = target.noise * measured.peak;
+    else
+      measured.noise = runs.size() > 1 ? error : oneRun * measured.peak;
+  } catch (const signals::SignalError& error) {
+    throw FileError(target.files.front(), "", error.what());
+  }
+  if (!(measured.noise > 0)) throw FileError(target.files.front(), "", "holds no vibration: every sample is the same");
+  return measured;
+}
+
+TargetValue signalValue(const MeasuredSignal& measured, const results::RunResult& result) {
+  TargetValue value;
+  value.misfit = kMissingResidual * kMissingResidual * 4;
+  try {
+    const auto& target = measured.target;
+    auto computed = filtered(signals::passageOf(result, "aba"), target.cutoff);
+    signals::AlignmentOptions options;
+    options.before = target.before, options.after = target.after;
+    options.anchor = signals::timeAtPosition(computed, 0.0);
+    const auto both = signals::alignInPosition({computed, measured.mean}, options);
+    const double speed = both.speed.front();
+    const double step = speed / (2 * target.cutoff);  // [m]: two samples a period of the cut-off frequency
+    std::vector<double> ours, theirs;
+    const double last = std::min(target.after, both.axis.back());
+    for (double x = std::max(-target.before, both.axis.front()); x <= last; x += step) {
+      ours.push_back(signals::interpolateLinear(both.axis, both.values[0], x));
+      theirs.push_back(signals::interpolateLinear(both.axis, both.values[1], x));
+      value.residuals.push_back((ours.back() - theirs.back()) / measured.noise);
+    }
+    double sum = 0;
+    for (const double residual : value.residuals) sum += residual * residual;
+    const double mean = sum / static_cast<double>(value.residuals.size());
+    value.value = std::sqrt(mean);
+    value.isMet = *value.value <= 1.5;  // the noise, and half as much again of the model's own
+    value.misfit = mean + levelMisfit(ours, theirs, step / speed, measured);
+  } catch (const signals::SignalError&) {  // too short to compare
+    value.residuals.clear();
+  }
+  return value;
+}
+
+}  // namespace squat::calibration

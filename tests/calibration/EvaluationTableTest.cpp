@@ -1,0 +1,81 @@
+#include "calibration/EvaluationTable.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "results/SampleResult.h"
+
+namespace squat::calibration {
+namespace {
+
+using squat::testing::TemporaryFolder;
+using ::testing::HasSubstr;
+
+CalibrationDefinition definition() {
+  CalibrationDefinition made;
+  made.caseName = "light-defect";
+  made.inputs = freeInputsFromText({"defect.depth=0.05:0.3"});
+  statements::Statement peak;
+  peak.name = "peak", peak.measure = "maximum", peak.low = 80, peak.high = 120, peak.unit = "m/s2";
+  made.targets.statements.push_back({peak, 1});
+  return made;
+}
+
+Evaluation row(double depth, double peak) {
+  Evaluation evaluation;
+  evaluation.stage = Stage::global, evaluation.mesh = "tiny", evaluation.values = {depth};
+  evaluation.misfit = 0.1 * peak;
+  TargetValue value;
+  value.value = peak, value.isMet = true, value.misfit = 0.1 * peak, value.residuals = {1.0 / 3.0};
+  evaluation.targets = {value};
+  return evaluation;
+}
+
+TEST(EvaluationTable, ComesBackAsItWas) {
+  const TemporaryFolder folder;
+  const auto made = definition();
+  EvaluationTable first(made, folder.path());
+  first.add(row(0.1, 87.5));
+  auto failed = row(0.2, 0);
+  failed.hasFailed = true, failed.message = "a reason, with a comma", failed.targets.clear();
+  first.add(failed);
+  const EvaluationTable second(made, folder.path());
+  ASSERT_EQ(second.rows().size(), 2u);
+  const auto* known = second.find("tiny", {0.1});
+  ASSERT_TRUE(known);
+  EXPECT_EQ(known->misfit, 8.75);
+  EXPECT_EQ(known->targets[0].residuals, std::vector<double>{1.0 / 3.0});  // to the bit
+  EXPECT_EQ(known->stage, Stage::global);
+  EXPECT_TRUE(second.find("tiny", {0.2})->hasFailed);
+  EXPECT_EQ(second.find("tiny", {0.2})->message, "a reason, with a comma");
+  EXPECT_FALSE(second.find("draft", {0.1}));
+}
+
+TEST(EvaluationTable, AnotherCalibrationIsRefused) {
+  const TemporaryFolder folder;
+  const auto made = definition();
+  EvaluationTable(made, folder.path()).add(row(0.1, 87.5));
+  auto otherLimits = made;
+  otherLimits.inputs[0].high = 0.4;
+  EXPECT_THROW(EvaluationTable(otherLimits, folder.path()), CaseError);
+  auto otherRange = made;
+  otherRange.targets.statements[0].statement.high = 130;
+  EXPECT_THROW(EvaluationTable(otherRange, folder.path()), CaseError);
+}
+
+TEST(EvaluationTable, DamageIsFound) {
+  const auto made = definition();
+  for (const char* name : {"calibration.csv", "calibration-residuals.csv", "calibration.json"}) {
+    const TemporaryFolder folder;
+    EvaluationTable(made, folder.path()).add(row(0.1, 87.5));
+    std::ofstream(folder / name) << "stage,mesh\nx\n";
+    EXPECT_THROW(EvaluationTable(made, folder.path()), FileError) << name;
+  }
+}
+
+}  // namespace
+}  // namespace squat::calibration
