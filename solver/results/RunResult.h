@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "case/Resolve.h"
-#include "signals/Record.h"
+#include "results/AnalysedRecord.h"
 
 namespace squat::results {
 
@@ -76,11 +76,8 @@ struct WheelsetMode {
 // A run is a record, time from 0 at the start of rolling and position of the wheel centre from the deepest point of the
 // defect, with what only a computation knows beside it. Its signals: aba, aba_longitudinal, wheel_acceleration,
 // aba_filtered, wheel_acceleration_filtered, contact_force, creep_force, wheel_speed, patch_length, patch_width.
-struct RunResult : signals::Record {
-  std::string stem;  // name of the case file without its ending
-  std::string title;
-  std::string caseToml;  // every default filled in
-  std::string caseHash;  // short hash of caseToml, shown on figures
+struct RunResult : AnalysedRecord {
+  std::string caseToml;  // every default filled in; caseHash is its hash
   // caseToml as read, once, when the result was made or read. None where there is no case, as in a measured record, or
   // where this version cannot read it: then caseProblem says why.
   std::shared_ptr<const cases::ResolvedCase> resolvedCase;
@@ -88,18 +85,7 @@ struct RunResult : signals::Record {
   std::string codeVersion;
   std::string isa;  // instruction set of the operator
   int threads = 0;
-  bool complete = false;
-  std::string stopReason;  // "done", "cancelled", "failed: ..."
-  std::string created;     // UTC, ISO 8601
-
-  // Spectra of aba_filtered; window and its limits as text.
-  std::vector<double> frequency, psd, psdWheel;
-  std::string psdWindow;
-  double psdFrom = 0, psdTo = 0;  // [m] positions
-
-  std::vector<double> scalogramFrequency, scalogramTime, scalogramPosition;
-  std::vector<double> scalogramPower;   // row by row, one row a frequency
-  std::vector<double> coneOfInfluence;  // [Hz] lowest trustworthy frequency at each scalogram time
+  std::string created;  // UTC, ISO 8601
 
   std::vector<double> profilePosition, profileHeight, wheelPath;  // [m]: defect and the path of a rigid wheel over it
 

@@ -24,38 +24,37 @@ QString titleOf(const analysis::SignalAnalysis& signal) {
                                                                  : stem + ": " + signal.run);
 }
 
-// The signal in the shape of a run, so that it is drawn by the same builders: only the stretch around the impact, as
-// records may be long.
-results::RunResult asRun(const analysis::SignalAnalysis& signal) {
-  results::RunResult run;
-  run.title = titleOf(signal).toStdString();
-  run.complete = true;
-  run.speed = signal.features.speed;
-  run.frequency = signal.features.spectrum.frequency;
-  run.psd = signal.features.spectrum.density;
-  run.scalogramFrequency = signal.scalogram.frequency;
-  run.scalogramTime = signal.scalogram.time;
-  run.scalogramPosition = signal.scalogramPosition;
-  run.scalogramPower = signal.scalogram.power;
-  run.coneOfInfluence = signal.scalogram.coneOfInfluence;
+// The stretch around the impact with its analysis: records may be long.
+results::AnalysedRecord aroundImpact(const analysis::SignalAnalysis& signal) {
+  results::AnalysedRecord record;
+  record.title = titleOf(signal).toStdString();
+  record.complete = true;
+  record.speed = signal.features.speed;
+  record.frequency = signal.features.spectrum.frequency;
+  record.psd = signal.features.spectrum.density;
+  record.scalogramFrequency = signal.scalogram.frequency;
+  record.scalogramTime = signal.scalogram.time;
+  record.scalogramPosition = signal.scalogramPosition;
+  record.scalogramPower = signal.scalogram.power;
+  record.coneOfInfluence = signal.scalogram.coneOfInfluence;
   const auto& series = signal.filtered;
   const auto& position = signal.passage.position;
   const double zero = signals::positionAtTime(signal.passage, signal.features.impactTime);
-  const double margin = 0.5 * windowSeconds * run.speed;
+  const double margin = 0.5 * windowSeconds * record.speed;
   results::Channel aba{"aba_filtered", series.unit, "", {}};
   for (std::size_t i = 0; i < std::min(position.size(), series.values.size()); ++i) {
     const double fromImpact = position[i] - zero;
     if (fromImpact < -shownBefore - margin || fromImpact > shownAfter + margin) continue;
-    run.time.push_back(series.timeAt(i));
-    run.position.push_back(fromImpact);
+    record.time.push_back(series.timeAt(i));
+    record.position.push_back(fromImpact);
     aba.values.push_back(series.values[i]);
   }
-  if (!run.position.empty()) {
-    run.psdFrom = std::max(-shownBefore, run.position.front());
-    run.psdTo = std::min(shownAfter, run.position.back());
+  if (!record.position.empty()) {
+    record.psdFrom = std::max(-shownBefore, record.position.front());
+    record.psdTo = std::min(shownAfter, record.position.back());
   }
-  run.signals.push_back(std::move(aba));
-  return run;
+  record.signals.push_back(std::move(aba));
+  return record;
 }
 
 std::string distinct(std::string name, std::set<std::string>& taken) {
@@ -125,9 +124,9 @@ std::vector<FigureSheet> analysisFigures(const analysis::Analysis& analysis, con
   for (const auto& signal : analysis.signals) {
     const std::string stem =
         distinct(analysis::safeFileName(signal.run.empty() ? std::string("signal") : signal.run), taken);
-    const auto run = asRun(signal);
+    const auto record = aroundImpact(signal);
     sheets.push_back(sheetOf(stem + "_history", historyFigure(signal, style)));
-    auto density = psdFigure(run, style);
+    auto density = psdFigure(record, style);
     density->yAxis->setLabel(QStringLiteral("PSD [(%1)²/Hz]").arg(unitText(signal.filtered.unit)));
     density->setCaption(titleOf(signal),
                         "around the " + QString::fromStdString(signals::toText(signal.features.anchor)) + ": Hann");
@@ -135,10 +134,10 @@ std::vector<FigureSheet> analysisFigures(const analysis::Analysis& analysis, con
     // A stretch that is short for the window gets half of itself: poor in frequency, but a picture.
     const double wanted = signal.stft ? static_cast<double>(signal.stft->segment)
                                       : std::max(16.0, windowSeconds * signal.filtered.rate());
-    const auto segment = std::min(static_cast<std::size_t>(wanted), std::max<std::size_t>(16, run.time.size() / 2));
-    sheets.push_back(sheetOf(stem + "_stft", stftFigure(run, style, segment)));
-    sheets.push_back(sheetOf(stem + "_scalogram", signal.scalogramByAmplitude ? amplitudeScalogramFigure(run, style)
-                                                                              : scalogramFigure(run, style)));
+    const auto segment = std::min(static_cast<std::size_t>(wanted), std::max<std::size_t>(16, record.time.size() / 2));
+    sheets.push_back(sheetOf(stem + "_stft", stftFigure(record, style, segment)));
+    sheets.push_back(sheetOf(stem + "_scalogram", signal.scalogramByAmplitude ? amplitudeScalogramFigure(record, style)
+                                                                              : scalogramFigure(record, style)));
     for (std::size_t back = 1; back <= 2; ++back)
       sheets[sheets.size() - back].panels.front()->xAxis->setLabel(locationLabel());
   }

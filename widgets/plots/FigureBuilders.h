@@ -13,14 +13,14 @@ namespace squat::plots {
 std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> abaTimeFigure(const results::RunResult& result, const Style& style);
-std::unique_ptr<Figure> psdFigure(const results::RunResult& result, const Style& style);
-std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style);
+std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style);
+std::unique_ptr<Figure> scalogramFigure(const results::AnalysedRecord& result, const Style& style);
 // The same of an amplitude-normalised transform: a tone of amplitude 1 m/s2 gives 1 (m/s2)2.
-std::unique_ptr<Figure> amplitudeScalogramFigure(const results::RunResult& result, const Style& style);
+std::unique_ptr<Figure> amplitudeScalogramFigure(const results::AnalysedRecord& result, const Style& style);
 // Short-time Fourier transform of aba_filtered under Hann windows of `segment` samples, one every `hop` samples (0: a
 // 32nd of the segment); fewer where that would be more than 2000 columns. Throws SignalError for values that are not
 // numbers.
-std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment = 128,
+std::unique_ptr<Figure> stftFigure(const results::AnalysedRecord& result, const Style& style, std::size_t segment = 128,
                                    std::size_t hop = 0);
 // Contact pressure and slip at the impact.
 std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style);

@@ -9,7 +9,7 @@ namespace {
 using results::RunResult;
 
 // A builder that has nothing to be set.
-template <std::unique_ptr<Figure> (*builder)(const RunResult&, const Style&)>
+template <auto builder>
 std::unique_ptr<Figure> plain(const RunResult& result, const Style& style, const FigureSettings&) {
   return builder(result, style);
 }

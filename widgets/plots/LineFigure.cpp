@@ -102,7 +102,7 @@ void fitDensity(Figure& figure) {
   figure.yAxis->setRange(0, roomForNames * figure.yAxis->range().upper);
 }
 
-void setCaption(Figure& figure, const results::RunResult& result) {
+void setCaption(Figure& figure, const results::AnalysedRecord& result) {
   QString left = QString::fromStdString(result.title.empty() ? result.stem : result.title);
   // In front, where a narrow figure does not cut it off.
   if (!result.complete)
@@ -125,7 +125,7 @@ Extent defectExtent(const results::RunResult& result) {
   return extent;
 }
 
-Window judgedWindow(const results::RunResult& result) {
+Window judgedWindow(const results::AnalysedRecord& result) {
   if (result.psdTo > result.psdFrom) return {result.psdFrom, result.psdTo};
   if (result.position.size() > 1 && result.position.back() > result.position.front())
     return {result.position.front(), result.position.back()};

@@ -42,7 +42,7 @@ void fitWithZero(Figure& figure);
 void fitDensity(Figure& figure);
 
 // Caption of every figure: title, and stem with hash; says so where the run is incomplete.
-void setCaption(Figure& figure, const results::RunResult& result);
+void setCaption(Figure& figure, const results::AnalysedRecord& result);
 
 // Stretch of the profile that is not flat [m]; empty (from == to == 0) for a smooth rail.
 struct Extent {
@@ -55,6 +55,6 @@ Extent defectExtent(const results::RunResult& result);
 struct Window {
   double from = 0, to = 0;
 };
-Window judgedWindow(const results::RunResult& result);
+Window judgedWindow(const results::AnalysedRecord& result);
 
 }  // namespace squat::plots

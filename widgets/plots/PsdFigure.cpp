@@ -11,7 +11,7 @@ namespace {
 constexpr double shownUpTo = 2500;  // [Hz] a little beyond the filter's cut-off
 
 // The lines that the tables name, at the same frequencies.
-std::vector<signals::SpectralPeak> linesOf(const results::RunResult& result) {
+std::vector<signals::SpectralPeak> linesOf(const results::AnalysedRecord& result) {
   if (result.frequency.size() < 3 || result.psd.size() != result.frequency.size()) return {};
   signals::PowerSpectrum spectrum;
   spectrum.frequency = result.frequency;
@@ -35,7 +35,7 @@ void addLineLabels(Figure& figure, const std::vector<signals::SpectralPeak>& lin
 
 }  // namespace
 
-std::unique_ptr<Figure> psdFigure(const results::RunResult& result, const Style& style) {
+std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style) {
   auto figure = std::make_unique<Figure>("psd", style);
   figure->xAxis->setLabel("Frequency [Hz]");
   figure->yAxis->setLabel("PSD [(m/s²)²/Hz]");

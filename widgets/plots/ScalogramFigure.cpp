@@ -79,7 +79,7 @@ void addCone(Figure& figure, const ScalogramGrid& grid) {
   edge->setChannelFillGraph(floor);
 }
 
-std::unique_ptr<Figure> mapFigure(const results::RunResult& result, const Style& style, const QString& name,
+std::unique_ptr<Figure> mapFigure(const results::AnalysedRecord& result, const Style& style, const QString& name,
                                   const QString& label) {
   auto figure = std::make_unique<Figure>(name, style);
   figure->setPrintedSize({85, 62});
@@ -118,29 +118,29 @@ std::unique_ptr<Figure> mapFigure(const results::RunResult& result, const Style&
 }
 
 // That of the signal that the map was made from: a measured one may be no acceleration.
-std::string signalUnit(const results::RunResult& result) {
+std::string signalUnit(const results::AnalysedRecord& result) {
   for (const auto& channel : result.signals)
     if (channel.name == "aba_filtered") return channel.unit;
   return "m/s2";
 }
 
-QString scaleLabel(const QString& quantity, const results::RunResult& result) {
+QString scaleLabel(const QString& quantity, const results::AnalysedRecord& result) {
   return quantity.arg(unitText(signalUnit(result)));
 }
 
 }  // namespace
 
-std::unique_ptr<Figure> scalogramFigure(const results::RunResult& result, const Style& style) {
+std::unique_ptr<Figure> scalogramFigure(const results::AnalysedRecord& result, const Style& style) {
   return mapFigure(result, style, "scalogram", scaleLabel("Wavelet power [(%1)² s]", result));
 }
 
-std::unique_ptr<Figure> amplitudeScalogramFigure(const results::RunResult& result, const Style& style) {
+std::unique_ptr<Figure> amplitudeScalogramFigure(const results::AnalysedRecord& result, const Style& style) {
   return mapFigure(result, style, "scalogram", scaleLabel("Wavelet power [(%1)²]", result));
 }
 
-std::unique_ptr<Figure> stftFigure(const results::RunResult& result, const Style& style, std::size_t segment,
+std::unique_ptr<Figure> stftFigure(const results::AnalysedRecord& result, const Style& style, std::size_t segment,
                                    std::size_t hop) {
-  results::RunResult local;
+  results::AnalysedRecord local;
   local.stem = result.stem;
   local.title = result.title;
   local.caseHash = result.caseHash;

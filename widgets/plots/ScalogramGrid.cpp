@@ -25,7 +25,7 @@ Location locationIn(const std::vector<double>& ascending, double value) {
 
 }  // namespace
 
-ScalogramGrid scalogramGrid(const results::RunResult& result, double positionFrom, double positionTo,
+ScalogramGrid scalogramGrid(const results::AnalysedRecord& result, double positionFrom, double positionTo,
                             double frequencyFrom, double frequencyTo) {
   const std::size_t rows = result.scalogramFrequency.size();
   std::vector<double> position = result.scalogramPosition;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "results/RunResult.h"
+#include "results/AnalysedRecord.h"
 
 namespace squat::plots {
 
@@ -19,7 +19,7 @@ struct ScalogramGrid {
 
 // The part of the scalogram within the given positions [m] and frequencies [Hz], interpolated bilinearly in position
 // and log frequency. Empty where the result has no (or a broken) scalogram or nothing lies within.
-ScalogramGrid scalogramGrid(const results::RunResult& result, double positionFrom, double positionTo,
+ScalogramGrid scalogramGrid(const results::AnalysedRecord& result, double positionFrom, double positionTo,
                             double frequencyFrom, double frequencyTo);
 
 }  // namespace squat::plots
