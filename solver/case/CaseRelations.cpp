@@ -8,6 +8,7 @@
 #include "case/DecimalNumber.h"
 #include "case/ParameterValue.h"
 #include "scenario/DefectSurface.h"
+#include "scenario/SleeperHeight.h"
 #include "scenario/TrackCentre.h"
 
 namespace squat::cases::relations {
@@ -189,6 +190,30 @@ void checkSupports(const Case& c, std::vector<Finding>& findings) {
 
 }  // namespace
 
+namespace {
+
+// The top of a sleeper falls from the pads to its middle; elements there keep a height.
+void checkSleeperHeight(const Case& c, std::vector<Finding>& findings) {
+  const auto& s = c.sleeper;
+  constexpr double least = 0.3, rise = 0.02;  // [-] of the height under the rail, [m] of the slope of the top
+  if (s.middleHeight == 0) return;
+  if (s.middleHeight > s.height)
+    add(findings, c, Severity::problem, {"sleeper.middle_height", "sleeper.height"},
+        "0 or " + limitText("sleeper.middle_height", "at most sleeper.height =", s.height),
+        "A sleeper is highest under the rail");
+  if (s.middleHeight < least * s.height)
+    add(findings, c, Severity::problem, {"sleeper.middle_height", "sleeper.height"},
+        "0 or " + limitText("sleeper.middle_height", "at least 0.3 of sleeper.height:", least * s.height),
+        "Set it to 0 for an even height");
+  const double longest = scenario::fullHeightFrom(c) - rise;
+  if (s.middleHalfLength > longest)
+    add(findings, c, Severity::problem, {"sleeper.middle_half_length", "wheelset.track_centre", "pad.width"},
+        limitText("sleeper.middle_half_length", "at most", longest),
+        "The top rises between there and the inner edge of the rail pad");
+}
+
+}  // namespace
+
 void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   const double half = 0.5 * c.track.length;
   const DefectSurface surface(c.defect);
@@ -253,6 +278,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, {"output.filter_cutoff", "output.rate"},
         limitText("output.filter_cutoff", "at most 0.4 of output.rate:", 0.4 * c.output.rate),
         "Decrease the cut-off or increase the rate");
+  checkSleeperHeight(c, findings);
   checkSupports(c, findings);
 }
 

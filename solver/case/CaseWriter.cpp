@@ -63,15 +63,29 @@ std::string comment(const Parameter& parameter) {
   return text;
 }
 
-// Curves, seats and a set zone count only where there are some: what was computed before there were such keys keeps its
-// hash.
+// Keys that came later, each with the key that gives it an effect. They count only where that one is not at its
+// default: what was computed before there were such keys keeps its hash.
+struct LaterKey {
+  std::string_view key, decidedBy;
+};
+constexpr LaterKey laterKeys[] = {
+    {"track.seats", "track.seats"},
+    {"pad.curve", "pad.curve"},
+    {"pad.preload", "pad.curve"},
+    {"mesh.zone_before", "mesh.zone_before"},
+    {"mesh.zone_behind", "mesh.zone_behind"},
+    {"sleeper.middle_height", "sleeper.middle_height"},
+    {"sleeper.middle_half_length", "sleeper.middle_height"},
+};
+
 bool countsInHash(const CaseDescription& description, const Parameter& parameter) {
   if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file") return false;
-  if (parameter.key == "pad.preload") return countsInHash(description, *findParameter("pad.curve"));
-  const bool isZone = parameter.key == "mesh.zone_before" || parameter.key == "mesh.zone_behind";
-  if (isZone) return numberInUnit(description, parameter) != 0;
-  const bool isNew = parameter.kind == Kind::forceCurve || parameter.kind == Kind::seats;
-  return !isNew || valueText(description, parameter) != "[]";
+  for (const auto& [key, decidedBy] : laterKeys)
+    if (key == parameter.key) {
+      const Parameter& deciding = *findParameter(decidedBy);
+      return valueText(description, deciding) != deciding.defaultText;
+    }
+  return true;
 }
 
 std::string lastPart(const std::string& key) { return key.substr(key.rfind('.') + 1); }

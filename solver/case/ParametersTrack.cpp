@@ -136,7 +136,19 @@ void addSleeper(Rows& rows) {
       "width of the sleeper, along the rail", "assumed: block with the paper's mass"));
   rows.push_back(number(
       "sleeper.height", metre, 0.152, {0.08, 0.35}, [](Case& c) -> double& { return c.sleeper.height; },
-      "height of the sleeper", "assumed: block with the paper's mass"));
+      "height of the sleeper, under the rail", "assumed: block with the paper's mass"));
+  rows.push_back(number(
+      "sleeper.middle_height", metre, 0, {0, 0.35}, [](Case& c) -> double& { return c.sleeper.middleHeight; },
+      "height of the sleeper in the middle of the track, on the same flat base: its top rises in a straight line to "
+      "the inner edge of the rail pad; 0: as under the rail",
+      "assumed: a uniform block; concrete sleepers of one piece have about 0.8 of the height under the rail "
+      "(unverified: B70 0.175 m and 0.214 m)"));
+  rows.push_back(appliesUnless("sleeper.middle_height", {"0"},
+                               number(
+                                   "sleeper.middle_half_length", metre, 0.3, {0, 1},
+                                   [](Case& c) -> double& { return c.sleeper.middleHalfLength; },
+                                   "from the track centre to where the height of the middle ends",
+                                   "assumed: no drawing at hand; the rise ends at the pad in any case")));
 }
 
 void addBallast(Rows& rows) {

@@ -298,6 +298,12 @@ void Rolling::advanceFine(int index) {
         plasticity::addPlasticForces(model_.layer, layerForces_, part.first, part.first + part.count,
                                      forces_.data() + model_.loaded[part.block].offset,
                                      model_.loaded[part.block].lineOfNode.data());
+  // A sleeper is not cut among the threads.
+  if (model_.sleeperShape.size() > 0)
+    for (const auto& part : fineWork_[index])
+      if (part.block >= model_.firstSleeper)
+        elasticity::addIrregularForces(model_.sleeperShape, state_.displaced.data() + model_.blocks[part.block].offset,
+                                       forces_.data() + model_.loaded[part.block].offset);
   elasticity::advanceSegments(fineWork_[index], model_.blocks, blockSteps_, step_, state_.displaced.data(),
                               state_.displaced.data(), state_.velocity.data(), *scratch_[index], &fineEnds_[index]);
 }

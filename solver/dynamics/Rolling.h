@@ -160,6 +160,7 @@ class Rolling {
   };
   int ownerOf(std::size_t unknown) const;  // thread that advances it
   void shareBlocks();
+  void requireWholeSleepers() const;
   void shareTies();
   void shareFixed();
   void shareForceElements();

@@ -1,5 +1,6 @@
 // Who does what of a step: stations, ties, held unknowns and force elements shared among the threads.
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "dynamics/Rolling.h"
@@ -42,14 +43,25 @@ void Rolling::shareBlocks() {
     masterWork_.back().push_back(together.back().back());
     together.back().pop_back();
     fineWork_ = std::move(together);
+    requireWholeSleepers();
     return;
   }
   all.pop_back();
   fineWork_ = elasticity::partition(blocks, all, threads);
+  requireWholeSleepers();
   masterWork_ = elasticity::partition(blocks, {model_.body}, threads);
   // Most of the rim is tied to the first sectors of the wheel body and goes to the last threads: what they pass each
   // other stays in their own caches.
   std::reverse(masterWork_.begin(), masterWork_.end());
+}
+
+// One thread adds all forces of a sleeper's height before it advances it in place.
+void Rolling::requireWholeSleepers() const {
+  if (model_.sleeperShape.size() == 0) return;
+  for (const auto& work : fineWork_)
+    for (const auto& segment : work)
+      if (segment.block >= model_.firstSleeper && segment.count < model_.blocks[segment.block].intervals)
+        throw std::invalid_argument("a sleeper of unequal height has too many stations to stay with one thread");
 }
 
 // Who advances a tied node's stations places it, but for the first thread, which is busy with the contact: the last one

@@ -135,6 +135,7 @@ void prepareBlock(SweptBlock& block) {
   }
   const auto [middle, far] = middleAndFar(block.section);
   block.middle = middle, block.far = far;
+  block.lowest = std::min_element(block.section.nodes.begin(), block.section.nodes.end())->front();
   block.stationMass = stationMass(block);
   block.inertia = selectiveInertia(block);
 }
@@ -161,12 +162,18 @@ Eigen::Matrix3d localBasis(const SweptBlock& block, double position) {
   return basis;
 }
 
+Eigen::Vector3d extentShift(const SweptBlock& block, int node, int station) {
+  if (block.extent.empty()) return {0, 0, 0};
+  return {0, (block.extent[station] - 1) * (block.section.nodes[node][0] - block.lowest), 0};
+}
+
 Eigen::Vector3d nodePosition(const SweptBlock& block, int node, int station) {
   const auto& p = block.section.nodes[node];
   const double at = block.positions[station];
   const Eigen::Matrix3d basis = localBasis(block, at);
   if (block.kind == SweepKind::aroundAxis) return block.origin + basis * Eigen::Vector3d(0, p[0], p[1]);
-  return block.origin + basis * Eigen::Vector3d(at, p[0], p[1]);
+  const Eigen::Vector3d even = block.origin + basis * Eigen::Vector3d(at, p[0], p[1]);
+  return block.extent.empty() ? even : even + basis * extentShift(block, node, station);
 }
 
 Corners elementCorners(const SweptBlock& block, int quad, double length) {
@@ -203,6 +210,24 @@ Matrix24 elementStiffness(const SweptBlock& block, int quad, double length) {
   return rotation.transpose() * k * rotation;
 }
 
+namespace {
+
+// What elements of another extent weigh more or less than those of the whole section, at their own nodes.
+void addExtentMass(const SweptBlock& block, std::vector<double>& mass) {
+  for (int q = 0; q < static_cast<int>(block.section.quads.size()); ++q)
+    for (int s = 0; s < block.intervals; ++s) {
+      const auto& quad = block.section.quads[q];
+      const auto even = elementCorners(block, q, block.stations.runs[block.runOf(s)].length);
+      auto own = even;
+      for (int i = 0; i < 8; ++i) own[i] += extentShift(block, quad[i % 4], s + i / 4);
+      const auto before = hexahedronMass(even, block.material.density);
+      const auto after = hexahedronMass(own, block.material.density);
+      for (int i = 0; i < 8; ++i) mass[quad[i % 4] * block.stride + s + i / 4] += after[i] - before[i];
+    }
+}
+
+}  // namespace
+
 std::vector<double> lumpedMass(const SweptBlock& block) {
   std::vector<double> mass(static_cast<std::size_t>(block.nodes) * block.stride, 0.0);
   for (std::size_t r = 0; r < block.runIntervals.size(); ++r) {
@@ -219,6 +244,7 @@ std::vector<double> lumpedMass(const SweptBlock& block) {
         mass[n * block.stride + right] += perNode[n];
       }
   }
+  if (!block.extent.empty()) addExtentMass(block, mass);
   return mass;
 }
 

@@ -59,6 +59,9 @@ struct SweptBlock {
   // do so along the sweep; no clusters: none (SelectiveInertia.h, SectionClusters.h).
   std::vector<std::vector<int>> clusters;
   double shortLength = 0;
+  // Per station, what is left of the section's extent in b above its lowest node; empty: all of it. Positions and
+  // masses have it; the operator sweeps the whole section, and irregular elements make up for it (IrregularElements.h).
+  std::vector<double> extent;
   Eigen::Vector3d origin{0, 0, 0};  // [m] added to the swept position; around the axis: the axis at y = 0
 
   // Filled by prepareBlock().
@@ -75,6 +78,7 @@ struct SweptBlock {
   std::vector<std::vector<double>> rowCoefficients;    // the same numbers in the order of the kernels
   std::vector<std::vector<float>> singleCoefficients;  // and rounded
   std::vector<std::array<int, 2>> runIntervals;        // per run: first interval and one past the last
+  double lowest = 0;                                   // [m] b of the lowest section node
   int middle = 0, far = 0;                             // section nodes next to the centre of mass and farthest from it
   SelectiveInertia inertia;
 
@@ -106,6 +110,9 @@ void numberAsVisited(geometry::SectionMesh& section, std::vector<std::vector<int
 
 // Computes everything below the comment; throws std::invalid_argument for a run that is no multiple of 8.
 void prepareBlock(SweptBlock& block);
+
+// What `extent` moves a node by, local components [m].
+Eigen::Vector3d extentShift(const SweptBlock& block, int node, int station);
 
 // Position of a node in the reference configuration; around the axis in the configuration where the wheel has not
 // turned.

@@ -10,6 +10,7 @@
 #include "geometry/RailSection.h"
 #include "geometry/WheelSection.h"
 #include "scenario/DefectZone.h"
+#include "scenario/SleeperHeight.h"
 #include "scenario/TrackCentre.h"
 
 namespace squat::model {
@@ -92,6 +93,7 @@ void addSleepers(Model& model, int intervals) {
   model.firstSleeper = static_cast<int>(model.blocks.size());
   model.sleepers = static_cast<int>(model.sleeperPositions.size());
   const int lengthwise = intervals > 0 ? intervals : tiny ? 8 : 16;
+  const auto extent = scenario::sleeperHeightShares(d, evenly(0, d.sleeper.halfLength, lengthwise));
   for (int i = 0; i < model.sleepers; ++i) {
     elasticity::SweptBlock sleeper;
     sleeper.name = "sleeper " + std::to_string(i + 1);
@@ -100,6 +102,7 @@ void addSleepers(Model& model, int intervals) {
         rectangleMesh(evenly(-d.sleeper.height, 0, 2), evenly(-d.sleeper.width / 2, d.sleeper.width / 2, tiny ? 2 : 3));
     sleeper.stations = {-d.wheelset.trackCentre, false, {{lengthwise, d.sleeper.halfLength / lengthwise}}};
     sleeper.material = d.sleeper.material;
+    sleeper.extent = extent;
     sleeper.origin = {model.sleeperPositions[i], 0,
                       -geometry::outline54E1().height * std::cos(model.blocks[model.rail].lean)};
     append(model, std::move(sleeper));

@@ -214,6 +214,7 @@ void layOutForces(Model& model) {
     const int block = model.firstSleeper + i;
     mark(block, sleeperFace(model.blocks[block], 0));
     mark(block, sleeperFace(model.blocks[block], -model.scenario.sleeper.height));
+    if (!model.blocks[block].extent.empty()) std::fill(wanted[block].begin(), wanted[block].end(), 1);
   }
   model.loaded.clear();
   model.forceSize = 0;

@@ -152,6 +152,20 @@ void addLayer(Model& model, const elasticity::NodeShift& shift) {
                             rail.plasticDepth, s.firstInterval, s.intervals, shift);
 }
 
+// Of the first sleeper; the others are alike.
+void shapeSleepers(Model& model) {
+  const auto& sleeper = model.blocks[model.firstSleeper];
+  if (sleeper.extent.empty()) return;
+  model.sleeperShape = elasticity::irregularElements(
+      sleeper, [&](int node, int station) { return elasticity::extentShift(sleeper, node, station); });
+  const std::size_t lines = model.loaded[model.firstSleeper].offset;
+  for (auto& unknown : model.sleeperShape.unknown) {
+    std::array<std::size_t, 24> slots{};
+    for (int i = 0; i < 24; ++i) slots[i] = forceSlot(model, unknown[i]) - lines, unknown[i] -= sleeper.offset;
+    model.sleeperShape.forceSlot.push_back(slots);
+  }
+}
+
 void fillIrregularSlots(Model& model) {
   auto& moved = model.movedElements;
   for (const auto& unknown : moved.unknown) {
@@ -174,6 +188,14 @@ std::size_t Model::nodeCount() const {
   for (const auto& block : blocks) sum += static_cast<std::size_t>(block.nodes) * block.stationCount;
   for (const auto& tie : ties) sum -= tie.slaveNodes.size() * blocks[tie.slaveBlock].stationCount;
   return sum;
+}
+
+void addSleeperShapes(const Model& model, const double* u, double* result) {
+  if (model.sleeperShape.size() == 0) return;
+  for (int i = 0; i < model.sleepers; ++i) {
+    const std::size_t offset = model.blocks[model.firstSleeper + i].offset;
+    elasticity::addIrregularStiffness(model.sleeperShape, u + offset, result + offset);
+  }
 }
 
 Model withDefect(Model model, const scenario::Scenario& scenario) {
@@ -205,6 +227,7 @@ Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals) {
   addLayer(model, shift);
   layOutForces(model);
   fillIrregularSlots(model);
+  shapeSleepers(model);
   addForceElements(model);
   fixRailEnds(model);
   fixSymmetry(model);

@@ -53,7 +53,10 @@ struct Model {
   int rail = -1, rim = -1, body = -1, firstSleeper = -1, sleepers = 0;
   std::vector<double> sleeperPositions;  // [m] along x
   std::vector<elasticity::SweptTie> ties;
-  elasticity::IrregularElements movedElements;    // of the rail, under a defect whose nodes are moved
+  elasticity::IrregularElements movedElements;  // of the rail, under a defect whose nodes are moved
+  // What the unequal height of a sleeper adds to the operator: all are alike, unknowns and force slots count from the
+  // sleeper's own first ones. Empty: even height.
+  elasticity::IrregularElements sleeperShape;
   plasticity::SurfaceLayer layer;                 // of the rail head; empty where nothing may yield
   std::vector<std::vector<unsigned char>> slave;  // per block and section node
   std::vector<std::vector<double>> freeMask;      // per block: nodes x 3, 0 where a whole line is fixed
@@ -88,6 +91,9 @@ Model withDefect(Model model, const scenario::Scenario& scenario);
 
 // Block, node, station and position of a state index, for messages.
 std::string locationName(const Model& model, std::size_t index);
+
+// result += K u of what the height of the sleepers changes in the swept operator (state layout).
+void addSleeperShapes(const Model& model, const double* u, double* result);
 
 // Mesh quality: smallest Jacobian ratio, largest aspect ratio, and where.
 struct MeshQuality {

@@ -179,6 +179,7 @@ void StaticOperator::apply(double* u, double* result) {
     if (index == 0) {
       std::fill(result + model_.firstAuxiliary, result + model_.stateSize, 0.0);
       elasticity::addIrregularStiffness(model_.movedElements, u, result);
+      addSleeperShapes(model_, u, result);
       for (const auto* set : linear_) forces::addStiffness(*set, u, result);
       for (const auto& tangents : tangents_) forces::addStiffness(tangents.set, u, result);
     }

@@ -67,10 +67,41 @@ void TrackSystem::addBlock(const Part& part) {
         stiffness_.block(g, g) += left;
         stiffness_.block(g, next) += across;
         stiffness_.block(next, next) += right;
-        for (const int k : {g, next}) mass_.block(k, k).diagonal().array() += half;
+        if (block.extent.empty())
+          for (const int k : {g, next}) mass_.block(k, k).diagonal().array() += half;
       }
     }
   }
+  if (!block.extent.empty()) addHeight(part);
+}
+
+// A sleeper of unequal height: what it changes in the stiffness, and masses that differ from station to station. Each
+// of its shapes is a single unknown.
+void TrackSystem::addHeight(const Part& part) {
+  const auto& block = model_.blocks[part.block];
+  Eigen::VectorXi column(3 * block.nodes);
+  VectorXd scale(3 * block.nodes);
+  for (Index row = 0; row < column.size(); ++row) {
+    Index at = 0;
+    part.shapes.shapes.row(row).cwiseAbs().maxCoeff(&at);
+    column[row] = static_cast<int>(at), scale[row] = part.shapes.shapes(row, at);
+  }
+  const auto& shape = model_.sleeperShape;
+  for (std::size_t e = 0; e < shape.size(); ++e)
+    for (int i = 0; i < 24; ++i)
+      for (int j = 0; j < 24; ++j) {
+        const auto to = block.unknownAt(shape.unknown[e][i] + block.offset);
+        const auto from = block.unknownAt(shape.unknown[e][j] + block.offset);
+        if (to.station > from.station) continue;
+        const int row = 3 * to.node + to.component, other = 3 * from.node + from.component;
+        stiffness_.block(part.firstGroup + to.station, part.firstGroup + from.station)(column[row], column[other]) +=
+            scale[row] * scale[other] * shape.difference[576 * e + 24 * i + j];
+      }
+  const auto mass = elasticity::lumpedMass(block);
+  for (int s = 0; s < block.stationCount; ++s)
+    for (int row = 0; row < 3 * block.nodes; ++row)
+      mass_.block(part.firstGroup + s, part.firstGroup + s)(column[row], column[row]) +=
+          scale[row] * scale[row] * mass[row / 3 * block.stride + s];
 }
 
 std::map<int, VectorXd> TrackSystem::pieces(const Terms& terms) const {

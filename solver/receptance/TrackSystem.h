@@ -34,6 +34,7 @@ class TrackSystem {
   std::map<int, Eigen::VectorXd> pieces(const std::vector<std::pair<std::size_t, double>>& terms) const;
   Eigen::VectorXd whole(const std::map<int, Eigen::VectorXd>& pieces) const;
   void addBlock(const Part& part);
+  void addHeight(const Part& sleeper);
   void addForceElements(const forces::ForceElements& set);
   void hold(std::size_t index);
 

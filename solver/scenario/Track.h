@@ -52,7 +52,9 @@ struct Pad : Support {
 
 struct Sleeper {
   Material material;
-  double halfLength = 0, width = 0, height = 0;  // [m]
+  double halfLength = 0, width = 0, height = 0;  // [m] height under the rail
+  double middleHeight = 0;      // [m] in the middle of the track, on the same base; 0: as under the rail
+  double middleHalfLength = 0;  // [m] from the track centre to where the middle's height ends
 };
 
 }  // namespace squat::scenario

@@ -35,6 +35,7 @@ SolidEnergies quadratic(const dynamics::Rolling& rolling, AlignedVector x) {
     elasticity::applySegments(work[index], model.blocks, rolling.kernels(), x.data(), force.data(), scratch);
   });
   elasticity::addIrregularStiffness(model.movedElements, x.data(), force.data());
+  model::addSleeperShapes(model, x.data(), force.data());
   SolidEnergies energies;
   for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
     const auto& block = model.blocks[b];

@@ -91,6 +91,15 @@ TEST(Validation, MassesOfTheWheelset) {
   EXPECT_TRUE(validate(caseWith({{"wheelset.total_mass", "700"}})).problems.empty());
 }
 
+TEST(Validation, HeightOfTheSleeper) {
+  expectProblem({{"sleeper.middle_height", "0.16"}}, "sleeper.middle_height");
+  expectProblem({{"sleeper.middle_height", "0.03"}}, "sleeper.middle_height");
+  expectProblem({{"sleeper.middle_height", "0.1"}, {"sleeper.middle_half_length", "0.67"}},
+                "sleeper.middle_half_length");
+  expectWarning({{"sleeper.middle_half_length", "0.4"}}, "sleeper.middle_half_length");
+  EXPECT_TRUE(validate(caseWith({{"sleeper.middle_height", "0.1"}})).problems.empty());
+}
+
 TEST(Validation, RunWithinTheTrack) {
   for (const char* key : {"motion.run_up", "motion.beyond"})
     expectProblem({{"track.length", "3"}, {"motion.run_up", "1.3"}, {"motion.beyond", "1.3"}}, key);

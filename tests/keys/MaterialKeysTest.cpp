@@ -79,5 +79,21 @@ TEST(SleeperKeys, SizesMakeTheBlock) {
   EXPECT_NEAR(least[1], -0.8, 1e-9);
 }
 
+// Lower by 0.07 m up to 0.4 m from the track centre, then rising to the pad's inner edge at 0.75 - 0.07 m: the top
+// moves, the base stays, and the volume is that of block less wedge.
+TEST(SleeperKeys, TheMiddleIsLower) {
+  const auto model = modelWith({{"sleeper.height", "0.2"},
+                                {"sleeper.width", "0.25"},
+                                {"sleeper.middle_height", "0.13"},
+                                {"sleeper.middle_half_length", "0.4"}});
+  const auto& sleeper = model.blocks[model.firstSleeper];
+  EXPECT_NEAR(volumeOf(sleeper), 0.25 * (0.2 * 1.26 - 0.07 * 0.5 * (0.4 + 0.68)), 1e-9);
+  const double seat = sleeper.origin[2];
+  for (int n = 0; n < sleeper.nodes; ++n) {
+    const double z = elasticity::nodePosition(sleeper, n, sleeper.stationCount - 1)[2] - seat;
+    EXPECT_NEAR(elasticity::nodePosition(sleeper, n, 0)[2] - seat, -0.2 + (z + 0.2) * 0.13 / 0.2, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace squat

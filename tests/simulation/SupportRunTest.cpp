@@ -39,5 +39,27 @@ TEST(SupportRun, EnergyIsAccountedForAboveAVoid) {
   expectEnergyBalance({{"track.seats", "[{ sleeper = 0, gap = 0.5 }]"}});
 }
 
+// Operator, start and loop see one and the same sleeper.
+TEST(SupportRun, EnergyIsAccountedForOnSleepersWithALowMiddle) {
+  expectEnergyBalance({{"sleeper.middle_height", "0.1"}, {"sleeper.middle_half_length", "0.4"}});
+}
+
+// The forces of a sleeper's shape are added in one order, whoever adds them.
+TEST(SupportRun, SleepersWithALowMiddleGiveTheSameBitsOnTwoThreads) {
+  const auto run = [](int threads) {
+    simulation::RunOptions options;
+    options.threads = threads;
+    options.wheelsetModes = false;
+    options.snapshots = false;
+    Monitor silent;
+    return *simulation::runCase(
+                cases::loadCase(tests::fixtureCase("light-defect"),
+                                {"tiny", {{"motion.beyond", "0.05"}, {"sleeper.middle_height", "0.1"}}}),
+                options, silent)
+                .signal("aba");
+  };
+  EXPECT_EQ(run(1), run(2));
+}
+
 }  // namespace
 }  // namespace squat

@@ -29,6 +29,13 @@ void join(Terms& terms, const Terms& others) { terms.insert(terms.end(), others.
 
 }  // namespace
 
+double sleeperHeight(const scenario::Scenario& d, double fromCentre) {
+  const auto& s = d.sleeper;
+  if (s.middleHeight == 0) return s.height;
+  const double from = s.middleHalfLength, to = d.wheelset.trackCentre - d.pad.width / 2;
+  return s.middleHeight + (s.height - s.middleHeight) * std::clamp((fromCentre - from) / (to - from), 0.0, 1.0);
+}
+
 BeamSection beamSection(const geometry::SectionMesh& section) {
   const auto integrals = geometry::sectionIntegrals(section);
   const auto torsion = sectionTorsion(section);
@@ -87,14 +94,20 @@ void TrackBeam::layRail(const std::vector<double>& sleeperPositions) {
 
 int TrackBeam::addSleeper() {
   const auto& s = case_.sleeper;
-  const double area = s.width * s.height, step = s.halfLength / sleeperParts;
-  const double upright = s.width * std::pow(s.height, 3) / 12, flat = s.height * std::pow(s.width, 3) / 12;
+  const double step = s.halfLength / sleeperParts;
   const double young = s.material.young, shear = shearModulus(s.material), density = s.material.density;
-  const double torsion = rectangleTorsion(s.width, s.height);
   const int first = system_.add(sleeperUnknowns * (sleeperParts + 1));
   for (int j = 0; j < sleeperParts; ++j) {
     const int l = first + sleeperUnknowns * j, r = l + sleeperUnknowns;
-    system_.addBar(l + stretch, r + stretch, step, young * area, density * area);
+    const double height = sleeperHeight(case_, (j + 0.5) * step), area = s.width * height;
+    const double upright = s.width * std::pow(height, 3) / 12, flat = height * std::pow(s.width, 3) / 12;
+    const double torsion = rectangleTorsion(s.width, height);
+    // The middle of a lower section lies below the axis.
+    const double below = (s.height - height) / 2;
+    system_.addSpring({{l + stretch, 1}, {l + liftSlope, below}, {r + stretch, -1}, {r + liftSlope, -below}},
+                      young * area / step, 0);
+    for (const int at : {l, r})
+      system_.addMass({{at + stretch, 1}, {at + liftSlope, below}}, 0.5 * step * density * area);
     system_.addBeam(l + lift, l + liftSlope, r + lift, r + liftSlope, step, young * upright, 5.0 / 6 * area * shear,
                     density * area, density * upright);
     system_.addBeam(l + shift, l + shiftSlope, r + shift, r + shiftSlope, step, young * flat, 5.0 / 6 * area * shear,

@@ -26,6 +26,9 @@ struct BeamSection {
   double footFlexibility = 0;            // [m2/N] between section and pad (SectionFlexibility.h)
 };
 
+// [m] at a distance from the track centre: level, a straight rise to the pad, level.
+double sleeperHeight(const scenario::Scenario& description, double fromCentre);
+
 BeamSection beamSection(const geometry::SectionMesh& section);
 
 class TrackBeam {

@@ -47,6 +47,21 @@ TEST(TrackReceptance, OverASeatThatDiffersIsThatOfABeam) {
       10, options);
 }
 
+// The beam's sleepers have the bending stiffness and mass of each section, and its middle where it lies.
+TEST(TrackReceptance, OnSleepersWithALowMiddleIsThatOfABeam) {
+  receptance::ReceptanceOptions options;
+  options.highest = 1200;
+  options.shapeTolerance = 2e-2;
+  options.accuracy = 0.02;
+  compareWithBeam(cases::loadCase(tests::fixtureCase("smooth-rail"), {"draft",
+                                                                      {{"track.length", "3"},
+                                                                       {"sleeper.height", "0.2"},
+                                                                       {"sleeper.width", "0.22"},
+                                                                       {"sleeper.middle_height", "0.13"},
+                                                                       {"sleeper.middle_half_length", "0.4"}}}),
+                  10, options);
+}
+
 // 300 kN/mm up to 15 kN, then 1000 kN/mm: clamped with 50 kN the pad answers by the second slope, unclamped by the
 // first. The same system to solve, but for the last digits of the slope.
 TEST(TrackReceptance, ProgressivePadAnswersByTheTangentAtItsPreload) {
