@@ -3,19 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "case/DecimalNumber.h"
 #include "case/ParameterValue.h"
 #include "scenario/DefectSurface.h"
 #include "scenario/SleeperHeight.h"
 #include "scenario/TrackCentre.h"
+#include "scenario/WheelsetMass.h"
 
 namespace squat::cases::relations {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double endMargin = 0.3;  // [m] of rail that must be left beyond the run
 
 using Case = CaseDescription;
@@ -62,32 +61,6 @@ std::string unitHint(const Case& c, const DefectSurface& surface) {
   return ". The profile is " + rounded(length) + " m long: check the unit of its positions";
 }
 
-// The solid half of a wheelset: volume [m3] and the integral of the squared radius over it [m5], times density its
-// inertia about the axis.
-struct WheelsetSolid {
-  double volume = 0, squaredRadii = 0;
-};
-WheelsetSolid wheelsetSolid(const Wheelset& w) {
-  WheelsetSolid solid;
-  const auto addRing = [&](double outer, double inner, double length) {
-    const double squares = outer * outer + inner * inner, area = pi * (outer * outer - inner * inner);
-    solid.volume += area * length, solid.squaredRadii += 0.5 * squares * area * length;
-  };
-  addRing(w.radius, w.rimInnerRadius, w.rimWidth);
-  addRing(w.hubRadius, w.boreRadius, w.hubWidth);
-  addRing(w.axleRadius, w.boreRadius, w.trackCentre - 0.5 * w.hubWidth);
-  addRing(w.shoulderRadius, w.boreRadius, w.shoulderEnd - 0.5 * w.hubWidth);
-  addRing(w.journalRadius, w.boreRadius, w.journalEnd - w.shoulderEnd);
-  // Thickness of the web linear in the radius: its mean, by Pappus taken at the middle of the annulus plus the taper's
-  // share. Its squared radius is that of an even web: a taper shifts it by little.
-  const double atHub = w.webHubThickness > 0 ? w.webHubThickness : w.webThickness;
-  const double middle = 0.5 * (w.rimInnerRadius + w.hubRadius), depth = w.rimInnerRadius - w.hubRadius;
-  const double web = 2 * pi * depth * (middle * 0.5 * (w.webThickness + atHub) + depth * (w.webThickness - atHub) / 12);
-  solid.volume += web;
-  solid.squaredRadii += 0.5 * (w.rimInnerRadius * w.rimInnerRadius + w.hubRadius * w.hubRadius) * web;
-  return solid;
-}
-
 }  // namespace
 
 void checkMaterials(const Case& c, std::vector<Finding>& findings) {
@@ -97,6 +70,30 @@ void checkMaterials(const Case& c, std::vector<Finding>& findings) {
         limitText("rail.tangent_modulus", "below rail.young_modulus =", c.rail.material.young),
         "A material is softer beyond yield");
 }
+
+namespace {
+
+void checkWheelsetMass(const Case& c, std::vector<Finding>& findings) {
+  const auto& w = c.wheelset;
+  const double least = scenario::partsMass(w), discs = scenario::brakeDiscsMass(w);
+  if (w.totalMass > 0 && w.totalMass < least)
+    add(findings, c, Severity::problem,
+        {"wheelset.total_mass", "wheelset.axle_box_mass", "wheelset.brake_disc_mass", "wheelset.density",
+         "wheelset.radius"},
+        limitText("wheelset.total_mass",
+                  discs > 0 ? "at least the mass of the solid parts, the axle box and the brake discs:"
+                            : "at least the mass of the solid parts and the axle box:",
+                  least),
+        "Increase the total mass or make the parts lighter; 0 takes what they weigh, solid parts " +
+            rounded(least - w.axleBoxMass - discs) + " kg, axle box " + rounded(w.axleBoxMass) + " kg" +
+            (discs > 0 ? ", brake discs " + rounded(discs) + " kg" : ""));
+  if (w.brakeDiscs > 0 && (w.brakeDiscPosition <= 0.5 * w.hubWidth || w.brakeDiscPosition >= w.trackCentre))
+    add(findings, c, Severity::problem, {"wheelset.brake_disc_position", "wheelset.hub_width", "wheelset.track_centre"},
+        "between hub and track centre, " + rounded(0.5e3 * w.hubWidth) + " to " + rounded(1e3 * w.trackCentre) + " mm",
+        "Brake discs sit on the axle between the hub and the track centre");
+}
+
+}  // namespace
 
 void checkWheelset(const Case& c, std::vector<Finding>& findings) {
   const auto& w = c.wheelset;
@@ -162,12 +159,7 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
             rounded(w.journalEnd * 1e3) + " mm",
         "The bearing extends from " + rounded(inner * 1e3) + " to " + rounded(outer * 1e3) +
             " mm: move it, shorten it or lengthen the journal");
-  const double least = wheelsetSolid(w).volume * w.material.density + w.axleBoxMass;
-  if (w.totalMass < least)
-    add(findings, c, Severity::problem,
-        {"wheelset.total_mass", "wheelset.axle_box_mass", "wheelset.density", "wheelset.radius"},
-        limitText("wheelset.total_mass", "at least the mass of the solid parts and the axle box:", least),
-        "Increase the total mass or make the parts lighter");
+  checkWheelsetMass(c, findings);
 }
 
 namespace {
@@ -359,7 +351,7 @@ void checkSeat(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, keys, between(crownEnd), found + ", beyond the middle arc R300");
     return;
   }
-  const double load = (c.wheelset.totalMass + c.suspension.sprungMass) * c.motion.gravity;
+  const double load = (scenario::wheelsetMass(c.wheelset) + c.suspension.sprungMass) * c.motion.gravity;
   const double half = patchHalfWidth * std::cbrt(load / patchLoad);
   Keys withBand = keys;
   withBand.push_back("mesh.band_half_width");
@@ -404,7 +396,8 @@ void checkMesh(const Case& c, std::vector<Finding>& findings) {
 }
 
 void checkTraction(const Case& c, std::vector<Finding>& findings) {
-  const double load = (c.wheelset.totalMass + c.suspension.sprungMass) * c.motion.gravity;  // [N]
+  const double total = scenario::wheelsetMass(c.wheelset);                   // [kg]
+  const double load = (total + c.suspension.sprungMass) * c.motion.gravity;  // [N]
   const double limit = c.contact.friction;
   if (c.motion.tractionCoefficient != 0) {
     if (std::abs(c.motion.tractionCoefficient) > limit)
@@ -416,9 +409,9 @@ void checkTraction(const Case& c, std::vector<Finding>& findings) {
   // Part of the torque spins up the wheelset itself: F = T/R / (1 + I/(m R^2)). I of the solid parts, and of discs and
   // box at the radii of axle and journal.
   const auto& w = c.wheelset;
-  const double mass = w.totalMass + c.suspension.sprungMass, radius = w.radius;
-  const auto solid = wheelsetSolid(w);
-  const double discs = std::max(0.0, w.totalMass - w.axleBoxMass - w.material.density * solid.volume);
+  const double mass = total + c.suspension.sprungMass, radius = w.radius;
+  const auto solid = scenario::wheelsetSolid(w);
+  const double discs = std::max(0.0, total - w.axleBoxMass - w.material.density * solid.volume);
   const double inertia = w.material.density * solid.squaredRadii + discs * w.axleRadius * w.axleRadius +
                          w.axleBoxMass * w.journalRadius * w.journalRadius;  // [kg m2]
   const double force = std::abs(c.motion.torque) / radius / (1 + inertia / (mass * radius * radius));

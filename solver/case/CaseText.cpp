@@ -1,6 +1,7 @@
 #include "case/CaseText.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "case/Applicability.h"
@@ -9,6 +10,7 @@
 #include "case/ParameterValue.h"
 #include "case/PointsText.h"
 #include "case/SeatsText.h"
+#include "scenario/WheelsetMass.h"
 
 namespace squat::cases {
 
@@ -71,6 +73,17 @@ std::string rangeText(const Parameter& parameter) {
   return parameter.kind == Kind::choice ? allowedText(parameter) : std::string();
 }
 
+// [kg] that a total mass of 0 stands for.
+std::optional<double> derivedValue(const CaseDescription& description, const Parameter& parameter) {
+  if (parameter.key != "wheelset.total_mass" || description.wheelset.totalMass > 0) return std::nullopt;
+  return scenario::wheelsetMass(description.wheelset);
+}
+
+std::string derivedText(const CaseDescription& description, const Parameter& parameter) {
+  const auto value = derivedValue(description, parameter);
+  return value ? "derived here: " + formatDecimal(std::round(*value * 10) / 10) + " " + parameter.unit + "; " : "";
+}
+
 using Json = nlohmann::ordered_json;
 
 Json numberJson(const std::string& text, bool integer) {
@@ -131,7 +144,7 @@ std::string describeTable(const CaseDescription& description, const SetKeys& set
     const char* effect = applies(description, parameter) ? "" : "no effect here; ";
     text += star + padded(parameter.key, 34) + " " + padded(shortText(parameter, value), 18) + " " +
             padded(rangeText(parameter), 18) + " " + parameter.doc + " [" + effect +
-            sourceText(description, parameter, set) + "]\n";
+            derivedText(description, parameter) + sourceText(description, parameter, set) + "]\n";
   }
   return text;
 }
@@ -155,6 +168,7 @@ std::string describeJson(const CaseDescription& description, const SetKeys& set)
     row["applies"] = applies(description, parameter);
     row["applies_if"] = parameter.condition.empty() ? Json(nullptr) : Json(conditionText(parameter.condition));
     row["kind"] = kinds[static_cast<int>(parameter.kind)];
+    if (const auto derived = derivedValue(description, parameter)) row["derived"] = *derived;
     if (parameter.kind == Kind::choice) row["choices"] = parameter.choices;
     all.push_back(std::move(row));
   }

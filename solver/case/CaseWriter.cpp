@@ -76,6 +76,9 @@ constexpr LaterKey laterKeys[] = {
     {"mesh.zone_behind", "mesh.zone_behind"},
     {"sleeper.middle_height", "sleeper.middle_height"},
     {"sleeper.middle_half_length", "sleeper.middle_height"},
+    {"wheelset.brake_discs", "wheelset.brake_discs"},
+    {"wheelset.brake_disc_mass", "wheelset.brake_discs"},
+    {"wheelset.brake_disc_position", "wheelset.brake_discs"},
 };
 
 bool countsInHash(const CaseDescription& description, const Parameter& parameter) {

@@ -51,6 +51,26 @@ void addWheel(Rows& rows) {
       "width of the hub along the axle, centred on the wheel plane", steps));
 }
 
+void addBrakeDiscs(Rows& rows) {
+  const auto withDiscs = [&](Parameter parameter) {
+    rows.push_back(appliesUnless("wheelset.brake_discs", {"0"}, std::move(parameter)));
+  };
+  rows.push_back(wholeNumber(
+      "wheelset.brake_discs", 0, {0, 3}, +[](Case& c) -> int& { return c.wheelset.brakeDiscs; },
+      "brake discs between the wheel and the track centre, half of those of the axle",
+      "assumed: the paper does not say; passenger coaches have two or three an axle (unverified)"));
+  withDiscs(number(
+      "wheelset.brake_disc_mass", kilogram, 90, {0, 500}, [](Case& c) -> double& { return c.wheelset.brakeDiscMass; },
+      "mass of each brake disc with its hub, a ring on the surface of the axle",
+      "assumed: 85 to 100 kg are usual (unverified)"));
+  withDiscs(number(
+      "wheelset.brake_disc_position", millimetre, 350, {40, 1200},
+      [](Case& c) -> double& { return c.wheelset.brakeDiscPosition; },
+      "middle of the disc nearest to the wheel, from the wheel plane towards the track centre; several stand evenly "
+      "along the whole axle, the last one half a distance from the track centre",
+      "assumed: about half way to the track centre"));
+}
+
 void addAxle(Rows& rows) {
   rows.push_back(number(
       "wheelset.seat_radius", millimetre, 92.5, {50, 200}, [](Case& c) -> double& { return c.wheelset.seatRadius; },
@@ -95,9 +115,11 @@ void addAxle(Rows& rows) {
       "wheelset.axle_box_mass", kilogram, 150, {0, 1000}, [](Case& c) -> double& { return c.wheelset.axleBoxMass; },
       "mass of axle box and bearing", "literature: 100 to 150 kg"));
   rows.push_back(number(
-      "wheelset.total_mass", kilogram, 950, {200, 5000}, [](Case& c) -> double& { return c.wheelset.totalMass; },
-      "mass of the half wheelset; the mass beyond solid parts and axle box acts as brake discs on the axle",
+      "wheelset.total_mass", kilogram, 950, {0, 5000}, [](Case& c) -> double& { return c.wheelset.totalMass; },
+      "mass of the half wheelset; the mass beyond solid parts, axle box and stated brake discs is spread over the axle "
+      "like discs; 0: what these parts weigh",
       "literature: heavy passenger wheelset"));
+  addBrakeDiscs(rows);
   rows.push_back(number(
       "wheelset.track_centre", metre, 0.75, {0.5, 1.2}, [](Case& c) -> double& { return c.wheelset.trackCentre; },
       "distance from the wheel plane to the symmetry plane of the track", "literature: contact points 1.5 m apart"));

@@ -1,10 +1,15 @@
 #include "case/Resolve.h"
 
+#include "scenario/WheelsetMass.h"
+
 namespace squat::cases {
 
 scenario::Scenario resolve(const CaseDescription& d) {
-  return {d, DefectSurface(d.defect),
-          d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction};
+  scenario::Scenario resolved{
+      d, DefectSurface(d.defect),
+      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction};
+  resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
+  return resolved;
 }
 
 scenario::Scenario loadScenario(const std::string& nameOrPath, const CaseOverrides& overrides) {

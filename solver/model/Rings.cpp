@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "scenario/WheelsetMass.h"
+
 namespace squat::model {
 
 namespace {
@@ -39,6 +41,13 @@ Ring sectionRing(const elasticity::SweptBlock& body, int block, double radius, d
   const double share = (y - at(i)) / (at(i + 1) - at(i));
   if (std::abs(share) < 1e-6) return {block, {all[i]}, {1.0}};
   return {block, {all[i], all[i + 1]}, {1 - share, share}};
+}
+
+std::vector<Ring> discRings(const scenario::Wheelset& w, const elasticity::SweptBlock& body, int block) {
+  std::vector<Ring> rings;
+  for (const double place : scenario::brakeDiscPlaces(w))
+    rings.push_back(sectionRing(body, block, w.axleRadius, -place));
+  return rings;
 }
 
 }  // namespace squat::model

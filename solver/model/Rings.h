@@ -11,4 +11,7 @@ Ring seatRing(const elasticity::SweptBlock& body, int block, double radius, doub
 // The section of a seat at y: the ring of nodes there, or the two beside it.
 Ring sectionRing(const elasticity::SweptBlock& body, int block, double radius, double y);
 
+// Where the brake discs of the case sit: the sections of the axle's surface at their places.
+std::vector<Ring> discRings(const scenario::Wheelset& wheelset, const elasticity::SweptBlock& body, int block);
+
 }  // namespace squat::model

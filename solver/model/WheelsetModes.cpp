@@ -8,6 +8,7 @@
 #include "elasticity/StandingWave.h"
 #include "geometry/WheelSection.h"
 #include "model/Rings.h"
+#include "scenario/WheelsetMass.h"
 
 namespace squat::model {
 
@@ -103,8 +104,9 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
   const auto tread = sectionRing(block, 0, w.radius, 0);
   const bool onSpring = w.bearingStiffness > 0;
   if (!onSpring) addMass(mass, bearing, w.axleBoxMass);
+  for (const auto& disc : discRings(w, block, 0)) addMass(mass, disc, w.brakeDiscMass);
   addMass(mass, seatRing(block, 0, w.axleRadius, -0.85 * w.trackCentre, -0.25 * w.trackCentre),
-          std::max(0.0, w.totalMass - w.axleBoxMass - solid));
+          std::max(0.0, w.totalMass - w.axleBoxMass - solid - scenario::brakeDiscsMass(w)));
 
   const auto interval = elasticity::intervalMatrices(block, 0);
   WheelsetShapes shapes;

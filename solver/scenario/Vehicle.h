@@ -20,10 +20,13 @@ struct Wheelset {
   double axleBoxMass = 0;                                 // [kg] box and bearing
   double bearingStiffness = 0, bearingDamping = 0;  // [N/m], [N s/m] radial, journal to box; stiffness 0: rigid, the
                                                     // box is spread over the bearing seat
-  double dampingRatio = 0;  // [-] of critical, of every flexible mode of the half wheelset below dampingLimit
-  double dampingLimit = 0;  // [Hz]
-  double totalMass = 0;     // [kg] half wheelset; the rest sits as brake discs on the axle
-  double trackCentre = 0;   // [m] from the wheel plane to the symmetry plane, positive
+  double dampingRatio = 0;       // [-] of critical, of every flexible mode of the half wheelset below dampingLimit
+  double dampingLimit = 0;       // [Hz]
+  double totalMass = 0;          // [kg] half wheelset; what its parts do not weigh sits on the axle. 0: what they weigh
+  int brakeDiscs = 0;            // of the half axle
+  double brakeDiscMass = 0;      // [kg] of each
+  double brakeDiscPosition = 0;  // [m] of the disc nearest to the wheel, from the wheel plane towards the track centre
+  double trackCentre = 0;        // [m] from the wheel plane to the symmetry plane, positive
 };
 
 struct Suspension {

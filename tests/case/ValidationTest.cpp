@@ -86,9 +86,25 @@ TEST(Validation, BearingWithinTheJournal) {
 // Rim, web, hub, axle of the default wheelset weigh about 480 kg as rings, the axle box 150 kg.
 TEST(Validation, MassesOfTheWheelset) {
   expectProblem({{"wheelset.total_mass", "500"}}, "wheelset.total_mass");
+  expectProblem({{"wheelset.total_mass", "640"}, {"wheelset.brake_discs", "1"}}, "wheelset.total_mass");
+  expectProblem({{"wheelset.brake_discs", "1"}, {"wheelset.brake_disc_position", "60"}},
+                "wheelset.brake_disc_position");
+  EXPECT_TRUE(validate(caseWith({{"wheelset.total_mass", "0"}, {"wheelset.brake_discs", "2"}})).problems.empty());
   expectProblem({{"wheelset.web_offset", "80"}}, "wheelset.web_offset");
   expectProblem({{"wheelset.axle_box_mass", "0"}, {"wheelset.bearing_stiffness", "1000"}}, "wheelset.axle_box_mass");
   EXPECT_TRUE(validate(caseWith({{"wheelset.total_mass", "700"}})).problems.empty());
+}
+
+// Solids by the closed form: 480 kg and some; the message names what each part weighs.
+TEST(Validation, AMassBelowThatOfThePartsNamesThem) {
+  const auto problems =
+      validate(
+          caseWith({{"wheelset.total_mass", "600"}, {"wheelset.brake_discs", "2"}, {"wheelset.brake_disc_mass", "70"}}))
+          .problems;
+  ASSERT_EQ(problems.size(), 1u);
+  const auto text = toText(problems.front());
+  for (const char* part : {"600", "solid parts 4", "axle box 150 kg", "brake discs 140 kg"})
+    EXPECT_THAT(text, HasSubstr(part));
 }
 
 TEST(Validation, HeightOfTheSleeper) {

@@ -140,6 +140,78 @@ TEST(WheelsetKeys, AxleBoxAndDiscsMakeUpTheMass) {
   EXPECT_NEAR(massBeyond(large, -1) - massBeyond(plain, -1), 1000 - plain.scenario.wheelset.totalMass, 1e-9);
 }
 
+double firstMoment(const model::Model& model) {
+  double sum = 0;
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int n = 0; n < block.nodes; ++n)
+      for (int s = 0; s < block.stationCount; ++s)
+        sum += model.mass[b][n * block.stride + s] * block.section.nodes[n][1];
+  }
+  return sum;
+}
+
+double massOfRim(const model::Model& model) {
+  double sum = 0;
+  const auto& rim = model.blocks[model.rim];
+  for (int n = 0; n < rim.nodes; ++n)
+    for (int s = 0; s < rim.stationCount; ++s) sum += model.mass[model.rim][n * rim.stride + s];
+  return sum;
+}
+
+// Distance from the wheel plane [m] of the middle of what is spread over the axle: found by adding some more.
+double spreadMiddle(const model::Model& plain) {
+  const auto heavy = modelWith({{"wheelset.total_mass", "1000"}});
+  return -(firstMoment(heavy) - firstMoment(plain)) / (heavy.wheelset.mass - plain.wheelset.mass);
+}
+
+// A total mass of 0 is that of the parts: solids of revolution (Pappus with a whole turn), axle box and brake discs.
+TEST(WheelsetKeys, PartsMakeTheMassWhereNoneIsStated) {
+  const double turn = 2 * std::acos(-1.0);
+  for (const char* discs : {"0", "1", "3"}) {
+    const auto model = modelWith({{"wheelset.total_mass", "0"},
+                                  {"wheelset.brake_discs", discs},
+                                  {"wheelset.brake_disc_mass", "80"},
+                                  {"wheelset.web_hub_thickness", "40"}});
+    const auto& w = model.scenario.wheelset;
+    const double solids = expectedOf(w, model.scenario.mesh.rimDepth, turn, turn).mass;
+    const double expected = solids + w.axleBoxMass + 80 * std::stod(discs);
+    EXPECT_NEAR(model.wheelset.mass, expected, 1e-9 * expected) << discs;
+    EXPECT_NEAR(massBeyond(model, -1), expected - massOfRim(model), 1e-9 * expected) << discs;
+  }
+}
+
+// Discs are rings on the surface of the axle: each adds its mass, its lever about the wheel plane and mass times radius
+// squared to the inertia. Two stand at 300 mm and two thirds of the rest further, where the distance to each other,
+// 300 mm, is that to the mirror image beyond the track centre.
+TEST(WheelsetKeys, BrakeDiscsSitOnTheAxle) {
+  const tests::Values derived{{"wheelset.total_mass", "0"}};
+  const auto with = [&](const char* discs) {
+    auto values = derived;
+    values.insert(
+        values.end(),
+        {{"wheelset.brake_discs", discs}, {"wheelset.brake_disc_mass", "95"}, {"wheelset.brake_disc_position", "300"}});
+    return modelWith(values);
+  };
+  const auto none = modelWith(derived), one = with("1"), two = with("2");
+  const double radius = none.scenario.wheelset.axleRadius;
+  EXPECT_NEAR(one.wheelset.mass - none.wheelset.mass, 95, 1e-9);
+  EXPECT_NEAR(firstMoment(one) - firstMoment(none), -95 * 0.3, 1e-9);
+  EXPECT_NEAR(firstMoment(two) - firstMoment(one), -95 * 0.6, 1e-9);
+  EXPECT_NEAR(two.wheelset.inertia - none.wheelset.inertia, 2 * 95 * radius * radius, 1e-9);
+}
+
+// A stated total mass stays what it is: what the discs weigh is no longer spread over the axle.
+TEST(WheelsetKeys, AStatedMassHoldsTheDiscs) {
+  const auto plain = modelWith({}), disc = modelWith({{"wheelset.brake_discs", "1"}});
+  EXPECT_NEAR(massBeyond(disc, -1), massBeyond(plain, -1), 1e-9);
+  EXPECT_NEAR(disc.wheelset.mass, plain.wheelset.mass, 1e-9);
+  // It moves from the middle of what is spread to the place of the disc.
+  const auto& w = disc.scenario.wheelset;
+  EXPECT_NEAR(firstMoment(disc) - firstMoment(plain), w.brakeDiscMass * (spreadMiddle(plain) - w.brakeDiscPosition),
+              1e-9);
+}
+
 TEST(WheelsetKeys, TheBearingCoversItsSeat) {
   const auto model = modelWith({{"wheelset.bearing_centre", "240"}, {"wheelset.bearing_width", "120"}});
   double first = 9, last = -9, middle = 0;
