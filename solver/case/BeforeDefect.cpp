@@ -10,8 +10,14 @@
 namespace squat::cases {
 
 bool countsBeforeDefect(const Parameter& parameter) {
-  constexpr std::array<std::string_view, 6> others = {
-      "title", "note", "mesh.zone_before", "mesh.zone_behind", "output.filter_cutoff", "output.cwt_voices"};
+  constexpr std::array<std::string_view, 8> others = {"title",
+                                                      "note",
+                                                      "wheelset.preset",
+                                                      "track.preset",
+                                                      "mesh.zone_before",
+                                                      "mesh.zone_behind",
+                                                      "output.filter_cutoff",
+                                                      "output.cwt_voices"};
   return parameter.group != "defect" && std::find(others.begin(), others.end(), parameter.key) == others.end();
 }
 

@@ -52,6 +52,7 @@ using scenario::Wheelset;
 struct CaseDescription : scenario::Inputs {
   std::string title;
   std::string note;
+  std::string wheelsetPreset, trackPreset;  // where values came from (InputPresets.h); they stand in the other members
   Defect defect;
 };
 

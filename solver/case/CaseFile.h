@@ -20,9 +20,11 @@ struct CaseOverrides {
   std::vector<std::pair<std::string, std::string>> values;  // --set: key and text in the unit of the case file
 };
 
-// Order of precedence: --set, keys stated in the file, mesh preset (--mesh, --set mesh.preset, the file's, draft),
-// defaults. A mesh key that the file states with just the value that its own preset gives (as every written case does)
-// counts as not stated, so that --mesh acts on written cases too.
+// Order of precedence: --set, keys stated in the file, presets (wheelset.preset, track.preset and mesh.preset: --mesh
+// and
+// --set, else the file's, else none and draft), defaults. A preset on the command line takes the place of the file's. A
+// key of theirs that the file states with just the value that its own preset gives, or the default where it names none
+// (as every written case does), counts as not stated then, so that presets act on written cases too.
 // A profile named by defect.file is read, relative to the file's folder, unless the case has defect.points or lines.
 // Throws CaseError with every error in keys, types, ranges and relations (Validation.h); FileError where the file or
 // the profile cannot be read, is no TOML (with line), is larger than 4 MB or of a newer schema.

@@ -1,17 +1,14 @@
-// Reading of case files. The decimal text of numbers is taken from the source itself, so that units are applied to the
-// digits that the user typed (DecimalNumber.h).
+// Reading of case files: presets, what the file states, what the command line sets, and what is wrong with it.
 #include <algorithm>
 #include <optional>
 
 #include "case/CaseFile.h"
-#include "case/DecimalNumber.h"
+#include "case/CaseStatements.h"
+#include "case/InputPresets.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
-#include "case/PointsText.h"
 #include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
-#include "case/TomlGuard.h"
-#include "case/TomlLibrary.h"
 #include "case/Validation.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -21,190 +18,9 @@ namespace squat::cases {
 namespace {
 
 constexpr std::size_t largestFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
-constexpr std::size_t maximumProblems = 50, maximumParts = 8;
-
-// A key as the file states it.
-struct Stated {
-  std::string key;
-  std::string text;  // as for trySetValue
-  std::size_t line = 0;
-  std::optional<CaseProblem> typeProblem;
-};
-
-class Source {
- public:
-  explicit Source(std::string_view text) {
-    for (std::size_t from = 0; from <= text.size();) {
-      const std::size_t end = std::min(text.find('\n', from), text.size());
-      lines_.push_back(text.substr(from, end - from));
-      from = end + 1;
-    }
-  }
-
-  // The number's own digits where they can be found again, else the shortest text of its value.
-  std::string numberText(const toml::node& node, double value) const {
-    const auto& region = node.source();
-    if (region.begin.line == region.end.line && region.begin.line >= 1 && region.begin.line <= lines_.size()) {
-      const std::string_view line = lines_[region.begin.line - 1];
-      const std::size_t from = region.begin.column - 1, to = std::min<std::size_t>(region.end.column - 1, line.size());
-      if (from < to) {
-        std::string token(line.substr(from, to - from));
-        token.erase(std::remove(token.begin(), token.end(), '_'), token.end());
-        const auto parsed = parseDecimal(token);
-        if (parsed && *parsed == value) return token;
-      }
-    }
-    return formatDecimal(value);
-  }
-
- private:
-  std::vector<std::string_view> lines_;
-};
-
-const char* typeName(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      return "an array";
-    case toml::node_type::string:
-      return "a string";
-    case toml::node_type::integer:
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "a boolean";
-    default:
-      return "a date or time";
-  }
-}
-
-std::optional<std::string> numberText(const toml::node& node, const Source& source) {
-  if (const auto* number = node.as_floating_point()) return source.numberText(node, number->get());
-  // Integers beyond 2^53 are no sensible values; as a double they fail the range check.
-  if (const auto* number = node.as_integer()) return source.numberText(node, static_cast<double>(number->get()));
-  return std::nullopt;
-}
-
-std::optional<std::string> pointsText(const toml::node& node, const Source& source) {
-  const auto* array = node.as_array();
-  if (!array) return std::nullopt;
-  std::string text = "[";
-  for (const auto& element : *array) {
-    const auto* pair = element.as_array();
-    if (!pair || pair->size() != 2) return std::nullopt;
-    const auto position = numberText((*pair)[0], source), height = numberText((*pair)[1], source);
-    if (!position || !height) return std::nullopt;
-    text += (text.size() > 1 ? ",[" : "[") + *position + "," + *height + "]";
-  }
-  return text + "]";
-}
-
-std::optional<std::string> linesText(const toml::node& node, const Source& source) {
-  const auto* array = node.as_array();
-  if (!array) return std::nullopt;
-  std::string text = "[";
-  for (const auto& element : *array) {
-    const auto* line = element.as_array();
-    if (!line || line->size() != 2) return std::nullopt;
-    const auto lateral = numberText((*line)[0], source), points = pointsText((*line)[1], source);
-    if (!lateral || !points) return std::nullopt;
-    text += (text.size() > 1 ? ",[" : "[") + *lateral + "," + *points + "]";
-  }
-  return text + "]";
-}
-
-std::optional<std::string> seatsText(const toml::node& node, const Source& source) {
-  const auto* array = node.as_array();
-  if (!array) return std::nullopt;
-  std::string text = "[";
-  for (const auto& element : *array) {
-    const auto* seat = element.as_table();
-    if (!seat) return std::nullopt;
-    std::string own;
-    for (const auto& [key, value] : *seat) {
-      const auto number = numberText(value, source);
-      if (!number) return std::nullopt;
-      own += (own.empty() ? "" : ", ") + std::string(key.str()) + " = " + *number;
-    }
-    text += (text.size() > 1 ? ", {" : "{") + own + "}";
-  }
-  return text + "]";
-}
-
-std::optional<std::string> textFor(const toml::node& node, Kind kind, const Source& source) {
-  switch (kind) {
-    case Kind::number:
-      if (const auto* quantity = node.as_string(); quantity && !parseDecimal(quantity->get()))
-        return quantity->get();  // "108 km/h"; a plain number stands without quotes
-      return numberText(node, source);
-    case Kind::boolean:
-      if (const auto* value = node.as_boolean()) return value->get() ? "true" : "false";
-      return std::nullopt;
-    case Kind::choice:
-    case Kind::text:
-      if (const auto* value = node.as_string()) return value->get();
-      return std::nullopt;
-    case Kind::points:
-    case Kind::forceCurve:
-      return pointsText(node, source);
-    case Kind::lines:
-      return linesText(node, source);
-    case Kind::seats:
-      return seatsText(node, source);
-  }
-  return std::nullopt;
-}
-
-std::string formAdvice(const toml::node& node, const Parameter& parameter) {
-  const auto* array = node.as_array();
-  if (parameter.kind == Kind::number && array) return "Write a decimal point, no comma";
-  if (parameter.kind == Kind::choice || parameter.kind == Kind::text) return "Put the text between quotes";
-  return isList(parameter) ? "Write pairs of numbers in brackets, with decimal points" : "Write it without quotes";
-}
+constexpr std::size_t maximumProblems = 50;
 
 std::string lineNote(std::size_t line) { return line == 0 ? "" : " (line " + std::to_string(line) + ")"; }
-
-class Statements {
- public:
-  Statements(const toml::table& table, const Source& source) : source_(source) {
-    for (const auto& [key, node] : table) {
-      if (key.str() == "schema") continue;
-      if (const auto* group = node.as_table(); group && !findParameter(key.str()))
-        addGroup(std::string(key.str()), *group);
-      else
-        add(std::string(key.str()), node);
-    }
-    std::stable_sort(stated.begin(), stated.end(), [](const Stated& a, const Stated& b) { return a.line < b.line; });
-  }
-
-  std::vector<Stated> stated;
-
- private:
-  void addGroup(const std::string& name, const toml::table& group) {
-    for (const auto& [key, node] : group) add(name + "." + std::string(key.str()), node);
-    const auto& all = parameterTable();
-    const bool known = std::any_of(all.begin(), all.end(), [&](const auto& row) { return row.group == name; });
-    if (group.empty() && !known) add(name, group);
-  }
-
-  void add(const std::string& key, const toml::node& node) {
-    Stated one{key, {}, node.source().begin.line, {}};
-    if (const Parameter* parameter = findParameter(key)) {
-      if (auto text = textFor(node, parameter->kind, source_))
-        one.text = std::move(*text);
-      else
-        one.typeProblem = CaseProblem{key, typeName(node), allowedText(*parameter), formAdvice(node, *parameter)};
-    } else {
-      // Looking for the nearest key takes its time; a list of thousands is not read by anybody.
-      one.typeProblem = ++unknown_ <= maximumProblems ? unknownKey(key) : CaseProblem{key, {}, {}, {}};
-    }
-    stated.push_back(std::move(one));
-  }
-
-  const Source& source_;
-  std::size_t unknown_ = 0;
-};
 
 // Collects problems; knows which keys have one, so that relations among wrong values are not judged as well.
 class Problems {
@@ -249,28 +65,74 @@ const Stated* find(const std::vector<Stated>& stated, std::string_view key) {
   return nullptr;
 }
 
-MeshPreset presetOf(const std::vector<Stated>& stated, MeshPreset otherwise) {
-  const Stated* one = find(stated, "mesh.preset");
-  return one ? presetNamed(one->text).value_or(otherwise) : otherwise;
+// A preset key with another name than the file's, and all keys that either of the two has values for.
+struct ReplacedPreset {
+  std::string key;
+  std::vector<std::string> sets;
+};
+
+// What presets make of the defaults: those that the file names, and those that count, which the command line may have
+// put in their place.
+struct Presets {
+  CaseDescription ofFile, asked;
+  std::vector<ReplacedPreset> replaced;
+};
+
+std::string nameOf(const std::vector<Stated>& stated, std::string_view key) {
+  const Stated* one = find(stated, key);
+  const auto& names = findParameter(key)->choices;
+  const bool known = one && std::find(names.begin(), names.end(), one->text) != names.end();
+  return known ? one->text : findParameter(key)->defaultText;
 }
 
-// True where the file's value is only what its own preset says.
-bool isOwnPreset(const Stated& one, MeshPreset filePreset) {
-  for (const auto& row : presetTable())
-    if (row.key == one.key) {
-      const auto value = parseDecimal(one.text);
-      return value && value == parseDecimal(row.values[static_cast<std::size_t>(filePreset)]);
-    }
-  return false;
+std::string askedName(const CaseOverrides& overrides, std::string_view key, const std::string& otherwise,
+                      Problems& problems) {
+  const std::string* set = overrideOf(overrides, key);
+  const std::string name = set ? *set : key == "mesh.preset" ? overrides.preset : "";
+  const auto& names = findParameter(key)->choices;
+  if (name.empty()) return otherwise;
+  if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+  if (!set) problems.add({"--mesh", name, allowedText(*findParameter(key)), ""});
+  return otherwise;  // a wrong --set is reported where all of them are set
 }
 
-MeshPreset requestedPreset(const CaseOverrides& overrides, MeshPreset filePreset, Problems& problems) {
-  const std::string* set = overrideOf(overrides, "mesh.preset");
-  const std::string name = set ? *set : overrides.preset;
-  if (name.empty()) return filePreset;
-  if (const auto named = presetNamed(name)) return *named;
-  if (!set) problems.add({"--mesh", name, allowedText(*findParameter("mesh.preset")), ""});
-  return filePreset;  // a wrong --set is reported where all of them are set
+std::vector<std::string> keysOf(const std::string& preset, const std::vector<std::string>& names) {
+  std::vector<std::string> keys;
+  if (preset == "mesh.preset")
+    for (const auto& row : presetTable()) keys.push_back(row.key);
+  else
+    for (const auto& name : names)
+      for (const auto& [key, text] : inputPresetValues(preset, name)) keys.push_back(key);
+  return keys;
+}
+
+// Input presets are files: `opensFiles` says whether they may be read.
+Presets presetsOf(const std::vector<Stated>& stated, const CaseOverrides& overrides, bool opensFiles,
+                  Problems& problems) {
+  Presets presets{defaultCase(), defaultCase(), {}};
+  const auto apply = [&](const std::string& key, const auto& set) {
+    const auto own = nameOf(stated, key), asked = askedName(overrides, key, own, problems);
+    set(presets.ofFile, own), set(presets.asked, asked);
+    if (own != asked) presets.replaced.push_back({key, keysOf(key, {own, asked})});
+  };
+  apply("mesh.preset", [](CaseDescription& to, const auto& name) { applyPreset(to, *presetNamed(name)); });
+  if (!opensFiles) return presets;
+  for (const char* key : inputPresetKeys)
+    apply(key, [key](CaseDescription& to, const auto& name) { applyInputPreset(to, key, name); });
+  return presets;
+}
+
+// True where the file states just what its own preset says, and another one is asked for: it counts as not stated.
+bool isReplaced(const Stated& one, const Presets& presets) {
+  const Parameter& parameter = *findParameter(one.key);
+  const bool isSet = std::any_of(presets.replaced.begin(), presets.replaced.end(), [&](const auto& replaced) {
+    return one.key == replaced.key ||
+           std::find(replaced.sets.begin(), replaced.sets.end(), one.key) != replaced.sets.end();
+  });
+  if (!isSet) return false;
+  CaseDescription trial = presets.ofFile;
+  if (trySetValue(trial, parameter, one.text)) return false;  // a wrong value is reported
+  return valueText(trial, parameter) == valueText(presets.ofFile, parameter);
 }
 
 void checkSchema(const toml::table& table, const std::string& origin, Problems& problems) {
@@ -288,14 +150,13 @@ void checkSchema(const toml::table& table, const std::string& origin, Problems& 
   }
 }
 
-void applyStated(CaseDescription& description, const std::vector<Stated>& stated, MeshPreset filePreset,
-                 MeshPreset preset, Problems& problems) {
+void applyStated(CaseDescription& description, const std::vector<Stated>& stated, const Presets& presets,
+                 Problems& problems) {
   for (const auto& one : stated) {
     const std::string note = lineNote(one.line);
     if (one.typeProblem) {
       problems.add(*one.typeProblem, note);
-    } else if (one.key != "mesh.preset" || !presetNamed(one.text)) {
-      if (preset != filePreset && isOwnPreset(one, filePreset)) continue;
+    } else if (!isReplaced(one, presets)) {
       if (auto wrong = trySetValue(description, *findParameter(one.key), one.text)) problems.add(*wrong, note);
     }
   }
@@ -358,71 +219,29 @@ void readProfile(CaseDescription& description, const CaseOverrides& overrides, c
   }
 }
 
-std::string_view lineOf(std::string_view text, std::size_t number) {
-  for (; number > 1 && !text.empty(); --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-  return text.substr(0, text.find('\n'));
-}
-
-// What to write instead of "key = 0,15" and "key = 108 km/h", which are no TOML. Empty where it is neither.
-std::string valueAdvice(std::string_view line) {
-  const auto blanks = " \t\r";
-  line = line.substr(0, line.find('#'));
-  const auto equals = line.find('=');
-  const auto from = line.find_first_not_of(blanks, equals == std::string_view::npos ? line.size() : equals + 1);
-  if (from == std::string_view::npos) return {};
-  const auto value = line.substr(from, line.find_last_not_of(blanks) + 1 - from);
-  const auto number = value.substr(0, value.find_first_not_of("+-.0123456789eE"));
-  const auto rest = value.substr(number.size());
-  if (!parseDecimal(number) || rest.empty()) return {};
-  if (rest.front() != ',') return "Put a value with a unit between quotes: \"" + std::string(value) + "\"";
-  const auto decimals = rest.substr(1, rest.find_first_not_of("0123456789", 1) - 1);
-  if (decimals.empty()) return {};
-  return "Write a decimal point: " + std::string(number) + "." + std::string(decimals);
-}
-
-toml::table parsedToml(std::string_view text, const std::string& origin) {
-  if (maximumKeyParts(text) > maximumParts)
-    throw FileError(origin, "", "key with more than " + std::to_string(maximumParts) + " parts",
-                    "Keys of a case have two parts, like pad.stiffness");
-  if (const auto foreign = firstForeignByte(text); foreign.position != std::string_view::npos) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(foreign.position), '\n');
-    const bool outside = foreign.where == ForeignByte::Where::outsideStrings;
-    throw FileError(origin, "line " + std::to_string(line),
-                    outside ? "non-ASCII character outside quotes" : "non-ASCII character after a backslash",
-                    outside ? "Put text between quotes" : "Write the text on one line, without the backslash");
-  }
-  try {
-    toml::parse_result parsed = toml::parse(text, origin);
-    if (parsed) return std::move(parsed).table();
-    throw FileError(origin, "line " + std::to_string(parsed.error().source().begin.line),
-                    "invalid TOML: " + std::string(parsed.error().description()),
-                    valueAdvice(lineOf(text, parsed.error().source().begin.line)));
-  } catch (const TomlAssertion& failed) {
-    throw FileError(origin, "", std::string("invalid TOML: ") + failed.what());
-  }
-}
+struct Reading {
+  bool finished = true;    // relations between values hold
+  bool opensFiles = true;  // of presets; a profile is opened where the case names one
+};
 
 CaseDescription parse(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
-                      const CaseOverrides& overrides, bool finished) {
+                      const CaseOverrides& overrides, const Reading& reading) {
   if (text.size() > largestFile)
     throw FileError(origin, "", "larger than 4 MB", "Put long profiles into a CSV file and give it as defect.file");
   const toml::table table = parsedToml(text, origin);
   Problems problems;
   checkSchema(table, origin, problems);
-  const Source source(text);
-  const Statements statements(table, source);
-  CaseDescription description = defaultCase();
-  const MeshPreset filePreset = presetOf(statements.stated, description.mesh.preset);
-  const MeshPreset preset = requestedPreset(overrides, filePreset, problems);
-  applyPreset(description, preset);
-  applyStated(description, statements.stated, filePreset, preset, problems);
+  const auto stated = statementsOf(table, text);
+  const Presets presets = presetsOf(stated, overrides, reading.opensFiles, problems);
+  CaseDescription description = presets.asked;
+  applyStated(description, stated, presets, problems);
   applyOverrides(description, overrides, problems);
-  if (finished) checkProfileIsUsed(description, statements.stated, overrides, problems);
+  if (reading.finished) checkProfileIsUsed(description, stated, overrides, problems);
   readProfile(description, overrides, folder, problems);
-  for (auto& finding : finished ? validateRelations(description) : std::vector<Finding>())
+  for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
-      const Stated* stated = find(statements.stated, finding.problem.key);
-      problems.add(finding.problem, lineNote(stated ? stated->line : 0));
+      const Stated* one = find(stated, finding.problem.key);
+      problems.add(finding.problem, lineNote(one ? one->line : 0));
     }
   problems.throwIfAny();
   return description;
@@ -432,15 +251,15 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
 
 CaseDescription parseCase(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
                           const CaseOverrides& overrides) {
-  return parse(text, origin, folder, overrides, true);
+  return parse(text, origin, folder, overrides, {});
 }
 
 CaseDescription parseUnfinishedCase(std::string_view text, const std::string& origin) {
-  return parse(text, origin, {}, {}, false);
+  return parse(text, origin, {}, {}, {false, true});
 }
 
 CaseDescription parseCaseOfResult(std::string_view text, const std::string& origin) {
-  return parseCase(text, origin, {}, {{}, {{"defect.file", ""}}});
+  return parse(text, origin, {}, {{}, {{"defect.file", ""}}}, {true, false});
 }
 
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides) {

@@ -6,6 +6,7 @@
 
 #include "case/Applicability.h"
 #include "case/DecimalNumber.h"
+#include "case/InputPresets.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
 #include "case/PointsText.h"
@@ -46,7 +47,16 @@ std::string shortText(const Parameter& parameter, std::string text) {
   return parameter.unit == "-" || parameter.unit.empty() ? text : text + " " + parameter.unit;
 }
 
-// What a key has where nobody sets it: the table's default, or what the mesh preset sets, and where that is from.
+// Nothing where its file cannot be read: values stand in the case all the same.
+PresetValues readablePreset(const char* key, const std::string& name) {
+  try {
+    return inputPresetValues(key, name);
+  } catch (const FileError&) {
+    return {};
+  }
+}
+
+// What a key has where nobody sets it: the table's default, or what a preset sets, and where that is from.
 struct Default {
   std::string text, source;
 };
@@ -55,6 +65,11 @@ Default defaultOf(const CaseDescription& description, const Parameter& parameter
     if (row.key == parameter.key)
       return {row.values.at(static_cast<std::size_t>(description.mesh.preset)),
               "mesh preset " + valueText(description, *findParameter("mesh.preset")) + "; " + parameter.source};
+  for (const char* key : inputPresetKeys) {
+    const auto name = valueText(description, *findParameter(key));
+    for (const auto& [own, text] : readablePreset(key, name))
+      if (own == parameter.key) return {text, "preset " + name + ": its file in resources/presets names the source"};
+  }
   return {defaultText(parameter), parameter.source};
 }
 

@@ -2,6 +2,7 @@
 #include <span>
 
 #include "case/CaseFile.h"
+#include "case/InputPresets.h"
 #include "case/ParameterValue.h"
 #include "case/ShortHash.h"
 #include "core/DurableFile.h"
@@ -83,6 +84,7 @@ constexpr LaterKey laterKeys[] = {
 
 bool countsInHash(const CaseDescription& description, const Parameter& parameter) {
   if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file") return false;
+  if (isInputPreset(parameter.key)) return false;  // its values count
   for (const auto& [key, decidedBy] : laterKeys)
     if (key == parameter.key) {
       const Parameter& deciding = *findParameter(decidedBy);

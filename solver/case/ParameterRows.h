@@ -61,6 +61,9 @@ Parameter seats(const char* key, std::vector<Seat>& (*access)(CaseDescription&),
 Parameter appliesIf(const char* key, std::vector<std::string> values, Parameter parameter);
 Parameter appliesUnless(const char* key, std::vector<std::string> values, Parameter parameter);
 
+// The key of an input preset (InputPresets.h), whose name the description keeps as text.
+Parameter inputPreset(const char* key, std::string& (*access)(CaseDescription&), const char* doc, const char* source);
+
 using Rows = std::vector<Parameter>;
 Rows trackRows();    // track, rail, pad, sleeper, ballast
 Rows vehicleRows();  // wheelset, suspension

@@ -7,6 +7,7 @@
 
 #include "case/Applicability.h"
 #include "case/DecimalNumber.h"
+#include "case/InputPresets.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterRows.h"
 #include "case/ParameterValue.h"
@@ -61,6 +62,21 @@ Parameter choice(const char* key, std::vector<std::string> names, std::size_t de
   parameter.defaultText = names.at(defaultValue);
   parameter.choices = std::move(names);
   return parameter;
+}
+
+Parameter inputPreset(const char* key, std::string& (*access)(CaseDescription&), const char* doc, const char* source) {
+  const auto& names = inputPresetNames(key);
+  // The accessor takes a mutable description; reading through it does not change it.
+  return choice(key, names, 0,
+                ChoiceAccess{[access, &names](const CaseDescription& description) {
+                               const auto& own = access(const_cast<CaseDescription&>(description));
+                               const auto found = std::find(names.begin(), names.end(), own);
+                               return found == names.end() ? 0 : static_cast<std::size_t>(found - names.begin());
+                             },
+                             [access, &names](CaseDescription& description, std::size_t index) {
+                               access(description) = names.at(index);
+                             }},
+                doc, source);
 }
 
 Parameter boolean(const char* key, bool defaultValue, bool& (*access)(CaseDescription&), const char* doc,

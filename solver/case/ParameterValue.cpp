@@ -61,9 +61,19 @@ std::optional<CaseProblem> setNumber(CaseDescription& description, const Paramet
   return std::nullopt;
 }
 
+// Names the one with the smallest edit distance; none where no one is near.
+std::string choiceAdvice(const Parameter& parameter, std::string_view text) {
+  const std::string* nearest = nullptr;
+  int smallest = 2 + static_cast<int>(text.size()) / 4;  // farther than that is another word
+  for (const auto& name : parameter.choices)
+    if (const int distance = text.size() > 100 ? smallest : editDistance(text, name); distance < smallest)
+      nearest = &name, smallest = distance;
+  return nearest ? "Did you mean " + *nearest + "?" : "Choose one of the names";
+}
+
 std::optional<CaseProblem> setChoice(CaseDescription& description, const Parameter& parameter, std::string_view text) {
   const auto found = std::find(parameter.choices.begin(), parameter.choices.end(), text);
-  if (found == parameter.choices.end()) return problem(parameter, text, "Choose one of the names");
+  if (found == parameter.choices.end()) return problem(parameter, text, choiceAdvice(parameter, text));
   std::get<ChoiceAccess>(parameter.access)
       .choose(description, static_cast<std::size_t>(found - parameter.choices.begin()));
   return std::nullopt;

@@ -11,6 +11,10 @@ constexpr const char* table1 = "paper, Table 1";
 constexpr const char* section2 = "paper, section 2";
 
 void addTrack(Rows& rows) {
+  rows.push_back(inputPreset(
+      "track.preset", [](Case& c) -> std::string& { return c.trackPreset; },
+      "set of values for pads, sleepers and ballast; keys that the case states override it",
+      "values with their sources: resources/presets/track"));
   rows.push_back(number(
       "track.length", metre, 10, {2, 60}, [](Case& c) -> double& { return c.track.length; },
       "length of the rail in the model; its middle lies near that of the run", section2));

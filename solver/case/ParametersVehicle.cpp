@@ -11,6 +11,10 @@ constexpr const char* table1 = "paper, Table 1";
 constexpr const char* steps = "assumed: common passenger wheelset; no drawing of the paper's wheelset is public";
 
 void addWheel(Rows& rows) {
+  rows.push_back(inputPreset(
+      "wheelset.preset", [](Case& c) -> std::string& { return c.wheelsetPreset; },
+      "set of values for wheelset and suspension; keys that the case states override it",
+      "values with their sources: resources/presets/wheelset"));
   rows.push_back(number(
       "wheelset.young_modulus", gigapascal, 210, {10, 2000},
       [](Case& c) -> double& { return c.wheelset.material.young; }, "Young's modulus of the wheelset", table1));

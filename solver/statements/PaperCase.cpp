@@ -4,6 +4,7 @@
 #include <array>
 
 #include "case/CaseFile.h"
+#include "case/InputPresets.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "case/ShippedCases.h"
@@ -17,10 +18,11 @@ constexpr std::array<const char*, 4> kPaperCases{"light-defect", "class-c-squat"
                                                  "smooth-rail"};
 
 bool counts(const cases::Parameter& parameter) {
-  // The mesh presets themselves set these three; the path of a profile is a name, its points are compared.
+  // The mesh presets themselves set these three; the path of a profile is a name, its points are compared. So are the
+  // values of other presets.
   static const std::array<const char*, 6> free{"track.length",      "motion.run_up",    "motion.beyond",
                                                "output.cwt_voices", "output.time_step", "defect.file"};
-  return parameter.group != "case" && parameter.group != "mesh" &&
+  return parameter.group != "case" && parameter.group != "mesh" && !cases::isInputPreset(parameter.key) &&
          std::find(free.begin(), free.end(), parameter.key) == free.end();
 }
 

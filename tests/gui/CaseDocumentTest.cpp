@@ -126,6 +126,21 @@ TEST(CaseDocument, aPresetBringsItsSizes) {
   EXPECT_EQ(document.description().mesh.contactSize, before);
 }
 
+// All that it names in one step, back and forth.
+TEST(CaseDocument, aWheelsetPresetIsOneStep) {
+  CaseDocument document;
+  const auto before = document.description();
+  EXPECT_FALSE(document.setParameter("wheelset.preset", "trailer"));
+  EXPECT_EQ(document.description().wheelset.brakeDiscs, 1);
+  EXPECT_EQ(document.description().suspension.sprungMass, 5525);
+  EXPECT_EQ(document.undoStack().count(), 1);
+  document.undoStack().undo();
+  EXPECT_TRUE(sameCase(document.description(), before));
+  document.undoStack().redo();
+  EXPECT_EQ(document.description().wheelset.totalMass, 0);
+  EXPECT_TRUE(document.setParameter("wheelset.preset", "trailor"));
+}
+
 TEST(CaseDocument, aPresetLeavesWhatTheUserHasSet) {
   CaseDocument document;
   const double runUp = document.description().motion.runUp;

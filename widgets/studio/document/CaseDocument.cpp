@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "case/CaseFile.h"
+#include "case/InputPresets.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
@@ -47,6 +48,17 @@ void takePreset(cases::CaseDescription& after, const cases::CaseDescription& bef
     const cases::Parameter& parameter = *cases::findParameter(row.key);
     const std::string own = cases::valueText(before, parameter);
     if (own != cases::valueText(preset, parameter)) cases::trySetValue(after, parameter, own);
+  }
+}
+
+// All that the preset names takes its values: one step to undo. "none" leaves them.
+std::optional<CaseProblem> takeInputPreset(cases::CaseDescription& after, const std::string& key,
+                                           const std::string& name) {
+  try {
+    cases::applyInputPreset(after, key, name);
+    return std::nullopt;
+  } catch (const FileError& error) {
+    return CaseProblem{key, name, "a preset of the program", error.what()};
   }
 }
 
@@ -100,6 +112,9 @@ std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, co
       return problem;
   }
   if (key == "mesh.preset") takePreset(after, description());
+  if (cases::isInputPreset(key)) {
+    if (auto problem = takeInputPreset(after, key, text)) return problem;
+  }
   edit(tr("Change %1").arg(QString::fromStdString(key)), after);
   if (key == "mesh.preset") notePreset();
   return std::nullopt;

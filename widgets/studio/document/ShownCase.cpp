@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "case/CaseFile.h"
+#include "case/InputPresets.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 
@@ -12,7 +13,9 @@ namespace squat::studio {
 namespace {
 
 // What a case is called, and the file that its points are from, change no result.
-bool counts(const std::string& key) { return key != "title" && key != "note" && key != "defect.file"; }
+bool counts(const std::string& key) {
+  return key != "title" && key != "note" && key != "defect.file" && !cases::isInputPreset(key);
+}
 
 }  // namespace
 
