@@ -59,6 +59,24 @@ class Search {
     calibration_.complete = isComplete && !runner_.isCancelled();
   }
 
+  // From the rows of the table, whether the search has ended or not.
+  void conclude() {
+    calibration_.evaluations = table_.rows();
+    const auto best = [&](const std::string& mesh) {
+      std::optional<std::size_t> found;
+      const auto& rows = calibration_.evaluations;
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].mesh == mesh && !rows[i].hasFailed && (!found || isBetter(rows[i], rows[*found]))) found = i;
+      return found;
+    };
+    const auto ofSearch = best(mesh());
+    if (!ofSearch) return;
+    calibration_.bestOfSearch = *ofSearch;
+    calibration_.best = best(definition_.confirmMesh).value_or(*ofSearch);
+    const auto& row = calibration_.evaluations[*ofSearch];
+    summarise(calibration_, EquallyGood(definition_.targets, row, definition_.inputs.size()), model_, byModel_);
+  }
+
  private:
   const std::string& mesh() const { return definition_.searchMesh; }
 
@@ -189,26 +207,6 @@ class Search {
     return !runner_.isCancelled();
   }
 
- public:
-  // From the rows of the table, whether the search has ended or not.
-  void conclude() {
-    calibration_.evaluations = table_.rows();
-    const auto best = [&](const std::string& mesh) {
-      std::optional<std::size_t> found;
-      const auto& rows = calibration_.evaluations;
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].mesh == mesh && !rows[i].hasFailed && (!found || isBetter(rows[i], rows[*found]))) found = i;
-      return found;
-    };
-    const auto ofSearch = best(mesh());
-    if (!ofSearch) return;
-    calibration_.bestOfSearch = *ofSearch;
-    calibration_.best = best(definition_.confirmMesh).value_or(*ofSearch);
-    const auto& row = calibration_.evaluations[*ofSearch];
-    summarise(calibration_, EquallyGood(definition_.targets, row, definition_.inputs.size()), model_, byModel_);
-  }
-
- private:
   Calibration& calibration_;
   const CalibrationDefinition& definition_;
   EvaluationTable& table_;

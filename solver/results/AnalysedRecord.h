@@ -10,7 +10,7 @@ namespace squat::results {
 
 // Computed or measured: what draws spectra and scalograms takes this and nothing else.
 struct AnalysedRecord : signals::Record {
-  std::string stem;      // name of the case file without its ending; empty for a measured signal
+  std::string stem;  // name of the case file without its ending; empty for a measured signal
   std::string title;
   std::string caseHash;  // short hash of the case, shown on figures; empty for a measured signal
   bool complete = false;
