@@ -75,6 +75,7 @@ RollingRun::RollingRun(const RunOptions& options, results::RunResult& result, Mo
                  std::move(warn)) {
   observers = {&recorder, &energy, &guard};
   if (fields) observers.push_back(&frames.emplace(*fields, result, start.stepsPerSample, maximumStepsAtOnce));
+  if (options.sampled) observers.push_back(&stream.emplace(recorder, options.sampled));
   observers.insert(observers.end(), {&progress, &checkpoint});
 }
 

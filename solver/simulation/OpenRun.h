@@ -16,6 +16,7 @@
 #include "simulation/FieldRecorder.h"
 #include "simulation/ProgressReporter.h"
 #include "simulation/RunCase.h"
+#include "simulation/SampleStream.h"
 #include "simulation/SignalRecorder.h"
 
 namespace squat::simulation {
@@ -41,6 +42,7 @@ class RollingRun {
   EnergyObserver energy;
   DivergenceGuard guard;
   std::optional<FieldRecorder> frames;
+  std::optional<SampleStream> stream;
   long firstStep, lastStep;
   ProgressReporter progress;
   CheckpointWriter checkpoint;

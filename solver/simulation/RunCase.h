@@ -1,6 +1,7 @@
 // solver/simulation/RunCase.h - the one way through: studio, command line, tests and studies enter here.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -24,6 +25,10 @@ struct RunOptions {
   // Start from this state just before the defect, on its mesh; a checkpoint that is resumed comes first. The result is
   // that of the whole run on that mesh (WarmState.h: onMeshOf), to the bit.
   std::shared_ptr<const WarmState> warm;
+
+  // Gets position [m] and axle box acceleration [m/s2] of every output sample as soon as its filter is complete, on the
+  // computing thread; not those that a state holds from which the run goes on. Empty: nobody looks.
+  std::function<void(double position, double acceleration)> sampled;
 };
 
 // Case -> mesh -> model -> equilibrium -> rolling -> signals -> spectra. Returns also what a cancelled run has so far

@@ -30,6 +30,12 @@ double SignalRecorder::latest(const std::string& name) const {
   return 0;
 }
 
+const std::vector<double>& SignalRecorder::recorded(const std::string& name) const {
+  std::size_t channel = 0;
+  while (channel < signals_.size() && signals_[channel].name != name) ++channel;
+  return filter_.state().complete.at(channel);
+}
+
 void SignalRecorder::store(results::RunResult& result, std::size_t samples, double cutoff) const {
   auto series = filter_.finish();
   result.time.clear(), result.signals.clear();

@@ -22,6 +22,9 @@ class SignalRecorder : public StepObserver {
   // The newest value of a signal whose filter is complete, 0 where there is none; `wait` [s] behind the last step.
   double latest(const std::string& name) const;
   double wait() const { return filter_.wait(); }
+  // Number of samples whose filter is complete, and those of a signal. Throws std::out_of_range for an unknown name.
+  std::size_t samples() const { return filter_.state().complete.front().size(); }
+  const std::vector<double>& recorded(const std::string& name) const;
 
   // Writes time, position and signals, at most `samples` of each; low-passed ones at `cutoff` [Hz] as well.
   void store(results::RunResult& result, std::size_t samples, double cutoff) const;

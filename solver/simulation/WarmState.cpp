@@ -115,27 +115,43 @@ void refuseMovedNodes(const cases::CaseDescription& description) {
                       "Moved nodes change the stiffness of the rail, which waves feel before the wheel arrives"}});
 }
 
+// Steps between two looks at the contact, and the gap [m] that tells at one that the next will not be too late: between
+// them the gap of a point that the wheel nears closes by the way times the slope of the tread there.
+struct Looks {
+  explicit Looks(const OpenRun& run) {
+    const double perStep = run.scenario.motion.speed * run.rolling->stepSize();
+    steps = std::clamp(static_cast<long>(stride / perStep), 1L, run.steps.stepsPerSample);
+    margin = untouched + static_cast<double>(steps) * perStep * 0.020 / run.model.surfaces.radius;
+  }
+  long steps = 1;
+  double margin = 0;
+};
+
+void requireRoom(const OpenRun& run, double zone) {
+  if (run.rolling->frontOfContact(Looks(run).margin) < zone) return;
+  throw CaseError(
+      {{"motion.run_up", withUnit(run.description, *cases::findParameter("motion.run_up")),
+        "such that the wheel starts some 20 mm before the defect and mesh.zone_before", "Lengthen the run-up"}});
+}
+
 // Rolls on until the wheel is about to feel the zone, which begins at `zone` [m]. False where it was cancelled.
 bool rollUpTo(OpenRun& run, double zone) {
   auto& rolling = *run.rolling;
-  const double perStep = run.scenario.motion.speed * rolling.stepSize();
-  const long steps = std::clamp(static_cast<long>(stride / perStep), 1L, run.steps.stepsPerSample);
-  // Between two looks the gap of a point that the wheel nears closes by the way times the slope of the tread there.
-  const double margin = untouched + static_cast<double>(steps) * perStep * 0.020 / run.model.surfaces.radius;
-  const auto isAhead = [&] { return rolling.frontOfContact(margin) < zone; };
-  if (!isAhead())
-    throw CaseError(
-        {{"motion.run_up", withUnit(run.description, *cases::findParameter("motion.run_up")),
-          "such that the wheel starts some 20 mm before the defect and mesh.zone_before", "Lengthen the run-up"}});
+  const Looks looks(run);
   DivergenceGuard::checkEverything(rolling);
-  while (isAhead())
-    if (roll(rolling, rolling.state().step + steps, run.parts->observers, run.monitor, run.parts->clock) ==
+  while (rolling.frontOfContact(looks.margin) < zone)
+    if (roll(rolling, rolling.state().step + looks.steps, run.parts->observers, run.monitor, run.parts->clock) ==
         LoopEnd::cancelled)
       return false;
   if (rolling.frontOfContact(0.5 * untouched) >= zone)
     throw RunError("the wheel touched the defect before a state could be taken", rolling.state().step,
                    rolling.state().time, "contact");
   return true;
+}
+
+void keepState(const OpenRun& run, WarmState& warm) {
+  warm.position = run.rolling->view().position;
+  warm.state = stateOf(*run.rolling, run.steps, run.parts->observers, run.result);
 }
 
 }  // namespace
@@ -153,11 +169,29 @@ std::optional<WarmState> makeWarmState(const cases::CaseDescription& description
   if (!run.start(nullptr)) return std::nullopt;
   const auto way = run.scenario.motion.runUp - zone.before - 0.014;  // about
   run.observe(nullptr, std::max(1L, std::lround(way / (run.scenario.motion.speed * run.rolling->stepSize()))));
+  requireRoom(run, -zone.before);
   if (!run.timed("rolling", [&] { return rollUpTo(run, -zone.before); })) return std::nullopt;
-  warm.position = run.rolling->view().position;
-  warm.state = stateOf(*run.rolling, run.steps, run.parts->observers, run.result);
+  keepState(run, warm);
   warm.model = std::make_shared<const model::Model>(run.model);
   return warm;
+}
+
+std::optional<WarmState> rollOn(const std::shared_ptr<const WarmState>& warm, const cases::CaseDescription& description,
+                                double before, const RunOptions& options, Monitor& monitor) {
+  requireFit(*warm, description);
+  auto plain = options;
+  plain.checkpointPath.clear(), plain.resume = false, plain.warm = warm;
+  WarmState nearer;
+  nearer.description = onMeshOf(*warm, description);
+  nearer.model = warm->model;
+  OpenRun run(nearer.description, plain, monitor);
+  const auto stored = storedIn(*warm);
+  if (!run.start(&stored)) return std::nullopt;
+  requireAhead(*warm, *run.rolling);
+  run.observe(&stored);
+  if (!run.timed("rolling", [&] { return rollUpTo(run, -before); })) return std::nullopt;
+  keepState(run, nearer);
+  return nearer;
 }
 
 }  // namespace squat::simulation

@@ -40,6 +40,12 @@ struct WarmState {
 std::optional<WarmState> makeWarmState(const cases::CaseDescription& description, const RunOptions& options,
                                        Monitor& monitor);
 
+// The state rolled on until the wheel is about to feel a defect that begins `before` [m] ahead of its deepest point:
+// it serves all defects that begin no earlier, of which `description` has one. Keeps the model. Nothing where it was
+// cancelled. Throws as runCase from the state.
+std::optional<WarmState> rollOn(const std::shared_ptr<const WarmState>& warm, const cases::CaseDescription& description,
+                                double before, const RunOptions& options, Monitor& monitor);
+
 // Throws CaseError with every key of which case and state differ, or where the state does not serve the defect.
 void requireFit(const WarmState& warm, const cases::CaseDescription& description);
 

@@ -139,6 +139,61 @@ TEST(WarmState, HoldsTheSignalsSoFar) {
   EXPECT_TRUE(recordedIn(warm->state, "no such signal").empty());
 }
 
+struct CancelIn : Monitor {
+  explicit CancelIn(std::string name) : phase(std::move(name)) {}
+  void report(const Progress& progress) override { seen = seen || progress.phase == phase; }
+  bool cancelled() override { return seen; }
+  std::string phase;
+  bool seen = false;
+};
+
+// What comes while the run rolls goes on where the state ends, and is what the result holds, up to the samples whose
+// filter is still waiting at the end.
+TEST(WarmState, ARunHandsItsSamplesOnAsTheyCome) {
+  auto position = recordedIn(shared()->state, "position"), aba = recordedIn(shared()->state, "aba");
+  auto options = threads(2);
+  options.warm = shared();
+  options.sampled = [&](double at, double acceleration) { position.push_back(at), aba.push_back(acceleration); };
+  Monitor silent;
+  const auto result = runCase(caseWith(), options, silent);
+  const std::size_t count = result.time.size();
+  ASSERT_GE(position.size(), count);
+  position.resize(count), aba.resize(count);
+  EXPECT_EQ(position, result.position);
+  EXPECT_EQ(aba, *result.signal("aba"));
+}
+
+// To where the wheel begins to feel what lies 20 mm ahead of the deepest point: nearer by the rest of the zone's 36 mm.
+TEST(WarmState, RolledOnItGivesTheBitsToWhatBeginsThere) {
+  const auto cosine = [](const char* length, const char* depth) {
+    return caseWith({{"defect.shape", "cosine"}, {"defect.length", length}, {"defect.depth", depth}});
+  };
+  Monitor silent;
+  const auto made = rollOn(shared(), cosine("36", "0.1"), 0.020, threads(2), silent);
+  ASSERT_TRUE(made);
+  const auto nearer = std::make_shared<const WarmState>(*made);
+  EXPECT_NEAR(nearer->position, shared()->position + 0.016, 0.002);
+  EXPECT_EQ(nearer->model, shared()->model);
+  for (const auto& description : {cosine("40", "0.3"), cosine("20", "0.1")}) {
+    const auto whole = rolledToTheEnd(onMeshOf(*shared(), description), threads(1));
+    auto options = threads(2);
+    options.warm = nearer;
+    const auto from = rolledToTheEnd(description, options);
+    EXPECT_EQ(results::firstDifference(whole.result, from.result), "");
+    EXPECT_EQ(results::firstDifference(whole.state, from.state), "");
+  }
+  auto options = threads(1);
+  options.warm = nearer;
+  EXPECT_THROW(runCase(cosine("60", "0.1"), options, silent), CaseError) << "it begins before the wheel";
+}
+
+TEST(WarmState, RollingOnCanBeCancelledAndNeedsAFittingCase) {
+  CancelIn monitor("rolling");
+  EXPECT_FALSE(rollOn(shared(), caseWith({{"defect.shape", "cut"}}), 0.01, threads(1), monitor));
+  Monitor silent;
+  EXPECT_THROW(rollOn(shared(), caseWith({{"motion.speed", "29"}}), 0.02, threads(1), silent), CaseError);
+}
+
 // Without a set zone the mesh is that of the case's own defect, and the case stays as it is.
 TEST(WarmState, ServesItsOwnCaseOnItsOwnMesh) {
   const auto description = caseWith({{"defect.shape", "cosine"}, {"defect.length", "50"}});
@@ -263,14 +318,6 @@ TEST(WarmState, NeedsARunUpAndNodesThatStay) {
   EXPECT_EQ(refused({{"defect.move_nodes", "true"}}), "defect.move_nodes");
   EXPECT_EQ(refused({{"mesh.zone_before", "58"}}), "motion.run_up");
 }
-
-struct CancelIn : Monitor {
-  explicit CancelIn(std::string name) : phase(std::move(name)) {}
-  void report(const Progress& progress) override { seen = seen || progress.phase == phase; }
-  bool cancelled() override { return seen; }
-  std::string phase;
-  bool seen = false;
-};
 
 TEST(WarmState, CanBeCancelledInEveryPhase) {
   for (const char* phase : {"mesh", "stable step", "equilibrium", "initial velocities", "rolling"}) {
