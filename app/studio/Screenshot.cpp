@@ -19,6 +19,8 @@ bool runFirst(MainWindow& window) {
 
 bool takeScreenshot(MainWindow& window, const QString& path) {
   window.show();
+  constexpr int patience = 600 * 1000;  // [ms]
+  window.preview().waitFor(patience);
   // Queued replots and late layouts are done after a few turns of the event loop.
   QElapsedTimer clock;
   clock.start();

@@ -13,6 +13,7 @@
 #include "commands/PaperTable.h"
 #include "core/SteadyMemory.h"
 #include "simulation/RunCase.h"
+#include "simulation/WarmState.h"
 #include "studio/Arguments.h"
 #include "studio/Screenshot.h"
 #include "studio/common/MessageBar.h"
@@ -57,6 +58,9 @@ int main(int argc, char** argv) {
   squat::studio::StudioServices services;
   services.runner = squat::simulation::runCase;
   services.comparison = comparedRows;
+  // A picture shows what was asked for, not how far a preview has come.
+  if (!pictureOnly || arguments.tab == "preview")
+    services.preview = {squat::simulation::makeWarmState, squat::simulation::rollOn, squat::simulation::runCase};
   if (!pictureOnly) {
     const QDir own(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
     // A home folder may be shared: what another machine's processes have left is not ours to take.
@@ -78,6 +82,7 @@ int main(int argc, char** argv) {
       std::cerr << "squat-studio: " << window.messages()->text().toStdString() << '\n';
       return squat::commands::kRunFailed;
     }
+    if (!arguments.tab.isEmpty()) window.showTab(arguments.tab);  // a run brings its signals to the front
     return squat::studio::takeScreenshot(window, arguments.screenshot) ? squat::commands::kDone
                                                                        : squat::commands::kFileWrong;
   }

@@ -178,7 +178,7 @@ const std::vector<std::vector<Folder>>& floors() {
       {"widgets/studio/common"},
       {"widgets/studio/document"},
       {"widgets/studio/profile", "widgets/studio/runs"},
-      {"widgets/studio/signals", "widgets/studio/model"},
+      {"widgets/studio/signals", "widgets/studio/model", "widgets/studio/preview"},
       {"widgets/studio/window"},
       {"app"},
   };

@@ -40,6 +40,7 @@ QString widgetOf(const QString& tab) {
   if (tab == "profile") return "profileTable";
   if (tab == "model") return "scene";
   if (tab == "paper") return "paperTitle";
+  if (tab == "preview") return "previewTitle";
   if (tab == "run" || tab == "runs") return tab;
   return "view " + tab;
 }

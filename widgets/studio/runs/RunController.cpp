@@ -1,13 +1,10 @@
 #include "studio/runs/RunController.h"
 
-#include <sys/resource.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
 #include <QElapsedTimer>
 #include <QEventLoop>
 
 #include "core/Errors.h"
+#include "studio/common/ThreadPriority.h"
 
 namespace squat::studio {
 
@@ -17,13 +14,6 @@ struct RunController::Outcome {
 };
 
 namespace {
-
-// Threads started from here on inherit this: the window comes first when both want a core. Linux keeps the value for
-// each thread.
-void giveWayToTheWindow() {
-  constexpr int politeness = 5;
-  setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), politeness);
-}
 
 struct Description {
   QString sentence, details;

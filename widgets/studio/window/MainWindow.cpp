@@ -23,6 +23,7 @@
 #include "studio/common/Theme.h"
 #include "studio/document/ParameterForm.h"
 #include "studio/model/ScenePanel.h"
+#include "studio/preview/PreviewPanel.h"
 #include "studio/profile/ProfileEditor.h"
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
     : QMainWindow(parent),
       services_(std::move(services)),
       controller_(services_.runner),
+      preview_(services_.preview, services_.threads),
       stopped_(services_.runsFolder),
       unsaved_(services_.recoveryFolder) {
   if (!services_.asker) services_.asker = askWithBox;
@@ -62,6 +64,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
   makeViewMenu();
   makeHelpMenu();
   connectParts();
+  connectPreview();
   resize(usualSize.boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value("geometry").toByteArray());
@@ -106,6 +109,12 @@ void MainWindow::makeParts() {
   setCentralWidget(centre);
   form_ = new ParameterForm(document_, this);
   signals_ = new SignalsPanel(store_, style, this);
+  previewPanel_ = new PreviewPanel(preview_, store_, style, this);
+  right_ = new QTabWidget(this);
+  right_->setDocumentMode(true);
+  right_->setAccessibleName(tr("Signals of runs, and the preview"));
+  right_->addTab(signals_, tr("Runs"));
+  right_->addTab(previewPanel_, tr("Preview"));
   run_ = new RunPanel(controller_, style, this);
   runs_ = new RunsPanel(store_, this);
 }
@@ -124,7 +133,7 @@ void MainWindow::makeDocks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   formDock_ = addDock("caseDock", tr("Case"), form_, Qt::LeftDockWidgetArea);
-  signalsDock_ = addDock("signalsDock", tr("Signals"), signals_, Qt::RightDockWidgetArea);
+  signalsDock_ = addDock("signalsDock", tr("Signals"), right_, Qt::RightDockWidgetArea);
   runDock_ = addDock("runDock", tr("Run"), run_, Qt::BottomDockWidgetArea);
   runsDock_ = addDock("runsDock", tr("Runs"), runs_, Qt::BottomDockWidgetArea);
   splitDockWidget(runDock_, runsDock_, Qt::Horizontal);
@@ -266,12 +275,13 @@ void MainWindow::setDark(bool dark) {
   const plots::Style style = figureStyle(dark);
   profile_->setStyle(style);
   signals_->setStyle(style);
+  previewPanel_->setStyle(style);
   run_->setStyle(style);
   scene_->setDark(dark);
 }
 
 QStringList MainWindow::tabNames() {
-  return QStringList{"profile", "model", "paper", "run", "runs"} + SignalsPanel::names();
+  return QStringList{"profile", "model", "paper", "run", "runs"} + SignalsPanel::names() + QStringList{"preview"};
 }
 
 bool MainWindow::showTab(const QString& name) {
@@ -286,8 +296,10 @@ bool MainWindow::showTab(const QString& name) {
     runDock_->show(), runDock_->raise();
   else if (name == "runs")
     runsDock_->show(), runsDock_->raise();
+  else if (name == "preview")
+    signalsDock_->show(), signalsDock_->raise(), right_->setCurrentWidget(previewPanel_);
   else
-    signalsDock_->show(), signalsDock_->raise(), signals_->showTab(name);
+    signalsDock_->show(), signalsDock_->raise(), right_->setCurrentWidget(signals_), signals_->showTab(name);
   return true;
 }
 
@@ -339,6 +351,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;
   settings.setValue("geometry", saveGeometry());
   settings.setValue("state", saveState());
+  preview_.setHeld(true);
   event->accept();
 }
 

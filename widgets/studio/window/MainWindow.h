@@ -8,6 +8,7 @@
 #include "readers/SignalFile.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/document/ShownCase.h"
+#include "studio/preview/PreviewController.h"
 #include "studio/runs/RunController.h"
 #include "studio/runs/RunStore.h"
 #include "studio/runs/StoppedRuns.h"
@@ -23,6 +24,7 @@ namespace squat::studio {
 class HelpWindow;
 class MessageBar;
 class ParameterForm;
+class PreviewPanel;
 class ProfileEditor;
 class Recovery;
 class RunPanel;
@@ -37,6 +39,7 @@ using Asker = std::function<Answer(QWidget*, const QString& question, const QStr
 struct StudioServices {
   Runner runner;
   Comparison comparison;
+  PreviewSolver preview;   // empty: no previews
   Asker asker;             // empty: a message box
   QString recoveryFolder;  // of unsaved changes and results; empty: none
   QString runsFolder;      // of runs that were stopped; empty: none
@@ -52,10 +55,12 @@ class MainWindow : public QMainWindow {
 
   CaseDocument& document() { return document_; }
   RunController& controller() { return controller_; }
+  PreviewController& preview() { return preview_; }
   RunStore& store() { return store_; }
   ProfileEditor* profile() const { return profile_; }
   ParameterForm* form() const { return form_; }
   SignalsPanel* signalsPanel() const { return signals_; }
+  PreviewPanel* previewPanel() const { return previewPanel_; }
   ScenePanel* scene() const { return scene_; }
   MessageBar* messages() const { return messages_; }
 
@@ -74,7 +79,7 @@ class MainWindow : public QMainWindow {
   void startRun() { beginRun(false); }
   void goOnWithRun() { beginRun(true); }  // with the one of this case that was stopped
   void setDark(bool dark);
-  // "profile", "model", "paper", "run", "runs", or one of the signals panel's; false for another name.
+  // "profile", "model", "paper", "run", "runs", "preview", or one of the signals panel's; false for another name.
   bool showTab(const QString& name);
   static QStringList tabNames();
 
@@ -87,6 +92,8 @@ class MainWindow : public QMainWindow {
   void makeParts();
   void makeDocks();
   void connectParts();
+  void connectPreview();
+  void offerPreview();
   void makeFileMenu();
   void makeEditMenu();
   void makeRunMenu();
@@ -123,6 +130,7 @@ class MainWindow : public QMainWindow {
   CaseDocument document_;
   RunStore store_;
   RunController controller_;
+  PreviewController preview_;
   StoppedRuns stopped_;
   UnsavedResults unsaved_;
   QString checkpoint_;    // of the run in progress
@@ -139,13 +147,15 @@ class MainWindow : public QMainWindow {
   ScenePanel* scene_;
   PaperPanel* paper_;
   SignalsPanel* signals_;
+  PreviewPanel* previewPanel_;
   RunPanel* run_;
   RunsPanel* runs_;
-  QTabWidget* middle_;
+  QTabWidget *middle_, *right_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
   QMenu* recent_ = nullptr;
   QAction *darkAction_ = nullptr, *goOnAction_ = nullptr;
   bool closing_ = false, ending_ = false;
+  bool previewOffered_ = false;  // since the last run was shown
   bool caseRecovered_ = false;
   std::vector<std::weak_ptr<const results::RunResult>> resultsRecovered_;
   QString recoverySaid_;

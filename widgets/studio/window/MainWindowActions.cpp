@@ -36,6 +36,7 @@ QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, const c
 // As it reads behind "Show": "contact force", "3-D model".
 QString tabTitle(const QString& name) {
   if (name == "model") return QObject::tr("3-D model");
+  if (name == "preview") return QObject::tr("live preview");
   if (name == "paper") return QObject::tr("comparison with the paper");
   if (!SignalsPanel::names().contains(name)) return name;
   const QString title = QString::fromStdString(plots::figureRow(name.toStdString()).title);
@@ -126,6 +127,13 @@ void MainWindow::makeRunMenu() {
   add(menu, tr("&Pause or continue"), QKeySequence("F6"), "pauseAction", this,
       [this] { controller_.setPaused(!controller_.isPaused()); });
   add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] { controller_.cancel(); });
+  menu->addSeparator();
+  QAction* live = menu->addAction(tr("&Live preview"), &preview_, &PreviewController::setOn);
+  live->setShortcut(QKeySequence("F7"));
+  live->setObjectName("livePreview");
+  live->setCheckable(true);
+  live->setToolTip(tr("Roll a coarse model anew after every change of the profile"));
+  live->setEnabled(preview_.isThere());
 }
 
 void MainWindow::makeFigureMenu() {

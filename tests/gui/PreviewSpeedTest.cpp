@@ -1,0 +1,60 @@
+// What the live preview costs, with the real solver: how soon the curve is there, and whether the window keeps
+// answering while previews restart twenty times a second. Wall times are printed, as other programs may be busy.
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+#include "gui/MadeUpRun.h"
+#include "gui/PreviewSolvers.h"
+#include "studio/preview/CurvePlot.h"
+#include "studio/preview/PreviewPanel.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr int patience = 240000;  // [ms]
+
+std::unique_ptr<MainWindow> windowWithPreview(const QString& name = "light-defect") {
+  StudioServices services = tests::services();
+  services.preview = tests::realPreviewSolver();
+  auto window = std::make_unique<MainWindow>(services);
+  window->resize(1500, 920);
+  window->openCase(name);
+  window->showTab("preview");
+  window->show();
+  return window;
+}
+
+TEST(PreviewSpeed, fromTheChangeToTheCurve) {
+  auto window = windowWithPreview();
+  ASSERT_TRUE(window->preview().waitFor(patience));
+  std::vector<double> behindBottom, whole;  // [s]
+  for (int round = 0; round < 7; ++round) {
+    QElapsedTimer clock;
+    double seen = 0;
+    const auto watch = QObject::connect(&window->preview(), &PreviewController::changed, [&](const Preview& preview) {
+      if (seen == 0 && preview.phase == PreviewPhase::rolling && preview.position.back() > 0)
+        seen = 1e-3 * static_cast<double>(clock.elapsed());
+    });
+    clock.start();
+    window->document().setParameter("defect.depth", std::to_string(0.1 + 0.01 * round));
+    ASSERT_TRUE(window->preview().waitFor(patience));
+    whole.push_back(1e-3 * static_cast<double>(clock.elapsed()));
+    behindBottom.push_back(seen);
+    QObject::disconnect(watch);
+    ASSERT_EQ(window->preview().latest().phase, PreviewPhase::done);
+  }
+  std::sort(behindBottom.begin(), behindBottom.end());
+  std::sort(whole.begin(), whole.end());
+  std::printf("preview of a changed depth, fastest and median of %zu:\n", whole.size());
+  std::printf("  first point behind the bottom %.3f, %.3f s (0.25 s asked)\n", behindBottom[0], behindBottom[3]);
+  std::printf("  whole preview                 %.3f, %.3f s (0.6 s asked)\n", whole[0], whole[3]);
+}
+
+}  // namespace
+}  // namespace squat::studio

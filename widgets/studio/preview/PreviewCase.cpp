@@ -1,0 +1,53 @@
+#include "studio/preview/PreviewCase.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/MeshPresets.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr double zoneStep = 0.04;           // [m]
+constexpr double rolledBehindDefect = 0.1;  // [m] from its deepest point
+constexpr double rolledBehindLast = 0.04;   // [m] from the end of a long one
+constexpr double leastApproach = 0.06;      // [m] from the start to the zone
+constexpr double endMargin = 0.3;           // [m] of rail beyond the run, as cases are checked
+
+double inSteps(double length, double step) { return step * std::ceil(length / step - 1e-9); }
+
+// A profile that is longer than any of the preset's track needs more sleepers.
+void lengthenTrack(cases::CaseDescription& description) {
+  const auto& motion = description.motion;
+  const double half = std::max(motion.runUp, motion.beyond) + endMargin + description.track.sleeperSpacing;
+  const double least = std::max(2 * half, 5 * description.track.sleeperSpacing);
+  if (least > description.track.length) description.track.length = inSteps(least, description.track.sleeperSpacing);
+}
+
+}  // namespace
+
+cases::CaseDescription previewCase(const cases::CaseDescription& open, const cases::DefectZone& served) {
+  auto description = open;
+  cases::applyPreset(description, cases::MeshPreset::tiny);
+  description.output.timeStep = 0;
+  const cases::DefectSurface surface(description.defect);
+  auto& mesh = description.mesh;
+  auto& motion = description.motion;
+  mesh.zoneBefore = std::max(served.before, inSteps(std::max(-surface.first(), zoneStep), zoneStep));
+  mesh.zoneBehind = std::max(served.behind, inSteps(std::max(surface.last(), zoneStep), zoneStep));
+  motion.runUp = std::max(motion.runUp, mesh.zoneBefore + leastApproach);
+  motion.beyond = std::max(rolledBehindDefect, mesh.zoneBehind + rolledBehindLast);
+  lengthenTrack(description);
+  return description;
+}
+
+std::string whyNoPreview(const cases::CaseDescription& open) {
+  if (open.defect.moveNodes)
+    return "No preview with defect.move_nodes: moved nodes change the stiffness of the rail, so every profile needs a "
+           "whole run.";
+  const cases::DefectSurface surface(open.defect);
+  if (surface.first() == surface.last()) return "No preview of a smooth rail: the case has no defect.";
+  return {};
+}
+
+}  // namespace squat::studio
