@@ -4,11 +4,10 @@
 
 #include <QElapsedTimer>
 #include <QTest>
-#include <QTimer>
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 
+#include "gui/EventWaits.h"
 #include "gui/MadeUpRun.h"
 #include "gui/PreviewSolvers.h"
 #include "studio/preview/CurvePlot.h"
@@ -54,6 +53,20 @@ TEST(PreviewSpeed, fromTheChangeToTheCurve) {
   std::printf("preview of a changed depth, fastest and median of %zu:\n", whole.size());
   std::printf("  first point behind the bottom %.3f, %.3f s (0.25 s asked)\n", behindBottom[0], behindBottom[3]);
   std::printf("  whole preview                 %.3f, %.3f s (0.6 s asked)\n", whole[0], whole[3]);
+}
+
+// A drag at twenty changes a second, every event of it delivered. The pulse is a timer of the window's own thread: what
+// it is late is what any event has to wait.
+TEST(PreviewSpeed, theWindowAnswersWhilePreviewsRestartForAMinute) {
+  auto window = windowWithPreview();
+  ASSERT_TRUE(window->preview().waitFor(patience));
+  tests::EventWaits waits;
+  const int shown = tests::dragAtTwentyChangesASecond(*window, 60000);
+  waits.stop();
+  waits.print("previews that restart 20 times a second for a minute");
+  std::printf("  %d pictures of the preview were shown\n", shown);
+  EXPECT_GT(shown, 100);
+  EXPECT_LT(waits.processorTime(1), 50) << "a turn of the event loop";
 }
 
 }  // namespace

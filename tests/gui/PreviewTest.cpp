@@ -16,6 +16,7 @@
 
 #include "case/CaseFile.h"
 #include "case/Validation.h"
+#include "gui/EventWaits.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "gui/PreviewSolvers.h"
@@ -282,7 +283,20 @@ TEST_F(PreviewWindow, itsSignalsAreThoseOfAWholeRunToTheBit) {
   EXPECT_EQ(window_->store().rowCount(), 0);
 }
 
-// A hump of 0.6 mm ahead of the dip is touched earlier than where the profile begins.
+// Three seconds of what PreviewSpeed does for a minute.
+TEST_F(PreviewWindow, theWindowAnswersWhilePreviewsRestart) {
+  open(tests::realPreviewSolver());
+  window_->showTab("preview");
+  ASSERT_TRUE(window_->preview().waitFor(4 * patience));
+  tests::EventWaits waits;
+  const int shown = tests::dragAtTwentyChangesASecond(*window_, 3000);
+  waits.stop();
+  waits.print("previews that restart 20 times a second");
+  EXPECT_GT(shown, 5);
+  EXPECT_LT(waits.processorTime(1), 50) << "a turn of the event loop";
+}
+
+// A hump of 0.3 mm ahead of the dip is touched earlier than where the profile begins.
 TEST_F(PreviewWindow, aProfileThatRisesIsServedFromAnEarlierStateOrSaysSo) {
   open(tests::realPreviewSolver());
   set("defect.points", "[[-20, 0], [-15, 0.3], [0, -0.2], [20, 0]]");

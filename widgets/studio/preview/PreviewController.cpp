@@ -1,12 +1,17 @@
 #include "studio/preview/PreviewController.h"
 
 #include <QEventLoop>
+#include <algorithm>
+
+#include "core/ThreadTeam.h"
 
 namespace squat::studio {
 
 namespace {
 
 constexpr int betweenPictures = 16;  // [ms]
+// The mesh has some 14,000 elements: more threads would wait for each other longer than they compute.
+constexpr int mostThreads = 4;
 
 }  // namespace
 
@@ -15,7 +20,7 @@ PreviewController::PreviewController(const PreviewSolver& solver, int threads, Q
   pause_.setTimerType(Qt::PreciseTimer);
   connect(&pause_, &QTimer::timeout, this, &PreviewController::takeNews);
   if (!solver.isThere()) return;
-  worker_ = std::make_unique<PreviewWorker>(solver, threads, [this] {
+  worker_ = std::make_unique<PreviewWorker>(solver, std::min(threadCount(threads), mostThreads), [this] {
     if (!isPosted_.exchange(true)) QMetaObject::invokeMethod(this, &PreviewController::takeNews, Qt::QueuedConnection);
   });
 }

@@ -14,6 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds betweenPictures{12};  // a screen shows 60 a second
+constexpr std::chrono::milliseconds blindness{200};       // of a drag that restarts the preview all the time
+constexpr double behindDefect = 0.02;                     // [m] from its end: the impact has been seen
 
 simulation::RunOptions bareOptions(int threads) {
   simulation::RunOptions options;
@@ -86,12 +88,19 @@ class PreviewWorker::StartMonitor : public Monitor {
 
 class PreviewWorker::RollMonitor : public Monitor {
  public:
-  RollMonitor(const PreviewWorker& worker, const Wish& wish) : worker_(worker), wish_(wish) {}
-  bool cancelled() override { return !worker_.isNewest(wish_); }
+  RollMonitor(const PreviewWorker& worker, const Wish& wish, const double& position, double seenAt)
+      : worker_(worker), wish_(wish), position_(position), seenAt_(seenAt) {}
+  bool cancelled() override {
+    if (worker_.isNewest(wish_)) return false;
+    const bool isPatient = worker_.patientFor_ == wish_.number && position_ < seenAt_;
+    return !isPatient || !worker_.newest().open;
+  }
 
  private:
   const PreviewWorker& worker_;
   const Wish& wish_;
+  const double& position_;  // [m] of the newest sample
+  const double seenAt_;     // [m]
 };
 
 PreviewWorker::PreviewWorker(PreviewSolver solver, int threads, std::function<void()> changed)
@@ -132,12 +141,16 @@ PreviewWorker::Wish PreviewWorker::newest() const {
 
 void PreviewWorker::work() {
   giveWayToTheWindow();
+  lastSeen_ = Clock::now();
   unsigned long served = 0;
   while (true) {
     Wish wish;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait(lock, [&] { return closing_ || wish_.number != served; });
+      if (wish_.number == served) {
+        wake_.wait(lock, [&] { return closing_ || wish_.number != served; });
+        lastSeen_ = Clock::now();  // what has rested is not blind
+      }
       if (closing_) return;
       wish = wish_;
     }
@@ -146,12 +159,17 @@ void PreviewWorker::work() {
   }
 }
 
-// What an earlier wish has to say comes too late. The end of a wish is the end of the work, unless there is another.
+// What an earlier wish has to say comes too late, except where a drag would see nothing else.
+bool PreviewWorker::mayPublish(const Wish& wish) const {
+  return wish_.number == wish.number || (patientFor_ == wish.number && wish_.open);
+}
+
 void PreviewWorker::publish(const Wish& wish, Preview preview) {
   {
     const std::lock_guard lock(mutex_);
-    if (wish_.number != wish.number) return;
-    if (preview.phase == PreviewPhase::done || preview.phase == PreviewPhase::unavailable) busy_ = false;
+    if (!mayPublish(wish)) return;
+    const bool isEnd = preview.phase == PreviewPhase::done || preview.phase == PreviewPhase::unavailable;
+    if (isEnd && wish_.number == wish.number) busy_ = false;
     latest_ = std::move(preview);
   }
   changed_();
@@ -202,20 +220,30 @@ void PreviewWorker::preview(const Wish& wish) {
 results::RunResult PreviewWorker::roll(const Wish& wish, const cases::CaseDescription& description,
                                        std::shared_ptr<const simulation::WarmState> state) {
   GrowingCurve curve(*state, description.output.rate, description.output.filterCutoff);
-  auto last = Clock::now() - betweenPictures;
+  auto picture = pictureOf(description);
+  picture.phase = PreviewPhase::rolling;
+  const double seenAt = picture.defectTo + behindDefect;
+  double reached = picture.from;
+  patientFor_ = Clock::now() - lastSeen_ > blindness ? wish.number : 0;
+  auto last = Clock::now();
+  const auto show = [&] {
+    picture.position = curve.position(), picture.acceleration = curve.filtered();
+    publish(wish, picture);
+  };
+  show();
   auto options = bareOptions(threads_);
   options.sampled = [&](double position, double acceleration) {
     curve.add(position, acceleration);
     const auto now = Clock::now();
-    if (now - last < betweenPictures) return;
+    const bool isSeenNow = reached < seenAt && position >= seenAt;
+    reached = position;
+    if (isSeenNow) lastSeen_ = now;
+    if (now - last < betweenPictures && !isSeenNow) return;
     last = now;
-    auto picture = pictureOf(description);
-    picture.phase = PreviewPhase::rolling;
-    picture.position = curve.position(), picture.acceleration = curve.filtered();
-    publish(wish, std::move(picture));
+    show();
   };
   options.warm = std::move(state);
-  RollMonitor monitor(*this, wish);
+  RollMonitor monitor(*this, wish, reached, seenAt);
   return solver_.run(description, options, monitor, nullptr);
 }
 

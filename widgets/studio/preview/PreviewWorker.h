@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -22,7 +23,8 @@ class PreviewWorker {
   PreviewWorker& operator=(const PreviewWorker&) = delete;
 
   // Returns at once. What is under way for an earlier wish stops, except a state that serves the new one too. Null:
-  // nothing is wished for. The states are kept.
+  // nothing is wished for. The states are kept. While wishes come faster than they can be served, every now and then
+  // one of them is rolled to behind its defect first: a drag is not blind.
   void ask(std::shared_ptr<const cases::CaseDescription> open);
   Preview take() const;
   bool isBusy() const { return busy_; }
@@ -42,6 +44,7 @@ class PreviewWorker {
                           std::shared_ptr<const simulation::WarmState> state);
   bool isNewest(const Wish& wish) const { return newest_ == wish.number; }
   Wish newest() const;
+  bool mayPublish(const Wish& wish) const;  // under the mutex
   void publish(const Wish& wish, Preview preview);
   void refuse(const Wish& wish, const std::string& sentence);
 
@@ -54,6 +57,9 @@ class PreviewWorker {
   Wish wish_;
   Preview latest_;
   bool closing_ = false;
+  // Of the thread alone: when a defect was last seen, and a wish that is rolled on though there is a newer one.
+  std::chrono::steady_clock::time_point lastSeen_{};
+  unsigned long patientFor_ = 0;
   std::atomic<unsigned long> newest_{0};
   std::atomic<bool> busy_{false};
   std::thread thread_;  // last: it uses all of the above
