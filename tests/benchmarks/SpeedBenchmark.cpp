@@ -16,6 +16,7 @@
 #include "dynamics/Rolling.h"
 #include "dynamics/StableStep.h"
 #include "model/Model.h"
+#include "simulation/WarmState.h"
 
 namespace squat {
 namespace {
@@ -107,6 +108,45 @@ void wholeStep(benchmark::State& state, model::Model& model, int threads, scenar
   measure(state, model, steps, 0, [&] { rolling.advance(steps, [](const dynamics::StepView&) {}); });
 }
 
+// A run from a warm state that has been rolled on to the defect, up to a place behind its deepest point: what a preview
+// of a changed profile computes.
+struct Passage : Monitor {
+  explicit Passage(double to) : end(to) {}
+  bool cancelled() override { return position > end; }
+  double end, position = -1;  // [m]
+};
+
+const std::shared_ptr<const simulation::WarmState>& warmState(int mesh) {
+  static std::map<int, std::shared_ptr<const simulation::WarmState>> states;
+  auto& state = states[mesh];
+  if (state) return state;
+  const auto description = cases::loadCase(
+      "light-defect",
+      {meshes[mesh], {{"mesh.zone_before", "40"}, {"mesh.zone_behind", "40"}, {"motion.beyond", "0.1"}}});
+  simulation::RunOptions options;
+  options.wheelsetModes = options.snapshots = false;
+  Monitor silent;
+  const auto first =
+      std::make_shared<const simulation::WarmState>(*simulation::makeWarmState(description, options, silent));
+  state =
+      std::make_shared<const simulation::WarmState>(*simulation::rollOn(first, description, 0.015, options, silent));
+  return state;
+}
+
+void warmRun(benchmark::State& state, int mesh, int threads, double to) {
+  const auto warm = warmState(mesh);
+  state.SetLabel(elasticity::kernelsFor("").name);
+  auto description = warm->description;
+  simulation::RunOptions options;
+  options.threads = threads, options.wheelsetModes = options.snapshots = false, options.warm = warm;
+  measure(state, *warm->model, 1, 0, [&] {
+    description.defect.depth *= 0.99;
+    Passage passage(to);
+    options.sampled = [&](double position, double) { passage.position = position; };
+    simulation::runCase(description, options, passage);
+  });
+}
+
 void addRow(const std::string& name, int rounds, const std::function<void(benchmark::State&)>& body) {
   benchmark::RegisterBenchmark(name.c_str(), body)->Iterations(rounds)->UseManualTime()->Unit(benchmark::kMillisecond);
 }
@@ -135,6 +175,12 @@ int main(int argc, char** argv) {
                  std::to_string(track.first),
              30,
              [=](benchmark::State& state) { wholeStep(state, longTrack(track.first, track.second), 2, precision); });
+  constexpr double begin = -1, bottom = 0, end = 1;  // [m]: first sample, first one behind the bottom, whole run
+  for (int mesh = 0; mesh < 2; ++mesh)
+    for (const int threads : {1, 2})
+      for (const auto& [name, to] : {std::pair{"warm_begin", begin}, {"warm_bottom", bottom}, {"warm_whole", end}})
+        addRow(std::string(name) + "/" + meshes[mesh] + "/threads:" + std::to_string(threads), mesh == 0 ? 20 : 5,
+               [=, to = to](benchmark::State& state) { warmRun(state, mesh, threads, to); });
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }
