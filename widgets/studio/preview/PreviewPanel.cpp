@@ -20,12 +20,15 @@ namespace squat::studio {
 namespace {
 
 constexpr double shownUpTo = 2500;  // [Hz], as the spectrum of a run
+constexpr int fewTicks = 3;
 
 std::unique_ptr<plots::Figure> scalogramOf(const results::RunResult& result, const plots::Style& style) {
   auto figure = plots::buildFigure(plots::figureRow("scalogram"), result, style);
   figure->setCaption({}, {});
-  if (auto* scale = figure->findChild<QCPColorScale*>())
-    scale->axis()->setLabel(PreviewPanel::tr("(m/s²)² s"));  // the words beside the unit are longer than it is high
+  // Half as wide as elsewhere: the words go into the tool tip, and fewer numbers fit.
+  if (auto* scale = figure->findChild<QCPColorScale*>()) scale->axis()->setLabel({});
+  figure->setToolTip(PreviewPanel::tr("Wavelet power [(m/s²)² s] of the preview"));
+  figure->xAxis->ticker()->setTickCount(fewTicks);
   figure->xAxis->setLabel(PreviewPanel::tr("Position [mm]"));
   figure->setMinimumSize(150, 120);
   figure->setAccessibleName(PreviewPanel::tr("Scalogram of the preview"));
@@ -108,6 +111,7 @@ void PreviewPanel::makeFigures() {
   acceleration_->setRange(-100, 100);
   spectrum_ = new CurvePlot("preview_psd", tr("Frequency [Hz]"), tr("PSD [(m/s²)²/Hz]"), style_);
   spectrum_->setRange(0, shownUpTo);
+  spectrum_->xAxis->ticker()->setTickCount(fewTicks);
   scalogram_ = scalogramOf(shown_ ? *shown_ : results::RunResult(), style_).release();
   rows_->insertWidget(0, acceleration_, 1);
   lower_->addWidget(spectrum_, 1);
