@@ -11,8 +11,8 @@ namespace {
 
 double power(double position, double frequency) { return 3 + 10 * position + 0.5 * std::log(frequency); }
 
-results::RunResult linearScalogram(bool descending) {
-  results::RunResult result;
+results::AnalysedRecord linearScalogram(bool descending) {
+  results::AnalysedRecord result;
   for (int i = 0; i <= 30; ++i) result.scalogramPosition.push_back(-0.15 + 0.01 * i);
   for (int i = 0; i <= 12; ++i)
     result.scalogramFrequency.push_back(25 * std::pow(2.0, 0.6 * (descending ? 12 - i : i)));
