@@ -33,12 +33,17 @@ struct CalibrateCommandOptions {
   int jobs = 0, threads = 0, evaluations = 0;
 };
 
-constexpr double kBytesOfARun = 0.5 * (1ULL << 30);  // draft takes a quarter of a GiB
+// Draft takes a quarter of a GiB, the paper's mesh 1.5.
+double bytesOfARun(const CalibrateCommandOptions& options) {
+  const auto isSmall = [](const std::string& mesh) { return mesh == "tiny" || mesh == "draft"; };
+  return (isSmall(options.mesh) && isSmall(options.confirm) ? 0.5 : 2.0) * (1ULL << 30);
+}
 
 void shareCores(CalibrateCommandOptions& options) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   auto& shared = options.calibration;
-  shared.jobs = options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.threads), kBytesOfARun);
+  shared.jobs =
+      options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.threads), bytesOfARun(options));
   shared.threads = options.threads > 0 ? options.threads : std::max(1, cores / shared.jobs);
 }
 
@@ -63,6 +68,10 @@ int calibrate(CalibrateCommandOptions options) {
   outputs.insert(outputs.end(), {casePath, textPath});
   auto inputs = cases::filesOfCase(options.caseOptions.name, description.defect.file);
   inputs.insert(inputs.end(), options.targets.begin(), options.targets.end());
+  for (const auto& target : definition.targets.signals)
+    inputs.insert(inputs.end(), target.files.begin(), target.files.end());
+  for (const auto& target : definition.targets.receptances) inputs.push_back(target.file);
+  for (const auto& run : definition.targets.runs) inputs.push_back(run.caseName);
   keepInputs(inputs, outputs);
   shareCores(options);
   makeFolder(folder);
@@ -73,8 +82,9 @@ int calibrate(CalibrateCommandOptions options) {
   const auto found = calibration::calibrate(definition, options.calibration, monitor);
   monitor.clearLine();
   const auto summary = calibrationSummary(found);
+  if (!found.complete && !summary.empty()) std::printf("Not finished; known so far:\n\n");
   std::printf("%s", summary.c_str());
-  if (!found.ranges.empty()) {
+  if (found.complete && !found.ranges.empty()) {
     writeDurably(casePath, std::string_view(calibration::calibratedCase(found)));
     writeDurably(textPath, std::string_view(summary));
     outputs.erase(outputs.begin() + 1, outputs.begin() + 3);  // those that are only for resuming

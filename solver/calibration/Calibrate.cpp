@@ -72,7 +72,11 @@ class Search {
     const auto ofSearch = best(mesh());
     if (!ofSearch) return;
     calibration_.bestOfSearch = *ofSearch;
-    calibration_.best = best(definition_.confirmMesh).value_or(*ofSearch);
+    const auto confirmed = best(definition_.confirmMesh);
+    calibration_.best = confirmed.value_or(*ofSearch);
+    if (!confirmed && calibration_.complete)
+      calibration_.definition.targets.notes.push_back("no point could be run on mesh " + definition_.confirmMesh +
+                                                      ": the values are those of mesh " + mesh());
     const auto& row = calibration_.evaluations[*ofSearch];
     summarise(calibration_, EquallyGood(definition_.targets, row, definition_.inputs.size()), model_, byModel_);
   }
@@ -112,7 +116,7 @@ class Search {
   std::vector<UnitPoint> starts() const {
     constexpr double apart = 0.25;
     std::vector<const Evaluation*> rows;
-    for (const auto& row : table_.rows())
+    for (const auto& row : runner_.seen())
       if (row.mesh == mesh() && !row.hasFailed && (row.stage == Stage::start || row.stage == Stage::global))
         rows.push_back(&row);
     std::stable_sort(rows.begin(), rows.end(), [](const auto* a, const auto* b) {
@@ -133,8 +137,10 @@ class Search {
   }
 
   bool searchLocally() {
-    // Far above any misfit that can be reached, so that a case that cannot be run is left again.
-    constexpr double failed = 100;
+    // Above all misfits so far, so that a case that cannot be run is left again.
+    double failed = 100;
+    for (const auto& row : runner_.seen())
+      if (!row.hasFailed) failed = std::max(failed, 2 * row.misfit);
     const Misfit misfit = [&](const UnitPoint& point) -> std::optional<double> {
       const auto evaluation = runner_.at(Stage::local, mesh(), valuesAt(definition_.inputs, point));
       if (!evaluation) return std::nullopt;
@@ -153,7 +159,7 @@ class Search {
 
   Evaluation bestRow() const {
     const Evaluation* best = nullptr;
-    for (const auto& row : table_.rows())
+    for (const auto& row : runner_.seen())
       if (row.mesh == mesh() && (!best || isBetter(row, *best))) best = &row;
     return *best;
   }
@@ -182,7 +188,7 @@ class Search {
       }
       if (round < kRounds) runner_.all(Stage::derivatives, mesh(), valuesOf(next));
       if (runner_.isCancelled()) return false;
-      if (bestRow().values == best.values) return true;
+      if (bestRow().values == best.values || round >= 3 * kRounds) return true;
     }
   }
 
@@ -221,6 +227,7 @@ class Search {
 Calibration calibrate(const CalibrationDefinition& definition, const CalibrationOptions& options, Monitor& monitor) {
   Calibration calibration;
   calibration.definition = definition;
+  calibration.definition.caseHash = cases::caseHash(cases::loadCase(definition.caseName, definition.overrides));
   EvaluationTable table(calibration.definition, options.folder);
   const auto data = readMeasuredData(calibration.definition.targets);
   for (const auto& signal : data.signals)

@@ -19,6 +19,7 @@ namespace squat::calibration {
 
 struct CalibrationDefinition {
   std::string caseName;  // as the user named it
+  std::string caseHash;  // of the case at the start; filled in by calibrate()
   cases::CaseOverrides overrides;
   std::vector<FreeInput> inputs;
   Targets targets;

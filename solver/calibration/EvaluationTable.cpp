@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include "case/ShortHash.h"
@@ -27,7 +28,7 @@ std::string identityPath(const std::string& folder) { return folder + "/calibrat
 // All that decides which points a search visits and what they give.
 Json identityOf(const CalibrationDefinition& definition) {
   Json json{{"schema", "squat-calibration"}, {"schema_version", 1}};
-  json["case_hash"] = cases::caseHash(cases::loadCase(definition.caseName, definition.overrides));
+  json["case_hash"] = definition.caseHash;
   for (const auto& input : definition.inputs)
     json["free"].push_back(input.key() + "=" + valueText(input.low) + ":" + valueText(input.high));
   std::string data;
@@ -38,12 +39,26 @@ Json identityOf(const CalibrationDefinition& definition) {
          {s.low, s.high, s.expected.value_or(NAN), s.near, s.band.first, s.band.second, target.weight})
       data += text::numberText(number) + ",";
   }
-  for (const auto& run : definition.targets.runs)
-    for (const auto& [key, value] : run.sets) data += run.name + "," + key + "=" + value + ",";
+  for (const auto& run : definition.targets.runs) {
+    auto overrides = definition.overrides;
+    overrides.values.insert(overrides.values.end(), run.sets.begin(), run.sets.end());
+    data += run.name + "," + cases::caseHash(cases::loadCase(run.caseName, overrides)) + ",";
+  }
+  const auto addNumbers = [&](std::initializer_list<double> numbers) {
+    for (const double number : numbers) data += text::numberText(number) + ",";
+  };
   const auto addFile = [&](const std::string& path) { data += readWholeFile(path, kLargestFile); };
-  for (const auto& target : definition.targets.signals)
+  for (const auto& target : definition.targets.signals) {
+    data += target.run + "," + target.reading.column + ",";
+    addNumbers({target.weight, target.before, target.after, target.cutoff, target.noise, target.reading.speed,
+                target.reading.rate});
     std::for_each(target.files.begin(), target.files.end(), addFile);
-  for (const auto& target : definition.targets.receptances) addFile(target.file);
+  }
+  for (const auto& target : definition.targets.receptances) {
+    data += target.point + ",";
+    addNumbers({target.weight, target.lowest, target.highest, target.tolerance});
+    addFile(target.file);
+  }
   json["targets"] = definition.targets.names();
   json["data_hash"] = cases::shortHash(data);
   json["meshes"] = {definition.searchMesh, definition.confirmMesh};
@@ -93,6 +108,10 @@ EvaluationTable::EvaluationTable(const CalibrationDefinition& definition, std::s
   makeFolder(folder_);
   const auto own = identityOf(definition_);
   if (!std::filesystem::exists(identityPath(folder_))) {
+    for (const auto& path : {tablePath(folder_), residualPath(folder_)})
+      if (std::filesystem::exists(path))
+        throw CaseError({{"-o", path, "a folder without such a file, or with the calibration.json that belongs to it",
+                          "Choose another folder, for example -o out/calibration"}});
     writeDurably(identityPath(folder_), std::string_view(own.dump(2) + "\n"));
     write();
     return;

@@ -96,6 +96,12 @@ bool Evaluator::computeReceptances(const Values& values, std::vector<TargetValue
 
 std::optional<Evaluation> Evaluator::evaluate(const Values& values, Monitor& monitor) const {
   giveBackFreeMemory();
+  // The case is read anew for every point: an edit in between would mix two cases in one table.
+  const auto hash = cases::caseHash(cases::loadCase(definition_.caseName, definition_.overrides));
+  if (hash != definition_.caseHash)
+    throw CaseError({{"case", definition_.caseName + " (" + hash + ")",
+                      "the case that the calibration started with (" + definition_.caseHash + ")",
+                      "The case was changed during the search: restore it, or choose another folder with -o"}});
   Evaluation evaluation;
   evaluation.mesh = mesh_, evaluation.values = values;
   try {

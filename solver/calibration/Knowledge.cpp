@@ -55,8 +55,9 @@ InputRange rangeOf(const FreeInput& input, std::size_t index, double best, const
   range.low = std::min(value(low), best), range.high = std::max(value(high), best);
   range.reachesLow = low<atLimit, range.reachesHigh = high> 1 - atLimit;
   // Over the whole way between its limits it would move no residual by a third of what is allowed.
-  range.isSeen =
-      model.slope.rows() > 0 && model.slope.col(static_cast<Eigen::Index>(index)).cwiseAbs().maxCoeff() > faint;
+  const bool isLimited = !(range.reachesLow && range.reachesHigh);
+  range.isSeen = isLimited || model.slope.rows() == 0 ||
+                 model.slope.col(static_cast<Eigen::Index>(index)).cwiseAbs().maxCoeff() > faint;
   return range;
 }
 
@@ -103,7 +104,9 @@ EquallyGood::EquallyGood(const Targets& targets, const Evaluation& best, std::si
   double squares = 0;
   for (std::size_t t = 0; t < best.targets.size(); ++t) {
     if (t < statements_) {
-      met_.push_back(best.targets[t].isMet);
+      const auto& residuals = best.targets[t].residuals;
+      const double away = residuals.empty() ? kMissingResidual : std::abs(residuals.front());
+      largest_.push_back(best.targets[t].isMet ? 1 : 1.1 * std::max(1.0, away));
       continue;
     }
     squares += squaresOf(best.targets[t].residuals);
@@ -113,34 +116,36 @@ EquallyGood::EquallyGood(const Targets& targets, const Evaluation& best, std::si
   largestSquares_ = squares + std::max(1.0, squares / free) * chiSquareQuantile95(std::max<std::size_t>(inputs, 1));
 }
 
-bool EquallyGood::accepts(const std::vector<bool>& met, double squares) const {
+bool EquallyGood::accepts(const std::vector<double>& away, double squares) const {
   for (std::size_t t = 0; t < statements_; ++t)
-    if (met_[t] && !met[t]) return false;
+    if (away[t] > largest_[t]) return false;
   return samples_ == 0 || squares <= largestSquares_;
 }
 
 bool EquallyGood::operator()(const Evaluation& evaluation) const {
   if (evaluation.hasFailed) return false;
-  std::vector<bool> met;
+  std::vector<double> away;  // a statement that is not met lies beyond its limit, if only by rounding
   double squares = 0;
   std::size_t samples = 0;
   for (std::size_t t = 0; t < evaluation.targets.size(); ++t) {
     const auto& target = evaluation.targets[t];
     if (t < statements_)
-      met.push_back(target.isMet);
+      away.push_back(target.isMet               ? 0
+                     : target.residuals.empty() ? kMissingResidual
+                                                : std::max(std::abs(target.residuals.front()), 1 + 1e-9));
     else
       squares += squaresOf(target.residuals), samples += target.residuals.size();
   }
-  return samples == samples_ && accepts(met, squares);
+  return samples == samples_ && accepts(away, squares);
 }
 
 bool EquallyGood::operator()(const LinearModel& model, const Eigen::VectorXd& way) const {
   const Eigen::VectorXd residuals = model.residuals + model.slope * way;
-  std::vector<bool> met;
+  std::vector<double> away;
   for (std::size_t t = 0; t < statements_; ++t)
-    met.push_back(std::abs(residuals[static_cast<Eigen::Index>(model.first[t])]) <= 1);
+    away.push_back(std::abs(residuals[static_cast<Eigen::Index>(model.first[t])]));
   const auto data = residuals.size() - static_cast<Eigen::Index>(model.first[statements_]);
-  return accepts(met, residuals.tail(data).squaredNorm());
+  return accepts(away, residuals.tail(data).squaredNorm());
 }
 
 std::vector<UnitPoint> equallyGoodByModel(const EquallyGood& isEquallyGood, const LinearModel& model,

@@ -1,6 +1,7 @@
 // solver/calibration/Knowledge.h - what a search knows of its inputs, and what not.
 //
-// Two points are equally good where the second meets every statement that the first meets, and where its data misfit
+// A point is as good as the best one where it meets every statement that this one meets, misses no other one by more
+// than a tenth beyond what this one does, and where its data misfit
 // (sum of squared residuals) is larger by no more than noise explains: by max(1, chi2 / (N - n)) times the 95 %
 // quantile of chi-square with n degrees of freedom, N independent samples and n inputs (W. H. Press et al., Numerical
 // Recipes, section 15.6: confidence limits on estimated parameters).
@@ -22,10 +23,10 @@ class EquallyGood {
   bool hasData() const { return samples_ > 0; }
 
  private:
-  bool accepts(const std::vector<bool>& met, double squares) const;
+  bool accepts(const std::vector<double>& away, double squares) const;
 
   std::size_t statements_ = 0, samples_ = 0;
-  std::vector<bool> met_;
+  std::vector<double> largest_;  // residual of each statement
   double largestSquares_ = 0;
 };
 

@@ -58,6 +58,7 @@ const Evaluator& PointRunner::evaluatorFor(const std::string& mesh) {
 // With the mutex held.
 void PointRunner::report(const Evaluation& evaluation) {
   ++taken_;
+  seen_.push_back(evaluation);
   if (!evaluation.hasFailed) best_ = std::min(best_, evaluation.misfit);
   Progress progress;
   progress.phase = toText(evaluation.stage) + ", " + evaluation.mesh + ", best misfit " + text::roundedText(best_);
@@ -72,8 +73,10 @@ std::optional<Evaluation> PointRunner::at(Stage stage, const std::string& mesh, 
   {
     const std::lock_guard lock(mutex_);
     if (const auto* known = table_.find(mesh, values)) {
-      report(*known);
-      return *known;
+      Evaluation evaluation = *known;
+      evaluation.stage = stage;
+      report(evaluation);
+      return evaluation;
     }
     if (error_ || monitor_.cancelled()) return std::nullopt;
   }

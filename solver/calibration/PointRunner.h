@@ -26,6 +26,10 @@ class PointRunner {
   // All of them, as many at once as there are jobs; those that are done where it was cancelled.
   std::vector<Evaluation> all(Stage stage, const std::string& mesh, const std::vector<Values>& points);
 
+  // What this search has asked for so far, from the table or computed: a search that is repeated goes the same way,
+  // whatever else the table holds. Not while points are under way.
+  const std::vector<Evaluation>& seen() const { return seen_; }
+
   bool isCancelled();
   void rethrow();  // what ended the search, if anything did
   int jobs() const { return options_.jobs; }
@@ -44,6 +48,7 @@ class PointRunner {
   double best_ = 0;     // misfit, of what is reported
   Monitor& monitor_;
   std::mutex mutex_;
+  std::vector<Evaluation> seen_;
   std::map<std::string, Evaluator> evaluators_;
   std::exception_ptr error_;
 };

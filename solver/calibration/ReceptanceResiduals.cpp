@@ -50,10 +50,15 @@ ReceptanceColumns columnsOf(const text::DelimitedTable& table, const ReceptanceT
     if (parted && !namesPoint(column)) continue;
     const auto name = lowerCase(column.name);
     const auto holds = [&](const char* word) { return name.find(word) != std::string::npos; };
-    (holds("imag")    ? found.imaginary
-     : holds("real")  ? found.real
-     : holds("phase") ? found.phase
-                      : found.magnitude) = &column;
+    if (holds("coher")) continue;  // of a hammer test
+    if (holds("imag"))
+      found.imaginary = &column;
+    else if (holds("real"))
+      found.real = &column;
+    else if (holds("phase"))
+      found.phase = &column;
+    else if (!found.magnitude || holds("magn"))
+      found.magnitude = &column;
   }
   const bool isComplex = found.real && found.imaginary;
   if (!found.magnitude && !isComplex)
@@ -119,7 +124,8 @@ MeasuredReceptance readMeasuredReceptance(const ReceptanceTarget& target) {
   if (frequency.size() < 3)
     throw FileError(target.file, "", "has fewer than three frequencies within the limits of the target",
                     "Change \"lowest\" and \"highest\" [Hz]");
-  MeasuredReceptance measured{target, {}, {}, columns.phase || columns.real};
+  const bool isComplex = columns.real && columns.imaginary;
+  MeasuredReceptance measured{target, {}, {}, isComplex || columns.phase};
   for (const std::size_t i : thinned(frequency, most))
     measured.frequency.push_back(frequency[i]), measured.receptance.push_back(values[i]);
   return measured;

@@ -9,6 +9,7 @@
 #include "signals/PowerSpectrum.h"
 #include "signals/Resample.h"
 #include "signals/SignalError.h"
+#include "text/Numbers.h"
 
 namespace squat::calibration {
 
@@ -34,7 +35,13 @@ std::vector<signals::Passage> runsOf(const SignalTarget& target, std::vector<std
         throw FileError(file, record.run, "unit is '" + unit + "', must be an acceleration (m/s2, g)",
                         "Choose the column of the axle box acceleration with \"column\"");
       for (const auto& note : record.notes) notes.push_back(target.name + ": " + note);
-      runs.push_back(filtered(readers::passageWithPositions(record), target.cutoff));
+      auto passage = readers::passageWithPositions(record);
+      if (!(target.cutoff < 0.49 * passage.series.rate()))
+        throw FileError(file, record.run,
+                        "is sampled at " + text::roundedText(passage.series.rate()) +
+                            " Hz, too slowly for a cut-off at " + text::roundedText(target.cutoff) + " Hz",
+                        "Give a lower \"cutoff\" in a target file");
+      runs.push_back(filtered(std::move(passage), target.cutoff));
     }
   return runs;
 }
@@ -47,7 +54,10 @@ signals::Passage meanOf(const std::vector<signals::Passage>& runs, const SignalT
   double sum = 0;
   std::size_t count = 0;
   for (const auto& row : aligned.values)
-    for (std::size_t i = 0; i < row.size(); ++i) sum += std::pow(row[i] - aligned.mean[i], 2), ++count;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (aligned.axis[i] >= -target.before && aligned.axis[i] <= target.after)
+        sum += std::pow(row[i] - aligned.mean[i], 2), ++count;
+  if (count == 0) throw signals::SignalError("the runs have no length in common around the defect");
   const double runCount = static_cast<double>(runs.size());
   error = std::sqrt(sum / static_cast<double>(count) / (runCount - 1));  // scatter over the root of the runs
   const double speed = aligned.speed.front();
@@ -90,8 +100,9 @@ double levelMisfit(const std::vector<double>& computed, const std::vector<double
 
 MeasuredSignal readMeasured(const SignalTarget& target) {
   MeasuredSignal measured{target, {}, 0, 0, {}};
-  auto runs = runsOf(target, measured.notes);
+  std::vector<signals::Passage> runs;
   try {
+    runs = runsOf(target, measured.notes);
     double error = 0;
     measured.mean = runs.size() > 1 ? meanOf(runs, target, error) : runs.front();
     measured.peak = largest(measured.mean.series.values);
@@ -102,7 +113,12 @@ MeasuredSignal readMeasured(const SignalTarget& target) {
       measured.noise = runs.size() > 1 ? error : oneRun * measured.peak;
   } catch (const signals::SignalError& error) {
     throw FileError(target.files.front(), "", error.what());
+  } catch (const CaseError& error) {  // neither speed nor position
+    throw FileError(target.files.front(), "", error.what(), "Give \"speed\" and \"rate\" in a target file");
   }
+  if (!(measured.noise > 0) && runs.size() > 1)
+    throw FileError(target.files.front(), "", "its runs do not differ from each other",
+                    "Give each run once, or \"noise\" in a target file");
   if (!(measured.noise > 0)) throw FileError(target.files.front(), "", "holds no vibration: every sample is the same");
   return measured;
 }
@@ -120,8 +136,12 @@ TargetValue signalValue(const MeasuredSignal& measured, const results::RunResult
     const double speed = both.speed.front();
     const double step = speed / (2 * target.cutoff);  // [m]: two samples a period of the cut-off frequency
     std::vector<double> ours, theirs;
-    const double last = std::min(target.after, both.axis.back());
-    for (double x = std::max(-target.before, both.axis.front()); x <= last; x += step) {
+    const double first = std::max(-target.before, both.axis.front()), last = std::min(target.after, both.axis.back());
+    // A whole number of steps may be a little less by rounding: the number of residuals must not hang on that.
+    const auto count = static_cast<long>(std::floor((last - first) / step + 1e-3)) + 1;
+    if (count < 2) throw signals::SignalError("too short to compare");
+    for (long i = 0; i < count; ++i) {
+      const double x = first + static_cast<double>(i) * step;
       ours.push_back(signals::interpolateLinear(both.axis, both.values[0], x));
       theirs.push_back(signals::interpolateLinear(both.axis, both.values[1], x));
       value.residuals.push_back((ours.back() - theirs.back()) / measured.noise);
@@ -133,7 +153,7 @@ TargetValue signalValue(const MeasuredSignal& measured, const results::RunResult
     value.isMet = *value.value <= 1.5;  // the noise, and half as much again of the model's own
     value.misfit = mean + levelMisfit(ours, theirs, step / speed, measured);
   } catch (const signals::SignalError&) {  // too short to compare
-    value.residuals.clear();
+    value.residuals.clear(), value.value.reset(), value.isMet = false;
   }
   return value;
 }

@@ -13,7 +13,9 @@ double statementResidual(const statements::Statement& s, double value) {
   if (hasLow && hasHigh) {
     const double middle = s.expected ? std::clamp(*s.expected, s.low, s.high) : 0.5 * (s.low + s.high);
     const double half = value < middle ? middle - s.low : s.high - middle;
-    return half > 0 ? (value - middle) / half : (value - middle) / (0.5 * (s.high - s.low));
+    if (half > 0) return (value - middle) / half;
+    if (value == middle) return 0;  // expected at a limit: beyond it the statement is broken
+    return (value < middle ? -1 : 1) + (value - middle) / (0.5 * (s.high - s.low));
   }
   const double limit = hasLow ? s.low : s.high;
   const double inside = hasLow ? value - limit : limit - value;

@@ -44,6 +44,11 @@ void checkTargets(const Targets& targets) {
     if (std::none_of(targets.runs.begin(), targets.runs.end(), [&](const auto& run) { return run.name == signal.run; }))
       throw FileError(targets.path, "signals '" + signal.name + "'", "run '" + signal.run + "' is not listed",
                       "Add it to \"runs\", or leave \"run\" out");
+  for (const auto& a : targets.runs)
+    for (const auto& b : targets.runs)
+      if (a.name == b.name && (a.caseName != b.caseName || a.sets != b.sets))
+        throw FileError(targets.path, "run '" + a.name + "'", "is given twice with different cases or keys",
+                        "Rename one of them");
   const auto& all = targets.statements;
   for (std::size_t i = 0; i < all.size(); ++i) {
     checkUnit(all[i].statement, targets.path);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "calibration/TargetChecks.h"
 #include "case/CaseFile.h"
@@ -27,7 +28,7 @@ constexpr const char* kOwnRun = "the case";
 
 double weightOf(const json& entry) {
   const double weight = entry.value("weight", 1.0);
-  if (!(weight > 0) || !std::isfinite(weight)) throw std::invalid_argument("weight must be positive");
+  if (!(weight > 0 && weight <= 1e6)) throw std::invalid_argument("weight must be positive, at most 1e6");
   return weight;
 }
 
@@ -45,6 +46,7 @@ class TargetFile {
       if (all.value("schema", "") == "squat-reference") return addReference(text);
       if (all.value("schema", "") != "squat-targets")
         throw std::invalid_argument("\"schema\" must be \"squat-targets\" or \"squat-reference\"");
+      if (!all.at("schema_version").is_number_integer()) throw std::invalid_argument("\"schema_version\" must be 1");
       if (all.at("schema_version") > kVersion)
         throw std::invalid_argument("was written for a newer version; install the newer program");
       addStatements(all);
@@ -152,8 +154,11 @@ class TargetFile {
     target.cutoff = entry.value("cutoff", target.cutoff), target.noise = entry.value("noise", target.noise);
     target.reading.column = entry.value("column", "");
     target.reading.speed = entry.value("speed", 0.0), target.reading.rate = entry.value("rate", 0.0);
-    if (!(target.before > 0 && target.after > 0 && target.cutoff > 0 && target.noise >= 0))
-      throw std::invalid_argument("before, after and cutoff must be positive, noise not negative");
+    const auto isWithin = [](double value, double most) { return value > 0 && value <= most; };
+    if (!isWithin(target.before, 5) || !isWithin(target.after, 5))
+      throw std::invalid_argument("before and after must be positive, at most 5 m");
+    if (!isWithin(target.cutoff, 10000)) throw std::invalid_argument("cutoff must be positive, at most 10000 Hz");
+    if (!(target.noise >= 0 && target.noise <= 1)) throw std::invalid_argument("noise must be from 0 to 1");
     targets_.signals.push_back(std::move(target));
   }
 
@@ -167,8 +172,8 @@ class TargetFile {
     target.weight = weightOf(entry);
     target.lowest = entry.value("lowest", target.lowest), target.highest = entry.value("highest", target.highest);
     target.tolerance = entry.value("tolerance", target.tolerance);
-    if (!(target.lowest > 0 && target.lowest < target.highest && target.tolerance > 0))
-      throw std::invalid_argument("lowest must be below highest, both and tolerance positive");
+    if (!(target.lowest > 0 && target.lowest < target.highest && target.highest <= 2000 && target.tolerance > 0))
+      throw std::invalid_argument("lowest must be below highest, highest at most 2000 Hz, tolerance positive");
     targets_.receptances.push_back(std::move(target));
   }
 
@@ -189,12 +194,14 @@ class TargetFile {
 };
 
 bool isReceptanceTable(const std::string& path) {
-  if (std::filesystem::path(path).extension() == ".h5") return false;
+  const auto ending = std::filesystem::path(path).extension();
+  if (ending == ".h5" || ending == ".hdf5" || ending == ".mat") return false;
   const auto table = text::readDelimitedTable(path);
-  return !table.columns.empty() && (table.columns[0].unit == "Hz" || table.columns[0].name.rfind("freq", 0) == 0);
+  return !table.columns.empty() && (table.columns[0].unit == "Hz" || table.columns[0].name.rfind("freq", 0) == 0 ||
+                                    table.columns[0].name.rfind("Freq", 0) == 0);
 }
 
-void addTable(const std::string& path, Targets& targets) {
+void addTable(const std::string& path, std::optional<std::size_t>& ofTables, Targets& targets) {
   const auto name = std::filesystem::path(path).stem().string();
   if (isReceptanceTable(path)) {
     ReceptanceTarget target;
@@ -202,9 +209,8 @@ void addTable(const std::string& path, Targets& targets) {
     targets.receptances.push_back(target);
     return;
   }
-  const auto earlier = std::find_if(targets.signals.begin(), targets.signals.end(),
-                                    [](const SignalTarget& target) { return target.run == kOwnRun; });
-  if (earlier != targets.signals.end()) return earlier->files.push_back(path);  // repeated runs over one defect
+  if (ofTables) return targets.signals[*ofTables].files.push_back(path);  // repeated runs over one defect
+  ofTables = targets.signals.size();
   SignalTarget target;
   target.name = name, target.run = kOwnRun, target.files = {path};
   targets.signals.push_back(target);
@@ -242,13 +248,14 @@ std::vector<double> Targets::weights() const {
 
 Targets readTargets(const std::vector<std::string>& paths, const std::string& caseName) {
   Targets targets;
+  std::optional<std::size_t> ofTables;  // the target that tables without a target file make together
   for (const auto& nameOrPath : paths) {
     const auto path = findTargets(nameOrPath);
     targets.path += (targets.path.empty() ? "" : ", ") + path;
     if (std::filesystem::path(path).extension() == ".json")
       TargetFile(path, caseName, targets).read();
     else
-      addTable(path, targets);
+      addTable(path, ofTables, targets);
   }
   const auto named = [&](const std::string& name) {
     return std::any_of(targets.runs.begin(), targets.runs.end(), [&](const auto& run) { return run.name == name; });

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 CalibrationDefinition definition() {
   CalibrationDefinition made;
-  made.caseName = "light-defect";
+  made.caseName = "light-defect", made.caseHash = "0123abcd";
   made.inputs = freeInputsFromText({"defect.depth=0.05:0.3"});
   statements::Statement peak;
   peak.name = "peak", peak.measure = "maximum", peak.low = 80, peak.high = 120, peak.unit = "m/s2";
@@ -65,6 +65,22 @@ TEST(EvaluationTable, AnotherCalibrationIsRefused) {
   auto otherRange = made;
   otherRange.targets.statements[0].statement.high = 130;
   EXPECT_THROW(EvaluationTable(otherRange, folder.path()), CaseError);
+  std::ofstream(folder / "a.csv") << "time [s],aba [m/s2]\n0,1\n";
+  auto withSignal = made;
+  withSignal.targets.signals.push_back({});
+  withSignal.targets.signals[0].files = {folder / "a.csv"};
+  const TemporaryFolder other;
+  EvaluationTable(withSignal, other.path());
+  withSignal.targets.signals[0].noise = 0.02;
+  EXPECT_THROW(EvaluationTable(withSignal, other.path()), CaseError);
+}
+
+// A laboratory's own calibration.csv is nobody else's to replace.
+TEST(EvaluationTable, AForeignFileOfItsNameIsKept) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "calibration.csv") << "sensor,sensitivity\nA,1.02\n";
+  EXPECT_THROW(EvaluationTable(definition(), folder.path()), CaseError);
+  EXPECT_THAT(readWholeFile(folder / "calibration.csv", 100), HasSubstr("sensor"));
 }
 
 TEST(EvaluationTable, DamageIsFound) {

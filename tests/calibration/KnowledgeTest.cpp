@@ -72,6 +72,12 @@ TEST(Knowledge, StatementsThatTheBestMeetsMustBeMet) {
   EXPECT_TRUE(isEquallyGood(other));
   other.targets[0].isMet = false;
   EXPECT_FALSE(isEquallyGood(other));
+  // What the best misses may be missed a tenth more, no further.
+  auto near = best, far = best;
+  best.targets[1].residuals = {2.0}, near.targets[1].residuals = {2.1}, far.targets[1].residuals = {2.5};
+  const EquallyGood isAsGood(targets, best, 1);
+  EXPECT_TRUE(isAsGood(near));
+  EXPECT_FALSE(isAsGood(far));
   best.hasFailed = true;
   EXPECT_FALSE(isEquallyGood(best));
 }

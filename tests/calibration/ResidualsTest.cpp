@@ -31,6 +31,11 @@ TEST(StatementResidual, IsOneAtTheLimits) {
   EXPECT_NEAR(statementResidual(peak, 147), 1, 1e-12);
   EXPECT_NEAR(statementResidual(peak, 83), -1, 1e-12);
   EXPECT_NEAR(statementResidual(range(250, 400), 250), -1, 1e-12);
+  auto atLimit = range(100, 150);
+  atLimit.expected = 100;
+  EXPECT_EQ(statementResidual(atLimit, 100), 0);
+  EXPECT_LT(statementResidual(atLimit, 99), -1);  // broken
+  EXPECT_NEAR(statementResidual(atLimit, 150), 1, 1e-12);
   EXPECT_NEAR(statementResidual(range(2, INFINITY), 2), -1, 1e-12);
   EXPECT_NEAR(statementResidual(range(2, INFINITY), 2.5), 0, 1e-12);  // a quarter inside
   EXPECT_NEAR(statementResidual(range(2, INFINITY), 1.5), -2, 1e-12);
@@ -159,6 +164,16 @@ TEST(ReceptanceResidual, UnitsAndPhaseAreRead) {
   auto turned = computed();
   for (auto& h : turned.points[0].receptance) h *= std::complex<double>(0, 1);
   EXPECT_NEAR(receptanceValue(other, turned).residuals[1], 90 / 6.6, 1e-6);
+}
+
+TEST(ReceptanceResidual, CoherenceIsNoMagnitude) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "h.csv") << "Frequency,magnitude [m/N],coherence\n100,1e-8,0.9\n200,2e-8,0.9\n300,3e-8,0.9\n";
+  ReceptanceTarget target;
+  target.file = folder / "h.csv", target.point = "over a sleeper";
+  const auto measured = readMeasuredReceptance(target);
+  EXPECT_EQ(measured.receptance.at(1), std::complex<double>(2e-8));
+  EXPECT_FALSE(measured.hasPhase);
 }
 
 TEST(ReceptanceResidual, AWrongUnitIsDoubted) {

@@ -101,6 +101,11 @@ TEST_F(TargetFiles, OtherMistakesNameTheEntry) {
   EXPECT_THAT(refusalOf(R"("statements": [{"statement": "x", "measure": "maximum", "low": 1, "unit": "m/s2",
                            "weight": -1}])"),
               HasSubstr("weight"));
+  EXPECT_THAT(refusalOf(R"("runs": [{"name": "fast", "set": ["motion.speed=35"]},
+                                    {"name": "fast", "set": ["motion.speed=40"]}],
+                           "statements": [{"statement": "x", "run": "fast", "measure": "maximum", "low": 1,
+                                           "unit": "m/s2"}])"),
+              HasSubstr("run 'fast': is given twice"));
   EXPECT_THAT(refusalOf(R"("receptance": [{"file": "nowhere.csv"}])"), HasSubstr("'nowhere.csv' is missing"));
   EXPECT_THAT(refusalOf(R"("paper": [{"run": "heavy-defect"}])"), HasSubstr("heavy-defect"));
   write("a.csv", "time [s],aba [m/s2]\n0,1\n0.001,2\n");
