@@ -1,4 +1,4 @@
-// Calibrations of a few seconds, on real runs; the large twin test is a slow one.
+// Calibrations of a few seconds, on real runs.
 #include <gmock/gmock.h>
 
 #include <cmath>
