@@ -83,6 +83,8 @@ TEST(Calibrate, CancelledItKeepsItsPointsAndResumes) {
    public:
     void report(const Progress& progress) override { points_ += progress.fraction > 0 ? 1 : 0; }
     bool cancelled() override { return points_ >= 3; }
+
+   private:
     int points_ = 0;
   } stops;
   const auto part = calibrate(depthFor(folder, 70, 0.1), optionsFor(folder), stops);
