@@ -13,11 +13,9 @@
 #include "commands/ExitCodes.h"
 #include "commands/FigureSheets.h"
 #include "commands/Interrupt.h"
-#include "commands/OutputFolder.h"
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
 #include "core/FolderLock.h"
-#include "core/SteadyMemory.h"
 #include "studies/Jobs.h"
 
 namespace squat::commands {
@@ -102,8 +100,8 @@ int calibrate(CalibrateCommandOptions options) {
 }  // namespace
 
 void addCalibrateCommand(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("calibrate",
-                                         "Find inputs of a case that nobody knows from what the case has to reproduce");
+  auto* command =
+      program.add_subcommand("calibrate", "Estimate unknown inputs of a case from what it has to reproduce");
   auto options = std::make_shared<CalibrateCommandOptions>();
   addCaseWithoutMesh(*command, options->caseOptions);
   command
@@ -122,7 +120,9 @@ void addCalibrateCommand(CLI::App& program, Action& action) {
       ->type_name("KEY=LOW:HIGH");
   addMesh(*command, options->mesh, "Mesh of the search (default: tiny)");
   addMesh(*command, options->confirm, "Mesh on which the best points are computed again (default: draft)", "--confirm");
-  command->add_option("--evaluations", options->evaluations, "Runs of the search (default: 20 and 40 for each input)")
+  command
+      ->add_option("--evaluations", options->evaluations,
+                   "Points to compute, about (default: 20 plus 40 for each input)")
       ->check(CLI::Range(10, 100000))
       ->type_name("N");
   command->add_option("-o,--output", options->calibration.folder, "Folder of the results (default: here)")

@@ -29,15 +29,15 @@ std::string targetTable(const Calibration& found) {
   const auto& search = found.evaluations[found.bestOfSearch];
   const auto& confirmed = found.evaluations[found.best];
   const bool both = confirmed.mesh != search.mesh;
-  std::vector<std::string> head{"target", "asked for", search.mesh, ""};
+  std::vector<std::string> head{"target", "accepted", search.mesh, ""};
   if (both) head.push_back(confirmed.mesh), head.push_back("");
   TextTable table(head);
   const auto met = [](const calibration::TargetValue& value) { return value.isMet ? "met" : "not met"; };
   for (std::size_t t = 0; t < names.size(); ++t) {
     const bool isStatement = t < targets.statements.size();
     const auto* statement = isStatement ? &targets.statements[t].statement : nullptr;
-    const std::string unit = statement ? statement->unit : "of what is allowed";
-    std::vector<std::string> row{names[t], statement ? statements::rangeText(*statement) : "residuals as the noise"};
+    const std::string unit = statement ? statement->unit : "";
+    std::vector<std::string> row{names[t], statement ? statements::rangeText(*statement) : "rms residual at most 1.5"};
     row.push_back(valueCell(search.targets[t].value, unit)), row.push_back(met(search.targets[t]));
     if (both) row.push_back(valueCell(confirmed.targets[t].value, unit)), row.push_back(met(confirmed.targets[t]));
     table.add(row);
@@ -46,8 +46,8 @@ std::string targetTable(const Calibration& found) {
 }
 
 std::string remarkOf(const calibration::InputRange& range) {
-  if (!range.isSeen) return "the targets do not see it";
-  if (range.reachesLow && range.reachesHigh) return "unknown: every value between the limits will do";
+  if (!range.isSeen) return "no effect on the targets";
+  if (range.reachesLow && range.reachesHigh) return "not determined: all values between the limits are equally good";
   if (range.reachesLow || range.reachesHigh)
     return std::string("the range ends at the ") + (range.reachesLow ? "lower" : "upper") + " limit of the search";
   return "";

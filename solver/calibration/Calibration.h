@@ -24,7 +24,7 @@ struct CalibrationDefinition {
   std::vector<FreeInput> inputs;
   Targets targets;
   std::string searchMesh = "tiny", confirmMesh = "draft";
-  int evaluations = 0;  // runs of the search about; 0: 20 and 40 for each input
+  int evaluations = 0;  // points to compute, about; 0: 20 plus 40 for each input
 };
 
 enum class Stage { start, global, local, derivatives, spread, confirm };

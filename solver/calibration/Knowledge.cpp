@@ -53,7 +53,8 @@ InputRange rangeOf(const FreeInput& input, std::size_t index, double best, const
   InputRange range;
   range.best = best;
   range.low = std::min(value(low), best), range.high = std::max(value(high), best);
-  range.reachesLow = low<atLimit, range.reachesHigh = high> 1 - atLimit;
+  range.reachesLow = low < atLimit;
+  range.reachesHigh = 1 - high < atLimit;
   // Over the whole way between its limits it would move no residual by a third of what is allowed.
   const bool isLimited = !(range.reachesLow && range.reachesHigh);
   range.isSeen = isLimited || model.slope.rows() == 0 ||

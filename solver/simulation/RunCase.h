@@ -27,7 +27,7 @@ struct RunOptions {
   std::shared_ptr<const WarmState> warm;
 
   // Gets position [m] and axle box acceleration [m/s2] of every output sample as soon as its filter is complete, on the
-  // computing thread; not those that a state holds from which the run goes on. Empty: nobody looks.
+  // computing thread; not those in the state from which the run resumes. Empty: not reported.
   std::function<void(double position, double acceleration)> sampled;
 };
 

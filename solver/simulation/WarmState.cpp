@@ -86,6 +86,15 @@ void requireFit(const WarmState& warm, const cases::CaseDescription& description
   if (!problems.empty()) throw CaseError(problems);
 }
 
+bool fits(const WarmState& warm, const cases::CaseDescription& description) {
+  try {
+    requireFit(warm, description);
+    return true;
+  } catch (const CaseError&) {
+    return false;
+  }
+}
+
 cases::CaseDescription onMeshOf(const WarmState& warm, cases::CaseDescription description) {
   const auto zone = zoneOf(warm.description);
   if (zoneOf(description) == zone) return description;

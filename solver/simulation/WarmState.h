@@ -49,6 +49,9 @@ std::optional<WarmState> rollOn(const std::shared_ptr<const WarmState>& warm, co
 // Throws CaseError with every key of which case and state differ, or where the state does not serve the defect.
 void requireFit(const WarmState& warm, const cases::CaseDescription& description);
 
+// Whether requireFit() is content.
+bool fits(const WarmState& warm, const cases::CaseDescription& description);
+
 // The case as a run from the state computes it: with the zone of the state's mesh, where its own would be another.
 cases::CaseDescription onMeshOf(const WarmState& warm, cases::CaseDescription description);
 

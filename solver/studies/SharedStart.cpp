@@ -48,15 +48,6 @@ std::optional<cases::CaseDescription> caseOfAll(const StudyDefinition& definitio
   return base;
 }
 
-bool fits(const simulation::WarmState& state, const cases::CaseDescription& description) {
-  try {
-    simulation::requireFit(state, description);
-    return true;
-  } catch (const CaseError&) {
-    return false;
-  }
-}
-
 bool concernsTheState(const CaseError& error) { return error.problems().front().key == "--warm"; }
 
 }  // namespace
@@ -91,7 +82,7 @@ results::RunResult SharedStart::run(const cases::CaseDescription& description, M
   const auto made = stateFor(monitor);
   if (made.cancelled) return {};
   auto options = options_;
-  if (made.state && fits(*made.state, meshed)) options.warm = made.state;
+  if (made.state && simulation::fits(*made.state, meshed)) options.warm = made.state;
   try {
     return simulation::runCase(meshed, options, monitor);
   } catch (const CaseError& error) {

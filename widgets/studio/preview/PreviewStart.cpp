@@ -13,15 +13,6 @@ namespace {
 constexpr double nearStep = 0.005;  // [m]: a slider that lengthens the defect needs another state now and then only
 constexpr double roundOff = 1e-9;
 
-bool fits(const simulation::WarmState& state, const cases::CaseDescription& description) {
-  try {
-    simulation::requireFit(state, description);
-    return true;
-  } catch (const CaseError&) {
-    return false;
-  }
-}
-
 // Where the defect begins, in steps [m].
 double beforeOf(const cases::CaseDescription& description) {
   const double own = -cases::DefectSurface(description.defect).first();
@@ -34,13 +25,13 @@ cases::CaseDescription PreviewStart::caseOf(const cases::CaseDescription& open) 
   if (first_) {
     const auto& mesh = first_->description.mesh;
     auto description = previewCase(open, {mesh.zoneBefore, mesh.zoneBehind});
-    if (fits(*first_, description)) return description;
+    if (simulation::fits(*first_, description)) return description;
   }
   return previewCase(open);
 }
 
 bool PreviewStart::serves(const cases::CaseDescription& description) const {
-  return first_ && fits(*first_, description);
+  return first_ && simulation::fits(*first_, description);
 }
 
 bool PreviewStart::isNearFor(double before) const { return near_ && before <= nearBefore_ + roundOff; }
