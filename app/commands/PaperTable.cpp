@@ -151,6 +151,9 @@ void addCost(std::vector<PaperRow>& rows, const RunResult& result) {
   add(result.meshFigures, "elements", "elements of the mesh", 1, "");
   add(result.performance, "steps", "time steps", 1, "");
   add(result.meshFigures, "stable_step", "stable time step", 1e6, "us");
+  for (const auto& scalar : result.meshFigures)
+    if (scalar.name == "stable_step")
+      rows.back().paper = "set by: " + scalar.description.substr(0, scalar.description.find(';'));
   add(result.performance, "element_updates_per_second", "element updates per second", 1e-6, "million");
   add(result.performance, "seconds", "wall time", 1, "s");
   add(result.performance, "peak_memory", "peak memory of the simulation", 1.0 / (1 << 20), "MiB");

@@ -78,19 +78,20 @@ void addBrakeDiscs(Rows& rows) {
 void addAxle(Rows& rows) {
   rows.push_back(number(
       "wheelset.seat_radius", millimetre, 92.5, {50, 200}, [](Case& c) -> double& { return c.wheelset.seatRadius; },
-      "radius of the wheel seat under the hub", steps));
+      "radius of the wheel seat; hub and seat are one solid, which this radius only divides", steps));
   rows.push_back(number(
       "wheelset.axle_radius", millimetre, 80, {40, 200}, [](Case& c) -> double& { return c.wheelset.axleRadius; },
       "radius of the axle body between the wheels", steps));
   rows.push_back(number(
       "wheelset.bore_radius", millimetre, 25, {5, 60}, [](Case& c) -> double& { return c.wheelset.boreRadius; },
-      "radius of the bore along the axle", "assumed: hollow axle"));
+      "radius of the bore along the axle; meshed at least 0.3 of the thinnest radius wide, up to 25 mm",
+      "assumed: hollow axle"));
   rows.push_back(number(
       "wheelset.shoulder_radius", millimetre, 80, {40, 200},
       [](Case& c) -> double& { return c.wheelset.shoulderRadius; }, "radius of the step outside the hub", steps));
   rows.push_back(number(
       "wheelset.shoulder_end", millimetre, 150, {60, 500}, [](Case& c) -> double& { return c.wheelset.shoulderEnd; },
-      "outer end of that step, from the wheel plane", steps));
+      "outer end of that step, from the wheel plane; a step below 12 mm is left out", steps));
   rows.push_back(number(
       "wheelset.journal_radius", millimetre, 65, {30, 150}, [](Case& c) -> double& { return c.wheelset.journalRadius; },
       "radius of the journal", steps));

@@ -20,7 +20,7 @@ struct StableStep {
   double step = 0;              // [s] with safety and damping: 0.95 (2/w) (sqrt(1 + z^2) - z), z = beta w / 2;
                                 //     shorter where dashpots of force elements ask for it, or
                                 //     penalties of the contact
-  std::string location;         // block and position that set it
+  std::string location;         // what sets it: part with the keys that size it, block and position
   int iterations = 0;
 };
 

@@ -143,6 +143,20 @@ void BlockMesher::addJoiningRow(const std::vector<int>& below, const std::vector
   }
 }
 
+void BlockMesher::addStrip(const std::vector<Point2>& inner, const std::vector<Point2>& outer, int rows) {
+  std::vector<int> before, here;
+  for (int row = 0; row <= rows; ++row, before.swap(here)) {
+    const double share = static_cast<double>(row) / rows;
+    here.clear();
+    for (std::size_t j = 0; j < inner.size(); ++j) {
+      const auto &a = inner[j], &b = outer[j];
+      here.push_back(node(row == rows ? b : Point2{a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])}));
+    }
+    for (std::size_t j = 0; row > 0 && j + 1 < here.size(); ++j)
+      mesh_.quads.push_back({before[j], here[j], here[j + 1], before[j + 1]});
+  }
+}
+
 void BlockMesher::mirror() {
   const auto quads = mesh_.quads;
   for (const auto& quad : quads) {

@@ -43,6 +43,9 @@ class BlockMesher {
   explicit BlockMesher(double mergeTolerance) : tolerance_(mergeTolerance) {}
   void addBlock(const std::vector<Point2>& bottom, const std::vector<Point2>& top, const std::vector<Point2>& left,
                 const std::vector<Point2>& right, int coarseRows = 0);
+  // Quads between two lines of as many points, in rows of even height from the inner line to the outer one: the first
+  // direction runs from line to line, the second along them.
+  void addStrip(const std::vector<Point2>& inner, const std::vector<Point2>& outer, int rows);
   // Adds all quads so far mirrored at b = 0.
   void mirror();
   SectionMesh take() { return std::move(mesh_); }

@@ -92,6 +92,10 @@ Model withDefect(Model model, const scenario::Scenario& scenario);
 // Block, node, station and position of a state index, for messages.
 std::string locationName(const Model& model, std::size_t index);
 
+// The part of the track or vehicle in words of its user with the keys of the case that give its elements their size,
+// those that shape the part before those of the mesh.
+std::string partName(const Model& model, std::size_t index);
+
 // result += K u of what the height of the sleepers changes in the swept operator (state layout).
 void addSleeperShapes(const Model& model, const double* u, double* result);
 

@@ -100,12 +100,12 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
   for (int n = 0; n < block.nodes; ++n) mass[n] = lumped[n * block.stride], solid += sectors * mass[n];
   const auto bearing =
       seatRing(block, 0, w.journalRadius, w.bearingCentre - w.bearingWidth / 2, w.bearingCentre + w.bearingWidth / 2);
-  const auto centre = sectionRing(block, 0, w.seatRadius, 0);
+  const auto centre = sectionRing(block, 0, geometry::seatLineRadius(w), 0);
   const auto tread = sectionRing(block, 0, w.radius, 0);
   const bool onSpring = w.bearingStiffness > 0;
   if (!onSpring) addMass(mass, bearing, w.axleBoxMass);
   for (const auto& disc : discRings(w, block, 0)) addMass(mass, disc, w.brakeDiscMass);
-  addMass(mass, seatRing(block, 0, w.axleRadius, -0.85 * w.trackCentre, -0.25 * w.trackCentre),
+  addMass(mass, axleMassRing(w, block, 0),
           std::max(0.0, w.totalMass - w.axleBoxMass - solid - scenario::brakeDiscsMass(w)));
 
   const auto interval = elasticity::intervalMatrices(block, 0);

@@ -235,9 +235,25 @@ TEST(WheelsetDamping, BooksCloseWithBearingAndDamping) {
   EXPECT_NEAR(lastOf(balance, "residual"), 0, 0.01 * given);
 }
 
-// 24 chords cut up to 3.45 mm off a layer of 5 mm: the nodes behind the rim's tie would have less than no mass.
+// A wheelset whose journal, axle and shoulder nearly meet shares lines of nodes. Its natural frequencies against those
+// of the drawing with every step resolved on a mesh of 5 mm, three times finer (frozen from another mesher): that mesh
+// is 2.2 % softer at the second mode with steps resolved on both; small tapers may add a little.
+TEST(Wheelset, RadiiThatNearlyMeetKeepTheNaturalFrequencies) {
+  const auto modes = bending({{"wheelset.preset", "estimated"}});
+  const double resolved[] = {66.82, 182.1, 566.4, 1045, 1559, 1712};  // [Hz]
+  ASSERT_GE(modes.size(), std::size(resolved));
+  for (std::size_t k = 0; k < std::size(resolved); ++k)
+    EXPECT_NEAR(modes[k].frequency, resolved[k], 0.025 * resolved[k]) << k;
+}
+
+// 16 chords cut up to 5.8 mm off a rim of 2.5 mm: the nodes behind the rim's tie would have less than no mass.
 TEST(Wheelset, ARimThatLeavesNoMassBehindIsRefused) {
-  EXPECT_THROW(model::buildModel(cases::resolve(caseWith({{"mesh.rim_depth", "60"}}))), CaseError);
+  EXPECT_THROW(model::buildModel(cases::resolve(caseWith({{"wheelset.radius", "0.36"},
+                                                          {"wheelset.rim_inner_radius", "303"},
+                                                          {"wheelset.hub_radius", "300"},
+                                                          {"mesh.rim_depth", "55"},
+                                                          {"mesh.wheel_sectors", "16"}}))),
+               CaseError);
 }
 
 }  // namespace

@@ -85,11 +85,11 @@ TEST(WheelsetKeys, SizesMakeTheSolid) {
                     {"wheelset.web_offset", "-20", &Wheelset::webOffset, -0.020},
                     {"wheelset.hub_radius", "130", &Wheelset::hubRadius, 0.13},
                     {"wheelset.hub_width", "165", &Wheelset::hubWidth, 0.165},
-                    {"wheelset.axle_radius", "75", &Wheelset::axleRadius, 0.075},
+                    {"wheelset.axle_radius", "78", &Wheelset::axleRadius, 0.078},
                     {"wheelset.bore_radius", "35", &Wheelset::boreRadius, 0.035},
                     {"wheelset.shoulder_radius", "84", &Wheelset::shoulderRadius, 0.084},
                     {"wheelset.shoulder_end", "160", &Wheelset::shoulderEnd, 0.16},
-                    {"wheelset.journal_radius", "70", &Wheelset::journalRadius, 0.07},
+                    {"wheelset.journal_radius", "60", &Wheelset::journalRadius, 0.06},
                     {"wheelset.journal_end", "340", &Wheelset::journalEnd, 0.34},
                     {"wheelset.track_centre", "0.72", &Wheelset::trackCentre, 0.72}};
   const auto plain = scenarioWith({});
@@ -109,11 +109,11 @@ TEST(WheelsetKeys, SizesMakeTheSolid) {
 
 // Where the wheel's own motion is read: the seat under the hub, in the wheel plane.
 TEST(WheelsetKeys, TheCentreStandsOnTheSeat) {
-  const auto model = modelWith({{"wheelset.seat_radius", "88"}});
+  const auto model = modelWith({{"wheelset.seat_radius", "95"}});
   double y = 0;
   for (std::size_t i = 0; i < model.centre.nodes.size(); ++i) {
     const auto& p = model.blocks[model.body].section.nodes[model.centre.nodes[i]];
-    EXPECT_NEAR(p[0], 0.088, 1e-12);
+    EXPECT_NEAR(p[0], 0.095, 1e-12);
     y += model.centre.weight[i] * p[1];
   }
   EXPECT_NEAR(y, 0, 1e-12);
