@@ -93,6 +93,23 @@ void checkWheelsetMass(const Case& c, std::vector<Finding>& findings) {
         "Brake discs sit on the axle between the hub and the track centre");
 }
 
+// Four-point bending: between the wheels the axle carries the load of the axle box times its lever, weakened by the
+// bore.
+void checkAxleBending(const Case& c, std::vector<Finding>& findings) {
+  constexpr double yield = 320e6;  // [Pa] usual for axle steel (EA1N)
+  const auto& w = c.wheelset;
+  if (!(w.boreRadius < w.axleRadius)) return;
+  const double moment = c.suspension.sprungMass * c.motion.gravity * w.bearingCentre;
+  const double outer = std::pow(w.axleRadius, 4), inner = std::pow(w.boreRadius, 4);
+  const double stress = moment * 4 * w.axleRadius / (std::acos(-1.0) * (outer - inner));
+  if (stress > yield)
+    add(findings, c, Severity::warning,
+        {"wheelset.axle_radius", "wheelset.bore_radius", "wheelset.bearing_centre", "suspension.sprung_mass"},
+        limitText("wheelset.axle_radius", "about", w.axleRadius * std::cbrt(stress / yield)) + " or more",
+        "The load bends the axle to " + rounded(1e-6 * stress) + " MPa; axle steel yields at about " +
+            rounded(1e-6 * yield) + " MPa, and the model is for small deflections");
+}
+
 }  // namespace
 
 void checkWheelset(const Case& c, std::vector<Finding>& findings) {
@@ -160,6 +177,7 @@ void checkWheelset(const Case& c, std::vector<Finding>& findings) {
         "The bearing extends from " + rounded(inner * 1e3) + " to " + rounded(outer * 1e3) +
             " mm: move it, shorten it or lengthen the journal");
   checkWheelsetMass(c, findings);
+  checkAxleBending(c, findings);
 }
 
 namespace {

@@ -261,6 +261,19 @@ TEST(Validation, AWheelThatSlidesFromTheStartBringsAWarning) {
   EXPECT_EQ(sliding.warnings.front().key, "motion.angular_velocity");
 }
 
+// 8000 kg on a lever of 250 mm: 19.6 kNm. A solid axle of 50 mm has a section modulus of pi r^3 / 4 = 98.2 cm3, which
+// makes 200 MPa; with a bore of 40 mm 98.2 (1 - 0.8^4) = 58 cm3 and 338 MPa, beyond the 320 MPa of axle steel.
+TEST(Validation, AnAxleThatWouldYieldBringsAWarning) {
+  const auto with = [](const char* bore) {
+    return validate(caseWith({{"wheelset.axle_radius", "50"}, {"wheelset.bore_radius", bore}, {"motion.torque", "0"}}));
+  };
+  EXPECT_TRUE(with("10").warnings.empty());
+  const auto weak = with("40");
+  ASSERT_FALSE(weak.warnings.empty());
+  EXPECT_EQ(weak.warnings.front().key, "wheelset.axle_radius");
+  EXPECT_THAT(weak.warnings.front().advice, ::testing::HasSubstr("to 338."));
+}
+
 TEST(Validation, WavesAreNotDeeperThanTheDip) {
   expectProblem({{"defect.shape", "dip-with-wave"},
                  {"defect.depth", "0.05"},
