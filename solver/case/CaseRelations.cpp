@@ -96,7 +96,7 @@ void checkWheelsetMass(const Case& c, std::vector<Finding>& findings) {
 // Four-point bending: between the wheels the axle carries the load of the axle box times its lever, weakened by the
 // bore.
 void checkAxleBending(const Case& c, std::vector<Finding>& findings) {
-  constexpr double yield = 320e6;  // [Pa] usual for axle steel (EA1N)
+  constexpr double yield = 320e6;  // [Pa] usual for axle steel EA1N (unverified)
   const auto& w = c.wheelset;
   if (!(w.boreRadius < w.axleRadius)) return;
   const double moment = c.suspension.sprungMass * c.motion.gravity * w.bearingCentre;

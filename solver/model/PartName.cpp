@@ -1,4 +1,5 @@
-#include "geometry/WheelSection.h"
+#include <cmath>
+
 #include "model/Model.h"
 
 namespace squat::model {

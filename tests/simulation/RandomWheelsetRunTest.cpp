@@ -75,7 +75,8 @@ TEST(RandomWheelsetRun, IsQuietBeforeTheDefect) {
     if (!vibration) continue;
     ++rolled;
     const double stress = axleStress(values);
-    const bool isStout = stress<160e6, isLoud = *vibration> limit;
+    const bool isStout = stress < 160e6;
+    const bool isLoud = *vibration > limit;
     stout += isStout, loud += isLoud, loudAndStout += isStout && isLoud;
     if (!isLoud) continue;
     std::string text;
@@ -84,9 +85,9 @@ TEST(RandomWheelsetRun, IsQuietBeforeTheDefect) {
     std::fflush(stdout);
   }
   std::printf("%d of 200 loud; of %d stout ones %d\n", loud, stout, loudAndStout);
-  EXPECT_GT(stout, 50);
+  EXPECT_GT(stout, 100);
   EXPECT_LE(loudAndStout, 0.05 * stout);
-  EXPECT_LE(loud, 30);
+  EXPECT_LE(loud, 30);  // 29 seen: 15 % with the slender axles, which the model does not cover
 }
 
 }  // namespace
