@@ -8,6 +8,7 @@
 #include "core/OrderedSum.h"
 #include "model/ContactPenalty.h"
 #include "statics/ConjugateGradients.h"
+#include "statics/VehicleMotion.h"
 
 namespace squat::statics {
 
@@ -70,33 +71,12 @@ void describePatch(const ClosedContact& closed, Equilibrium& e) {
   e.peakPressure = axes > 0 ? 3 * n / (2 * std::acos(-1.0) * axes) : 0;
 }
 
-// A start that closes the contact: wheelset and sprung mass lowered by a tenth of a millimetre.
-void lowerVehicle(const model::Model& model, double rotation, AlignedVector& u) {
-  constexpr double lowered = 1e-4;
-  for (const int b : {model.rim, model.body}) {
-    const auto& block = model.blocks[b];
-    for (int s = 0; s < block.stationCount; ++s) {
-      const Eigen::Vector3d local =
-          elasticity::localBasis(block, block.positions[s] - rotation).transpose() * Eigen::Vector3d(0, 0, -lowered);
-      for (int n = 0; n < block.nodes; ++n)
-        for (int c = 0; c < 2; ++c) u[block.index(n, c, s)] = local[c];
-    }
-  }
-  u[model.sprungZ] = -lowered;
-  if (model.boxOnSpring()) u[model.boxZ] = -lowered;
-}
-
 // Vertical displacement of the rail section under the wheel, mean over its nodes' masses.
 double railDeflection(const model::Model& model, const AlignedVector& u, double x) {
   const auto& rail = model.blocks[model.rail];
   const auto it = std::upper_bound(rail.positions.begin(), rail.positions.end(), x);
   const int s = std::clamp(static_cast<int>(it - rail.positions.begin()) - 1, 0, rail.intervals);
-  double sum = 0, mass = 0;
-  for (int n = 0; n < rail.nodes; ++n) {
-    const double m = model.mass[model.rail][n * rail.stride + s];
-    sum += m * (std::sin(rail.lean) * u[rail.index(n, 1, s)] + std::cos(rail.lean) * u[rail.index(n, 2, s)]), mass += m;
-  }
-  return sum / mass;
+  return verticalOfRailSection(model, u, s);
 }
 
 }  // namespace
@@ -116,7 +96,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   if (options.guess)
     e.displacement = *options.guess;
   else
-    lowerVehicle(model, rotation, e.displacement);
+    addVerticalMotion(model, rotation, -1e-4, e.displacement);  // closes the contact
   const AlignedVector weight = gravityForces(model, rotation);
   if (!coarse.assemble(op, monitor)) {
     e.cancelled = true;

@@ -1,0 +1,33 @@
+#include "statics/VehicleMotion.h"
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace squat::statics {
+
+void addVerticalMotion(const model::Model& model, double rotation, double upwards, AlignedVector& state) {
+  for (const int b : {model.rim, model.body}) {
+    const auto& block = model.blocks[b];
+    for (int s = 0; s < block.stationCount; ++s) {
+      const Eigen::Vector3d local =
+          elasticity::localBasis(block, block.positions[s] - rotation).transpose() * Eigen::Vector3d(0, 0, upwards);
+      for (int n = 0; n < block.nodes; ++n)
+        for (int c = 0; c < 2; ++c) state[block.index(n, c, s)] += local[c];
+    }
+  }
+  state[model.sprungZ] += upwards;
+  if (model.boxOnSpring()) state[model.boxZ] += upwards;
+}
+
+double verticalOfRailSection(const model::Model& model, const AlignedVector& state, int station) {
+  const auto& rail = model.blocks[model.rail];
+  const double sine = std::sin(rail.lean), cosine = std::cos(rail.lean);
+  double sum = 0, mass = 0;
+  for (int n = 0; n < rail.nodes; ++n) {
+    const double m = model.mass[model.rail][n * rail.stride + station];
+    sum += m * (sine * state[rail.index(n, 1, station)] + cosine * state[rail.index(n, 2, station)]), mass += m;
+  }
+  return sum / mass;
+}
+
+}  // namespace squat::statics
