@@ -35,7 +35,16 @@ Role roleOf(std::string_view columnName, std::string_view unit) {
             {"run", "run no", "run no.", "run nr", "run number", "run id", "run_no", "run_nr", "run_number", "run_id",
              "passage", "passage no", "passage no.", "passage nr", "passage number", "passage id", "passage_id"}))
     return Role::run;
-  const auto* known = text::findUnit(unit);
+  const auto* known = text::findUnit(bare);
+  // "lat" may be a lateral acceleration, "long" a longitudinal one: their units tell.
+  if (bare.empty() || bare == "-" || (known && known->si == "deg")) {
+    if (oneOf(name, {"lat", "gps lat", "gps_lat", "breitengrad", "breedtegraad"}) || begins(name, {"latitude"}))
+      return Role::latitude;
+    if (oneOf(name,
+              {"lon", "lng", "gps lon", "gps_lon", "gps lng", "gps_lng", "laengengrad", "längengrad", "lengtegraad"}) ||
+        begins(name, {"longitude"}))
+      return Role::longitude;
+  }
   if (!name.empty() || !known) return Role::signal;
   if (known->si == "s") return Role::time;
   if (known->si == "m/s") return Role::speed;
@@ -46,7 +55,10 @@ bool isUnitOf(std::string_view unit, Role role) {
   const std::string bare = text::bareUnit(unit);
   if (bare.empty() || bare == "-") return true;
   const auto* known = text::findUnit(bare);
-  return known && known->si == (role == Role::time ? "s" : role == Role::position ? "m" : "m/s");
+  return known && known->si == (role == Role::time       ? "s"
+                                : role == Role::position ? "m"
+                                : role == Role::speed    ? "m/s"
+                                                         : "deg");
 }
 
 UnitScale scaleOf(std::string_view unit, std::string_view name, Role role) {
@@ -57,6 +69,7 @@ UnitScale scaleOf(std::string_view unit, std::string_view name, Role role) {
   if (role == Role::time) return {1, "s"};
   if (role == Role::position) return {1, "m"};
   if (role == Role::speed) return {1, "m/s"};
+  if (role == Role::latitude || role == Role::longitude) return {1, "deg"};
   return {1, bare};
 }
 

@@ -7,7 +7,7 @@
 
 namespace squat::readers {
 
-enum class Role { signal, time, position, speed, run };
+enum class Role { signal, time, position, speed, run, latitude, longitude };
 
 // By name in English, Dutch or German, and by unit where the name says nothing.
 Role roleOf(std::string_view name, std::string_view unit);
@@ -17,7 +17,7 @@ struct UnitScale {
   double factor = 1;
   std::string unit;
 };
-// Whether a unit is none, or one of time, position or speed, as the role asks for.
+// Whether a unit is none, or one of time, position, speed or angle, as the role asks for.
 bool isUnitOf(std::string_view unit, Role role);
 UnitScale scaleOf(std::string_view unit, std::string_view name, Role role);
 

@@ -20,6 +20,12 @@ struct SignalFileOptions {
   char decimal = 0;    // '.' or ','; 0: found
 };
 
+// Throws CaseError for options that no file could fit.
+void requireOptions(const SignalFileOptions& options);
+
+// The HDF5 signature stands at the beginning, or behind a user block of 512, 1024, ... bytes (MATLAB writes one).
+bool isHdf5(const std::string& path);
+
 // All runs of a file, one record with one channel for each signal column and run.
 //
 // Text: any delimiter (, ; tab | blanks), decimal point or comma, with or without header, lines before the header, a

@@ -18,6 +18,29 @@ constexpr std::size_t maximumColumns = 4096;
 constexpr std::size_t maximumReserved = std::size_t{1} << 26;  // rows
 constexpr const char* advice = "Export the table as CSV or HDF5";
 
+// The rows to come are taken to be as long as the first.
+void reserveRows(DelimitedTable& table, std::size_t bytes, std::string_view firstRow) {
+  const std::size_t rows = std::min(bytes / (firstRow.size() + 1) + 16, maximumReserved);
+  for (auto& column : table.columns) column.values.reserve(rows);
+  table.lines.reserve(rows);
+}
+
+void addField(TableColumn& column, std::string_view field, char decimal, std::size_t row) {
+  double value = std::nan("");
+  if (const auto number = numberIn(field, decimal)) {
+    value = *number;
+  } else if (const auto metres = kilometresAndMetresIn(field, decimal)) {
+    value = *metres;
+    column.kilometresAndMetres = true;
+  } else if (column.badText.empty()) {
+    column.badRow = row;
+    column.badText = trimmed(field).empty() ? "an empty field" : shown(trimmed(field));
+  }
+  column.values.push_back(value);
+}
+
+}  // namespace
+
 TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal) {
   std::vector<std::string_view> head;
   std::string_view line;
@@ -41,29 +64,6 @@ DelimitedTable emptyTable(const TableLayout& layout, const std::string& path) {
   }
   return table;
 }
-
-// The rows to come are taken to be as long as the first.
-void reserveRows(DelimitedTable& table, std::size_t bytes, std::string_view firstRow) {
-  const std::size_t rows = std::min(bytes / (firstRow.size() + 1) + 16, maximumReserved);
-  for (auto& column : table.columns) column.values.reserve(rows);
-  table.lines.reserve(rows);
-}
-
-void addField(TableColumn& column, std::string_view field, char decimal, std::size_t row) {
-  double value = std::nan("");
-  if (const auto number = numberIn(field, decimal)) {
-    value = *number;
-  } else if (const auto metres = kilometresAndMetresIn(field, decimal)) {
-    value = *metres;
-    column.kilometresAndMetres = true;
-  } else if (column.badText.empty()) {
-    column.badRow = row;
-    column.badText = trimmed(field).empty() ? "an empty field" : shown(trimmed(field));
-  }
-  column.values.push_back(value);
-}
-
-}  // namespace
 
 DelimitedTable parseDelimitedTable(std::string_view text, const std::string& path, char delimiter, char decimal) {
   const TableLayout layout = layoutOf(text, path, delimiter, decimal);

@@ -29,6 +29,11 @@ struct DelimitedTable {
   std::size_t rows() const { return lines.size(); }
 };
 
+// The layout of a table that begins with `text`, and its columns without rows. Throws FileError where there is no
+// table.
+TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal);
+DelimitedTable emptyTable(const TableLayout& layout, const std::string& path);
+
 // Throws FileError (path, line) for an unreadable or binary file, one without a table of numbers, and for rows with
 // another number of fields than the first.
 DelimitedTable readDelimitedTable(const std::string& path, char delimiter = 0, char decimal = 0);

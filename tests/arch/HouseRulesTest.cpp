@@ -167,6 +167,7 @@ const std::vector<std::vector<Folder>>& floors() {
       {"solver/case"},
       {"solver/results"},
       {"solver/readers"},
+      {"solver/records"},
       {"solver/analysis"},
       {"solver/receptance", "solver/simulation"},
       {"solver/studies"},

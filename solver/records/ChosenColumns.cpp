@@ -1,0 +1,85 @@
+#include "records/ChosenColumns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/Errors.h"
+#include "readers/ColumnRoles.h"
+#include "readers/TableRoles.h"
+#include "text/Text.h"
+#include "text/Units.h"
+
+namespace squat::records {
+namespace {
+
+using readers::Role;
+
+bool hasNumbers(const text::TableColumn& column) {
+  return std::any_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
+}
+
+ChosenColumn chosen(const text::DelimitedTable& head, std::size_t index, Role role) {
+  const auto& column = head.columns[index];
+  const auto scale = readers::scaleOf(column.unit, column.name, role);
+  ChosenColumn result{index, column.kilometresAndMetres ? 1.0 : scale.factor, column.name, scale.unit, {}};
+  if (result.name.empty())
+    result.name = head.columns.size() > 1 ? "column " + std::to_string(index + 1)
+                                          : std::filesystem::path(head.path).stem().string();
+  if (role != Role::signal) return result;
+  const std::string bare = text::bareUnit(column.unit);
+  if (result.unit == "m/s2") return result;
+  if (bare.empty() || bare == "-")
+    result.unit = "m/s2";
+  else
+    result.doubt = "'" + result.name + "' is in " + bare + ", which is no acceleration";
+  return result;
+}
+
+// Whether an axle box acceleration could be in this column: unit unknown or right, and numbers in it.
+bool mayBeAcceleration(const text::TableColumn& column) {
+  const std::string bare = text::bareUnit(column.unit);
+  return hasNumbers(column) && (bare.empty() || bare == "-" || readers::scaleOf(bare, "", Role::signal).unit == "m/s2");
+}
+
+std::vector<std::size_t> channelsOf(const text::DelimitedTable& head, const readers::TableRoles& roles,
+                                    const readers::SignalFileOptions& options, std::vector<std::string>& notes) {
+  auto channels = readers::signalsNamed(head, roles, options);
+  if (!channels.empty()) return channels;
+  if (roles.rest.size() == 1) return roles.rest;
+  if (const auto aba = readers::columnNamed(head, "aba"); aba != readers::noColumn) return {aba};
+  std::string others;
+  for (const std::size_t c : roles.rest)
+    if (mayBeAcceleration(head.columns[c]))
+      channels.push_back(c);
+    else
+      others += (others.empty() ? "" : ", ") + std::to_string(c + 1) + " " + head.columns[c].name;
+  if (!channels.empty() && !others.empty()) notes.push_back("columns passed over, as no accelerations: " + others);
+  return channels;
+}
+
+}  // namespace
+
+ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::SignalFileOptions& options) {
+  const auto roles = readers::rolesOf(head, options);
+  ChosenColumns result;
+  for (const std::size_t c : channelsOf(head, roles, options, result.notes))
+    result.channels.push_back(chosen(head, c, Role::signal));
+  if (result.channels.empty())
+    throw FileError(head.path, "",
+                    roles.rest.empty() ? "has no column besides its axes" : "has no column of accelerations",
+                    "Name the ones to read; its columns are " + readers::columnList(head));
+  const auto axis = [&](std::size_t index, Role role, std::vector<ChosenColumn>& column) {
+    if (index != readers::noColumn) column.push_back(chosen(head, index, role));
+  };
+  axis(roles.time, Role::time, result.time);
+  axis(roles.position, Role::position, result.position);
+  axis(roles.speed, Role::speed, result.speed);
+  axis(roles.run, Role::run, result.run);
+  if (roles.latitude == readers::noColumn || roles.longitude == readers::noColumn) return result;
+  axis(roles.latitude, Role::latitude, result.latitude);
+  axis(roles.longitude, Role::longitude, result.longitude);
+  return result;
+}
+
+}  // namespace squat::records

@@ -1,0 +1,30 @@
+// solver/records/ChosenColumns.h - which columns of a file a record is made of, and their factors to SI units.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "records/RecordStream.h"
+#include "records/RowSource.h"
+
+namespace squat::records {
+
+struct ChosenColumn {
+  std::size_t column = 0;  // of the table
+  double factor = 1;       // to SI
+  std::string name, unit;  // unit: SI
+  std::string doubt;       // what is odd about its unit; empty: nothing
+};
+
+struct ChosenColumns {
+  std::vector<ChosenColumn> channels;
+  // One or none of each.
+  std::vector<ChosenColumn> time, position, speed, run, latitude, longitude;
+  std::vector<std::string> notes;
+};
+
+// Channels as `options.column` names them; without it the column aba, else every column that is no axis and whose unit
+// is an acceleration or none. Throws FileError where there is none.
+ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::SignalFileOptions& options);
+
+}  // namespace squat::records
