@@ -4,17 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "case/ParameterTable.h"
+#include "studies/InputRange.h"
 
 namespace squat::calibration {
 
-// One number of the case and the limits between which it is looked for, in the unit of the case file.
-struct FreeInput {
-  const cases::Parameter* parameter = nullptr;
-  double low = 0, high = 0;
-
-  const std::string& key() const { return parameter->key; }
-};
+using FreeInput = studies::InputRange;
 
 // A value for each free input, in their order and in the units of the case file; six significant digits, so that the
 // text of a table stands for exactly the same case.
@@ -23,8 +17,7 @@ using Values = std::vector<double>;
 // A point of the search: every input from 0 (its lower limit) to 1.
 using UnitPoint = std::vector<double>;
 
-// From "KEY=LOW:HIGH". Throws CaseError with every problem: unknown key, a key that is not a number, limits outside the
-// range of the table or upside down, a key given twice, none at all.
+// From "KEY=LOW:HIGH"; throws as studies::inputRangesFromText().
 std::vector<FreeInput> freeInputsFromText(const std::vector<std::string>& texts);
 
 Values valuesAt(const std::vector<FreeInput>& inputs, const UnitPoint& point);

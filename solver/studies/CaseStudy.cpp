@@ -10,6 +10,11 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/SteadyMemory.h"
+#include "studies/SampledPoints.h"
+
+#ifndef SQUAT_VERSION
+#define SQUAT_VERSION "unknown"
+#endif
 
 namespace squat::studies {
 namespace {
@@ -53,21 +58,43 @@ void checkGrid(const StudyDefinition& definition, const cases::CaseOverrides& ov
   throw CaseError(problems);
 }
 
-}  // namespace
-
-StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverrides& overrides,
-                        const std::vector<std::string>& variations) {
-  StudyDefinition definition{nameOrPath, cases::caseHash(cases::loadCase(nameOrPath, overrides)), {}};
+std::vector<Variation> griddedVariations(const std::vector<std::string>& texts) {
+  std::vector<Variation> variations;
   std::vector<CaseProblem> problems;
-  for (const auto& text : variations) {
+  for (const auto& text : texts) {
     try {
-      definition.variations.push_back(variationFromText(text));
-      checkValues(definition.variations.back(), problems);
+      variations.push_back(variationFromText(text));
     } catch (const CaseError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     }
   }
+  for (const auto& variation : variations) checkValues(variation, problems);
   if (!problems.empty()) throw CaseError(problems);
+  return variations;
+}
+
+std::vector<Variation> listedVariations(const StudyRequest& request) {
+  auto variations = request.sample.empty() ? variationsFromFile(request.pointsFile)
+                                           : sampledVariations(request.variations, request.sample, request.seed);
+  std::vector<CaseProblem> problems;
+  for (const auto& variation : variations) checkValues(variation, problems);
+  if (!problems.empty()) throw CaseError(problems);
+  return variations;
+}
+
+}  // namespace
+
+StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverrides& overrides,
+                        const std::vector<std::string>& variations) {
+  return studyOf(nameOrPath, overrides, StudyRequest{variations});
+}
+
+StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverrides& overrides,
+                        const StudyRequest& request) {
+  StudyDefinition definition{nameOrPath, cases::caseHash(cases::loadCase(nameOrPath, overrides)), {}};
+  definition.program = SQUAT_VERSION;
+  definition.isList = !request.sample.empty() || !request.pointsFile.empty();
+  definition.variations = definition.isList ? listedVariations(request) : griddedVariations(request.variations);
   checkGrid(definition, overrides);
   return definition;
 }
@@ -95,7 +122,7 @@ StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOver
   auto inputs = cases::filesOfCase(definition.caseName, cases::loadCase(definition.caseName, overrides).defect.file);
   for (const auto& variation : definition.variations)
     if (variation.key == "defect.file") inputs.insert(inputs.end(), variation.values.begin(), variation.values.end());
-  keepInputs(inputs, studyFiles(options.folder));
+  keepInputs(inputs, studyFiles(options.folder, options.part));
   const StudyRunner runner = [&](const StudyPoint& point, Monitor& own) -> std::optional<FeatureRow> {
     // The case is read anew for every point: an edit in between would mix two cases in one table.
     if (const auto hash = cases::caseHash(cases::loadCase(definition.caseName, overrides)); hash != definition.caseHash)

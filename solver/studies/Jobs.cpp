@@ -1,9 +1,14 @@
 #include "studies/Jobs.h"
 
+#include <sched.h>
+
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <thread>
 
 namespace squat::studies {
@@ -17,11 +22,23 @@ double freeMemory() {
   return 0;
 }
 
+int coresHere() {
+  int cores = static_cast<int>(std::thread::hardware_concurrency());
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) cores = CPU_COUNT(&allowed);
+  if (const char* given = std::getenv("SLURM_CPUS_PER_TASK")) {  // a batch system without cgroups does not hold it
+    int count = 0;
+    const auto* end = given + std::string_view(given).size();
+    if (std::from_chars(given, end, count).ptr == end && count > 0) cores = std::min(cores, count);
+  }
+  return std::max(1, cores);
+}
+
 int jobsThatFit(int threadsPerRun, double bytesPerRun) {
   double jobs = std::numeric_limits<int>::max();
-  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  if (threadsPerRun > 0 && cores > 0) {
-    const int sharing = cores / threadsPerRun;  // whole runs
+  if (threadsPerRun > 0) {
+    const int sharing = coresHere() / threadsPerRun;  // whole runs
     jobs = std::min(jobs, static_cast<double>(sharing));
   }
   const double memory = freeMemory();

@@ -9,6 +9,10 @@ namespace squat::studies {
 // tenth kept back; at least 1. Zero for either leaves it out.
 int jobsThatFit(int threadsPerRun, double bytesPerRun);
 
+// Cores that this process may use: as many as Slurm has given to the task (SLURM_CPUS_PER_TASK), else those that it may
+// run on; at least 1.
+int coresHere();
+
 double freeMemory();  // [bytes]; 0: not known
 
 }  // namespace squat::studies

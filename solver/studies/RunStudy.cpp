@@ -8,6 +8,7 @@
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "studies/StudyIdentity.h"
 
 namespace squat::studies {
 namespace {
@@ -20,8 +21,8 @@ std::string oneLine(std::string text) {
 
 class Study {
  public:
-  Study(StudyTable table, const StudyRunner& runner, const StudyOptions& options, Monitor& monitor)
-      : table_(std::move(table)), runner_(runner), options_(options), monitor_(monitor) {
+  Study(StudyTable table, const StudyRunner& runner, const StudyOptions& options, PartLock* lock, Monitor& monitor)
+      : table_(std::move(table)), runner_(runner), options_(options), lock_(lock), monitor_(monitor) {
     for (std::size_t i = 0; i < table_.rows.size(); ++i) {
       auto& row = table_.rows[i];
       if (row.state == RowState::failed && options.retryFailed) row = {row.point, RowState::open, {}, {}};
@@ -123,6 +124,7 @@ class Study {
     const std::string name = toText(table_.definition, row.point);
     monitor_.message(name + (row.state == RowState::done ? ": done" : ": failed: " + row.message));
     table_.rows[index] = std::move(row);
+    if (lock_) lock_->requireOwn();
     writeTable(table_, options_.folder);
     reportLocked({}, name);
   }
@@ -130,6 +132,7 @@ class Study {
   StudyTable table_;
   const StudyRunner& runner_;
   const StudyOptions& options_;
+  PartLock* lock_;  // null: a study without parts
   Monitor& monitor_;
   std::mutex mutex_;
   std::vector<std::size_t> open_;
@@ -143,11 +146,19 @@ class Study {
 
 StudyTable runStudy(const StudyDefinition& definition, const StudyRunner& runner, const StudyOptions& options,
                     Monitor& monitor) {
-  auto table = emptyTable(definition);
   makeFolder(options.folder);
-  if (auto earlier = readTable(definition, options.folder)) table = std::move(*earlier);
+  std::optional<PartLock> lock;
+  if (options.part) {
+    claimParts(definition, *options.part, options.folder);
+    lock.emplace(*options.part, options.folder, options.beat, monitor);
+  } else if (partsIn(definition, options.folder) && !hasIdentity(definition, options.folder)) {
+    throw CaseError({{"-o", options.folder, "a folder without parts of a study",
+                      "Collect them with --collect, or choose another folder"}});
+  }
+  auto table = emptyTable(definition, options.part);
+  if (auto earlier = readTable(definition, options.folder, options.part)) table = std::move(*earlier);
   writeTable(table, options.folder);
-  return Study(std::move(table), runner, options, monitor).run();
+  return Study(std::move(table), runner, options, lock ? &*lock : nullptr, monitor).run();
 }
 
 }  // namespace squat::studies

@@ -5,6 +5,7 @@
 
 #include "case/BeforeDefect.h"
 #include "core/Errors.h"
+#include "text/Numbers.h"
 
 namespace squat::studies {
 
@@ -56,6 +57,12 @@ SharedStart::SharedStart(const StudyDefinition& definition, const cases::CaseOve
                          simulation::RunOptions options, int threads)
     : options_(std::move(options)), threads_(threads) {
   if (variesOnlyTheDefect(definition)) base_ = caseOfAll(definition, overrides);
+}
+
+std::string SharedStart::text() const {
+  if (!base_) return {};
+  const auto zone = zoneOf(*base_);
+  return "zone " + text::numberText(zone.before) + ":" + text::numberText(zone.behind);
 }
 
 SharedStart::Made SharedStart::stateFor(Monitor& monitor) {

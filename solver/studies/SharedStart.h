@@ -24,6 +24,9 @@ class SharedStart {
 
   bool isShared() const { return base_.has_value(); }
 
+  // What decides the numbers of each run besides its case: the zone, in metres. Empty where runs are whole.
+  std::string text() const;
+
   // simulation::runCase of one point of the study. May be called from several threads at once. Incomplete where it was
   // cancelled.
   results::RunResult run(const cases::CaseDescription& description, Monitor& monitor);

@@ -13,7 +13,7 @@
 namespace squat::studies {
 namespace {
 
-constexpr std::size_t maximumValues = 1000, maximumPoints = 10000;
+constexpr std::size_t maximumValues = 1000;
 
 [[noreturn]] void refuse(const std::string& text, const std::string& allowed) {
   throw CaseError({{"--vary", "'" + text + "'", allowed, "Example: defect.length=20:60:5"}});
@@ -21,15 +21,23 @@ constexpr std::size_t maximumValues = 1000, maximumPoints = 10000;
 
 std::optional<double> number(const std::string& text) { return text::numberIn(text, '.'); }
 
-// Twelve digits: 0.1 + 0.2 is 0.3.
+std::vector<StudyPoint> listOf(const StudyDefinition& definition) {
+  std::vector<StudyPoint> points(definition.variations.front().values.size());
+  for (std::size_t index = 0; index < points.size(); ++index) {
+    points[index].index = index;
+    for (const auto& variation : definition.variations) points[index].values.push_back(variation.values.at(index));
+  }
+  return points;
+}
+
+}  // namespace
+
 std::string withoutRounding(double value) {
   std::array<char, 40> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 12);
   const double rounded = text::numberFromText({digits.data(), end.ptr}).value_or(value);
   return text::numberText(rounded == 0 ? 0.0 : rounded);
 }
-
-}  // namespace
 
 Variation variationFromText(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -69,10 +77,11 @@ std::vector<StudyPoint> gridOf(const StudyDefinition& definition) {
   for (const auto& variation : definition.variations) {
     if (!keys.insert(variation.key).second)
       throw CaseError({{"--vary", variation.key, "given once per key", "Put all its values into one --vary"}});
-    count *= variation.values.size();
-    if (count > maximumPoints || count == 0)
+    count = definition.isList ? variation.values.size() : count * variation.values.size();
+    if (count > kMostPoints || count == 0)
       throw CaseError({{"--vary", "more than 10000 runs", "1 to 10000 runs", "Use fewer values"}});
   }
+  if (definition.isList) return listOf(definition);
   std::vector<StudyPoint> points(count);
   for (std::size_t index = 0; index < count; ++index) {
     points[index].index = index;

@@ -7,6 +7,8 @@
 
 namespace squat::studies {
 
+inline constexpr std::size_t kMostPoints = 10000;
+
 // One key of the case and the values that it takes, as text in the unit of the case file.
 struct Variation {
   std::string key;
@@ -18,10 +20,15 @@ struct Variation {
 // 1000 values a key.
 Variation variationFromText(const std::string& text);
 
+std::string withoutRounding(double value);  // twelve digits: 0.1 + 0.2 is 0.3
+
 struct StudyDefinition {
   std::string caseName;  // as the user named it
   std::string caseHash;  // of the case before any variation
   std::vector<Variation> variations;
+  bool isList = false;       // the n-th values of all keys are one point; else every combination of them
+  std::string program = {};  // version of the program; empty: not known
+  std::string start = {};    // what the runs have in common besides the case (SharedStart); empty: nothing
 };
 
 // One run: a value for each variation, in their order.
@@ -30,8 +37,8 @@ struct StudyPoint {
   std::vector<std::string> values;
 };
 
-// Every combination; the last variation changes fastest. Throws CaseError for no variation, a key given twice, and more
-// than 10000 points.
+// Every combination, the last variation changing fastest; or the points of a list. Throws CaseError for no variation, a
+// key given twice, and more than 10000 points.
 std::vector<StudyPoint> gridOf(const StudyDefinition& definition);
 
 // "defect.length=20, defect.depth=0.1"

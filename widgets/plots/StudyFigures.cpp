@@ -119,11 +119,13 @@ std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key,
   std::map<std::string, std::size_t> colours;
   std::vector<Curve> curves;
   for (const auto& row : table.rows) {
-    const auto others = othersOf(table.definition, row.point, key);
+    const auto others = table.definition.isList ? std::string() : othersOf(table.definition, row.point, key);
     const auto [found, isNew] = colours.try_emplace(others, curves.size());
     const bool isNamed = curves.size() >= named.from && curves.size() < named.to;
     if (isNew) curves.push_back({{}, {}, isNamed ? QString::fromStdString(others) : QString(), curves.size(), 1.1});
-    const auto at = std::find(variation.values.begin(), variation.values.end(), row.point.values[key]);
+    const auto at = table.definition.isList
+                        ? variation.values.begin() + static_cast<std::ptrdiff_t>(row.point.index)
+                        : std::find(variation.values.begin(), variation.values.end(), row.point.values[key]);
     const auto value = row.state == studies::RowState::done ? featureOf(row, feature) : std::nullopt;
     curves[found->second].x.push_back(values[static_cast<std::size_t>(at - variation.values.begin())]);
     curves[found->second].y.push_back(value.value_or(NAN));
@@ -131,7 +133,8 @@ std::unique_ptr<Figure> panel(const studies::StudyTable& table, std::size_t key,
   for (std::size_t i = 0; i < std::min(curves.size(), maximumCurves); ++i) {
     QCPGraph* graph = addCurve(*figure, curves[i]);
     graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, style.curve(i), style.curve(i), 4));
-    if (!numeric) graph->setLineStyle(QCPGraph::lsNone);  // nothing lies between two names
+    // Nothing lies between two names, or between points that differ in all keys.
+    if (!numeric || table.definition.isList) graph->setLineStyle(QCPGraph::lsNone);
   }
   const bool empty = std::all_of(curves.begin(), curves.end(), [](const Curve& curve) {
     return std::all_of(curve.y.begin(), curve.y.end(), [](double y) { return std::isnan(y); });
@@ -152,7 +155,7 @@ std::vector<FigureSheet> studyFigures(const studies::StudyTable& table, const St
         "study_" + analysis::safeFileName(table.definition.variations[key].key), {}, static_cast<int>(columns)};
     std::size_t curves = 1;
     for (std::size_t v = 0; v < table.definition.variations.size(); ++v)
-      if (v != key) curves *= table.definition.variations[v].values.size();
+      if (v != key && !table.definition.isList) curves *= table.definition.variations[v].values.size();
     for (std::size_t i = 0; i < features.size(); ++i) {
       auto figure = panel(table, key, features[i], namedIn(i, curves), style);
       const QString note = curves > maximumNamed
