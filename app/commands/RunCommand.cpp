@@ -10,6 +10,7 @@
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
+#include "commands/DrivenRun.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureNames.h"
 #include "commands/FigureOutput.h"
@@ -33,6 +34,7 @@ namespace {
 
 struct RunCommandOptions {
   CaseOptions caseOptions;
+  DrivenOptions driven;
   std::string folder = ".";
   std::string warmFile;
   simulation::RunOptions run;
@@ -145,6 +147,7 @@ cases::CaseDescription onMeshOfWarmState(const std::string& file, const cases::C
 }
 
 int run(const RunCommandOptions& options) {
+  if (options.driven.isAsked()) return driveRun(options.driven, options.caseOptions, options.run);
   auto runOptions = options.run;
   auto description = readCase(options.caseOptions);
   if (!options.warmFile.empty()) description = onMeshOfWarmState(options.warmFile, description, runOptions);
@@ -201,6 +204,7 @@ void addRunCommand(CLI::App& program, Action& action) {
       ->type_name("SECONDS");
   addFigureNames(*command, options->figures, options->formats);
   command->add_flag("--no-figures", options->noFigures, "Draw no figures")->excludes("--figures");
+  addDrivenOptions(*command, options->driven);
   command->add_flag("--verbose", options->verbose,
                     "Also print the natural modes of the half wheelset and the time of each phase");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
