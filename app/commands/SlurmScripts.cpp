@@ -76,7 +76,7 @@ std::string collectScript(const SlurmJob& job) {
 
 std::vector<std::string> writeScripts(const SlurmJob& job) {
   makeFolder(job.folder);
-  const std::vector<std::string> paths{job.folder + "/study.slurm", job.folder + "/study-collect.slurm"};
+  std::vector<std::string> paths{job.folder + "/study.slurm", job.folder + "/study-collect.slurm"};
   writeDurably(paths[0], std::string_view(arrayScript(job)));
   writeDurably(paths[1], std::string_view(collectScript(job)));
   return paths;

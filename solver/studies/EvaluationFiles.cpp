@@ -26,7 +26,7 @@ struct Entry {
 bool isAprepro(const std::string& text) { return text.find_first_not_of(" \t\r\n") == text.find('{'); }
 
 // "{ name = value }", the value of a text in quotes.
-std::optional<Entry> apreproEntry(std::string line) {
+std::optional<Entry> apreproEntry(const std::string& line) {
   const auto open = line.find('{'), equals = line.find('='), close = line.rfind('}');
   if (open == std::string::npos || equals == std::string::npos || close == std::string::npos || equals > close)
     return std::nullopt;

@@ -6,7 +6,9 @@
 #include <atomic>
 
 #include "FixtureCase.h"
+#include "core/DurableFile.h"
 #include "results/SampleResult.h"
+#include "studies/CollectParts.h"
 #include "studies/StudyTable.h"
 
 namespace squat::studies {
@@ -89,6 +91,24 @@ TEST(SharedStart, RunsShareTheMeshOfTheLongestDefect) {
     EXPECT_EQ(mesh.zoneBehind, isLongest ? 0 : 0.025);
   }
   EXPECT_EQ(counted.begun, 0);
+}
+
+// A part whose longest defect is short takes the zone of the whole study: collected, the bytes of one process.
+TEST(SharedStart, PartsShareTheMeshOfTheWholeStudy) {
+  const TemporaryFolder folder;
+  const auto definition = study({"defect.length=30,50"});
+  Monitor silent;
+  CountedStart whole(definition);
+  runCaseStudy(definition, coarse(), whole.runner(), {folder / "whole", 1, false}, silent);
+  for (const auto* part : {"slice:2/2", "slice:1/2"}) {
+    CountedStart counted(definition);  // a process of its own has a start of its own
+    StudyOptions options{folder / "parts", 1, false};
+    options.part = partitionFromText(part);
+    EXPECT_EQ(runCaseStudy(definition, coarse(), counted.runner(), options, silent).count(RowState::done), 1U);
+    EXPECT_EQ(counted.begun, 0);
+  }
+  EXPECT_EQ(tableText(writeCollected(definition, folder / "parts")),
+            readWholeFile(folder / "whole/study.csv", 1000000));
 }
 
 TEST(SharedStart, OnlyWhereNothingButTheDefectVaries) {
