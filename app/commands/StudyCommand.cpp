@@ -22,6 +22,7 @@
 #include "simulation/RunCase.h"
 #include "studies/CaseStudy.h"
 #include "studies/CollectParts.h"
+#include "studies/CostEstimate.h"
 #include "studies/Jobs.h"
 #include "studies/SharedStart.h"
 
@@ -38,15 +39,15 @@ struct StudyCommandOptions {
   ClusterOptions cluster;
   std::string partition;
   int jobs = 0;
-  bool keepResults = false, resume = false, collect = false;
+  bool keepResults = false, resume = false, collect = false, yes = false;
 };
 
-constexpr double kBytesOfARun = 2.0 * (1ULL << 30);  // the paper's mesh takes 1.5 GiB
+constexpr double kBytesOfARun = 1ULL << 30;  // of a part; the paper's mesh takes a quarter of it
 
 // Several small runs at once use the cores better than the threads of one.
-void shareCores(StudyCommandOptions& options) {
+void shareCores(StudyCommandOptions& options, double bytesOfARun) {
   options.study.jobs =
-      options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.run.threads), kBytesOfARun);
+      options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.run.threads), bytesOfARun);
   if (options.run.threads == 0) options.run.threads = std::max(1, studies::coresHere() / options.study.jobs);
 }
 
@@ -84,8 +85,42 @@ std::string nameOf(const StudyCommandOptions& options, const studies::StudyDefin
   return name;
 }
 
+double hoursOf(const studies::CostEstimate& cost, std::size_t runs) {
+  return cost.coreSeconds * static_cast<double>(runs) / 3600;
+}
+
+void printEstimate(const studies::CostEstimate& cost, std::size_t runs) {
+  std::fprintf(stderr, "estimate: %zu runs of %zu elements and %.0f steps, %.2g core hours; %.0f MiB a run\n", runs,
+               cost.elements, cost.steps, hoursOf(cost, runs), cost.bytes / (1 << 20));
+}
+
+// False where it takes above an hour on so many cores and whoever sits at the terminal says no.
+bool isWanted(const StudyCommandOptions& options, double coreHours) {
+  const int cores = options.run.threads * options.study.jobs;
+  if (coreHours < cores || options.yes || ::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) return true;
+  std::fprintf(stderr, "%.2g hours on %d cores. Start? [y/N] ", coreHours / cores, cores);
+  const int answer = std::getchar();
+  return answer == 'y' || answer == 'Y';
+}
+
+std::size_t runsAhead(const StudyCommandOptions& options, const studies::StudyDefinition& definition) {
+  auto table = studies::readTable(definition, options.study.folder);
+  if (!table) table = studies::emptyTable(definition);
+  return table->count(studies::RowState::open) +
+         (options.study.retryFailed ? table->count(studies::RowState::failed) : 0);
+}
+
 int compute(StudyCommandOptions options, studies::StudyDefinition definition, const cases::CaseOverrides& overrides) {
-  shareCores(options);
+  // A part leaves it to the call that made the scripts: it would cost more than the rest of its start.
+  studies::CostEstimate cost;
+  cost.bytes = kBytesOfARun;
+  const auto runs = options.study.part ? 0 : runsAhead(options, definition);
+  if (runs > 0) cost = studies::costOfARun(definition, overrides), printEstimate(cost, runs);
+  shareCores(options, cost.bytes);
+  if (!isWanted(options, hoursOf(cost, runs))) {
+    std::fprintf(stderr, "not started\n");
+    return kCancelled;
+  }
   options.run.wheelsetModes = false;
   options.run.snapshots = false;
   const auto& folder = options.study.folder;
@@ -142,6 +177,8 @@ int study(StudyCommandOptions options) {
   if (options.study.folder.empty()) options.study.folder = ".";
   const auto overrides = caseOverrides(options.caseOptions);
   const auto definition = studies::studyOf(options.caseOptions.name, overrides, options.request);
+  if (options.cluster.parts > 0)
+    printEstimate(studies::costOfARun(definition, overrides), studies::gridOf(definition).size());
   if (options.cluster.isAsked())
     return prepareForCluster(options.cluster, definition, options.study.folder, wordsOf(options));
   if (options.cluster.submit) throw CaseError({{"--submit", "given alone", "given with --slurm N or --resubmit", ""}});
@@ -201,6 +238,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
       command->add_flag("--collect", options->collect, "Compute nothing: put the tables of all parts together")
           ->excludes(partition);
   addClusterOptions(*command, options->cluster, {partition, collecting});
+  command->add_flag("--yes", options->yes, "Start without asking, however long it takes");
   command->add_flag("--resume", options->resume, "Resume an interrupted study in this folder (the default)");
   command->callback([options, &action] { action = [options] { return study(*options); }; });
 }
