@@ -23,8 +23,8 @@ void addCaseOptions(CLI::App& command, CaseOptions& options) {
   command.add_option("--mesh", options.mesh, "Mesh preset: tiny, draft, standard or paper")->type_name("PRESET");
 }
 
-void addCaseWithoutMesh(CLI::App& command, CaseOptions& options) {
-  command.add_option("case", options.name, "Case file (TOML), or a shipped case: " + shippedNames())
+void addCaseWithoutMesh(CLI::App& command, CaseOptions& options, const std::string& name) {
+  command.add_option(name, options.name, "Case file (TOML), or a shipped case: " + shippedNames())
       ->required()
       ->type_name("CASE");
   command

@@ -17,7 +17,8 @@ struct CaseOptions {
 };
 
 void addCaseOptions(CLI::App& command, CaseOptions& options);
-void addCaseWithoutMesh(CLI::App& command, CaseOptions& options);  // the command has meshes of its own
+// The command has meshes of its own. `name`: "case", or "--case" where other files come first.
+void addCaseWithoutMesh(CLI::App& command, CaseOptions& options, const std::string& name = "case");
 
 // The changes alone. Throws CaseError for a --set that is no KEY=VALUE.
 cases::CaseOverrides caseOverrides(const CaseOptions& options);

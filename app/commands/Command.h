@@ -12,6 +12,7 @@ void addAnalyseCommand(CLI::App& program, Action& action);
 void addCalibrateCommand(CLI::App& program, Action& action);
 void addCompareCommand(CLI::App& program, Action& action);
 void addDescribeCommand(CLI::App& program, Action& action);
+void addEstimateCommand(CLI::App& program, Action& action);
 void addFiguresCommand(CLI::App& program, Action& action);
 void addReceptanceCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);

@@ -124,6 +124,7 @@ int runProgram(int argc, char** argv) {
   addFiguresCommand(program, action);
   addAnalyseCommand(program, action);
   addCalibrateCommand(program, action);
+  addEstimateCommand(program, action);
   addCompareCommand(program, action);
   addStudyCommand(program, action);
   addReceptanceCommand(program, action);

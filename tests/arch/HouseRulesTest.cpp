@@ -173,6 +173,7 @@ const std::vector<std::vector<Folder>>& floors() {
       {"solver/studies"},
       {"solver/statements"},
       {"solver/calibration"},
+      {"solver/estimation"},
       {"widgets/colours"},
       {"widgets/scene"},
       {"widgets/plots"},

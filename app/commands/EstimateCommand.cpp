@@ -1,0 +1,113 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+#include "commands/CaseOptions.h"
+#include "commands/Command.h"
+#include "commands/ComputeOptions.h"
+#include "commands/EstimateSummary.h"
+#include "commands/ExitCodes.h"
+#include "commands/FigureSheets.h"
+#include "commands/Interrupt.h"
+#include "commands/NumberRange.h"
+#include "commands/SignalOptions.h"
+#include "commands/TerminalMonitor.h"
+#include "core/DurableFile.h"
+#include "core/FolderLock.h"
+#include "estimation/EstimateFiles.h"
+#include "studies/Jobs.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct EstimateCommandOptions {
+  CaseOptions caseOptions;  // without --mesh: see `mesh`
+  SignalOptions signal;
+  std::string mesh = "tiny", folder = ".";
+  estimation::EstimateDefinition definition;
+  estimation::EstimateOptions estimate;
+  double longest = 70;  // [mm]
+  int jobs = 0, threads = 0;
+  bool json = false;
+};
+
+void shareCores(EstimateCommandOptions& options) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const double bytesOfARun = (options.mesh == "tiny" || options.mesh == "draft" ? 0.5 : 2.0) * (1ULL << 30);
+  auto& shared = options.estimate;
+  shared.jobs = options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.threads), bytesOfARun);
+  shared.threads = options.threads > 0 ? options.threads : std::max(1, cores / shared.jobs);
+}
+
+int estimate(EstimateCommandOptions options) {
+  auto& definition = options.definition;
+  options.caseOptions.mesh = options.mesh;
+  const auto description = readCase(options.caseOptions);
+  definition.caseName = options.caseOptions.name;
+  definition.overrides = caseOverrides(options.caseOptions);
+  definition.reading = fileOptions(options.signal);
+  definition.longest = 1e-3 * options.longest;
+  const auto outputs = estimation::estimateFiles(options.folder);
+  auto inputs = cases::filesOfCase(options.caseOptions.name, description.defect.file);
+  inputs.insert(inputs.end(), definition.files.begin(), definition.files.end());
+  keepInputs(inputs, outputs);
+  shareCores(options);
+  makeFolder(options.folder);
+  const FolderLock owner(options.folder, "squat estimate " + definition.files.front());
+
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  const auto found = estimation::estimateProfile(definition, options.estimate, monitor);
+  monitor.clearLine();
+  if (!found.profile.empty()) {
+    estimation::writeEstimate(found, options.folder);
+    if (options.json) {
+      std::printf("%s", estimation::estimateJson(found).c_str());
+    } else {
+      std::printf("%s%s\nwritten:\n", found.complete ? "" : "Not finished; the best so far:\n\n",
+                  estimateSummary(found).c_str());
+      for (const auto& path : outputs) std::printf("  %s\n", path.c_str());
+    }
+  }
+  if (found.complete) return kDone;
+  std::fprintf(stderr, "cancelled%s\n", found.profile.empty() ? ": no profile was found yet, no file written" : "");
+  return kCancelled;
+}
+
+}  // namespace
+
+void addEstimateCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("estimate", "Estimate the profile of a defect from measured passages over it");
+  auto options = std::make_shared<EstimateCommandOptions>();
+  command
+      ->add_option("measured", options->definition.files, "CSV or HDF5 files: one or several passages over one defect")
+      ->required()
+      ->type_name("MEASURED...");
+  addCaseWithoutMesh(*command, options->caseOptions, "--case");
+  addMesh(*command, options->mesh, "Mesh of the runs (default: tiny)");
+  addSignalOptions(*command, options->signal);
+  command
+      ->add_option("--low-pass", options->definition.cutoff,
+                   "Low-pass filter of measured and computed signals (default: 2000)")
+      ->check(between(200.0, 5000.0))
+      ->type_name("HZ");
+  command->add_option("--longest", options->longest, "Longest dip to look for (default: 70)")
+      ->check(between(20.0, 200.0))
+      ->type_name("MM");
+  command->add_option("--runs", options->estimate.runs, "Runs after which the search ends (default: 150)")
+      ->check(CLI::Range(20, 10000))
+      ->type_name("N");
+  command->add_option("-o,--output", options->folder, "Folder of the results (default: here)")->type_name("DIR");
+  command->add_option("--jobs", options->jobs, "Parallel runs (default: as many as cores and memory allow)")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  addThreads(*command, options->threads, "Threads of each run (default: cores / jobs)");
+  addInstructionSet(*command, options->estimate.isa);
+  command->add_flag("--json", options->json, "Print the estimate as JSON");
+  command->callback([options, &action] { action = [options] { return estimate(*options); }; });
+}
+
+}  // namespace squat::commands

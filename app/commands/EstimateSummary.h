@@ -1,0 +1,13 @@
+// app/commands/EstimateSummary.h - an estimated profile in words.
+#pragma once
+
+#include <string>
+
+#include "estimation/Estimation.h"
+
+namespace squat::commands {
+
+// Lines of at most 100 columns.
+std::string estimateSummary(const estimation::Estimate& estimate);
+
+}  // namespace squat::commands
