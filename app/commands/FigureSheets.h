@@ -8,6 +8,7 @@
 #include "analysis/Analysis.h"
 #include "analysis/FileComparison.h"
 #include "calibration/Calibration.h"
+#include "detection/DetectionFiles.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
 #include "statements/Judge.h"
@@ -35,6 +36,10 @@ std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, con
 
 std::vector<std::string> writeCalibrationFigure(const calibration::Calibration& calibration, const std::string& folder,
                                                 const FigureChoice& choice);
+
+// The overview along the track, and one figure an event.
+std::vector<std::string> writeDetectionFigures(const detection::DetectionReport& report, const std::string& folder,
+                                               const FigureChoice& choice);
 
 // The judged statements as a figure; `note` stands beside its title.
 std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>& judged, const std::string& note,

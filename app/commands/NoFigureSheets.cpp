@@ -34,6 +34,11 @@ std::vector<std::string> writeCalibrationFigure(const calibration::Calibration&,
   return none(choice);
 }
 
+std::vector<std::string> writeDetectionFigures(const detection::DetectionReport&, const std::string&,
+                                               const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>&, const std::string&,
                                                const std::string&, const FigureChoice& choice) {
   return none(choice);

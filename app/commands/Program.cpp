@@ -127,6 +127,8 @@ int runProgram(int argc, char** argv) {
   addEstimateCommand(program, action);
   addCompareCommand(program, action);
   addStudyCommand(program, action);
+  addDetectCommand(program, action);
+  addExamplesCommand(program, action);
   addReceptanceCommand(program, action);
   addValidateCommand(program, action);
   program.footer("Exit codes: 0 success, 2 invalid case or call, 3 run failed, 4 invalid file, 130 cancelled");

@@ -39,6 +39,19 @@ char delimiterFromText(const std::string& text) {
   return text[0];
 }
 
+double chainageFromText(const std::string& text) {
+  constexpr const char* allowed = "a number in m, or with a unit (12.345 km), or kilometres and metres (12+345)";
+  if (const auto metres = text::kilometresAndMetresIn(text, '.')) return *metres;
+  const std::size_t end = text.find_last_of("0123456789.") + 1;
+  const auto value = text::numberIn(text.substr(0, end), '.');
+  const std::string unit = text::bareUnit(std::string_view(text).substr(end));
+  if (!value || (!unit.empty() && !text::isUnit(unit))) refuse("--chainage", text, allowed);
+  if (unit.empty()) return *value;
+  const auto scale = readers::scaleOf(unit, "", readers::Role::position);
+  if (scale.unit != "m") refuse("--chainage", text, allowed);
+  return *value * scale.factor;
+}
+
 double speedFromText(const std::string& text) {
   constexpr const char* allowed = "a positive number in m/s, or with a unit, for example 108 km/h";
   const std::size_t end = text.find_last_of("0123456789.") + 1;  // of the number: no unit of speed has a digit

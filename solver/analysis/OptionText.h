@@ -14,6 +14,9 @@ signals::Band bandFromText(const std::string& text);
 // "," ";" "tab" "space" "|" or any single character; "auto" and "" give 0. Throws CaseError.
 char delimiterFromText(const std::string& text);
 
+// Chainage in m, with its unit, or as kilometres and metres: "12345", "12.345 km", "12+345.6" [m]. Throws CaseError.
+double chainageFromText(const std::string& text);
+
 // Speed in m/s, or with its unit: "30", "30 m/s", "108 km/h". Throws CaseError.
 double speedFromText(const std::string& text);
 

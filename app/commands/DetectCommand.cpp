@@ -1,0 +1,237 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include "analysis/OptionText.h"
+#include "case/CaseFile.h"
+#include "case/ShippedCases.h"
+#include "commands/CaseOptions.h"
+#include "commands/Command.h"
+#include "commands/ExitCodes.h"
+#include "commands/FigureSheets.h"
+#include "commands/Interrupt.h"
+#include "commands/NumberRange.h"
+#include "commands/OutputFolder.h"
+#include "commands/SignalOptions.h"
+#include "commands/TerminalMonitor.h"
+#include "commands/TextTable.h"
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "core/FolderLock.h"
+#include "detection/DetectionFiles.h"
+#include "detection/MakeExamples.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct DetectCommandOptions {
+  std::vector<std::string> files;
+  std::string folder, chainage, examples, labels;
+  CaseOptions caseOptions;
+  SignalOptions signal;
+  FigureChoice figures;
+  detection::DetectOptions detect;
+  detection::JudgementOptions judgement;
+  double diameter = 0;  // [m] of the wheel
+  bool json = false;
+};
+
+constexpr double generalSpread = 0.2, ownSpread = 0.12;  // log10 of energy: any vehicle; the vehicle at hand
+constexpr double labelWeight = 5;
+
+std::string generalExamples() { return (cases::resourcesFolder() / "detection/examples.csv").string(); }
+
+// Median speed of the records' events, or of the call: what examples are computed at.
+double typicalSpeed(const std::vector<detection::RecordDetection>& records) {
+  std::vector<double> speeds;
+  for (const auto& record : records)
+    for (const auto& channel : record.channels)
+      for (const auto& event : channel.events) speeds.push_back(event.features.speed);
+  if (speeds.empty()) return 0;
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return std::round(*middle);  // so that the next record of this train finds them again
+}
+
+// --case: computed once and kept beside the other files. Nothing where it was cancelled.
+std::optional<std::vector<detection::Example>> ownExamples(const DetectCommandOptions& options, double speed,
+                                                           Monitor& monitor) {
+  auto description = readCase(options.caseOptions);
+  if (speed > 0) description.motion.speed = speed, description.motion.angularVelocity = 0;
+  const auto file = options.folder + "/" + cases::caseStem(options.caseOptions.name) + "-" +
+                    cases::caseHash(description) + ".examples.csv";
+  if (std::filesystem::exists(file)) return detection::readExamples(file);
+  monitor.message("computing the examples of this vehicle and track, kept in " + file);
+  detection::ExampleOptions make;
+  make.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  auto made = detection::makeExamples(description, make, monitor);
+  if (made) writeDurably(file, detection::examplesText(*made));
+  return made;
+}
+
+void printFaults(const detection::RecordDetection& record) {
+  constexpr std::size_t shown = 20;
+  for (std::size_t i = 0; i < std::min(shown, record.faults.size()); ++i) {
+    const auto& fault = record.faults[i];
+    std::fprintf(stderr, "%s, %.3f s, %.1f m: %s. %s\n", record.layout.path.c_str(), fault.time, fault.position,
+                 fault.text.c_str(), fault.advice.c_str());
+  }
+  if (record.faults.size() > shown) std::fprintf(stderr, "and %zu more faults: squats.json\n", record.faults.size() - shown);
+  for (const auto& note : record.notes) std::fprintf(stderr, "note: %s: %s\n", record.layout.path.c_str(), note.c_str());
+}
+
+void printEvents(const detection::DetectionReport& report) {
+  TextTable table({"position [m]", "channel", "kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});
+  const auto range = [](double value, double low, double high, double factor, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f (%.*f-%.*f)", digits, factor * value, digits, factor * low, digits, factor * high);
+    return std::string(text);
+  };
+  for (const auto& [event, records, scatter] : report.events) {
+    const bool isSquat = event.kind == detection::Kind::squat;
+    const auto& judged = event.judgement;
+    char place[32], sure[16];
+    std::snprintf(place, sizeof place, "%.2f", event.position);
+    std::snprintf(sure, sizeof sure, "%.0f %%", 100 * event.sureness);
+    table.add({place, event.channel, detection::toText(event.kind), sure,
+               isSquat ? detection::toText(judged.severity) : event.reason,
+               isSquat ? range(judged.length, judged.lengthLow, judged.lengthHigh, 1e3, 0) : "",
+               isSquat ? range(judged.depth, judged.depthLow, judged.depthHigh, 1e3, 2) : "", number(event.peak),
+               std::to_string(event.passes) + " of " + std::to_string(event.passesThere)});
+  }
+  for (const auto& record : report.records)
+    std::printf("%s: %.1f m in %.1f s, %zu channel%s at %.0f Hz\n", record.layout.path.c_str(), record.length,
+                record.duration, record.channels.size(), record.channels.size() == 1 ? "" : "s", record.layout.rate);
+  std::printf("kinds and severities from: %s\n\n", report.examples.c_str());
+  if (report.events.empty())
+    std::printf("nothing that stands out of its surroundings\n");
+  else
+    std::printf("%s", table.text().c_str());
+}
+
+std::optional<double> chainageFrom(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return analysis::chainageFromText(text);
+}
+
+// Examples, where they come from, and how wide they scatter.
+struct Source {
+  std::vector<detection::Example> examples;
+  std::string words;
+};
+
+std::optional<Source> sourceOf(DetectCommandOptions& options, const std::vector<detection::RecordDetection>& records,
+                               Monitor& monitor) {
+  Source source;
+  if (!options.caseOptions.name.empty()) {
+    auto own = ownExamples(options, typicalSpeed(records), monitor);
+    if (!own) return std::nullopt;
+    source.examples = *std::move(own);
+    source.words = "passages of the case " + options.caseOptions.name;
+    options.judgement.spread = ownSpread;
+  } else {
+    const auto file = options.examples.empty() ? generalExamples() : options.examples;
+    source.examples = detection::readExamples(file);
+    source.words = options.examples.empty()
+                       ? "passages of other vehicles and tracks: severities are uncertain, --case narrows them"
+                       : file;
+    options.judgement.spread = generalSpread;
+  }
+  if (options.labels.empty()) return source;
+  const auto labels = detection::readLabels(options.labels);
+  std::size_t missed = 0;
+  for (const auto& record : records)
+    for (auto& example : detection::labelled(record, labels, labelWeight, missed)) source.examples.push_back(example);
+  source.words += ", and " + std::to_string(labels.size()) + " labels of " + options.labels;
+  return source;
+}
+
+int detect(DetectCommandOptions options) {
+  records::RecordOptions read;
+  read.columns = fileOptions(options.signal);
+  if (read.columns.column.empty()) read.columns.column = "all";
+  read.chainage = chainageFrom(options.chainage);
+  if (options.diameter > 0) options.detect.surroundings.circumference = M_PI * options.diameter;
+  if (options.folder.empty()) options.folder = ".";
+  const OutputFolder folder(options.folder);
+  const FolderLock owner(options.folder, "squat detect");
+  squat::keepInputs(options.files, {options.folder + "/squats.csv", options.folder + "/squats.json"});
+
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  detection::DetectionReport report;
+  bool cancelled = false;
+  for (const auto& file : options.files) {
+    const auto stream = records::openRecord(file, read);
+    report.records.push_back(detection::findCandidates(*stream, options.detect, monitor));
+    if ((cancelled = report.records.back().cancelled)) break;
+  }
+  const auto source = cancelled ? std::nullopt : sourceOf(options, report.records, monitor);
+  monitor.clearLine();
+  if (!source) {
+    std::fprintf(stderr, "cancelled: no file written\n");
+    return kCancelled;
+  }
+  report.examples = source->words;
+  const detection::Judge judge(source->examples, options.judgement);
+  for (auto& record : report.records) {
+    detection::judgeCandidates(record, judge, options.detect);
+    printFaults(record);
+  }
+  report.events = detection::combine(report.records);
+  if (options.json)
+    std::printf("%s", detection::detectionJson(report).c_str());
+  else
+    printEvents(report);
+  std::FILE* const list = options.json ? stderr : stdout;
+  std::fprintf(list, "\nwritten:\n");
+  for (const auto& path : detection::writeDetection(report, options.folder)) std::fprintf(list, "  %s\n", path.c_str());
+  for (const auto& path : writeDetectionFigures(report, options.folder, options.figures))
+    std::fprintf(list, "  %s\n", path.c_str());
+  return kDone;
+}
+
+}  // namespace
+
+void addDetectCommand(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("detect", "Find squats in long records of axle box acceleration");
+  auto options = std::make_shared<DetectCommandOptions>();
+  command->add_option("records", options->files, "CSV, HDF5 or MATLAB files; several of one place are combined")
+      ->required()
+      ->type_name("RECORD...");
+  command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
+  addSignalOptions(*command, options->signal);
+  command->add_option("--chainage", options->chainage, "Of the first sample: metres, \"12.3 km\" or 12+300")
+      ->type_name("PLACE");
+  command->add_option("--case", options->caseOptions.name, "Vehicle and track at hand: kinds and severities from it")
+      ->type_name("CASE");
+  command->add_option("--mesh", options->caseOptions.mesh, "Mesh of the passages of --case (default: tiny)")
+      ->type_name("NAME");
+  command->add_option("--set", options->caseOptions.sets, "Change a key of --case")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  command->add_option("--examples", options->examples, "Table of squat examples (default: the shipped one)")
+      ->type_name("FILE");
+  command->add_option("--labels", options->labels, "Events that you know: position, kind, severity or length and depth")
+      ->type_name("FILE");
+  command->add_option("--wheel-diameter", options->diameter, "For wheel flats (default: found)")
+      ->check(between(0.3, 1.5))
+      ->type_name("M");
+  command->add_option("--threshold", options->detect.threshold, "Evidence that makes an event (default: 14)")
+      ->check(between(1.0, 1e6))
+      ->type_name("N");
+  command->add_option("--threads", options->detect.threads, "Threads (default: all cores)")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  addFigureOptions(*command, options->figures);
+  command->add_flag("--json", options->json, "Print the list as JSON");
+  options->caseOptions.mesh = "tiny";
+  command->callback([options, &action] { action = [options] { return detect(*options); }; });
+}
+
+}  // namespace squat::commands

@@ -1,0 +1,86 @@
+#include "detection/Candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "detection/LocalLevel.h"
+
+namespace squat::detection {
+namespace {
+
+constexpr double ringingSeconds = 8e-3;  // smoothing: about what an impact rings at 300 and 1000 Hz
+constexpr double levelMetres = 15;       // half of the window of the local level
+constexpr double anchorSeconds = 2e-3;   // smoothing where the impact is looked for
+constexpr double anchorHalf = 12e-3;     // half of the time in which it is looked for
+
+double medianOf(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::size_t cellsOf(double seconds, double step) {
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(seconds / step)));
+}
+
+}  // namespace
+
+Evidence evidenceOf(const BandPower& power, double rate, const std::vector<double>& speed) {
+  const auto& bands = detectionBands();
+  Evidence evidence;
+  evidence.value.assign(power.cells(), 0.0);
+  evidence.level.assign(bands.size(), std::vector<double>(power.cells(), 0.0));
+  const std::size_t width = cellsOf(ringingSeconds, power.step);
+  const double typicalSpeed = std::max(1.0, medianOf(speed));
+  const std::size_t half = cellsOf(levelMetres / typicalSpeed, power.step);
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    if (!shows(rate, bands[b])) continue;
+    const double freedom = degreesOfFreedom(bands[b], static_cast<double>(width) * power.step);
+    const auto row = smoothed(power.power[b], width);
+    evidence.level[b] = localLevel(row, half, freedom);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const double ratio = evidence.level[b][i] > 0 ? row[i] / evidence.level[b][i] : 0;
+      if (ratio > 1) evidence.value[i] += 0.5 * freedom * (ratio - 1 - std::log(ratio));
+    }
+  }
+  return evidence;
+}
+
+std::size_t anchorIn(const BandPower& power, const std::vector<std::vector<double>>& level, std::size_t first,
+                     std::size_t end) {
+  std::vector<double> sum(end - first, 0.0);
+  for (std::size_t b = 1; b < power.power.size(); ++b) {
+    const auto from = power.power[b].begin() + static_cast<std::ptrdiff_t>(first);
+    const auto row = smoothed({from, from + static_cast<std::ptrdiff_t>(end - first)},
+                              cellsOf(anchorSeconds, power.step));
+    const double largest = *std::max_element(row.begin(), row.end());
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      const double floor = std::max(level[b][first + i], largest / 30);
+      if (floor > 0) sum[i] += std::log1p(row[i] / floor);
+    }
+  }
+  return first + static_cast<std::size_t>(std::max_element(sum.begin(), sum.end()) - sum.begin());
+}
+
+std::vector<Candidate> candidatesIn(const BandPower& power, const Evidence& evidence,
+                                    const std::vector<double>& travelled, double threshold, double gap) {
+  std::vector<Candidate> found;
+  std::vector<std::size_t> loudest;
+  const auto& value = evidence.value;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (value[i] < threshold / 3) continue;
+    const bool isNear = !found.empty() && travelled[i] - travelled[found.back().end - 1] < gap;
+    if (!isNear) found.push_back({i, i + 1, i, 0.0}), loudest.push_back(i);
+    found.back().end = i + 1;
+    if (value[i] > found.back().score) found.back().score = value[i], loudest.back() = i;
+  }
+  const std::size_t half = cellsOf(anchorHalf, power.step);
+  for (std::size_t k = 0; k < found.size(); ++k)
+    found[k].anchor = anchorIn(power, evidence.level, loudest[k] > half ? loudest[k] - half : 0,
+                               std::min(value.size(), loudest[k] + half));
+  std::erase_if(found, [&](const Candidate& candidate) { return candidate.score < threshold; });
+  return found;
+}
+
+}  // namespace squat::detection

@@ -1,0 +1,135 @@
+#include "detection/Detect.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <deque>
+#include <future>
+#include <thread>
+
+namespace squat::detection {
+namespace {
+
+constexpr double noiseProbability = 0.5;  // above it a candidate is dropped
+
+using Clock = std::chrono::steady_clock;
+
+// The segments under way, each computed on a thread of its own, taken in their order.
+class Pipeline {
+ public:
+  Pipeline(RecordDetection& result, const DetectOptions& options)
+      : result_(result),
+        threshold_(options.threshold),
+        most_(options.threads > 0 ? static_cast<std::size_t>(options.threads)
+                                  : std::max<std::size_t>(1, std::thread::hardware_concurrency())) {}
+
+  void add(std::vector<Segment> segments) {
+    for (auto& segment : segments) {
+      while (underWay_.size() >= most_) takeFirst();
+      underWay_.push_back(std::async(std::launch::async, [threshold = threshold_, segment = std::move(segment)] {
+        std::vector<SegmentEvents> found;
+        for (std::size_t c = 0; c < segment.channels.size(); ++c)
+          found.push_back(segmentEvents(segment, c, threshold));
+        return found;
+      }));
+    }
+  }
+  void finish() {
+    while (!underWay_.empty()) takeFirst();
+  }
+
+ private:
+  void takeFirst() {
+    auto found = underWay_.front().get();
+    underWay_.pop_front();
+    for (std::size_t c = 0; c < found.size(); ++c) {
+      auto& channel = result_.channels[c];
+      for (auto& event : found[c].events) channel.events.push_back(std::move(event));
+      channel.pieces.insert(channel.pieces.end(), found[c].pieces.begin(), found[c].pieces.end());
+    }
+  }
+
+  RecordDetection& result_;
+  double threshold_;
+  std::size_t most_;
+  std::deque<std::future<std::vector<SegmentEvents>>> underWay_;
+};
+
+void judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOptions& options, bool falling) {
+  std::vector<EventFeatures> features;
+  for (const auto& event : channel.events) features.push_back(event.features);
+  const auto judgements = judge.judge(features);
+  for (std::size_t i = 0; i < channel.events.size(); ++i) {
+    auto& event = channel.events[i];
+    event.judgement = judgements[i];
+    event.kind = judgements[i].kind, event.sureness = judgements[i].sureness;
+    event.position += (falling ? 1 : -1) * judgements[i].offset;
+    event.travelled = falling ? -event.position : event.position;
+  }
+  std::erase_if(channel.events, [](const Event& event) { return event.judgement.nothing > noiseProbability; });
+  markCorrugation(channel.events);
+  channel.circumference = markFlats(channel.events, options.surroundings);
+}
+
+}  // namespace
+
+RecordDetection findCandidates(records::RecordStream& stream, const DetectOptions& options, Monitor& monitor) {
+  RecordDetection result;
+  result.layout = stream.layout();
+  for (const auto& channel : result.layout.channels) result.channels.push_back({channel.name, {}, {}, 0});
+  SegmentCutter cutter(result.layout);
+  Pipeline pipeline(result, options);
+  const auto start = Clock::now();
+  records::RecordBlock block;
+  while (!result.cancelled && stream.next(block)) {
+    for (const double speed : block.speed) result.length += std::max(0.0, speed) / result.layout.rate;
+    result.duration += static_cast<double>(block.size()) / result.layout.rate;
+    pipeline.add(cutter.push(block));
+    Progress progress;
+    progress.phase = "detection";
+    progress.fraction = stream.fraction();
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (progress.fraction > 0.02) progress.remainingSeconds = seconds * (1 / progress.fraction - 1);
+    monitor.report(progress);
+    result.cancelled = monitor.cancelled();
+  }
+  if (!result.cancelled) pipeline.add(cutter.finish());
+  pipeline.finish();
+  result.layout = stream.layout();
+  result.faults = stream.faults();
+  result.notes = result.layout.notes;
+  return result;
+}
+
+void judgeCandidates(RecordDetection& detection, const Judge& judge, const DetectOptions& options) {
+  for (auto& channel : detection.channels) judgeChannel(channel, judge, options, detection.layout.falling);
+}
+
+std::vector<Example> labelled(const RecordDetection& detection, const std::vector<Label>& labels, double weight,
+                              std::size_t& missed) {
+  constexpr double reach = 0.5;  // [m]
+  std::vector<Example> examples;
+  for (const auto& label : labels) {
+    const Event* nearest = nullptr;
+    double distance = reach;
+    for (const auto& channel : detection.channels) {
+      if (!label.channel.empty() && label.channel != channel.name) continue;
+      for (const auto& event : channel.events)
+        if (const double apart = std::abs(event.position - label.position); apart < distance)
+          distance = apart, nearest = &event;
+    }
+    if (!nearest) {
+      ++missed;
+      continue;
+    }
+    const auto& features = nearest->features;
+    Example example{label.kind, "labels", label.length, label.depth, features.speed, 0, weight, {}, features.before,
+                    features.reach};
+    for (std::size_t b = 0; b < bandCount; ++b)
+      example.energy[b] = std::max(0.0, features.energy[b] - features.noise[b]);
+    examples.push_back(std::move(example));
+  }
+  return examples;
+}
+
+}  // namespace squat::detection

@@ -1,0 +1,55 @@
+// solver/detection/Detect.h - from a long record to the list of its events.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/Monitor.h"
+#include "detection/Event.h"
+#include "detection/SegmentEvents.h"
+#include "detection/Surroundings.h"
+#include "records/RecordStream.h"
+
+namespace squat::detection {
+
+struct DetectOptions {
+  double threshold = 14;  // evidence that makes a candidate (Candidates.h)
+  int threads = 0;        // 0: all cores
+  SurroundingsOptions surroundings;
+};
+
+struct ChannelDetection {
+  std::string name;
+  std::vector<Event> events;   // in the order of travel
+  std::vector<Piece> pieces;   // along the track
+  double circumference = 0;    // [m] at which flats repeat; 0: none
+};
+
+struct RecordDetection {
+  records::RecordLayout layout;
+  std::vector<ChannelDetection> channels;
+  std::vector<records::RecordFault> faults;
+  std::vector<std::string> notes;
+  double duration = 0, length = 0;  // [s], [m] that were analysed
+  bool cancelled = false;
+};
+
+// Reads the stream to its end; memory grows with its events, not with its length. The events are candidates, not judged
+// yet. Reports progress; cancelled: what was found so far. Throws what the stream throws.
+RecordDetection findCandidates(records::RecordStream& stream, const DetectOptions& options, Monitor& monitor);
+
+// Judges the candidates by the examples and their surroundings; drops those that are noise.
+void judgeCandidates(RecordDetection& detection, const Judge& judge, const DetectOptions& options);
+
+// Candidates that the user has seen himself: examples of their own vehicle, each as heavy as `weight` others. Labels
+// that match no candidate within half a metre are counted in `missed`.
+struct Label {
+  double position = 0;  // [m]
+  std::string channel;  // empty: any
+  Kind kind = Kind::squat;
+  double length = 0, depth = 0;  // [m] of a squat
+};
+std::vector<Example> labelled(const RecordDetection& detection, const std::vector<Label>& labels, double weight,
+                              std::size_t& missed);
+
+}  // namespace squat::detection

@@ -1,0 +1,198 @@
+#include "detection/DetectionFiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "text/Csv.h"
+#include "text/Numbers.h"
+
+namespace squat::detection {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// To the digits that mean something.
+double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+
+std::string fixed(double value, int digits) {
+  if (!std::isfinite(value)) return {};
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+double powerOf(const Event& event, std::size_t band) {
+  const double seconds = (windowBefore + windowBehind) / std::max(event.features.speed, leastSpeed);
+  return std::max(0.0, event.features.energy[band] - event.features.noise[band]) / seconds;
+}
+
+bool isSquat(const Event& event) { return event.kind == Kind::squat; }
+
+std::string head() {
+  std::string text = "position [m],time [s],record,channel,kind,sureness,severity,score,peak [m/s2],speed [m/s]";
+  for (const auto& band : detectionBands()) text += ",power " + band.name + " [(m/s2)2]";
+  return text + ",wavelength [mm],length [mm],length low [mm],length high [mm],depth [mm],depth low [mm],"
+                "depth high [mm],passes,passes there,latitude [deg],longitude [deg],reason\n";
+}
+
+std::string row(const DetectionReport& report, const CombinedEvent& combined) {
+  const auto& event = combined.event;
+  const auto& judged = event.judgement;
+  std::vector<std::string> cells{fixed(event.position, 3), fixed(event.time, 5),
+                                 report.records[combined.records.front()].layout.path, event.channel,
+                                 toText(event.kind), fixed(event.sureness, 2),
+                                 isSquat(event) ? toText(judged.severity) : "", fixed(event.score, 1),
+                                 fixed(event.peak, 1), fixed(event.features.speed, 2)};
+  for (std::size_t b = 0; b < bandCount; ++b) cells.push_back(fixed(powerOf(event, b), 2));
+  cells.push_back(event.features.wavelength > 0 ? fixed(1e3 * event.features.wavelength, 1) : "");
+  for (const double length : {judged.length, judged.lengthLow, judged.lengthHigh})
+    cells.push_back(isSquat(event) ? fixed(1e3 * length, 0) : "");
+  for (const double depth : {judged.depth, judged.depthLow, judged.depthHigh})
+    cells.push_back(isSquat(event) ? fixed(1e3 * depth, 3) : "");
+  cells.push_back(std::to_string(event.passes));
+  cells.push_back(std::to_string(event.passesThere));
+  cells.push_back(fixed(event.latitude, 7));
+  cells.push_back(fixed(event.longitude, 7));
+  cells.push_back(event.reason);
+  std::string text;
+  for (const auto& cell : cells) text += (text.empty() ? "" : ",") + text::csvField(cell);
+  return text + '\n';
+}
+
+Json jsonOf(const DetectionReport& report, const CombinedEvent& combined) {
+  const auto& event = combined.event;
+  const auto& judged = event.judgement;
+  Json powers;
+  for (std::size_t b = 0; b < bandCount; ++b) powers[detectionBands()[b].name] = rounded(powerOf(event, b), 1e-2);
+  Json json{{"position_m", rounded(event.position, 1e-3)},
+            {"time_s", rounded(event.time, 1e-5)},
+            {"record", report.records[combined.records.front()].layout.path},
+            {"channel", event.channel},
+            {"kind", toText(event.kind)},
+            {"sureness", rounded(event.sureness, 1e-2)},
+            {"score", rounded(event.score, 0.1)},
+            {"peak_m_s2", rounded(event.peak, 0.1)},
+            {"speed_m_s", rounded(event.features.speed, 1e-2)},
+            {"power_m2_s4", powers},
+            {"wavelength_mm", rounded(1e3 * event.features.wavelength, 0.1)},
+            {"passes", event.passes},
+            {"passes_there", event.passesThere}};
+  if (isSquat(event)) {
+    json["severity"] = toText(judged.severity);
+    json["severity_sureness"] = rounded(judged.severitySureness, 1e-2);
+    json["length_mm"] = {rounded(1e3 * judged.length, 1), rounded(1e3 * judged.lengthLow, 1),
+                         rounded(1e3 * judged.lengthHigh, 1)};
+    json["depth_mm"] = {rounded(1e3 * judged.depth, 1e-3), rounded(1e3 * judged.depthLow, 1e-3),
+                        rounded(1e3 * judged.depthHigh, 1e-3)};
+  }
+  if (std::isfinite(event.latitude)) json["latitude_deg"] = event.latitude, json["longitude_deg"] = event.longitude;
+  if (!event.reason.empty()) json["reason"] = event.reason;
+  return json;
+}
+
+Json jsonOf(const RecordDetection& record) {
+  Json faults = Json::array(), channels = Json::array();
+  for (const auto& fault : record.faults)
+    faults.push_back({{"position_m", fault.position}, {"time_s", fault.time}, {"text", fault.text}, {"advice", fault.advice}});
+  for (const auto& channel : record.channels) {
+    Json one{{"name", channel.name}};
+    if (channel.circumference > 0) one["flats_repeat_m"] = rounded(channel.circumference, 1e-3);
+    channels.push_back(one);
+  }
+  return {{"path", record.layout.path},   {"rate_hz", record.layout.rate}, {"length_m", rounded(record.length, 0.1)},
+          {"duration_s", record.duration}, {"channels", channels},          {"faults", faults},
+          {"notes", record.notes}};
+}
+
+std::size_t columnOf(const std::vector<std::string>& names, std::string_view wanted) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i].substr(0, names[i].find(" [")) == wanted) return i;
+  return names.size();
+}
+
+}  // namespace
+
+std::string detectionCsv(const DetectionReport& report) {
+  std::string text = head();
+  for (const auto& event : report.events) text += row(report, event);
+  return text;
+}
+
+std::string detectionJson(const DetectionReport& report) {
+  Json events = Json::array(), records = Json::array();
+  for (const auto& event : report.events) events.push_back(jsonOf(report, event));
+  for (const auto& record : report.records) records.push_back(jsonOf(record));
+  return Json{{"examples", report.examples}, {"records", records}, {"events", events}, {"notes", report.notes}}.dump(2) +
+         '\n';
+}
+
+std::string detectionGeoJson(const DetectionReport& report) {
+  Json features = Json::array();
+  for (const auto& combined : report.events) {
+    const auto& event = combined.event;
+    if (!std::isfinite(event.latitude) || !std::isfinite(event.longitude)) continue;
+    features.push_back({{"type", "Feature"},
+                        {"geometry", {{"type", "Point"}, {"coordinates", {event.longitude, event.latitude}}}},
+                        {"properties", jsonOf(report, combined)}});
+  }
+  if (features.empty()) return {};
+  return Json{{"type", "FeatureCollection"}, {"features", features}}.dump(2) + '\n';
+}
+
+std::vector<std::string> writeDetection(const DetectionReport& report, const std::string& folder) {
+  std::vector<std::string> paths;
+  const auto write = [&](const char* name, const std::string& text) {
+    if (text.empty()) return;
+    paths.push_back(folder + "/" + name);
+    writeDurably(paths.back(), text);
+  };
+  write("squats.csv", detectionCsv(report));
+  write("squats.json", detectionJson(report));
+  write("squats.geojson", detectionGeoJson(report));
+  return paths;
+}
+
+std::vector<Label> readLabels(const std::string& path) {
+  constexpr std::size_t largest = std::size_t{64} << 20;
+  const auto rows = text::csvRecords(readWholeFile(path, largest));
+  const auto names = rows.empty() ? std::vector<std::string>{} : rows.front();
+  const auto position = columnOf(names, "position"), kind = columnOf(names, "kind");
+  if (position == names.size() || kind == names.size())
+    throw FileError(path, "line 1", "must have the columns 'position [m]' and 'kind'",
+                    "Correct the kinds in squats.csv and give that file");
+  std::vector<Label> labels;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i].size() < names.size()) continue;
+    const auto place = "line " + std::to_string(i + 1);
+    const auto number = [&](const char* column) -> std::optional<double> {
+      const auto at = columnOf(names, column);
+      return at < names.size() ? text::numberIn(rows[i][at], '.') : std::nullopt;
+    };
+    const auto where = number("position");
+    if (!where) throw FileError(path, place, "'" + rows[i][position] + "' is not a position in m");
+    Label label;
+    label.position = *where;
+    if (const auto at = columnOf(names, "channel"); at < names.size()) label.channel = rows[i][at];
+    try {
+      label.kind = kindFromText(rows[i][kind]);
+    } catch (const CaseError& error) {
+      throw FileError(path, place, error.what());
+    }
+    label.length = 1e-3 * number("length").value_or(0), label.depth = 1e-3 * number("depth").value_or(0);
+    if (const auto at = columnOf(names, "severity"); at < names.size() && label.kind == Kind::squat) {
+      // A severity corrected by hand counts more than the estimate beside it.
+      const auto severity = rows[i][at];
+      if (!severity.empty() && severity != toText(severityOf(label.length, label.depth)))
+        label.length = severity == "light" ? 0.025 : severity == "moderate" ? 0.05 : 0.08,
+        label.depth = severity == "light" ? 0.06e-3 : severity == "moderate" ? 0.17e-3 : 0.35e-3;
+    }
+    labels.push_back(label);
+  }
+  return labels;
+}
+
+}  // namespace squat::detection

@@ -1,0 +1,30 @@
+// solver/detection/DetectionFiles.h - the list of events as files that other programs read; labels of the user.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "detection/Passes.h"
+
+namespace squat::detection {
+
+struct DetectionReport {
+  std::vector<RecordDetection> records;
+  std::vector<CombinedEvent> events;
+  std::string examples;  // where kinds and severities come from, in words
+  std::vector<std::string> notes;
+};
+
+// FOLDER/squats.csv, squats.json, and squats.geojson where a record has coordinates; durable. Returns the paths.
+std::vector<std::string> writeDetection(const DetectionReport& report, const std::string& folder);
+
+std::string detectionCsv(const DetectionReport& report);
+std::string detectionJson(const DetectionReport& report);
+// GeoJSON (RFC 7946): a point an event, longitude first. Empty where no event has coordinates.
+std::string detectionGeoJson(const DetectionReport& report);
+
+// position [m] and kind, optionally channel, severity, length [mm], depth [mm]; squats.csv as corrected by hand will do.
+// Throws FileError with the line.
+std::vector<Label> readLabels(const std::string& path);
+
+}  // namespace squat::detection

@@ -1,0 +1,30 @@
+// solver/detection/Event.h - a place of a record that is louder than around, and what it is taken for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "detection/EventFeatures.h"
+#include "detection/Examples.h"
+#include "signals/TimeSeries.h"
+
+namespace squat::detection {
+
+struct Event {
+  std::string channel, unit;
+  double time = 0, position = 0;       // [s]; [m] as the record counts, of the cause (not of the signal's peak)
+  double travelled = 0;                // [m] along the run, from an arbitrary zero
+  double latitude = 0, longitude = 0;  // [deg]; not-a-number where the record has none
+  double score = 0;                    // evidence (Candidates.h)
+  double peak = 0;                     // [unit] largest absolute value around, up to 2 kHz
+  EventFeatures features;
+  Judgement judgement;
+  Kind kind = Kind::other;
+  double sureness = 0;
+  std::string reason;           // where the surroundings decided the kind: "repeats every 2.89 m"
+  signals::TimeSeries passage;  // the signal half a metre ahead of it to a metre behind
+  std::size_t passes = 1;       // that have it, of those that passed there
+  std::size_t passesThere = 1;
+};
+
+}  // namespace squat::detection

@@ -1,0 +1,75 @@
+// solver/detection/Examples.h - passages whose cause is known: what an event is taken for is what they were.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "detection/EventFeatures.h"
+#include "detection/Severity.h"
+
+namespace squat::detection {
+
+// One passage without noise, computed by the solver or labelled by the user.
+struct Example {
+  Kind kind = Kind::squat;
+  std::string vehicle;           // examples of one vehicle on one track share it
+  double length = 0, depth = 0;  // [m] of a squat; 0: not known
+  double speed = 0;              // [m/s]
+  double offset = 0;             // [m] from the defect's deepest point to the event's anchor
+  double weight = 1;
+  std::array<double, bandCount> energy{};  // [m2/s3] in the event's window
+  double before = 0, reach = 0;            // as in EventFeatures
+};
+
+// kind, vehicle, length [mm], depth [mm], speed [m/s], offset [mm], weight, energies, before, reach [m].
+std::string examplesText(const std::vector<Example>& examples);
+// Throws FileError with the line.
+std::vector<Example> readExamples(const std::string& path);
+
+// What the examples say of one event.
+struct Judgement {
+  Kind kind = Kind::other;
+  double sureness = 0;        // [0..1] probability of the kind
+  double squatProbability = 0;
+  double nothing = 0;         // probability that it is the local noise alone
+  Severity severity = Severity::light;
+  double severitySureness = 0;
+  double length = 0, lengthLow = 0, lengthHigh = 0;  // [m] median and 90 % range, of squats
+  double depth = 0, depthLow = 0, depthHigh = 0;     // [m]
+  double offset = 0;                                 // [m] mean, to be taken from the anchor's position
+};
+
+struct JudgementOptions {
+  double spread = 0.2;   // scatter of log10 energy between alike passages of different vehicles
+  double nothing = 100;  // odds ahead of any event that a candidate is noise, to one example's kind
+  SeverityLimits limits;
+};
+
+// Bayes' rule over the examples, one kernel each: with the local noise of the event added to an example's energies, the
+// logarithms are taken to be normal, with the options' spread and the scatter that noise of that many degrees of freedom
+// brings. An example counts at the speed of the event: energies go with the square of the speed.
+class Judge {
+ public:
+  Judge(std::vector<Example> examples, JudgementOptions options);
+
+  // The events of one record share vehicle and track: examples of vehicles that explain all of them well count more.
+  std::vector<Judgement> judge(const std::vector<EventFeatures>& events) const;
+
+  bool isEmpty() const { return examples_.empty(); }
+  std::size_t vehicles() const { return vehicles_.size(); }
+
+ private:
+  std::vector<double> logLikelihoods(const EventFeatures& event) const;
+  double logNothing(const EventFeatures& event) const;
+  std::vector<double> vehicleWeights(const std::vector<std::vector<double>>& likelihoods) const;
+  Judgement weigh(const EventFeatures& event, const std::vector<double>& likelihoods,
+                  const std::vector<double>& vehicles) const;
+
+  std::vector<Example> examples_;
+  JudgementOptions options_;
+  std::vector<std::string> vehicles_;
+  std::vector<std::size_t> vehicleOf_;  // of each example
+  std::vector<double> prior_;           // log: each kind counts the same in all, each vehicle of it as well
+};
+
+}  // namespace squat::detection

@@ -1,0 +1,158 @@
+#include "detection/MakeExamples.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+#include "case/CaseFile.h"
+#include "core/Errors.h"
+#include "detection/ExampleDefects.h"
+#include "detection/SegmentEvents.h"
+#include "signals/Record.h"
+#include "simulation/WarmState.h"
+
+namespace squat::detection {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Passes the question whether to stop on and keeps each run's own progress to itself.
+class QuietMonitor : public Monitor {
+ public:
+  explicit QuietMonitor(Monitor& outer) : outer_(outer) {}
+  bool cancelled() override { return outer_.cancelled(); }
+  bool paused() override { return outer_.paused(); }
+
+ private:
+  Monitor& outer_;
+};
+
+// One case for all of the group: zone of the mesh, and room ahead of the longest and behind.
+cases::CaseDescription baseOf(cases::CaseDescription description, const std::vector<ExampleDefect>& group,
+                              double beyond) {
+  double before = 0, behind = 0;
+  for (const auto& example : group) before = std::max(before, example.before), behind = std::max(behind, example.behind);
+  description.mesh.zoneBefore = before, description.mesh.zoneBehind = behind;
+  description.motion.runUp = std::max(description.motion.runUp, before + 0.1);
+  description.motion.beyond = std::max({description.motion.beyond, beyond, behind + 0.2});
+  description.track.length = std::max(description.track.length, description.motion.runUp + description.motion.beyond + 2.5);
+  description.rail.plastic = false;
+  description.defect = group.front().defect;
+  return description;
+}
+
+class Runs {
+ public:
+  Runs(const ExampleOptions& options, std::size_t planned, Monitor& monitor)
+      : options_(options), planned_(planned), monitor_(monitor) {}
+
+  // False: cancelled.
+  bool add(const cases::CaseDescription& description, const std::vector<ExampleDefect>& group, double beyond) {
+    if (group.empty()) return true;
+    const auto base = baseOf(description, group, beyond);
+    simulation::RunOptions run;
+    run.isa = options_.isa, run.wheelsetModes = false, run.snapshots = false;
+    run.threads = std::max(1, options_.jobs);
+    QuietMonitor quiet(monitor_);
+    auto made = simulation::makeWarmState(base, run, quiet);
+    if (!made) return false;
+    run.warm = std::make_shared<const simulation::WarmState>(*std::move(made));
+    run.threads = 1;
+    std::atomic<std::size_t> next{0};
+    std::vector<std::optional<Example>> found(group.size());
+    const auto work = [&] {
+      for (std::size_t i = next++; i < group.size(); i = next++) found[i] = passage(base, group[i], run);
+    };
+    {
+      std::vector<std::jthread> workers;
+      for (int job = 0; job < std::max(1, options_.jobs); ++job) workers.emplace_back(work);
+    }
+    for (auto& example : found)
+      if (example) examples.push_back(*std::move(example));
+    return !monitor_.cancelled();
+  }
+
+  std::vector<Example> examples;
+  std::string failure;  // of the run that failed last
+
+ private:
+  std::optional<Example> passage(cases::CaseDescription description, const ExampleDefect& defect,
+                                 const simulation::RunOptions& run) {
+    description.defect = defect.defect;
+    QuietMonitor quiet(monitor_);
+    std::optional<Example> example;
+    try {
+      auto result = resultOf(description, run, quiet);
+      if (result.complete) example = exampleOf(result, defect.kind, defect.length, defect.depth);
+    } catch (const std::exception& error) {
+      const std::lock_guard lock(mutex_);
+      failure = error.what();
+    }
+    report();
+    return example;
+  }
+
+  // A hump may be felt ahead of the warm state: such a case runs whole.
+  static results::RunResult resultOf(const cases::CaseDescription& description, const simulation::RunOptions& run,
+                                     Monitor& monitor) {
+    if (!simulation::fits(*run.warm, description)) return whole(description, run, monitor);
+    try {
+      return simulation::runCase(description, run, monitor);
+    } catch (const CaseError&) {
+      return whole(description, run, monitor);
+    }
+  }
+  static results::RunResult whole(const cases::CaseDescription& description, simulation::RunOptions run,
+                                  Monitor& monitor) {
+    run.warm.reset();
+    return simulation::runCase(description, run, monitor);
+  }
+
+  void report() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    Progress progress;
+    progress.phase = "examples";
+    progress.fraction = static_cast<double>(done_) / static_cast<double>(planned_);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    progress.remainingSeconds = seconds * (1 / progress.fraction - 1);
+    monitor_.report(progress);
+  }
+
+  const ExampleOptions& options_;
+  std::size_t planned_, done_ = 0;
+  Monitor& monitor_;
+  Clock::time_point start_ = Clock::now();
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+Example exampleOf(const results::RunResult& result, Kind kind, double length, double depth) {
+  const auto passage = signals::passageOf(result, "aba");
+  Example example;
+  example.kind = kind;
+  example.length = length, example.depth = depth;
+  const auto features = passageFeatures(passage.series, passage.position, example.offset);
+  example.speed = features.speed;
+  example.energy = features.energy;
+  example.before = features.before, example.reach = features.reach;
+  return example;
+}
+
+std::optional<std::vector<Example>> makeExamples(const cases::CaseDescription& description,
+                                                 const ExampleOptions& options, Monitor& monitor) {
+  const auto squats = exampleSquats(options.squats, options.seed);
+  const auto others = exampleJointsAndWelds(options.others, options.seed + 1);
+  Runs runs(options, squats.size() + others.size(), monitor);
+  if (!runs.add(description, squats, 0.4) || !runs.add(description, others, 0.6)) return std::nullopt;
+  if (runs.examples.empty())
+    throw RunError("no example came to its end: " + runs.failure, 0, 0, "");
+  const auto vehicle = cases::caseHash(description);
+  for (auto& example : runs.examples) example.vehicle = vehicle;
+  return std::move(runs.examples);
+}
+
+}  // namespace squat::detection

@@ -1,0 +1,32 @@
+// solver/detection/MakeExamples.h - examples computed by the solver for one vehicle on one track.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/CaseDescription.h"
+#include "core/Monitor.h"
+#include "detection/Examples.h"
+#include "results/RunResult.h"
+#include "simulation/RunCase.h"
+
+namespace squat::detection {
+
+struct ExampleOptions {
+  std::size_t squats = 45, others = 12;  // passages
+  std::uint32_t seed = 1;
+  int jobs = 1;                // runs at once, each on one thread
+  std::string isa;             // instruction set; empty: the best
+};
+
+// Rolls the case's wheel over exampleSquats() and exampleJointsAndWelds(), each group from one warm state. The case's own
+// defect does not count. Runs that fail are left out; nothing where it was cancelled. Throws CaseError for a case that
+// cannot be run, RunError where no run came to its end.
+std::optional<std::vector<Example>> makeExamples(const cases::CaseDescription& description,
+                                                 const ExampleOptions& options, Monitor& monitor);
+
+// The example that a complete result is. Throws SignalError.
+Example exampleOf(const results::RunResult& result, Kind kind, double length, double depth);
+
+}  // namespace squat::detection

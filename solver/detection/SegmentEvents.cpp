@@ -1,0 +1,153 @@
+#include "detection/SegmentEvents.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "signals/DecimatingFilter.h"
+
+namespace squat::detection {
+namespace {
+
+// A row of samples, one value for each cell: that in its middle.
+std::vector<double> atCells(const std::vector<double>& values, const BandPower& power) {
+  std::vector<double> result(power.cells());
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = values[std::min(values.size() - 1, i * power.cell + power.cell / 2)];
+  return result;
+}
+
+std::vector<double> travelledBy(const std::vector<double>& speed, double step) {
+  std::vector<double> result(speed.size(), 0.0);
+  for (std::size_t i = 1; i < speed.size(); ++i) result[i] = result[i - 1] + std::max(0.0, speed[i]) * step;
+  return result;
+}
+
+bool isStill(const signals::TimeSeries& series) {
+  const auto [low, high] = std::minmax_element(series.values.begin(), series.values.end());
+  return series.values.size() < 64 || !(*high > *low);
+}
+
+Event eventAt(const Segment& segment, std::size_t channel, const std::vector<double>& travelled, const BandPower& power,
+              const Candidate& candidate) {
+  const auto& series = segment.channels[channel];
+  const auto sample = std::min(series.values.size() - 1, candidate.anchor * power.cell + power.cell / 2);
+  Event event;
+  event.channel = series.name, event.unit = series.unit;
+  event.time = series.timeAt(sample);
+  event.position = segment.position[sample];
+  event.travelled = travelled[candidate.anchor];
+  const bool hasPlace = !segment.latitude.empty() && !segment.longitude.empty();
+  event.latitude = hasPlace ? segment.latitude[sample] : std::numeric_limits<double>::quiet_NaN();
+  event.longitude = hasPlace ? segment.longitude[sample] : std::numeric_limits<double>::quiet_NaN();
+  event.score = candidate.score;
+  const double perSample = segment.speed[sample] * series.step;
+  const auto ahead = static_cast<std::size_t>(0.5 / perSample), behind = static_cast<std::size_t>(1.0 / perSample);
+  const std::size_t from = sample > ahead ? sample - ahead : 0, to = std::min(series.values.size(), sample + behind);
+  event.passage = {series.timeAt(from),
+                   series.step,
+                   {series.values.begin() + static_cast<std::ptrdiff_t>(from),
+                    series.values.begin() + static_cast<std::ptrdiff_t>(to)},
+                   series.name,
+                   series.unit};
+  const auto near = static_cast<std::size_t>(0.3 / perSample);
+  for (std::size_t i = sample > near ? sample - near : 0; i < std::min(series.values.size(), sample + near); ++i)
+    event.peak = std::max(event.peak, std::abs(series.values[i]));
+  return event;
+}
+
+std::vector<Piece> piecesOf(const Segment& segment, std::size_t channel) {
+  std::vector<Piece> pieces;
+  const auto& series = segment.channels[channel];
+  double way = pieceLength, squares = 0;
+  std::size_t count = 0;
+  const auto close = [&] {
+    if (count > 0) pieces.back().rms = std::sqrt(squares / static_cast<double>(count));
+    squares = 0, count = 0;
+  };
+  for (std::size_t i = 0; i < series.values.size(); ++i) {
+    const double time = series.timeAt(i);
+    if (time < segment.coreStart || time >= segment.coreEnd) continue;
+    if (way >= pieceLength) {
+      close();
+      pieces.push_back({segment.position[i], 0, 0});
+      way = std::fmod(way, pieceLength);
+    }
+    way += std::max(0.0, segment.speed[i]) * series.step;
+    squares += series.values[i] * series.values[i], ++count;
+    pieces.back().peak = std::max(pieces.back().peak, std::abs(series.values[i]));
+  }
+  close();
+  return pieces;
+}
+
+// As candidates are anchored, around the largest power; each band counts by its width, as white noise would weigh it.
+std::size_t passageAnchor(const BandPower& power, const Evidence& silence) {
+  std::vector<double> sum(power.cells(), 0.0);
+  for (std::size_t b = 1; b < bandCount; ++b)
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      sum[i] += power.power[b][i] / (detectionBands()[b].high - detectionBands()[b].low);
+  const auto loudest = static_cast<std::size_t>(std::max_element(sum.begin(), sum.end()) - sum.begin());
+  const auto half = static_cast<std::size_t>(12e-3 / power.step);
+  return anchorIn(power, silence.level, loudest > half ? loudest - half : 0, std::min(sum.size(), loudest + half));
+}
+
+}  // namespace
+
+SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold) {
+  SegmentEvents found;
+  const auto& series = segment.channels[channel];
+  found.pieces = piecesOf(segment, channel);
+  if (isStill(series)) return found;
+  const auto power = bandPower(series);
+  const auto speed = atCells(segment.speed, power);
+  const auto travelled = travelledBy(speed, power.step);
+  const auto evidence = evidenceOf(power, series.rate(), speed);
+  for (const auto& candidate : candidatesIn(power, evidence, travelled, threshold)) {
+    const double time = power.timeAt(candidate.anchor);
+    if (time < segment.coreStart || time >= segment.coreEnd || speed[candidate.anchor] < leastSpeed) continue;
+    auto event = eventAt(segment, channel, travelled, power, candidate);
+    event.features = eventFeatures(power, evidence, series.rate(), speed, travelled, candidate.anchor);
+    found.events.push_back(std::move(event));
+  }
+  return found;
+}
+
+EventFeatures passageFeatures(const signals::TimeSeries& passage, const std::vector<double>& position,
+                              double& offset) {
+  const std::size_t n = passage.values.size();
+  const double speed = (position.back() - position.front()) / (passage.step * static_cast<double>(n - 1));
+  // Silence on both sides, longer than the longest wavelet; the end of the record fades into it.
+  const auto pad = static_cast<std::size_t>(std::max(0.1, 2.0 / speed) / passage.step);
+  const std::size_t fade = n / 20;
+  std::vector<double> values(n + 2 * pad, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t toEnd = n - 1 - i;
+    const double gain = toEnd < fade ? static_cast<double>(toEnd) / static_cast<double>(fade) : 1.0;
+    values[pad + i] = gain * passage.values[i];
+  }
+  Segment segment;
+  records::RecordLayout layout;
+  layout.rate = passage.rate();
+  layout.channels = {{passage.name, passage.unit}};
+  records::RecordBlock block;
+  block.time = passage.start - passage.step * static_cast<double>(pad);
+  block.values = {values};
+  block.speed.assign(values.size(), speed);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    block.position.push_back(position.front() +
+                             speed * passage.step * (static_cast<double>(i) - static_cast<double>(pad)));
+  SegmentCutter cutter(layout);
+  cutter.push(block);
+  segment = std::move(cutter.finish().front());
+  const auto power = bandPower(segment.channels.front());
+  const auto cells = atCells(segment.speed, power);
+  const auto travelled = travelledBy(cells, power.step);
+  Evidence silence;
+  silence.level.assign(bandCount, std::vector<double>(power.cells(), 0.0));
+  const std::size_t anchor = passageAnchor(power, silence);
+  offset = atCells(segment.position, power)[anchor];
+  return eventFeatures(power, silence, segment.channels.front().rate(), cells, travelled, anchor);
+}
+
+}  // namespace squat::detection

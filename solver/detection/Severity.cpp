@@ -1,0 +1,32 @@
+#include "detection/Severity.h"
+
+#include <array>
+
+#include "core/Errors.h"
+
+namespace squat::detection {
+namespace {
+
+constexpr std::array kindNames{"squat", "joint", "weld", "corrugation", "flat", "other"};
+constexpr std::array severityNames{"light", "moderate", "severe"};
+
+}  // namespace
+
+Severity severityOf(double length, double depth, const SeverityLimits& limits) {
+  if (length <= limits.lightLength && depth <= limits.lightDepth) return Severity::light;
+  if (length <= limits.moderateLength && depth <= limits.moderateDepth) return Severity::moderate;
+  return Severity::severe;
+}
+
+std::string toText(Kind kind) { return kindNames[static_cast<std::size_t>(kind)]; }
+std::string toText(Severity severity) { return severityNames[static_cast<std::size_t>(severity)]; }
+
+Kind kindFromText(const std::string& text) {
+  for (std::size_t i = 0; i < kindNames.size(); ++i)
+    if (text == kindNames[i]) return static_cast<Kind>(i);
+  std::string names;
+  for (const char* name : kindNames) names += (names.empty() ? "" : ", ") + std::string(name);
+  throw CaseError({{"kind", text, "one of " + names, ""}});
+}
+
+}  // namespace squat::detection
