@@ -6,6 +6,7 @@
 #include "plots/Application.h"
 #include "plots/CalibrationFigure.h"
 #include "plots/ComparisonFigures.h"
+#include "plots/DetectionFigures.h"
 #include "plots/PaperFigures.h"
 #include "plots/ReceptanceFigures.h"
 #include "plots/StudyFigures.h"
@@ -56,6 +57,12 @@ std::vector<std::string> writeCalibrationFigure(const calibration::Calibration& 
   std::vector<plots::FigureSheet> sheets;
   sheets.push_back(plots::calibrationFigure(calibration, styleOf(choice)));
   return write(sheets, folder, choice);
+}
+
+std::vector<std::string> writeDetectionFigures(const detection::DetectionReport& report, const std::string& folder,
+                                               const FigureChoice& choice) {
+  if (choice.none) return {};
+  return write(plots::detectionFigures(report, styleOf(choice)), folder, choice);
 }
 
 std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>& judged, const std::string& note,

@@ -11,6 +11,8 @@ namespace {
 constexpr double ringingSeconds = 8e-3;  // smoothing: about what an impact rings at 300 and 1000 Hz
 constexpr double levelMetres = 15;       // half of the window of the local level
 constexpr double anchorSeconds = 2e-3;   // smoothing where the impact is looked for
+constexpr std::size_t firstSharp = 2;    // bands from 320 Hz: wavelets shorter than the way over a defect
+constexpr double reached = 0.8;          // of the largest sum: the impact comes first, then its ringing
 constexpr double anchorHalf = 12e-3;     // half of the time in which it is looked for
 
 double medianOf(std::vector<double> values) {
@@ -50,7 +52,7 @@ Evidence evidenceOf(const BandPower& power, double rate, const std::vector<doubl
 std::size_t anchorIn(const BandPower& power, const std::vector<std::vector<double>>& level, std::size_t first,
                      std::size_t end) {
   std::vector<double> sum(end - first, 0.0);
-  for (std::size_t b = 1; b < power.power.size(); ++b) {
+  for (std::size_t b = firstSharp; b < power.power.size(); ++b) {
     const auto from = power.power[b].begin() + static_cast<std::ptrdiff_t>(first);
     const auto row = smoothed({from, from + static_cast<std::ptrdiff_t>(end - first)},
                               cellsOf(anchorSeconds, power.step));
@@ -60,7 +62,9 @@ std::size_t anchorIn(const BandPower& power, const std::vector<std::vector<doubl
       if (floor > 0) sum[i] += std::log1p(row[i] / floor);
     }
   }
-  return first + static_cast<std::size_t>(std::max_element(sum.begin(), sum.end()) - sum.begin());
+  const double enough = reached * *std::max_element(sum.begin(), sum.end());
+  const auto at = std::find_if(sum.begin(), sum.end(), [&](double value) { return value >= enough; });
+  return first + static_cast<std::size_t>(at - sum.begin());
 }
 
 std::vector<Candidate> candidatesIn(const BandPower& power, const Evidence& evidence,

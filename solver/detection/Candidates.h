@@ -21,8 +21,8 @@ struct Evidence {
 Evidence evidenceOf(const BandPower& power, double rate, const std::vector<double>& speed);
 
 // The cell in [first, end) where the impact is: an impact excites all bands at once, what rings behind it does not. The
-// largest sum over the bands above 130 Hz of ln(1 + power / floor), each floor the level or, where that is larger, a
-// thirtieth of the band's largest power there. `level` as in Evidence.
+// first that reaches 0.8 of the largest sum over the bands above 320 Hz of ln(1 + power / floor), each floor the level
+// or, where that is larger, a thirtieth of the band's largest power there. `level` as in Evidence.
 std::size_t anchorIn(const BandPower& power, const std::vector<std::vector<double>>& level, std::size_t first,
                      std::size_t end);
 

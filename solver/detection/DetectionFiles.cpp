@@ -26,7 +26,8 @@ std::string fixed(double value, int digits) {
 }
 
 double powerOf(const Event& event, std::size_t band) {
-  const double seconds = (windowBefore + windowBehind) / std::max(event.features.speed, leastSpeed);
+  const auto window = eventWindow(band);
+  const double seconds = (window.before + window.behind) / std::max(event.features.speed, leastSpeed);
   return std::max(0.0, event.features.energy[band] - event.features.noise[band]) / seconds;
 }
 

@@ -77,16 +77,18 @@ EventFeatures eventFeatures(const BandPower& power, const Evidence& evidence, do
   EventFeatures features;
   features.speed = speed[anchor];
   const double here = travelled[anchor];
-  const auto from = cellAt(travelled, here - windowBefore), to = cellAt(travelled, here + windowBehind);
-  const double duration = power.step * static_cast<double>(to - from);
   for (std::size_t b = 0; b < bandCount; ++b) {
     if (!shows(rate, detectionBands()[b])) continue;
-    for (std::size_t i = from; i < to; ++i) {
+    const auto window = eventWindow(b);
+    const auto first = cellAt(travelled, here - window.before), end = cellAt(travelled, here + window.behind);
+    for (std::size_t i = first; i < end; ++i) {
       features.energy[b] += power.step * power.power[b][i];
       features.noise[b] += power.step * evidence.level[b][i];
     }
-    features.freedom[b] = degreesOfFreedom(detectionBands()[b], duration);
+    features.freedom[b] = degreesOfFreedom(detectionBands()[b], power.step * static_cast<double>(end - first));
   }
+  const auto window = eventWindow(bandCount - 1);
+  const auto from = cellAt(travelled, here - window.before), to = cellAt(travelled, here + window.behind);
   const double inside = meanLoudness(power, evidence, from, to);
   const double ahead =
       meanLoudness(power, evidence, cellAt(travelled, here - 1.5), cellAt(travelled, here - 0.3));

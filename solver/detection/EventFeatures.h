@@ -22,8 +22,14 @@ struct EventFeatures {
   double wavelength = 0;  // [m] speed by the mean frequency of the power in 560 to 2000 Hz
 };
 
-// The stretch that counts as the event: from `before` ahead of the anchor to `behind` it.
-inline constexpr double windowBefore = 0.12, windowBehind = 0.28;  // [m]
+// The stretch that counts as the event [m]: ahead of the anchor and behind it. The lowest band, which tells the long dips
+// of joints and welds from squats, has wavelets as long as a metre and counts over more.
+struct EventWindow {
+  double before = 0, behind = 0;
+};
+constexpr EventWindow eventWindow(std::size_t band) {
+  return band == 0 ? EventWindow{0.4, 0.8} : EventWindow{0.12, 0.28};
+}
 
 // `speed` [m/s] and `travelled` [m] at each cell; `rate` [Hz] of the samples.
 EventFeatures eventFeatures(const BandPower& power, const Evidence& evidence, double rate,

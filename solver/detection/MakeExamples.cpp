@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "case/CaseFile.h"
+#include "case/ParameterTable.h"
 #include "core/Errors.h"
 #include "detection/ExampleDefects.h"
 #include "detection/SegmentEvents.h"
@@ -29,6 +30,20 @@ class QuietMonitor : public Monitor {
   Monitor& outer_;
 };
 
+// What the example does not state has its default.
+scenario::Defect defectOf(const ExampleDefect& example) {
+  const auto& own = example.defect;
+  auto defect = cases::defaultCase().defect;
+  defect.shape = own.shape;
+  defect.points = own.points;
+  if (own.shape == scenario::DefectShape::profile) return defect;
+  defect.length = own.length, defect.depth = own.depth;
+  if (own.shape == scenario::DefectShape::wshape) defect.middleHeight = own.middleHeight;
+  if (own.shape == scenario::DefectShape::dipWithWave)
+    defect.waveLength = own.waveLength, defect.waveDepth = own.waveDepth, defect.waveCount = own.waveCount;
+  return defect;
+}
+
 // One case for all of the group: zone of the mesh, and room ahead of the longest and behind.
 cases::CaseDescription baseOf(cases::CaseDescription description, const std::vector<ExampleDefect>& group,
                               double beyond) {
@@ -39,7 +54,7 @@ cases::CaseDescription baseOf(cases::CaseDescription description, const std::vec
   description.motion.beyond = std::max({description.motion.beyond, beyond, behind + 0.2});
   description.track.length = std::max(description.track.length, description.motion.runUp + description.motion.beyond + 2.5);
   description.rail.plastic = false;
-  description.defect = group.front().defect;
+  description.defect = defectOf(group.front());
   return description;
 }
 
@@ -80,7 +95,7 @@ class Runs {
  private:
   std::optional<Example> passage(cases::CaseDescription description, const ExampleDefect& defect,
                                  const simulation::RunOptions& run) {
-    description.defect = defect.defect;
+    description.defect = defectOf(defect);
     QuietMonitor quiet(monitor_);
     std::optional<Example> example;
     try {

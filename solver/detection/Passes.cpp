@@ -56,13 +56,13 @@ double shiftOnto(const std::vector<double>& fixed, const std::vector<double>& mo
          static_cast<double>(best);
 }
 
-// Position of the second event's signal relative to the first's, from where the two match best along the track.
+// [m] from where the second event was found to where its signal matches the first's.
 double matchedShift(const Event& one, const Event& other) {
   if (one.passage.values.size() < 16 || other.passage.values.size() < 16) return 0;
   const auto passageOf = [](const Event& event) {
     auto passage = signals::passageAtSpeed(event.passage, event.features.speed);
-    const double atEvent = (event.time - event.passage.start) * event.features.speed;
-    for (auto& position : passage.position) position -= atEvent - passage.position.front();
+    const double atEvent = passage.position.front() + (event.time - event.passage.start) * event.features.speed;
+    for (auto& position : passage.position) position -= atEvent;
     return passage;
   };
   signals::AlignmentOptions options;
@@ -91,7 +91,7 @@ CombinedEvent combined(std::vector<Found> group, std::size_t there) {
   std::map<Severity, double> severities;
   for (const auto& found : group) {
     result.records.push_back(found.record);
-    positions.push_back(found.position - (&found == &group.front() ? 0 : matchedShift(*group.front().event, *found.event)));
+    positions.push_back(found.position + (&found == &group.front() ? 0 : matchedShift(*group.front().event, *found.event)));
     kinds[found.event->kind] += found.event->sureness;
     severities[found.event->judgement.severity] += found.event->judgement.severitySureness;
   }

@@ -57,9 +57,9 @@ SegmentCutter::SegmentCutter(const records::RecordLayout& layout, std::size_t co
 
 double SegmentCutter::rate() const { return 1 / (step_ * static_cast<double>(factor_)); }
 
-// Samples that cover the margin at the speed of the newest sample, at least one second, at most half a core.
+// Samples that cover the margin at the speed of the core's end, at least one second, at most half a core.
 std::size_t SegmentCutter::marginSamples() const {
-  const double speed = speed_.empty() ? 0 : speed_.back();
+  const double speed = speed_.empty() ? 0 : speed_[std::min(speed_.size() - 1, kept_ + core_)];
   const double seconds = std::max(1.0, speed > 0 ? margin_ / speed : 0.0);
   const auto samples = std::min(static_cast<std::size_t>(seconds / step_), core_ / 2);
   return (samples + factor_ - 1) / factor_ * factor_;  // segments begin on the grid of the reduced rate
@@ -82,8 +82,10 @@ Segment SegmentCutter::cut(std::size_t end, bool isLast) {
   segment.coreStart = start_ + step_ * static_cast<double>(kept_);
   segment.coreEnd = start_ + step_ * static_cast<double>(end);
   if (isLast) segment.coreEnd += step_;
+  // What came beyond the margin with the last block belongs to the next segment alone.
+  const std::size_t shown = isLast ? position_.size() : std::min(position_.size(), end + marginSamples());
   for (std::size_t c = 0; c < values_.size(); ++c) {
-    auto values = values_[c];
+    std::vector<double> values(values_[c].begin(), values_[c].begin() + static_cast<std::ptrdiff_t>(shown));
     takeOffsetAway(values);
     segment.channels.push_back(decimated(values, start_, step_, factor_));
     segment.channels.back().name = names_[c];

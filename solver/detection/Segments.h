@@ -33,7 +33,6 @@ class SegmentCutter {
   double rate() const;  // [Hz] of the segments
 
  private:
-  struct Raw;
   std::size_t marginSamples() const;
   void append(const records::RecordBlock& block);
   Segment cut(std::size_t end, bool isLast);

@@ -170,7 +170,7 @@ const std::vector<std::vector<Folder>>& floors() {
       {"solver/records"},
       {"solver/analysis"},
       {"solver/receptance", "solver/simulation"},
-      {"solver/studies"},
+      {"solver/studies", "solver/detection"},
       {"solver/statements"},
       {"solver/calibration"},
       {"solver/estimation"},

@@ -1,0 +1,77 @@
+// What stands out of noise, and where.
+#include "detection/Candidates.h"
+
+#include <gmock/gmock.h>
+
+#include "core/Monitor.h"
+#include "detection/Detect.h"
+#include "detection/RecordMaker.h"
+
+namespace squat::detection {
+namespace {
+
+constexpr double rate = 25'000, speed = 30;
+
+RecordDetection candidatesOf(std::vector<double> values, std::size_t block = 1 << 18) {
+  MemoryStream stream(std::move(values), rate, speed, block);
+  Monitor monitor;
+  return findCandidates(stream, {}, monitor);
+}
+
+// 60 s of noise are some 7,500 looks of 8 ms; evidence of 14 and more has a probability of e^-14 in each, were the
+// looks one variable: below one in a hundred in all. Two are allowed: the level itself is estimated.
+TEST(Candidates, NoiseAloneHasNone) {
+  EXPECT_LE(candidatesOf(normalNoise(60 * 25'000, 4, 1)).channels[0].events.size(), 2U);
+}
+
+// Impacts of three times the noise's root mean square below 2 kHz, which is 0.4 of that of all (2 of 12.5 kHz).
+TEST(Candidates, ImpactsOfThreeTimesTheNoiseAreFoundWhereTheyAre) {
+  const double sigma = 4;
+  auto values = normalNoise(40 * 25'000, sigma, 2);
+  std::vector<double> times;
+  for (double time = 2; time < 39; time += 1.7) times.push_back(time);
+  for (const double time : times) addImpact(values, rate, time, 3 * 0.4 * sigma);
+  const auto events = candidatesOf(values).channels[0].events;
+  std::size_t found = 0;
+  for (const double time : times)
+    for (const auto& event : events)
+      if (std::abs(event.time - time) < 0.1 / speed) {  // 0.1 m, what a list of squats must hold
+        ++found;
+        break;
+      }
+  EXPECT_GE(found, times.size() * 9 / 10) << times.size() << " impacts, " << events.size() << " candidates";
+}
+
+// Segments of 21 s that overlap give the same list as one that holds all; block sizes do not matter.
+TEST(Candidates, DoNotDependOnBlocksAndSegments) {
+  auto values = normalNoise(90 * 25'000, 1, 3);
+  for (double time = 5; time < 88; time += 4.3) addImpact(values, rate, time, 30);
+  const auto whole = candidatesOf(values).channels[0].events;
+  const auto pieces = candidatesOf(values, 1000).channels[0].events;
+  ASSERT_EQ(whole.size(), 20U);
+  ASSERT_EQ(pieces.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(whole[i].time, pieces[i].time);
+    EXPECT_EQ(whole[i].features.energy, pieces[i].features.energy);
+  }
+}
+
+TEST(Candidates, TheOverviewHoldsEveryMetreOnce) {
+  auto values = normalNoise(30 * 25'000, 2, 4);
+  addImpact(values, rate, 10.01, 50);
+  const auto pieces = candidatesOf(values).channels[0].pieces;
+  EXPECT_NEAR(static_cast<double>(pieces.size()), 30 * speed, 2);
+  EXPECT_NEAR(pieces[100].rms, 2 * 0.4, 0.15) << "the share of noise below 2 kHz";
+  EXPECT_GT(pieces[300].peak, 25) << "the metre of the impact, at 300.3 m";
+}
+
+TEST(Candidates, AWheelThatStandsStillHasNone) {
+  auto values = normalNoise(10 * 25'000, 1, 6);
+  addImpact(values, rate, 5, 100);
+  MemoryStream stream(values, rate, 1.0, 1 << 18);  // [m/s], below the slowest that is looked at
+  Monitor monitor;
+  EXPECT_TRUE(findCandidates(stream, {}, monitor).channels[0].events.empty());
+}
+
+}  // namespace
+}  // namespace squat::detection

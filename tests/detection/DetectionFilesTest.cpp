@@ -1,0 +1,94 @@
+// The list as other programs read it.
+#include "detection/DetectionFiles.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/Errors.h"
+#include "text/Csv.h"
+
+namespace squat::detection {
+namespace {
+
+using ::testing::HasSubstr;
+
+DetectionReport reportWith(double latitude) {
+  DetectionReport report;
+  RecordDetection record;
+  record.layout.path = "ride.csv";
+  record.channels.push_back({"left", {}, {}, 0});
+  report.records.push_back(record);
+  CombinedEvent squat{{}, {0}, 0}, weld{{}, {0}, 0};
+  squat.event.channel = weld.event.channel = "left";
+  squat.event.position = 12345.678, squat.event.time = 10.5, squat.event.peak = 99.96;
+  squat.event.kind = Kind::squat, squat.event.sureness = 0.914;
+  squat.event.latitude = latitude, squat.event.longitude = 6.5;
+  squat.event.features.speed = 30;
+  squat.event.judgement = {Kind::squat, 0.914, 0.914, 0, Severity::moderate, 0.7, 0.045, 0.03, 0.06, 0.2e-3, 0.1e-3, 0.3e-3, 0};
+  weld.event.kind = Kind::weld, weld.event.position = 12400;
+  weld.event.latitude = weld.event.longitude = std::numeric_limits<double>::quiet_NaN();
+  report.events = {squat, weld};
+  return report;
+}
+
+TEST(DetectionFiles, TheTableHasNamedColumnsWithUnits) {
+  const auto rows = text::csvRecords(detectionCsv(reportWith(53)));
+  ASSERT_GE(rows.size(), 3U);
+  std::map<std::string, std::string> squat, weld;
+  for (std::size_t i = 0; i < rows[0].size(); ++i) squat[rows[0][i]] = rows[1][i], weld[rows[0][i]] = rows[2][i];
+  EXPECT_EQ(squat["position [m]"], "12345.678");
+  EXPECT_EQ(squat["time [s]"], "10.50000");
+  EXPECT_EQ(squat["kind"], "squat");
+  EXPECT_EQ(squat["severity"], "moderate");
+  EXPECT_EQ(squat["peak [m/s2]"], "100.0");
+  EXPECT_EQ(squat["length [mm]"], "45");
+  EXPECT_EQ(squat["depth high [mm]"], "0.300");
+  EXPECT_EQ(weld["kind"], "weld");
+  EXPECT_EQ(weld["severity"], "");
+  EXPECT_EQ(weld["depth [mm]"], "");
+}
+
+TEST(DetectionFiles, GeoJsonHasAPointForEachEventWithCoordinates) {
+  const auto json = nlohmann::json::parse(detectionGeoJson(reportWith(53)));
+  EXPECT_EQ(json["type"], "FeatureCollection");
+  ASSERT_EQ(json["features"].size(), 1U);
+  EXPECT_EQ(json["features"][0]["geometry"]["coordinates"], (nlohmann::json{6.5, 53.0})) << "longitude comes first";
+  EXPECT_EQ(json["features"][0]["properties"]["severity"], "moderate");
+  EXPECT_EQ(detectionGeoJson(reportWith(std::numeric_limits<double>::quiet_NaN())), "");
+}
+
+TEST(DetectionFiles, JsonReadsBack) {
+  const auto json = nlohmann::json::parse(detectionJson(reportWith(53)));
+  EXPECT_EQ(json["events"].size(), 2U);
+  EXPECT_EQ(json["events"][0]["depth_mm"][0], 0.2);
+  EXPECT_FALSE(json["events"][1].contains("severity"));
+}
+
+// The table corrected by hand serves as labels.
+TEST(DetectionFiles, TheTableServesAsLabels) {
+  const auto path = (std::filesystem::temp_directory_path() / "labels-test.csv").string();
+  auto text = detectionCsv(reportWith(53));
+  text.replace(text.find("moderate"), 8, "severe");
+  std::ofstream(path) << text;
+  const auto labels = readLabels(path);
+  ASSERT_EQ(labels.size(), 2U);
+  EXPECT_DOUBLE_EQ(labels[0].position, 12345.678);
+  EXPECT_EQ(severityOf(labels[0].length, labels[0].depth), Severity::severe) << "what the user says counts";
+  EXPECT_EQ(labels[1].kind, Kind::weld);
+  std::ofstream(path) << "position [m],kind\n12,crossing\n";
+  try {
+    readLabels(path);
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("line 2"));
+    EXPECT_THAT(error.what(), HasSubstr("squat, joint, weld"));
+  }
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace squat::detection

@@ -1,0 +1,67 @@
+// Passes whose counters differ by metres are one list.
+#include "detection/Passes.h"
+
+#include <gmock/gmock.h>
+
+#include "detection/RecordMaker.h"
+
+namespace squat::detection {
+namespace {
+
+RecordDetection passWith(const std::vector<double>& places, double shift, double speed) {
+  RecordDetection detection;
+  detection.layout.path = "pass";
+  detection.channels.push_back({"left", {}, {}, 0});
+  for (int metre = 0; metre < 100; ++metre) detection.channels[0].pieces.push_back({metre + shift, 1, 1});
+  constexpr double rate = 5000;
+  for (const double place : places) {
+    Event event;
+    event.channel = "left", event.unit = "m/s2";
+    event.kind = Kind::squat, event.sureness = 0.9, event.score = 100;
+    event.position = place + shift, event.time = place / speed;
+    event.features.speed = speed;
+    event.judgement.severitySureness = 0.8;
+    event.passage = {event.time - 0.5 / speed, 1 / rate, normalNoise(static_cast<std::size_t>(1.5 / speed * rate), 0.01, 1),
+                     "left", "m/s2"};
+    addImpact(event.passage.values, rate, 0.5 / speed, 50);
+    detection.channels[0].events.push_back(event);
+  }
+  return detection;
+}
+
+TEST(Passes, AreMovedOntoTheFirst) {
+  const auto events = combine({passWith({10, 33.3, 61, 80}, 0, 30), passWith({10.02, 33.28, 61.01, 80}, 3.7, 30)});
+  ASSERT_EQ(events.size(), 4U);
+  for (const auto& event : events) {
+    EXPECT_EQ(event.event.passes, 2U);
+    EXPECT_EQ(event.event.passesThere, 2U);
+  }
+  EXPECT_NEAR(events[1].event.position, 33.3, 0.05);
+}
+
+TEST(Passes, AnEventThatOneDoesNotHaveIsMarked) {
+  const auto events = combine({passWith({10, 33.3, 61}, 0, 30), passWith({10, 61}, 0, 30)});
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[1].event.passes, 1U);
+  EXPECT_EQ(events[1].event.passesThere, 2U);
+}
+
+// 12 mm of scatter in the places found, none in the signals: what is left is a sample of 6 mm and the interpolation.
+TEST(Passes, EventsAreMovedToWhereTheirSignalsMatch) {
+  auto one = passWith({10, 33.3, 61}, 0, 30), other = passWith({10, 33.3, 61}, 0, 30);
+  for (std::size_t i = 0; i < 3; ++i) {
+    auto& event = other.channels[0].events[i];
+    const double moved = i == 1 ? 0.06 : -0.06;  // found later or earlier than it is
+    event.position += moved, event.time += moved / 30;
+  }
+  for (const auto& event : combine({one, other})) EXPECT_LT(event.scatter, 0.02) << event.event.position;
+}
+
+TEST(Passes, RecordsOfOtherPlacesAreListedOneBehindTheOther) {
+  const auto events = combine({passWith({10, 33.3}, 0, 30), passWith({10, 33.3}, 5000, 30)});
+  ASSERT_EQ(events.size(), 4U);
+  EXPECT_EQ(events[0].event.passesThere, 1U);
+}
+
+}  // namespace
+}  // namespace squat::detection

@@ -1,0 +1,16 @@
+// widgets/plots/DetectionFigures.h - the events of long records: an overview along the track, one figure an event.
+#pragma once
+
+#include <vector>
+
+#include "detection/DetectionFiles.h"
+#include "plots/FigureSheet.h"
+
+namespace squat::plots {
+
+// "overview": largest acceleration along the chainage, a panel a channel of the first record, events as marks.
+// "event_001", ...: signal and scalogram of each event, squats first, the strongest first, at most `most`.
+std::vector<FigureSheet> detectionFigures(const detection::DetectionReport& report, const Style& style,
+                                          std::size_t most = 40);
+
+}  // namespace squat::plots
