@@ -41,10 +41,17 @@ struct DetectCommandOptions {
   bool json = false;
 };
 
-constexpr double generalSpread = 0.2, ownSpread = 0.12;  // log10 of energy: any vehicle; the vehicle at hand
+constexpr double ownSpread = 0.12, ownSizeSpread = 0.3;  // where the vehicle is the one at hand
 constexpr double labelWeight = 5;
 
 std::string generalExamples() { return (cases::resourcesFolder() / "detection/examples.csv").string(); }
+
+// A path, or the name of a shipped record.
+std::string recordFile(const std::string& nameOrPath) {
+  if (std::filesystem::exists(nameOrPath) || nameOrPath.find('/') != std::string::npos) return nameOrPath;
+  const auto shipped = cases::resourcesFolder() / "records" / (nameOrPath + ".csv");
+  return std::filesystem::exists(shipped) ? shipped.string() : nameOrPath;
+}
 
 // Median speed of the records' events, or of the call: what examples are computed at.
 double typicalSpeed(const std::vector<detection::RecordDetection>& records) {
@@ -133,14 +140,13 @@ std::optional<Source> sourceOf(DetectCommandOptions& options, const std::vector<
     if (!own) return std::nullopt;
     source.examples = *std::move(own);
     source.words = "passages of the case " + options.caseOptions.name;
-    options.judgement.spread = ownSpread;
+    options.judgement.spread = ownSpread, options.judgement.sizeSpread = ownSizeSpread;
   } else {
     const auto file = options.examples.empty() ? generalExamples() : options.examples;
     source.examples = detection::readExamples(file);
     source.words = options.examples.empty()
                        ? "passages of other vehicles and tracks: severities are uncertain, --case narrows them"
                        : file;
-    options.judgement.spread = generalSpread;
   }
   if (options.labels.empty()) return source;
   const auto labels = detection::readLabels(options.labels);
@@ -167,7 +173,7 @@ int detect(DetectCommandOptions options) {
   detection::DetectionReport report;
   bool cancelled = false;
   for (const auto& file : options.files) {
-    const auto stream = records::openRecord(file, read);
+    const auto stream = records::openRecord(recordFile(file), read);
     report.records.push_back(detection::findCandidates(*stream, options.detect, monitor));
     if ((cancelled = report.records.back().cancelled)) break;
   }
@@ -201,7 +207,7 @@ int detect(DetectCommandOptions options) {
 void addDetectCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("detect", "Find squats in long records of axle box acceleration");
   auto options = std::make_shared<DetectCommandOptions>();
-  command->add_option("records", options->files, "CSV, HDF5 or MATLAB files; several of one place are combined")
+  command->add_option("records", options->files, "Files, or the shipped example-record; several of one place are combined")
       ->required()
       ->type_name("RECORD...");
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");

@@ -40,13 +40,15 @@ struct Judgement {
 };
 
 struct JudgementOptions {
-  double spread = 0.2;   // scatter of log10 energy between alike passages of different vehicles
+  // Scatter of log10 energy between alike passages of different vehicles: of each band by itself, of all bands together.
+  double spread = 0.2, commonSpread = 0.05;
+  double sizeSpread = 0.5;  // of the logarithm of length and depth: how far the next example is
   double nothing = 100;  // odds ahead of any event that a candidate is noise, to one example's kind
   SeverityLimits limits;
 };
 
 // Bayes' rule over the examples, one kernel each: with the local noise of the event added to an example's energies, the
-// logarithms are taken to be normal, with the options' spread and the scatter that noise of that many degrees of freedom
+// logarithms are taken to be normal, with the options' spreads and the scatter that noise of that many degrees of freedom
 // brings. An example counts at the speed of the event: energies go with the square of the speed.
 class Judge {
  public:
@@ -69,7 +71,7 @@ class Judge {
   JudgementOptions options_;
   std::vector<std::string> vehicles_;
   std::vector<std::size_t> vehicleOf_;  // of each example
-  std::vector<double> prior_;           // log: each kind counts the same in all, each vehicle of it as well
+  std::vector<double> prior_;           // log: each kind, and each severity of squats, counts the same in all; each vehicle of it as well
 };
 
 }  // namespace squat::detection

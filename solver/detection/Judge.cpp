@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -13,15 +14,43 @@ constexpr double sharedEvidence = 0.5;   // events of a record are not independe
 constexpr double leastVehicleWeight = 0.02;
 constexpr std::size_t kinds = 6;
 
-// Logarithm of a normal density of log10 of the energy `seen` where `signal` and noise are expected.
-double logDensity(double seen, double signal, double noise, double freedom, double spread) {
-  const double expected = signal + noise;
-  if (!(expected > 0) || !(seen > 0)) return seen > 0 ? -1e3 : 0;
-  const double scatter = std::sqrt(2 * noise * noise + 4 * signal * noise) / std::sqrt(freedom);
-  const double ofNoise = scatter / expected / std::log(10.0), ofSignal = spread * signal / expected;
-  const double variance = ofNoise * ofNoise + ofSignal * ofSignal + 1e-4;
-  const double distance = std::log10(seen / expected);
-  return -0.5 * distance * distance / variance - 0.5 * std::log(variance);
+// Logarithm of a normal density of log10 energies, band by band added: each band has a variance of its own, and all share
+// a deviation of variance c, so that the covariance is D + c 1 1^T. Its inverse and determinant are closed forms (Sherman
+// and Morrison): d^T (D + c 1 1^T)^-1 d = sum d^2/v - (sum d/v)^2 / (1/c + sum 1/v), |D + c 1 1^T| = prod v (1 + c sum 1/v).
+class LogDensity {
+ public:
+  // Where `signal` and noise are expected and their sum `seen`.
+  void add(double seen, double signal, double noise, double freedom, double spread) {
+    const double expected = signal + noise;
+    if (!(expected > 0) || !(seen > 0)) {
+      if (seen > 0) impossible_ = true;
+      return;
+    }
+    const double scatter = std::sqrt(2 * noise * noise + 4 * signal * noise) / std::sqrt(freedom);
+    const double ofNoise = scatter / expected / std::log(10.0), ofSignal = spread * signal / expected;
+    const double variance = ofNoise * ofNoise + ofSignal * ofSignal + 1e-4;
+    const double distance = std::log10(seen / expected), share = signal / expected;  // noise has no common deviation
+    squares_ += distance * distance / variance;
+    linear_ += share * distance / variance;
+    weights_ += share * share / variance;
+    logs_ += std::log(variance);
+  }
+  double value(double commonSpread) const {
+    if (impossible_) return -1e3;
+    const double c = commonSpread * commonSpread;
+    return -0.5 * (squares_ - c * linear_ * linear_ / (1 + c * weights_) + logs_ + std::log1p(c * weights_));
+  }
+
+ private:
+  double squares_ = 0, linear_ = 0, weights_ = 0, logs_ = 0;
+  bool impossible_ = false;
+};
+
+// Squats of each severity are a group, and so is each other kind: all of a kind's groups count the same.
+constexpr std::size_t groups = 3 + kinds;
+std::size_t groupOf(const Example& example, const SeverityLimits& limits) {
+  return example.kind == Kind::squat ? static_cast<std::size_t>(severityOf(example.length, example.depth, limits))
+                                     : 3 + static_cast<std::size_t>(example.kind);
 }
 
 double logSum(const std::vector<double>& logs) {
@@ -36,6 +65,15 @@ double logSum(const std::vector<double>& logs) {
 struct Weighted {
   double value, weight;
 };
+
+// Each example stands for sizes around its own: a tenth of its weight at each of ten quantiles of a normal distribution
+// of the logarithm.
+constexpr std::array normalQuantiles{-1.645, -1.036, -0.674, -0.385, -0.126, 0.126, 0.385, 0.674, 1.036, 1.645};
+
+void addSizes(std::vector<Weighted>& sizes, double size, double weight, double spread) {
+  for (const double q : normalQuantiles)
+    sizes.push_back({size * std::exp(spread * q), weight / static_cast<double>(normalQuantiles.size())});
+}
 
 // The value below which `share` of the weight lies.
 double quantile(std::vector<Weighted> values, double share) {
@@ -52,7 +90,7 @@ double quantile(std::vector<Weighted> values, double share) {
 
 Judge::Judge(std::vector<Example> examples, JudgementOptions options)
     : examples_(std::move(examples)), options_(options) {
-  std::vector<std::vector<std::size_t>> count(kinds);  // of examples, a kind and vehicle
+  std::vector<std::vector<std::size_t>> count(groups);  // of examples, a group and vehicle
   for (const auto& example : examples_) {
     const auto found = std::find(vehicles_.begin(), vehicles_.end(), example.vehicle);
     vehicleOf_.push_back(static_cast<std::size_t>(found - vehicles_.begin()));
@@ -60,11 +98,12 @@ Judge::Judge(std::vector<Example> examples, JudgementOptions options)
   }
   for (auto& row : count) row.assign(vehicles_.size(), 0);
   for (std::size_t i = 0; i < examples_.size(); ++i)
-    ++count[static_cast<std::size_t>(examples_[i].kind)][vehicleOf_[i]];
+    ++count[groupOf(examples_[i], options_.limits)][vehicleOf_[i]];
   for (std::size_t i = 0; i < examples_.size(); ++i) {
-    const auto& row = count[static_cast<std::size_t>(examples_[i].kind)];
-    const auto ofKind = std::count_if(row.begin(), row.end(), [](std::size_t n) { return n > 0; });
-    prior_.push_back(std::log(std::max(examples_[i].weight, 1e-9)) - std::log(static_cast<double>(ofKind)) -
+    const auto& row = count[groupOf(examples_[i], options_.limits)];
+    const auto withGroup = std::count_if(row.begin(), row.end(), [](std::size_t n) { return n > 0; });
+    const double share = examples_[i].kind == Kind::squat ? 1.0 / 3 : 1.0;  // of the kind
+    prior_.push_back(std::log(share * std::max(examples_[i].weight, 1e-9)) - std::log(static_cast<double>(withGroup)) -
                      std::log(static_cast<double>(row[vehicleOf_[i]])));
   }
 }
@@ -75,19 +114,21 @@ std::vector<double> Judge::logLikelihoods(const EventFeatures& event) const {
     const auto& example = examples_[i];
     const double ratio = event.speed / example.speed, apart = std::log(ratio) / speedSpread;
     logs[i] = prior_[i] - 0.5 * apart * apart;
+    LogDensity density;
     for (std::size_t b = 0; b < bandCount; ++b)
       if (event.freedom[b] > 0)
-        logs[i] += logDensity(event.energy[b], example.energy[b] * ratio * ratio, event.noise[b], event.freedom[b],
-                              options_.spread);
+        density.add(event.energy[b], example.energy[b] * ratio * ratio, event.noise[b], event.freedom[b],
+                    options_.spread);
+    logs[i] += density.value(options_.commonSpread);
   }
   return logs;
 }
 
 double Judge::logNothing(const EventFeatures& event) const {
-  double log = std::log(options_.nothing);
+  LogDensity density;
   for (std::size_t b = 0; b < bandCount; ++b)
-    if (event.freedom[b] > 0) log += logDensity(event.energy[b], 0, event.noise[b], event.freedom[b], 0);
-  return log;
+    if (event.freedom[b] > 0) density.add(event.energy[b], 0, event.noise[b], event.freedom[b], 0);
+  return std::log(options_.nothing) + density.value(0);
 }
 
 std::vector<double> Judge::vehicleWeights(const std::vector<std::vector<double>>& likelihoods) const {
@@ -122,8 +163,8 @@ Judgement Judge::weigh(const EventFeatures& event, const std::vector<double>& li
     ofKind[static_cast<std::size_t>(example.kind)] += weight;
     if (example.kind != Kind::squat) continue;
     ofSeverity[static_cast<std::size_t>(severityOf(example.length, example.depth, options_.limits))] += weight;
-    lengths.push_back({example.length, weight});
-    depths.push_back({example.depth, weight});
+    addSizes(lengths, example.length, weight, options_.sizeSpread);
+    addSizes(depths, example.depth, weight, options_.sizeSpread);
     offset += weight * example.offset;
   }
   const auto best = std::max_element(ofKind.begin(), ofKind.end());

@@ -78,17 +78,20 @@ double medianStrength(const std::vector<Event>& events, const std::vector<std::s
 double markFlats(std::vector<Event>& events, const SurroundingsOptions& options) {
   const double circumference = likeliestCircumference(events, options);
   if (!(circumference > 0)) return 0;
+  const auto found = chains(events, circumference);
   double turns = 0, way = 0;
-  for (const auto& chain : chains(events, circumference)) {
-    const double middle = medianStrength(events, chain);
+  for (const auto& chain : found) {
     const double length = events[chain.back()].travelled - events[chain.front()].travelled;
     way += length, turns += std::round(length / circumference);
+  }
+  for (const auto& chain : found) {
+    const double middle = medianStrength(events, chain);
     for (const auto i : chain) {
       if (strengthOf(events[i]) > 4 * middle) continue;
       events[i].kind = Kind::flat;
       events[i].sureness = 1 - std::exp2(-static_cast<double>(chain.size()));
       char text[64];
-      std::snprintf(text, sizeof text, "repeats every %.2f m, %zu times", circumference, chain.size());
+      std::snprintf(text, sizeof text, "repeats every %.2f m, %zu times", way / turns, chain.size());
       events[i].reason = text;
     }
   }
