@@ -88,15 +88,19 @@ void printFaults(const detection::RecordDetection& record) {
     std::fprintf(stderr, "%s, %.3f s, %.1f m: %s. %s\n", record.layout.path.c_str(), fault.time, fault.position,
                  fault.text.c_str(), fault.advice.c_str());
   }
-  if (record.faults.size() > shown) std::fprintf(stderr, "and %zu more faults: squats.json\n", record.faults.size() - shown);
-  for (const auto& note : record.notes) std::fprintf(stderr, "note: %s: %s\n", record.layout.path.c_str(), note.c_str());
+  if (record.faults.size() > shown)
+    std::fprintf(stderr, "and %zu more faults: squats.json\n", record.faults.size() - shown);
+  for (const auto& note : record.notes)
+    std::fprintf(stderr, "note: %s: %s\n", record.layout.path.c_str(), note.c_str());
 }
 
 void printEvents(const detection::DetectionReport& report) {
-  TextTable table({"position [m]", "channel", "kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});
+  TextTable table(
+      {"position [m]", "channel", "kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});
   const auto range = [](double value, double low, double high, double factor, int digits) {
     char text[64];
-    std::snprintf(text, sizeof text, "%.*f (%.*f-%.*f)", digits, factor * value, digits, factor * low, digits, factor * high);
+    std::snprintf(text, sizeof text, "%.*f (%.*f-%.*f)", digits, factor * value, digits, factor * low, digits,
+                  factor * high);
     return std::string(text);
   };
   for (const auto& [event, records, scatter] : report.events) {
@@ -207,7 +211,8 @@ int detect(DetectCommandOptions options) {
 void addDetectCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("detect", "Find squats in long records of axle box acceleration");
   auto options = std::make_shared<DetectCommandOptions>();
-  command->add_option("records", options->files, "Files, or the shipped example-record; several of one place are combined")
+  command
+      ->add_option("records", options->files, "Files, or the shipped example-record; several of one place are combined")
       ->required()
       ->type_name("RECORD...");
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");

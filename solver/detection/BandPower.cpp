@@ -32,8 +32,7 @@ Voices voicesFor(double rate) {
     for (std::size_t i = 0; i < count; ++i) {
       voices.frequency.push_back(bands[b].low * std::exp2(width * (static_cast<double>(i) + 0.5)));
       voices.band.push_back(b);
-      voices.weight.push_back(0.5 * width * std::numbers::ln2 * signals::morletFrequency /
-                              std::sqrt(std::numbers::pi));
+      voices.weight.push_back(0.5 * width * std::numbers::ln2 * signals::morletFrequency / std::sqrt(std::numbers::pi));
     }
   }
   return voices;
@@ -42,8 +41,8 @@ Voices voicesFor(double rate) {
 }  // namespace
 
 const std::vector<DetectionBand>& detectionBands() {
-  static const std::vector<DetectionBand> bands{{"40-130 Hz", 40, 130},    {"130-320 Hz", 130, 320},
-                                                {"320-560 Hz", 320, 560},  {"560-900 Hz", 560, 900},
+  static const std::vector<DetectionBand> bands{{"40-130 Hz", 40, 130},     {"130-320 Hz", 130, 320},
+                                                {"320-560 Hz", 320, 560},   {"560-900 Hz", 560, 900},
                                                 {"900-1250 Hz", 900, 1250}, {"1250-2000 Hz", 1250, 2000}};
   return bands;
 }

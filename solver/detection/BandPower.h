@@ -18,8 +18,8 @@ struct DetectionBand {
 const std::vector<DetectionBand>& detectionBands();
 
 // Scale-averaged wavelet power (Torrence and Compo 1998, eq. 24) in each band, on one grid of cells: the band's part of
-// the mean square, so that white noise of variance s^2 at the rate f has s^2 (high - low) / (f / 2) in it. Morlet wavelet of
-// signals/ContinuousWavelet.h, six voices an octave.
+// the mean square, so that white noise of variance s^2 at the rate f has s^2 (high - low) / (f / 2) in it. Morlet
+// wavelet of signals/ContinuousWavelet.h, six voices an octave.
 struct BandPower {
   double start = 0, step = 0;              // [s] centre of the first cell; length of a cell
   std::size_t cell = 1;                    // samples in a cell

@@ -54,8 +54,8 @@ std::size_t anchorIn(const BandPower& power, const std::vector<std::vector<doubl
   std::vector<double> sum(end - first, 0.0);
   for (std::size_t b = firstSharp; b < power.power.size(); ++b) {
     const auto from = power.power[b].begin() + static_cast<std::ptrdiff_t>(first);
-    const auto row = smoothed({from, from + static_cast<std::ptrdiff_t>(end - first)},
-                              cellsOf(anchorSeconds, power.step));
+    const auto row =
+        smoothed({from, from + static_cast<std::ptrdiff_t>(end - first)}, cellsOf(anchorSeconds, power.step));
     const double largest = *std::max_element(row.begin(), row.end());
     for (std::size_t i = 0; i < sum.size(); ++i) {
       const double floor = std::max(level[b][first + i], largest / 30);

@@ -28,8 +28,7 @@ class Pipeline {
       while (underWay_.size() >= most_) takeFirst();
       underWay_.push_back(std::async(std::launch::async, [threshold = threshold_, segment = std::move(segment)] {
         std::vector<SegmentEvents> found;
-        for (std::size_t c = 0; c < segment.channels.size(); ++c)
-          found.push_back(segmentEvents(segment, c, threshold));
+        for (std::size_t c = 0; c < segment.channels.size(); ++c) found.push_back(segmentEvents(segment, c, threshold));
         return found;
       }));
     }
@@ -123,8 +122,8 @@ std::vector<Example> labelled(const RecordDetection& detection, const std::vecto
       continue;
     }
     const auto& features = nearest->features;
-    Example example{label.kind, "labels", label.length, label.depth, features.speed, 0, weight, {}, features.before,
-                    features.reach};
+    Example example{label.kind, "labels", label.length, label.depth,     features.speed,
+                    0,          weight,   {},           features.before, features.reach};
     for (std::size_t b = 0; b < bandCount; ++b)
       example.energy[b] = std::max(0.0, features.energy[b] - features.noise[b]);
     examples.push_back(std::move(example));

@@ -20,9 +20,9 @@ struct DetectOptions {
 
 struct ChannelDetection {
   std::string name;
-  std::vector<Event> events;   // in the order of travel
-  std::vector<Piece> pieces;   // along the track
-  double circumference = 0;    // [m] at which flats repeat; 0: none
+  std::vector<Event> events;  // in the order of travel
+  std::vector<Piece> pieces;  // along the track
+  double circumference = 0;   // [m] at which flats repeat; 0: none
 };
 
 struct RecordDetection {

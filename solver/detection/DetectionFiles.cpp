@@ -36,18 +36,24 @@ bool isSquat(const Event& event) { return event.kind == Kind::squat; }
 std::string head() {
   std::string text = "position [m],time [s],record,channel,kind,sureness,severity,score,peak [m/s2],speed [m/s]";
   for (const auto& band : detectionBands()) text += ",power " + band.name + " [(m/s2)2]";
-  return text + ",wavelength [mm],length [mm],length low [mm],length high [mm],depth [mm],depth low [mm],"
-                "depth high [mm],passes,passes there,latitude [deg],longitude [deg],reason\n";
+  return text +
+         ",wavelength [mm],length [mm],length low [mm],length high [mm],depth [mm],depth low [mm],"
+         "depth high [mm],passes,passes there,latitude [deg],longitude [deg],reason\n";
 }
 
 std::string row(const DetectionReport& report, const CombinedEvent& combined) {
   const auto& event = combined.event;
   const auto& judged = event.judgement;
-  std::vector<std::string> cells{fixed(event.position, 3), fixed(event.time, 5),
-                                 report.records[combined.records.front()].layout.path, event.channel,
-                                 toText(event.kind), fixed(event.sureness, 2),
-                                 isSquat(event) ? toText(judged.severity) : "", fixed(event.score, 1),
-                                 fixed(event.peak, 1), fixed(event.features.speed, 2)};
+  std::vector<std::string> cells{fixed(event.position, 3),
+                                 fixed(event.time, 5),
+                                 report.records[combined.records.front()].layout.path,
+                                 event.channel,
+                                 toText(event.kind),
+                                 fixed(event.sureness, 2),
+                                 isSquat(event) ? toText(judged.severity) : "",
+                                 fixed(event.score, 1),
+                                 fixed(event.peak, 1),
+                                 fixed(event.features.speed, 2)};
   for (std::size_t b = 0; b < bandCount; ++b) cells.push_back(fixed(powerOf(event, b), 2));
   cells.push_back(event.features.wavelength > 0 ? fixed(1e3 * event.features.wavelength, 1) : "");
   for (const double length : {judged.length, judged.lengthLow, judged.lengthHigh})
@@ -98,13 +104,14 @@ Json jsonOf(const DetectionReport& report, const CombinedEvent& combined) {
 Json jsonOf(const RecordDetection& record) {
   Json faults = Json::array(), channels = Json::array();
   for (const auto& fault : record.faults)
-    faults.push_back({{"position_m", fault.position}, {"time_s", fault.time}, {"text", fault.text}, {"advice", fault.advice}});
+    faults.push_back(
+        {{"position_m", fault.position}, {"time_s", fault.time}, {"text", fault.text}, {"advice", fault.advice}});
   for (const auto& channel : record.channels) {
     Json one{{"name", channel.name}};
     if (channel.circumference > 0) one["flats_repeat_m"] = rounded(channel.circumference, 1e-3);
     channels.push_back(one);
   }
-  return {{"path", record.layout.path},   {"rate_hz", record.layout.rate}, {"length_m", rounded(record.length, 0.1)},
+  return {{"path", record.layout.path},    {"rate_hz", record.layout.rate}, {"length_m", rounded(record.length, 0.1)},
           {"duration_s", record.duration}, {"channels", channels},          {"faults", faults},
           {"notes", record.notes}};
 }
@@ -127,7 +134,8 @@ std::string detectionJson(const DetectionReport& report) {
   Json events = Json::array(), records = Json::array();
   for (const auto& event : report.events) events.push_back(jsonOf(report, event));
   for (const auto& record : report.records) records.push_back(jsonOf(record));
-  return Json{{"examples", report.examples}, {"records", records}, {"events", events}, {"notes", report.notes}}.dump(2) +
+  return Json{{"examples", report.examples}, {"records", records}, {"events", events}, {"notes", report.notes}}.dump(
+             2) +
          '\n';
 }
 
@@ -188,8 +196,12 @@ std::vector<Label> readLabels(const std::string& path) {
       // A severity corrected by hand counts more than the estimate beside it.
       const auto severity = rows[i][at];
       if (!severity.empty() && severity != toText(severityOf(label.length, label.depth)))
-        label.length = severity == "light" ? 0.025 : severity == "moderate" ? 0.05 : 0.08,
-        label.depth = severity == "light" ? 0.06e-3 : severity == "moderate" ? 0.17e-3 : 0.35e-3;
+        label.length = severity == "light"      ? 0.025
+                       : severity == "moderate" ? 0.05
+                                                : 0.08,
+        label.depth = severity == "light"      ? 0.06e-3
+                      : severity == "moderate" ? 0.17e-3
+                                               : 0.35e-3;
     }
     labels.push_back(label);
   }

@@ -23,8 +23,8 @@ std::string detectionJson(const DetectionReport& report);
 // GeoJSON (RFC 7946): a point an event, longitude first. Empty where no event has coordinates.
 std::string detectionGeoJson(const DetectionReport& report);
 
-// position [m] and kind, optionally channel, severity, length [mm], depth [mm]; squats.csv as corrected by hand will do.
-// Throws FileError with the line.
+// position [m] and kind, optionally channel, severity, length [mm], depth [mm]; squats.csv as corrected by hand will
+// do. Throws FileError with the line.
 std::vector<Label> readLabels(const std::string& path);
 
 }  // namespace squat::detection

@@ -54,7 +54,8 @@ double reachOf(const BandPower& power, const Evidence& evidence, const std::vect
     pieces.push_back(loud > meanLevel(evidence, first, end) ? loud : 0.0);
     if (std::abs(from + 0.5 * piece - here) <= piece) own = std::max(own, pieces.back());
   }
-  const auto loud = std::count_if(pieces.begin(), pieces.end(), [&](double p) { return own > 0 && p >= loudShare * own; });
+  const auto loud =
+      std::count_if(pieces.begin(), pieces.end(), [&](double p) { return own > 0 && p >= loudShare * own; });
   return piece * static_cast<double>(loud);
 }
 
@@ -90,8 +91,7 @@ EventFeatures eventFeatures(const BandPower& power, const Evidence& evidence, do
   const auto window = eventWindow(bandCount - 1);
   const auto from = cellAt(travelled, here - window.before), to = cellAt(travelled, here + window.behind);
   const double inside = meanLoudness(power, evidence, from, to);
-  const double ahead =
-      meanLoudness(power, evidence, cellAt(travelled, here - 1.5), cellAt(travelled, here - 0.3));
+  const double ahead = meanLoudness(power, evidence, cellAt(travelled, here - 1.5), cellAt(travelled, here - 0.3));
   features.before = inside > 0 ? ahead / inside : 0;
   features.reach = reachOf(power, evidence, travelled, anchor);
   const double frequency = meanFrequency(power, evidence, from, to);

@@ -27,9 +27,7 @@ struct Range {
 constexpr Range lengths[] = {{0.012, 0.035}, {0.035, 0.060}, {0.060, 0.095}};
 constexpr Range depths[] = {{0.03e-3, 0.10e-3}, {0.10e-3, 0.25e-3}, {0.25e-3, 0.50e-3}};
 
-double within(const Range& range, Shares& shares) {
-  return range.low * std::pow(range.high / range.low, shares());
-}
+double within(const Range& range, Shares& shares) { return range.low * std::pow(range.high / range.low, shares()); }
 
 // Depth to which a wheel of 0.46 m reaches into a gap of this length.
 double felt(double length) { return length * length / (8 * 0.46); }

@@ -17,9 +17,9 @@ struct ExampleDefect {
   double before = 0, behind = 0;  // [m] that it reaches from its deepest point
 };
 
-// Squats: cosine, W shape and dips with trailing waves, 12 to 95 mm long and 0.03 to 0.5 mm deep, spread evenly over the
-// logarithms of both, a third of each severity. Dips deeper than a wheel of 0.46 m can follow by more than a half are
-// left out: no signal tells them from shallower ones.
+// Squats: cosine, W shape and dips with trailing waves, 12 to 95 mm long and 0.03 to 0.5 mm deep, spread evenly over
+// the logarithms of both, a third of each severity. Dips deeper than a wheel of 0.46 m can follow by more than a half
+// are left out: no signal tells them from shallower ones.
 std::vector<ExampleDefect> exampleSquats(std::size_t count, std::uint32_t seed);
 
 // Half joints, half welds.

@@ -55,8 +55,8 @@ std::string examplesText(const std::vector<Example>& examples) {
   std::string text = headLine();
   for (const auto& example : examples) {
     text += toText(example.kind) + ',' + text::csvField(example.vehicle);
-    for (const double value : {1e3 * example.length, 1e3 * example.depth, example.speed, 1e3 * example.offset,
-                               example.weight})
+    for (const double value :
+         {1e3 * example.length, 1e3 * example.depth, example.speed, 1e3 * example.offset, example.weight})
       text += ',' + text::numberText(value);
     for (const double value : example.energy) text += ',' + text::numberText(value);
     text += ',' + text::numberText(example.before) + ',' + text::numberText(example.reach) + '\n';

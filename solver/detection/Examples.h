@@ -29,9 +29,9 @@ std::vector<Example> readExamples(const std::string& path);
 // What the examples say of one event.
 struct Judgement {
   Kind kind = Kind::other;
-  double sureness = 0;        // [0..1] probability of the kind
+  double sureness = 0;  // [0..1] probability of the kind
   double squatProbability = 0;
-  double nothing = 0;         // probability that it is the local noise alone
+  double nothing = 0;  // probability that it is the local noise alone
   Severity severity = Severity::light;
   double severitySureness = 0;
   double length = 0, lengthLow = 0, lengthHigh = 0;  // [m] median and 90 % range, of squats
@@ -40,16 +40,17 @@ struct Judgement {
 };
 
 struct JudgementOptions {
-  // Scatter of log10 energy between alike passages of different vehicles: of each band by itself, of all bands together.
+  // Scatter of log10 energy between alike passages of different vehicles: of each band by itself, of all bands
+  // together.
   double spread = 0.2, commonSpread = 0.05;
   double sizeSpread = 0.5;  // of the logarithm of length and depth: how far the next example is
-  double nothing = 100;  // odds ahead of any event that a candidate is noise, to one example's kind
+  double nothing = 100;     // odds ahead of any event that a candidate is noise, to one example's kind
   SeverityLimits limits;
 };
 
 // Bayes' rule over the examples, one kernel each: with the local noise of the event added to an example's energies, the
-// logarithms are taken to be normal, with the options' spreads and the scatter that noise of that many degrees of freedom
-// brings. An example counts at the speed of the event: energies go with the square of the speed.
+// logarithms are taken to be normal, with the options' spreads and the scatter that noise of that many degrees of
+// freedom brings. An example counts at the speed of the event: energies go with the square of the speed.
 class Judge {
  public:
   Judge(std::vector<Example> examples, JudgementOptions options);
@@ -71,7 +72,8 @@ class Judge {
   JudgementOptions options_;
   std::vector<std::string> vehicles_;
   std::vector<std::size_t> vehicleOf_;  // of each example
-  std::vector<double> prior_;           // log: each kind, and each severity of squats, counts the same in all; each vehicle of it as well
+  std::vector<double>
+      prior_;  // log: each kind, and each severity of squats, counts the same in all; each vehicle of it as well
 };
 
 }  // namespace squat::detection

@@ -9,14 +9,15 @@
 namespace squat::detection {
 namespace {
 
-constexpr double speedSpread = 0.15;     // of the logarithm of the speed: what two speeds have in common
-constexpr double sharedEvidence = 0.5;   // events of a record are not independent looks at its vehicle
+constexpr double speedSpread = 0.15;    // of the logarithm of the speed: what two speeds have in common
+constexpr double sharedEvidence = 0.5;  // events of a record are not independent looks at its vehicle
 constexpr double leastVehicleWeight = 0.02;
 constexpr std::size_t kinds = 6;
 
-// Logarithm of a normal density of log10 energies, band by band added: each band has a variance of its own, and all share
-// a deviation of variance c, so that the covariance is D + c 1 1^T. Its inverse and determinant are closed forms (Sherman
-// and Morrison): d^T (D + c 1 1^T)^-1 d = sum d^2/v - (sum d/v)^2 / (1/c + sum 1/v), |D + c 1 1^T| = prod v (1 + c sum 1/v).
+// Logarithm of a normal density of log10 energies, band by band added: each band has a variance of its own, and all
+// share a deviation of variance c, so that the covariance is D + c 1 1^T. Its inverse and determinant are closed forms
+// (Sherman and Morrison): d^T (D + c 1 1^T)^-1 d = sum d^2/v - (sum d/v)^2 / (1/c + sum 1/v), |D + c 1 1^T| = prod v (1
+// + c sum 1/v).
 class LogDensity {
  public:
   // Where `signal` and noise are expected and their sum `seen`.
@@ -66,9 +67,9 @@ struct Weighted {
   double value, weight;
 };
 
-// Each example stands for sizes around its own: a tenth of its weight at each of ten quantiles of a normal distribution
-// of the logarithm.
-constexpr std::array normalQuantiles{-1.645, -1.036, -0.674, -0.385, -0.126, 0.126, 0.385, 0.674, 1.036, 1.645};
+// Each example stands for sizes around its own: a ninth of its weight at each of nine quantiles of a normal
+// distribution of the logarithm.
+constexpr std::array normalQuantiles{-1.593, -0.967, -0.589, -0.282, 0.0, 0.282, 0.589, 0.967, 1.593};
 
 void addSizes(std::vector<Weighted>& sizes, double size, double weight, double spread) {
   for (const double q : normalQuantiles)
@@ -97,8 +98,7 @@ Judge::Judge(std::vector<Example> examples, JudgementOptions options)
     if (found == vehicles_.end()) vehicles_.push_back(example.vehicle);
   }
   for (auto& row : count) row.assign(vehicles_.size(), 0);
-  for (std::size_t i = 0; i < examples_.size(); ++i)
-    ++count[groupOf(examples_[i], options_.limits)][vehicleOf_[i]];
+  for (std::size_t i = 0; i < examples_.size(); ++i) ++count[groupOf(examples_[i], options_.limits)][vehicleOf_[i]];
   for (std::size_t i = 0; i < examples_.size(); ++i) {
     const auto& row = count[groupOf(examples_[i], options_.limits)];
     const auto withGroup = std::count_if(row.begin(), row.end(), [](std::size_t n) { return n > 0; });

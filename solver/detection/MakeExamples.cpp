@@ -48,11 +48,13 @@ scenario::Defect defectOf(const ExampleDefect& example) {
 cases::CaseDescription baseOf(cases::CaseDescription description, const std::vector<ExampleDefect>& group,
                               double beyond) {
   double before = 0, behind = 0;
-  for (const auto& example : group) before = std::max(before, example.before), behind = std::max(behind, example.behind);
+  for (const auto& example : group)
+    before = std::max(before, example.before), behind = std::max(behind, example.behind);
   description.mesh.zoneBefore = before, description.mesh.zoneBehind = behind;
   description.motion.runUp = std::max(description.motion.runUp, before + 0.1);
   description.motion.beyond = std::max({description.motion.beyond, beyond, behind + 0.2});
-  description.track.length = std::max(description.track.length, description.motion.runUp + description.motion.beyond + 2.5);
+  description.track.length =
+      std::max(description.track.length, description.motion.runUp + description.motion.beyond + 2.5);
   description.rail.plastic = false;
   description.defect = defectOf(group.front());
   return description;
@@ -163,8 +165,7 @@ std::optional<std::vector<Example>> makeExamples(const cases::CaseDescription& d
   const auto others = exampleJointsAndWelds(options.others, options.seed + 1);
   Runs runs(options, squats.size() + others.size(), monitor);
   if (!runs.add(description, squats, 0.4) || !runs.add(description, others, 0.6)) return std::nullopt;
-  if (runs.examples.empty())
-    throw RunError("no example came to its end: " + runs.failure, 0, 0, "");
+  if (runs.examples.empty()) throw RunError("no example came to its end: " + runs.failure, 0, 0, "");
   const auto vehicle = cases::caseHash(description);
   for (auto& example : runs.examples) example.vehicle = vehicle;
   return std::move(runs.examples);

@@ -10,8 +10,8 @@
 namespace squat::detection {
 namespace {
 
-constexpr double samePlace = 0.35;    // [m] events of two passes, once moved, that are one
-constexpr double largestShift = 10;   // [m] between the counters of two passes
+constexpr double samePlace = 0.35;   // [m] events of two passes, once moved, that are one
+constexpr double largestShift = 10;  // [m] between the counters of two passes
 
 struct Extent {
   double first = 0, last = 0;
@@ -91,7 +91,8 @@ CombinedEvent combined(std::vector<Found> group, std::size_t there) {
   std::map<Severity, double> severities;
   for (const auto& found : group) {
     result.records.push_back(found.record);
-    positions.push_back(found.position + (&found == &group.front() ? 0 : matchedShift(*group.front().event, *found.event)));
+    positions.push_back(found.position +
+                        (&found == &group.front() ? 0 : matchedShift(*group.front().event, *found.event)));
     kinds[found.event->kind] += found.event->sureness;
     severities[found.event->judgement.severity] += found.event->judgement.severitySureness;
   }
@@ -129,7 +130,8 @@ std::vector<CombinedEvent> combine(const std::vector<RecordDetection>& detection
     if (isTaken[i]) continue;
     std::vector<Found> group{all[i]};
     for (std::size_t k = i + 1; k < all.size() && all[k].position - all[i].position < samePlace; ++k) {
-      const bool isOther = std::none_of(group.begin(), group.end(), [&](const Found& f) { return f.record == all[k].record; });
+      const bool isOther =
+          std::none_of(group.begin(), group.end(), [&](const Found& f) { return f.record == all[k].record; });
       if (isTaken[k] || !isOther || all[k].event->channel != all[i].event->channel) continue;
       isTaken[k] = true;
       group.push_back(all[k]);

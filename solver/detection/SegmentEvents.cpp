@@ -113,8 +113,7 @@ SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double 
   return found;
 }
 
-EventFeatures passageFeatures(const signals::TimeSeries& passage, const std::vector<double>& position,
-                              double& offset) {
+EventFeatures passageFeatures(const signals::TimeSeries& passage, const std::vector<double>& position, double& offset) {
   const std::size_t n = passage.values.size();
   const double speed = (position.back() - position.front()) / (passage.step * static_cast<double>(n - 1));
   // Silence on both sides, longer than the longest wavelet; the end of the record fades into it.

@@ -20,8 +20,8 @@ struct SegmentEvents {
 };
 
 // Stretches slower than `leastSpeed` are passed over: a wheel that barely moves excites nothing that can be judged.
-inline constexpr double leastSpeed = 3;    // [m/s]
-inline constexpr double pieceLength = 1;   // [m]
+inline constexpr double leastSpeed = 3;   // [m/s]
+inline constexpr double pieceLength = 1;  // [m]
 
 SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold);
 

@@ -43,8 +43,8 @@ class SegmentCutter {
   std::size_t factor_, core_;
   double margin_;
   std::vector<std::string> names_, units_;
-  double start_ = 0;               // [s] of the first sample that is kept
-  std::size_t kept_ = 0;           // samples ahead of the core that came with the segment before
+  double start_ = 0;      // [s] of the first sample that is kept
+  std::size_t kept_ = 0;  // samples ahead of the core that came with the segment before
   std::vector<std::vector<double>> values_;
   std::vector<double> position_, speed_, latitude_, longitude_;
 };

@@ -12,8 +12,7 @@ constexpr std::size_t leastStrikes = 4;
 
 double strengthOf(const Event& event) {
   double sum = 0;
-  for (std::size_t b = 1; b < bandCount; ++b)
-    sum += std::max(0.0, event.features.energy[b] - event.features.noise[b]);
+  for (std::size_t b = 1; b < bandCount; ++b) sum += std::max(0.0, event.features.energy[b] - event.features.noise[b]);
   return sum;
 }
 

@@ -61,8 +61,8 @@ TEST(BandPower, ASlowRecordHasNoHighBands) {
   EXPECT_GT(meanOf(power.power[1]), 0);
 }
 
-// Means of k squares of normal numbers: the level is the mean, 1, although an event that is a hundred times as loud fills
-// a third of the window. 2000 values scatter by sqrt(2 / k / 2000) and the correction is good to a per cent.
+// Means of k squares of normal numbers: the level is the mean, 1, although an event that is a hundred times as loud
+// fills a third of the window. 2000 values scatter by sqrt(2 / k / 2000) and the correction is good to a per cent.
 TEST(LocalLevel, IsTheMeanOfTheNoiseAndDoesNotSeeEvents) {
   const int k = 8;
   std::mt19937 engine(9);

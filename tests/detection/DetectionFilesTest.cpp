@@ -28,7 +28,8 @@ DetectionReport reportWith(double latitude) {
   squat.event.kind = Kind::squat, squat.event.sureness = 0.914;
   squat.event.latitude = latitude, squat.event.longitude = 6.5;
   squat.event.features.speed = 30;
-  squat.event.judgement = {Kind::squat, 0.914, 0.914, 0, Severity::moderate, 0.7, 0.045, 0.03, 0.06, 0.2e-3, 0.1e-3, 0.3e-3, 0};
+  squat.event.judgement = {Kind::squat, 0.914,  0.914,  0, Severity::moderate, 0.7, 0.045, 0.03, 0.06,
+                           0.2e-3,      0.1e-3, 0.3e-3, 0};
   weld.event.kind = Kind::weld, weld.event.position = 12400;
   weld.event.latitude = weld.event.longitude = std::numeric_limits<double>::quiet_NaN();
   report.events = {squat, weld};

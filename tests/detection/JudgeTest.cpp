@@ -39,8 +39,8 @@ std::vector<Example> known() {
 
 TEST(Judge, TakesAnEventForWhatItsLikeWas) {
   const Judge judge(known(), {});
-  const auto judged = judge.judge({eventLike(known()[0]), eventLike(known()[1]), eventLike(known()[2]),
-                                   eventLike(known()[3])});
+  const auto judged =
+      judge.judge({eventLike(known()[0]), eventLike(known()[1]), eventLike(known()[2]), eventLike(known()[3])});
   EXPECT_EQ(judged[0].severity, Severity::light);
   EXPECT_EQ(judged[1].severity, Severity::moderate);
   EXPECT_EQ(judged[2].severity, Severity::severe);
@@ -64,12 +64,13 @@ TEST(Judge, NoiseIsNothing) {
   EXPECT_LT(judge.judge({eventLike(known()[1])}).front().nothing, 1e-6);
 }
 
-// One vehicle's squats are ten times as loud as another's: an event between says little, but beside events that only the
-// loud vehicle explains, it is the lighter squat.
+// One vehicle's squats are ten times as loud as another's: an event between says little, but beside events that only
+// the loud vehicle explains, it is the lighter squat.
 TEST(Judge, EventsOfOneRecordShareTheirVehicle) {
-  std::vector<Example> two{example(Kind::squat, "loud", 10, 0.03, 0.08e-3), example(Kind::squat, "loud", 100, 0.05, 0.2e-3),
-                           example(Kind::squat, "loud", 1000, 0.08, 0.4e-3), example(Kind::squat, "still", 1, 0.03, 0.08e-3),
-                           example(Kind::squat, "still", 10, 0.05, 0.2e-3), example(Kind::squat, "still", 100, 0.08, 0.4e-3)};
+  std::vector<Example> two{
+      example(Kind::squat, "loud", 10, 0.03, 0.08e-3),  example(Kind::squat, "loud", 100, 0.05, 0.2e-3),
+      example(Kind::squat, "loud", 1000, 0.08, 0.4e-3), example(Kind::squat, "still", 1, 0.03, 0.08e-3),
+      example(Kind::squat, "still", 10, 0.05, 0.2e-3),  example(Kind::squat, "still", 100, 0.08, 0.4e-3)};
   const Judge judge(two, {});
   const auto between = eventLike(two[1]);
   const auto alone = judge.judge({between}).front();

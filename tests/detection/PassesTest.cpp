@@ -21,8 +21,8 @@ RecordDetection passWith(const std::vector<double>& places, double shift, double
     event.position = place + shift, event.time = place / speed;
     event.features.speed = speed;
     event.judgement.severitySureness = 0.8;
-    event.passage = {event.time - 0.5 / speed, 1 / rate, normalNoise(static_cast<std::size_t>(1.5 / speed * rate), 0.01, 1),
-                     "left", "m/s2"};
+    event.passage = {event.time - 0.5 / speed, 1 / rate,
+                     normalNoise(static_cast<std::size_t>(1.5 / speed * rate), 0.01, 1), "left", "m/s2"};
     addImpact(event.passage.values, rate, 0.5 / speed, 50);
     detection.channels[0].events.push_back(event);
   }

@@ -6,8 +6,8 @@
 namespace squat::studies {
 namespace {
 
-// The measured run on `draft`: 79,152 elements, 24,576 steps, 18 s on two cores, 134 MiB. Mesh and defect have changed a
-// little since; the time is that of another day and load.
+// The measured run on `draft`: 79,152 elements, 24,576 steps, 18 s on two cores, 134 MiB. Mesh and defect have changed
+// a little since; the time is that of another day and load.
 TEST(CostEstimate, isThatOfAMeasuredRun) {
   const auto cost = costOf(cases::loadCase(std::string(SQUAT_SOURCE_DIR) + "/resources/cases/light-defect.toml"));
   EXPECT_NEAR(static_cast<double>(cost.elements), 79152, 0.05 * 79152);
@@ -18,9 +18,8 @@ TEST(CostEstimate, isThatOfAMeasuredRun) {
 
 TEST(CostEstimate, aStudyTakesTheFirstPointThatCanBeRun) {
   const auto coarse = cases::CaseOverrides{"tiny", {}};
-  const StudyDefinition study{std::string(SQUAT_SOURCE_DIR) + "/resources/cases/light-defect.toml",
-                              "",
-                              {{"motion.speed", {"-1", "30"}}}};
+  const StudyDefinition study{
+      std::string(SQUAT_SOURCE_DIR) + "/resources/cases/light-defect.toml", "", {{"motion.speed", {"-1", "30"}}}};
   EXPECT_GT(costOfARun(study, coarse).elements, 0U);
   EXPECT_LE(costOfARun(study, coarse).elements, 15000U);
 }

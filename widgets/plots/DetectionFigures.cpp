@@ -16,12 +16,10 @@ namespace {
 using detection::CombinedEvent;
 using detection::Kind;
 
-constexpr std::array kindMarks{std::pair{Kind::squat, QCPScatterStyle::ssTriangle},
-                               std::pair{Kind::joint, QCPScatterStyle::ssSquare},
-                               std::pair{Kind::weld, QCPScatterStyle::ssDiamond},
-                               std::pair{Kind::corrugation, QCPScatterStyle::ssCross},
-                               std::pair{Kind::flat, QCPScatterStyle::ssCircle},
-                               std::pair{Kind::other, QCPScatterStyle::ssPlus}};
+constexpr std::array kindMarks{
+    std::pair{Kind::squat, QCPScatterStyle::ssTriangle}, std::pair{Kind::joint, QCPScatterStyle::ssSquare},
+    std::pair{Kind::weld, QCPScatterStyle::ssDiamond},   std::pair{Kind::corrugation, QCPScatterStyle::ssCross},
+    std::pair{Kind::flat, QCPScatterStyle::ssCircle},    std::pair{Kind::other, QCPScatterStyle::ssPlus}};
 
 // As many points as a figure has pixels: of each group the largest.
 Curve envelopeOf(const std::vector<detection::Piece>& pieces) {
@@ -46,8 +44,7 @@ std::unique_ptr<Figure> overviewFigure(const detection::DetectionReport& report,
   figure->setPrintedSize({175, 55});
   figure->xAxis->setLabel(isLast ? "Chainage [km]" : "");
   figure->yAxis->setLabel(QStringLiteral("Largest |%1| [%2]")
-                              .arg(QString::fromStdString(own.name),
-                                   unitText(record.layout.channels[channel].unit)));
+                              .arg(QString::fromStdString(own.name), unitText(record.layout.channels[channel].unit)));
   const auto envelope = envelopeOf(own.pieces);
   if (!envelope.x.empty()) {
     const auto [low, high] = std::minmax_element(envelope.x.begin(), envelope.x.end());
@@ -144,7 +141,8 @@ std::vector<FigureSheet> detectionFigures(const detection::DetectionReport& repo
   std::vector<FigureSheet> sheets;
   FigureSheet overview{"overview", {}, 1};
   const auto channels = report.records.empty() ? 0 : report.records.front().channels.size();
-  for (std::size_t c = 0; c < channels; ++c) overview.panels.push_back(overviewFigure(report, c, c + 1 == channels, style));
+  for (std::size_t c = 0; c < channels; ++c)
+    overview.panels.push_back(overviewFigure(report, c, c + 1 == channels, style));
   if (channels > 0) sheets.push_back(std::move(overview));
   std::size_t count = 0;
   for (const auto* combined : mostImportant(report, most)) {
