@@ -41,7 +41,8 @@ struct DetectCommandOptions {
   bool json = false;
 };
 
-constexpr double ownSpread = 0.12, ownSizeSpread = 0.3;  // where the vehicle is the one at hand
+// Where the vehicle is the one at hand: less of each.
+constexpr double ownSpread = 0.12, ownCommonSpread = 0.05, ownSizeSpread = 0.2;
 constexpr double labelWeight = 5;
 
 std::string generalExamples() { return (cases::resourcesFolder() / "detection/examples.csv").string(); }
@@ -144,7 +145,8 @@ std::optional<Source> sourceOf(DetectCommandOptions& options, const std::vector<
     if (!own) return std::nullopt;
     source.examples = *std::move(own);
     source.words = "passages of the case " + options.caseOptions.name;
-    options.judgement.spread = ownSpread, options.judgement.sizeSpread = ownSizeSpread;
+    options.judgement.spread = ownSpread, options.judgement.commonSpread = ownCommonSpread;
+    options.judgement.sizeSpread = ownSizeSpread;
   } else {
     const auto file = options.examples.empty() ? generalExamples() : options.examples;
     source.examples = detection::readExamples(file);

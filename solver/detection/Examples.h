@@ -5,21 +5,11 @@
 #include <vector>
 
 #include "detection/EventFeatures.h"
+#include "detection/Example.h"
 #include "detection/Severity.h"
+#include "detection/SizeTrend.h"
 
 namespace squat::detection {
-
-// One passage without noise, computed by the solver or labelled by the user.
-struct Example {
-  Kind kind = Kind::squat;
-  std::string vehicle;           // examples of one vehicle on one track share it
-  double length = 0, depth = 0;  // [m] of a squat; 0: not known
-  double speed = 0;              // [m/s]
-  double offset = 0;             // [m] from the defect's deepest point to the event's anchor
-  double weight = 1;
-  std::array<double, bandCount> energy{};  // [m2/s3] in the event's window
-  double before = 0, reach = 0;            // as in EventFeatures
-};
 
 // kind, vehicle, length [mm], depth [mm], speed [m/s], offset [mm], weight, energies, before, reach [m].
 std::string examplesText(const std::vector<Example>& examples);
@@ -42,8 +32,8 @@ struct Judgement {
 struct JudgementOptions {
   // Scatter of log10 energy between alike passages of different vehicles: of each band by itself, of all bands
   // together.
-  double spread = 0.2, commonSpread = 0.05;
-  double sizeSpread = 0.5;  // of the logarithm of length and depth: how far the next example is
+  double spread = 0.2, commonSpread = 0.2;
+  double sizeSpread = 0.4;  // of the logarithm of length and depth: how far the next example is
   double nothing = 100;     // odds ahead of any event that a candidate is noise, to one example's kind
   SeverityLimits limits;
 };
@@ -70,6 +60,7 @@ class Judge {
 
   std::vector<Example> examples_;
   JudgementOptions options_;
+  SizeTrend trend_;
   std::vector<std::string> vehicles_;
   std::vector<std::size_t> vehicleOf_;  // of each example
   std::vector<double>

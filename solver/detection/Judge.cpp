@@ -76,6 +76,16 @@ void addSizes(std::vector<Weighted>& sizes, double size, double weight, double s
     sizes.push_back({size * std::exp(spread * q), weight / static_cast<double>(normalQuantiles.size())});
 }
 
+void addSeverities(std::array<double, 3>& severities, double length, double depth, double weight,
+                   const JudgementOptions& options) {
+  constexpr double count = static_cast<double>(normalQuantiles.size() * normalQuantiles.size());
+  for (const double l : normalQuantiles)
+    for (const double d : normalQuantiles)
+      severities[static_cast<std::size_t>(severityOf(length * std::exp(options.sizeSpread * l),
+                                                     depth * std::exp(options.sizeSpread * d), options.limits))] +=
+          weight / count;
+}
+
 // The value below which `share` of the weight lies.
 double quantile(std::vector<Weighted> values, double share) {
   std::sort(values.begin(), values.end(), [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
@@ -90,7 +100,7 @@ double quantile(std::vector<Weighted> values, double share) {
 }  // namespace
 
 Judge::Judge(std::vector<Example> examples, JudgementOptions options)
-    : examples_(std::move(examples)), options_(options) {
+    : examples_(std::move(examples)), options_(options), trend_(examples_) {
   std::vector<std::vector<std::size_t>> count(groups);  // of examples, a group and vehicle
   for (const auto& example : examples_) {
     const auto found = std::find(vehicles_.begin(), vehicles_.end(), example.vehicle);
@@ -162,9 +172,11 @@ Judgement Judge::weigh(const EventFeatures& event, const std::vector<double>& li
     const auto& example = examples_[i];
     ofKind[static_cast<std::size_t>(example.kind)] += weight;
     if (example.kind != Kind::squat) continue;
-    ofSeverity[static_cast<std::size_t>(severityOf(example.length, example.depth, options_.limits))] += weight;
-    addSizes(lengths, example.length, weight, options_.sizeSpread);
-    addSizes(depths, example.depth, weight, options_.sizeSpread);
+    const auto factors = trend_.factors(example, event);
+    const double length = example.length * factors.length, depth = example.depth * factors.depth;
+    addSeverities(ofSeverity, length, depth, weight, options_);
+    addSizes(lengths, length, weight, options_.sizeSpread);
+    addSizes(depths, depth, weight, options_.sizeSpread);
     offset += weight * example.offset;
   }
   const auto best = std::max_element(ofKind.begin(), ofKind.end());

@@ -64,18 +64,23 @@ bool isNested(const Array& array) {
 }
 
 // A dataset as one column, or one column for each of its runs.
-void addColumns(text::DelimitedTable& table, const Array& array) {
+void addColumns(Hdf5Columns& found, const Array& array) {
   const std::size_t n = lengthOf(array);
   const auto values = numbersOf(array);
-  const std::size_t runs = n ? values.size() / n : 0;
+  std::size_t runs = n > 0 ? 1 : 0;
+  for (const std::size_t extent : array.shape)
+    if (n > 0) runs *= extent;
+  if (n > 0 && !array.shape.empty()) runs /= n;
   const bool samplesFirst = array.shape.empty() || array.shape.front() == n;
   for (std::size_t run = 0; run < runs; ++run) {
     text::TableColumn column;
     column.name = nameOf(array.path) + (runs > 1 ? " " + std::to_string(run + 1) : "");
     column.unit = unitOf(array);
-    column.values.resize(n);
-    for (std::size_t i = 0; i < n; ++i) column.values[i] = samplesFirst ? values[i * runs + run] : values[run * n + i];
-    table.columns.push_back(std::move(column));
+    column.values.resize(values.empty() ? 0 : n);
+    for (std::size_t i = 0; i < column.values.size(); ++i)
+      column.values[i] = samplesFirst ? values[i * runs + run] : values[run * n + i];
+    found.table.columns.push_back(std::move(column));
+    found.places.push_back({array.path, run, runs, samplesFirst});
   }
 }
 
@@ -88,30 +93,30 @@ class Finder {
     if (all_.empty()) throw FileError(path, "", "contains no numeric dataset");
   }
 
-  text::DelimitedTable table() {
+  Hdf5Columns columns() {
     chooseGroup();
-    text::DelimitedTable table;
-    table.path = path_;
-    table.rowWord = "sample";
-    const std::size_t n = chosenLength();
+    Hdf5Columns found;
+    found.table.path = path_;
+    found.table.rowWord = "sample";
+    const std::size_t n = found.samples = chosenLength();
     for (const Array* array : all_) {
       if (parentOf(array->path) != group_) continue;
       if (lengthOf(*array) == n) {
         if (isNested(*array))
           throw FileError(path_, array->path, "has more than two dimensions",
                           "Store samples, or samples and runs: one or two dimensions");
-        addColumns(table, *array);
+        addColumns(found, *array);
       } else if (roleOf(*array) != Role::signal || nameOf(array->path) == options_.timeColumn) {
         throw FileError(path_, array->path,
                         "has " + std::to_string(lengthOf(*array)) + " values, the signal " + std::to_string(n),
                         "All datasets of a group must be equally long");
       }
     }
-    table.lines.resize(n);
-    std::iota(table.lines.begin(), table.lines.end(), 0u);
-    return table;
+    found.options = options(found.table);
+    return found;
   }
 
+ private:
   // The options with what the file adds: the chosen dataset, sampling rate and speed.
   SignalFileOptions options(const text::DelimitedTable& table) const {
     SignalFileOptions result = options_;
@@ -130,7 +135,6 @@ class Finder {
     return result;
   }
 
- private:
   void chooseGroup() {
     std::set<std::string> groups;
     for (const Array* array : all_) groups.insert(parentOf(array->path));
@@ -215,13 +219,18 @@ class Finder {
 
 }  // namespace
 
+Hdf5Columns columnsOf(const std::string& path, const results::ArrayTree& tree, const SignalFileOptions& options) {
+  return Finder(path, tree, options).columns();
+}
+
 std::vector<signals::Record> readHdf5Signals(const std::string& path, const SignalFileOptions& options) {
   results::Hdf5Limits limits;
   limits.skipForeign = true;
   const ArrayTree tree = results::readHdf5(path, limits);
-  Finder finder(path, tree, options);
-  const text::DelimitedTable table = finder.table();
-  auto signals = signalsOf(table, finder.options(table));
+  auto [table, places, samples, found] = columnsOf(path, tree, options);
+  table.lines.resize(samples);
+  std::iota(table.lines.begin(), table.lines.end(), 0u);
+  auto signals = signalsOf(table, found);
   if (results::textAttribute(tree.attributes, "schema") == results::kResultSchema &&
       results::numberAttribute(tree.attributes, "complete", 1) != 1)
     for (auto& signal : signals)

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "core/Errors.h"
+#include "records/Hdf5Rows.h"
 #include "records/RecordReader.h"
 #include "records/RecordStream.h"
 #include "records/TextRows.h"
@@ -9,7 +10,12 @@ namespace squat::records {
 
 std::unique_ptr<RecordStream> openRecord(const std::string& path, const RecordOptions& options) {
   readers::requireOptions(options.columns);
-  return std::make_unique<RecordReader>(path, std::make_unique<TextRows>(path, options.columns), options);
+  if (!readers::isHdf5(path))
+    return std::make_unique<RecordReader>(path, std::make_unique<TextRows>(path, options.columns), options);
+  auto rows = std::make_unique<Hdf5Rows>(path, options.columns);
+  auto own = options;
+  own.columns.column = rows->column();
+  return std::make_unique<RecordReader>(path, std::move(rows), own);
 }
 
 }  // namespace squat::records

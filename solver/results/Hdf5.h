@@ -19,6 +19,9 @@ struct Hdf5Limits {
   // Files of other programs (measured signals): soft links, named types and datasets that are neither numbers nor text
   // are passed over instead of refused.
   bool skipForeign = false;
+  // Datasets with more values than this come without them: their type, shape and attributes alone. Such a tree can
+  // not be written again.
+  std::size_t valuesUpTo = static_cast<std::size_t>(-1);
 };
 
 // The image of an HDF5 file in memory. Nothing touches the disk, so a full disk cannot leave the library in a bad

@@ -175,32 +175,36 @@ class Walker {
   }
 
   Array array(hid_t dataset, const std::string& path) {
-    checkLayout(dataset, path);
+    checkLayout(dataset, path_, path, limits_);
     Array array;
     array.path = path;
     const Handle space(H5Dget_space(dataset), H5Sclose);
     const Handle type(H5Dget_type(dataset), H5Tclose);
     const std::size_t count = readShape(space.get(), path, array.shape);
     const auto typeSize = H5Tget_size(type.get());
+    const bool listed = count > limits_.valuesUpTo;
+    if (listed && count / kMaximumPacked > fileBytes_)
+      refuse(path, "claims more values than the file can hold (" + std::to_string(count) + ")");
+    const std::size_t read = listed ? 0 : count;
     switch (H5Tget_class(type.get())) {
       case H5T_FLOAT:
         if (typeSize > 8) refuse(path, "has a type that is not a number of 4 or 8 bytes");
         if (typeSize > 4)
-          array.values = numbers<double>(dataset, path, count, H5T_NATIVE_DOUBLE);
+          array.values = numbers<double>(dataset, path, read, H5T_NATIVE_DOUBLE);
         else
-          array.values = numbers<float>(dataset, path, count, H5T_NATIVE_FLOAT);
+          array.values = numbers<float>(dataset, path, read, H5T_NATIVE_FLOAT);
         break;
       case H5T_INTEGER:
         if (typeSize > 8) refuse(path, "has whole numbers of more than 8 bytes");
         if (typeSize == 1 && isUnsigned(type.get()))
-          array.values = numbers<std::uint8_t>(dataset, path, count, H5T_NATIVE_UINT8);
+          array.values = numbers<std::uint8_t>(dataset, path, read, H5T_NATIVE_UINT8);
         else if (typeSize <= 2 || (typeSize <= 4 && !isUnsigned(type.get())))
-          array.values = numbers<std::int32_t>(dataset, path, count, H5T_NATIVE_INT32);
+          array.values = numbers<std::int32_t>(dataset, path, read, H5T_NATIVE_INT32);
         else
-          array.values = numbers<std::int64_t>(dataset, path, count, H5T_NATIVE_INT64);
+          array.values = numbers<std::int64_t>(dataset, path, read, H5T_NATIVE_INT64);
         break;
       case H5T_STRING:
-        array.values = texts(dataset, path, count, type.get());
+        array.values = texts(dataset, path, read, type.get());
         break;
       default:
         refuse(path, "has a type that is neither a number nor text");
@@ -209,42 +213,15 @@ class Walker {
     return array;
   }
 
-  void checkLayout(hid_t dataset, const std::string& path) const {
-    const Handle creation(H5Dget_create_plist(dataset), H5Pclose);
-    check(creation.get(), path_, path, "its layout cannot be read");
-    if (H5Pget_external_count(creation.get()) != 0) refuse(path, "keeps its values in another file (external storage)");
-    const auto layout = H5Pget_layout(creation.get());
-    if (layout == H5D_VIRTUAL) refuse(path, "keeps its values in other files (virtual layout)");
-    if (layout != H5D_COMPACT && layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED)
-      refuse(path, "has an unknown layout");
-    const int filters = H5Pget_nfilters(creation.get());
-    for (int i = 0; i < filters; ++i) {
-      unsigned flags = 0, configuration = 0;
-      std::size_t parameters = 0;
-      const auto filter = H5Pget_filter2(creation.get(), static_cast<unsigned>(i), &flags, &parameters, nullptr, 0,
-                                         nullptr, &configuration);
-      if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32)
-        refuse(path, "is packed with an unknown filter (" + std::to_string(filter) + ")");
-    }
-    if (layout == H5D_CHUNKED) {
-      hsize_t extents[H5S_MAX_RANK] = {};
-      const int rank = check(H5Pget_chunk(creation.get(), H5S_MAX_RANK, extents), path_, path, "has no chunks");
-      std::size_t size = 1;
-      for (int axis = 0; axis < rank; ++axis) {
-        if (extents[axis] == 0 || size > limits_.chunkBytes / extents[axis]) refuse(path, "has absurd chunks");
-        size *= extents[axis];
-      }
-    }
-  }
-
   std::size_t readShape(hid_t space, const std::string& path, std::vector<std::size_t>& shape) const {
     const int rank = check(H5Sget_simple_extent_ndims(space), path_, path, "has no extents");
     if (static_cast<std::size_t>(rank) > limits_.rank) refuse(path, "has too many dimensions");
     std::vector<hsize_t> extents(static_cast<std::size_t>(rank));
     if (rank > 0) check(H5Sget_simple_extent_dims(space, extents.data(), nullptr), path_, path, "has no extents");
+    const std::size_t largest = limits_.valuesUpTo < limits_.bytes ? std::size_t{1} << 40 : limits_.bytes;
     std::size_t count = H5Sget_simple_extent_type(space) == H5S_NULL ? 0 : 1;
     for (const auto extent : extents) {
-      if (extent != 0 && count > limits_.bytes / extent)
+      if (extent != 0 && count > largest / extent)
         refuse(path, "has absurd extents (axis of " + std::to_string(extent) + " values)");
       count *= static_cast<std::size_t>(extent);
       shape.push_back(static_cast<std::size_t>(extent));
@@ -289,6 +266,36 @@ class Walker {
 };
 
 }  // namespace
+
+void checkLayout(hid_t dataset, const std::string& file, const std::string& path, const Hdf5Limits& limits) {
+  const auto refuse = [&](const std::string& object, const std::string& what) {
+    throw FileError(file, object, what, limits.skipForeign ? kForeignAdvice : kAdvice);
+  };
+  const Handle creation(H5Dget_create_plist(dataset), H5Pclose);
+  check(creation.get(), file, path, "its layout cannot be read");
+  if (H5Pget_external_count(creation.get()) != 0) refuse(path, "keeps its values in another file (external storage)");
+  const auto layout = H5Pget_layout(creation.get());
+  if (layout == H5D_VIRTUAL) refuse(path, "keeps its values in other files (virtual layout)");
+  if (layout != H5D_COMPACT && layout != H5D_CONTIGUOUS && layout != H5D_CHUNKED) refuse(path, "has an unknown layout");
+  const int filters = H5Pget_nfilters(creation.get());
+  for (int i = 0; i < filters; ++i) {
+    unsigned flags = 0, configuration = 0;
+    std::size_t parameters = 0;
+    const auto filter = H5Pget_filter2(creation.get(), static_cast<unsigned>(i), &flags, &parameters, nullptr, 0,
+                                       nullptr, &configuration);
+    if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32)
+      refuse(path, "is packed with an unknown filter (" + std::to_string(filter) + ")");
+  }
+  if (layout == H5D_CHUNKED) {
+    hsize_t extents[H5S_MAX_RANK] = {};
+    const int rank = check(H5Pget_chunk(creation.get(), H5S_MAX_RANK, extents), file, path, "has no chunks");
+    std::size_t size = 1;
+    for (int axis = 0; axis < rank; ++axis) {
+      if (extents[axis] == 0 || size > limits.chunkBytes / extents[axis]) refuse(path, "has absurd chunks");
+      size *= extents[axis];
+    }
+  }
+}
 
 ArrayTree readTree(const std::string& path, const Hdf5Limits& limits) { return Walker(path, limits).walk(); }
 

@@ -27,8 +27,8 @@ void encodeTree(const ArrayTree& tree, const ByteSink& sink);
 std::vector<std::byte> encodeTree(const ArrayTree& tree);
 
 // Refuses damage, truncation and trailing bytes with FileError(path, section, ...). Takes no more memory than the bytes
-// that really come, and at most about twice `largestBytes`.
-ArrayTree decodeTree(const ByteSource& source, const std::string& path, std::size_t largestBytes);
+// that really come, and at most about twice `largestBytes`. `listed`: arrays may come without their values.
+ArrayTree decodeTree(const ByteSource& source, const std::string& path, std::size_t largestBytes, bool listed = false);
 
 // A source over bytes in memory; `bytes` must outlive it.
 ByteSource sourceOf(std::span<const std::byte> bytes);

@@ -9,10 +9,11 @@
 namespace squat::text {
 namespace {
 
-constexpr std::array<Unit, 35> units{{{"s", 1, "s"},
+constexpr std::array<Unit, 36> units{{{"s", 1, "s"},
                                       {"sec", 1, "s"},
                                       {"ms", 1e-3, "s"},
                                       {"us", 1e-6, "s"},
+                                      {"ns", 1e-9, "s"},
                                       {"\xC2\xB5s", 1e-6, "s"},
                                       {"\xCE\xBCs", 1e-6, "s"},
                                       {"m", 1, "m"},

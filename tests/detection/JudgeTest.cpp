@@ -32,13 +32,20 @@ EventFeatures eventLike(const Example& cause, double speed = 30, double noise = 
   return event;
 }
 
+// Examples that lie close together: each stands for its own size alone.
+JudgementOptions close() {
+  JudgementOptions options;
+  options.commonSpread = 0.05, options.sizeSpread = 0.05;
+  return options;
+}
+
 std::vector<Example> known() {
   return {example(Kind::squat, "a", 1, 0.02, 0.05e-3), example(Kind::squat, "a", 30, 0.05, 0.2e-3),
           example(Kind::squat, "a", 1000, 0.08, 0.4e-3), example(Kind::weld, "a", 30)};
 }
 
 TEST(Judge, TakesAnEventForWhatItsLikeWas) {
-  const Judge judge(known(), {});
+  const Judge judge(known(), close());
   const auto judged =
       judge.judge({eventLike(known()[0]), eventLike(known()[1]), eventLike(known()[2]), eventLike(known()[3])});
   EXPECT_EQ(judged[0].severity, Severity::light);
@@ -52,12 +59,12 @@ TEST(Judge, TakesAnEventForWhatItsLikeWas) {
 
 // Energies go with the square of the speed: the same defect at 33 m/s is still the same.
 TEST(Judge, CountsAnExampleAtTheSpeedOfTheEvent) {
-  const Judge judge(known(), {});
+  const Judge judge(known(), close());
   EXPECT_EQ(judge.judge({eventLike(known()[1], 33)}).front().severity, Severity::moderate);
 }
 
 TEST(Judge, NoiseIsNothing) {
-  const Judge judge(known(), {});
+  const Judge judge(known(), close());
   auto noise = eventLike(known()[0], 30, 1.0);
   noise.energy = noise.noise;
   EXPECT_GT(judge.judge({noise}).front().nothing, 0.9);
@@ -71,7 +78,7 @@ TEST(Judge, EventsOfOneRecordShareTheirVehicle) {
       example(Kind::squat, "loud", 10, 0.03, 0.08e-3),  example(Kind::squat, "loud", 100, 0.05, 0.2e-3),
       example(Kind::squat, "loud", 1000, 0.08, 0.4e-3), example(Kind::squat, "still", 1, 0.03, 0.08e-3),
       example(Kind::squat, "still", 10, 0.05, 0.2e-3),  example(Kind::squat, "still", 100, 0.08, 0.4e-3)};
-  const Judge judge(two, {});
+  const Judge judge(two, close());
   const auto between = eventLike(two[1]);
   const auto alone = judge.judge({between}).front();
   EXPECT_NEAR(alone.severitySureness, 0.5, 0.05) << "moderate on one vehicle, severe on the other";
@@ -80,6 +87,25 @@ TEST(Judge, EventsOfOneRecordShareTheirVehicle) {
   const auto together = judge.judge(record).back();
   EXPECT_EQ(together.severity, Severity::moderate);
   EXPECT_GT(together.severitySureness, 0.9);
+}
+
+// Squats whose energies go exactly with length^2 depth^2 in all bands, with a fixed ratio of the two: between two of
+// the examples the size follows the trend. Ridge and kernel pull by some per cent.
+TEST(SizeTrend, CarriesSizesOverToTheEvent) {
+  std::vector<Example> many;
+  for (int i = 0; i < 12; ++i) {
+    const double length = 0.02 * std::pow(1.15, i);
+    many.push_back(example(Kind::squat, "a", 1e8 * std::pow(length, 4), length, length / 200));
+  }
+  const double between = many[5].length * std::sqrt(1.15);
+  const auto event = eventLike(example(Kind::squat, "a", 1e8 * std::pow(between, 4), between, between / 200), 30, 1e-6);
+  const SizeTrend trend(many);
+  for (const std::size_t i : {4U, 5U, 6U, 7U}) {
+    const auto factors = trend.factors(many[i], event);
+    EXPECT_NEAR(many[i].length * factors.length / between, 1, 0.02) << i;
+    EXPECT_NEAR(many[i].depth * factors.depth / (between / 200), 1, 0.02) << i;
+  }
+  EXPECT_DOUBLE_EQ(SizeTrend({many[0], many[1]}).factors(many[0], event).length, 1) << "two examples are no trend";
 }
 
 TEST(Examples, AreReadAsTheyWereWritten) {

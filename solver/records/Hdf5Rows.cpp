@@ -1,0 +1,94 @@
+#include "records/Hdf5Rows.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "core/Errors.h"
+#include "readers/Hdf5Signals.h"
+#include "records/PandasFrames.h"
+#include "results/ResultTree.h"
+#include "text/Text.h"
+
+namespace squat::records {
+namespace {
+
+constexpr std::size_t headRows = 200;
+
+std::string parentOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
+
+// The group whose longest dataset is the longest of all; empty where the file has an aba, or two are equally long.
+std::string longestGroup(const results::ArrayTree& tree) {
+  std::map<std::string, std::size_t> longest;
+  for (const auto& array : tree.arrays) {
+    if (text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == "aba") return {};
+    if (std::holds_alternative<std::vector<std::string>>(array.values)) continue;
+    for (const std::size_t extent : array.shape) {
+      auto& most = longest[parentOf(array.path)];
+      most = std::max(most, extent);
+    }
+  }
+  if (longest.empty()) return {};
+  const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+  const auto most = std::max_element(longest.begin(), longest.end(), less);
+  const auto as =
+      std::count_if(longest.begin(), longest.end(), [&](const auto& g) { return g.second == most->second; });
+  return as > 1 ? std::string() : most->first.empty() ? "/" : most->first;
+}
+
+std::string groupNamed(const std::string& object) {
+  std::string group = object.empty() || object.front() == '/' ? object : "/" + object;
+  while (group.size() > 1 && group.back() == '/') group.pop_back();
+  return group;
+}
+
+}  // namespace
+
+Hdf5Rows::Hdf5Rows(std::string path, const readers::SignalFileOptions& options) : path_(std::move(path)) {
+  const auto tree = results::listHdf5(path_);
+  auto own = options;
+  if (own.object.empty()) own.object = longestGroup(tree);
+  auto frame = pandasColumns(path_, tree, groupNamed(own.object));
+  auto found = frame ? std::move(*frame) : readers::columnsOf(path_, tree, own);
+  head_ = std::move(found.table);
+  places_ = std::move(found.places);
+  samples_ = found.samples;
+  rate = found.options.rate;
+  speed = found.options.speed;
+  column_ = found.options.column;
+  if (results::textAttribute(tree.attributes, "schema") == results::kResultSchema &&
+      results::numberAttribute(tree.attributes, "complete", 1) != 1)
+    notes.push_back("the run is not complete: what came later is missing");
+  readHead();
+}
+
+// The first values of every column, for what depends on them.
+void Hdf5Rows::readHead() {
+  results::Hdf5Stream stream(path_, places_, samples_);
+  std::vector<std::vector<double>> columns;
+  stream.next(columns);
+  for (std::size_t c = 0; c < head_.columns.size() && c < columns.size(); ++c) {
+    columns[c].resize(std::min(columns[c].size(), headRows));
+    head_.columns[c].values = std::move(columns[c]);
+  }
+}
+
+void Hdf5Rows::choose(std::vector<std::size_t> columns) {
+  std::vector<results::Hdf5Column> places;
+  for (const std::size_t c : columns) places.push_back(places_[c]);
+  stream_ = std::make_unique<results::Hdf5Stream>(path_, std::move(places), samples_);
+}
+
+bool Hdf5Rows::next(std::size_t most, Rows& rows) {
+  for (auto& column : rows.columns) column.clear();
+  while (rows.size() < most && stream_->next(rows.columns)) continue;
+  read_ += rows.size();
+  return rows.size() > 0;
+}
+
+double Hdf5Rows::fraction() const {
+  return samples_ ? static_cast<double>(read_) / static_cast<double>(samples_) : 1.0;
+}
+
+}  // namespace squat::records

@@ -1,0 +1,48 @@
+// solver/results/GuardedChild.h - work on a file that may come from a stranger, in a child process whose death is an
+// error here: libraries that read such files are not proof against damage.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+
+#include "results/TreeStream.h"
+
+namespace squat::results {
+
+struct ChildLimits {
+  std::size_t memory = 0;   // [bytes] beyond what this process has
+  std::size_t seconds = 1;  // of computing
+};
+
+class GuardedChild {
+ public:
+  // `work` runs in the child and sends bytes. A FileError that it throws is thrown here by receiveKind; anything else,
+  // its death and its end, as well.
+  using Work = std::function<void(const ByteSink&)>;
+  GuardedChild(std::string path, const ChildLimits& limits, const Work& work);
+  ~GuardedChild();  // ends the child
+  GuardedChild(const GuardedChild&) = delete;
+  GuardedChild& operator=(const GuardedChild&) = delete;
+
+  // The child sends one byte before each thing; this reads it.
+  char receiveKind();
+  std::size_t receive(std::span<std::byte> wanted);  // fewer bytes than wanted: the child has ended
+  // Waits for the child and throws FileError saying how it ended.
+  [[noreturn]] void died();
+  void wait();
+
+  static constexpr char refused = 'E';
+
+ private:
+  std::string path_;
+  int source_ = -1;
+  pid_t process_ = -1;
+  int status_ = 0;
+  bool waited_ = false;
+};
+
+}  // namespace squat::results

@@ -1,0 +1,155 @@
+#include "results/Hdf5Stream.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "results/Hdf5.h"
+#include "results/Hdf5Handle.h"
+#include "results/Hdf5Reader.h"
+
+namespace squat::results {
+namespace {
+
+using hdf5::check;
+using hdf5::Handle;
+
+constexpr std::size_t pieceSamples = std::size_t{1} << 16;
+constexpr std::size_t pieceValues = std::size_t{1} << 23;  // of one dataset, all runs
+constexpr char kPiece = 'P', kEnd = 'Z';
+
+Hdf5Limits foreign() {
+  Hdf5Limits limits;
+  limits.skipForeign = true;
+  limits.valuesUpTo = 4096;
+  return limits;
+}
+
+// One dataset, read in hyperslabs over all of its runs.
+class Dataset {
+ public:
+  Dataset(hid_t file, const std::string& path, const Hdf5Column& column, std::size_t samples)
+      : path_(path), name_(column.path), runs_(column.runs), samplesFirst_(column.samplesFirst) {
+    const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+    // A chunk is unpacked once, whatever its size: the largest that is read is 32 MB.
+    H5Pset_chunk_cache(access.get(), 1009, std::size_t{40} << 20, 1.0);
+    dataset_ = Handle(H5Dopen2(file, name_.c_str(), access.get()), H5Dclose);
+    check(dataset_.get(), path_, name_, "cannot be opened");
+    hdf5::checkLayout(dataset_.get(), path_, name_, foreign());
+    space_ = Handle(H5Dget_space(dataset_.get()), H5Sclose);
+    const int rank = check(H5Sget_simple_extent_ndims(space_.get()), path_, name_, "has no extents");
+    extents_.resize(static_cast<std::size_t>(std::max(rank, 0)));
+    if (rank > 0)
+      check(H5Sget_simple_extent_dims(space_.get(), extents_.data(), nullptr), path_, name_, "has no extents");
+    std::size_t count = 1;
+    for (std::size_t axis = 0; axis < extents_.size(); ++axis) {
+      count *= static_cast<std::size_t>(extents_[axis]);
+      if (extents_[axis] == samples && (samplesAxis_ == none || !samplesFirst_)) samplesAxis_ = axis;
+    }
+    if (samplesAxis_ == none || count != samples * runs_)
+      throw FileError(path_, name_, "has changed while it was read");
+  }
+
+  // Sends run after run of samples [from, from + count).
+  void read(std::size_t from, std::size_t count) {
+    std::vector<hsize_t> start(extents_.size(), 0), size = extents_;
+    start[samplesAxis_] = from;
+    size[samplesAxis_] = count;
+    check(H5Sselect_hyperslab(space_.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr), path_, name_,
+          "cannot be read in parts");
+    const hsize_t all = count * runs_;
+    const Handle memory(H5Screate_simple(1, &all, nullptr), H5Sclose);
+    values_.resize(static_cast<std::size_t>(all));
+    check(H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, memory.get(), space_.get(), H5P_DEFAULT, values_.data()), path_,
+          name_, ("cannot be read at sample " + std::to_string(from + 1)).c_str());
+    if (runs_ == 1 || !samplesFirst_) return;
+    sorted_.resize(values_.size());
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t run = 0; run < runs_; ++run) sorted_[run * count + i] = values_[i * runs_ + run];
+    values_.swap(sorted_);
+  }
+  std::span<const double> run(std::size_t run, std::size_t count) const {
+    return std::span(values_).subspan(run * count, count);
+  }
+  std::size_t runs() const { return runs_; }
+
+ private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::string path_, name_;
+  std::size_t runs_, samplesAxis_ = none;
+  bool samplesFirst_;
+  Handle dataset_, space_;
+  std::vector<hsize_t> extents_;
+  std::vector<double> values_, sorted_;
+};
+
+// In the child.
+void sendColumns(const std::string& path, const std::vector<Hdf5Column>& columns, std::size_t samples,
+                 const ByteSink& send) {
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  check(file.get(), path, "", "is not an HDF5 file, or a damaged one");
+  std::map<std::string, Dataset> datasets;
+  std::size_t step = pieceSamples;
+  for (const auto& column : columns) {
+    datasets.try_emplace(column.path, file.get(), path, column, samples);
+    step = std::min(step, std::max<std::size_t>(1, pieceValues / column.runs));
+  }
+  const auto sendKind = [&](char kind) { send(std::as_bytes(std::span(&kind, 1))); };
+  for (std::size_t from = 0; from < samples; from += step) {
+    const std::uint64_t count = std::min(step, samples - from);
+    for (auto& [name, dataset] : datasets) dataset.read(from, static_cast<std::size_t>(count));
+    sendKind(kPiece);
+    send(std::as_bytes(std::span(&count, 1)));
+    for (const auto& column : columns)
+      send(std::as_bytes(datasets.at(column.path).run(column.run, static_cast<std::size_t>(count))));
+  }
+  sendKind(kEnd);
+}
+
+}  // namespace
+
+ArrayTree listHdf5(const std::string& path) { return readHdf5(path, foreign()); }
+
+Hdf5Stream::Hdf5Stream(std::string path, std::vector<Hdf5Column> columns, std::size_t samples)
+    : path_(std::move(path)), columns_(std::move(columns)) {
+  std::map<std::string, std::size_t> runs;
+  for (const auto& column : columns_) runs[column.path] = column.runs;
+  ChildLimits limits;
+  limits.memory = std::size_t{128} << 20;
+  limits.seconds = 10;
+  for (const auto& [name, count] : runs) {  // cache and pieces; ten times as long as honest files take
+    limits.memory += (std::size_t{64} << 20) + 24 * std::min(pieceValues, count * pieceSamples);
+    limits.seconds += samples / 2000000 * count;
+  }
+  child_ = std::make_unique<GuardedChild>(path_, limits,
+                                          [&](const ByteSink& send) { sendColumns(path_, columns_, samples, send); });
+}
+
+bool Hdf5Stream::next(std::vector<std::vector<double>>& columns) {
+  if (!child_) return false;
+  const char kind = child_->receiveKind();
+  if (kind == kEnd) {
+    child_.reset();
+    return false;
+  }
+  std::uint64_t count = 0;
+  const auto fill = [&](std::span<std::byte> bytes) {
+    if (child_->receive(bytes) != bytes.size()) child_->died();
+  };
+  if (kind != kPiece) child_->died();
+  fill(std::as_writable_bytes(std::span(&count, 1)));
+  if (count > pieceSamples) child_->died();
+  columns.resize(columns_.size());
+  for (auto& column : columns) {
+    const std::size_t before = column.size();
+    column.resize(before + static_cast<std::size_t>(count));
+    fill(std::as_writable_bytes(std::span(column).subspan(before)));
+  }
+  return true;
+}
+
+}  // namespace squat::results

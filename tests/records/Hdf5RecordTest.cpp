@@ -1,0 +1,137 @@
+// Long records from HDF5: the same record as from short readers, in pieces.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "core/DurableFile.h"
+#include "readers/TemporaryFile.h"
+#include "records/WholeRecord.h"
+#include "results/Hdf5.h"
+
+namespace squat::records {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using tests::TemporaryFile;
+
+const std::string shared = std::string(SQUAT_SOURCE_DIR) + "/tests/readers/files/";
+const std::string own = std::string(SQUAT_SOURCE_DIR) + "/tests/records/files/";
+
+// The signal in the files of tests/readers/files/make_files.py and tests/records/files/make_files.py.
+double aba(std::size_t i) {
+  return 10 * std::sin(2 * std::numbers::pi * 300 * static_cast<double>(i) / 25000) + static_cast<double>(i) / 100;
+}
+
+constexpr std::size_t samples = 200000;
+
+// Left and right, written as this program writes its files: shuffled and deflated.
+void write(const std::string& path, bool withTime) {
+  results::ArrayTree tree;
+  std::vector<double> time(samples), position(samples);
+  std::vector<float> left(samples), right(samples);
+  for (std::size_t i = 0; i < samples; ++i) {
+    time[i] = 3 + static_cast<double>(i) / 25000;
+    position[i] = 1000 + 30 * static_cast<double>(i) / 25000;
+    left[i] = static_cast<float>(i % 1001);
+    right[i] = -left[i];
+  }
+  if (withTime) tree.add("/run/time", time, "s");
+  tree.add("/run/position", position, "m");
+  tree.add("/run/left", left, "g");
+  tree.add("/run/right", right, "m/s2");
+  tree.add("/other/short", std::vector<double>{1, 2, 3}, "m");
+  tree.addScalar("/run/fs", 25000, "Hz");
+  writeDurably(path, results::encodeHdf5(tree, path));
+}
+
+TEST(Hdf5Record, channelsOfAGroup) {
+  const TemporaryFile file("", ".h5");
+  for (const bool withTime : {true, false}) {
+    write(file.path(), withTime);
+    RecordOptions options;
+    options.blockLength = 30000;
+    const auto whole = readWhole(file.path(), options);
+    EXPECT_THAT(whole.faults, IsEmpty());
+    EXPECT_EQ(whole.layout.samples, samples);
+    EXPECT_EQ(whole.layout.rate, 25000);
+    ASSERT_EQ(whole.layout.channels.size(), 2u);
+    ASSERT_EQ(whole.stretches.size(), 1u);
+    const auto& all = whole.stretches[0];
+    ASSERT_EQ(all.size(), samples);
+    EXPECT_NEAR(all.time, withTime ? 3 : 0, 1e-12);
+    const std::size_t left = whole.layout.channels[0].name == "left" ? 0 : 1;
+    for (std::size_t i = 0; i < samples; i += 77) {
+      ASSERT_DOUBLE_EQ(all.values[left][i], 9.80665 * static_cast<double>(i % 1001));
+      ASSERT_EQ(all.values[1 - left][i], -static_cast<double>(i % 1001));
+      ASSERT_NEAR(all.position[i], 1000 + 30 * static_cast<double>(i) / 25000, 1e-9);
+      ASSERT_NEAR(all.speed[i], 30, 1e-6);
+    }
+  }
+}
+
+TEST(Hdf5Record, matlabFiles) {
+  RecordOptions options;
+  options.columns.speed = 30;
+  const auto whole = readWhole(shared + "matlab73.mat", options);
+  EXPECT_EQ(whole.layout.rate, 25000);
+  ASSERT_EQ(whole.stretches[0].size(), 100u);
+  for (std::size_t i = 0; i < 100; ++i) ASSERT_NEAR(whole.stretches[0].values[0][i], aba(i), 1e-12);
+  options.columns.object = "run2";
+  options.columns.speed = 0;
+  const auto second = readWhole(shared + "matlab73.mat", options);
+  EXPECT_EQ(second.stretches[0].speed[5], 28);
+  EXPECT_NEAR(second.stretches[0].values[0][7], 2 * aba(7), 1e-12);
+}
+
+TEST(Hdf5Record, runsOfADatasetAreChannels) {
+  RecordOptions options;
+  options.columns.speed = 30;
+  options.columns.object = "/line/track1/aba";
+  const auto whole = readWhole(shared + "runs.h5", options);
+  ASSERT_EQ(whole.layout.channels.size(), 2u);
+  EXPECT_EQ(whole.layout.channels[1].name, "aba 2");
+  for (std::size_t i = 0; i < 100; ++i)  // stored in single precision
+    ASSERT_NEAR(whole.stretches[0].values[1][i], 2 * 9.80665 * aba(i), 2e-5);
+  options.columns.object = "/line/track9";
+  EXPECT_THAT(complaintAbout(shared + "runs.h5", options), HasSubstr("/line/track1/counts"));
+}
+
+TEST(Hdf5Record, pandasFrames) {
+  RecordOptions options;
+  for (const char* object : {"", "/time", "dated"}) {
+    options.columns.object = object;
+    const auto whole = readWhole(own + "pandas.h5", options);
+    ASSERT_EQ(whole.layout.channels.size(), 2u) << object;
+    EXPECT_EQ(whole.layout.channels[0].name, "left");
+    // Seconds since 1970 are known to 2.4e-7 s as doubles; over 99 steps of 4e-5 s that is 1.2e-4 of the rate.
+    EXPECT_NEAR(whole.layout.rate, 25000, *object == 'd' ? 3 : 1e-3);
+    EXPECT_TRUE(whole.layout.hasPosition);
+    ASSERT_EQ(whole.stretches[0].size(), *object == 'd' ? 100u : 400u);
+    EXPECT_NEAR(whole.stretches[0].values[0][50], 9.80665 * aba(50), 1e-9);
+    EXPECT_NEAR(whole.stretches[0].values[1][50], 2 * 9.80665 * aba(50), 1e-9);
+    EXPECT_NEAR(whole.stretches[0].position[50], 500 + 0.001 * 50, 1e-9);
+  }
+}
+
+TEST(Hdf5Record, damageIsAnErrorOfOurs) {
+  const TemporaryFile whole("", ".h5");
+  write(whole.path(), true);
+  const std::string bytes = readWholeFile(whole.path(), std::size_t{1} << 30);
+  // Cut off at any place, and with a piece of its middle overwritten.
+  for (const double part : {0.001, 0.3, 0.99}) {
+    const TemporaryFile cut(bytes.substr(0, static_cast<std::size_t>(part * static_cast<double>(bytes.size()))), ".h5");
+    EXPECT_THAT(complaintAbout(cut.path()), HasSubstr(cut.path())) << part;
+  }
+  for (std::size_t at = 600; at + 4000 < bytes.size(); at += bytes.size() / 7) {
+    std::string spoilt = bytes;
+    std::memset(spoilt.data() + at, 0x5a, 2000);
+    const TemporaryFile file(spoilt, ".h5");
+    EXPECT_NO_THROW(complaintAbout(file.path())) << at;
+  }
+}
+
+}  // namespace
+}  // namespace squat::records
