@@ -22,15 +22,14 @@ constexpr std::array kindMarks{
     std::pair{Kind::flat, QCPScatterStyle::ssCircle},    std::pair{Kind::other, QCPScatterStyle::ssPlus}};
 
 // As many points as a figure has pixels: of each group the largest.
-Curve envelopeOf(const std::vector<detection::Piece>& pieces) {
+Curve envelopeOf(const std::vector<detection::Piece>& pieces, double factor) {
   constexpr std::size_t pixels = 2000;
   const std::size_t group = std::max<std::size_t>(1, pieces.size() / pixels);
   Curve curve;
-  curve.colour = 7, curve.width = 0.8;
   for (std::size_t i = 0; i < pieces.size(); i += group) {
     double largest = 0;
     for (std::size_t k = i; k < std::min(pieces.size(), i + group); ++k) largest = std::max(largest, pieces[k].peak);
-    curve.x.push_back(1e-3 * pieces[i].position);
+    curve.x.push_back(factor * pieces[i].position);
     curve.y.push_back(largest);
   }
   return curve;
@@ -42,22 +41,25 @@ std::unique_ptr<Figure> overviewFigure(const detection::DetectionReport& report,
   const auto& own = record.channels[channel];
   auto figure = std::make_unique<Figure>(QString::fromStdString("overview_" + own.name), style);
   figure->setPrintedSize({175, 55});
-  figure->xAxis->setLabel(isLast ? "Chainage [km]" : "");
+  const auto& pieces = own.pieces;
+  const bool isShort = pieces.empty() || std::abs(pieces.back().position - pieces.front().position) < 2000;
+  const double factor = isShort ? 1.0 : 1e-3;  // metres, or kilometres
+  if (isLast) figure->xAxis->setLabel(isShort ? "Chainage [m]" : "Chainage [km]");
   figure->yAxis->setLabel(QStringLiteral("Largest |%1| [%2]")
                               .arg(QString::fromStdString(own.name), unitText(record.layout.channels[channel].unit)));
-  const auto envelope = envelopeOf(own.pieces);
+  const auto envelope = envelopeOf(pieces, factor);
   if (!envelope.x.empty()) {
     const auto [low, high] = std::minmax_element(envelope.x.begin(), envelope.x.end());
     figure->xAxis->setRange(*low, std::max(*high, *low + 1e-6));
   }
-  addCurve(*figure, envelope);
+  addCurve(*figure, envelope)->setPen(QPen(style.axis, 0.6));
   for (std::size_t k = 0; k < kindMarks.size(); ++k) {
     Curve marks;
     marks.label = QString::fromStdString(detection::toText(kindMarks[k].first));
     marks.colour = k;
     for (const auto& combined : report.events)
       if (combined.event.channel == own.name && combined.event.kind == kindMarks[k].first) {
-        marks.x.push_back(1e-3 * combined.event.position);
+        marks.x.push_back(factor * combined.event.position);
         marks.y.push_back(combined.event.peak);
       }
     if (marks.x.empty()) continue;
