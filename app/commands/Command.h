@@ -15,6 +15,7 @@ void addDescribeCommand(CLI::App& program, Action& action);
 void addDetectCommand(CLI::App& program, Action& action);
 void addEstimateCommand(CLI::App& program, Action& action);
 void addExamplesCommand(CLI::App& program, Action& action);
+void addExportCommand(CLI::App& program, Action& action);
 void addFiguresCommand(CLI::App& program, Action& action);
 void addReceptanceCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);

@@ -120,6 +120,7 @@ int runProgram(int argc, char** argv) {
   addRunCommand(program, action);
   addWarmCommand(program, action);
   addRenderCommand(program, action);
+  addExportCommand(program, action);
   addDescribeCommand(program, action);
   addFiguresCommand(program, action);
   addAnalyseCommand(program, action);

@@ -140,16 +140,26 @@ void expectSameGrid(const std::string& path, const results::SurfaceMesh& surface
   }
 }
 
-TEST(VtkExport, writesOneFileASnapshotAndTheirTimes) {
+// Two instants, the first of them under two names and with a patch.
+TEST(VtkExport, writesEachInstantOnceAndItsTime) {
   const std::string folder = tests::freshFolder("vtk");
   auto result = tests::syntheticResult();
-  result.snapshots.push_back(result.snapshots.front());
+  ASSERT_EQ(result.snapshots.size(), 1u);
+  auto again = result.snapshots.front(), later = again;
+  again.name = "frame 04";
+  later.name = "frame 05";
+  later.time += 0.5e-3;
+  result.snapshots.push_back(again);
+  result.snapshots.push_back(later);
   const auto written = scene::writeVtkSeries(result, folder);
-  ASSERT_EQ(written.size(), 3u);
-  for (int i = 0; i < 2; ++i) expectSameGrid(written[i], result.surface, result.snapshots[i]);
+  ASSERT_EQ(written.size(), 4u);  // two surfaces, a patch, the collection
+  expectSameGrid(written[0], result.surface, result.snapshots[0]);
+  expectSameGrid(written[2], result.surface, result.snapshots[2]);
+  EXPECT_NE(written[1].find("light-defect_patch_000.vtu"), std::string::npos);
   std::ifstream collection(written.back());
   const std::string text((std::istreambuf_iterator<char>(collection)), {});
-  EXPECT_NE(text.find("light-defect_001.vtu"), std::string::npos);
+  EXPECT_NE(text.find("light-defect_002.vtu"), std::string::npos);
+  EXPECT_EQ(text.find("light-defect_001.vtu"), std::string::npos);
   EXPECT_THROW(scene::writeVtkSeries({}, folder), FileError);
 }
 

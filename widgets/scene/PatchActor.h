@@ -13,9 +13,6 @@ namespace squat::scene {
 
 constexpr std::array<double, 3> stickColour{0.00, 0.45, 0.70}, slipColour{0.90, 0.45, 0.05};
 
-// The patch kept at the same instant as the snapshot; null where there is none.
-const results::PatchSnapshot* patchOf(const results::RunResult& result, const std::string& snapshotName);
-
 double largestPressure(const results::PatchSnapshot& patch);  // [MPa]
 
 // The part of the surface that every carrying point stands for, on the surface of the rail among `parts`, which stand

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "scene/PatchActor.h"
+#include "scene/PatchFaces.h"
 #include "scene/SceneParts.h"
 #include "scene/SurfacelessWindow.h"
 

@@ -2,25 +2,31 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
 #include "analysis/AnalysisFiles.h"
+#include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "scene/PatchFaces.h"
 #include "scene/SurfaceData.h"
 
 namespace squat::scene {
 namespace {
 
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+// Values of all points; left out where there are none.
 void addField(vtkUnstructuredGrid& grid, const char* name, const std::vector<float>& values, int components) {
   if (values.size() != static_cast<std::size_t>(grid.GetNumberOfPoints() * components)) return;
   vtkNew<vtkFloatArray> field;
@@ -31,15 +37,7 @@ void addField(vtkUnstructuredGrid& grid, const char* name, const std::vector<flo
   grid.GetPointData()->AddArray(field);
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> gridOf(const results::SurfaceMesh& surface,
-                                            const results::SurfaceSnapshot& snapshot) {
-  const std::vector<float> locations = locationsOf(surface, snapshot, 1.0);
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  const auto count = static_cast<vtkIdType>(locations.size() / 3);
-  points->SetNumberOfPoints(count);
-  for (vtkIdType i = 0; i < count; ++i) points->SetPoint(i, &locations[static_cast<std::size_t>(3 * i)]);
-  grid->SetPoints(points);
+void addQuads(vtkUnstructuredGrid& grid, const results::SurfaceMesh& surface) {
   vtkNew<vtkUnsignedCharArray> part;
   part->SetName("part");
   for (std::size_t quad = 0; quad < surface.part.size() && 4 * quad + 3 < surface.quads.size(); ++quad) {
@@ -47,17 +45,95 @@ vtkSmartPointer<vtkUnstructuredGrid> gridOf(const results::SurfaceMesh& surface,
     bool valid = true;
     for (std::size_t corner = 0; corner < 4; ++corner) {
       corners[corner] = surface.quads[4 * quad + corner];
-      valid = valid && corners[corner] >= 0 && corners[corner] < count;
+      valid = valid && corners[corner] >= 0 && corners[corner] < grid.GetNumberOfPoints();
     }
     if (!valid) continue;
-    grid->InsertNextCell(VTK_QUAD, 4, corners);
+    grid.InsertNextCell(VTK_QUAD, 4, corners);
     part->InsertNextValue(surface.part[quad]);
   }
-  grid->GetCellData()->AddArray(part);
+  grid.GetCellData()->AddArray(part);
+  vtkNew<vtkStringArray> names;
+  names->SetName("part names");
+  for (const auto& name : surface.partNames) names->InsertNextValue(name);
+  grid.GetFieldData()->AddArray(names);
+}
+
+// From the place at the start to where rolling alone has taken each point.
+std::vector<float> rolledBy(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot) {
+  auto rolled = locationsOf(surface, snapshot, 0);
+  for (std::size_t i = 0; i < rolled.size(); ++i) rolled[i] -= surface.points[i];
+  return rolled;
+}
+
+Grid surfaceGrid(const results::SurfaceMesh& surface, const results::SurfaceSnapshot& snapshot) {
+  const std::vector<float> locations = locationsOf(surface, snapshot, 1.0);
+  auto grid = Grid::New();
+  vtkNew<vtkPoints> points;
+  const auto count = static_cast<vtkIdType>(locations.size() / 3);
+  points->SetNumberOfPoints(count);
+  for (vtkIdType i = 0; i < count; ++i) points->SetPoint(i, &locations[static_cast<std::size_t>(3 * i)]);
+  grid->SetPoints(points);
+  addQuads(*grid, surface);
   addField(*grid, "displacement [m]", snapshot.displacement, 3);
+  addField(*grid, "travel and turn [m]", rolledBy(surface, snapshot), 3);
   addField(*grid, "von Mises stress [Pa]", snapshot.vonMises, 1);
   addField(*grid, "plastic strain", snapshot.plasticStrain, 1);
   return grid;
+}
+
+Grid patchGrid(const results::PatchSnapshot& patch, const results::SurfaceMesh& surface,
+               const results::SurfaceSnapshot& snapshot) {
+  const auto quads = patchFaces(patch, partData(surface, &snapshot, Field::none, 1.0),
+                                wheelCentre(surface)[0] + snapshot.wheelTravel, 0);
+  auto grid = Grid::New();
+  grid->SetPoints(quads.faces->GetPoints());
+  grid->SetCells(VTK_QUAD, quads.faces->GetPolys());
+  vtkNew<vtkFloatArray> pressure, traction;
+  vtkNew<vtkUnsignedCharArray> slipping;
+  pressure->SetName("contact pressure [Pa]");
+  traction->SetName("traction [Pa]");
+  traction->SetNumberOfComponents(3);
+  slipping->SetName("slipping");
+  const bool known = patch.tractionX.size() == patch.x.size() && patch.tractionY.size() == patch.x.size() &&
+                     patch.slipping.size() == patch.x.size();
+  for (const std::size_t i : quads.point) {
+    pressure->InsertNextValue(patch.pressure[i]);
+    if (!known) continue;
+    traction->InsertNextTuple3(static_cast<double>(patch.tractionX[i]), static_cast<double>(patch.tractionY[i]), 0);
+    slipping->InsertNextValue(patch.slipping[i]);
+  }
+  grid->GetCellData()->AddArray(pressure);
+  if (!known) return grid;
+  grid->GetCellData()->AddArray(traction);
+  grid->GetCellData()->AddArray(slipping);
+  return grid;
+}
+
+void writeGrid(const Grid& grid, const std::string& path) {
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(grid);
+  if (writer->Write() != 1) throw FileError(path, "", "cannot be made", "the result may be damaged");
+  writeDurably(path, std::string_view(writer->GetOutputString()));
+}
+
+std::string numbered(const std::string& stem, std::size_t number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "_%03zu.vtu", number);
+  return stem + text;
+}
+
+std::string link(double time, int part, const std::string& file) {
+  char text[80];
+  std::snprintf(text, sizeof text, "<DataSet timestep=\"%.9g\" part=\"%d\" file=\"", time, part);
+  return text + file + "\"/>\n";
+}
+
+// The impact is often one of the frames: one of them is enough.
+bool isRepeated(const std::vector<results::SurfaceSnapshot>& snapshots, std::size_t i) {
+  const auto same = [&](const auto& other) { return other.time == snapshots[i].time && other.name != "unloaded"; };
+  return snapshots[i].name != "unloaded" &&
+         std::any_of(snapshots.begin(), snapshots.begin() + static_cast<long>(i), same);
 }
 
 }  // namespace
@@ -65,34 +141,26 @@ vtkSmartPointer<vtkUnstructuredGrid> gridOf(const results::SurfaceMesh& surface,
 std::vector<std::string> writeVtkSeries(const results::RunResult& result, const std::string& folder) {
   if (result.surface.quads.empty() || result.snapshots.empty())
     throw FileError(folder, "", "nothing to write: the result has no surface or no snapshots");
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  const std::filesystem::path directory(folder);
+  makeFolder(folder);
   const std::string stem = analysis::safeFileName(result.stem);  // may come from a stranger
   std::vector<std::string> written;
-  std::string collection = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+  std::string links;
+  const auto add = [&](const Grid& grid, double time, int part, const std::string& name) {
+    written.push_back(folder + "/" + name);
+    writeGrid(grid, written.back());
+    links += link(time, part, name);
+  };
   for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
-    char number[32];
-    std::snprintf(number, sizeof number, "_%03zu.vtu", i);
-    const std::string name = stem + number;
-    vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    const std::string path = (directory / name).string();
-    writer->SetFileName(path.c_str());
-    writer->SetInputData(gridOf(result.surface, result.snapshots[i]));
-    if (writer->Write() != 1)
-      throw FileError(path, "", "cannot be written", "check the folder and the room on the disk");
-    written.push_back(path);
-    char time[40];
-    std::snprintf(time, sizeof time, "%.9g", result.snapshots[i].time);
-    collection += std::string("<DataSet timestep=\"") + time + "\" file=\"" + name + "\"/>\n";
+    const auto& snapshot = result.snapshots[i];
+    if (isRepeated(result.snapshots, i)) continue;
+    add(surfaceGrid(result.surface, snapshot), snapshot.time, 0, numbered(stem, i));
+    if (const auto* patch = patchOf(result, snapshot.name))
+      add(patchGrid(*patch, result.surface, snapshot), snapshot.time, 1, numbered(stem + "_patch", i));
   }
-  collection += "</Collection>\n</VTKFile>\n";
-  const std::string path = (directory / (stem + ".pvd")).string();
-  std::ofstream file(path, std::ios::binary);
-  file << collection;
-  file.close();
-  if (!file) throw FileError(path, "", "cannot be written");
-  written.push_back(path);
+  written.push_back(folder + "/" + stem + ".pvd");
+  writeDurably(written.back(),
+               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" + links +
+                   "</Collection>\n</VTKFile>\n");
   return written;
 }
 
