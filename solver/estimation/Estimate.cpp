@@ -149,7 +149,8 @@ class Estimation {
   void spread(const SmoothProfile& profile, const ProfileSearch& search) {
     if (!definition_.isSpreadWanted || search.regularisation().noise < unexplained) return;
     estimate_.notes.push_back("what is left is " + text::roundedText(search.regularisation().noise) +
-                              " times the noise: vehicle, track or place differ from the case's");
+                              " times the noise: vehicle, track or place differ from the case's, or the profile "
+                              "has edges that a smooth curve cannot make");
     const auto points = profile.points(search.best().unknowns.head(profile.unknowns()));
     const SpreadQuestion question{definition_, options_, window_, speeds_, compared_};
     const auto others = otherWheelsets(question, points, estimate_.runs, monitor_);

@@ -1,4 +1,5 @@
-// Parameters files as Dakota writes them (copied from its manual's form, with keys of a case), and what it is answered.
+// Parameters files in Dakota's two formats and the answers to them. The files are made by hand, from memory of Dakota's
+// manual: the program itself was not at hand.
 #include "studies/EvaluationFiles.h"
 
 #include <gmock/gmock.h>
