@@ -1,4 +1,4 @@
-// app/commands/EstimateSummary.h - an estimated profile in words.
+// app/commands/EstimateSummary.h - an estimated profile as text.
 #pragma once
 
 #include <string>

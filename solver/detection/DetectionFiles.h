@@ -11,7 +11,7 @@ namespace squat::detection {
 struct DetectionReport {
   std::vector<RecordDetection> records;
   std::vector<CombinedEvent> events;
-  std::string examples;  // where kinds and severities come from, in words
+  std::string examples;  // where kinds and severities come from, as text
   std::vector<std::string> notes;
 };
 

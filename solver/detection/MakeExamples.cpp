@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Passes the question whether to stop on and keeps each run's own progress to itself.
+// Hands on whether to stop or pause; each run's own progress is not reported.
 class QuietMonitor : public Monitor {
  public:
   explicit QuietMonitor(Monitor& outer) : outer_(outer) {}

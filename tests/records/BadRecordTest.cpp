@@ -1,4 +1,4 @@
-// What goes wrong in long records: each is told with its place, and the rest is read.
+// What goes wrong in long records: each fault is reported with its place, and the rest is read.
 #include <gmock/gmock.h>
 
 #include <cmath>
