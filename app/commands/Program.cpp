@@ -17,6 +17,7 @@
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
 #include "core/Errors.h"
+#include "core/ProgramVersion.h"
 
 namespace squat::commands {
 
@@ -113,7 +114,7 @@ int runProgram(int argc, char** argv) {
   ::signal(SIGPIPE, SIG_DFL);
   keepStandardStreamsOpen();
   CLI::App program("Rolls a wheel over a rail-head defect and computes the axle box acceleration.", "squat");
-  program.set_version_flag("--version", "squat " SQUAT_VERSION);
+  program.set_version_flag("--version", "squat " + programVersionText());
   program.require_subcommand(1);
   program.failure_message(CLI::FailureMessage::help);
   Action action;

@@ -18,6 +18,7 @@
 #include "commands/ValidationText.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "core/ProgramVersion.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
 #include "statements/Judge.h"
@@ -51,7 +52,7 @@ std::optional<results::RunResult> finished(const RunFiles& files, const std::str
   if (result && result->caseHash != hash)
     throw CaseError({{"-o", files.result() + " (case " + result->caseHash + ")", "the same case (" + hash + ")",
                       "Made from another case or mesh: choose another folder, or judge it with --from"}});
-  return result && result->codeVersion == SQUAT_VERSION ? result : std::nullopt;
+  return result && result->codeVersion == programVersion() ? result : std::nullopt;
 }
 
 std::optional<results::RunResult> make(const ValidateOptions& options, const statements::ReferenceRun& run,

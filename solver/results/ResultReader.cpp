@@ -114,6 +114,7 @@ void readRoot(const Mapper& from, const ArrayTree& tree, RunResult& result) {
   const auto text = [&](const char* name) { return textAttribute(tree.attributes, name); };
   const auto number = [&](const char* name) { return numberAttribute(tree.attributes, name); };
   result.codeVersion = text("code_version");
+  result.commit = text("commit");
   result.complete = number("complete") == 1;
   result.stopReason = text("stop_reason");
   result.caseToml = text("case_toml");

@@ -1,6 +1,6 @@
 // solver/results/ResultTree.h - RunResult <-> ArrayTree: the layout of the result file, in one place.
-//   /            schema, schema_version, code_version, complete, stop_reason, case_toml, case_hash, isa, threads,
-//                stem, title, created, speed; dataset /warnings where there are any
+//   /            schema, schema_version, code_version, commit, complete, stop_reason, case_toml, case_hash, isa,
+//                threads, stem, title, created, speed; dataset /warnings where there are any
 //   /signals     time, position and one dataset a signal
 //   /spectra     frequency, psd, psd_wheel; attributes window, from, to
 //   /scalogram   frequency, time, position, power [frequency][time], cone_of_influence

@@ -38,6 +38,7 @@ void addRoot(ArrayTree& tree, const RunResult& result) {
   set("schema", std::string(kResultSchema));
   set("schema_version", std::int64_t{kResultVersion});
   set("code_version", result.codeVersion);
+  if (!result.commit.empty()) set("commit", result.commit);
   set("complete", static_cast<std::uint8_t>(result.complete ? 1 : 0));
   set("stop_reason", result.stopReason);
   set("case_toml", result.caseToml);

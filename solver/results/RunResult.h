@@ -83,7 +83,8 @@ struct RunResult : AnalysedRecord {
   std::shared_ptr<const cases::ResolvedCase> resolvedCase;
   std::string caseProblem;
   std::string codeVersion;
-  std::string isa;  // instruction set of the operator
+  std::string commit;  // that the program was built from, core/ProgramVersion.h; empty: not known
+  std::string isa;     // instruction set of the operator
   int threads = 0;
   std::string created;  // UTC, ISO 8601
 

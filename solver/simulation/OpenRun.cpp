@@ -9,15 +9,12 @@
 #include "case/Resolve.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
+#include "core/ProgramVersion.h"
 #include "simulation/Describe.h"
 #include "simulation/RollingStateFile.h"
 #include "simulation/SurfaceFields.h"
 #include "simulation/WarmState.h"
 #include "statics/SteadyRollingStart.h"
-
-#ifndef SQUAT_VERSION
-#define SQUAT_VERSION "unknown"
-#endif
 
 namespace squat::simulation {
 
@@ -113,7 +110,8 @@ void OpenRun::refuseOrWarn() {
 void OpenRun::identify() {
   result.title = description.title;
   results::setCase(result, description);
-  result.codeVersion = SQUAT_VERSION;
+  result.codeVersion = programVersion();
+  result.commit = programCommit();
   result.isa = kernels.name;
   result.threads = team->size();
   result.created = utcNow();

@@ -5,11 +5,8 @@
 #include "case/BeforeDefect.h"
 #include "case/CaseFile.h"
 #include "core/Errors.h"
+#include "core/ProgramVersion.h"
 #include "results/StateFile.h"
-
-#ifndef SQUAT_VERSION
-#define SQUAT_VERSION "unknown"
-#endif
 
 namespace squat::simulation {
 
@@ -46,7 +43,7 @@ WarmState readWarmState(const std::string& path) {
   WarmState warm;
   warm.file = path;
   warm.state = results::readState(path, kKind);
-  if (const auto version = results::textAttribute(warm.state.attributes, "code_version"); version != SQUAT_VERSION)
+  if (const auto version = results::textAttribute(warm.state.attributes, "code_version"); version != programVersion())
     throw FileError(path, "attribute code_version", "was written by version " + version + " of the program",
                     results::asSentence(kKind.insteadOf));
   warm.description = caseIn(warm.state, path);

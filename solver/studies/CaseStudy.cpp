@@ -9,12 +9,9 @@
 #include "case/ParameterValue.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "core/ProgramVersion.h"
 #include "core/SteadyMemory.h"
 #include "studies/SampledPoints.h"
-
-#ifndef SQUAT_VERSION
-#define SQUAT_VERSION "unknown"
-#endif
 
 namespace squat::studies {
 namespace {
@@ -92,7 +89,7 @@ StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverride
 StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverrides& overrides,
                         const StudyRequest& request) {
   StudyDefinition definition{nameOrPath, cases::caseHash(cases::loadCase(nameOrPath, overrides)), {}};
-  definition.program = SQUAT_VERSION;
+  definition.program = programVersion();
   definition.isList = !request.sample.empty() || !request.pointsFile.empty();
   definition.variations = definition.isList ? listedVariations(request) : griddedVariations(request.variations);
   checkGrid(definition, overrides);

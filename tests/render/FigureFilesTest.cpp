@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/Errors.h"
+#include "core/ProgramVersion.h"
 #include "plots/FigureRegistry.h"
 #include "plots/Figures.h"
 #include "render/PictureComparison.h"
@@ -80,6 +81,24 @@ TEST_F(FigureFiles, pdfIsAPdfWithItsFontInside) {
   const QByteArray bytes = contents(written.at(0));
   EXPECT_TRUE(bytes.startsWith("%PDF-"));
   EXPECT_TRUE(bytes.contains("/FontFile2"));
+}
+
+// A picture tells which program drew it, wherever it has gone: in the fields that the formats have for that.
+TEST_F(FigureFiles, everyFormatNamesProgramVersionAndCommit) {
+  const std::string folder = tests::freshFolder("version");
+  const std::string program = "Squat Studio " + programVersionText();
+  for (const auto& path : plots::renderFigures(tests::syntheticResult(), folder, {{"psd", "model"}, {}})) {
+    const QByteArray bytes = contents(path);
+    if (path.ends_with(".svg")) {
+      EXPECT_TRUE(bytes.contains(("<desc>" + program + "</desc>").c_str())) << path;
+    } else if (path.ends_with(".png")) {
+      EXPECT_EQ(QImage(QString::fromStdString(path)).text("Software").toStdString(), program) << path;
+    } else {  // UTF-16, as Qt writes it; brackets are escaped: the version alone, then
+      QByteArray wide;
+      for (const char c : std::string("Squat Studio ") + programVersion()) wide += '\0', wide += c;
+      EXPECT_TRUE(bytes.contains(wide)) << path;
+    }
+  }
 }
 
 TEST_F(FigureFiles, nothingIsCutAtTheBorder) {

@@ -12,6 +12,8 @@ TEST(Compatibility, ResultOfSchema1) {
   const auto result = readResult(SQUAT_SOURCE_DIR "/tests/results/frozen/squat-result-1.h5");
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(result.stem, "sample");
+  EXPECT_EQ(result.codeVersion, "0.1.0");
+  EXPECT_EQ(result.commit, "");  // not stored before 0.2.0
   EXPECT_EQ(result.caseHash, "0123abcd");
   EXPECT_EQ(result.caseToml, "schema = 1\n");
   EXPECT_EQ(result.threads, 2);

@@ -32,6 +32,7 @@ TEST(ResultFile, GivesBackEveryBit) {
   EXPECT_EQ(firstDifference(toTree(result), toTree(back)), "");
   EXPECT_EQ(back.signals[0].name, "wheel_speed");  // the order of writing, not of the alphabet
   EXPECT_TRUE(back.complete);
+  EXPECT_EQ(back.commit, "0123456789ab-changed");
   EXPECT_EQ(back.caseToml, result.caseToml);
   EXPECT_EQ(back.warnings, result.warnings);
   ASSERT_EQ(back.snapshots.size(), 2U);

@@ -38,6 +38,7 @@ inline results::RunResult sampleResult(int samples = 300) {
   result.caseToml = "title = \"sample\"\n" + std::string(100000, '#') + "\n";  // longer than 64 kB
   result.caseHash = "0123abcd";
   result.codeVersion = "0.1.0";
+  result.commit = "0123456789ab-changed";
   result.isa = "avx2";
   result.threads = 2;
   result.complete = true;

@@ -3,15 +3,19 @@
 #include <QBuffer>
 #include <QPdfWriter>
 
+#include "core/ProgramVersion.h"
 #include "plots/Style.h"
 #include "plots/SvgDevice.h"
 
 namespace squat::plots {
 
+QString drawnBy() { return "Squat Studio " + QString::fromStdString(programVersionText()); }
+
 QImage drawnImage(const Drawing& drawing, QSize units, const QColor& background, double resolution) {
   const double scale = resolution / 96.0;
   QImage image(qRound(units.width() * scale), qRound(units.height() * scale), QImage::Format_RGB32);
   image.fill(background);
+  image.setText("Software", drawnBy());
   image.setDotsPerMeterX(qRound(resolution / 0.0254));
   image.setDotsPerMeterY(qRound(resolution / 0.0254));
   QCPPainter painter(&image);
@@ -41,7 +45,7 @@ QByteArray drawnPdf(const Drawing& drawing, QSize units, const QString& title) {
       QPageSize(QSizeF(units) / unitsPerMillimetre, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
   writer.setPageMargins(QMarginsF());
   writer.setTitle(title);
-  writer.setCreator("Squat Studio");
+  writer.setCreator(drawnBy());
   QCPPainter painter(&writer);
   painter.scale(resolution / 96.0, resolution / 96.0);
   drawing(painter);

@@ -17,6 +17,8 @@ using Drawing = std::function<void(QCPPainter&)>;
 QImage drawnImage(const Drawing& drawing, QSize units, const QColor& background, double resolution);
 QByteArray drawnSvg(const Drawing& drawing, QSize units, const QString& title);
 QByteArray drawnPdf(const Drawing& drawing, QSize units, const QString& title);
+// Program, version and commit: each of the three formats carries it.
+QString drawnBy();
 QByteArray pngBytes(const QImage& image);
 
 }  // namespace squat::plots

@@ -1,5 +1,6 @@
 #include "plots/SvgDevice.h"
 
+#include "plots/Drawing.h"
 #include "plots/SvgEngine.h"
 
 namespace squat::plots {
@@ -47,8 +48,8 @@ QByteArray SvgDevice::document() const {
           .arg(QString::number(units_.width() * 25.4 / 96, 'g', 7),
                QString::number(units_.height() * 25.4 / 96, 'g', 7), QString::number(units_.width()),
                QString::number(units_.height()));
-  return (head + "<title>" + title_.toHtmlEscaped() + "</title>\n<defs>\n" + engine_->definitions() + "</defs>\n" +
-          engine_->body() + "</svg>\n")
+  return (head + "<title>" + title_.toHtmlEscaped() + "</title>\n<desc>" + drawnBy().toHtmlEscaped() +
+          "</desc>\n<defs>\n" + engine_->definitions() + "</defs>\n" + engine_->body() + "</svg>\n")
       .toUtf8();
 }
 

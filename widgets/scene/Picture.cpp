@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "core/Errors.h"
+#include "core/ProgramVersion.h"
 
 namespace squat::scene {
 namespace {
@@ -52,6 +53,7 @@ void writePng(const Picture& picture, const std::string& path, double resolution
                 &picture.rgb[row * static_cast<std::size_t>(line)], row);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
+  writer->AddText("Software", ("Squat Studio " + programVersionText()).c_str());
   writer->WriteToMemoryOn();
   writer->Write();
   const vtkUnsignedCharArray* result = writer->GetResult();
