@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "signals/Features.h"
 #include "signals/Record.h"
@@ -13,5 +14,13 @@ namespace squat::analysis {
 // Throws SignalError where the record has no such channel or is too short.
 signals::Features runFeatures(const signals::Record& record, const signals::FeatureOptions& options = {},
                               const std::string& channel = "aba_filtered");
+
+// What a list of runs shows of each, made in a few milliseconds: without wavelets. Zero and empty where the record does
+// not hold it.
+struct RunDigest {
+  double peak = 0;            // [m/s2] largest absolute value of aba_filtered
+  std::vector<double> lines;  // [Hz] named lines of its spectrum around the defect, the most prominent first
+};
+RunDigest runDigest(const signals::Record& record);
 
 }  // namespace squat::analysis

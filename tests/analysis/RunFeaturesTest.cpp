@@ -56,5 +56,20 @@ TEST(RunFeatures, refusesWhatDoesNotFit) {
   EXPECT_THROW(runFeatures(run), signals::SignalError);
 }
 
+// 80 m/s2 of 1000 Hz after the defect and a spike of 200 at the start, which has no part in the spectrum there.
+TEST(RunDigest, holdsPeakAndLines) {
+  const auto digest = runDigest(result());
+  EXPECT_EQ(digest.peak, 200);
+  ASSERT_FALSE(digest.lines.empty());
+  EXPECT_NEAR(digest.lines[0], 1000, 3);  // the step of the spectrum
+}
+
+TEST(RunDigest, ofARecordWithoutTheSignalOrTheDefectIsEmpty) {
+  EXPECT_EQ(runDigest(signals::Record{}).peak, 0);
+  auto early = result();
+  for (double& position : early.position) position -= 100;
+  EXPECT_TRUE(runDigest(early).lines.empty());
+}
+
 }  // namespace
 }  // namespace squat::analysis

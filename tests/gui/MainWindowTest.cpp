@@ -10,12 +10,12 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListView>
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QScreen>
 #include <QTabBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -29,6 +29,7 @@
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
 #include "studio/runs/MeasuredDialog.h"
+#include "studio/runs/RunsPanel.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
 
@@ -254,7 +255,7 @@ TEST(MainWindow, aResultOfAnotherCaseIsMarked) {
   EXPECT_FALSE(mark->isVisible()) << mark->text().toStdString();
   window.document().setParameter("motion.speed", "25");
   EXPECT_TRUE(mark->isVisible());
-  for (const char* word : {"light-defect #1", "motion.speed"})
+  for (const char* word : {"“light-defect”", "motion.speed"})
     EXPECT_TRUE(mark->text().contains(word)) << mark->text().toStdString();
   window.document().setParameter("title", "another name alone");
   window.document().undoStack().undo();
@@ -263,7 +264,7 @@ TEST(MainWindow, aResultOfAnotherCaseIsMarked) {
   window.document().setParameter("title", "another name alone");
   EXPECT_FALSE(mark->isVisible()) << mark->text().toStdString();
   const auto* dock = window.findChild<QDockWidget*>("signalsDock");
-  EXPECT_TRUE(dock->windowTitle().contains("light-defect #1")) << dock->windowTitle().toStdString();
+  EXPECT_TRUE(dock->windowTitle().contains("light-defect")) << dock->windowTitle().toStdString();
 }
 
 // 0.1 m and 0.12 m are the preset's, 0.3 m the default of both.
@@ -379,8 +380,8 @@ TEST(MainWindow, theRunThatWasAskedAboutIsRemoved) {
   asking = &window;
   for (const char* label : {"a", "b", "c"})
     window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), label, {}, false});
-  auto* list = window.findChild<QListView*>("runs");
-  list->setCurrentIndex(window.store().index(1, 0));
+  auto* runs = window.findChild<RunsPanel*>();
+  runs->table()->setCurrentIndex(runs->indexOf(1));
   for (auto* button : window.findChildren<QPushButton*>())
     if (button->text() == "Remove") button->click();
   ASSERT_EQ(window.store().rowCount(), 1);

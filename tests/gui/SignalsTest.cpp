@@ -5,10 +5,8 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLabel>
-#include <QListView>
 #include <QRegularExpression>
 #include <QSpinBox>
-#include <QStyleOptionViewItem>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
@@ -20,7 +18,6 @@
 #include "render/SyntheticResult.h"
 #include "studio/common/Theme.h"
 #include "studio/runs/RunStore.h"
-#include "studio/runs/RunsPanel.h"
 #include "studio/signals/CursorPair.h"
 #include "studio/signals/FigureTable.h"
 #include "studio/signals/FigureView.h"
@@ -472,26 +469,6 @@ TEST(RunStore, aMeasuredSignalIsNeverTheCurrentRun) {
   store.add({synthetic(), "four", {}, false});
   store.remove(3);
   EXPECT_EQ(store.at(store.current()).label, "three");  // the one before, where none comes after
-}
-
-// By the mouse, as a user does: the box overlays, the name makes the run the current one.
-TEST(RunsPanel, tickingARunDoesNotMakeItTheCurrentOne) {
-  RunStore store;
-  RunsPanel panel(store);
-  panel.resize(300, 200);
-  panel.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
-  for (const char* label : {"a", "b"}) store.add({synthetic(), label, {}, false});
-  QStyleOptionViewItem option;
-  option.initFrom(panel.list());
-  option.features = QStyleOptionViewItem::HasCheckIndicator | QStyleOptionViewItem::HasDisplay;
-  option.rect = panel.list()->visualRect(store.index(0));
-  const QRect box = panel.list()->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, panel.list());
-  QTest::mouseClick(panel.list()->viewport(), Qt::LeftButton, {}, box.center());
-  EXPECT_TRUE(store.at(0).overlaid);
-  EXPECT_EQ(store.current(), 1);
-  QTest::mouseClick(panel.list()->viewport(), Qt::LeftButton, {}, box.center() + QPoint(box.width() + 8, 0));
-  EXPECT_EQ(store.current(), 0);
 }
 
 }  // namespace

@@ -61,6 +61,12 @@ Rgb curveColour(std::size_t index) {
   return curves[index % curves.size()];
 }
 
+Rgb overlayColour(std::size_t index) {
+  static constexpr std::array<Rgb, overlayColours> overlays{fromHex(0x009e73), fromHex(0xcc79a7), fromHex(0x000000),
+                                                            fromHex(0x8fb800), fromHex(0x5e3c99), fromHex(0x666666)};
+  return overlays[index % overlays.size()];
+}
+
 double luminance(const Rgb& colour) {
   return 0.2126 * linearLight(colour.red) + 0.7152 * linearLight(colour.green) + 0.0722 * linearLight(colour.blue);
 }

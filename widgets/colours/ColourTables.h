@@ -24,6 +24,12 @@ Rgb colourAt(const std::string& map, double share);
 // Counts around when there are more curves than colours.
 Rgb curveColour(std::size_t index);
 
+// Runs that are laid over another one, whose two curves have the first two colours above: six that are far from those,
+// from each other and from white and dark ground (40 and more in CIELAB, with the lighter shades on dark as well).
+// Counts around.
+constexpr std::size_t overlayColours = 6;
+Rgb overlayColour(std::size_t index);
+
 // Relative luminance, 0 black .. 1 white (ITU-R BT.709 weights on linear light).
 double luminance(const Rgb& colour);
 

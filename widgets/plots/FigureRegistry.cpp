@@ -11,17 +11,17 @@ using results::RunResult;
 
 void addOverlays(Figure& figure, const FigureRow& row, const RunResult& shown,
                  const std::vector<OverlaidRun>& overlays) {
-  constexpr std::size_t firstColour = 2;
-  std::size_t colour = firstColour;
+  bool any = false;
   for (const auto& run : overlays) {
     Curve curve = row.overlay(run, shown);
     if (curve.y.empty()) continue;
     curve.label = QString::fromStdString(run.label);
-    curve.colour = colour++;
+    curve.own = run.colour.isValid() ? run.colour : figure.style().overlay(run.place);
     curve.width = 0.9;
     addCurve(figure, curve);
+    any = true;
   }
-  if (colour == firstColour) return;
+  if (!any) return;
   if (row.fit)
     row.fit(figure);
   else

@@ -20,7 +20,7 @@ QCPGraph* addCurve(Figure& figure, const Curve& curve) {
   // Thinning out shows as steps on steep slopes; only long records need it.
   constexpr std::size_t manyPoints = 30000;
   graph->setAdaptiveSampling(count > manyPoints);
-  QPen pen(figure.style().curve(curve.colour), curve.width, curve.line);
+  QPen pen(curve.own.isValid() ? curve.own : figure.style().curve(curve.colour), curve.width, curve.line);
   pen.setJoinStyle(Qt::RoundJoin);
   graph->setPen(pen);
   graph->setName(curve.label);

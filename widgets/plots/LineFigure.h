@@ -17,6 +17,7 @@ struct Curve {
   double width = 1.1;
   Qt::PenStyle line = Qt::SolidLine;
   bool front = false;  // above the other curves
+  QColor own = {};     // valid: in place of the colour
 };
 
 std::vector<double> scaled(const std::vector<double>& values, double factor);

@@ -15,18 +15,21 @@ QFont fontOf(int pixels) {
   return font;
 }
 
+// As it is seen on light or on dark ground.
+QColor shade(const colours::Rgb& colour, bool dark) {
+  const QColor plain = QColor::fromRgbF(colour.red, colour.green, colour.blue);
+  if (!dark) return plain;
+  return plain == QColor(Qt::black) ? QColor(Qt::white) : plain.lighter(125);
+}
+
 }  // namespace
 
 QFont Style::labelFont() const { return fontOf(qRound(11 * fontScale)); }
 QFont Style::tickFont() const { return fontOf(qRound(9 * fontScale)); }
 QFont Style::captionFont() const { return fontOf(qRound(7 * fontScale)); }
 
-QColor Style::curve(std::size_t index) const {
-  const colours::Rgb colour = colours::curveColour(index);
-  QColor result = QColor::fromRgbF(colour.red, colour.green, colour.blue);
-  if (dark) result = index % 8 == 6 ? QColor(Qt::white) : result.lighter(125);
-  return result;
-}
+QColor Style::curve(std::size_t index) const { return shade(colours::curveColour(index), dark); }
+QColor Style::overlay(std::size_t index) const { return shade(colours::overlayColour(index), dark); }
 
 Style lightStyle() {
   Style style;

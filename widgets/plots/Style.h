@@ -21,6 +21,7 @@ struct Style {
   QFont tickFont() const;     // numbers and legend, 7 pt
   QFont captionFont() const;  // case and hash in the corner, 5.5 pt
   QColor curve(std::size_t index) const;
+  QColor overlay(std::size_t index) const;  // of a run that is laid over another
 };
 
 Style lightStyle();  // files are always light

@@ -2,31 +2,18 @@
 
 #include <QObject>
 #include <QStringList>
-#include <exception>
 
-#include "case/CaseFile.h"
-#include "case/InputPresets.h"
-#include "case/ParameterTable.h"
-#include "case/ParameterValue.h"
+#include "case/CaseNames.h"
 
 namespace squat::studio {
-namespace {
-
-// What a case is called, and the file that its points are from, change no result.
-bool counts(const std::string& key) {
-  return key != "title" && key != "note" && key != "defect.file" && !cases::isInputPreset(key);
-}
-
-}  // namespace
 
 QString differenceOfCases(const results::RunResult* result, const cases::CaseDescription& open) {
   if (!result || result->caseToml.empty()) return {};
   if (!result->resolvedCase) return QObject::tr("its case cannot be read by this version");
+  const auto shown = cases::comparedCase(result->resolvedCase->description), edited = cases::comparedCase(open);
   QStringList keys;
-  for (const auto& parameter : cases::parameterTable())
-    if (counts(parameter.key) &&
-        cases::valueText(result->resolvedCase->description, parameter) != cases::valueText(open, parameter))
-      keys << QString::fromStdString(parameter.key);
+  for (const std::size_t row : cases::differingRows({&shown, &edited}))
+    keys << QString::fromStdString(cases::parameterTable()[row].key);
   if (keys.isEmpty()) return {};
   constexpr int named = 3;
   const auto more = keys.size() - named;

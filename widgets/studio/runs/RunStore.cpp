@@ -1,6 +1,7 @@
 #include "studio/runs/RunStore.h"
 
 #include <QFont>
+#include <algorithm>
 
 namespace squat::studio {
 
@@ -34,7 +35,9 @@ QVariant RunStore::data(const QModelIndex& index, int role) const {
 
 bool RunStore::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || role != Qt::CheckStateRole) return false;
-  runs_[static_cast<std::size_t>(index.row())].overlaid = value.toInt() == Qt::Checked;
+  auto& run = runs_[static_cast<std::size_t>(index.row())];
+  if (!run.overlaid) run.place = freePlace();
+  run.overlaid = value.toInt() == Qt::Checked;
   Q_EMIT dataChanged(index, index);
   Q_EMIT overlaysChanged();
   return true;
@@ -48,9 +51,14 @@ int RunStore::add(StoredRun run) {
   const int row = rowCount();
   const bool measured = run.isMeasured();
   run.overlaid = measured;
+  run.place = freePlace();
+  if (!measured && run.result->resolvedCase)
+    run.values = std::make_shared<cases::ComparedCase>(cases::comparedCase(run.result->resolvedCase->description));
+  if (run.record) run.digest = analysis::runDigest(*run.record);
   beginInsertRows({}, row, row);
   runs_.push_back(std::move(run));
   endInsertRows();
+  makeNames();
   if (measured)
     Q_EMIT overlaysChanged();
   else
@@ -67,7 +75,52 @@ void RunStore::remove(int row) {
     --current_;
   else if (current_ == row)
     current_ = computedNear(row);
+  makeNames();
   Q_EMIT currentChanged();
+}
+
+void RunStore::rename(int row, const QString& name) {
+  auto& run = runs_.at(static_cast<std::size_t>(row));
+  const QString given = name.simplified();
+  if (given == run.label || (given.isEmpty() && run.isMeasured())) return;
+  run.named = !given.isEmpty();
+  run.label = given;
+  makeNames();
+  Q_EMIT dataChanged(index(row), index(row));
+  Q_EMIT namesChanged();
+}
+
+// The first that no overlaid run has: each keeps its colour while others come and go.
+std::size_t RunStore::freePlace() const {
+  std::size_t place = 0;
+  const auto taken = [&](const StoredRun& run) { return run.overlaid && run.place == place; };
+  while (std::any_of(runs_.begin(), runs_.end(), taken)) ++place;
+  return place;
+}
+
+void RunStore::setColour(int row, const QColor& colour) {
+  runs_.at(static_cast<std::size_t>(row)).colour = colour;
+  Q_EMIT dataChanged(index(row), index(row));
+  if (at(row).overlaid) Q_EMIT overlaysChanged();
+}
+
+// Also those that the user named are compared with: what is called by what differs, differs from them.
+void RunStore::makeNames() {
+  std::vector<cases::CaseToName> known;
+  for (const StoredRun& run : runs_)
+    if (run.values) known.push_back({run.result->stem, run.values.get()});
+  const auto names = cases::caseNames(known);
+  auto next = names.begin();
+  bool changed = false;
+  for (StoredRun& run : runs_) {
+    const std::string name = run.values ? *next++ : run.isMeasured() ? std::string() : run.result->stem;
+    if (run.named || run.label == QString::fromStdString(name)) continue;
+    run.label = QString::fromStdString(name);
+    changed = true;
+  }
+  if (!changed) return;
+  Q_EMIT dataChanged(index(0), index(rowCount() - 1));
+  Q_EMIT namesChanged();
 }
 
 // A measured signal is laid over a run and is none itself.
@@ -97,6 +150,12 @@ void RunStore::setPath(int row, const QString& path) {
 int RunStore::rowOf(const ResultPointer& result) const {
   for (int row = 0; row < rowCount(); ++row)
     if (at(row).result == result) return row;
+  return -1;
+}
+
+int RunStore::rowOfRecord(const RecordPointer& record) const {
+  for (int row = 0; row < rowCount(); ++row)
+    if (at(row).record == record) return row;
   return -1;
 }
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <QAbstractListModel>
+#include <QColor>
 #include <QString>
 #include <vector>
 
+#include "analysis/RunFeatures.h"
+#include "case/CaseNames.h"
 #include "studio/runs/MeasuredRecords.h"
 #include "studio/runs/RunController.h"
 #include "studio/runs/UnsavedResults.h"
@@ -13,17 +16,23 @@ namespace squat::studio {
 
 // A run of this program, or a measured record, which is laid over runs and is never the current one.
 struct StoredRun {
-  ResultPointer result;  // null: measured
-  QString label;
+  ResultPointer result;                      // null: measured
+  QString label;                             // its name; made by the store where `named` is false
   QString path;                              // empty: not in a file yet
   bool overlaid = false;                     // drawn with the current one
   RecordPointer record = result;             // what is drawn; that of the result where there is one
   std::shared_ptr<KeptFile> kept = nullptr;  // for a crash, until the run has a path
+  bool named = true;                         // the user, or a file, gave it its name
+  std::size_t place = 0;                     // which of the colours for overlays, kept while it is overlaid
+  QColor colour = {};                        // chosen by the user; not valid: that of its place
+  std::shared_ptr<const cases::ComparedCase> values = nullptr;  // of its case; null: none is known
+  analysis::RunDigest digest = {};
 
   bool isMeasured() const { return !result; }
 };
 
-// A list with check boxes: checked runs are overlaid on the current one.
+// A list with check boxes: checked runs are overlaid on the current one. Runs without a name of their own are called by
+// what differs between them (case/CaseNames.h), anew with every run that joins or leaves.
 class RunStore : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -37,10 +46,14 @@ class RunStore : public QAbstractListModel {
   // Makes it the current one, unless it is measured, which is overlaid instead. Returns its row.
   int add(StoredRun run);
   void remove(int row);
+  // An empty name gives a run of this program the one that is made from what differs between runs.
+  void rename(int row, const QString& name);
+  void setColour(int row, const QColor& colour);  // not valid: that of its place again
   int current() const { return current_; }
   void setCurrent(int row);
   ResultPointer currentResult() const;
-  int rowOf(const ResultPointer& result) const;  // -1: not in the list (any more)
+  int rowOf(const ResultPointer& result) const;        // -1: not in the list (any more)
+  int rowOfRecord(const RecordPointer& record) const;  // the same of runs and measured signals
   const StoredRun& at(int row) const { return runs_.at(static_cast<std::size_t>(row)); }
   void setPath(int row, const QString& path);
   std::vector<ResultPointer> unsaved() const;  // computed results that are in no file
@@ -49,8 +62,11 @@ class RunStore : public QAbstractListModel {
  Q_SIGNALS:
   void currentChanged();
   void overlaysChanged();
+  void namesChanged();
 
  private:
+  void makeNames();
+  std::size_t freePlace() const;
   int computedNear(int row) const;  // the next computed run from this row on, else the one before; -1: none
   std::vector<StoredRun> runs_;
   int current_ = -1;

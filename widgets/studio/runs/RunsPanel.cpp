@@ -1,24 +1,73 @@
 #include "studio/runs/RunsPanel.h"
 
+#include <QColorDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
-#include <QListView>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QTableView>
 #include <QVBoxLayout>
 
 #include "studio/common/ButtonKeys.h"
+#include "studio/common/EditorHabits.h"
 #include "studio/runs/RunStore.h"
+#include "studio/runs/RunTable.h"
 
 namespace squat::studio {
 
-RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_(store) {
-  list_ = new QListView(this);
-  list_->setModel(&store_);
-  list_->setAccessibleName(tr("Runs"));
-  list_->setObjectName("runs");
-  list_->setMinimumHeight(50);
-  auto* buttons = new QHBoxLayout;
+RunsPanel::RunsPanel(RunStore& store, QWidget* parent)
+    : QWidget(parent), store_(store), seen_(new QSortFilterProxyModel(this)), table_(new QTableView(this)) {
+  makeTable();
+  auto* filter = new QLineEdit(this);
+  filter->setObjectName("runFilter");
+  filter->setPlaceholderText(tr("Filter runs"));
+  filter->setAccessibleName(tr("Filter runs by name or value"));
+  filter->setClearButtonEnabled(true);
+  connect(filter, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addWidget(filter);
+  layout->addWidget(table_, 1);
+  layout->addWidget(makeButtons());
+  leaveUndoToWindow(*this);
+  connectTable();
+}
+
+void RunsPanel::makeTable() {
+  seen_->setSourceModel(new RunTable(store_, this));
+  seen_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  seen_->setFilterKeyColumn(-1);  // every column
+  seen_->setSortRole(RunTable::sortRole);
+  table_->setModel(seen_);
+  table_->setAccessibleName(tr("Runs"));
+  table_->setObjectName("runs");
+  table_->setMinimumHeight(70);
+  table_->setTabKeyNavigation(false);  // Tab leaves the table
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  QHeaderView* heading = table_->horizontalHeader();
+  heading->setSectionResizeMode(QHeaderView::ResizeToContents);
+  heading->setSortIndicator(-1, Qt::AscendingOrder);
+  heading->setSortIndicatorClearable(true);
+  table_->setSortingEnabled(true);
+}
+
+QWidget* RunsPanel::makeButtons() {
+  auto* bar = new QWidget(this);
+  auto* buttons = new QHBoxLayout(bar);
+  buttons->setContentsMargins(0, 0, 0, 0);
   const auto button = [&](const QString& text, const QString& tip, auto action) {
-    auto* made = new QPushButton(text, this);
+    auto* made = new QPushButton(text, bar);
     made->setToolTip(tip);
     made->setAccessibleName(tip);
     made->setObjectName(text);
@@ -29,25 +78,83 @@ RunsPanel::RunsPanel(RunStore& store, QWidget* parent) : QWidget(parent), store_
   button(tr("Save…"), tr("Save the current result"), &RunsPanel::saveRequested);
   button(tr("Measured…"), tr("Overlay a measured signal"), &RunsPanel::measuredRequested);
   button(tr("Remove"), tr("Remove the selected run from the list"), [this] {
-    if (list_->currentIndex().isValid()) Q_EMIT removeRequested(list_->currentIndex().row());
+    if (const int row = rowOf(table_->currentIndex()); row >= 0) Q_EMIT removeRequested(row);
   });
-  giveKeys(*this, {{tr("Open…"), "Ctrl+Shift+O"}, {tr("Remove"), "Ctrl+Delete"}});  // the others stand in a menu
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, 4, 4, 4);
-  layout->addWidget(list_, 1);
-  layout->addLayout(buttons);
-  const auto show = [this](const QModelIndex& index) {
-    if (index.isValid() && !store_.at(index.row()).isMeasured()) store_.setCurrent(index.row());
-  };
+  giveKeys(*bar, {{tr("Open…"), "Ctrl+Shift+O"}, {tr("Remove"), "Ctrl+Delete"}});  // the others stand in a menu
+  return bar;
+}
+
+void RunsPanel::connectTable() {
   // A click on the box overlays the run; it does not make it the current one.
-  connect(list_, &QListView::pressed, this, [this] { ticked_ = false; });
+  connect(table_, &QTableView::pressed, this, [this] { ticked_ = false; });
   connect(&store_, &RunStore::overlaysChanged, this, [this] { ticked_ = true; });
-  connect(list_, &QListView::clicked, this, [this, show](const QModelIndex& index) {
-    if (!ticked_) show(index);
+  connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
+    if (!ticked_) makeCurrent(index);
   });
-  connect(list_, &QListView::activated, this, show);  // by keyboard
-  connect(&store_, &RunStore::currentChanged, this,
-          [this] { list_->setCurrentIndex(store_.index(store_.current(), 0)); });
+  connect(table_, &QTableView::activated, this, &RunsPanel::makeCurrent);  // by keyboard
+  connect(table_, &QTableView::customContextMenuRequested, this, [this](const QPoint& place) {
+    const int row = rowOf(table_->indexAt(place));
+    if (row < 0) return;
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillMenu(*menu, row);
+    menu->popup(table_->viewport()->mapToGlobal(place));
+  });
+  const auto mark = [this] { table_->setCurrentIndex(indexOf(store_.current())); };
+  connect(&store_, &RunStore::currentChanged, this, mark);
+  connect(seen_, &QSortFilterProxyModel::modelReset, this, mark);
+}
+
+QModelIndex RunsPanel::indexOf(int row) const {
+  return row < 0 ? QModelIndex() : seen_->mapFromSource(seen_->sourceModel()->index(row, 0));
+}
+
+int RunsPanel::rowOf(const QModelIndex& index) const { return index.isValid() ? seen_->mapToSource(index).row() : -1; }
+
+void RunsPanel::makeCurrent(const QModelIndex& index) {
+  const int row = rowOf(index);
+  if (row >= 0 && !store_.at(row).isMeasured()) store_.setCurrent(row);
+}
+
+void RunsPanel::chooseColour(int row) {
+  auto* dialog = new QColorDialog(store_.at(row).colour, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QColorDialog::colorSelected, this, [this, record = store_.at(row).record](const QColor& colour) {
+    if (const int at = store_.rowOfRecord(record); at >= 0) store_.setColour(at, colour);
+  });
+  dialog->open();
+}
+
+// Rows may move while the menu stands: the run itself is what is meant.
+void RunsPanel::fillMenu(QMenu& menu, int row) {
+  const StoredRun& run = store_.at(row);
+  const auto place = [this, record = run.record] { return store_.rowOfRecord(record); };
+  const auto add = [&](const QString& text, const char* name, bool enabled, auto action) {
+    QAction* made = menu.addAction(text, this, [place, action] {
+      if (const int at = place(); at >= 0) action(at);
+    });
+    made->setObjectName(name);
+    made->setEnabled(enabled);
+    return made;
+  };
+  add(tr("&Show"), "runShow", !run.isMeasured(), [this](int at) { store_.setCurrent(at); });
+  QAction* overlaid = add(tr("&Overlay"), "runOverlay", true, [this](int at) {
+    store_.setData(store_.index(at), store_.at(at).overlaid ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+  });
+  overlaid->setCheckable(true);
+  overlaid->setChecked(run.overlaid);
+  menu.addSeparator();
+  add(tr("&Colour…"), "runColour", true, [this](int at) { chooseColour(at); });
+  add(tr("C&olour by place"), "runColourAnew", run.colour.isValid(), [this](int at) { store_.setColour(at, {}); });
+  menu.addSeparator();
+  add(tr("Re&name\tF2"), "runRename", true, [this](int at) { table_->edit(indexOf(at)); });
+  add(tr("Name by what &differs"), "runNameAnew", run.named && !run.isMeasured(),
+      [this](int at) { store_.rename(at, QString()); });
+  menu.addSeparator();
+  add(tr("S&ave…"), "runSave", !run.isMeasured(), [this](int at) { Q_EMIT saveRunRequested(at); });
+  add(tr("Show in &folder"), "runFolder", !run.path.isEmpty(),
+      [this](int at) { Q_EMIT folderRequested(QFileInfo(store_.at(at).path).absolutePath()); });
+  add(tr("&Remove"), "runRemove", true, [this](int at) { Q_EMIT removeRequested(at); });
 }
 
 }  // namespace squat::studio

@@ -106,6 +106,9 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     update();
   });
   connect(&store_, &RunStore::overlaysChanged, this, &SignalsPanel::update);
+  connect(&store_, &RunStore::namesChanged, this, [this] {
+    if (!store_.overlays().empty()) update();  // legends name them
+  });
   update();
 }
 

@@ -157,6 +157,7 @@ void MainWindow::connectParts() {
   showStopped();
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::showShownCase);
+  connect(&store_, &RunStore::namesChanged, this, &MainWindow::showShownCase);
   connect(&document_, &CaseDocument::changed, this, &MainWindow::showShownCase);
   connect(&document_, &CaseDocument::noted, messages_,
           [this](const QString& note) { messages_->say(note.left(1).toUpper() + note.mid(1)); });
@@ -246,8 +247,7 @@ void MainWindow::keep(const ResultPointer& result) {
         run.result->time.size() <= result->time.size())
       store_.remove(row);
   }
-  const QString label = QStringLiteral("%1 #%2").arg(QString::fromStdString(result->stem)).arg(++runsMade_);
-  store_.add({result, label, QString(), false, result, kept});
+  store_.add({result, QString(), QString(), false, result, kept, false});
 }
 
 void MainWindow::showStopped() {

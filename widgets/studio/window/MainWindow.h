@@ -159,7 +159,6 @@ class MainWindow : public QMainWindow {
   bool caseRecovered_ = false;
   std::vector<std::weak_ptr<const results::RunResult>> resultsRecovered_;
   QString recoverySaid_;
-  int runsMade_ = 0;
 };
 
 }  // namespace squat::studio

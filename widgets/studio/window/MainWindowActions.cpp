@@ -1,6 +1,7 @@
 // Menus of the main window: every action has a shortcut and a name.
 #include <QAction>
 #include <QApplication>
+#include <QDesktopServices>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -9,6 +10,7 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QStyle>
+#include <QUrl>
 
 #include "case/ShippedCases.h"
 #include "studio/common/Theme.h"
@@ -88,8 +90,11 @@ void MainWindow::makeFileMenu() {
     if (!path.isEmpty() && !openMeasured(path) && QFileInfo(path).isReadable()) askHowToRead(path);
   });
   connect(runs_, &RunsPanel::saveRequested, saving, &QAction::trigger);
+  connect(runs_, &RunsPanel::saveRunRequested, this, [this](int row) { saveResult(store_.at(row).result); });
   connect(runs_, &RunsPanel::measuredRequested, measured, &QAction::trigger);
   connect(runs_, &RunsPanel::removeRequested, this, &MainWindow::removeRun);
+  connect(runs_, &RunsPanel::folderRequested, this,
+          [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
   connect(runs_, &RunsPanel::openRequested, this, [this] {
     const QString path = QFileDialog::getOpenFileName(this, tr("Open a result"), QString(), tr("Results (*.h5)"));
     if (!path.isEmpty()) openResult(path);

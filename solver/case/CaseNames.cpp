@@ -1,0 +1,141 @@
+#include "case/CaseNames.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "case/Applicability.h"
+#include "case/DecimalNumber.h"
+#include "case/InputPresets.h"
+#include "case/MeshPresets.h"
+#include "case/ParameterValue.h"
+
+namespace squat::cases {
+
+namespace {
+
+constexpr std::size_t mostNamed = 4;  // values in a name: more of them nobody reads in a list
+
+// What a case is called, and where its values are from, change no result.
+bool changesResults(const Parameter& parameter) {
+  return parameter.key != "title" && parameter.key != "note" && parameter.key != "defect.file" &&
+         !isInputPreset(parameter.key);
+}
+
+bool isOfPreset(const CaseDescription& description, const Parameter& parameter, const std::string& text) {
+  const auto& rows = presetTable();
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& each) { return each.key == parameter.key; });
+  if (row == rows.end()) return false;
+  const auto preset = static_cast<std::size_t>(description.mesh.preset);
+  return text == row->values[preset] ||
+         (parameter.kind == Kind::number && parseDecimal(text) == parseDecimal(row->values[preset]));
+}
+
+// Three digits: what a name can hold of a drawn shape.
+std::string rounded(double millimetres) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", millimetres);
+  return text;
+}
+
+// The file that it is from, else how deep and long it is.
+std::string extentOf(const Defect& defect) {
+  if (!defect.file.empty()) return std::filesystem::path(defect.file).stem().string();
+  std::vector<const std::vector<ProfilePoint>*> curves{&defect.points};
+  for (const auto& line : defect.lines) curves.push_back(&line.points);
+  double deepest = 0, first = 0, last = 0;  // [m]
+  bool any = false;
+  for (const auto* points : curves)
+    for (const auto& point : *points) {
+      deepest = std::min(deepest, point.height);
+      first = any ? std::min(first, point.position) : point.position;
+      last = any ? std::max(last, point.position) : point.position;
+      any = true;
+    }
+  return rounded(-1e3 * deepest) + " deep, " + rounded(1e3 * (last - first)) + " long";
+}
+
+ComparedValue comparedValue(const CaseDescription& description, const Parameter& parameter) {
+  if (!changesResults(parameter) || !applies(description, parameter)) return {};
+  const std::string text = valueText(description, parameter);
+  if (isOfPreset(description, parameter, text)) return {};
+  if (!isList(parameter)) return {text, text};
+  return isEmptyList(description, parameter) ? ComparedValue{} : ComparedValue{text, extentOf(description.defect)};
+}
+
+int importance(const Parameter& parameter) {
+  if (parameter.group == "defect") return 0;
+  if (parameter.key == "mesh.preset") return 2;
+  return parameter.group == "mesh" || parameter.group == "output" ? 3 : 1;
+}
+
+// "depth 0.15", "cosine", "no coarse web".
+std::string named(const Parameter& parameter, const std::string& shown) {
+  if (parameter.key == "mesh.preset" || parameter.key == "defect.shape" || isList(parameter)) return shown;
+  if (parameter.kind == Kind::boolean) return (shown == "true" ? "" : "no ") + shortLabel(parameter);
+  return shortLabel(parameter) + " " + shown;
+}
+
+std::string nameOf(const CaseToName& one, const std::vector<std::size_t>& rows, bool withStem) {
+  std::string name = withStem ? one.stem : std::string();
+  std::size_t count = 0;
+  for (const std::size_t row : rows) {
+    const std::string& shown = (*one.values)[row].shown;
+    if (shown.empty() || count == mostNamed) continue;
+    ++count;
+    name += (name.empty() ? "" : ", ") + named(parameterTable()[row], shown);
+  }
+  return name.empty() ? one.stem : name;
+}
+
+void makeUnique(std::vector<std::string>& names) {
+  std::set<std::string> taken;
+  for (std::string& name : names) {
+    const std::string plain = name;
+    for (int number = 2; !taken.insert(name).second; ++number) name = plain + " (" + std::to_string(number) + ")";
+  }
+}
+
+}  // namespace
+
+ComparedCase comparedCase(const CaseDescription& description) {
+  ComparedCase values;
+  for (const auto& parameter : parameterTable()) values.push_back(comparedValue(description, parameter));
+  return values;
+}
+
+std::vector<std::size_t> differingRows(const std::vector<const ComparedCase*>& cases) {
+  std::vector<std::size_t> rows;
+  if (cases.empty()) return rows;
+  for (std::size_t row = 0; row < parameterTable().size(); ++row)
+    if (std::any_of(cases.begin(), cases.end(),
+                    [&](const auto* each) { return (*each)[row].identity != (*cases[0])[row].identity; }))
+      rows.push_back(row);
+  std::stable_sort(rows.begin(), rows.end(), [](std::size_t a, std::size_t b) {
+    return importance(parameterTable()[a]) < importance(parameterTable()[b]);
+  });
+  return rows;
+}
+
+std::string shortLabel(const Parameter& parameter) {
+  const auto dot = parameter.key.find('.');
+  const bool plain = parameter.group == "defect" || parameter.group == "motion" || parameter.group == "mesh";
+  std::string label = plain && dot != std::string::npos ? parameter.key.substr(dot + 1) : parameter.key;
+  std::replace_if(
+      label.begin(), label.end(), [](char letter) { return letter == '.' || letter == '_'; }, ' ');
+  return label;
+}
+
+std::vector<std::string> caseNames(const std::vector<CaseToName>& cases) {
+  std::map<std::string, std::vector<const ComparedCase*>> groups;
+  for (const auto& one : cases) groups[one.stem].push_back(one.values);
+  std::map<std::string, std::vector<std::size_t>> rows;
+  for (const auto& [stem, values] : groups) rows[stem] = differingRows(values);
+  std::vector<std::string> names;
+  for (const auto& one : cases) names.push_back(nameOf(one, rows[one.stem], groups.size() > 1));
+  makeUnique(names);
+  return names;
+}
+
+}  // namespace squat::cases

@@ -1,0 +1,219 @@
+// The table of runs: names, columns, sorting, filtering, renaming and the menu of a run.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QMenu>
+#include <QStyleOptionViewItem>
+#include <QTableView>
+#include <QTest>
+
+#include "case/MeshPresets.h"
+#include "case/ParameterValue.h"
+#include "gui/Hands.h"
+#include "render/SyntheticResult.h"
+#include "studio/runs/RunStore.h"
+#include "studio/runs/RunsPanel.h"
+
+namespace squat::studio {
+namespace {
+
+// The made-up result as that of the default case with these values, `factor` times as strong.
+std::shared_ptr<results::RunResult> runOf(const std::vector<std::pair<const char*, const char*>>& settings,
+                                          double factor = 1) {
+  auto result = std::make_shared<results::RunResult>(tests::syntheticResult());
+  cases::CaseDescription description = cases::defaultCase();
+  for (const auto& [key, text] : settings) {
+    if (std::string(key) == "mesh.preset") cases::applyPreset(description, *cases::presetNamed(text));
+    cases::setValue(description, key, text);
+  }
+  results::setCase(*result, description);
+  result->stem = "untitled";
+  result->performance = {{"seconds", "s", "", 100 * factor}};
+  for (double& value : result->channel("aba_filtered")->values) value *= factor;
+  return result;
+}
+
+StoredRun computed(const ResultPointer& result) {
+  return {result, QString(), QString(), false, result, nullptr, false};
+}
+
+class Runs : public testing::Test {
+ protected:
+  void SetUp() override {
+    panel_.resize(900, 220);
+    panel_.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel_));
+  }
+  void addThree() {
+    store_.add(computed(runOf({{"defect.depth", "0.15"}}, 1)));
+    store_.add(computed(runOf({{"defect.depth", "0.3"}, {"mesh.preset", "tiny"}}, 3)));
+    store_.add(computed(runOf({{"defect.depth", "0.2"}}, 2)));
+  }
+  QStringList column(const QString& heading) const {
+    const auto& seen = *panel_.table()->model();
+    QStringList texts;
+    for (int at = 0; at < seen.columnCount(); ++at)
+      if (seen.headerData(at, Qt::Horizontal).toString() == heading)
+        for (int row = 0; row < seen.rowCount(); ++row) texts << seen.index(row, at).data().toString();
+    return texts;
+  }
+  QStringList headings() const {
+    QStringList texts;
+    for (int at = 0; at < panel_.table()->model()->columnCount(); ++at)
+      texts << panel_.table()->model()->headerData(at, Qt::Horizontal).toString();
+    return texts;
+  }
+  void clickHeading(int section) {
+    QHeaderView* bar = panel_.table()->horizontalHeader();
+    QTest::mouseClick(bar->viewport(), Qt::LeftButton, {},
+                      {bar->sectionViewportPosition(section) + 10, bar->height() / 2});
+  }
+
+  RunStore store_;
+  RunsPanel panel_{store_};
+};
+
+TEST_F(Runs, areCalledByWhatDiffersAndHaveAColumnForIt) {
+  store_.add(computed(runOf({})));
+  EXPECT_EQ(store_.at(0).label, "untitled");
+  EXPECT_EQ(headings(), (QStringList{"Run", "Peak [m/s²]", "Lines [Hz]", "Mesh", "Computed in"}));
+  store_.remove(0);
+  addThree();
+  EXPECT_EQ(headings(), (QStringList{"Run", "Peak [m/s²]", "Lines [Hz]", "Depth [mm]", "Mesh", "Computed in"}));
+  EXPECT_EQ(column("Run"), (QStringList{"depth 0.15, draft *", "depth 0.3, tiny *", "depth 0.2, draft *"}));
+  EXPECT_EQ(column("Depth [mm]"), (QStringList{"0.15", "0.3", "0.2"}));
+  EXPECT_EQ(column("Mesh"), (QStringList{"draft", "tiny", "draft"}));
+  EXPECT_EQ(column("Computed in"), (QStringList{"1 min 40 s", "5 min 0 s", "3 min 20 s"}));
+  // The made-up lines stand at 300 and 1000 Hz; three times the signal is three times the peak.
+  const auto peaks = column("Peak [m/s²]");
+  EXPECT_NEAR(peaks[1].toDouble(), 3 * peaks[0].toDouble(), 0.2);
+  EXPECT_NEAR(column("Lines [Hz]")[0].section(',', 0, 0).toDouble(), 300, 15) << column("Lines [Hz]")[0].toStdString();
+  store_.remove(1);
+  EXPECT_EQ(column("Run"), (QStringList{"depth 0.15 *", "depth 0.2 *"}));  // all of one mesh again
+}
+
+TEST_F(Runs, areRenamedInPlaceAndKeepTheName) {
+  addThree();
+  panel_.table()->setFocus();
+  panel_.table()->setCurrentIndex(panel_.indexOf(1));
+  tests::press(panel_, Qt::Key_F2);
+  auto* editor = panel_.table()->findChild<QLineEdit*>();
+  ASSERT_TRUE(editor);
+  EXPECT_EQ(editor->text(), "depth 0.3, tiny");
+  tests::type(panel_, "deep one");
+  tests::press(panel_, Qt::Key_Return);
+  EXPECT_EQ(store_.at(1).label, "deep one");
+  EXPECT_EQ(column("Run")[1], "deep one *");
+  store_.remove(0);
+  EXPECT_EQ(store_.at(0).label, "deep one");
+  store_.rename(0, "  ");  // as it was before anybody named it
+  EXPECT_EQ(store_.at(0).label, "depth 0.3, tiny");
+  store_.rename(1, "the other");  // what is left without a name still says how it differs
+  EXPECT_EQ(store_.at(0).label, "depth 0.3, tiny");
+}
+
+TEST_F(Runs, sortAsNumbersAndComeBackInTheirOrder) {
+  addThree();
+  const int depth = static_cast<int>(headings().indexOf("Depth [mm]"));
+  clickHeading(depth);
+  EXPECT_EQ(column("Depth [mm]"), (QStringList{"0.15", "0.2", "0.3"}));
+  clickHeading(1);
+  const auto peaks = column("Peak [m/s²]");
+  EXPECT_LT(peaks[0].toDouble(), peaks[1].toDouble());
+  EXPECT_LT(peaks[1].toDouble(), peaks[2].toDouble());
+  // The row that is clicked is the run that is shown, wherever it stands.
+  const QModelIndex third = panel_.table()->model()->index(2, 0);
+  QTest::mouseClick(panel_.table()->viewport(), Qt::LeftButton, {}, panel_.table()->visualRect(third).center());
+  EXPECT_EQ(store_.current(), 1);
+  clickHeading(1);
+  clickHeading(1);
+  EXPECT_EQ(column("Depth [mm]"), (QStringList{"0.15", "0.3", "0.2"}));
+}
+
+TEST_F(Runs, areFilteredByNameAndValue) {
+  addThree();
+  store_.rename(2, "the good one");
+  auto* filter = panel_.findChild<QLineEdit*>("runFilter");
+  filter->setText("TINY");
+  EXPECT_EQ(column("Depth [mm]"), QStringList{"0.3"});
+  filter->setText("good");
+  EXPECT_EQ(column("Depth [mm]"), QStringList{"0.2"});
+  filter->clear();
+  EXPECT_EQ(column("Depth [mm]").size(), 3);
+}
+
+// By the mouse, as a user does: the box overlays, the name makes the run the current one.
+TEST_F(Runs, tickingARunDoesNotMakeItTheCurrentOne) {
+  for (const char* label : {"a", "b"}) {
+    const auto result = runOf({});
+    store_.add({result, label, {}, false});
+  }
+  QTableView* table = panel_.table();
+  const QModelIndex first = panel_.indexOf(0);
+  QStyleOptionViewItem option;
+  option.initFrom(table);
+  option.features = QStyleOptionViewItem::HasCheckIndicator | QStyleOptionViewItem::HasDisplay;
+  option.rect = table->visualRect(first);
+  const QRect box = table->style()->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, table);
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, box.center());
+  EXPECT_TRUE(store_.at(0).overlaid);
+  EXPECT_EQ(store_.current(), 1);
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, box.center() + QPoint(box.width() + 8, 0));
+  EXPECT_EQ(store_.current(), 0);
+}
+
+// A run keeps its colour while others come and go, in every figure.
+TEST_F(Runs, overlaysKeepTheirColours) {
+  addThree();
+  const auto tick = [&](int row, bool on) {
+    store_.setData(store_.index(row), on ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
+  };
+  for (const int row : {0, 1, 2}) tick(row, true);
+  EXPECT_EQ(store_.at(1).place, 1u);
+  tick(0, false);
+  EXPECT_EQ(store_.at(1).place, 1u);
+  EXPECT_EQ(store_.at(2).place, 2u);
+  tick(0, true);
+  EXPECT_EQ(store_.at(0).place, 0u) << "the one that had become free";
+  int drawnAnew = 0;
+  QObject::connect(&store_, &RunStore::overlaysChanged, [&] { ++drawnAnew; });
+  store_.setColour(0, Qt::red);
+  EXPECT_EQ(store_.at(0).colour, QColor(Qt::red));
+  EXPECT_EQ(drawnAnew, 1);
+}
+
+TEST_F(Runs, theMenuOfARunDoesWhatItSays) {
+  addThree();
+  QStringList folders;
+  QObject::connect(&panel_, &RunsPanel::folderRequested, [&](const QString& path) { folders << path; });
+  store_.setPath(0, "/somewhere/first.h5");
+  QMenu menu;
+  panel_.fillMenu(menu, 0);
+  const auto action = [&](const char* name) { return menu.findChild<QAction*>(name); };
+  action("runFolder")->trigger();
+  EXPECT_EQ(folders, QStringList{"/somewhere"});
+  action("runShow")->trigger();
+  EXPECT_EQ(store_.current(), 0);
+  action("runOverlay")->trigger();
+  EXPECT_TRUE(store_.at(0).overlaid);
+  EXPECT_FALSE(action("runNameAnew")->isEnabled());  // nobody has named it
+  std::vector<int> removed, saved;
+  QObject::connect(&panel_, &RunsPanel::removeRequested, [&](int row) { removed.push_back(row); });
+  QObject::connect(&panel_, &RunsPanel::saveRunRequested, [&](int row) { saved.push_back(row); });
+  QMenu second;
+  panel_.fillMenu(second, 1);
+  EXPECT_FALSE(second.findChild<QAction*>("runFolder")->isEnabled());  // in no file yet
+  store_.remove(0);                                                    // while the menu stands
+  second.findChild<QAction*>("runSave")->trigger();
+  second.findChild<QAction*>("runRemove")->trigger();
+  EXPECT_EQ(saved, std::vector<int>{0});
+  EXPECT_EQ(removed, std::vector<int>{0});
+  store_.remove(0);
+  second.findChild<QAction*>("runRemove")->trigger();  // it is gone
+  EXPECT_EQ(removed.size(), 1u);
+}
+
+}  // namespace
+}  // namespace squat::studio
