@@ -82,11 +82,11 @@ TEST_F(CaseNames, atMostFourValuesAndStillNoTwoTheSame) {
   const Settings many{{"defect.depth", "0.3"},
                       {"defect.length", "60"},
                       {"motion.speed", "20"},
-                      {"pad.stiffness", "900"},
-                      {"track.sleeper_spacing", "0.65"}};
+                      {"track.sleeper_spacing", "0.65"},
+                      {"pad.stiffness", "900"}};
   add(many);
   auto more = many;
-  more.back().second = "0.7";
+  more.back().second = "950";  // the fifth in the table's order
   add(more);
   const auto made = names();
   EXPECT_EQ(std::count(made[1].begin(), made[1].end(), ','), 3) << made[1];
