@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "core/Errors.h"
+#include "readers/ArrayFile.h"
+#include "readers/ArraySignals.h"
 #include "readers/ColumnRoles.h"
-#include "readers/Hdf5Signals.h"
 #include "readers/SampledColumns.h"
 #include "readers/TableRoles.h"
 #include "text/DelimitedTable.h"
@@ -121,19 +122,6 @@ signals::Passage passageWithPositions(const signals::Record& record) {
   return signals::passageOf(record);
 }
 
-bool isHdf5(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return false;  // a named pipe must not hold the program
-  std::ifstream in(path, std::ios::binary);
-  for (std::streamoff offset = 0; in && offset <= 65536; offset = offset ? offset * 2 : 512) {
-    char head[8] = {};
-    in.seekg(offset);
-    in.read(head, 8);
-    if (in.gcount() == 8 && std::string_view(head, 8) == "\x89HDF\r\n\x1a\n") return true;
-  }
-  return false;
-}
-
 void requireOptions(const SignalFileOptions& options) {
   std::vector<CaseProblem> problems;
   const auto number = [&](const char* key, double value, const char* unit) {
@@ -150,7 +138,7 @@ void requireOptions(const SignalFileOptions& options) {
 
 std::vector<signals::Record> readSignals(const std::string& path, const SignalFileOptions& options) {
   requireOptions(options);
-  if (isHdf5(path)) return readHdf5Signals(path, options);
+  if (isArrayFile(path)) return readArraySignals(path, options);
   return signalsOf(text::readDelimitedTable(path, options.delimiter, options.decimal), options);
 }
 

@@ -1,4 +1,5 @@
-// solver/readers/SignalFile.h - axle box acceleration from files that others have written: text tables and HDF5.
+// solver/readers/SignalFile.h - axle box acceleration from files that others have written: text tables, HDF5 and MATLAB
+// files.
 #pragma once
 
 #include <string>
@@ -23,16 +24,14 @@ struct SignalFileOptions {
 // Throws CaseError for options that no file could fit.
 void requireOptions(const SignalFileOptions& options);
 
-// The HDF5 signature stands at the beginning, or behind a user block of 512, 1024, ... bytes (MATLAB writes one).
-bool isHdf5(const std::string& path);
-
 // All runs of a file, one record with one channel for each signal column and run.
 //
 // Text: any delimiter (, ; tab | blanks), decimal point or comma, with or without header, lines before the header, a
 // row of units under it; names in UTF-8 or Latin-1; CRLF, byte-order mark, quoted fields, lines that begin with # or %
 // are understood. Units in the header: s, ms, us; m, km, mm and km+m (12+345.6); m/s, km/h; m/s2, mm/s2, g. Without
 // header a first column that rises in equal steps is the time in s. A run column, or a time that jumps back, parts
-// runs. HDF5: a dataset of one or two dimensions, a group of datasets, a result file of this program; MATLAB 7.3 files.
+// runs. HDF5: a dataset of one or two dimensions, a group of datasets, a result file of this program. MATLAB
+// files of version 5 and later: an array, or a structure of arrays.
 //
 // Throws FileError with line or object: unreadable, no table, wrong column, a gap or a not-a-number in a column that is
 // used, a value beyond 1e100, a time or position that does not rise, no sampling rate, fewer than 2 samples, an axis in

@@ -12,7 +12,7 @@ using results::Array;
 
 std::size_t firstExtent(const Array& array) { return array.shape.empty() ? 0 : array.shape.front(); }
 
-void addColumn(readers::Hdf5Columns& found, const Array& array, const std::string& header, std::size_t run,
+void addColumn(readers::ArrayColumns& found, const Array& array, const std::string& header, std::size_t run,
                std::size_t runs) {
   text::TableColumn column;
   text::splitNameAndUnit(header, column.name, column.unit);
@@ -21,7 +21,7 @@ void addColumn(readers::Hdf5Columns& found, const Array& array, const std::strin
 }
 
 // The index, as the time: dates are nanoseconds, counts are no time.
-void addIndex(readers::Hdf5Columns& found, const Array& index) {
+void addIndex(readers::ArrayColumns& found, const Array& index) {
   const std::string kind = results::textAttribute(index.attributes, "kind");
   if (kind.rfind("datetime64", 0) == 0) {
     addColumn(found, index, "time [ns]", 0, 1);
@@ -41,11 +41,11 @@ std::vector<std::string> pandasGroups(const results::ArrayTree& tree) {
   return list;
 }
 
-std::optional<readers::Hdf5Columns> pandasColumns(const std::string& path, const results::ArrayTree& tree,
-                                                  const std::string& group) {
+std::optional<readers::ArrayColumns> pandasColumns(const std::string& path, const results::ArrayTree& tree,
+                                                   const std::string& group) {
   const Array* index = tree.find(group + "/axis1");
   if (!index) return std::nullopt;
-  readers::Hdf5Columns found;
+  readers::ArrayColumns found;
   found.table.path = path;
   found.table.rowWord = "sample";
   found.samples = firstExtent(*index);

@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "readers/Hdf5Signals.h"
+#include "readers/ArraySignals.h"
 
 namespace squat::records {
 
 // The columns of the frame or series in `group` ("/df"); nothing where there is none.
-std::optional<readers::Hdf5Columns> pandasColumns(const std::string& path, const results::ArrayTree& tree,
-                                                  const std::string& group);
+std::optional<readers::ArrayColumns> pandasColumns(const std::string& path, const results::ArrayTree& tree,
+                                                   const std::string& group);
 
 // Groups that hold one.
 std::vector<std::string> pandasGroups(const results::ArrayTree& tree);

@@ -68,7 +68,7 @@ class RecordStream {
   virtual const std::vector<RecordFault>& faults() const = 0;
 };
 
-// Text, HDF5 and MATLAB 7.3 files, by what they hold. Throws FileError for a file that holds no record, CaseError
+// Text, HDF5 and MATLAB files, by what they hold. Throws FileError for a file that holds no record, CaseError
 // for options that do not fit, and where neither speed nor position is known.
 std::unique_ptr<RecordStream> openRecord(const std::string& path, const RecordOptions& options = {});
 

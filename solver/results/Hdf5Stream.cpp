@@ -1,13 +1,13 @@
 #include "results/Hdf5Stream.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <span>
 #include <system_error>
 #include <utility>
 
+#include "results/ColumnPieces.h"
 #include "results/Hdf5.h"
 #include "results/Hdf5Handle.h"
 #include "results/Hdf5Reader.h"
@@ -18,9 +18,7 @@ namespace {
 using hdf5::check;
 using hdf5::Handle;
 
-constexpr std::size_t pieceSamples = std::size_t{1} << 16;
 constexpr std::size_t pieceValues = std::size_t{1} << 23;  // of one dataset, all runs
-constexpr char kPiece = 'P', kEnd = 'Z';
 
 Hdf5Limits foreign() {
   Hdf5Limits limits;
@@ -32,7 +30,7 @@ Hdf5Limits foreign() {
 // One dataset, read in hyperslabs over all of its runs.
 class Dataset {
  public:
-  Dataset(hid_t file, const std::string& path, const Hdf5Column& column, std::size_t samples)
+  Dataset(hid_t file, const std::string& path, const ArrayColumn& column, std::size_t samples)
       : path_(path), name_(column.path), runs_(column.runs), samplesFirst_(column.samplesFirst) {
     const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
     // A chunk is unpacked once, whatever its size: the largest that is read is 32 MB.
@@ -88,7 +86,7 @@ class Dataset {
 };
 
 // In the child.
-void sendColumns(const std::string& path, const std::vector<Hdf5Column>& columns, std::size_t samples,
+void sendColumns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
                  const ByteSink& send) {
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   check(file.get(), path, "", "is not an HDF5 file, or a damaged one");
@@ -98,26 +96,23 @@ void sendColumns(const std::string& path, const std::vector<Hdf5Column>& columns
     datasets.try_emplace(column.path, file.get(), path, column, samples);
     step = std::min(step, std::max<std::size_t>(1, pieceValues / column.runs));
   }
-  const auto sendKind = [&](char kind) { send(std::as_bytes(std::span(&kind, 1))); };
   for (std::size_t from = 0; from < samples; from += step) {
-    const std::uint64_t count = std::min(step, samples - from);
-    for (auto& [name, dataset] : datasets) dataset.read(from, static_cast<std::size_t>(count));
-    sendKind(kPiece);
-    send(std::as_bytes(std::span(&count, 1)));
-    for (const auto& column : columns)
-      send(std::as_bytes(datasets.at(column.path).run(column.run, static_cast<std::size_t>(count))));
+    const std::size_t count = std::min(step, samples - from);
+    for (auto& [name, dataset] : datasets) dataset.read(from, count);
+    sendPiece(send, count, columns.size(),
+              [&](std::size_t c) { return datasets.at(columns[c].path).run(columns[c].run, count); });
   }
-  sendKind(kEnd);
+  sendEnd(send);
 }
 
 }  // namespace
 
 ArrayTree listHdf5(const std::string& path) { return readHdf5(path, foreign()); }
 
-Hdf5Stream::Hdf5Stream(std::string path, std::vector<Hdf5Column> columns, std::size_t samples)
-    : path_(std::move(path)), columns_(std::move(columns)) {
+std::unique_ptr<ArrayStream> streamHdf5(const std::string& path, const std::vector<ArrayColumn>& columns,
+                                        std::size_t samples) {
   std::map<std::string, std::size_t> runs;
-  for (const auto& column : columns_) runs[column.path] = column.runs;
+  for (const auto& column : columns) runs[column.path] = column.runs;
   ChildLimits limits;
   limits.memory = std::size_t{128} << 20;
   limits.seconds = 10;
@@ -125,31 +120,8 @@ Hdf5Stream::Hdf5Stream(std::string path, std::vector<Hdf5Column> columns, std::s
     limits.memory += (std::size_t{64} << 20) + 24 * std::min(pieceValues, count * pieceSamples);
     limits.seconds += samples / 2000000 * count;
   }
-  child_ = std::make_unique<GuardedChild>(path_, limits,
-                                          [&](const ByteSink& send) { sendColumns(path_, columns_, samples, send); });
-}
-
-bool Hdf5Stream::next(std::vector<std::vector<double>>& columns) {
-  if (!child_) return false;
-  const char kind = child_->receiveKind();
-  if (kind == kEnd) {
-    child_.reset();
-    return false;
-  }
-  std::uint64_t count = 0;
-  const auto fill = [&](std::span<std::byte> bytes) {
-    if (child_->receive(bytes) != bytes.size()) child_->died();
-  };
-  if (kind != kPiece) child_->died();
-  fill(std::as_writable_bytes(std::span(&count, 1)));
-  if (count > pieceSamples) child_->died();
-  columns.resize(columns_.size());
-  for (auto& column : columns) {
-    const std::size_t before = column.size();
-    column.resize(before + static_cast<std::size_t>(count));
-    fill(std::as_writable_bytes(std::span(column).subspan(before)));
-  }
-  return true;
+  return std::make_unique<ColumnPieces>(path, columns.size(), limits,
+                                        [&](const ByteSink& send) { sendColumns(path, columns, samples, send); });
 }
 
 }  // namespace squat::results

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/Errors.h"
-#include "readers/Hdf5Signals.h"
+#include "readers/ArraySignals.h"
 #include "readers/SignalFile.h"
 #include "text/DelimitedTable.h"
 

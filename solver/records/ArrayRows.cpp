@@ -1,4 +1,4 @@
-#include "records/Hdf5Rows.h"
+#include "records/ArrayRows.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "core/Errors.h"
-#include "readers/Hdf5Signals.h"
+#include "readers/ArrayFile.h"
+#include "readers/ArraySignals.h"
 #include "records/PandasFrames.h"
 #include "results/ResultTree.h"
 #include "text/Text.h"
@@ -45,8 +46,8 @@ std::string groupNamed(const std::string& object) {
 
 }  // namespace
 
-Hdf5Rows::Hdf5Rows(std::string path, const readers::SignalFileOptions& options) : path_(std::move(path)) {
-  const auto tree = results::listHdf5(path_);
+ArrayRows::ArrayRows(std::string path, const readers::SignalFileOptions& options) : path_(std::move(path)) {
+  const auto tree = readers::listArrays(path_);
   auto own = options;
   if (own.object.empty()) own.object = longestGroup(tree);
   auto frame = pandasColumns(path_, tree, groupNamed(own.object));
@@ -64,30 +65,30 @@ Hdf5Rows::Hdf5Rows(std::string path, const readers::SignalFileOptions& options) 
 }
 
 // The first values of every column, for what depends on them.
-void Hdf5Rows::readHead() {
-  results::Hdf5Stream stream(path_, places_, samples_);
+void ArrayRows::readHead() {
+  const auto stream = readers::streamArrays(path_, places_, samples_);
   std::vector<std::vector<double>> columns;
-  stream.next(columns);
+  stream->next(columns);
   for (std::size_t c = 0; c < head_.columns.size() && c < columns.size(); ++c) {
     columns[c].resize(std::min(columns[c].size(), headRows));
     head_.columns[c].values = std::move(columns[c]);
   }
 }
 
-void Hdf5Rows::choose(std::vector<std::size_t> columns) {
-  std::vector<results::Hdf5Column> places;
+void ArrayRows::choose(std::vector<std::size_t> columns) {
+  std::vector<results::ArrayColumn> places;
   for (const std::size_t c : columns) places.push_back(places_[c]);
-  stream_ = std::make_unique<results::Hdf5Stream>(path_, std::move(places), samples_);
+  stream_ = readers::streamArrays(path_, places, samples_);
 }
 
-bool Hdf5Rows::next(std::size_t most, Rows& rows) {
+bool ArrayRows::next(std::size_t most, Rows& rows) {
   for (auto& column : rows.columns) column.clear();
   while (rows.size() < most && stream_->next(rows.columns)) continue;
   read_ += rows.size();
   return rows.size() > 0;
 }
 
-double Hdf5Rows::fraction() const {
+double ArrayRows::fraction() const {
   return samples_ ? static_cast<double>(read_) / static_cast<double>(samples_) : 1.0;
 }
 

@@ -1,4 +1,4 @@
-// solver/records/Hdf5Rows.h - datasets of an HDF5 file (MATLAB 7.3 and pandas included) as rows.
+// solver/records/ArrayRows.h - arrays of an HDF5 or MATLAB file as rows; data frames of pandas as well.
 #pragma once
 
 #include <memory>
@@ -7,16 +7,16 @@
 
 #include "readers/SignalFile.h"
 #include "records/RowSource.h"
-#include "results/Hdf5Stream.h"
+#include "results/ArrayStream.h"
 
 namespace squat::records {
 
 // The dataset or group that `options.object` names, else the group of the dataset aba, else the one with the most
 // samples. A data frame that pandas has written (format fixed) is a group with its column names; its index is the time
 // where it rises as numbers or dates. Throws FileError as readers::readSignals does.
-class Hdf5Rows : public RowSource {
+class ArrayRows : public RowSource {
  public:
-  Hdf5Rows(std::string path, const readers::SignalFileOptions& options);
+  ArrayRows(std::string path, const readers::SignalFileOptions& options);
 
   const text::DelimitedTable& head() const override { return head_; }
   void choose(std::vector<std::size_t> columns) override;
@@ -30,9 +30,9 @@ class Hdf5Rows : public RowSource {
 
   std::string path_, column_;
   text::DelimitedTable head_;
-  std::vector<results::Hdf5Column> places_;
+  std::vector<results::ArrayColumn> places_;
   std::size_t samples_ = 0, read_ = 0;
-  std::unique_ptr<results::Hdf5Stream> stream_;
+  std::unique_ptr<results::ArrayStream> stream_;
 };
 
 }  // namespace squat::records

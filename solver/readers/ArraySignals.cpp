@@ -1,4 +1,4 @@
-#include "readers/Hdf5Signals.h"
+#include "readers/ArraySignals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "core/Errors.h"
+#include "readers/ArrayFile.h"
 #include "readers/ColumnRoles.h"
-#include "results/Hdf5.h"
 #include "results/ResultTree.h"
 #include "text/Text.h"
 #include "text/Units.h"
@@ -64,7 +64,7 @@ bool isNested(const Array& array) {
 }
 
 // A dataset as one column, or one column for each of its runs.
-void addColumns(Hdf5Columns& found, const Array& array) {
+void addColumns(ArrayColumns& found, const Array& array) {
   const std::size_t n = lengthOf(array);
   const auto values = numbersOf(array);
   std::size_t runs = n > 0 ? 1 : 0;
@@ -93,9 +93,9 @@ class Finder {
     if (all_.empty()) throw FileError(path, "", "contains no numeric dataset");
   }
 
-  Hdf5Columns columns() {
+  ArrayColumns columns() {
     chooseGroup();
-    Hdf5Columns found;
+    ArrayColumns found;
     found.table.path = path_;
     found.table.rowWord = "sample";
     const std::size_t n = found.samples = chosenLength();
@@ -219,14 +219,12 @@ class Finder {
 
 }  // namespace
 
-Hdf5Columns columnsOf(const std::string& path, const results::ArrayTree& tree, const SignalFileOptions& options) {
+ArrayColumns columnsOf(const std::string& path, const results::ArrayTree& tree, const SignalFileOptions& options) {
   return Finder(path, tree, options).columns();
 }
 
-std::vector<signals::Record> readHdf5Signals(const std::string& path, const SignalFileOptions& options) {
-  results::Hdf5Limits limits;
-  limits.skipForeign = true;
-  const ArrayTree tree = results::readHdf5(path, limits);
+std::vector<signals::Record> readArraySignals(const std::string& path, const SignalFileOptions& options) {
+  const ArrayTree tree = readArrays(path);
   auto [table, places, samples, found] = columnsOf(path, tree, options);
   table.lines.resize(samples);
   std::iota(table.lines.begin(), table.lines.end(), 0u);
