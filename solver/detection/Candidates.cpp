@@ -28,7 +28,8 @@ std::size_t cellsOf(double seconds, double step) {
 
 }  // namespace
 
-Evidence evidenceOf(const BandPower& power, double rate, const std::vector<double>& speed) {
+Evidence evidenceOf(const BandPower& power, double rate, const std::vector<double>& speed,
+                    const std::vector<bool>& silent) {
   const auto& bands = detectionBands();
   Evidence evidence;
   evidence.value.assign(power.cells(), 0.0);
@@ -40,10 +41,11 @@ Evidence evidenceOf(const BandPower& power, double rate, const std::vector<doubl
     if (!shows(rate, bands[b])) continue;
     const double freedom = degreesOfFreedom(bands[b], static_cast<double>(width) * power.step);
     const auto row = smoothed(power.power[b], width);
-    evidence.level[b] = localLevel(row, half, freedom);
+    evidence.level[b] = localLevel(row, half, freedom, silent);
     for (std::size_t i = 0; i < row.size(); ++i) {
       const double ratio = evidence.level[b][i] > 0 ? row[i] / evidence.level[b][i] : 0;
-      if (ratio > 1) evidence.value[i] += 0.5 * freedom * (ratio - 1 - std::log(ratio));
+      if (ratio > 1 && (silent.empty() || !silent[i]))
+        evidence.value[i] += 0.5 * freedom * (ratio - 1 - std::log(ratio));
     }
   }
   return evidence;

@@ -17,8 +17,10 @@ struct Evidence {
   std::vector<double> value;               // at each cell
 };
 
-// `speed` [m/s] at each cell.
-Evidence evidenceOf(const BandPower& power, double rate, const std::vector<double>& speed);
+// `speed` [m/s] at each cell. There is no evidence where the channel is `silent` (a row of cells; empty: nowhere), and
+// what is there does not count in the level.
+Evidence evidenceOf(const BandPower& power, double rate, const std::vector<double>& speed,
+                    const std::vector<bool>& silent = {});
 
 // The cell in [first, end) where the impact is: an impact excites all bands at once, what rings behind it does not. The
 // first that reaches 0.8 of the largest sum over the bands above 320 Hz of ln(1 + power / floor), each floor the level

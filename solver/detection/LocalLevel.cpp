@@ -17,7 +17,8 @@ std::vector<double> smoothed(const std::vector<double>& values, std::size_t widt
   return result;
 }
 
-std::vector<double> localLevel(const std::vector<double>& values, std::size_t half, double freedom) {
+std::vector<double> localLevel(const std::vector<double>& values, std::size_t half, double freedom,
+                               const std::vector<bool>& silent) {
   const std::size_t n = values.size();
   std::vector<double> level(n, 0.0);
   if (n == 0) return level;
@@ -29,7 +30,13 @@ std::vector<double> localLevel(const std::vector<double>& values, std::size_t ha
     const std::size_t at = std::min(centre, n - 1);
     // At an end the window keeps its length: half a window would be less sure.
     const std::size_t to = std::min(n, std::max(at, half) + half), from = to > 2 * half ? to - 2 * half : 0;
-    window.assign(values.begin() + static_cast<std::ptrdiff_t>(from), values.begin() + static_cast<std::ptrdiff_t>(to));
+    window.clear();
+    for (std::size_t i = from; i < to; ++i)
+      if (silent.empty() || !silent[i]) window.push_back(values[i]);
+    if (window.empty()) {
+      medians.push_back(0);
+      continue;
+    }
     const auto middle = window.begin() + static_cast<std::ptrdiff_t>(window.size() / 2);
     std::nth_element(window.begin(), middle, window.end());
     medians.push_back(*middle * meanByMedian);

@@ -12,7 +12,9 @@ std::vector<double> smoothed(const std::vector<double>& values, std::size_t widt
 // The level around each cell: medians over windows of 2 `half` cells, a straight line between them. A median does not
 // see events that fill less than half of its window. `freedom` is the number of independent values in each of the
 // (smoothed) values: it gives the mean of noise that has this median, 1 / (1 - 2 / (9 freedom))^3 of it (Wilson and
-// Hilferty 1931). Zero only where half of a window is.
-std::vector<double> localLevel(const std::vector<double>& values, std::size_t half, double freedom);
+// Hilferty 1931). Zero only where half of a window is. Cells that are `silent` (a dead channel) count nowhere; empty:
+// none is.
+std::vector<double> localLevel(const std::vector<double>& values, std::size_t half, double freedom,
+                               const std::vector<bool>& silent = {});
 
 }  // namespace squat::detection

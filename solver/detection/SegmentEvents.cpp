@@ -28,6 +28,29 @@ bool isStill(const signals::TimeSeries& series) {
   return series.values.size() < 64 || !(*high > *low);
 }
 
+// Cells in which the channel keeps one value for a quarter of a second, and those near them: where it begins and ends
+// to do so, its offset jumps, which is no event. Empty: there are none.
+std::vector<bool> silentCells(const signals::TimeSeries& series, const BandPower& power) {
+  constexpr double shortest = 0.25, margin = 0.1;  // [s]; the longest wavelets decay within the margin
+  const auto& values = series.values;
+  const auto enough = static_cast<std::size_t>(shortest / series.step);
+  const auto beside = static_cast<std::ptrdiff_t>(margin / power.step) + 1;
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  std::vector<bool> silent;
+  for (std::size_t i = 0, end = 0; i < values.size(); i = end) {
+    end = i + 1;
+    while (end < values.size() && std::abs(values[end] - values[i]) <= 1e-9 * largest) ++end;
+    if (end - i < enough) continue;
+    silent.resize(power.cells(), false);
+    const auto first = std::max<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(i / power.cell) - beside);
+    const auto last =
+        std::min(static_cast<std::ptrdiff_t>(power.cells()), static_cast<std::ptrdiff_t>(end / power.cell) + beside);
+    std::fill(silent.begin() + first, silent.begin() + std::max(first, last), true);
+  }
+  return silent;
+}
+
 Event eventAt(const Segment& segment, std::size_t channel, const std::vector<double>& travelled, const BandPower& power,
               const Candidate& candidate) {
   const auto& series = segment.channels[channel];
@@ -102,7 +125,7 @@ SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double 
   const auto power = bandPower(series);
   const auto speed = atCells(segment.speed, power);
   const auto travelled = travelledBy(speed, power.step);
-  const auto evidence = evidenceOf(power, series.rate(), speed);
+  const auto evidence = evidenceOf(power, series.rate(), speed, silentCells(series, power));
   for (const auto& candidate : candidatesIn(power, evidence, travelled, threshold)) {
     const double time = power.timeAt(candidate.anchor);
     if (time < segment.coreStart || time >= segment.coreEnd || speed[candidate.anchor] < leastSpeed) continue;

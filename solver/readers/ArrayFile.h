@@ -1,5 +1,5 @@
-// solver/readers/ArrayFile.h - files of named arrays, whichever format they have: HDF5 (MATLAB 7.3 included) or MATLAB 5
-// to 7.2.
+// solver/readers/ArrayFile.h - files of named arrays, whichever format they have: HDF5 (MATLAB 7.3 included) or MATLAB
+// 5 to 7.2.
 #pragma once
 
 #include <cstddef>

@@ -63,8 +63,8 @@ class RecordStream {
   virtual const RecordLayout& layout() const = 0;
   virtual bool next(RecordBlock& block) = 0;  // false: the end
   virtual double fraction() const = 0;        // of the file that has been read, 0..1
-  // Found so far by the reader: gaps, rows that are no numbers, changes of rate, a truncated end. Of the signal itself
-  // (spikes, saturation, dead channels): records/SignalFaults.h.
+  // Found so far: of the file (gaps, rows that are no numbers, changes of rate, a truncated end) and of the signal
+  // (spikes, saturation, dead channels: records/SignalFaults.h).
   virtual const std::vector<RecordFault>& faults() const = 0;
 };
 

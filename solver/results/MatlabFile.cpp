@@ -19,10 +19,10 @@
 namespace squat::results {
 namespace {
 
-constexpr std::size_t kListed = 4096;                        // values that come with a listed array
-constexpr std::size_t kLargest = std::size_t{4} << 30;       // [bytes] of values in a child process
-constexpr std::size_t kWhole = std::size_t{384} << 20;       // [bytes] of a file that is read whole
-constexpr std::size_t kLibrary = std::size_t{64} << 20;      // [bytes] that the library itself needs
+constexpr std::size_t kListed = 4096;                    // values that come with a listed array
+constexpr std::size_t kLargest = std::size_t{4} << 30;   // [bytes] of values in a child process
+constexpr std::size_t kWhole = std::size_t{384} << 20;   // [bytes] of a file that is read whole
+constexpr std::size_t kLibrary = std::size_t{64} << 20;  // [bytes] that the library itself needs
 constexpr std::size_t kObjects = 20000, kDepth = 8, kRank = 4;
 constexpr const char* kAdvice = "Save it again, with the option -v7.3 if it is large";
 
@@ -120,17 +120,38 @@ std::vector<double> valuesOf(const std::string& path, const std::string& name, m
     append<T>(values, *array, count);
   };
   switch (array->class_type) {
-    case MAT_C_DOUBLE: take(double{}); break;
-    case MAT_C_SINGLE: take(float{}); break;
-    case MAT_C_INT8: take(std::int8_t{}); break;
-    case MAT_C_UINT8: take(std::uint8_t{}); break;
-    case MAT_C_INT16: take(std::int16_t{}); break;
-    case MAT_C_UINT16: take(std::uint16_t{}); break;
-    case MAT_C_INT32: take(std::int32_t{}); break;
-    case MAT_C_UINT32: take(std::uint32_t{}); break;
-    case MAT_C_INT64: take(std::int64_t{}); break;
-    case MAT_C_UINT64: take(std::uint64_t{}); break;
-    default: throw FileError(path, name, "is no array of numbers", kAdvice);
+    case MAT_C_DOUBLE:
+      take(double{});
+      break;
+    case MAT_C_SINGLE:
+      take(float{});
+      break;
+    case MAT_C_INT8:
+      take(std::int8_t{});
+      break;
+    case MAT_C_UINT8:
+      take(std::uint8_t{});
+      break;
+    case MAT_C_INT16:
+      take(std::int16_t{});
+      break;
+    case MAT_C_UINT16:
+      take(std::uint16_t{});
+      break;
+    case MAT_C_INT32:
+      take(std::int32_t{});
+      break;
+    case MAT_C_UINT32:
+      take(std::uint32_t{});
+      break;
+    case MAT_C_INT64:
+      take(std::int64_t{});
+      break;
+    case MAT_C_UINT64:
+      take(std::uint64_t{});
+      break;
+    default:
+      throw FileError(path, name, "is no array of numbers", kAdvice);
   }
   return values;
 }
@@ -173,7 +194,8 @@ void sendColumns(const std::string& path, const std::vector<ArrayColumn>& column
   std::map<std::string, std::vector<double>> arrays;
   for (const auto& column : columns) arrays[column.path];
   const Handler handle = [&](const std::string& name, mat_t* file, matvar_t* array) {
-    if (const auto wanted = arrays.find(name); wanted != arrays.end()) wanted->second = valuesOf(path, name, file, array);
+    if (const auto wanted = arrays.find(name); wanted != arrays.end())
+      wanted->second = valuesOf(path, name, file, array);
   };
   Walker(path, handle).walk();
   std::vector<std::vector<double>> pieces(columns.size());
@@ -185,8 +207,8 @@ void sendColumns(const std::string& path, const std::vector<ArrayColumn>& column
       if (values.size() != samples * column.runs) throw FileError(path, column.path, "has changed while it was read");
       pieces[c].resize(count);
       for (std::size_t i = 0; i < count; ++i)
-        pieces[c][i] = values[column.samplesFirst ? (from + i) * column.runs + column.run
-                                                  : column.run * samples + from + i];
+        pieces[c][i] =
+            values[column.samplesFirst ? (from + i) * column.runs + column.run : column.run * samples + from + i];
     }
     sendPiece(send, count, columns.size(), [&](std::size_t c) { return std::span<const double>(pieces[c]); });
   }
@@ -204,8 +226,8 @@ bool isMatlabFile(const std::string& path) {
   if (in.gcount() != static_cast<std::streamsize>(head.size())) return false;
   const std::string_view text(head.data(), head.size());
   // The byte order stands behind the version, 0x0100; 7.3 has 0x0200.
-  return text.substr(0, 10) == "MATLAB 5.0" && ((text.substr(126) == "IM" && text[125] == 1) ||
-                                                (text.substr(126) == "MI" && text[124] == 1));
+  return text.substr(0, 10) == "MATLAB 5.0" &&
+         ((text.substr(126) == "IM" && text[125] == 1) || (text.substr(126) == "MI" && text[124] == 1));
 }
 
 ArrayTree readMatlabFile(const std::string& path) { return guardedTree(path, static_cast<std::size_t>(-1)); }

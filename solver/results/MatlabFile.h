@@ -1,5 +1,5 @@
-// solver/results/MatlabFile.h - MATLAB files of the versions 5 to 7.2, which MATLAB, Octave and SciPy write unless asked
-// for 7.3 (7.3 is HDF5).
+// solver/results/MatlabFile.h - MATLAB files of the versions 5 to 7.2, which MATLAB, Octave and SciPy write unless
+// asked for 7.3 (7.3 is HDF5).
 #pragma once
 
 #include <cstddef>

@@ -46,7 +46,7 @@ TEST(MatlabRecord, aDeflatedStructureOfSeveralTypes) {
   ASSERT_EQ(whole.stretches.size(), 1u);
   ASSERT_EQ(whole.stretches[0].size(), 400u);
   for (std::size_t i = 0; i < 400; ++i) {
-    ASSERT_NEAR(whole.stretches[0].values[left][i], aba(i), 1e-6);  // single precision
+    ASSERT_NEAR(whole.stretches[0].values[left][i], aba(i), 1e-6);                // single precision
     ASSERT_EQ(whole.stretches[0].values[1 - left][i], std::trunc(100 * aba(i)));  // as SciPy cut it to 16 bits
     ASSERT_EQ(whole.stretches[0].speed[i], 28);
   }

@@ -128,7 +128,7 @@ TEST(TextRecord, coarsePositionsAreSpread) {
   const TemporaryFile file(table("time,position [m],lat,lon,aba", 5000, [&](std::size_t i) {
     const double fix = at(i / 500 * 500);
     return printed(static_cast<double>(i) / 5000, 4) + "," + printed(1000 + std::floor(4 * at(i)) / 4, 2) + "," +
-           printed(52 + fix * 1e-5, 7) + "," + printed(5 + fix * 1e-5, 7) + ",1";
+           printed(52 + fix * 1e-5, 7) + "," + printed(5 + fix * 1e-5, 7) + (i % 2 ? ",1" : ",2");
   }));
   RecordOptions options;
   options.blockLength = 700;
