@@ -11,6 +11,7 @@
 #include "case/ShippedCases.h"
 #include "commands/ExitCodes.h"
 #include "commands/PaperTable.h"
+#include "core/ProgramVersion.h"
 #include "core/SteadyMemory.h"
 #include "simulation/RunCase.h"
 #include "simulation/WarmState.h"
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // strtod and printf of the solver keep the decimal point
   QApplication::setApplicationName("squat-studio");
-  QApplication::setApplicationVersion(SQUAT_VERSION);
+  QApplication::setApplicationVersion(QString::fromStdString(squat::programVersionText()));
   const QString icon = QString::fromStdString((squat::cases::resourcesFolder() / "icons/squat-studio.svg").string());
   QApplication::setWindowIcon(QIcon(icon));
   const squat::studio::Arguments arguments = squat::studio::readArguments();

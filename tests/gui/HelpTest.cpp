@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QTextBrowser>
 
+#include "core/ProgramVersion.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "studio/window/HelpWindow.h"
@@ -27,6 +28,16 @@ TEST(Help, F1OpensHelpAndNotTheAboutBox) {
   EXPECT_EQ(window.findChild<QMessageBox*>(), nullptr);
   tests::press(window, Qt::Key_F1);  // the same window again
   EXPECT_EQ(window.findChildren<HelpWindow*>().size(), 1);
+}
+
+TEST(Help, AboutNamesVersionAndCommit) {
+  MainWindow window(tests::services());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  tests::press(window, Qt::Key_F1, Qt::ControlModifier);
+  const auto* about = window.findChild<QMessageBox*>();
+  ASSERT_NE(about, nullptr);
+  EXPECT_TRUE(about->text().contains(QString::fromStdString(programVersionText()))) << about->text().toStdString();
 }
 
 // The README stands beside the program wherever that is, built or installed.

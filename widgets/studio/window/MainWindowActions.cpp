@@ -13,6 +13,7 @@
 #include <QUrl>
 
 #include "case/ShippedCases.h"
+#include "core/ProgramVersion.h"
 #include "studio/common/Theme.h"
 #include "studio/model/ScenePanel.h"
 #include "studio/profile/ProfileEditor.h"
@@ -200,7 +201,7 @@ void MainWindow::makeHelpMenu() {
                                 tr("<b>Squat Studio %1</b><br>Draw a squat, roll a wheel over it, see the axle box "
                                    "acceleration.<br>After M. Molodova, Z. Li, A. Núñez and R. Dollevoet (2014).<br>"
                                    "GPL-3.0-or-later")
-                                    .arg(QApplication::applicationVersion()),
+                                    .arg(QString::fromStdString(programVersionText())),
                                 QMessageBox::Close, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
