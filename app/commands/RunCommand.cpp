@@ -19,6 +19,7 @@
 #include "commands/OutputFolder.h"
 #include "commands/PaperTable.h"
 #include "commands/RunFiles.h"
+#include "commands/RunReport.h"
 #include "commands/TerminalMonitor.h"
 #include "commands/TextTable.h"
 #include "core/Errors.h"
@@ -39,7 +40,7 @@ struct RunCommandOptions {
   std::string warmFile;
   simulation::RunOptions run;
   std::vector<std::string> figures, formats;
-  bool noFigures = false, verbose = false;
+  bool noFigures = false, verbose = false, json = false;
 };
 
 // --resume: true where the finished result of this very case stands already. Throws where it is another case's.
@@ -79,6 +80,10 @@ void printWritten(const std::vector<std::string>& paths) {
   for (const auto& path : paths) std::printf("  %s\n", path.c_str());
 }
 
+void printReport(const results::RunResult& result, const std::vector<std::string>& paths) {
+  std::fputs(runReport(result, paths).c_str(), stdout);
+}
+
 // What a failed run has so far is kept; then the failure goes on to whoever reports it.
 void keepPart(const RunFiles& files, const results::RunResult& partial) {
   if (partial.time.empty()) return;
@@ -90,6 +95,7 @@ void keepPart(const RunFiles& files, const results::RunResult& partial) {
 }
 
 void printTables(const RunCommandOptions& options, const results::RunResult& result) {
+  if (options.json) return;
   if (options.verbose) std::printf("%s\n%s\n", modesTable(result).c_str(), phasesTable(result).c_str());
   std::printf("%s", paperTable(result).c_str());
   std::fflush(stdout);
@@ -159,7 +165,10 @@ int run(const RunCommandOptions& options) {
   const FolderLock owner(options.folder, "squat run " + options.caseOptions.name);
   const auto hash = cases::caseHash(description);
   if (options.run.resume && alreadyDone(files, hash)) {
-    std::printf("%s is already complete\n", files.result().c_str());
+    if (options.json)
+      printReport(results::readResult(files.result()), {files.result(), files.signals()});
+    else
+      std::printf("%s is already complete\n", files.result().c_str());
     return kDone;
   }
   if (!options.run.resume)
@@ -181,8 +190,13 @@ int run(const RunCommandOptions& options) {
   monitor.clearLine();
   result.stem = files.stem;
   if (!result.complete && hasNothing(files, result)) return reportCancelled(files, "nothing recorded, no file written");
-  printWritten(writeAndPrint(options, files, result));
-  printMemory();
+  const auto written = writeAndPrint(options, files, result);
+  if (options.json) {
+    printReport(result, written);
+  } else {
+    printWritten(written);
+    printMemory();
+  }
   return result.complete ? kDone : reportCancelled(files, "the result is marked incomplete");
 }
 
@@ -205,6 +219,7 @@ void addRunCommand(CLI::App& program, Action& action) {
   addFigureNames(*command, options->figures, options->formats);
   command->add_flag("--no-figures", options->noFigures, "Draw no figures")->excludes("--figures");
   addDrivenOptions(*command, options->driven);
+  command->add_flag("--json", options->json, "Print one JSON object instead of the tables: features, energies, files");
   command->add_flag("--verbose", options->verbose,
                     "Also print the natural modes of the half wheelset and the time of each phase");
   command->callback([options, &action] { action = [options] { return run(*options); }; });
