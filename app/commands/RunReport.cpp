@@ -48,15 +48,9 @@ Json energiesOf(const results::RunResult& result) {
 }  // namespace
 
 std::string runReport(const results::RunResult& result, const std::vector<std::string>& files) {
-  Json json{{"schema", "squat-run"},
-            {"schema_version", 1},
-            {"code_version", result.codeVersion},
-            {"commit", result.commit},
-            {"stem", result.stem},
-            {"title", result.title},
-            {"case_hash", result.caseHash},
-            {"created", result.created},
-            {"complete", result.complete},
+  Json json{{"schema", "squat-run"},           {"schema_version", 1},       {"code_version", result.codeVersion},
+            {"commit", result.commit},         {"stem", result.stem},       {"title", result.title},
+            {"case_hash", result.caseHash},    {"created", result.created}, {"complete", result.complete},
             {"stop_reason", result.stopReason}};
   if (const auto seconds = scalarNamed(result.performance, "seconds")) json["wall_time"] = quantity(*seconds, "s");
   json["files"] = files;

@@ -9,16 +9,16 @@
 namespace squat::records {
 namespace {
 
-constexpr std::size_t neighbours = 8;       // on each side of a spike
-constexpr std::size_t longestSpike = 3;     // [samples]
-constexpr double standsOut = 5;             // from its neighbours
-constexpr double farOut = 20;               // robust deviations of the block
-constexpr double countsOut = 8;             // steps of the converter
-constexpr std::size_t shortestFlat = 3;     // [samples] at the limit in a row
-constexpr std::size_t fewestFlat = 8;       // of a block
-constexpr double limitAt = 10;              // robust deviations: what is less is a coarse converter at rest
+constexpr std::size_t neighbours = 8;            // on each side of a spike
+constexpr std::size_t longestSpike = 3;          // [samples]
+constexpr double standsOut = 5;                  // from its neighbours
+constexpr double farOut = 20;                    // robust deviations of the block
+constexpr double countsOut = 8;                  // steps of the converter
+constexpr std::size_t shortestFlat = 3;          // [samples] at the limit in a row
+constexpr std::size_t fewestFlat = 8;            // of a block
+constexpr double limitAt = 10;                   // robust deviations: what is less is a coarse converter at rest
 constexpr double deadSeconds = 0.5, slow = 1.0;  // [s], [m/s]
-constexpr double sameEvent = 0.1;           // [s] between runs at the limit that are one fault
+constexpr double sameEvent = 0.1;                // [s] between runs at the limit that are one fault
 
 double medianOf(std::vector<double>& values) {
   if (values.empty()) return 0;
@@ -130,8 +130,8 @@ void CheckedRecord::mendSpikes(RecordBlock& block, std::size_t channel, double m
     }
     auto fault = faultAt(FaultKind::spike, block, static_cast<std::size_t>(i), static_cast<std::size_t>(end), channel);
     fault.text = "'" + layout().channels[channel].name + "' has a spike of " + text::roundedText(largest) + " " +
-                 layout().channels[channel].unit + " in " + (end - i == 1 ? "one sample" : std::to_string(end - i) +
-                 " samples");
+                 layout().channels[channel].unit + " in " +
+                 (end - i == 1 ? "one sample" : std::to_string(end - i) + " samples");
     fault.advice = "A straight line replaces it; look for a loose contact or lost data";
     found_.add(std::move(fault));
     const double left = i > 0 ? values[static_cast<std::size_t>(i - 1)] : before.empty() ? median : before.back();

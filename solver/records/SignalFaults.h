@@ -15,7 +15,8 @@ namespace squat::records {
 // - Spike: one to three samples that stand out from the eight on each side by a factor of five, and from the block by
 //   twenty times its robust deviation. An axle box rings for longer, whatever hits the wheel. A straight line replaces
 //   it.
-// - Saturation: eight samples and more of a block at its largest or smallest value, in runs of three and more, ten robust
+// - Saturation: eight samples and more of a block at its largest or smallest value, in runs of three and more, ten
+// robust
 //   deviations from its median. The samples stay.
 // - Dead channel: the same value for half a second and more while the train moves. The samples stay.
 class CheckedRecord : public RecordStream {

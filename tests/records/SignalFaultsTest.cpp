@@ -60,7 +60,7 @@ TEST(SignalFaults, aSpikeIsReportedAndReplaced) {
   const auto whole = read([](std::vector<double>& values) {
     values[20000] = 4000;
     values[30000] = values[30001] = -3000;
-    values[7000] = 5000;  // first of a block
+    values[7000] = 5000;   // first of a block
     values[13999] = 5000;  // last of a block
     strike(values, 40000);
   });
@@ -101,9 +101,8 @@ TEST(SignalFaults, aCoarseConverterAtRestIsNoLimit) {
 }
 
 TEST(SignalFaults, aChannelThatDies) {
-  const auto whole = read([](std::vector<double>& values) {
-    std::fill(values.begin() + 12000, values.begin() + 30000, 0.0);
-  });
+  const auto whole =
+      read([](std::vector<double>& values) { std::fill(values.begin() + 12000, values.begin() + 30000, 0.0); });
   ASSERT_EQ(whole.faults.size(), 1u);
   EXPECT_EQ(whole.faults[0].kind, FaultKind::deadChannel);
   EXPECT_EQ(whole.faults[0].channel, 0);
