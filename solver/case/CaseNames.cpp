@@ -1,6 +1,7 @@
 #include "case/CaseNames.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>

@@ -132,10 +132,12 @@ void CheckedRecord::mendSpikes(RecordBlock& block, std::size_t channel, double m
     fault.text = "'" + layout().channels[channel].name + "' has a spike of " + text::roundedText(largest) + " " +
                  layout().channels[channel].unit + " in " +
                  (end - i == 1 ? "one sample" : std::to_string(end - i) + " samples");
-    fault.advice = "A straight line replaces it; look for a loose contact or lost data";
+    fault.advice = "A straight line replaces it; check for a loose contact or lost data";
     found_.add(std::move(fault));
     const double left = i > 0 ? values[static_cast<std::size_t>(i - 1)] : before.empty() ? median : before.back();
-    const double right = end < size ? values[static_cast<std::size_t>(end)] : left;
+    const double right = end < size                    ? values[static_cast<std::size_t>(end)]
+                         : hasAhead_ && ahead_.follows ? ahead_.values[channel].front()
+                                                       : left;
     for (std::ptrdiff_t k = i; k < end; ++k)
       values[static_cast<std::size_t>(k)] =
           left + (right - left) * static_cast<double>(k - i + 1) / static_cast<double>(end - i + 1);
@@ -166,7 +168,8 @@ void CheckedRecord::findSaturation(const RecordBlock& block, std::size_t channel
       auto fault = faultAt(FaultKind::saturation, block, runs[k].first, runs[last].second, channel);
       fault.text = "'" + layout().channels[channel].name + "' is cut off at " + text::roundedText(limit) + " " +
                    layout().channels[channel].unit;
-      fault.advice = "What happened there was larger than recorded, and may be more severe; record with a larger range";
+      fault.advice =
+          "The acceleration was larger than recorded, and the defect may be more severe; record with a larger range";
       found_.add(std::move(fault));
       k = last + 1;
     }
@@ -191,7 +194,7 @@ void CheckedRecord::findDead(const RecordBlock& block, std::size_t channel) {
     fault.position -= (layout().falling ? -1 : 1) * block.speed[i] * ago;
     fault.text = "'" + layout().channels[channel].name + "' stays at " + text::roundedText(state.last) + " " +
                  layout().channels[channel].unit;
-    fault.advice = "Nothing is looked for there; look for a cable or a sensor that failed";
+    fault.advice = "No events are looked for there; check the sensor and its cable";
     state.deadFault = found_.add(std::move(fault));
     state.isDead = true;
   }

@@ -14,10 +14,9 @@ namespace squat::records {
 // A record whose channels are looked through, block by block:
 // - Spike: one to three samples that stand out from the eight on each side by a factor of five, and from the block by
 //   twenty times its robust deviation. An axle box rings for longer, whatever hits the wheel. A straight line replaces
-//   it.
-// - Saturation: eight samples and more of a block at its largest or smallest value, in runs of three and more, ten
-// robust
-//   deviations from its median. The samples stay.
+//   it. A spike of several samples that the end of a block divides is not found.
+// - Saturation: eight samples and more of a block at its largest or smallest value, in runs of three and more, at least
+//   ten robust deviations from its median. The samples stay.
 // - Dead channel: the same value for half a second and more while the train moves. The samples stay.
 class CheckedRecord : public RecordStream {
  public:
@@ -33,7 +32,7 @@ class CheckedRecord : public RecordStream {
     std::vector<double> before;  // the last samples of the block before, as they came
     double last = 0;
     std::size_t same = 0;       // samples in a row that have the value `last`
-    std::size_t deadFault = 0;  // index of the fault that goes on
+    std::size_t deadFault = 0;  // index of the fault that continues
     bool isDead = false;
   };
 

@@ -28,7 +28,7 @@ constexpr const char* kAdvice = "Save it again, with the option -v7.3 if it is l
 
 using Handler = std::function<void(const std::string& path, mat_t* file, matvar_t* array)>;
 
-void stayQuiet(int, char*) {}  // its complaints become ours
+void ignoreMessage(int, char*) {}  // the library prints; what goes wrong becomes a FileError
 
 bool isNumeric(const matvar_t& array) {
   return array.class_type >= MAT_C_DOUBLE && array.class_type <= MAT_C_UINT64 && !array.isComplex && array.rank > 0 &&
@@ -68,7 +68,7 @@ class Walker {
  public:
   Walker(const std::string& path, const Handler& handle) : path_(path), handle_(handle) {
     requireWhole(path);
-    Mat_LogInitFunc("squat", stayQuiet);
+    Mat_LogInitFunc("squat", ignoreMessage);
     file_.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
     if (!file_) throw FileError(path, "", "is not a MATLAB file, or a damaged one", kAdvice);
   }

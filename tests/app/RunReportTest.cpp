@@ -45,7 +45,7 @@ TEST(RunReport, HasTheNumbersOfTheResultFile) {
   EXPECT_EQ(report["energy"].at("friction").at("value"), result.energy.at(3).values.back());
   EXPECT_GT(report.at("wall_time").at("value"), 0.0);
 
-  ASSERT_EQ(callForOutput(words + " --resume", folder, output), 0);  // is complete: told again, from the file
+  ASSERT_EQ(callForOutput(words + " --resume", folder, output), 0);  // is complete: reported again, from the file
   EXPECT_EQ(Json::parse(output).at("features"), report["features"]);
   EXPECT_EQ(callForOutput(words + " --set motion.speed=0", folder, output), 2);
   EXPECT_EQ(output, "");

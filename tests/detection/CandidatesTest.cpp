@@ -73,5 +73,18 @@ TEST(Candidates, AWheelThatStandsStillHasNone) {
   EXPECT_TRUE(findCandidates(stream, {}, monitor).channels[0].events.empty());
 }
 
+// A channel that falls to zero from an offset of 10 m/s2 for 6 s, which is more than the window of the local level (30
+// m): neither its ends nor its silence make events, and an impact half a second behind it is found where it is.
+TEST(Candidates, ADeadChannelMakesNoEventsAndHidesNone) {
+  auto values = normalNoise(30 * 25'000, 2, 8);
+  for (auto& value : values) value += 10;
+  for (const double time : {5.0, 18.5}) addImpact(values, rate, time, 60);
+  std::fill(values.begin() + 12 * 25'000, values.begin() + 18 * 25'000, 0.0);
+  const auto events = candidatesOf(values).channels[0].events;
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_NEAR(events[0].time, 5, 0.1 / speed);
+  EXPECT_NEAR(events[1].time, 18.5, 0.1 / speed);
+}
+
 }  // namespace
 }  // namespace squat::detection

@@ -171,12 +171,12 @@ TEST_F(Runs, overlaysKeepTheirColours) {
     store_.setData(store_.index(row), on ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
   };
   for (const int row : {0, 1, 2}) tick(row, true);
-  EXPECT_EQ(store_.at(1).place, 1u);
+  EXPECT_EQ(store_.at(1).colourIndex, 1u);
   tick(0, false);
-  EXPECT_EQ(store_.at(1).place, 1u);
-  EXPECT_EQ(store_.at(2).place, 2u);
+  EXPECT_EQ(store_.at(1).colourIndex, 1u);
+  EXPECT_EQ(store_.at(2).colourIndex, 2u);
   tick(0, true);
-  EXPECT_EQ(store_.at(0).place, 0u) << "the one that had become free";
+  EXPECT_EQ(store_.at(0).colourIndex, 0u) << "the one that had become free";
   int drawnAnew = 0;
   QObject::connect(&store_, &RunStore::overlaysChanged, [&] { ++drawnAnew; });
   store_.setColour(0, Qt::red);

@@ -77,6 +77,17 @@ TEST(SignalFaults, aSpikeIsReportedAndReplaced) {
   for (const std::size_t i : {20000u, 30000u, 30001u, 7000u, 13999u}) EXPECT_NEAR(values[i], 9.81, 15) << i;
 }
 
+// The line that replaces a spike meets both neighbours, also where the next one is in another block.
+TEST(SignalFaults, theLineMeetsTheNextBlock) {
+  const auto whole = read([](std::vector<double>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = 10 * std::sin(static_cast<double>(i) / 100);
+    values[13999] = 5000;
+  });
+  ASSERT_EQ(whole.faults.size(), 1u);
+  // A line misses the sine by its curvature, 10 (1/100)^2 / 2 = 5e-4.
+  EXPECT_NEAR(whole.stretches[0].values[0][13999], 10 * std::sin(139.99), 1e-3);
+}
+
 TEST(SignalFaults, aSignalCutOffAtTheLimitOfItsRange) {
   const auto whole = read([](std::vector<double>& values) {
     strike(values, 10000, 2000);

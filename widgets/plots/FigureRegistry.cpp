@@ -16,7 +16,7 @@ void addOverlays(Figure& figure, const FigureRow& row, const RunResult& shown,
     Curve curve = row.overlay(run, shown);
     if (curve.y.empty()) continue;
     curve.label = QString::fromStdString(run.label);
-    curve.own = run.colour.isValid() ? run.colour : figure.style().overlay(run.place);
+    curve.own = run.colour.isValid() ? run.colour : figure.style().overlay(run.colourIndex);
     curve.width = 0.9;
     addCurve(figure, curve);
     any = true;

@@ -27,7 +27,7 @@ struct OverlaidRun {
   std::shared_ptr<const signals::Record> record;
   signals::PowerSpectrum spectrum;  // of its axle box acceleration; empty: none
   std::string label;
-  std::size_t place = 0;  // which colour of Style::overlay, unless it has one of its own
+  std::size_t colourIndex = 0;  // which colour of Style::overlay, unless it has one of its own
   QColor colour = {};
 };
 

@@ -36,7 +36,7 @@ QVariant RunStore::data(const QModelIndex& index, int role) const {
 bool RunStore::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || role != Qt::CheckStateRole) return false;
   auto& run = runs_[static_cast<std::size_t>(index.row())];
-  if (!run.overlaid) run.place = freePlace();
+  if (!run.overlaid) run.colourIndex = freeColourIndex();
   run.overlaid = value.toInt() == Qt::Checked;
   Q_EMIT dataChanged(index, index);
   Q_EMIT overlaysChanged();
@@ -51,7 +51,7 @@ int RunStore::add(StoredRun run) {
   const int row = rowCount();
   const bool measured = run.isMeasured();
   run.overlaid = measured;
-  run.place = freePlace();
+  run.colourIndex = freeColourIndex();
   if (!measured && run.result->resolvedCase)
     run.values = std::make_shared<cases::ComparedCase>(cases::comparedCase(run.result->resolvedCase->description));
   if (run.record) run.digest = analysis::runDigest(*run.record);
@@ -91,11 +91,11 @@ void RunStore::rename(int row, const QString& name) {
 }
 
 // The first that no overlaid run has: each keeps its colour while others come and go.
-std::size_t RunStore::freePlace() const {
-  std::size_t place = 0;
-  const auto taken = [&](const StoredRun& run) { return run.overlaid && run.place == place; };
-  while (std::any_of(runs_.begin(), runs_.end(), taken)) ++place;
-  return place;
+std::size_t RunStore::freeColourIndex() const {
+  std::size_t colourIndex = 0;
+  const auto taken = [&](const StoredRun& run) { return run.overlaid && run.colourIndex == colourIndex; };
+  while (std::any_of(runs_.begin(), runs_.end(), taken)) ++colourIndex;
+  return colourIndex;
 }
 
 void RunStore::setColour(int row, const QColor& colour) {

@@ -23,8 +23,8 @@ struct StoredRun {
   RecordPointer record = result;             // what is drawn; that of the result where there is one
   std::shared_ptr<KeptFile> kept = nullptr;  // for a crash, until the run has a path
   bool named = true;                         // the user, or a file, gave it its name
-  std::size_t place = 0;                     // which of the colours for overlays, kept while it is overlaid
-  QColor colour = {};                        // chosen by the user; not valid: that of its place
+  std::size_t colourIndex = 0;               // which of the colours for overlays, kept while it is overlaid
+  QColor colour = {};                        // chosen by the user; not valid: the automatic one
   std::shared_ptr<const cases::ComparedCase> values = nullptr;  // of its case; null: none is known
   analysis::RunDigest digest = {};
 
@@ -48,7 +48,7 @@ class RunStore : public QAbstractListModel {
   void remove(int row);
   // An empty name gives a run of this program the one that is made from what differs between runs.
   void rename(int row, const QString& name);
-  void setColour(int row, const QColor& colour);  // not valid: that of its place again
+  void setColour(int row, const QColor& colour);  // not valid: the automatic one again
   int current() const { return current_; }
   void setCurrent(int row);
   ResultPointer currentResult() const;
@@ -66,7 +66,7 @@ class RunStore : public QAbstractListModel {
 
  private:
   void makeNames();
-  std::size_t freePlace() const;
+  std::size_t freeColourIndex() const;
   int computedNear(int row) const;  // the next computed run from this row on, else the one before; -1: none
   std::vector<StoredRun> runs_;
   int current_ = -1;

@@ -39,7 +39,7 @@ QColor colourOf(const StoredRun& run, bool current) {
   const plots::Style style = dark ? plots::darkStyle() : plots::lightStyle();
   if (current) return style.curve(0);
   if (!run.overlaid) return {};
-  return run.colour.isValid() ? run.colour : style.overlay(run.place);
+  return run.colour.isValid() ? run.colour : style.overlay(run.colourIndex);
 }
 
 QString linesOf(const StoredRun& run) {

@@ -145,10 +145,10 @@ void RunsPanel::fillMenu(QMenu& menu, int row) {
   overlaid->setChecked(run.overlaid);
   menu.addSeparator();
   add(tr("&Colour…"), "runColour", true, [this](int at) { chooseColour(at); });
-  add(tr("C&olour by place"), "runColourAnew", run.colour.isValid(), [this](int at) { store_.setColour(at, {}); });
+  add(tr("A&utomatic colour"), "runColourAnew", run.colour.isValid(), [this](int at) { store_.setColour(at, {}); });
   menu.addSeparator();
   add(tr("Re&name\tF2"), "runRename", true, [this](int at) { table_->edit(indexOf(at)); });
-  add(tr("Name by what &differs"), "runNameAnew", run.named && !run.isMeasured(),
+  add(tr("Auto&matic name"), "runNameAnew", run.named && !run.isMeasured(),
       [this](int at) { store_.rename(at, QString()); });
   menu.addSeparator();
   add(tr("S&ave…"), "runSave", !run.isMeasured(), [this](int at) { Q_EMIT saveRunRequested(at); });
