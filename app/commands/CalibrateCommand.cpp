@@ -17,6 +17,7 @@
 #include "core/DurableFile.h"
 #include "core/FolderLock.h"
 #include "studies/Jobs.h"
+#include "studies/PartLock.h"
 
 namespace squat::commands {
 
@@ -25,7 +26,7 @@ namespace {
 struct CalibrateCommandOptions {
   CaseOptions caseOptions;  // without --mesh: see `mesh`
   std::vector<std::string> targets, free;
-  std::string mesh = "tiny", confirm = "draft";
+  std::string mesh = "tiny", confirm = "draft", partition;
   calibration::CalibrationOptions calibration;
   FigureChoice figures;
   int jobs = 0, threads = 0, evaluations = 0;
@@ -56,7 +57,20 @@ calibration::CalibrationDefinition definitionOf(const CalibrateCommandOptions& o
   return definition;
 }
 
+int calibratePart(const CalibrateCommandOptions& options, const calibration::CalibrationDefinition& definition,
+                  Monitor& monitor) {
+  const auto& part = *options.calibration.part;
+  const studies::PartLock lock("calibrate", part, options.calibration.folder, studies::kPartBeat, monitor);
+  const auto found = calibration::calibrate(definition, options.calibration, monitor);
+  std::printf("%s: %zu points in %s\n", studies::toText(part).c_str(), found.evaluations.size(),
+              calibration::partFolder(options.calibration.folder, part).c_str());
+  if (found.complete) return kDone;
+  std::fprintf(stderr, "cancelled: repeat the command to resume\n");
+  return kCancelled;
+}
+
 int calibrate(CalibrateCommandOptions options) {
+  if (!options.partition.empty()) options.calibration.part = studies::partitionFromText(options.partition);
   const auto description = readCase(options.caseOptions);
   const auto definition = definitionOf(options);
   const auto& folder = options.calibration.folder;
@@ -73,10 +87,11 @@ int calibrate(CalibrateCommandOptions options) {
   keepInputs(inputs, outputs);
   shareCores(options);
   makeFolder(folder);
-  const FolderLock owner(folder, "squat calibrate " + options.caseOptions.name);
-
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  if (options.calibration.part) return calibratePart(options, definition, monitor);
+
+  const FolderLock owner(folder, "squat calibrate " + options.caseOptions.name);
   const auto found = calibration::calibrate(definition, options.calibration, monitor);
   monitor.clearLine();
   const auto summary = calibrationSummary(found);
@@ -133,6 +148,11 @@ void addCalibrateCommand(CLI::App& program, Action& action) {
   addThreads(*command, options->threads, "Threads of each run (default: cores / jobs)");
   addInstructionSet(*command, options->calibration.isa);
   addFigureOptions(*command, options->figures);
+  command
+      ->add_option("--partition", options->partition,
+                   "Compute the M-th of N parts of the points that fill the limits only; the call without it takes "
+                   "what all parts have computed, and goes on")
+      ->type_name("slice:M/N");
   command->footer(
       "Every point is kept in calibration.csv; the same command in the same folder resumes.\n"
       "Exit code 4: a target is out of reach within the limits.");

@@ -11,6 +11,8 @@
 #include "case/ShippedCases.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
+#include "commands/DetectInParts.h"
+#include "commands/DetectionSummary.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureSheets.h"
 #include "commands/Interrupt.h"
@@ -18,7 +20,6 @@
 #include "commands/OutputFolder.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
-#include "commands/TextTable.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/FolderLock.h"
@@ -31,14 +32,14 @@ namespace {
 
 struct DetectCommandOptions {
   std::vector<std::string> files;
-  std::string folder, chainage, examples, labels;
+  std::string folder, chainage, examples, labels, partition;
   CaseOptions caseOptions;
   SignalOptions signal;
   FigureChoice figures;
   detection::DetectOptions detect;
   detection::JudgementOptions judgement;
   double diameter = 0;  // [m] of the wheel
-  bool json = false;
+  bool json = false, collect = false;
 };
 
 // Where the vehicle is the one at hand: less of each.
@@ -82,50 +83,6 @@ std::optional<std::vector<detection::Example>> ownExamples(const DetectCommandOp
   return made;
 }
 
-void printFaults(const detection::RecordDetection& record) {
-  constexpr std::size_t shown = 20;
-  for (std::size_t i = 0; i < std::min(shown, record.faults.size()); ++i) {
-    const auto& fault = record.faults[i];
-    std::fprintf(stderr, "%s, %.3f s, %.1f m: %s. %s\n", record.layout.path.c_str(), fault.time, fault.position,
-                 fault.text.c_str(), fault.advice.c_str());
-  }
-  if (record.faults.size() > shown)
-    std::fprintf(stderr, "and %zu more faults: squats.json\n", record.faults.size() - shown);
-  for (const auto& note : record.notes)
-    std::fprintf(stderr, "note: %s: %s\n", record.layout.path.c_str(), note.c_str());
-}
-
-void printEvents(const detection::DetectionReport& report) {
-  TextTable table(
-      {"position [m]", "channel", "kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});
-  const auto range = [](double value, double low, double high, double factor, int digits) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f (%.*f-%.*f)", digits, factor * value, digits, factor * low, digits,
-                  factor * high);
-    return std::string(text);
-  };
-  for (const auto& [event, records, scatter] : report.events) {
-    const bool isSquat = event.kind == detection::Kind::squat;
-    const auto& judged = event.judgement;
-    char place[32], sure[16];
-    std::snprintf(place, sizeof place, "%.2f", event.position);
-    std::snprintf(sure, sizeof sure, "%.0f %%", 100 * event.sureness);
-    table.add({place, event.channel, detection::toText(event.kind), sure,
-               isSquat ? detection::toText(judged.severity) : event.reason,
-               isSquat ? range(judged.length, judged.lengthLow, judged.lengthHigh, 1e3, 0) : "",
-               isSquat ? range(judged.depth, judged.depthLow, judged.depthHigh, 1e3, 2) : "", number(event.peak),
-               std::to_string(event.passes) + " of " + std::to_string(event.passesThere)});
-  }
-  for (const auto& record : report.records)
-    std::printf("%s: %.1f m in %.1f s, %zu channel%s at %.0f Hz\n", record.layout.path.c_str(), record.length,
-                record.duration, record.channels.size(), record.channels.size() == 1 ? "" : "s", record.layout.rate);
-  std::printf("kinds and severities from: %s\n\n", report.examples.c_str());
-  if (report.events.empty())
-    std::printf("nothing that stands out of its surroundings\n");
-  else
-    std::printf("%s", table.text().c_str());
-}
-
 std::optional<double> chainageFrom(const std::string& text) {
   if (text.empty()) return std::nullopt;
   return analysis::chainageFromText(text);
@@ -163,32 +120,27 @@ std::optional<Source> sourceOf(DetectCommandOptions& options, const std::vector<
   return source;
 }
 
-int detect(DetectCommandOptions options) {
-  records::RecordOptions read;
-  read.columns = fileOptions(options.signal);
-  if (read.columns.column.empty()) read.columns.column = "all";
-  read.chainage = chainageFrom(options.chainage);
-  if (options.diameter > 0) options.detect.surroundings.circumference = M_PI * options.diameter;
-  if (options.folder.empty()) options.folder = ".";
-  const OutputFolder folder(options.folder);
-  const FolderLock owner(options.folder, "squat detect");
-  squat::keepInputs(options.files, {options.folder + "/squats.csv", options.folder + "/squats.json"});
+RecordSearch searchOf(const DetectCommandOptions& options) {
+  RecordSearch search;
+  for (const auto& file : options.files) search.records.push_back(recordFile(file));
+  search.folder = options.folder;
+  search.read.columns = fileOptions(options.signal);
+  if (search.read.columns.column.empty()) search.read.columns.column = "all";
+  search.read.chainage = chainageFrom(options.chainage);
+  search.options = options.detect;
+  return search;
+}
 
-  const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
-  detection::DetectionReport report;
-  bool cancelled = false;
-  for (const auto& file : options.files) {
-    const auto stream = records::openRecord(recordFile(file), read);
-    report.records.push_back(detection::findCandidates(*stream, options.detect, monitor));
-    if ((cancelled = report.records.back().cancelled)) break;
-  }
-  const auto source = cancelled ? std::nullopt : sourceOf(options, report.records, monitor);
+// Judges the records, combines their passes, and writes the list.
+int conclude(DetectCommandOptions& options, std::vector<detection::RecordDetection> records, TerminalMonitor& monitor) {
+  const auto source = sourceOf(options, records, monitor);
   monitor.clearLine();
   if (!source) {
     std::fprintf(stderr, "cancelled: no file written\n");
     return kCancelled;
   }
+  detection::DetectionReport report;
+  report.records = std::move(records);
   report.examples = source->words;
   const detection::Judge judge(source->examples, options.judgement);
   for (auto& record : report.records) {
@@ -206,6 +158,30 @@ int detect(DetectCommandOptions options) {
   for (const auto& path : writeDetectionFigures(report, options.folder, options.figures))
     std::fprintf(list, "  %s\n", path.c_str());
   return kDone;
+}
+
+int detect(DetectCommandOptions options) {
+  if (options.diameter > 0) options.detect.surroundings.circumference = M_PI * options.diameter;
+  if (options.folder.empty()) options.folder = ".";
+  const auto search = searchOf(options);
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  if (!options.partition.empty()) return searchPart(search, studies::partitionFromText(options.partition), monitor);
+
+  const OutputFolder folder(options.folder);
+  const FolderLock owner(options.folder, "squat detect");
+  squat::keepInputs(search.records, {options.folder + "/squats.csv", options.folder + "/squats.json"});
+  if (options.collect) return conclude(options, collectRecords(search), monitor);
+  std::vector<detection::RecordDetection> records;
+  for (const auto& file : search.records) {
+    const auto stream = records::openRecord(file, search.read);
+    records.push_back(detection::findCandidates(*stream, search.options, monitor));
+    if (!records.back().cancelled) continue;
+    monitor.clearLine();
+    std::fprintf(stderr, "cancelled: no file written\n");
+    return kCancelled;
+  }
+  return conclude(options, std::move(records), monitor);
 }
 
 }  // namespace
@@ -241,6 +217,13 @@ void addDetectCommand(CLI::App& program, Action& action) {
   command->add_option("--threads", options->detect.threads, "Threads (default: all cores)")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
+  auto* partition = command
+                        ->add_option("--partition", options->partition,
+                                     "Search the M-th of N parts of the records only, and keep what is found in "
+                                     "DIR/candidates: slice (every N-th record) or hash (by their names)")
+                        ->type_name("slice:M/N");
+  command->add_flag("--collect", options->collect, "Search no record: judge and combine what all parts have found")
+      ->excludes(partition);
   addFigureOptions(*command, options->figures);
   command->add_flag("--json", options->json, "Print the list as JSON");
   options->caseOptions.mesh = "tiny";

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <thread>
 
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
+#include "commands/EstimateEach.h"
 #include "commands/EstimateSummary.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureSheets.h"
@@ -26,12 +28,12 @@ namespace {
 struct EstimateCommandOptions {
   CaseOptions caseOptions;  // without --mesh: see `mesh`
   SignalOptions signal;
-  std::string mesh = "tiny", folder = ".";
+  std::string mesh = "tiny", folder = ".", partition;
   estimation::EstimateDefinition definition;
   estimation::EstimateOptions estimate;
   double longest = 70;  // [mm]
   int jobs = 0, threads = 0;
-  bool json = false;
+  bool json = false, each = false, collect = false;
 };
 
 void shareCores(EstimateCommandOptions& options) {
@@ -50,16 +52,20 @@ int estimate(EstimateCommandOptions options) {
   definition.overrides = caseOverrides(options.caseOptions);
   definition.reading = fileOptions(options.signal);
   definition.longest = 1e-3 * options.longest;
-  const auto outputs = estimation::estimateFiles(options.folder);
+  const auto outputs =
+      options.each ? std::vector{estimation::estimatesFile(options.folder)} : estimation::estimateFiles(options.folder);
   auto inputs = cases::filesOfCase(options.caseOptions.name, description.defect.file);
   inputs.insert(inputs.end(), definition.files.begin(), definition.files.end());
   keepInputs(inputs, outputs);
   shareCores(options);
   makeFolder(options.folder);
-  const FolderLock owner(options.folder, "squat estimate " + definition.files.front());
+  std::optional<FolderLock> owner;  // parts are locked one by one
+  if (options.partition.empty()) owner.emplace(options.folder, "squat estimate " + definition.files.front());
 
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  if (options.each)
+    return estimateEach({definition, options.estimate, options.folder, options.partition, options.collect}, monitor);
   const auto found = estimation::estimateProfile(definition, options.estimate, monitor);
   monitor.clearLine();
   if (!found.profile.empty()) {
@@ -106,7 +112,21 @@ void addEstimateCommand(CLI::App& program, Action& action) {
       ->type_name("N");
   addThreads(*command, options->threads, "Threads of each run (default: cores / jobs)");
   addInstructionSet(*command, options->estimate.isa);
-  command->add_flag("--json", options->json, "Print the estimate as JSON");
+  auto* json = command->add_flag("--json", options->json, "Print the estimate as JSON");
+  auto* each = command
+                   ->add_flag("--each", options->each,
+                              "Each file is a passage over a defect of its own: results in DIR/FILE, all of them in "
+                              "DIR/estimates.csv")
+                   ->excludes(json);
+  auto* partition = command
+                        ->add_option("--partition", options->partition,
+                                     "With --each, estimate the M-th of N parts of the files only: slice (every N-th "
+                                     "file) or hash (by their names)")
+                        ->type_name("slice:M/N")
+                        ->needs(each);
+  command->add_flag("--collect", options->collect, "With --each, estimate nothing: put what all parts found together")
+      ->needs(each)
+      ->excludes(partition);
   command->callback([options, &action] { action = [options] { return estimate(*options); }; });
 }
 

@@ -51,7 +51,15 @@ class Search {
         definition_(calibration.definition),
         table_(table),
         budget_(budgetFor(definition_)),
-        runner_(table, definition_, data, options, budget_.total(), monitor) {}
+        part_(options.part),
+        runner_(table, definition_, data, options, part_ ? sharePoints().size() : budget_.total(), monitor) {}
+
+  void computeShare() {
+    runner_.all(Stage::global, mesh(), valuesOf(sharePoints()));
+    runner_.rethrow();
+    calibration_.evaluations = table_.rows();
+    calibration_.complete = !runner_.isCancelled();
+  }
 
   void run() {
     const bool isComplete = searchGlobally() && searchLocally() && refine() && explore() && confirm();
@@ -90,16 +98,35 @@ class Search {
     return all;
   }
 
-  bool searchGlobally() {
+  // The case's own values, as far as they lie within the limits.
+  UnitPoint ownPoint() const {
     const auto description = cases::loadCase(definition_.caseName, definition_.overrides);
     Values own;
     for (const auto& input : definition_.inputs) own.push_back(cases::numberInUnit(description, *input.parameter));
     auto start = pointOf(definition_.inputs, own);
     for (double& coordinate : start) coordinate = std::clamp(coordinate, 0.0, 1.0);
-    if (!runner_.at(Stage::start, mesh(), valuesAt(definition_.inputs, start))) return false;
+    return start;
+  }
+
+  std::vector<UnitPoint> fillingPoints() const {
     std::vector<UnitPoint> points;
     for (std::size_t i = 0; i < budget_.global; ++i) points.push_back(spaceFillingPoint(i, definition_.inputs.size()));
-    runner_.all(Stage::global, mesh(), valuesOf(points));
+    return points;
+  }
+
+  // Of the points that depend on no other.
+  std::vector<UnitPoint> sharePoints() const {
+    auto all = fillingPoints();
+    all.insert(all.begin(), ownPoint());
+    std::vector<UnitPoint> own;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (studies::partOf(*part_, i, std::to_string(i)) == part_->part) own.push_back(all[i]);
+    return own;
+  }
+
+  bool searchGlobally() {
+    if (!runner_.at(Stage::start, mesh(), valuesAt(definition_.inputs, ownPoint()))) return false;
+    runner_.all(Stage::global, mesh(), valuesOf(fillingPoints()));
     if (runner_.isCancelled()) return false;
     requireOne();
     return true;
@@ -217,6 +244,7 @@ class Search {
   const CalibrationDefinition& definition_;
   EvaluationTable& table_;
   Budget budget_;
+  std::optional<studies::Partition> part_;
   PointRunner runner_;
   LinearModel model_;
   std::vector<UnitPoint> byModel_;
@@ -228,11 +256,17 @@ Calibration calibrate(const CalibrationDefinition& definition, const Calibration
   Calibration calibration;
   calibration.definition = definition;
   calibration.definition.caseHash = cases::caseHash(cases::loadCase(definition.caseName, definition.overrides));
-  EvaluationTable table(calibration.definition, options.folder);
+  EvaluationTable table(calibration.definition,
+                        options.part ? partFolder(options.folder, *options.part) : options.folder);
+  if (!options.part) table.takeParts();
   const auto data = readMeasuredData(calibration.definition.targets);
   for (const auto& signal : data.signals)
     for (const auto& note : signal.notes) monitor.message(note);
   Search search(calibration, table, data, options, monitor);
+  if (options.part) {
+    search.computeShare();
+    return calibration;
+  }
   search.run();
   search.conclude();
   return calibration;

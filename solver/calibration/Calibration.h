@@ -6,6 +6,7 @@
 // Knowledge.h.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "calibration/Targets.h"
 #include "case/CaseFile.h"
 #include "core/Monitor.h"
+#include "studies/Partition.h"
 
 namespace squat::calibration {
 
@@ -45,6 +47,8 @@ struct CalibrationOptions {
   std::string folder = ".";
   int jobs = 1, threads = 1;  // points at once; threads of each run
   std::string isa;
+  // A share of the points that fill the limits, in FOLDER/parts; what comes behind them depends on all of them.
+  std::optional<studies::Partition> part;
 };
 
 // What is known of one input after the search, in the unit of the case file.
@@ -67,10 +71,14 @@ struct Calibration {
 
 // Every evaluated point is kept in FOLDER/calibration.csv at once; a call for the same calibration in the same folder
 // takes them from there and resumes. Throws CaseError for a folder that holds another calibration and for a case that
-// can be run at no point; FileError for targets that cannot be what they claim to be (units).
+// can be run at no point; FileError for targets that cannot be what they claim to be (units). What parts have computed
+// in FOLDER/parts is taken from there. For a part, nothing but its evaluations comes back.
 Calibration calibrate(const CalibrationDefinition& definition, const CalibrationOptions& options, Monitor& monitor);
 
 // The files that a calibration writes into its folder.
 std::vector<std::string> calibrationFiles(const std::string& folder);
+
+// FOLDER/parts/calibrate-slice-3-of-16: of a part.
+std::string partFolder(const std::string& folder, const studies::Partition& part);
 
 }  // namespace squat::calibration

@@ -24,6 +24,7 @@ constexpr const char* kAdvice = "Restore the folder, or choose another one with 
 std::string tablePath(const std::string& folder) { return folder + "/calibration.csv"; }
 std::string residualPath(const std::string& folder) { return folder + "/calibration-residuals.csv"; }
 std::string identityPath(const std::string& folder) { return folder + "/calibration.json"; }
+std::string partsFolder(const std::string& folder) { return folder + "/parts"; }
 
 // All that decides which points a search visits and what they give.
 Json identityOf(const CalibrationDefinition& definition) {
@@ -103,6 +104,10 @@ std::vector<std::string> calibrationFiles(const std::string& folder) {
   return {tablePath(folder), residualPath(folder), identityPath(folder)};
 }
 
+std::string partFolder(const std::string& folder, const studies::Partition& part) {
+  return partsFolder(folder) + "/" + studies::stemOf(part, "calibrate");
+}
+
 EvaluationTable::EvaluationTable(const CalibrationDefinition& definition, std::string folder)
     : definition_(definition), folder_(std::move(folder)) {
   makeFolder(folder_);
@@ -116,25 +121,44 @@ EvaluationTable::EvaluationTable(const CalibrationDefinition& definition, std::s
     write();
     return;
   }
+  requireSame(folder_);
+  rows_ = read(folder_);
+}
+
+void EvaluationTable::requireSame(const std::string& folder) const {
   Json identity;
   try {
-    identity = Json::parse(readWholeFile(identityPath(folder_), kLargestFile));
+    identity = Json::parse(readWholeFile(identityPath(folder), kLargestFile));
   } catch (const Json::exception&) {
-    throw FileError(identityPath(folder_), "", "is damaged", kAdvice);
+    throw FileError(identityPath(folder), "", "is damaged", kAdvice);
   }
-  if (identity != own)
-    throw CaseError({{"-o", folder_, "a new folder, or that of the same case, targets and limits",
+  if (identity != identityOf(definition_))
+    throw CaseError({{"-o", folder, "a new folder, or that of the same case, targets and limits",
                       "The folder holds another calibration: choose another one"}});
-  read();
+}
+
+void EvaluationTable::takeParts() {
+  std::error_code none;
+  std::vector<std::string> folders;
+  for (const auto& entry : std::filesystem::directory_iterator(partsFolder(folder_), none))
+    if (std::filesystem::exists(identityPath(entry.path().string()))) folders.push_back(entry.path().string());
+  std::sort(folders.begin(), folders.end());
+  for (const auto& folder : folders) {
+    requireSame(folder);
+    for (auto& row : read(folder)) ofParts_.push_back(std::move(row));
+  }
 }
 
 const Evaluation* EvaluationTable::find(const std::string& mesh, const Values& values) const {
-  const auto found = std::find_if(rows_.begin(), rows_.end(),
-                                  [&](const Evaluation& row) { return row.mesh == mesh && row.values == values; });
-  return found == rows_.end() ? nullptr : &*found;
+  for (const auto* rows : {&rows_, &ofParts_})
+    for (const auto& row : *rows)
+      if (row.mesh == mesh && row.values == values) return &row;
+  return nullptr;
 }
 
 void EvaluationTable::add(Evaluation evaluation) {
+  for (const auto& row : rows_)
+    if (row.mesh == evaluation.mesh && row.values == evaluation.values) return;
   rows_.push_back(std::move(evaluation));
   write();
 }
@@ -166,15 +190,16 @@ void EvaluationTable::write() const {
   writeDurably(tablePath(folder_), std::string_view(text));
 }
 
-void EvaluationTable::read() {
-  const auto path = tablePath(folder_);
-  if (!std::filesystem::exists(path)) return;
+std::vector<Evaluation> EvaluationTable::read(const std::string& folder) const {
+  std::vector<Evaluation> rows;
+  const auto path = tablePath(folder), residualTable = residualPath(folder);
+  if (!std::filesystem::exists(path)) return rows;
   const auto table = text::csvRecords(readWholeFile(path, kLargestFile));
-  const auto residuals = text::csvRecords(readWholeFile(residualPath(folder_), kLargestFile));
+  const auto residuals = text::csvRecords(readWholeFile(residualTable, kLargestFile));
   const std::size_t inputs = definition_.inputs.size(), targets = definition_.targets.count();
   // A stop between the two files leaves the residuals of one point more.
   if (table.empty() || residuals.size() < 1 + (table.size() - 1) * targets)
-    throw FileError(residualPath(folder_), "", "is shorter than calibration.csv", kAdvice);
+    throw FileError(residualTable, "", "is shorter than calibration.csv", kAdvice);
   for (std::size_t r = 1; r < table.size(); ++r) {
     const auto& record = table[r];
     if (record.size() != kColumnsBefore + inputs + 2 * targets + 1)
@@ -191,15 +216,15 @@ void EvaluationTable::read() {
       value.isMet = record[kColumnsBefore + inputs + 2 * t + 1] == "yes";
       const std::size_t line = 1 + (r - 1) * targets + t;
       const auto& numbers = residuals[line];
-      if (numbers.size() < 3)
-        throw FileError(residualPath(folder_), "line " + std::to_string(line + 1), "is too short");
-      value.misfit = numberIn(numbers[2], residualPath(folder_), line + 1);
+      if (numbers.size() < 3) throw FileError(residualTable, "line " + std::to_string(line + 1), "is too short");
+      value.misfit = numberIn(numbers[2], residualTable, line + 1);
       for (std::size_t c = 3; c < numbers.size(); ++c)
-        value.residuals.push_back(numberIn(numbers[c], residualPath(folder_), line + 1));
+        value.residuals.push_back(numberIn(numbers[c], residualTable, line + 1));
       row.targets.push_back(std::move(value));
     }
-    rows_.push_back(std::move(row));
+    rows.push_back(std::move(row));
   }
+  return rows;
 }
 
 }  // namespace squat::calibration

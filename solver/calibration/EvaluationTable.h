@@ -18,17 +18,24 @@ class EvaluationTable {
   // its files are damaged.
   EvaluationTable(const CalibrationDefinition& definition, std::string folder);
 
+  // Makes the points that parts have computed (FOLDER/parts) known. Throws as the constructor does.
+  void takeParts();
+
   const std::vector<Evaluation>& rows() const { return rows_; }
-  const Evaluation* find(const std::string& mesh, const Values& values) const;  // null: not evaluated yet
-  void add(Evaluation evaluation);                                              // and writes the files
+  // Null: not evaluated yet.
+  const Evaluation* find(const std::string& mesh, const Values& values) const;
+  // Adds the point where it is none of the rows yet, and writes the files.
+  void add(Evaluation evaluation);
 
  private:
-  void read();
+  void requireSame(const std::string& folder) const;
+  std::vector<Evaluation> read(const std::string& folder) const;
   void write() const;
 
   const CalibrationDefinition& definition_;
   std::string folder_;
   std::vector<Evaluation> rows_;
+  std::vector<Evaluation> ofParts_;  // known, and no rows until the search comes to them
 };
 
 }  // namespace squat::calibration

@@ -75,6 +75,7 @@ std::optional<Evaluation> PointRunner::at(Stage stage, const std::string& mesh, 
     if (const auto* known = table_.find(mesh, values)) {
       Evaluation evaluation = *known;
       evaluation.stage = stage;
+      table_.add(evaluation);  // where a part has computed it
       report(evaluation);
       return evaluation;
     }
@@ -87,7 +88,7 @@ std::optional<Evaluation> PointRunner::at(Stage stage, const std::string& mesh, 
     evaluation->stage = stage;
     const std::lock_guard lock(mutex_);
     ++computed_;
-    if (!table_.find(mesh, values)) table_.add(*evaluation);
+    table_.add(*evaluation);
     report(*evaluation);
     return evaluation;
   } catch (...) {  // not of this point: files that cannot be written, targets in a wrong unit

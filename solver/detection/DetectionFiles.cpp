@@ -38,10 +38,27 @@ std::string head() {
   for (const auto& band : detectionBands()) text += ",power " + band.name + " [(m/s2)2]";
   return text +
          ",wavelength [mm],length [mm],length low [mm],length high [mm],depth [mm],depth low [mm],"
-         "depth high [mm],passes,passes there,latitude [deg],longitude [deg],reason\n";
+         "depth high [mm],passes,passes there,latitude [deg],longitude [deg],reason,passage\n";
 }
 
-std::string row(const DetectionReport& report, const CombinedEvent& combined) {
+// Of an event, by its row in the table: "passages/squat-0007.csv". Empty for what is no squat.
+std::string passageFile(const DetectionReport& report, std::size_t event) {
+  if (!isSquat(report.events[event].event)) return {};
+  char name[48];
+  std::snprintf(name, sizeof name, "passages/squat-%04zu.csv", event + 1);
+  return name;
+}
+
+// The strongest passage over the event, in the direction of travel, at its speed.
+std::string passageText(const Event& event) {
+  std::vector<double> time, speed(event.passage.values.size(), event.features.speed);
+  for (std::size_t i = 0; i < event.passage.values.size(); ++i) time.push_back(event.passage.timeAt(i));
+  return text::csvColumns({"time [s]", "speed [m/s]", "aba [" + event.passage.unit + "]"},
+                          {&time, &speed, &event.passage.values});
+}
+
+std::string row(const DetectionReport& report, std::size_t index) {
+  const auto& combined = report.events[index];
   const auto& event = combined.event;
   const auto& judged = event.judgement;
   std::vector<std::string> cells{fixed(event.position, 3),
@@ -65,6 +82,7 @@ std::string row(const DetectionReport& report, const CombinedEvent& combined) {
   cells.push_back(fixed(event.latitude, 7));
   cells.push_back(fixed(event.longitude, 7));
   cells.push_back(event.reason);
+  cells.push_back(passageFile(report, index));
   std::string text;
   for (const auto& cell : cells) text += (text.empty() ? "" : ",") + text::csvField(cell);
   return text + '\n';
@@ -126,7 +144,7 @@ std::size_t columnOf(const std::vector<std::string>& names, std::string_view wan
 
 std::string detectionCsv(const DetectionReport& report) {
   std::string text = head();
-  for (const auto& event : report.events) text += row(report, event);
+  for (std::size_t i = 0; i < report.events.size(); ++i) text += row(report, i);
   return text;
 }
 
@@ -162,6 +180,10 @@ std::vector<std::string> writeDetection(const DetectionReport& report, const std
   write("squats.csv", detectionCsv(report));
   write("squats.json", detectionJson(report));
   write("squats.geojson", detectionGeoJson(report));
+  makeFolder(folder + "/passages");
+  for (std::size_t i = 0; i < report.events.size(); ++i)
+    if (const auto file = passageFile(report, i); !file.empty())
+      writeDurably(folder + "/" + file, passageText(report.events[i].event));
   return paths;
 }
 

@@ -15,7 +15,8 @@ struct DetectionReport {
   std::vector<std::string> notes;
 };
 
-// FOLDER/squats.csv, squats.json, and squats.geojson where a record has coordinates; durable. Returns the paths.
+// FOLDER/squats.csv, squats.json, and squats.geojson where a record has coordinates; durable. Returns the paths. Beside
+// them, in FOLDER/passages, the signal over each squat, which `squat estimate` reads.
 std::vector<std::string> writeDetection(const DetectionReport& report, const std::string& folder);
 
 std::string detectionCsv(const DetectionReport& report);

@@ -29,11 +29,12 @@ std::string textWithBeat(const std::string& name, unsigned long beat) {
 
 }  // namespace
 
-PartLock::PartLock(const Partition& part, const std::string& folder, std::chrono::milliseconds beat, Monitor& monitor)
-    : lock_(folder + "/" + stemOf(part) + ".lock"),
+PartLock::PartLock(const std::string& command, const Partition& part, const std::string& folder,
+                   std::chrono::milliseconds beat, Monitor& monitor)
+    : lock_(folder + "/" + stemOf(part, command) + ".lock"),
       part_(toText(part)),
       folder_(folder),
-      name_(processName("squat study --partition " + part_)),
+      name_(processName("squat " + command + " --partition " + part_)),
       beat_(beat) {
   if (lock_.isTaken()) refuse(ownerIn(lock_.other()));
   const bool isOfThisMachine = ownerIn(lock_.left()).ends_with(" on " + hostName() + ")");

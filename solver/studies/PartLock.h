@@ -16,7 +16,7 @@ namespace squat::studies {
 
 inline constexpr std::chrono::milliseconds kPartBeat{5000};
 
-// Holds FOLDER/study-slice-3-of-16.lock. Within one machine, and on shared file systems that pass flock() on to their
+// Holds FOLDER/COMMAND-slice-3-of-16.lock. Within one machine, and on shared file systems that pass flock() on to their
 // server, the operating system's lock decides at once. Others keep such a lock to the machine: there the owner writes a
 // new beat into the file again and again, and who finds the file of another machine waits for three beats whether it
 // changes. No clock is read or compared. What remains: two machines that start the same part within the same moment on
@@ -25,7 +25,8 @@ inline constexpr std::chrono::milliseconds kPartBeat{5000};
 class PartLock {
  public:
   // Throws CaseError with the owner's name where another process computes the part.
-  PartLock(const Partition& part, const std::string& folder, std::chrono::milliseconds beat, Monitor& monitor);
+  PartLock(const std::string& command, const Partition& part, const std::string& folder, std::chrono::milliseconds beat,
+           Monitor& monitor);
   ~PartLock();
   PartLock(const PartLock&) = delete;
   PartLock& operator=(const PartLock&) = delete;

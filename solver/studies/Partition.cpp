@@ -57,17 +57,21 @@ Partition familyFromText(const std::string& text) {
   return partitionFromText(text.substr(0, colon + 1) + "1/" + text.substr(colon + 1));
 }
 
-std::string stemOf(const Partition& partition) {
-  return "study-" + toText(partition.kind) + "-" + std::to_string(partition.part) + "-of-" +
+std::string stemOf(const Partition& partition, const std::string& command) {
+  return command + "-" + toText(partition.kind) + "-" + std::to_string(partition.part) + "-of-" +
          std::to_string(partition.parts);
 }
 
-std::size_t partOf(const Partition& family, const StudyDefinition& definition, const StudyPoint& point) {
-  if (family.kind == Partition::Kind::slice) return 1 + point.index % family.parts;
-  const auto digits = cases::shortHash(toText(definition, point));
+std::size_t partOf(const Partition& family, std::size_t index, const std::string& name) {
+  if (family.kind == Partition::Kind::slice) return 1 + index % family.parts;
+  const auto digits = cases::shortHash(name);
   std::uint32_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number, 16);
   return 1 + number % family.parts;
+}
+
+std::size_t partOf(const Partition& family, const StudyDefinition& definition, const StudyPoint& point) {
+  return partOf(family, point.index, toText(definition, point));
 }
 
 bool isInPart(const Partition& partition, const StudyDefinition& definition, const StudyPoint& point) {

@@ -1,4 +1,5 @@
-// solver/studies/Partition.h - a share of a study's points, for one of several processes.
+// solver/studies/Partition.h - a share of a command's work (points of a study, records, passages), for one of several
+// processes.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,10 @@ std::string familyOf(const Partition& partition);
 Partition familyFromText(const std::string& text);  // its first part; throws CaseError
 
 // Name of the part's files without ending: "study-slice-3-of-16".
-std::string stemOf(const Partition& partition);
+std::string stemOf(const Partition& partition, const std::string& command = "study");
+
+// The same for an item of any list; `name` is what stays the same when others are added to the list.
+std::size_t partOf(const Partition& family, std::size_t index, const std::string& name);
 
 // The part that computes a point, of a family.
 std::size_t partOf(const Partition& family, const StudyDefinition& definition, const StudyPoint& point);

@@ -150,7 +150,7 @@ StudyTable runStudy(const StudyDefinition& definition, const StudyRunner& runner
   std::optional<PartLock> lock;
   if (options.part) {
     claimParts(definition, *options.part, options.folder);
-    lock.emplace(*options.part, options.folder, options.beat, monitor);
+    lock.emplace("study", *options.part, options.folder, options.beat, monitor);
   } else if (partsIn(definition, options.folder) && !hasIdentity(definition, options.folder)) {
     throw CaseError({{"-o", options.folder, "a folder without parts of a study",
                       "Collect them with --collect, or choose another folder"}});

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include "calibration/CalibratedCase.h"
 #include "calibration/Calibration.h"
@@ -67,6 +68,36 @@ TEST(Calibrate, FindsADepthThatGivesThePeak) {
   EXPECT_EQ(again.best, found.best);
   EXPECT_EQ(again.ranges[0].low, found.ranges[0].low);
   EXPECT_EQ(again.ranges[0].high, found.ranges[0].high);
+}
+
+// Two parts compute the points that depend on no other, each once; the search behind them visits the points of one
+// process, and does not compute those again.
+TEST(Calibrate, PartsShareThePointsThatFillTheLimits) {
+  const TemporaryFolder together, alone;
+  Monitor monitor;
+  auto options = optionsFor(together);
+  options.jobs = 1, options.threads = 2;
+  std::set<Values> ofParts;
+  std::size_t count = 0;
+  for (const std::size_t part : {1, 2}) {
+    options.part = studies::Partition{studies::Partition::Kind::slice, part, 2};
+    const auto share = calibrate(depthFor(together, 70, 0.1), options, monitor);
+    EXPECT_TRUE(share.complete);
+    count += share.evaluations.size();
+    for (const auto& row : share.evaluations) ofParts.insert(row.values);
+  }
+  EXPECT_EQ(ofParts.size(), count) << "no point twice";
+  EXPECT_GE(count, 5u);
+
+  options.part.reset();
+  const auto whole = calibrate(depthFor(together, 70, 0.1), options, monitor);
+  options.folder = alone.path();
+  const auto single = calibrate(depthFor(alone, 70, 0.1), options, monitor);
+  EXPECT_TRUE(whole.complete);
+  EXPECT_EQ(readWholeFile(together / "calibration.csv", 1000000), readWholeFile(alone / "calibration.csv", 1000000));
+  std::size_t global = 0;
+  for (const auto& row : single.evaluations) global += row.stage == Stage::start || row.stage == Stage::global;
+  EXPECT_EQ(global, count);
 }
 
 TEST(Calibrate, SaysWhatIsOutOfReach) {

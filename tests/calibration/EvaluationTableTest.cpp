@@ -83,6 +83,34 @@ TEST(EvaluationTable, AForeignFileOfItsNameIsKept) {
   EXPECT_THAT(readWholeFile(folder / "calibration.csv", 100), HasSubstr("sensor"));
 }
 
+// What a part has computed is known, and becomes a row once the search comes to it.
+TEST(EvaluationTable, TakesWhatPartsHaveComputed) {
+  const TemporaryFolder folder;
+  const auto made = definition();
+  EvaluationTable(made, partFolder(folder.path(), {studies::Partition::Kind::slice, 1, 2})).add(row(0.1, 87.5));
+  EvaluationTable(made, partFolder(folder.path(), {studies::Partition::Kind::slice, 2, 2})).add(row(0.2, 99));
+  EvaluationTable whole(made, folder.path());
+  EXPECT_FALSE(whole.find("tiny", {0.1}));
+  whole.takeParts();
+  EXPECT_TRUE(whole.rows().empty());
+  ASSERT_TRUE(whole.find("tiny", {0.2}));
+  EXPECT_EQ(whole.find("tiny", {0.2})->targets[0].value, 99);
+  whole.add(*whole.find("tiny", {0.2}));
+  whole.add(*whole.find("tiny", {0.2}));
+  ASSERT_EQ(whole.rows().size(), 1u);
+  EXPECT_EQ(EvaluationTable(made, folder.path()).rows().size(), 1u) << "and is in the file";
+}
+
+TEST(EvaluationTable, PartsOfAnotherCalibrationAreRefused) {
+  const TemporaryFolder folder;
+  const auto made = definition();
+  auto other = made;
+  other.inputs[0].high = 0.4;
+  EvaluationTable(other, partFolder(folder.path(), {studies::Partition::Kind::slice, 1, 2})).add(row(0.1, 87.5));
+  EvaluationTable whole(made, folder.path());
+  EXPECT_THROW(whole.takeParts(), CaseError);
+}
+
 TEST(EvaluationTable, DamageIsFound) {
   const auto made = definition();
   for (const char* name : {"calibration.csv", "calibration-residuals.csv", "calibration.json"}) {

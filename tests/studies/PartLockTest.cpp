@@ -27,7 +27,7 @@ class PartLockTest : public ::testing::Test {
   std::string path() const { return folder_ / "study-slice-1-of-2.lock"; }
   std::string refusal() {
     try {
-      const PartLock lock(partitionFromText("slice:1/2"), folder_.path(), kBeat, monitor_);
+      const PartLock lock("study", partitionFromText("slice:1/2"), folder_.path(), kBeat, monitor_);
     } catch (const CaseError& error) {
       return error.what();
     }
@@ -42,9 +42,9 @@ class PartLockTest : public ::testing::Test {
 
 TEST_F(PartLockTest, theSecondIsToldWhoComputesThePart) {
   {
-    const PartLock lock(partitionFromText("slice:1/2"), folder_.path(), kBeat, monitor_);
+    const PartLock lock("study", partitionFromText("slice:1/2"), folder_.path(), kBeat, monitor_);
     EXPECT_THAT(refusal(), AllOf(HasSubstr("slice:1/2"), HasSubstr("process " + std::to_string(::getpid()))));
-    EXPECT_NO_THROW(PartLock(partitionFromText("slice:2/2"), folder_.path(), kBeat, monitor_));
+    EXPECT_NO_THROW(PartLock("study", partitionFromText("slice:2/2"), folder_.path(), kBeat, monitor_));
     std::this_thread::sleep_for(3 * kBeat);
     EXPECT_THAT(readWholeFile(path(), 1000), HasSubstr("\nbeat "));
     EXPECT_NO_THROW(lock.requireOwn());

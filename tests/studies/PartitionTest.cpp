@@ -26,6 +26,7 @@ TEST(Partition, isReadAndWritten) {
   for (const auto* text : {"slice:1/1", "slice:3/16", "hash:16/16", "hash:10000/10000"})
     EXPECT_EQ(toText(partitionFromText(text)), text);
   EXPECT_EQ(stemOf(partitionFromText("slice:3/16")), "study-slice-3-of-16");
+  EXPECT_EQ(stemOf(partitionFromText("hash:3/16"), "detect"), "detect-hash-3-of-16");
   EXPECT_EQ(familyOf(partitionFromText("hash:3/16")), "hash:16");
   EXPECT_EQ(familyFromText("hash:16"), partitionFromText("hash:1/16"));
 }
@@ -55,6 +56,17 @@ TEST(Partition, partsShareAllPoints) {
     if (std::string(kind) == "slice:") EXPECT_EQ(largest - smallest, 1U);
     EXPECT_GT(smallest, 0U) << kind;
   }
+}
+
+// Files go round robin by slice, and by their names alone by hash.
+TEST(Partition, filesHaveTheirParts) {
+  const auto slice = partitionFromText("slice:1/3"), hash = partitionFromText("hash:1/3");
+  EXPECT_EQ(partOf(slice, 0, "a.csv"), 1U);
+  EXPECT_EQ(partOf(slice, 5, "a.csv"), 3U);
+  EXPECT_EQ(partOf(hash, 0, "a.csv"), partOf(hash, 5, "a.csv"));
+  std::set<std::size_t> parts;
+  for (int i = 0; i < 30; ++i) parts.insert(partOf(hash, 0, std::to_string(i) + ".csv"));
+  EXPECT_EQ(parts, (std::set<std::size_t>{1, 2, 3}));
 }
 
 // 25 lengths hold the 13 lengths of before: each of those keeps its part by hash, though not its place in the grid.
