@@ -1,0 +1,46 @@
+# What is installed beside the programs: resources, texts, man pages and shell completion, and for the studio what a
+# desktop wants to know of it.
+set(resources share/squat-studio)
+install(DIRECTORY resources/ DESTINATION ${resources}
+  PATTERN desktop EXCLUDE PATTERN __pycache__ EXCLUDE PATTERN "*.sh" EXCLUDE)
+install(PROGRAMS resources/examples/evaluate.sh DESTINATION ${resources}/examples)
+install(FILES CHANGELOG.md CITATION.cff LICENSE README.md DESTINATION share/doc/squat-studio)
+
+set(programs squat)
+if(SQUAT_GRAPHICS)
+  list(APPEND programs squat-studio)
+endif()
+set(files)
+foreach(program IN LISTS programs)
+  list(APPEND files $<TARGET_FILE:${program}>)
+endforeach()
+set(pages ${CMAKE_BINARY_DIR}/pages)
+add_custom_command(OUTPUT ${pages}/made
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${pages}
+  COMMAND ${CMAKE_COMMAND} -E env QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8 $<TARGET_FILE:squat_pages> ${pages} ${files}
+  COMMAND sh -c "gzip -9n '${pages}'/man1/*.1"
+  COMMAND ${CMAKE_COMMAND} -E touch ${pages}/made
+  DEPENDS squat_pages ${programs} VERBATIM COMMENT "Man pages and shell completion from the programs' own help")
+if(SQUAT_SANITIZERS)
+  add_custom_target(pages DEPENDS ${pages}/made)  # nobody installs these programs
+else()
+  add_custom_target(pages ALL DEPENDS ${pages}/made)
+endif()
+install(DIRECTORY ${pages}/man1 DESTINATION share/man)
+install(DIRECTORY ${pages}/completions DESTINATION share/bash-completion)
+
+if(SQUAT_GRAPHICS)
+  # The releases are those of the changelog: "## [0.2.0] - 2026-11-24".
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS CHANGELOG.md)
+  file(STRINGS CHANGELOG.md headings REGEX "^## \\[[0-9.]+\\] - [0-9-]+$")
+  set(releases "")
+  foreach(heading IN LISTS headings)
+    string(REGEX REPLACE "^## \\[(.+)\\] - (.+)$" "    <release version=\"\\1\" date=\"\\2\"/>\n" release "${heading}")
+    string(APPEND releases "${release}")
+  endforeach()
+  configure_file(resources/desktop/squat-studio.metainfo.xml.in squat-studio.metainfo.xml @ONLY)
+  install(FILES resources/icons/squat-studio.svg DESTINATION share/icons/hicolor/scalable/apps)
+  install(FILES resources/desktop/squat-studio.desktop DESTINATION share/applications)
+  install(FILES resources/desktop/squat-studio.xml DESTINATION share/mime/packages)
+  install(FILES ${CMAKE_BINARY_DIR}/squat-studio.metainfo.xml DESTINATION share/metainfo)
+endif()
