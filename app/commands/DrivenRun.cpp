@@ -4,12 +4,12 @@
 
 #include <cstdio>
 
+#include "analysis/FeatureTable.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
-#include "studies/CaseStudy.h"
 #include "studies/EvaluationFiles.h"
 
 namespace squat::commands {
@@ -61,7 +61,7 @@ int driveRun(const DrivenOptions& driven, const CaseOptions& caseOptions, simula
       writeDurably(driven.results, std::string_view(studies::kFailedAnswer));
       return kCancelled;
     }
-    writeDurably(driven.results, std::string_view(studies::answerText(studies::studyFeatures(result), features)));
+    writeDurably(driven.results, std::string_view(studies::answerText(analysis::featureTable(result), features)));
     return kDone;
   } catch (...) {
     // Without a results file the other program would stop as a whole.

@@ -2,10 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/FeatureTable.h"
 #include "commands/PaperTable.h"
-#include "signals/SignalError.h"
-#include "studies/CaseStudy.h"
-#include "studies/EvaluationFiles.h"
 
 namespace squat::commands {
 
@@ -18,23 +16,6 @@ Json quantity(double value, const std::string& unit) { return {{"value", value},
 Json scalars(const std::vector<results::Scalar>& list) {
   Json json = Json::object();
   for (const auto& scalar : list) json[scalar.name] = quantity(scalar.value, scalar.unit);
-  return json;
-}
-
-// "peak [m/s2]" -> "m/s2"
-std::string unitIn(const std::string& column) {
-  const auto from = column.find('['), to = column.rfind(']');
-  return from == std::string::npos || to == std::string::npos ? std::string() : column.substr(from + 1, to - from - 1);
-}
-
-Json featuresOf(const results::RunResult& result) {
-  Json json = Json::object();
-  try {
-    for (const auto& [column, value] : studies::studyFeatures(result))
-      json[studies::featureWord(column)] = quantity(value, unitIn(column));
-  } catch (const signals::SignalError&) {
-    return Json::object();
-  }
   return json;
 }
 
@@ -54,7 +35,8 @@ std::string runReport(const results::RunResult& result, const std::vector<std::s
             {"stop_reason", result.stopReason}};
   if (const auto seconds = scalarNamed(result.performance, "seconds")) json["wall_time"] = quantity(*seconds, "s");
   json["files"] = files;
-  json["features"] = featuresOf(result);
+  // Results of versions up to 0.2.0 hold none.
+  json["features"] = scalars(result.features.empty() ? analysis::featureScalars(result) : result.features);
   json["energy"] = energiesOf(result);
   json["equilibrium"] = scalars(result.equilibrium);
   json["mesh"] = scalars(result.meshFigures);

@@ -245,6 +245,7 @@ RunResult fromTree(ArrayTree tree, const std::string& path) {
   result.position = from.take<double>("/signals/position", samples);
   result.signals = from.channels("/signals", samples, {"time", "position"});
   readSpectra(from, result);
+  result.features = from.scalars("/features");
   result.energyTime = from.take<double>("/energy/time");
   result.energy = from.channels("/energy", result.energyTime.size(), {"time"});
   result.equilibrium = from.scalars("/equilibrium");

@@ -4,6 +4,7 @@
 //   /signals     time, position and one dataset a signal
 //   /spectra     frequency, psd, psd_wheel; attributes window, from, to
 //   /scalogram   frequency, time, position, power [frequency][time], cone_of_influence
+//   /features    one number each
 //   /energy      time and one dataset a term           /equilibrium /performance   one number each
 //   /mesh        one number each; surface/points [n][3], quads [m][4], part, part_names, springs [k][6]
 //   /modes       frequency, box_share, wheel_share, contact_share

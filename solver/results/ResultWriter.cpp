@@ -156,6 +156,7 @@ ArrayTree toTree(const RunResult& result) {
   addRoot(tree, result);
   addSignals(tree, result);
   addSpectra(tree, result);
+  addScalars(tree, "/features", result.features);
   if (!result.energyTime.empty()) tree.add("/energy/time", result.energyTime, "s");
   for (const auto& channel : result.energy) addChannel(tree, "/energy", channel);
   addScalars(tree, "/equilibrium", result.equilibrium);

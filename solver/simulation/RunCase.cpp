@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/FeatureTable.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
 #include "simulation/Describe.h"
@@ -109,6 +110,7 @@ void finish(OpenRun& run) {
   auto& r = run.result;
   const std::string lacking = addSpectra(run.scenario, r);
   if (r.complete && !lacking.empty()) run.warn(lacking);  // a part of a run has seldom enough
+  r.features = analysis::featureScalars(r);
   r.performance.push_back({"seconds", "s", "wall time of the whole run", secondsSince(run.opened)});
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

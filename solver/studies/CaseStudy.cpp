@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/RunFeatures.h"
+#include "analysis/FeatureTable.h"
 #include "case/Applicability.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
@@ -104,16 +104,6 @@ cases::CaseDescription caseAt(const StudyDefinition& definition, const cases::Ca
   return cases::loadCase(definition.caseName, all);
 }
 
-FeatureRow studyFeatures(const results::RunResult& result) {
-  FeatureRow row = signals::featureRow(analysis::runFeatures(result));
-  if (const auto* force = result.signal("contact_force"); force && !force->empty()) {
-    const auto [low, high] = std::minmax_element(force->begin(), force->end());
-    row.emplace_back("smallest contact force [N]", *low);
-    row.emplace_back("largest contact force [N]", *high);
-  }
-  return row;
-}
-
 StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOverrides& overrides, const CaseRunner& run,
                         const StudyOptions& options, Monitor& monitor) {
   auto inputs = cases::filesOfCase(definition.caseName, cases::loadCase(definition.caseName, overrides).defect.file);
@@ -129,7 +119,7 @@ StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOver
     giveBackFreeMemory();
     const auto result = run(caseAt(definition, overrides, point), point, own);
     if (!result.complete) return std::nullopt;
-    return studyFeatures(result);
+    return analysis::featureTable(result);
   };
   return runStudy(definition, runner, options, monitor);
 }

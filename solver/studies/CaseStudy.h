@@ -32,9 +32,6 @@ StudyDefinition studyOf(const std::string& nameOrPath, const cases::CaseOverride
 cases::CaseDescription caseAt(const StudyDefinition& definition, const cases::CaseOverrides& overrides,
                               const StudyPoint& point);
 
-// Features of a complete run (analysis::runFeatures) and the extremes of its contact force.
-FeatureRow studyFeatures(const results::RunResult& result);
-
 // Runs the study with `run` for each case: simulation::runCase with the options of the caller. An incomplete result
 // counts as cancelled. Throws CaseError where a file of the study would replace what the case is read from.
 using CaseRunner = std::function<results::RunResult(const cases::CaseDescription&, const StudyPoint&, Monitor&)>;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "analysis/FeatureTable.h"
 #include "case/ParameterTable.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -98,30 +99,23 @@ EvaluationRequest readRequest(const std::string& path) {
   return request;
 }
 
-std::string featureWord(const std::string& name) {
-  std::string word(text::trimmed(name.substr(0, name.find('['))));
-  std::replace(word.begin(), word.end(), ' ', '_');
-  word.erase(std::remove(word.begin(), word.end(), ','), word.end());
-  return word;
-}
-
 std::string answerText(const FeatureRow& features, const std::vector<std::string>& names) {
   std::string answer;
   std::vector<CaseProblem> problems;
   for (const auto& name : names) {
     const auto found = std::find_if(features.begin(), features.end(), [&](const auto& feature) {
-      return feature.first == name || featureWord(feature.first) == name;
+      return feature.first == name || analysis::featureWord(feature.first) == name;
     });
     if (found == features.end()) {
       std::string all;
-      for (const auto& feature : features) all += (all.empty() ? "" : ", ") + featureWord(feature.first);
+      for (const auto& feature : features) all += (all.empty() ? "" : ", ") + analysis::featureWord(feature.first);
       problems.push_back({"--features", name, "one of " + all, ""});
       continue;
     }
     if (std::isnan(found->second)) throw RunError(found->first + " has no value in this run", 0, 0, "");
     char number[40];
     std::snprintf(number, sizeof number, "%.16e", found->second);
-    answer += std::string(number) + " " + featureWord(found->first) + "\n";
+    answer += std::string(number) + " " + analysis::featureWord(found->first) + "\n";
   }
   if (!problems.empty()) throw CaseError(problems);
   return answer;

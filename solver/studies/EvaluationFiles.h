@@ -20,11 +20,8 @@ struct EvaluationRequest {
 // (line), also where gradients are asked for: there are values only.
 EvaluationRequest readRequest(const std::string& path);
 
-// Name of a feature in one word, without its unit: "peak_1_frequency" for "peak 1 frequency [Hz]".
-std::string featureWord(const std::string& name);
-
-// A line "value name" for each of `names`, which are features or their words. Throws CaseError that names those which a
-// run does not have, RunError for one that has no value in this run.
+// A line "value name" for each of `names`, which are features or their words (analysis::featureWord). Throws CaseError
+// that names those which a run does not have, RunError for one that has no value in this run.
 std::string answerText(const FeatureRow& features, const std::vector<std::string>& names);
 
 inline constexpr const char* kFailedAnswer = "FAIL\n";  // what Dakota looks for

@@ -5,11 +5,10 @@
 
 #include "analysis/Analysis.h"
 #include "analysis/AnalysisFiles.h"
+#include "analysis/FeatureTable.h"
 #include "analysis/FileComparison.h"
 #include "analysis/Folder.h"
-#include "analysis/RunFeatures.h"
 #include "signals/Butterworth.h"
-#include "studies/CaseStudy.h"
 
 namespace squat::analysis {
 namespace {
@@ -61,7 +60,7 @@ TEST(OneDefinition, studyAnalysisAndComparisonGiveTheSameFeatures) {
   const auto run = lateSwing();
   const auto file = folder.write("run.csv", tableOf(run));
   Monitor monitor;
-  const auto study = studies::studyFeatures(run);
+  const auto study = featureTable(run);
   const auto analysis = analyse({file}, {}, monitor);
   const auto& signal = analysis.signals.at(0);
   EXPECT_NEAR(signal.features.impactTime, 0.06, 1e-9);  // 1.8018 m at 30.03 m/s, not 80 mm later

@@ -32,6 +32,20 @@ TEST(Compatibility, ResultOfSchema1) {
   EXPECT_EQ(result.warnings.at(1), "second warning");
 }
 
+// 0.2.0 names the commit, and holds no features.
+TEST(Compatibility, ResultOf020) {
+  const auto result = readResult(SQUAT_SOURCE_DIR "/tests/results/frozen/squat-result-1-of-0.2.0.h5");
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.codeVersion, "0.2.0");
+  EXPECT_EQ(result.commit, "0123456789ab");
+  EXPECT_TRUE(result.features.empty());
+  EXPECT_EQ(result.time.at(4), 4 / 25000.0);
+  EXPECT_EQ(result.signals.at(1).name, "aba");
+  EXPECT_EQ(result.plasticity.at(0).value, 3e-3);
+  EXPECT_EQ(result.permanent.height.at(2), -2e-6);
+  EXPECT_EQ(result.modes.at(1).frequency, 500);
+}
+
 TEST(Compatibility, CheckpointOfSchema1) {
   const auto state = readCheckpoint(SQUAT_SOURCE_DIR "/tests/results/frozen/squat-checkpoint-1");
   ASSERT_TRUE(state.has_value());

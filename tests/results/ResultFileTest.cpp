@@ -35,6 +35,8 @@ TEST(ResultFile, GivesBackEveryBit) {
   EXPECT_EQ(back.commit, "0123456789ab-changed");
   EXPECT_EQ(back.caseToml, result.caseToml);
   EXPECT_EQ(back.warnings, result.warnings);
+  ASSERT_EQ(back.features.size(), 2U);
+  EXPECT_EQ(back.features[0].description, "largest absolute value");
   ASSERT_EQ(back.snapshots.size(), 2U);
   EXPECT_EQ(back.snapshots[1].name, "impact");
 }

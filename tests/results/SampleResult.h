@@ -74,6 +74,7 @@ inline results::RunResult sampleResult(int samples = 300) {
   result.equilibrium = {{"contact_force", "N", "vertical", 87759.5}, {"approach", "m", "", 9e-5}};
   result.meshFigures = {{"elements", "1", "", 12345}};
   result.performance = {{"steps", "1", "", 1000}, {"element_updates_per_second", "1/s", "", 4.2e7}};
+  result.features = {{"peak", "m/s2", "largest absolute value", 110.25}, {"free_vibration", "s", "", 0.004}};
   result.plasticity = {{"largest_equivalent_strain", "1", "at a point", 3e-3}};
   result.permanent = {{-0.1, 0, 0.1},     {-0.01, 0.01},      {-1e-6, 0, -2e-6, 0, -1e-6, 0},
                       {0, 0.005},         {1, 2, 3, 4, 5, 6}, {1, 2, 3, 4, 5, 6},

@@ -1,0 +1,23 @@
+// solver/analysis/FeatureTable.h - the features of a run, under one set of names for tables of studies, answers to
+// other programs, result files and reports.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "results/RunResult.h"
+
+namespace squat::analysis {
+
+// Columns with their units ("peak [m/s2]") and values: signals::featureRow of runFeatures, and the extremes of the
+// contact force. Throws SignalError where the record is too short.
+std::vector<std::pair<std::string, double>> featureTable(const results::RunResult& result);
+
+// Name of a feature in one word, without its unit: "peak_1_frequency" for "peak 1 frequency [Hz]".
+std::string featureWord(const std::string& column);
+
+// The same features as a result holds them: in one word, with unit and description. None where the record is too short.
+std::vector<results::Scalar> featureScalars(const results::RunResult& result);
+
+}  // namespace squat::analysis
