@@ -74,7 +74,7 @@ int calibrate(CalibrateCommandOptions options) {
   const auto description = readCase(options.caseOptions);
   const auto definition = definitionOf(options);
   const auto& folder = options.calibration.folder;
-  const auto stem = cases::caseStem(options.caseOptions.name);
+  const auto stem = stemOf(options.caseOptions);
   const std::string casePath = folder + "/" + stem + "-calibrated.toml", textPath = folder + "/calibration.txt";
   auto outputs = calibration::calibrationFiles(folder);
   outputs.insert(outputs.end(), {casePath, textPath});
@@ -119,6 +119,7 @@ void addCalibrateCommand(CLI::App& program, Action& action) {
       program.add_subcommand("calibrate", "Estimate unknown inputs of a case from what it has to reproduce");
   auto options = std::make_shared<CalibrateCommandOptions>();
   addCaseWithoutMesh(*command, options->caseOptions);
+  addName(*command, options->caseOptions, "Name of the calibrated case (default: that of the case)");
   command
       ->add_option(
           "--targets", options->targets,

@@ -1,10 +1,12 @@
 #include "commands/CaseOptions.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "case/Applicability.h"
 #include "case/ShippedCases.h"
 #include "core/Errors.h"
+#include "text/Text.h"
 
 namespace squat::commands {
 
@@ -33,6 +35,30 @@ void addCaseWithoutMesh(CLI::App& command, CaseOptions& options, const std::stri
                   "repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+namespace {
+
+// A name must stay one in every folder that it is put into, and be seen there.
+std::string refusalOfName(std::string& name) {
+  constexpr std::size_t longest = 200;  // file systems take 255 bytes, with the endings
+  const bool isPlain = std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; });
+  if (!name.empty() && name.size() <= longest && isPlain && name.find_first_of("/\\") == std::string::npos &&
+      name.front() != '.' && name.front() != '-')
+    return {};
+  return "is " + text::shown(name) +
+         ", must be a name of 1 to 200 bytes without slashes that begins with neither a point nor a hyphen; folders "
+         "are chosen with -o";
+}
+
+}  // namespace
+
+void addName(CLI::App& command, CaseOptions& options, const std::string& help) {
+  command.add_option("--name", options.stem, help)->check(CLI::Validator(refusalOfName, ""))->type_name("NAME");
+}
+
+std::string stemOf(const CaseOptions& options) {
+  return options.stem.empty() ? cases::caseStem(options.name) : options.stem;
 }
 
 namespace {

@@ -62,7 +62,7 @@ void print(const receptance::TrackReceptance& result) {
 
 int run(const ReceptanceCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
-  const auto stem = options.folder + "/" + cases::caseStem(options.caseOptions.name);
+  const auto name = stemOf(options.caseOptions), stem = options.folder + "/" + name;
   const std::vector<std::string> tables{stem + "-receptance.h5", stem + "-receptance.csv",
                                         stem + "-wheelset-modes.csv"};
   keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), tables);
@@ -81,9 +81,8 @@ int run(const ReceptanceCommandOptions& options) {
   writeDurably(tables[2], receptance::modesCsv(result));
   std::printf("\nwritten:\n");
   for (const auto& path : tables) std::printf("  %s\n", path.c_str());
-  for (const auto& path :
-       writeReceptanceFigure(result, cases::caseStem(options.caseOptions.name) + "-receptance", description.title,
-                             cases::caseHash(description), options.folder, options.figures))
+  for (const auto& path : writeReceptanceFigure(result, name + "-receptance", description.title,
+                                                cases::caseHash(description), options.folder, options.figures))
     std::printf("  %s\n", path.c_str());
   return kDone;
 }
@@ -95,6 +94,7 @@ void addReceptanceCommand(CLI::App& program, Action& action) {
       program.add_subcommand("receptance", "Compute the track receptance and the natural modes of the half wheelset");
   auto options = std::make_shared<ReceptanceCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
+  addName(*command, options->caseOptions);
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
   addThreads(*command, options->receptance.threads);
   addFigureOptions(*command, options->figures);

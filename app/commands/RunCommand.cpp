@@ -157,7 +157,7 @@ int run(const RunCommandOptions& options) {
   auto runOptions = options.run;
   auto description = readCase(options.caseOptions);
   if (!options.warmFile.empty()) description = onMeshOfWarmState(options.warmFile, description, runOptions);
-  const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
+  const RunFiles files{options.folder, stemOf(options.caseOptions)};
   keepInputs(files, options.caseOptions.name, description);
   if (!options.noFigures) checkFigureNames(options.figures, options.formats, &description);
   const OutputFolder folder(options.folder);
@@ -206,6 +206,7 @@ void addRunCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("run", "Run a case; write result file, signals and figures; print a table");
   auto options = std::make_shared<RunCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
+  addName(*command, options->caseOptions);
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
   addThreads(*command, options->run.threads);
   addInstructionSet(*command, options->run.isa);

@@ -78,11 +78,12 @@ int collect(const StudyCommandOptions& options, const studies::StudyDefinition& 
 // Of a point's files. Points that are added to a study change the numbers of others; parts by hash may grow.
 std::string nameOf(const StudyCommandOptions& options, const studies::StudyDefinition& definition,
                    const studies::StudyPoint& point) {
+  const std::string stem = (options.caseOptions.stem.empty() ? "run" : options.caseOptions.stem) + "-";
   if (options.study.part && options.study.part->kind == studies::Partition::Kind::hash)
-    return "run-" + cases::shortHash(studies::toText(definition, point));
-  char name[32];
-  std::snprintf(name, sizeof name, "run-%04zu", point.index + 1);
-  return name;
+    return stem + cases::shortHash(studies::toText(definition, point));
+  char number[32];
+  std::snprintf(number, sizeof number, "%04zu", point.index + 1);
+  return stem + number;
 }
 
 double hoursOf(const studies::CostEstimate& cost, std::size_t runs) {
@@ -163,6 +164,7 @@ std::vector<std::string> wordsOf(const StudyCommandOptions& options) {
   if (!options.request.sample.empty()) add("--seed", std::to_string(options.request.seed));
   add("--points", options.request.pointsFile);
   add("-o", options.study.folder);
+  add("--name", options.caseOptions.stem);
   add("--isa", options.run.isa);
   if (options.jobs > 0) add("--jobs", std::to_string(options.jobs));
   if (options.run.threads > 0) add("--threads", std::to_string(options.run.threads));
@@ -217,6 +219,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
       program.add_subcommand("study", "Run a case for all combinations of the given values; one table of features");
   auto options = std::make_shared<StudyCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
+  addName(*command, options->caseOptions, "Name of the results of --keep-results, before their numbers (default: run)");
   addPoints(*command, options->request);
   command->add_option("-o,--output", options->study.folder, "Folder of the table and figures (default: here)")
       ->type_name("DIR");

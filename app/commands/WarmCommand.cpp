@@ -35,7 +35,7 @@ void print(const std::string& path, const simulation::WarmState& warm) {
 
 int warm(const WarmCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
-  const RunFiles files{options.folder, cases::caseStem(options.caseOptions.name)};
+  const RunFiles files{options.folder, stemOf(options.caseOptions)};
   squat::keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), {files.warmState()});
   const OutputFolder folder(options.folder);
   prepareFolder(files);
@@ -60,6 +60,7 @@ void addWarmCommand(CLI::App& program, Action& action) {
       "warm", "Keep the state just before the defect: squat run --warm starts there with any defect");
   auto options = std::make_shared<WarmCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
+  addName(*command, options->caseOptions);
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
   addThreads(*command, options->run.threads);
   addInstructionSet(*command, options->run.isa);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "commands/CaseOptions.h"
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureNames.h"
@@ -22,6 +23,23 @@ TEST(FigureNames, CountOnce) {
   app.parse("--figures psd,aba,psd --format png,png --figures aba");
   EXPECT_THAT(figures, ElementsAre("psd", "aba"));
   EXPECT_THAT(formats, ElementsAre("png"));
+}
+
+TEST(Name, IsThatOfTheCaseWhereNoneIsGiven) {
+  const auto stem = [](std::vector<std::string> words) {
+    CLI::App app;
+    CaseOptions options;
+    options.name = "cases/dip.toml";
+    addName(app, options);
+    std::reverse(words.begin(), words.end());  // as the parser takes them
+    app.parse(words);
+    return stemOf(options);
+  };
+  EXPECT_EQ(stem({}), "dip");
+  EXPECT_EQ(stem({"--name", "Assen km 12.3"}), "Assen km 12.3");
+  for (const std::string wrong : {"", ".", "..", ".hidden", "a/b", "a\\b", "two\nlines"})
+    EXPECT_THROW(stem({"--name", wrong}), CLI::ParseError) << wrong;
+  EXPECT_THROW(stem({"--name", std::string(201, 'a')}), CLI::ParseError);
 }
 
 // A script's empty variable is no wish for the defaults.

@@ -1,6 +1,7 @@
 // squat run --json: stdout is one JSON object and nothing else, and its numbers are those of the result file.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -26,21 +27,36 @@ int callForOutput(const std::string& words, const testing::TemporaryFolder& fold
 
 TEST(RunReport, HasTheNumbersOfTheResultFile) {
   const testing::TemporaryFolder folder;
-  const std::string words = "run light-defect --mesh tiny --no-figures --json -o '" + folder.path() + "/out'";
+  const std::string words =
+      "run light-defect --mesh tiny --no-figures --name dip --json -o '" + folder.path() + "/out'";
   std::string output;
   ASSERT_EQ(callForOutput(words, folder, output), 0);
   const auto report = Json::parse(output);  // throws for anything ahead of the object or behind it
   ASSERT_EQ(report.at("files").size(), 2U);
+  EXPECT_EQ(report["files"][0], folder.path() + "/out/dip.h5");
+  EXPECT_EQ(report["files"][1], folder.path() + "/out/dip.csv");
   const auto result = results::readResult(report["files"][0].get<std::string>());
   EXPECT_EQ(result.codeVersion, programVersion());
   EXPECT_EQ(result.commit, programCommit());
   EXPECT_EQ(report.at("commit"), result.commit);
   EXPECT_EQ(report.at("case_hash"), result.caseHash);
   EXPECT_EQ(report.at("complete"), true);
+  EXPECT_EQ(report.at("stem"), "dip");
   double largest = 0;
   for (const double force : *result.signal("contact_force")) largest = std::max(largest, force);
   EXPECT_EQ(report.at("features").at("largest_contact_force"), (Json{{"value", largest}, {"unit", "N"}}));
   EXPECT_EQ(report["features"].at("peak").at("unit"), "m/s2");
+  EXPECT_EQ(report["features"].size(), result.features.size());
+  EXPECT_GT(result.features.size(), 20U);
+  for (const auto& feature : result.features) {
+    const auto& value = report["features"].at(feature.name).at("value");
+    EXPECT_EQ(value.is_null(), std::isnan(feature.value)) << feature.name;
+    if (!value.is_null()) {
+      EXPECT_EQ(value, feature.value) << feature.name;
+    }
+    EXPECT_NE(feature.description, "") << feature.name;
+    EXPECT_NE(feature.unit, "") << feature.name;
+  }
   EXPECT_EQ(report.at("energy").size(), result.energy.size());
   EXPECT_EQ(report["energy"].at("friction").at("value"), result.energy.at(3).values.back());
   EXPECT_GT(report.at("wall_time").at("value"), 0.0);
@@ -53,6 +69,7 @@ TEST(RunReport, HasTheNumbersOfTheResultFile) {
 
 TEST(RunReport, ShortRecordsHaveNoFeaturesAndNotANumberIsNull) {
   auto result = testing::sampleResult(5);
+  result.features.clear();  // as in a file of 0.2.0
   result.equilibrium[0].value = std::numeric_limits<double>::quiet_NaN();
   const auto report = Json::parse(commands::runReport(result, {}));
   EXPECT_TRUE(report.at("features").empty());
