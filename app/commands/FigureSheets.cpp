@@ -84,7 +84,10 @@ std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance
 
 std::vector<std::string> writePaperFigures(const PaperResults& results, const std::string& folder,
                                            const FigureChoice& choice) {
-  return write(plots::paperFigures({results.light, results.squat, results.modified}, styleOf(choice)), folder, choice);
+  plots::PaperRuns runs{results.light, results.squat, results.modified};
+  for (const auto& signal : results.lightMeasured) runs.lightMeasured.push_back(plots::aroundImpact(signal));
+  for (const auto& signal : results.squatMeasured) runs.squatMeasured.push_back(plots::aroundImpact(signal));
+  return write(plots::paperFigures(runs, styleOf(choice)), folder, choice);
 }
 
 }  // namespace squat::commands

@@ -52,6 +52,7 @@ std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance
 
 struct PaperResults {
   const results::RunResult *light = nullptr, *squat = nullptr, *modified = nullptr;
+  std::vector<analysis::SignalAnalysis> lightMeasured = {}, squatMeasured = {};  // passages over the two defects
 };
 // Counterparts of the figures of the paper.
 std::vector<std::string> writePaperFigures(const PaperResults& results, const std::string& folder,

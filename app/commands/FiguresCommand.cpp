@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "analysis/Analysis.h"
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
@@ -16,6 +17,7 @@
 #include "commands/Interrupt.h"
 #include "commands/OutputFolder.h"
 #include "commands/RunFiles.h"
+#include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "core/Errors.h"
 #include "results/ResultFile.h"
@@ -29,6 +31,8 @@ constexpr std::array<const char*, 3> kCases{"light-defect", "class-c-squat", "cl
 
 struct PaperFigureOptions {
   std::string folder = ".", mesh;
+  std::vector<std::string> measured, measuredSquat;
+  SignalOptions signal;
   simulation::RunOptions run;
   FigureChoice figures;
 };
@@ -75,6 +79,22 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
   return result;
 }
 
+// Read ahead of the runs: a wrong file is told at once.
+std::vector<analysis::SignalAnalysis> passagesOf(const std::vector<std::string>& files,
+                                                 const PaperFigureOptions& options, Monitor& monitor) {
+  if (files.empty()) return {};
+  analysis::AnalysisOptions analysis;
+  analysis.file = fileOptions(options.signal);
+  analysis.align = false;
+  auto found = analysis::analyse(files, analysis, monitor);
+  for (const auto& signal : found.signals) {
+    monitor.message(signal.file + ": " + signal.filtered.name + ", placed by its " +
+                    signals::toText(signal.features.anchor));
+    for (const auto& note : signal.notes) monitor.message(signal.file + ": " + note);
+  }
+  return std::move(found.signals);
+}
+
 int paper(const PaperFigureOptions& options) {
   if (!figuresAvailable())
     throw CaseError({{"figures", "headless build", "a build with SQUAT_GRAPHICS=ON",
@@ -82,6 +102,9 @@ int paper(const PaperFigureOptions& options) {
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  PaperResults drawn;
+  drawn.lightMeasured = passagesOf(options.measured, options, monitor);
+  drawn.squatMeasured = passagesOf(options.measuredSquat, options, monitor);
   std::array<std::optional<results::RunResult>, kCases.size()> found;
   for (std::size_t i = 0; i < kCases.size(); ++i) {
     found[i] = resultOf(kCases[i], options, monitor);
@@ -90,8 +113,8 @@ int paper(const PaperFigureOptions& options) {
       return kCancelled;
     }
   }
-  for (const auto& path : writePaperFigures({&*found[0], &*found[1], &*found[2]}, options.folder, options.figures))
-    std::printf("%s\n", path.c_str());
+  drawn.light = &*found[0], drawn.squat = &*found[1], drawn.modified = &*found[2];
+  for (const auto& path : writePaperFigures(drawn, options.folder, options.figures)) std::printf("%s\n", path.c_str());
   return kDone;
 }
 
@@ -108,6 +131,16 @@ void addFiguresCommand(CLI::App& program, Action& action) {
       ->add_option("-o,--output", options->folder,
                    "Folder of results and figures; existing results are reused (default: current folder)")
       ->type_name("DIR");
+  figures
+      ->add_option("--measured", options->measured,
+                   "Signals measured over the light defect, for the panels whose data the paper does not print; "
+                   "repeatable")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  figures->add_option("--measured-squat", options->measuredSquat, "The same over the class C squat; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  addSignalOptions(*figures, options->signal);
   addMesh(*figures, options->mesh, "Mesh preset of the runs (default: that of the cases)");
   addThreads(*figures, options->run.threads);
   addFigureOptions(*figures, options->figures, false);

@@ -113,6 +113,23 @@ TEST_F(EndToEnd, FiguresPaperTakesExistingResults) {
   EXPECT_EQ(readWholeFile(file("paper_figure_06.png"), 100000000), before);
 }
 
+// A measured passage, here the run's own signals as a table, stands in the panels that the paper leaves to
+// measurements.
+TEST_F(EndToEnd, FiguresPaperTakesMeasuredPassages) {
+  const auto folder = file("measured");
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"light-defect.h5", "class-c-squat.h5", "class-c-squat-modified.h5"})
+    std::filesystem::copy_file(file(name), folder + "/" + name, std::filesystem::copy_options::overwrite_existing);
+  const auto said = call({"figures", "paper", "--measured", file("light-defect.csv"), "--measured-squat",
+                          file("class-c-squat.csv"), "--column", "aba", "--format", "svg", "-o", folder});
+  EXPECT_THAT(said, HasSubstr("placed by its defect at position 0"));
+  for (const char* number : {"04", "05", "06", "08", "10", "11"}) {
+    const auto picture = readWholeFile(folder + "/paper_figure_" + number + ".svg", 100000000);
+    EXPECT_THAT(picture, HasSubstr(number < std::string("08") ? "light-defect: aba" : "class-c-squat: aba")) << number;
+    EXPECT_THAT(picture, ::testing::Not(HasSubstr("picture only"))) << number;
+  }
+}
+
 // The spectrum's picture is named by the lines of the result's own spectrum, the curve's largest value is its top.
 TEST_F(EndToEnd, RenderDrawsTheResult) {
   const auto folder = file("drawn");

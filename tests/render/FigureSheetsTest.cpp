@@ -7,6 +7,7 @@
 
 #include "plots/FigureBuilders.h"
 #include "plots/FigureFiles.h"
+#include "plots/PaperFigures.h"
 #include "plots/StudyFigures.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
@@ -133,6 +134,43 @@ TEST_F(FigureSheets, emptyPanelsOfThePaperSayWhatBelongsThere) {
         seen += text->text().contains("ABA") ? 1 : 0;
   }
   EXPECT_EQ(seen, 3);
+}
+
+// Passages of twice the computed size fill the panels: they stand there, twice as large, and no panel is left empty.
+TEST_F(FigureSheets, measuredPassagesFillThePanelsOfThePaper) {
+  const auto run = tests::syntheticResult();
+  results::AnalysedRecord passage = run;
+  passage.title = "pass";
+  for (double& value : passage.channel("aba_filtered")->values) value *= 2;
+  for (double& value : passage.psd) value *= 4;
+  const auto largest = [](const plots::Figure& figure, int graph) {
+    bool found = false;
+    return figure.graph(graph)->getValueRange(found).upper;
+  };
+  for (const auto& sheet :
+       plots::paperFigures({&run, &run, &run, {passage, passage}, {passage}}, plots::lightStyle())) {
+    for (const auto& panel : sheet.panels)
+      for (int i = 0; i < panel->itemCount(); ++i)
+        if (const auto* text = qobject_cast<QCPItemText*>(panel->item(i))) {
+          EXPECT_FALSE(text->text().contains("picture only")) << sheet.name << ": " << text->text().toStdString();
+        }
+    const auto& first = *sheet.panels.front();
+    if (sheet.name == "paper_figure_04") {
+      ASSERT_EQ(first.graphCount(), 2);
+      EXPECT_EQ(first.graph(1)->name(), "measured: pass");
+      EXPECT_DOUBLE_EQ(largest(first, 1), 2 * largest(*sheet.panels.back(), 0));
+      EXPECT_EQ(first.yAxis->range(), sheet.panels.back()->yAxis->range());
+    } else if (sheet.name == "paper_figure_06") {
+      ASSERT_EQ(first.graphCount(), 3);
+      EXPECT_DOUBLE_EQ(largest(first, 2), 4 * largest(first, 0));
+    } else if (sheet.name == "paper_figure_05" || sheet.name == "paper_figure_11") {
+      EXPECT_EQ(first.xAxis->range(), sheet.panels.back()->xAxis->range());
+      EXPECT_TRUE(first.graphCount() > 0) << "no cone of influence, so no scalogram: " << sheet.name;
+    } else if (sheet.name == "paper_figure_08" || sheet.name == "paper_figure_10") {
+      ASSERT_EQ(first.graphCount(), 2);
+      EXPECT_DOUBLE_EQ(largest(first, 1), 2 * largest(first, 0));
+    }
+  }
 }
 
 // Panels one by one: a label that a panel cuts would not show at the border of the sheet.

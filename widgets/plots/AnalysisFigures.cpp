@@ -24,7 +24,24 @@ QString titleOf(const analysis::SignalAnalysis& signal) {
                                                                  : stem + ": " + signal.run);
 }
 
-// The stretch around the impact with its analysis: records may be long.
+std::string distinct(std::string name, std::set<std::string>& taken) {
+  const std::string wanted = name;
+  for (int number = 2; !taken.insert(name).second; ++number) name = wanted + "_" + std::to_string(number);
+  return name;
+}
+
+QString locationLabel() { return "Position relative to the impact [mm]"; }
+
+QString percentText(const signals::Dispersion& dispersion) {
+  return std::isfinite(dispersion.mean) ? QString::number(100 * dispersion.range, 'f', 0) : QStringLiteral("-");
+}
+
+QString quantityLabel(const std::string& unit) {
+  return (unit == "m/s2" ? QStringLiteral("Acceleration [%1]") : QStringLiteral("Signal [%1]")).arg(unitText(unit));
+}
+
+}  // namespace
+
 results::AnalysedRecord aroundImpact(const analysis::SignalAnalysis& signal) {
   results::AnalysedRecord record;
   record.title = titleOf(signal).toStdString();
@@ -56,24 +73,6 @@ results::AnalysedRecord aroundImpact(const analysis::SignalAnalysis& signal) {
   record.signals.push_back(std::move(aba));
   return record;
 }
-
-std::string distinct(std::string name, std::set<std::string>& taken) {
-  const std::string wanted = name;
-  for (int number = 2; !taken.insert(name).second; ++number) name = wanted + "_" + std::to_string(number);
-  return name;
-}
-
-QString locationLabel() { return "Position relative to the impact [mm]"; }
-
-QString percentText(const signals::Dispersion& dispersion) {
-  return std::isfinite(dispersion.mean) ? QString::number(100 * dispersion.range, 'f', 0) : QStringLiteral("-");
-}
-
-QString quantityLabel(const std::string& unit) {
-  return (unit == "m/s2" ? QStringLiteral("Acceleration [%1]") : QStringLiteral("Signal [%1]")).arg(unitText(unit));
-}
-
-}  // namespace
 
 std::unique_ptr<Figure> historyFigure(const analysis::SignalAnalysis& signal, const Style& style) {
   auto figure = std::make_unique<Figure>("history", style);

@@ -44,13 +44,13 @@ void leaveEmpty(Figure& figure, const char* caseName) {
   addNotice(figure, QStringLiteral("Belongs here: the result of the case %1.\nNot available.").arg(caseName));
 }
 
-const std::vector<double>* acceleration(const results::RunResult* run) {
+const std::vector<double>* acceleration(const results::AnalysedRecord* run) {
   const auto* values = run ? run->signal("aba_filtered") : nullptr;
   return values && values->size() == run->position.size() && values->size() == run->time.size() ? values : nullptr;
 }
 
 // Instant at which the wheel stands over the deepest point [s].
-double timeAtDefect(const results::RunResult& run) {
+double timeAtDefect(const results::AnalysedRecord& run) {
   const auto at = std::lower_bound(run.position.begin(), run.position.end(), 0.0);
   return at == run.position.end() ? 0.0 : run.time[static_cast<std::size_t>(at - run.position.begin())];
 }
@@ -66,6 +66,39 @@ void addStated(Figure& figure, double value, const QString& label) {
   addCurve(figure, {{range.lower, range.upper}, {value, value}, label, 6, 0.7, Qt::DashLine});
 }
 
+std::vector<double> timeFromDefect(const results::AnalysedRecord& run) {
+  auto time = run.time;
+  const double zero = timeAtDefect(run);
+  for (double& t : time) t = 1e3 * (t - zero);
+  return time;
+}
+
+// Measured passages beside or behind what was computed, each in a colour of its own.
+using Measured = std::vector<results::AnalysedRecord>;
+enum class Against { time, position, frequency };
+
+void addMeasured(Figure& figure, const Measured& passages, Against axis) {
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    const auto& passage = passages[i];
+    const auto label = QString::fromStdString("measured: " + passage.title);
+    const auto* values = axis == Against::frequency ? &passage.psd : acceleration(&passage);
+    if (!values) continue;
+    const auto x = axis == Against::time       ? timeFromDefect(passage)
+                   : axis == Against::position ? scaled(passage.position, 1e3)
+                                               : passage.frequency;
+    addCurve(figure, {x, *values, label, 1 + i, 0.9});
+  }
+}
+
+std::unique_ptr<Figure> measuredHistory(const Measured& passages, const Style& style) {
+  auto figure = std::make_unique<Figure>("measured", style);
+  setTimeAxis(*figure);
+  addMeasured(*figure, passages, Against::time);
+  fitValues(*figure, 0.1);
+  figure->setCaption("Fig. 4 (a) measured", QString());
+  return figure;
+}
+
 std::unique_ptr<Figure> timeHistory(const results::RunResult* run, const Style& style) {
   auto figure = std::make_unique<Figure>("time", style);
   setTimeAxis(*figure);
@@ -74,10 +107,7 @@ std::unique_ptr<Figure> timeHistory(const results::RunResult* run, const Style& 
     leaveEmpty(*figure, "light-defect");
     return figure;
   }
-  auto time = run->time;
-  const double zero = timeAtDefect(*run);
-  for (double& t : time) t = 1e3 * (t - zero);
-  addCurve(*figure, {time, *values, "this program", 0, 1.2, Qt::SolidLine, true});
+  addCurve(*figure, {timeFromDefect(*run), *values, "this program", 0, 1.2, Qt::SolidLine, true});
   addStated(*figure, 100, "maximum measured in the paper, 100 m/s²");
   fitValues(*figure, 0.1);
   figure->setCaption("(b) calculated", runName(*run));
@@ -86,12 +116,18 @@ std::unique_ptr<Figure> timeHistory(const results::RunResult* run, const Style& 
 
 FigureSheet figure4(const PaperRuns& runs, const Style& style) {
   FigureSheet sheet{"paper_figure_04", {}, 2};
-  auto measured = measuredPanel(
-      "Fig. 4 (a) measured", "ABA of four measured runs",
-      "Stated: maximum 100 m/s²; first peak scatters by\nabout 28 %; runs differ at 1.4 to 2, 3.5 and 5 ms.", style);
   auto calculated = timeHistory(runs.light, style);
+  auto measured = runs.lightMeasured.empty()
+                      ? measuredPanel("Fig. 4 (a) measured", "ABA of four measured runs",
+                                      "Stated: maximum 100 m/s²; first peak scatters by\nabout 28 %; runs differ at "
+                                      "1.4 to 2, 3.5 and 5 ms.",
+                                      style)
+                      : measuredHistory(runs.lightMeasured, style);
   setTimeAxis(*measured);
-  measured->yAxis->setRange(calculated->yAxis->range());
+  const QCPRange both = runs.lightMeasured.empty() || !acceleration(runs.light)
+                            ? calculated->yAxis->range()
+                            : calculated->yAxis->range().expanded(measured->yAxis->range());
+  for (Figure* panel : {measured.get(), calculated.get()}) panel->yAxis->setRange(both);
   sheet.panels.push_back(std::move(measured));
   sheet.panels.push_back(std::move(calculated));
   return sheet;
@@ -114,13 +150,26 @@ void addBox(Figure& figure, double frequencyFrom, double frequencyTo, double fro
   label->setSelectable(false);
 }
 
+// The first of the measured passages: scalograms cannot lie over each other.
+std::unique_ptr<Figure> measuredScalogram(const QString& caption, const Measured& passages, const QString& statement,
+                                          const Style& style) {
+  if (!passages.empty()) {
+    auto figure = scalogramFigure(passages.front(), style);
+    figure->setCaption(caption, QString::fromStdString(passages.front().title));
+    return figure;
+  }
+  auto figure = measuredPanel(caption, "scalogram of the measured ABA", statement, style);
+  figure->xAxis->setLabel("Position of the wheel [mm]");
+  figure->yAxis->setLabel("Frequency [Hz]");
+  figure->xAxis->setRange(positionFrom, positionTo);
+  return figure;
+}
+
 FigureSheet scalograms(const std::string& name, const QString& title, const results::RunResult* run,
-                       const char* caseName, const QString& statement, bool framed, const Style& style) {
+                       const char* caseName, const Measured& passages, const QString& statement, bool framed,
+                       const Style& style) {
   FigureSheet sheet{name, {}, 2};
-  auto measured = measuredPanel(title + " (a) measured", "scalogram of the measured ABA", statement, style);
-  measured->xAxis->setLabel("Position of the wheel [mm]");
-  measured->yAxis->setLabel("Frequency [Hz]");
-  measured->xAxis->setRange(positionFrom, positionTo);
+  auto measured = measuredScalogram(title + " (a) measured", passages, statement, style);
   std::unique_ptr<Figure> calculated;
   if (run) {
     calculated = scalogramFigure(*run, style);
@@ -151,7 +200,7 @@ struct StatedBand {
 };
 
 std::unique_ptr<Figure> density(const results::RunResult* run, const char* caseName, const QString& caption,
-                                const std::vector<StatedBand>& bands, const Style& style) {
+                                const std::vector<StatedBand>& bands, const Measured& passages, const Style& style) {
   if (!run) {
     auto empty = std::make_unique<Figure>("psd", style);
     leaveEmpty(*empty, caseName);
@@ -161,6 +210,12 @@ std::unique_ptr<Figure> density(const results::RunResult* run, const char* caseN
   bare.psdWheel.clear();
   auto figure = psdFigure(bare, style);
   figure->xAxis->setRange(0, spectrumTo);
+  if (!passages.empty()) {
+    figure->graph(0)->setName("this program");
+    figure->graph(0)->addToLegend();
+    addMeasured(*figure, passages, Against::frequency);
+    fitDensity(*figure);
+  }
   for (const auto& band : bands) addBand(*figure, band.from, band.to);
   figure->setCaption(caption, runName(*run));
   return figure;
@@ -168,16 +223,17 @@ std::unique_ptr<Figure> density(const results::RunResult* run, const char* caseN
 
 FigureSheet figure6(const PaperRuns& runs, const Style& style) {
   // "About 300 Hz" and "about 1000 Hz" as bands of a tenth to each side.
-  auto figure = density(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}}, style);
-  addNote(*figure,
-          "shaded: the paper's two main peaks, about 300 and 1000 Hz\nmeasured curves: published as a picture only",
-          0.02);
+  auto figure =
+      density(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}}, runs.lightMeasured, style);
+  QString note = "shaded: the paper's two main peaks, about 300 and 1000 Hz";
+  if (runs.lightMeasured.empty()) note += "\nmeasured curves: published as a picture only";
+  addNote(*figure, note, 0.02);
   figure->yAxis->setRangeUpper(1.2 * figure->yAxis->range().upper);
   return sheetOf("paper_figure_06", std::move(figure));
 }
 
 FigureSheet squatFigure(const std::string& name, const QString& title, const results::RunResult* run,
-                        const char* caseName, const QString& statement, const Style& style) {
+                        const char* caseName, const Measured& passages, const QString& statement, const Style& style) {
   FigureSheet sheet{name, {}, 2};
   auto history = std::make_unique<Figure>("aba", style);
   history->xAxis->setLabel("Position from the deepest point [mm]");
@@ -188,13 +244,14 @@ FigureSheet squatFigure(const std::string& name, const QString& title, const res
     const Window window = judgedWindow(*run);
     history->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
     addCurve(*history, {scaled(run->position, 1e3), *values, "this program", 0, 1.2});
+    addMeasured(*history, passages, Against::position);
     fitValues(*history);
     history->yAxis->setRangeUpper(history->yAxis->range().upper + 0.25 * history->yAxis->range().size());
-    addNote(*history, "measured curve: published as a picture only\n" + statement, 0.02);
+    addNote(*history, (passages.empty() ? "measured curve: published as a picture only\n" : "") + statement, 0.02);
   } else {
     leaveEmpty(*history, caseName);
   }
-  auto spectrum = density(run, caseName, "(b) PSD", {{130, 320}, {1030, 1130}}, style);
+  auto spectrum = density(run, caseName, "(b) PSD", {{130, 320}, {1030, 1130}}, passages, style);
   if (run) {
     addNote(*spectrum, "shaded: the two main frequencies measured,\n130–320 and 1030–1130 Hz", 0.02);
     spectrum->yAxis->setRangeUpper(1.2 * spectrum->yAxis->range().upper);
@@ -233,18 +290,18 @@ std::vector<FigureSheet> paperFigures(const PaperRuns& runs, const Style& style)
   std::vector<FigureSheet> sheets;
   sheets.push_back(figure4(runs, style));
   sheets.push_back(
-      scalograms("paper_figure_05", "Fig. 5", runs.light, "light-defect",
+      scalograms("paper_figure_05", "Fig. 5", runs.light, "light-defect", runs.lightMeasured,
                  "Stated: up to 1700 Hz at the impact (calculated:\n2500 Hz); free vibrations near 300 and 1000 Hz,\n"
                  "framed in (b).",
                  true, style));
   sheets.push_back(figure6(runs, style));
-  sheets.push_back(squatFigure("paper_figure_08", "Fig. 8", runs.squat, "class-c-squat",
+  sheets.push_back(squatFigure("paper_figure_08", "Fig. 8", runs.squat, "class-c-squat", runs.squatMeasured,
                                "stated: calculated peak about 60 % of the measured one", style));
   sheets.push_back(figure9(runs, style));
   sheets.push_back(squatFigure("paper_figure_10", "Fig. 10", runs.modified, "class-c-squat-modified",
-                               "stated: peaks still differ by about 60 %; 300 Hz agrees", style));
+                               runs.squatMeasured, "stated: peaks still differ by about 60 %; 300 Hz agrees", style));
   sheets.push_back(scalograms(
-      "paper_figure_11", "Fig. 11", runs.modified, "class-c-squat-modified",
+      "paper_figure_11", "Fig. 11", runs.modified, "class-c-squat-modified", runs.squatMeasured,
       "Stated: up to 1500 Hz at the impact; most energy\nbelow 550 Hz, a weaker part near 1000 Hz.", false, style));
   return sheets;
 }
