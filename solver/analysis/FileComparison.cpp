@@ -9,8 +9,20 @@
 namespace squat::analysis {
 namespace {
 
-signals::Passage prepared(const signals::Record& signal, double lowPass, std::vector<std::string>& notes) {
-  auto passage = readers::passageWithPositions(signal);
+signals::Passage passageIn(const signals::Record& signal) {
+  try {
+    if (signal.signals.size() > 1 && !signal.position.empty() && signal.channel("aba"))
+      return signals::passageOf(signal, "aba");
+    return readers::passageWithPositions(signal);
+  } catch (const signals::SignalError& error) {
+    throw FileError(signal.file, signal.run, error.what());
+  }
+}
+
+}  // namespace
+
+signals::Passage comparedPassage(const signals::Record& signal, double lowPass, std::vector<std::string>& notes) {
+  auto passage = passageIn(signal);
   passage.series.name = std::filesystem::path(signal.file).stem().string() + ": " + signal.run;
   for (const auto& note : signal.notes) notes.push_back(passage.series.name + ": " + note);
   try {
@@ -24,8 +36,6 @@ signals::Passage prepared(const signals::Record& signal, double lowPass, std::ve
   return passage;
 }
 
-}  // namespace
-
 std::vector<FileComparison> compareFiles(const std::string& first, const std::vector<std::string>& others,
                                          const FileComparisonOptions& options, Monitor& monitor) {
   if (others.empty()) throw CaseError({{"MEASURED", "none", "at least one file", "Name the signals to compare with"}});
@@ -34,7 +44,7 @@ std::vector<FileComparison> compareFiles(const std::string& first, const std::ve
     throw CaseError({{"--result-column", "a choice of " + std::to_string(firsts.size()) + " signals in " + first,
                       "one signal", "Name the column of the reference signal"}});
   std::vector<std::string> firstNotes;
-  const auto reference = prepared(firsts[0], options.lowPass, firstNotes);
+  const auto reference = comparedPassage(firsts[0], options.lowPass, firstNotes);
   auto comparison = options.comparison;
   if (options.smooth) {
     comparison.align = false;
@@ -48,7 +58,7 @@ std::vector<FileComparison> compareFiles(const std::string& first, const std::ve
       progress.phase = "comparing with " + std::filesystem::path(file).filename().string();
       monitor.report(progress);
       FileComparison entry{first, file, {}, firstNotes};
-      const auto passage = prepared(signal, options.lowPass, entry.notes);
+      const auto passage = comparedPassage(signal, options.lowPass, entry.notes);
       try {
         entry.comparison = signals::compare(reference, passage, comparison);
       } catch (const signals::SignalError& error) {

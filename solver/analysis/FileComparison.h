@@ -24,6 +24,11 @@ struct FileComparison {
   std::vector<std::string> notes;
 };
 
+// A signal as it is compared: "aba" of a record that has several, else its first; with its positions, and low-passed
+// where its rate allows it (0: as it is), else `notes` says so. Throws FileError, and CaseError where neither speed nor
+// position is known.
+signals::Passage comparedPassage(const signals::Record& signal, double lowPass, std::vector<std::string>& notes);
+
 // The (only) signal of the first file with every run of the others. Throws FileError and CaseError.
 std::vector<FileComparison> compareFiles(const std::string& first, const std::vector<std::string>& others,
                                          const FileComparisonOptions& options, Monitor& monitor);
