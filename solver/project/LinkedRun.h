@@ -1,0 +1,23 @@
+// solver/project/LinkedRun.h - the result that an entry of a project links to.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "project/Project.h"
+#include "results/RunResult.h"
+
+namespace squat::project {
+
+struct LinkedRun {
+  std::shared_ptr<const results::RunResult> result;  // null: missing, `problem` says why
+  std::string problem;                               // also: the file holds another result than it did; empty: neither
+};
+
+// Throws nothing: what cannot be read is missing.
+LinkedRun openRun(const Entry& entry);
+
+// "PATH holds other values than when the project was saved"; empty where the digests agree or one is not known.
+std::string changeOf(const Entry& entry, const signals::Record& record);
+
+}  // namespace squat::project

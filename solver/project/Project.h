@@ -1,0 +1,52 @@
+// solver/project/Project.h - a piece of work around some runs as one plain value: cases, runs, measured signals, notes
+// and what is looked at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "readers/SignalFile.h"
+#include "signals/Record.h"
+
+namespace squat::project {
+
+// The case that is being edited. Its text is in the project: what is not saved yet comes back as well.
+struct OpenCase {
+  std::string name;
+  std::string path;       // empty: in no file of its own
+  bool modified = false;  // differs from that file
+  std::string toml;
+};
+
+enum class Kind { run, measured };
+
+// A run or a measured signal: a link to its file.
+struct Entry {
+  Kind kind = Kind::run;
+  std::string path;
+  std::string digest;  // recordDigest() of what the file held; empty: not known
+  std::string name;
+  bool named = true;  // by the user, or after its file; false: by what differs between the runs
+  bool overlaid = false;
+  std::string colour;  // "#rrggbb"; empty: the automatic one
+  // Of a measured signal: which one of the file, how the file is read, and where its largest value was laid [m].
+  std::string signal;
+  readers::SignalFileOptions reading;
+  double impact = 0;
+};
+
+// All paths are absolute here; in the file they are relative to it where they can be (ProjectFile.h).
+struct Project {
+  OpenCase open;
+  std::vector<std::string> cases;  // files of the cases that were worked on, the last one first
+  std::vector<Entry> entries;
+  int current = -1, reference = -1;  // of the entries; -1: none
+  std::string notes;
+  std::vector<std::string> views;  // names of the tabs in front
+};
+
+// Eight hexadecimal digits that stand for times, positions and values of a record: whether a file still holds what it
+// held.
+std::string recordDigest(const signals::Record& record);
+
+}  // namespace squat::project

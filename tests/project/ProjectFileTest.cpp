@@ -1,0 +1,182 @@
+// The project file: what is written is read, wherever its folder has gone, and damage is named or harmless.
+#include "project/ProjectFile.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "analysis/Folder.h"
+#include "case/CaseFile.h"
+#include "case/ParameterTable.h"
+#include "core/Errors.h"
+
+namespace squat::project {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using tests::Folder;
+
+Project everything(const std::string& folder) {
+  Project project;
+  project.open = {"dip \"of\" Assen", folder + "/cases/dip.toml", true, cases::writeCase(cases::defaultCase())};
+  project.cases = {folder + "/cases/dip.toml", "/elsewhere/other.toml"};
+  Entry run;
+  run.path = folder + "/results/dip.h5";
+  run.digest = "0123abcd";
+  run.name = "Tiefe 0,15 – neu";
+  run.named = false;
+  run.overlaid = true;
+  run.colour = "#0072b2";
+  Entry measured;
+  measured.kind = Kind::measured;
+  measured.path = folder + "/measured.csv";
+  measured.name = "Train 4, axle 1";
+  measured.signal = "ABA links, run 2";
+  measured.impact = 0.0123456789012345;
+  measured.reading.column = "ABA links";
+  measured.reading.rate = 25600;
+  measured.reading.speed = 27.77777777777778;
+  measured.reading.delimiter = ';';
+  measured.reading.decimal = ',';
+  project.entries = {run, measured};
+  project.current = 0;
+  project.reference = 1;
+  project.notes = "First line\n\tsecond: µm, \\, \"quoted\"\n";
+  project.views = {"profile", "psd"};
+  return project;
+}
+
+// What the text holds is all that a project is.
+std::string written(const Project& project) { return projectText(project, "/"); }
+
+FileError refusalOf(const std::string& text) {
+  try {
+    parseProject(text, "day.squat-project", "/home/somebody");
+  } catch (const FileError& error) {
+    return error;
+  }
+  ADD_FAILURE() << "was read: " << text.substr(0, 300);
+  return FileError("", "", "");
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(ProjectFile, whatIsWrittenIsRead) {
+  const Folder folder;
+  const auto project = everything(std::filesystem::path(folder.path()).parent_path().string());
+  writeProject(folder.path("day.squat-project"), project);
+  const auto read = readProject(folder.path("day.squat-project"));
+  EXPECT_EQ(written(read), written(project));
+  EXPECT_EQ(read.entries[1].impact, project.entries[1].impact);  // bit for bit
+  EXPECT_EQ(read.entries[1].reading.speed, project.entries[1].reading.speed);
+  EXPECT_EQ(read.entries[1].reading.delimiter, ';');
+  EXPECT_EQ(read.notes, project.notes);
+  EXPECT_EQ(folder.files(), 1U);  // nothing is left beside it
+}
+
+TEST(ProjectFile, anEmptyProjectIsRead) {
+  const Folder folder;
+  Project project;
+  project.open.toml = cases::writeCase(cases::defaultCase());
+  writeProject(folder.path("empty.squat-project"), project);
+  EXPECT_EQ(written(readProject(folder.path("empty.squat-project"))), written(project));
+}
+
+TEST(ProjectFile, linksGoWithTheirFolder) {
+  const Folder folder;
+  const std::filesystem::path first(folder.path("first")), second(folder.path("second/place"));
+  std::filesystem::create_directories(first);
+  std::filesystem::create_directories(second.parent_path());
+  writeProject((first / "day.squat-project").string(), everything(first.string()));
+  EXPECT_THAT(folder.read("first/day.squat-project"),
+              AllOf(HasSubstr("\"results/dip.h5\""), HasSubstr("\"/elsewhere/other.toml\"")));
+  std::filesystem::rename(first, second);
+  const auto moved = readProject((second / "day.squat-project").string());
+  EXPECT_EQ(moved.entries[0].path, (second / "results/dip.h5").string());
+  EXPECT_EQ(moved.open.path, (second / "cases/dip.toml").string());
+  EXPECT_EQ(moved.cases[1], "/elsewhere/other.toml");
+}
+
+TEST(ProjectFile, saysWhatIsWrongAndWhere) {
+  const std::string good = projectText(everything("/home/somebody"), "/home/somebody");
+  ASSERT_NO_THROW(parseProject(good, "day.squat-project", "/home/somebody"));
+  const auto place = [&](const std::string& from, const std::string& to) {
+    return refusalOf(with(good, from, to)).location();
+  };
+  EXPECT_EQ(place("\"squat-project\"", "\"squat-result\""), "/schema");
+  EXPECT_EQ(place("\"kind\": \"measured\"", "\"kind\": \"measurement\""), "/runs/1/kind");
+  EXPECT_EQ(place("\"0123abcd\"", "\"0123abcg\""), "/runs/0/digest");
+  EXPECT_EQ(place("\"#0072b2\"", "\"blue\""), "/runs/0/colour");
+  EXPECT_EQ(place("\"overlaid\": true", "\"overlaid\": 1"), "/runs/0/overlaid");
+  EXPECT_EQ(place("\"rate\": 25600.0", "\"rate\": -1"), "/runs/1/reading/rate");
+  EXPECT_EQ(place("\"current\": 0", "\"current\": 1"), "/current");
+  EXPECT_EQ(place("\"reference\": 1", "\"reference\": 2"), "/reference");
+  EXPECT_EQ(place("\"results/dip.h5\"", "\"\""), "/runs/0/path");
+  EXPECT_EQ(place("\"notes\":", "\"nodes\":"), "the whole");
+  EXPECT_THAT(refusalOf(with(good, "\"notes\":", "\"nodes\":")).what(), HasSubstr("lacks the key 'notes'"));
+  EXPECT_THAT(refusalOf(with(good, "[motion]", "[motoin]")).what(),
+              AllOf(HasSubstr("/open_case/toml"), HasSubstr("motoin")));
+  EXPECT_THAT(refusalOf(with(good, "\"schema_version\": 1", "\"schema_version\": 2")).what(),
+              AllOf(HasSubstr("day.squat-project"), HasSubstr("/schema_version"), HasSubstr("use a newer one")));
+  // The third line is ' "schema_version": 1,'; without its colon the number comes as a surprise, in column 19.
+  EXPECT_EQ(refusalOf(with(good, "\"schema_version\": 1", "\"schema_version\"  1")).location(), "line 3, column 20");
+}
+
+TEST(ProjectFile, whatIsCutOffIsRefused) {
+  const std::string good = projectText(everything("/home/somebody"), "/home/somebody");
+  // All but the line break at the end is needed. Every byte near the ends, every 37th between: some hundred places.
+  for (std::size_t size = 0; size + 1 < good.size(); size += size < 200 || size + 200 > good.size() ? 1 : 37)
+    EXPECT_THAT(refusalOf(good.substr(0, size)).location(), HasSubstr("line "));
+}
+
+// A changed byte is found, or it has changed a text or a number to another one that a project can have.
+TEST(ProjectFile, damageIsNamedOrHarmless) {
+  const std::string good = projectText(everything("/home/somebody"), "/home/somebody");
+  const auto caseText = good.find("\"toml\""), behind = good.find("\"cases\"");
+  int refused = 0, read = 0;
+  for (std::size_t at = 0; at < good.size(); at += at > caseText && at < behind ? 61 : 1)
+    for (const char byte : {'\0', '"', '9', '\xff'}) {
+      std::string damaged = good;
+      if (damaged[at] == byte) continue;
+      damaged[at] = byte;
+      try {
+        const auto project = parseProject(damaged, "day.squat-project", "/home/somebody");
+        ASSERT_EQ(project.entries.size(), 2U);
+        ++read;
+      } catch (const FileError& error) {
+        EXPECT_FALSE(error.location().empty()) << error.what();
+        ++refused;
+      }
+    }
+  EXPECT_GT(refused, 2 * read);  // most of the file is structure
+  EXPECT_GT(read, 0);
+}
+
+TEST(ProjectFile, strangersAreRefused) {
+  EXPECT_THAT(refusalOf("").location(), HasSubstr("line 1"));
+  EXPECT_THAT(refusalOf("[]").what(), HasSubstr("no table"));
+  EXPECT_THAT(refusalOf(std::string(1U << 20U, '[')).location(), HasSubstr("line 1"));
+  const Folder folder;
+  EXPECT_THROW(readProject(folder.path("none.squat-project")), FileError);
+  EXPECT_THROW(readProject(folder.path()), FileError);  // a folder
+}
+
+TEST(ProjectFile, aPlaceThatCannotBeWrittenLeavesWhatIsThere) {
+  const Folder folder;
+  const auto path = folder.path("day.squat-project");
+  writeProject(path, everything(folder.path()));
+  const auto before = folder.read("day.squat-project");
+  auto broken = everything(folder.path());
+  broken.open.toml = "no case";  // cannot be read back
+  EXPECT_THROW(writeProject(path, broken), FileError);
+  EXPECT_EQ(folder.read("day.squat-project"), before);
+  EXPECT_THROW(writeProject(folder.path("missing/day.squat-project"), everything(folder.path())), FileError);
+}
+
+}  // namespace
+}  // namespace squat::project
