@@ -54,12 +54,12 @@ Arguments readArguments() {
   const QCommandLineOption size("size", "Size of the window, such as 1280x700.", "WIDTHxHEIGHT");
   const QCommandLineOption run("run", "Run the case before the screenshot is taken.");
   parser.addOptions({screenshot, caseFile, resultFile, tab, dark, size, run});
-  parser.addPositionalArgument("file", "Case or result to open.", "[CASE|RESULT.h5]");
+  parser.addPositionalArgument("file", "Case, result or project to open.", "[CASE|RESULT.h5|NAME.squat-project]");
   if (!parser.parse(QCoreApplication::arguments())) refuse(parser.errorText());
   if (parser.isSet(help) || parser.isSet("help-all")) parser.showHelp(0);
   if (parser.isSet(version)) parser.showVersion();
   const QStringList files = parser.positionalArguments() + parser.values(caseFile) + parser.values(resultFile);
-  if (files.size() > 1) refuse("give one case or one result; found " + files.join(", "));
+  if (files.size() > 1) refuse("give one case, result or project; found " + files.join(", "));
   const Arguments arguments{files.value(0),    parser.value(screenshot),
                             parser.value(tab), parser.isSet(dark),
                             parser.isSet(run), parser.isSet(size) ? sizeFrom(parser.value(size)) : QSize()};

@@ -7,7 +7,7 @@
 namespace squat::studio {
 
 struct Arguments {
-  QString file;        // case, result or name of a shipped case
+  QString file;        // case, result, project or name of a shipped case
   QString screenshot;  // PNG to write; empty: open the window
   QString tab;
   bool dark = false;

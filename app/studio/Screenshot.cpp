@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 #include <QThread>
 
+#include "studio/comparison/ComparisonWindow.h"
 #include "studio/window/MainWindow.h"
 
 namespace squat::studio {
@@ -29,7 +30,8 @@ bool takeScreenshot(MainWindow& window, const QString& path) {
     QApplication::processEvents(QEventLoop::AllEvents, 50);
     QThread::msleep(10);
   }
-  return window.grab().save(path, "PNG");
+  QWidget* front = window.comparison()->isVisible() ? static_cast<QWidget*>(window.comparison()) : &window;
+  return front->grab().save(path, "PNG");
 }
 
 }  // namespace squat::studio

@@ -88,5 +88,6 @@ int main(int argc, char** argv) {
                                                                        : squat::commands::kFileWrong;
   }
   window.show();
+  if (arguments.file.isEmpty()) window.openLastProject();
   return QApplication::exec();
 }

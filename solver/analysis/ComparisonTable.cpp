@@ -85,7 +85,8 @@ ComparisonTable comparisonTable(const std::vector<ComparedSignal>& signals) {
   for (const auto& signal : signals)
     if (signal.values) known.push_back(signal.values);
   const auto differing = cases::differingRows(known);
-  const auto numbers = namesIn(signals, &ComparedSignal::numbers), likeness = namesIn(signals, &ComparedSignal::likeness);
+  const auto numbers = namesIn(signals, &ComparedSignal::numbers),
+             likeness = namesIn(signals, &ComparedSignal::likeness);
   ComparisonTable table{{"signal"}, {}};
   for (const std::size_t row : differing) table.columns.push_back(columnOf(cases::parameterTable()[row]));
   table.columns.insert(table.columns.end(), numbers.begin(), numbers.end());
@@ -116,8 +117,7 @@ std::string tableCsv(const ComparisonTable& table) {
 
 std::string tabbedText(const ComparisonTable& table) {
   std::string lines;
-  for (const auto& column : table.columns)
-    lines += (lines.empty() ? "" : "\t") + text::withPrintedUnit(column);
+  for (const auto& column : table.columns) lines += (lines.empty() ? "" : "\t") + text::withPrintedUnit(column);
   for (const auto& row : table.rows) {
     lines += '\n';
     for (std::size_t at = 0; at < row.size(); ++at) lines += (at > 0 ? "\t" : "") + withoutBreaks(row[at].text);

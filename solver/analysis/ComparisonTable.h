@@ -41,7 +41,7 @@ struct ComparisonTable {
 
 ComparisonTable comparisonTable(const std::vector<ComparedSignal>& signals);
 
-std::string tableCsv(const ComparisonTable& table);  // every digit
+std::string tableCsv(const ComparisonTable& table);    // every digit
 std::string tabbedText(const ComparisonTable& table);  // as shown, for a spreadsheet or a text
 
 }  // namespace squat::analysis

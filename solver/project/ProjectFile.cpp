@@ -85,7 +85,8 @@ class Node {
     if (!json_.is_array()) fail("is no list");
     if (json_.size() > mostEntries) fail("has more than " + std::to_string(mostEntries) + " entries");
     std::vector<Node> nodes;
-    for (std::size_t i = 0; i < json_.size(); ++i) nodes.push_back({json_[i], place_ + "/" + std::to_string(i), origin_});
+    for (std::size_t i = 0; i < json_.size(); ++i)
+      nodes.push_back({json_[i], place_ + "/" + std::to_string(i), origin_});
     return nodes;
   }
   std::string text() const {
@@ -127,7 +128,8 @@ bool isHexadecimal(const std::string& text, std::size_t from) {
 
 std::string digestIn(const Node& node) {
   std::string digest = node.text();
-  if (!digest.empty() && (digest.size() != 8 || !isHexadecimal(digest, 0))) node.fail("is not eight hexadecimal digits");
+  if (!digest.empty() && (digest.size() != 8 || !isHexadecimal(digest, 0)))
+    node.fail("is not eight hexadecimal digits");
   return digest;
 }
 
@@ -217,20 +219,18 @@ std::string projectText(const Project& project, const std::string& folder) {
   for (const auto& path : project.cases) cases.push_back(linkOf(path, folder));
   for (const auto& entry : project.entries) runs.push_back(jsonOf(entry, folder));
   const auto& open = project.open;
-  const Json json{{"schema", schemaName},
-                  {"schema_version", projectSchema},
-                  {"code_version", programVersionText()},
-                  {"open_case",
-                   {{"name", open.name},
-                    {"path", linkOf(open.path, folder)},
-                    {"modified", open.modified},
-                    {"toml", open.toml}}},
-                  {"cases", cases},
-                  {"runs", runs},
-                  {"current", project.current},
-                  {"reference", project.reference},
-                  {"notes", project.notes},
-                  {"views", project.views}};
+  const Json json{
+      {"schema", schemaName},
+      {"schema_version", projectSchema},
+      {"code_version", programVersionText()},
+      {"open_case",
+       {{"name", open.name}, {"path", linkOf(open.path, folder)}, {"modified", open.modified}, {"toml", open.toml}}},
+      {"cases", cases},
+      {"runs", runs},
+      {"current", project.current},
+      {"reference", project.reference},
+      {"notes", project.notes},
+      {"views", project.views}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -107,9 +107,7 @@ TEST(ComparisonTable, hasAColumnForWhatDiffersAndADashForWhatIsMissing) {
   EXPECT_THAT(tabbed, testing::EndsWith("\nmeasured at km 3\t-\t-\t-\t1\n"));
 }
 
-TEST(ComparisonTable, ofNothingHasOnlyItsHeading) {
-  EXPECT_EQ(tableCsv(comparisonTable({})), "signal\n");
-}
+TEST(ComparisonTable, ofNothingHasOnlyItsHeading) { EXPECT_EQ(tableCsv(comparisonTable({})), "signal\n"); }
 
 }  // namespace
 }  // namespace squat::analysis

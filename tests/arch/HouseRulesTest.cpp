@@ -169,7 +169,7 @@ const std::vector<std::vector<Folder>>& floors() {
       {"solver/readers"},
       {"solver/records"},
       {"solver/analysis"},
-      {"solver/receptance", "solver/simulation"},
+      {"solver/project", "solver/receptance", "solver/simulation"},
       {"solver/studies", "solver/detection"},
       {"solver/statements"},
       {"solver/calibration"},
@@ -180,7 +180,8 @@ const std::vector<std::vector<Folder>>& floors() {
       {"widgets/studio/common"},
       {"widgets/studio/document"},
       {"widgets/studio/profile", "widgets/studio/runs"},
-      {"widgets/studio/signals", "widgets/studio/model", "widgets/studio/preview"},
+      {"widgets/studio/signals", "widgets/studio/model", "widgets/studio/preview", "widgets/studio/comparison",
+       "widgets/studio/project"},
       {"widgets/studio/window"},
       {"app"},
   };

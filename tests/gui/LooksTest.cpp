@@ -116,9 +116,9 @@ void judgeBars(const QWidget& widget) {
   if (const auto* header = qobject_cast<const QHeaderView*>(&widget);
       header && header->orientation() == Qt::Horizontal && header->model()) {
     for (int section = 0; section < header->count(); ++section)
-      EXPECT_GE(header->sectionSize(section), header->fontMetrics().horizontalAdvance(
-                                                  header->model()->headerData(section, Qt::Horizontal).toString()))
-          << header->model()->headerData(section, Qt::Horizontal).toString().toStdString() << " is cut";
+      for (const QString& line : header->model()->headerData(section, Qt::Horizontal).toString().split('\n'))
+        EXPECT_GE(header->sectionSize(section), header->fontMetrics().horizontalAdvance(line))
+            << line.toStdString() << " is cut";
   }
 }
 

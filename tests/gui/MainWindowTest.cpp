@@ -29,6 +29,7 @@
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
 #include "studio/runs/MeasuredDialog.h"
+#include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
@@ -42,7 +43,7 @@ QString widgetOf(const QString& tab) {
   if (tab == "model") return "scene";
   if (tab == "paper") return "paperTitle";
   if (tab == "preview") return "previewTitle";
-  if (tab == "run" || tab == "runs") return tab;
+  if (tab == "run" || tab == "runs" || tab == "comparison" || tab == "notes") return tab;
   return "view " + tab;
 }
 
@@ -141,7 +142,7 @@ TEST(MainWindow, nothingIsKeptOfARunThatNeverRolled) {
   window.controller().cancel();
   ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }));
   EXPECT_EQ(window.store().rowCount(), 0);
-  EXPECT_TRUE(window.findChild<QPlainTextEdit*>()->toPlainText().contains("no results"));
+  EXPECT_TRUE(window.findChild<RunPanel*>()->findChild<QPlainTextEdit*>()->toPlainText().contains("no results"));
   EXPECT_TRUE(window.close());
   EXPECT_EQ(questions, 0);
 }

@@ -55,14 +55,14 @@ class Runs : public testing::Test {
     const auto& seen = *panel_.table()->model();
     QStringList texts;
     for (int at = 0; at < seen.columnCount(); ++at)
-      if (seen.headerData(at, Qt::Horizontal).toString() == heading)
+      if (headings()[at] == heading)
         for (int row = 0; row < seen.rowCount(); ++row) texts << seen.index(row, at).data().toString();
     return texts;
   }
   QStringList headings() const {
     QStringList texts;
     for (int at = 0; at < panel_.table()->model()->columnCount(); ++at)
-      texts << panel_.table()->model()->headerData(at, Qt::Horizontal).toString();
+      texts << panel_.table()->model()->headerData(at, Qt::Horizontal).toString().replace('\n', ' ');
     return texts;
   }
   void clickHeading(int section) {

@@ -139,7 +139,7 @@ TEST(ProjectFile, damageIsNamedOrHarmless) {
   const std::string good = projectText(everything("/home/somebody"), "/home/somebody");
   const auto caseText = good.find("\"toml\""), behind = good.find("\"cases\"");
   int refused = 0, read = 0;
-  for (std::size_t at = 0; at < good.size(); at += at > caseText && at < behind ? 61 : 1)
+  for (std::size_t at = 0; at<good.size(); at += at> caseText && at < behind ? 61 : 1)
     for (const char byte : {'\0', '"', '9', '\xff'}) {
       std::string damaged = good;
       if (damaged[at] == byte) continue;

@@ -21,20 +21,14 @@ std::size_t largest(const std::vector<double>& values) {
   return at;
 }
 
-double impactOf(const signals::Record& reference) {
-  const auto* values = reference.signal("aba_filtered");
-  if (!values || values->empty() || values->size() != reference.position.size()) return 0;
-  return reference.position[largest(*values)];
-}
-
 // Times link to positions by `speed` where the file gives none.
 void givePositions(signals::Record& record, double speed) {
   if (!record.position.empty()) return;
   record.speed = speed;
-  for (const double time : record.time) record.position.push_back(speed * (time - record.time.front()));
+  record.position = signals::passageAtSpeed(signals::seriesOf(record), speed).position;  // as the reader would
 }
 
-RecordPointer shown(signals::Record record, const std::string& path, double speed, const signals::Record* reference) {
+RecordPointer shown(signals::Record record, const std::string& path, double speed, double impact) {
   auto& raw = record.signals.front();
   if (!raw.unit.empty() && raw.unit != "m/s2")
     throw FileError(path, raw.name, "is in " + raw.unit + ", not an acceleration", "overlay a signal in m/s2 or g");
@@ -47,13 +41,12 @@ RecordPointer shown(signals::Record record, const std::string& path, double spee
   } catch (const signals::SignalError&) {
     // Too short to be filtered: shown as it is.
   }
-  const double middle = reference ? impactOf(*reference) : 0.0;
-  const double shift = middle - record.position[largest(filtered.values)];
+  const double shift = impact - record.position[largest(filtered.values)];
   for (double& position : record.position) position += shift;
   // Positions rise: what lies near the impact is one stretch.
   const auto& x = record.position;
-  const auto first = std::lower_bound(x.begin(), x.end(), middle - kept) - x.begin();
-  const auto last = std::upper_bound(x.begin(), x.end(), middle + kept) - x.begin();
+  const auto first = std::lower_bound(x.begin(), x.end(), impact - kept) - x.begin();
+  const auto last = std::upper_bound(x.begin(), x.end(), impact + kept) - x.begin();
   record.signals.push_back(std::move(filtered));
   for (auto* values : {&record.time, &record.position, &record.signals[0].values, &record.signals[1].values}) {
     values->erase(values->begin() + last, values->end());
@@ -64,18 +57,33 @@ RecordPointer shown(signals::Record record, const std::string& path, double spee
 
 }  // namespace
 
-std::vector<RecordPointer> measuredRecords(const QString& path, double speed, const signals::Record* reference,
-                                           const readers::SignalFileOptions& options) {
-  auto read = readers::readSignals(path.toStdString(), options);
+double impactOf(const signals::Record* run) {
+  const auto* values = run ? run->signal("aba_filtered") : nullptr;
+  if (!values || values->empty() || values->size() != run->position.size()) return 0;
+  return run->position[largest(*values)];
+}
+
+std::vector<MeasuredRecord> measuredRecords(const QString& path, double speed, const MeasuredReading& reading) {
+  auto read = readers::readSignals(path.toStdString(), reading.options);
   if (read.empty()) throw FileError(path.toStdString(), "", "contains no signal");
-  std::vector<RecordPointer> records;
+  std::vector<MeasuredRecord> records;
   for (auto& record : read) {
-    if (record.position.empty() && options.speed == 0)
+    MeasuredReading used = reading;
+    if (record.position.empty()) {
+      used.options.speed = speed;
       record.notes.push_back("no speed in file; using the case's speed (" + QString::number(speed).toStdString() +
                              " m/s)");
-    records.push_back(shown(std::move(record), path.toStdString(), speed, reference));
+    }
+    records.push_back({shown(std::move(record), path.toStdString(), speed, reading.impact), used});
   }
   return records;
+}
+
+signals::Record wholeRecord(const MeasuredRecord& measured) {
+  const auto& [record, reading] = measured;
+  for (auto& each : readers::readSignals(record->file, reading.options))
+    if (each.run == record->run) return std::move(each);
+  throw FileError(record->file, record->run, "the file has this signal no more", "Open the file again");
 }
 
 }  // namespace squat::studio

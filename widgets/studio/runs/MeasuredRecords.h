@@ -11,11 +11,27 @@ namespace squat::studio {
 
 using RecordPointer = std::shared_ptr<const signals::Record>;
 
+// How a measured signal is read again, and laid where it was.
+struct MeasuredReading {
+  readers::SignalFileOptions options;  // with the speed that was used
+  double impact = 0;                   // [m] where its largest value is put
+};
+
+struct MeasuredRecord {
+  RecordPointer record;
+  MeasuredReading reading;
+};
+
+// Position of the largest filtered acceleration of a run; 0 without one: at the defect.
+double impactOf(const signals::Record* run);
+
 // Reads measured axle box accelerations, one or more runs, as "aba" and "aba_filtered" (low-passed at 2 kHz where the
-// rate allows), and puts the largest value of each where that of `reference` is (at the defect without one). Only 5 m
-// on both sides of it are kept. Where neither file nor options give a speed, `speed` [m/s] links time and position.
-// Throws FileError, also for signals that are no accelerations.
-std::vector<RecordPointer> measuredRecords(const QString& path, double speed, const signals::Record* reference,
-                                           const readers::SignalFileOptions& options = {});
+// rate allows), and puts the largest value of each at `reading.impact`. Only 5 m on both sides of it are kept. Where
+// neither file nor options give a speed, `speed` [m/s] links time and position. Throws FileError, also for signals that
+// are no accelerations.
+std::vector<MeasuredRecord> measuredRecords(const QString& path, double speed, const MeasuredReading& reading);
+
+// The whole of such a signal, as the file has it. Throws FileError, also where the file has it no more.
+signals::Record wholeRecord(const MeasuredRecord& measured);
 
 }  // namespace squat::studio

@@ -16,14 +16,17 @@ QVariant RunStore::data(const QModelIndex& index, int role) const {
   const StoredRun& run = at(index.row());
   if (role == Qt::DisplayRole) {
     QString text = run.label;
+    if (run.isMissing()) return text + tr(" (missing)");
     if (run.isMeasured()) text += tr(" (measured)");
     if (!run.isMeasured() && !run.result->complete) text += tr(" (incomplete)");
     if (!run.isMeasured() && run.path.isEmpty()) text += " *";
     return text;
   }
+  if (role == Qt::ToolTipRole && run.isMissing()) return run.missing;
   if (role == Qt::ToolTipRole)
     return run.path.isEmpty() ? tr("not saved; case hash %1").arg(QString::fromStdString(run.result->caseHash))
                               : run.path;
+  if (role == Qt::CheckStateRole && run.isMissing()) return {};
   if (role == Qt::CheckStateRole) return run.overlaid ? Qt::Checked : Qt::Unchecked;
   if (role == Qt::FontRole && index.row() == current_) {
     QFont font;
@@ -36,6 +39,7 @@ QVariant RunStore::data(const QModelIndex& index, int role) const {
 bool RunStore::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (!index.isValid() || role != Qt::CheckStateRole) return false;
   auto& run = runs_[static_cast<std::size_t>(index.row())];
+  if (run.isMissing()) return false;
   if (!run.overlaid) run.colourIndex = freeColourIndex();
   run.overlaid = value.toInt() == Qt::Checked;
   Q_EMIT dataChanged(index, index);
@@ -47,14 +51,19 @@ Qt::ItemFlags RunStore::flags(const QModelIndex& index) const {
   return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable : Qt::NoItemFlags;
 }
 
+// What the table and the names need of it.
+void RunStore::know(StoredRun& run) {
+  if (!run.isMeasured() && run.result->resolvedCase)
+    run.values = std::make_shared<cases::ComparedCase>(cases::comparedCase(run.result->resolvedCase->description));
+  if (run.record) run.digest = analysis::runDigest(*run.record);
+}
+
 int RunStore::add(StoredRun run) {
   const int row = rowCount();
   const bool measured = run.isMeasured();
   run.overlaid = measured;
   run.colourIndex = freeColourIndex();
-  if (!measured && run.result->resolvedCase)
-    run.values = std::make_shared<cases::ComparedCase>(cases::comparedCase(run.result->resolvedCase->description));
-  if (run.record) run.digest = analysis::runDigest(*run.record);
+  know(run);
   beginInsertRows({}, row, row);
   runs_.push_back(std::move(run));
   endInsertRows();
@@ -64,6 +73,24 @@ int RunStore::add(StoredRun run) {
   else
     setCurrent(row);
   return row;
+}
+
+void RunStore::replaceAll(std::vector<StoredRun> runs, int current) {
+  beginResetModel();
+  runs_.clear();
+  current_ = -1;
+  for (StoredRun& run : runs) {
+    if (run.isMissing()) run.overlaid = false;
+    run.colourIndex = freeColourIndex();
+    know(run);
+    runs_.push_back(std::move(run));
+  }
+  if (current >= 0 && current < rowCount() && !at(current).isMeasured()) current_ = current;
+  endResetModel();
+  makeNames();
+  Q_EMIT referenceChanged();
+  Q_EMIT currentChanged();
+  Q_EMIT overlaysChanged();
 }
 
 void RunStore::remove(int row) {
@@ -114,7 +141,7 @@ void RunStore::makeNames() {
   bool changed = false;
   for (StoredRun& run : runs_) {
     const std::string name = run.values ? *next++ : run.isMeasured() ? std::string() : run.result->stem;
-    if (run.named || run.label == QString::fromStdString(name)) continue;
+    if (run.named || run.isMissing() || run.label == QString::fromStdString(name)) continue;
     run.label = QString::fromStdString(name);
     changed = true;
   }
@@ -157,6 +184,23 @@ int RunStore::rowOfRecord(const RecordPointer& record) const {
   for (int row = 0; row < rowCount(); ++row)
     if (at(row).record == record) return row;
   return -1;
+}
+
+int RunStore::reference() const {
+  if (const int chosen = chosenReference(); chosen >= 0) return chosen;
+  int first = -1;
+  for (int row = 0; row < rowCount(); ++row) {
+    if (at(row).isMissing()) continue;
+    if (at(row).isMeasured()) return row;
+    if (first < 0) first = row;
+  }
+  return first;
+}
+
+void RunStore::setReference(int row) {
+  if (row < 0 || row >= rowCount() || at(row).isMissing() || at(row).record == reference_) return;
+  reference_ = at(row).record;
+  Q_EMIT referenceChanged();
 }
 
 std::vector<ResultPointer> RunStore::unsaved() const {

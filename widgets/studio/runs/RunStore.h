@@ -8,6 +8,7 @@
 
 #include "analysis/RunFeatures.h"
 #include "case/CaseNames.h"
+#include "project/Project.h"
 #include "studio/runs/MeasuredRecords.h"
 #include "studio/runs/RunController.h"
 #include "studio/runs/UnsavedResults.h"
@@ -27,8 +28,13 @@ struct StoredRun {
   QColor colour = {};                        // chosen by the user; not valid: the automatic one
   std::shared_ptr<const cases::ComparedCase> values = nullptr;  // of its case; null: none is known
   analysis::RunDigest digest = {};
+  MeasuredReading reading = {};  // of a measured one
+  // Why a file that a project links to is not shown, and the link; its record is empty then. Empty: nothing is missing.
+  QString missing = {};
+  std::shared_ptr<const project::Entry> link = nullptr;
 
   bool isMeasured() const { return !result; }
+  bool isMissing() const { return !missing.isEmpty(); }
 };
 
 // A list with check boxes: checked runs are overlaid on the current one. Runs without a name of their own are called by
@@ -45,6 +51,8 @@ class RunStore : public QAbstractListModel {
 
   // Makes it the current one, unless it is measured, which is overlaid instead. Returns its row.
   int add(StoredRun run);
+  // In place of all there are, overlaid or not as each says; `current` is the row that becomes the current one.
+  void replaceAll(std::vector<StoredRun> runs, int current);
   void remove(int row);
   // An empty name gives a run of this program the one that is made from what differs between runs.
   void rename(int row, const QString& name);
@@ -56,6 +64,11 @@ class RunStore : public QAbstractListModel {
   int rowOfRecord(const RecordPointer& record) const;  // the same of runs and measured signals
   const StoredRun& at(int row) const { return runs_.at(static_cast<std::size_t>(row)); }
   void setPath(int row, const QString& path);
+  // What the comparison compares with: the one that was set, else the first measured signal, else the first run; -1:
+  // there is none.
+  int reference() const;
+  int chosenReference() const { return reference_ ? rowOfRecord(reference_) : -1; }
+  void setReference(int row);
   std::vector<ResultPointer> unsaved() const;  // computed results that are in no file
   std::vector<StoredRun> overlays() const;     // checked ones other than the current
 
@@ -63,13 +76,16 @@ class RunStore : public QAbstractListModel {
   void currentChanged();
   void overlaysChanged();
   void namesChanged();
+  void referenceChanged();
 
  private:
+  static void know(StoredRun& run);
   void makeNames();
   std::size_t freeColourIndex() const;
   int computedNear(int row) const;  // the next computed run from this row on, else the one before; -1: none
   std::vector<StoredRun> runs_;
   int current_ = -1;
+  RecordPointer reference_;  // null: none was set
 };
 
 }  // namespace squat::studio

@@ -33,15 +33,6 @@ QString valueOf(const StoredRun& run, std::size_t row) {
   return run.values ? QString::fromStdString((*run.values)[row].shown) : QStringLiteral("–");
 }
 
-// Of the curve in the figures; not valid where there is none.
-QColor colourOf(const StoredRun& run, bool current) {
-  const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
-  const plots::Style style = dark ? plots::darkStyle() : plots::lightStyle();
-  if (current) return style.curve(0);
-  if (!run.overlaid) return {};
-  return run.colour.isValid() ? run.colour : style.overlay(run.colourIndex);
-}
-
 QString linesOf(const StoredRun& run) {
   QStringList lines;
   for (const double line : run.digest.lines)
@@ -50,6 +41,14 @@ QString linesOf(const StoredRun& run) {
 }
 
 }  // namespace
+
+QColor curveColour(const StoredRun& run, bool current) {
+  const bool dark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+  const plots::Style style = dark ? plots::darkStyle() : plots::lightStyle();
+  if (current) return style.curve(0);
+  if (!run.overlaid) return {};
+  return run.colour.isValid() ? run.colour : style.overlay(run.colourIndex);
+}
 
 RunTable::RunTable(RunStore& store, QObject* parent) : QAbstractTableModel(parent), store_(&store) {
   makeColumns();
@@ -63,6 +62,8 @@ RunTable::RunTable(RunStore& store, QObject* parent) : QAbstractTableModel(paren
   connect(&store, &RunStore::rowsInserted, this, end);
   connect(&store, &RunStore::rowsAboutToBeRemoved, this, begin);
   connect(&store, &RunStore::rowsRemoved, this, end);
+  connect(&store, &RunStore::modelAboutToBeReset, this, begin);
+  connect(&store, &RunStore::modelReset, this, end);
   connect(&store, &RunStore::dataChanged, this, [this](const QModelIndex& from, const QModelIndex& to) {
     Q_EMIT dataChanged(index(from.row(), 0), index(to.row(), columnCount() - 1));
   });
@@ -120,7 +121,7 @@ QVariant RunTable::data(const QModelIndex& index, int role) const {
   if (role == Qt::EditRole) return text(run, column);
   if (role == Qt::TextAlignmentRole && column.kind != Kind::name) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role == Qt::DecorationRole && column.kind == Kind::name) {
-    const QColor colour = colourOf(run, index.row() == store_->current());
+    const QColor colour = curveColour(run, index.row() == store_->current());
     return colour.isValid() ? QVariant(colour) : QVariant();
   }
   const bool ofTheRun = column.kind == Kind::name || role == Qt::FontRole || role == Qt::ToolTipRole;
@@ -142,31 +143,33 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
   const auto& parameter = cases::parameterTable()[column.row];
   if (role == Qt::ToolTipRole && (column.kind == Kind::parameter || column.kind == Kind::mesh))
     return QString::fromStdString(parameter.key + ": " + parameter.doc);
-  if (role != Qt::DisplayRole) return {};
+  if (role != Qt::DisplayRole) return {};  // two lines: a column is hardly wider than its values
   switch (column.kind) {
     case Kind::name:
       return tr("Run");
     case Kind::peak:
-      return tr("Peak [m/s²]");
+      return tr("Peak\n[m/s²]");
     case Kind::lines:
-      return tr("Lines [Hz]");
+      return tr("Lines\n[Hz]");
     case Kind::mesh:
       return tr("Mesh");
     case Kind::time:
-      return tr("Computed in");
+      return tr("Computed in").replace(' ', '\n');
     case Kind::parameter:
       break;
   }
   QString label = QString::fromStdString(cases::shortLabel(parameter));
   label[0] = label[0].toUpper();
   if (parameter.unit.empty() || parameter.unit == "-" || cases::isList(parameter)) return label;
-  return QStringLiteral("%1 [%2]").arg(label, printedUnits(QString::fromStdString(parameter.unit)));
+  return QStringLiteral("%1\n[%2]").arg(label, printedUnits(QString::fromStdString(parameter.unit)));
 }
 
 Qt::ItemFlags RunTable::flags(const QModelIndex& index) const {
   if (!index.isValid()) return Qt::NoItemFlags;
   const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-  return index.column() == 0 ? usual | Qt::ItemIsUserCheckable | Qt::ItemIsEditable : usual;
+  if (index.column() != 0) return usual;
+  const bool missing = index.row() < rowCount() && store_->at(index.row()).isMissing();
+  return usual | Qt::ItemIsEditable | (missing ? Qt::NoItemFlags : Qt::ItemIsUserCheckable);
 }
 
 }  // namespace squat::studio

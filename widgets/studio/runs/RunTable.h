@@ -9,6 +9,9 @@
 
 namespace squat::studio {
 
+// Of its curve in the figures; not valid where there is none.
+QColor curveColour(const StoredRun& run, bool current);
+
 // One row a run of the store, in its order. The name can be edited and carries the check box of the overlay. Numbers
 // sort as numbers (sortRole).
 class RunTable : public QAbstractTableModel {

@@ -1,6 +1,7 @@
 #include "studio/runs/RunsPanel.h"
 
 #include <QColorDialog>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -13,6 +14,8 @@
 
 #include "studio/common/ButtonKeys.h"
 #include "studio/common/EditorHabits.h"
+#include "studio/common/NarrowHeader.h"
+#include "studio/runs/ColourSquare.h"
 #include "studio/runs/RunStore.h"
 #include "studio/runs/RunTable.h"
 
@@ -55,8 +58,11 @@ void RunsPanel::makeTable() {
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
-  QHeaderView* heading = table_->horizontalHeader();
+  auto* heading = new NarrowHeader(table_);
+  table_->setHorizontalHeader(heading);
   heading->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->setItemDelegate(new ColourSquare(table_));
+  table_->viewport()->installEventFilter(this);
   heading->setSortIndicator(-1, Qt::AscendingOrder);
   heading->setSortIndicatorClearable(true);
   table_->setSortingEnabled(true);
@@ -77,6 +83,7 @@ QWidget* RunsPanel::makeButtons() {
   button(tr("Open…"), tr("Open a result"), &RunsPanel::openRequested);
   button(tr("Save…"), tr("Save the current result"), &RunsPanel::saveRequested);
   button(tr("Measured…"), tr("Overlay a measured signal"), &RunsPanel::measuredRequested);
+  button(tr("Compare"), tr("Compare runs and measured signals in a table"), &RunsPanel::compareRequested);
   button(tr("Remove"), tr("Remove the selected run from the list"), [this] {
     if (const int row = rowOf(table_->currentIndex()); row >= 0) Q_EMIT removeRequested(row);
   });
@@ -103,6 +110,25 @@ void RunsPanel::connectTable() {
   const auto mark = [this] { table_->setCurrentIndex(indexOf(store_.current())); };
   connect(&store_, &RunStore::currentChanged, this, mark);
   connect(seen_, &QSortFilterProxyModel::modelReset, this, mark);
+  for (const auto signal : {&RunStore::currentChanged, &RunStore::overlaysChanged, &RunStore::namesChanged})
+    connect(&store_, signal, this, &RunsPanel::fitNames, Qt::QueuedConnection);
+}
+
+// The numbers are seen whole; names take what is left, and are cut where that is too little.
+void RunsPanel::fitNames() {
+  QHeaderView* heading = table_->horizontalHeader();
+  if (heading->count() == 0) return;
+  constexpr int leastLetters = 10;
+  const int least = table_->fontMetrics().averageCharWidth() * leastLetters + 2 * table_->iconSize().width();
+  int others = 0;
+  for (int column = 1; column < heading->count(); ++column) others += heading->sectionSize(column);
+  heading->setSectionResizeMode(0, QHeaderView::Fixed);
+  heading->resizeSection(0, std::max(least, table_->viewport()->width() - others));
+}
+
+bool RunsPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) fitNames();
+  return QWidget::eventFilter(watched, event);
 }
 
 QModelIndex RunsPanel::indexOf(int row) const {
@@ -138,7 +164,7 @@ void RunsPanel::fillMenu(QMenu& menu, int row) {
     return made;
   };
   add(tr("&Show"), "runShow", !run.isMeasured(), [this](int at) { store_.setCurrent(at); });
-  QAction* overlaid = add(tr("&Overlay"), "runOverlay", true, [this](int at) {
+  QAction* overlaid = add(tr("&Overlay"), "runOverlay", !run.isMissing(), [this](int at) {
     store_.setData(store_.index(at), store_.at(at).overlaid ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
   });
   overlaid->setCheckable(true);
@@ -154,6 +180,7 @@ void RunsPanel::fillMenu(QMenu& menu, int row) {
   add(tr("S&ave…"), "runSave", !run.isMeasured(), [this](int at) { Q_EMIT saveRunRequested(at); });
   add(tr("Show in &folder"), "runFolder", !run.path.isEmpty(),
       [this](int at) { Q_EMIT folderRequested(QFileInfo(store_.at(at).path).absolutePath()); });
+  if (run.isMissing()) add(tr("F&ind the file…"), "runFind", true, [this](int at) { Q_EMIT findRequested(at); });
   add(tr("&Remove"), "runRemove", true, [this](int at) { Q_EMIT removeRequested(at); });
 }
 

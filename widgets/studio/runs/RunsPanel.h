@@ -26,6 +26,8 @@ class RunsPanel : public QWidget {
   void saveRequested();
   void saveRunRequested(int row);
   void measuredRequested();
+  void compareRequested();
+  void findRequested(int row);  // the file of a run that is missing
   void removeRequested(int row);
   void folderRequested(const QString& path);
 
@@ -35,6 +37,8 @@ class RunsPanel : public QWidget {
   void connectTable();
   void makeCurrent(const QModelIndex& index);
   void chooseColour(int row);
+  void fitNames();
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
   RunStore& store_;
   QSortFilterProxyModel* seen_;

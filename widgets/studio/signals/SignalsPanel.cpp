@@ -98,7 +98,10 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   setMinimumWidth(tabs_->tabBar()->sizeHint().width() + around.left() +
                   around.right());  // no tab of an ordinary run behind an arrow
   letWheelPass(*this);
-  connect(tabs_, &QTabWidget::currentChanged, this, [this] { rebuild(names().value(tabs_->currentIndex())); });
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+    rebuild(currentTab());
+    Q_EMIT tabChanged();
+  });
   connect(&store_, &RunStore::currentChanged, this, [this] {
     linked_.reset();
     for (const auto& [name, view] : views_) view->forgetZoom();
@@ -336,6 +339,8 @@ void SignalsPanel::applyLink(const QString& name) {
                                                 : *linked_);
   linking_ = already;
 }
+
+QString SignalsPanel::currentTab() const { return names().value(tabs_->currentIndex()); }
 
 FigureView* SignalsPanel::currentView() const { return view(names().value(tabs_->currentIndex())); }
 

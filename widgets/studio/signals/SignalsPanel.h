@@ -31,6 +31,7 @@ class SignalsPanel : public QWidget {
   // greyed; its tool tip says what it needs.
   static QStringList names();
   void showTab(const QString& name);
+  QString currentTab() const;
   FigureView* view(const QString& name) const;
   FigureView* currentView() const;
   const SignalSettings& settings() const { return settings_; }
@@ -43,6 +44,7 @@ class SignalsPanel : public QWidget {
 
  Q_SIGNALS:
   void failed(const QString& message);
+  void tabChanged();
 
  private:
   QWidget* makeControls();

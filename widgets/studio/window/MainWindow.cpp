@@ -21,10 +21,13 @@
 #include "case/CaseFile.h"
 #include "studio/common/MessageBar.h"
 #include "studio/common/Theme.h"
+#include "studio/comparison/ComparisonWindow.h"
 #include "studio/document/ParameterForm.h"
 #include "studio/model/ScenePanel.h"
 #include "studio/preview/PreviewPanel.h"
 #include "studio/profile/ProfileEditor.h"
+#include "studio/project/NotesPanel.h"
+#include "studio/project/ProjectKeeper.h"
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
@@ -65,6 +68,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
   makeHelpMenu();
   connectParts();
   connectPreview();
+  makeProject();
   resize(usualSize.boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value("geometry").toByteArray());
@@ -83,17 +87,20 @@ void MainWindow::makeParts() {
   const bool dark = requestedDark();
   applyTheme(dark);
   const plots::Style style = figureStyle(dark);
+  keeper_ = new ProjectKeeper([this] { return work(); }, this);
   auto* centre = new QWidget(this);
   messages_ = new MessageBar(centre);
   middle_ = new QTabWidget(centre);
   middle_->setDocumentMode(true);
-  middle_->setAccessibleName(tr("Profile, model and paper"));
+  middle_->setAccessibleName(tr("Profile, model, paper and notes"));
   profile_ = new ProfileEditor(document_, style, middle_);
   scene_ = new ScenePanel(store_, dark, middle_);
   paper_ = new PaperPanel(store_, services_.comparison, middle_);
   middle_->addTab(profile_, tr("Profile"));
   middle_->addTab(scene_, tr("3-D"));
   middle_->addTab(paper_, tr("Paper"));
+  notes_ = new NotesPanel(middle_);
+  middle_->addTab(notes_, tr("Notes"));
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -117,6 +124,7 @@ void MainWindow::makeParts() {
   right_->addTab(previewPanel_, tr("Preview"));
   run_ = new RunPanel(controller_, style, this);
   runs_ = new RunsPanel(store_, this);
+  comparison_ = new ComparisonWindow(store_, this);
 }
 
 QDockWidget* MainWindow::addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area) {
@@ -138,7 +146,7 @@ void MainWindow::makeDocks() {
   runsDock_ = addDock("runsDock", tr("Runs"), runs_, Qt::BottomDockWidgetArea);
   splitDockWidget(runDock_, runsDock_, Qt::Horizontal);
   resizeDocks({formDock_, signalsDock_}, {320, 480}, Qt::Horizontal);
-  resizeDocks({runDock_, runsDock_}, {760, 360}, Qt::Horizontal);
+  resizeDocks({runDock_, runsDock_}, {540, 580}, Qt::Horizontal);
   resizeDocks({runDock_}, {270}, Qt::Vertical);
 }
 
@@ -177,7 +185,8 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::showTitle() {
-  setWindowTitle(tr("%1[*] - Squat Studio").arg(document_.name()));
+  const QString project = keeper_->isOpen() ? keeper_->name() + " - " : QString();
+  setWindowTitle(tr("%1[*] - %2Squat Studio").arg(document_.name(), project));
   setWindowModified(hasUnsavedChanges());
   setWindowFilePath(document_.path());
 }
@@ -221,13 +230,14 @@ void MainWindow::beginRun(bool resume) {
   options.threads = services_.threads;
   options.checkpointPath = checkpoint_.toStdString();
   options.resume = resume;
-  unsavedFile_ = unsaved_.nextFile(document_.name());
+  inProject_ = keeper_->isOpen();
+  unsavedFile_ = inProject_ ? keeper_->nextResult(document_.name()) : unsaved_.nextFile(document_.name());
   controller_.start(document_.description(), document_.name().toStdString(), options,
                     [file = unsavedFile_](const results::RunResult& result) { UnsavedResults::write(file, result); });
 }
 
 void MainWindow::keep(const ResultPointer& result) {
-  const auto kept = std::make_shared<KeptFile>(unsavedFile_);
+  const auto kept = inProject_ ? nullptr : std::make_shared<KeptFile>(unsavedFile_);
   if (result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
   if (ending_ && !result->complete) {
     part_ = result;  // kept where the window stays after all
@@ -247,7 +257,8 @@ void MainWindow::keep(const ResultPointer& result) {
         run.result->time.size() <= result->time.size())
       store_.remove(row);
   }
-  store_.add({result, QString(), QString(), false, result, kept, false});
+  const bool saved = inProject_ && result->complete && QFileInfo::exists(unsavedFile_);
+  store_.add({result, QString(), saved ? unsavedFile_ : QString(), false, result, kept, false});
 }
 
 void MainWindow::showStopped() {
@@ -265,6 +276,7 @@ void MainWindow::enableActions() {
     if (auto* action = findChild<QAction*>(name)) action->setEnabled(on);
   };
   for (const char* name : {"pauseAction", "cancelAction"}) enable(name, running);
+  enable("closeProject", keeper_->isOpen());
   for (const char* name : {"saveResult", "modelPicture", "vtkSeries"}) enable(name, result);
   for (const char* name : {"copyFigure", "exportFigure", "exportAll"}) enable(name, figures);
 }
@@ -281,7 +293,8 @@ void MainWindow::setDark(bool dark) {
 }
 
 QStringList MainWindow::tabNames() {
-  return QStringList{"profile", "model", "paper", "run", "runs"} + SignalsPanel::names() + QStringList{"preview"};
+  return QStringList{"profile", "model", "paper", "run", "runs"} + SignalsPanel::names() +
+         QStringList{"preview", "comparison", "notes"};
 }
 
 bool MainWindow::showTab(const QString& name) {
@@ -292,10 +305,14 @@ bool MainWindow::showTab(const QString& name) {
     middle_->setCurrentWidget(scene_);
   else if (name == "paper")
     middle_->setCurrentWidget(paper_);
+  else if (name == "notes")
+    middle_->setCurrentWidget(notes_);
   else if (name == "run")
     runDock_->show(), runDock_->raise();
   else if (name == "runs")
     runsDock_->show(), runsDock_->raise();
+  else if (name == "comparison")
+    comparison_->show(), comparison_->raise(), comparison_->activateWindow();
   else if (name == "preview")
     signalsDock_->show(), signalsDock_->raise(), right_->setCurrentWidget(previewPanel_);
   else
@@ -343,11 +360,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
   if (closing_) return;  // events go on passing while a question stands or a run ends
   closing_ = true;
-  const bool leave = mayLeaveRun() && mayLeaveCase() && mayLeaveAllResults();
+  const bool leave = mayLeaveRun() && mayLeaveWork();
   closing_ = false;
   const ResultPointer part = std::exchange(part_, nullptr);
   if (!leave && part) keep(part);
   if (!leave) return;
+  keeper_->release();
   QSettings settings;
   settings.setValue("geometry", saveGeometry());
   settings.setValue("state", saveState());

@@ -21,11 +21,14 @@ class QTabWidget;
 
 namespace squat::studio {
 
+class ComparisonWindow;
 class HelpWindow;
 class MessageBar;
+class NotesPanel;
 class ParameterForm;
 class PreviewPanel;
 class ProfileEditor;
+class ProjectKeeper;
 class Recovery;
 class RunPanel;
 class RunsPanel;
@@ -62,6 +65,7 @@ class MainWindow : public QMainWindow {
   SignalsPanel* signalsPanel() const { return signals_; }
   PreviewPanel* previewPanel() const { return previewPanel_; }
   ScenePanel* scene() const { return scene_; }
+  ComparisonWindow* comparison() const { return comparison_; }
   MessageBar* messages() const { return messages_; }
 
   // A case, a result or the name of a shipped case. False, with a message in the window, where it cannot be opened.
@@ -70,6 +74,13 @@ class MainWindow : public QMainWindow {
   bool openResult(const QString& path);
   bool openMeasured(const QString& path);
   void askHowToRead(const QString& path);  // a measured file that does not say so itself
+  bool openProject(const QString& path);
+  void openLastProject();  // the one that was open when the program ended, unless there is work already
+  bool saveProjectAs();    // asks for a place
+  bool saveProjectTo(const QString& path);
+  bool closeProject();  // saves it; a new case and an empty list follow
+  ProjectKeeper* keeper() const { return keeper_; }
+  NotesPanel* notes() const { return notes_; }
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);
@@ -79,7 +90,8 @@ class MainWindow : public QMainWindow {
   void startRun() { beginRun(false); }
   void goOnWithRun() { beginRun(true); }  // with the one of this case that was stopped
   void setDark(bool dark);
-  // "profile", "model", "paper", "run", "runs", "preview", or one of the signals panel's; false for another name.
+  // "profile", "model", "paper", "notes", "run", "runs", "preview", "comparison" (a window of its own), or one of the
+  // signals panel's; false for another name.
   bool showTab(const QString& name);
   static QStringList tabNames();
 
@@ -95,6 +107,7 @@ class MainWindow : public QMainWindow {
   void connectPreview();
   void offerPreview();
   void makeFileMenu();
+  void makeProjectActions(QMenu& menu);
   void makeEditMenu();
   void makeRunMenu();
   void makeViewMenu();
@@ -109,7 +122,8 @@ class MainWindow : public QMainWindow {
   bool isTaken();                  // all that is typed; else says what is not, and that nothing is saved
   bool mayLeaveCase();             // saves, or the user lets the changes go
   bool mayLeaveResults(const std::vector<ResultPointer>& results);
-  bool mayLeaveAllResults();
+  bool mayLeaveWork();  // case, results and notes with one question; none where the project keeps them
+  bool saveWork(bool ofCase, const std::vector<ResultPointer>& results, bool ofNotes);
   void removeRun(int row);
   void beginRun(bool resume);
   void keep(const ResultPointer& result);
@@ -124,6 +138,15 @@ class MainWindow : public QMainWindow {
   QString recoverCase();  // what to say of it
   QString recoverResults();
   void overlay(const QString& path, const readers::SignalFileOptions& options);  // throws
+  void makeProject();
+  project::Project work() const;
+  void listCase(const QString& path);
+  void keepResults();         // all of them in files of the project; throws FileError
+  void findMissing(int row);  // asks where its file is now
+  bool keepProject();         // saves it whole, or the user lets go what cannot be saved
+  void showProject(const project::Project& project, const QStringList& problems);
+  void startCase(const project::OpenCase& open, QStringList& problems);
+  QStringList shownTabs() const;
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
 
   StudioServices services_;
@@ -133,11 +156,12 @@ class MainWindow : public QMainWindow {
   PreviewController preview_;
   StoppedRuns stopped_;
   UnsavedResults unsaved_;
-  QString checkpoint_;    // of the run in progress
-  QString unsavedFile_;   // where its result is kept
-  ResultPointer part_;    // of the run that was stopped to close the window
-  std::string running_;   // the case of that run
-  bool resumed_ = false;  // the run in progress
+  QString checkpoint_;      // of the run in progress
+  QString unsavedFile_;     // where its result is kept
+  bool inProject_ = false;  // that file is one of the project
+  ResultPointer part_;      // of the run that was stopped to close the window
+  std::string running_;     // the case of that run
+  bool resumed_ = false;    // the run in progress
   Recovery* recovery_ = nullptr;
   MessageBar* messages_;
   QLabel* otherCase_;
@@ -150,6 +174,10 @@ class MainWindow : public QMainWindow {
   PreviewPanel* previewPanel_;
   RunPanel* run_;
   RunsPanel* runs_;
+  ComparisonWindow* comparison_;
+  NotesPanel* notes_;
+  ProjectKeeper* keeper_;
+  QStringList cases_;  // files of the cases of this work, the last one first
   QTabWidget *middle_, *right_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
   QMenu* recent_ = nullptr;

@@ -40,16 +40,18 @@ QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, const c
 QString tabTitle(const QString& name) {
   if (name == "model") return QObject::tr("3-D model");
   if (name == "preview") return QObject::tr("live preview");
+  if (name == "comparison") return QObject::tr("comparison of runs");
   if (name == "paper") return QObject::tr("comparison with the paper");
   if (!SignalsPanel::names().contains(name)) return name;
   const QString title = QString::fromStdString(plots::figureRow(name.toStdString()).title);
   return title.left(1).toLower() + title.mid(1);
 }
 
-// Ctrl+1 to Ctrl+9, then Ctrl+Alt+1 to Ctrl+Alt+9; no keys beyond.
+// Ctrl+1 to Ctrl+9, then Ctrl+Alt+1 to Ctrl+Alt+9 and Ctrl+Alt+0; no keys beyond.
 QKeySequence tabKeys(int index) {
   constexpr int digits = 9;
-  if (index >= 2 * digits) return {};
+  if (index == 2 * digits) return QKeySequence("Ctrl+Alt+0");
+  if (index > 2 * digits) return {};
   return QKeySequence(
       (index < digits ? QStringLiteral("Ctrl+%1") : QStringLiteral("Ctrl+Alt+%1")).arg(index % digits + 1));
 }
@@ -65,8 +67,9 @@ void MainWindow::makeFileMenu() {
     profile_->plot()->fit();
   });
   add(menu, tr("&Open…"), QKeySequence::Open, "open", this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open a case or a result"), QString(),
-                                                      tr("Cases and results (*.toml *.h5);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a case, a result or a project"), QString(),
+                                                      tr("Cases, results and projects (*.toml *.h5 *.squat-project);;"
+                                                         "All files (*)"));
     if (!path.isEmpty()) openAny(path);
   });
   QMenu* shipped = menu->addMenu(tr("S&hipped cases"));
@@ -78,11 +81,20 @@ void MainWindow::makeFileMenu() {
       openCase(text);
     })->setObjectName("shipped " + text);
   }
+  QMenu* ofProject = menu->addMenu(tr("&Cases of this work"));
+  connect(ofProject, &QMenu::aboutToShow, this, [this, ofProject] {
+    ofProject->clear();
+    for (const QString& path : cases_)
+      ofProject->addAction(QFileInfo(path).completeBaseName(), this, [this, path] { openCase(path); })
+          ->setToolTip(path);
+    if (ofProject->isEmpty()) ofProject->addAction(tr("No case files yet"))->setEnabled(false);
+  });
   recent_ = menu->addMenu(tr("&Recent"));
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
   menu->addSeparator();
   add(menu, tr("&Save case"), QKeySequence::Save, "save", this, [this] { saveCase(); });
   add(menu, tr("Save case &as…"), QKeySequence("Ctrl+Shift+S"), "saveAs", this, [this] { saveCaseAs(); });
+  makeProjectActions(*menu);
   QAction* saving = add(menu, tr("Save r&esult…"), QKeySequence("Ctrl+Shift+R"), "saveResult", this,
                         [this] { saveResult(store_.currentResult()); });
   QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
@@ -92,6 +104,7 @@ void MainWindow::makeFileMenu() {
   });
   connect(runs_, &RunsPanel::saveRequested, saving, &QAction::trigger);
   connect(runs_, &RunsPanel::saveRunRequested, this, [this](int row) { saveResult(store_.at(row).result); });
+  connect(runs_, &RunsPanel::compareRequested, this, [this] { showTab("comparison"); });
   connect(runs_, &RunsPanel::measuredRequested, measured, &QAction::trigger);
   connect(runs_, &RunsPanel::removeRequested, this, &MainWindow::removeRun);
   connect(runs_, &RunsPanel::folderRequested, this,

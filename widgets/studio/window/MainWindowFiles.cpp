@@ -37,6 +37,7 @@ QString sentence(QString note) {
 bool MainWindow::openAny(const QString& path) {
   const QString ending = QFileInfo(path).suffix().toLower();
   if (ending == "h5" || ending == "hdf5") return openResult(path);
+  if (ending == "squat-project") return openProject(path);
   if (ending == "csv" || ending == "txt") {
     showTab("profile");
     profile_->importFile(path);
@@ -59,10 +60,16 @@ bool MainWindow::openCase(const QString& nameOrPath) {
     messages_->warn(QString::fromStdString(error.what()));
     return false;
   }
-  if (!document_.path().isEmpty()) addRecentFile(document_.path());
+  if (!document_.path().isEmpty()) listCase(document_.path());
   hideWordsOfOldCase();
   profile_->plot()->fit();
   return true;
+}
+
+void MainWindow::listCase(const QString& path) {
+  addRecentFile(path);
+  cases_.removeAll(path);
+  cases_.prepend(path);
 }
 
 bool MainWindow::openResult(const QString& path) {
@@ -91,13 +98,15 @@ bool MainWindow::openResult(const QString& path) {
 void MainWindow::overlay(const QString& path, const readers::SignalFileOptions& options) {
   const ResultPointer current = store_.currentResult();
   const double speed = options.speed > 0 ? options.speed : document_.description().motion.speed;
-  const auto records = measuredRecords(path, speed, current.get(), options);
+  const auto records = measuredRecords(path, speed, {options, impactOf(current.get())});
   messages_->hide();
   QStringList notes;
-  for (const auto& record : records) {
+  for (const auto& [record, reading] : records) {
     QString label = QFileInfo(path).completeBaseName();
     if (records.size() > 1) label += ": " + QString::fromStdString(record->run);
-    store_.add({nullptr, label, QFileInfo(path).absoluteFilePath(), true, record});
+    StoredRun measured{nullptr, label, QFileInfo(path).absoluteFilePath(), true, record};
+    measured.reading = reading;
+    store_.add(std::move(measured));
     for (const auto& note : record->notes) notes << QString::fromStdString(note);
   }
   if (!notes.isEmpty()) messages_->say(sentence(notes[0]), notes.join('\n'));
@@ -151,7 +160,7 @@ bool MainWindow::saveCaseTo(const QString& path) {
     return false;
   }
   if (messages_->text() == notSaved()) messages_->hide();
-  addRecentFile(path);
+  listCase(document_.path());
   return true;
 }
 
@@ -223,19 +232,6 @@ bool MainWindow::mayLeaveResults(const std::vector<ResultPointer>& results) {
       break;
   }
   return false;
-}
-
-// A run may end while the question stands: what it adds is asked for as well.
-bool MainWindow::mayLeaveAllResults() {
-  std::vector<ResultPointer> asked;
-  for (;;) {
-    std::vector<ResultPointer> fresh;
-    for (const auto& result : store_.unsaved())
-      if (std::find(asked.begin(), asked.end(), result) == asked.end()) fresh.push_back(result);
-    if (fresh.empty()) return true;
-    if (!mayLeaveResults(fresh)) return false;
-    asked.insert(asked.end(), fresh.begin(), fresh.end());
-  }
 }
 
 void MainWindow::removeRun(int row) {

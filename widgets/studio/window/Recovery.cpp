@@ -34,12 +34,20 @@ QString Recovery::file() const { return QDir(folder_).filePath(ownIdentity() + e
 // The first line is the name of the case, the rest the case file.
 void Recovery::saveNow() {
   timer_.stop();
-  if (!document_.isModified() || !QDir().mkpath(folder_)) return;
+  if (held_ || !document_.isModified() || !QDir().mkpath(folder_)) return;
   QSaveFile kept(file());
   if (!kept.open(QIODevice::WriteOnly)) return;
   kept.write("# " + document_.name().toUtf8() + "\n");
   kept.write(QByteArray::fromStdString(cases::writeCase(document_.description())));
   kept.commit();
+}
+
+void Recovery::setHeld(bool held) {
+  held_ = held;
+  if (held)
+    QFile::remove(file());
+  else
+    saveNow();
 }
 
 std::optional<Recovery::Found> Recovery::take(const QString& folder) {

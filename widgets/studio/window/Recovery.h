@@ -28,6 +28,7 @@ class Recovery : public QObject {
   static std::optional<Found> take(const QString& folder);
 
   void saveNow();
+  void setHeld(bool held);  // nothing is kept: a project keeps the case
   void setDelay(int milliseconds) { timer_.setInterval(milliseconds); }
 
  private:
@@ -35,6 +36,7 @@ class Recovery : public QObject {
   CaseDocument& document_;
   QString folder_;
   QTimer timer_;
+  bool held_ = false;
 };
 
 }  // namespace squat::studio

@@ -1,0 +1,271 @@
+// The project: what a day's work is made of comes back, after an orderly end, after a kill, and elsewhere.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDir>
+#include <QFile>
+#include <QMenu>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "case/CaseFile.h"
+#include "gui/Hands.h"
+#include "gui/MadeUpRun.h"
+#include "project/ProjectFile.h"
+#include "render/SyntheticResult.h"
+#include "results/ResultFile.h"
+#include "studio/common/MessageBar.h"
+#include "studio/comparison/ComparisonWindow.h"
+#include "studio/project/NotesPanel.h"
+#include "studio/project/ProjectKeeper.h"
+#include "studio/runs/RunsPanel.h"
+#include "studio/signals/SignalsPanel.h"
+
+namespace squat::studio {
+namespace {
+
+class ProjectOfRuns : public testing::Test {
+ protected:
+  std::unique_ptr<MainWindow> open(Answer answer = Answer::cancel) {
+    StudioServices services = tests::services(20, answer);
+    services.asker = [this, answer](QWidget*, const QString& question, const QString&) {
+      questions_ << question;
+      return answer;
+    };
+    services.recoveryFolder = folder_.filePath("recovery");
+    services.runsFolder = folder_.filePath("stopped");
+    auto window = std::make_unique<MainWindow>(services);
+    window->show();
+    return window;
+  }
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  void write(const QString& name, const QByteArray& text) const {
+    QFile file(path(name));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+  QByteArray read(const QString& name) const {
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  // One strike, without a speed; 0.4 s.
+  void writeMeasured(const QString& name) const {
+    QByteArray text = "time [s],aba [m/s2]\n";
+    for (int i = 0; i < 4000; ++i) {
+      const double since = i * 1e-4 - 0.2;
+      const double value = since < 0 ? 0.1 * std::sin(0.3 * i) : 70 * std::exp(-80 * since) * std::sin(1900 * since);
+      text += QByteArray::number(i * 1e-4) + ',' + QByteArray::number(value) + '\n';
+    }
+    write(name, text);
+  }
+  void run(MainWindow& window, const char* depth) const {
+    window.document().setParameter("defect.depth", depth);
+    window.startRun();
+    ASSERT_TRUE(window.controller().waitFor(60000));
+  }
+  // Two runs, one renamed, coloured and overlaid, a measured reference, notes, a case that is not saved, chosen tabs.
+  void work(MainWindow& window) const {
+    writeMeasured("measured.csv");
+    window.document().setParameter("defect.shape", "cosine");
+    ASSERT_TRUE(window.saveCaseTo(path("dip.toml")));
+    ASSERT_NO_FATAL_FAILURE(run(window, "0.15"));
+    ASSERT_NO_FATAL_FAILURE(run(window, "0.3"));
+    ASSERT_TRUE(window.openMeasured(path("measured.csv")));
+    ASSERT_EQ(window.store().rowCount(), 3);
+    window.store().rename(0, "the shallow one");
+    window.store().setData(window.store().index(0), Qt::Checked, Qt::CheckStateRole);
+    window.store().setColour(0, QColor("#123456"));
+    window.store().setReference(0);
+    window.notes()->insertPlainText("Second bogie: wheel flat?\n");
+    window.document().setParameter("motion.speed", "41");
+    window.showTab("psd");
+    window.showTab("notes");
+  }
+  void expectTheWork(MainWindow& window) const {
+    RunStore& store = window.store();
+    ASSERT_EQ(store.rowCount(), 3);
+    EXPECT_EQ(store.at(0).label, "the shallow one");
+    EXPECT_TRUE(store.at(0).overlaid);
+    EXPECT_EQ(store.at(0).colour, QColor("#123456"));
+    EXPECT_EQ(store.at(1).label, "depth 0.3");
+    EXPECT_FALSE(store.at(1).named);
+    EXPECT_EQ(store.current(), 1);
+    EXPECT_EQ(store.reference(), 0);
+    EXPECT_EQ(store.at(0).result->time, tests::syntheticResult().time);
+    EXPECT_TRUE(store.at(2).isMeasured());
+    EXPECT_TRUE(store.at(2).overlaid);
+    EXPECT_EQ(store.at(2).label, "measured");
+    EXPECT_EQ(window.notes()->toPlainText(), "Second bogie: wheel flat?\n");
+    EXPECT_EQ(window.document().description().motion.speed, 41);
+    EXPECT_TRUE(window.document().isModified());
+    EXPECT_EQ(window.document().path(), path("dip.toml"));
+    EXPECT_EQ(window.signalsPanel()->currentTab(), "psd");
+    EXPECT_TRUE(window.notes()->isVisible());
+  }
+  QTemporaryDir folder_;
+  QStringList questions_;
+};
+
+TEST_F(ProjectOfRuns, comesBackByteForByte) {
+  {
+    const auto window = open();
+    ASSERT_NO_FATAL_FAILURE(work(*window));
+    ASSERT_TRUE(window->saveProjectTo(path("day.squat-project"))) << window->messages()->text().toStdString();
+    EXPECT_TRUE(window->windowTitle().contains("day")) << window->windowTitle().toStdString();
+    EXPECT_TRUE(window->close());
+  }
+  EXPECT_TRUE(questions_.isEmpty()) << questions_.join('\n').toStdString();  // all of it is in the project
+  const QByteArray saved = read("day.squat-project");
+  const auto window = open();
+  ASSERT_TRUE(window->openAny(path("day.squat-project"))) << window->messages()->text().toStdString();
+  EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
+  ASSERT_NO_FATAL_FAILURE(expectTheWork(*window));
+  window->keeper()->saveNow();
+  EXPECT_EQ(read("day.squat-project"), saved);
+}
+
+// What was done after the project got its file is in it some seconds later, and a run at once.
+TEST_F(ProjectOfRuns, isSavedAsTheWorkGoesOn) {
+  const auto window = open();
+  ASSERT_TRUE(window->saveProjectTo(path("day.squat-project")));
+  ASSERT_NO_FATAL_FAILURE(work(*window));
+  EXPECT_EQ(window->store().unsaved().size(), 0U);  // runs go straight into files of the project
+  EXPECT_TRUE(window->store().at(1).path.startsWith(path("day-runs/"))) << window->store().at(1).path.toStdString();
+  // Killed now: another process would find what this one has written. Two seconds after the last change, all of it.
+  const auto whole = [&] { return read("day.squat-project").contains("wheel flat"); };
+  EXPECT_TRUE(tests::passes(whole, 20000));
+  ASSERT_TRUE(QFile::copy(path("day.squat-project"), path("copy.squat-project")));
+  const auto other = open();
+  ASSERT_TRUE(other->openProject(path("copy.squat-project"))) << other->messages()->text().toStdString();
+  ASSERT_NO_FATAL_FAILURE(expectTheWork(*other));
+  EXPECT_TRUE(QDir(path("recovery")).entryList({"*.case"}, QDir::Files).isEmpty());  // one place, not two
+}
+
+TEST_F(ProjectOfRuns, whatIsMissingIsListedAndStaysListed) {
+  {
+    const auto window = open();
+    ASSERT_NO_FATAL_FAILURE(work(*window));
+    ASSERT_TRUE(window->saveProjectTo(path("day.squat-project")));
+    ASSERT_TRUE(window->close());
+  }
+  const QDir runs(path("day-runs"));
+  const QStringList files = runs.entryList(QDir::Files, QDir::Name);
+  ASSERT_EQ(files, (QStringList{"dip-2.h5", "dip.h5"}));
+  ASSERT_TRUE(QFile::remove(runs.filePath("dip.h5")));
+  ASSERT_TRUE(QFile::rename(path("measured.csv"), path("elsewhere.csv")));
+  // The other run is computed anew, with other values.
+  auto changed = results::readResult(runs.filePath("dip-2.h5").toStdString());
+  changed.channel("aba")->values[5] += 1;
+  results::writeResult(runs.filePath("dip-2.h5").toStdString(), changed);
+  {
+    const auto window = open();
+    ASSERT_TRUE(window->openProject(path("day.squat-project")));
+    EXPECT_TRUE(window->messages()->text().contains("3 files")) << window->messages()->text().toStdString();
+    RunStore& store = window->store();
+    ASSERT_EQ(store.rowCount(), 3);
+    EXPECT_TRUE(store.at(0).isMissing());
+    EXPECT_EQ(store.data(store.index(0), Qt::DisplayRole).toString(), "the shallow one (missing)");
+    EXPECT_TRUE(store.data(store.index(0), Qt::ToolTipRole).toString().contains("dip.h5"));
+    EXPECT_FALSE(store.at(1).isMissing());
+    EXPECT_TRUE(store.at(2).isMissing());
+    EXPECT_TRUE(store.overlays().empty());
+    EXPECT_EQ(store.reference(), 1);  // what is missing is compared with nothing
+    window->showTab("comparison");
+    EXPECT_TRUE(tests::passes([&] { return !window->comparison()->isBusy(); }, 30000));
+    EXPECT_TRUE(window->close());
+  }
+  ASSERT_TRUE(QFile::rename(path("elsewhere.csv"), path("measured.csv")));
+  const auto window = open();
+  ASSERT_TRUE(window->openProject(path("day.squat-project")));
+  EXPECT_TRUE(window->store().at(0).isMissing());  // still, and not dropped
+  EXPECT_FALSE(window->store().at(2).isMissing());
+  EXPECT_TRUE(window->store().at(2).overlaid);  // as it was before it was missing
+  EXPECT_EQ(window->store().at(0).label, "the shallow one");
+  // It has only gone to another place.
+  results::writeResult(path("found.h5").toStdString(), tests::syntheticResult());
+  QMenu menu;
+  auto* panel = window->findChild<RunsPanel*>();
+  panel->fillMenu(menu, 0);
+  tests::FileDialogTyping typing(path("found.h5"));
+  menu.findChild<QAction*>("runFind")->trigger();
+  EXPECT_TRUE(typing.done());
+  ASSERT_FALSE(window->store().at(0).isMissing()) << window->messages()->text().toStdString();
+  EXPECT_EQ(window->store().at(0).path, path("found.h5"));
+  EXPECT_EQ(window->store().at(0).label, "the shallow one");
+  EXPECT_EQ(window->store().at(0).colour, QColor("#123456"));
+}
+
+TEST_F(ProjectOfRuns, movesWithItsFolder) {
+  ASSERT_TRUE(QDir(folder_.path()).mkpath("here"));
+  {
+    const auto window = open();
+    ASSERT_NO_FATAL_FAILURE(run(*window, "0.15"));
+    ASSERT_TRUE(window->saveProjectTo(path("here/day.squat-project")));
+    ASSERT_TRUE(window->close());
+  }
+  ASSERT_TRUE(QDir(folder_.path()).rename("here", "there"));
+  const auto window = open();
+  ASSERT_TRUE(window->openProject(path("there/day.squat-project")));
+  EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
+  EXPECT_TRUE(window->store().currentResult());
+}
+
+TEST_F(ProjectOfRuns, aBrokenFileSaysWhatAndWhereAndChangesNothing) {
+  const auto window = open();
+  ASSERT_TRUE(window->openCase("light-defect"));
+  write("day.squat-project", "{\n \"schema\": \"squat-project\",\n \"schema_version\": 1,\n \"open_case\": {\n");
+  EXPECT_FALSE(window->openProject(path("day.squat-project")));
+  EXPECT_TRUE(window->messages()->text().contains("line 5")) << window->messages()->text().toStdString();
+  EXPECT_EQ(window->document().name(), "light-defect");
+  EXPECT_FALSE(window->keeper()->isOpen());
+}
+
+TEST_F(ProjectOfRuns, hasOneOwnerAtATime) {
+  const auto first = open(), second = open();
+  ASSERT_TRUE(first->saveProjectTo(path("day.squat-project")));
+  EXPECT_FALSE(second->openProject(path("day.squat-project")));
+  EXPECT_TRUE(second->messages()->text().contains("open in another window"))
+      << second->messages()->text().toStdString();
+  EXPECT_FALSE(second->saveProjectTo(path("day.squat-project")));
+  ASSERT_TRUE(first->closeProject());
+  EXPECT_EQ(first->store().rowCount(), 0);
+  EXPECT_TRUE(second->openProject(path("day.squat-project"))) << second->messages()->text().toStdString();
+}
+
+// A changed case, two runs and notes: one question, and one place for all of it.
+TEST_F(ProjectOfRuns, oneQuestionOnClosing) {
+  const auto window = open(Answer::save);
+  ASSERT_NO_FATAL_FAILURE(work(*window));
+  {
+    tests::FileDialogTyping typing(path("kept.squat-project"));
+    EXPECT_TRUE(window->close()) << window->messages()->text().toStdString();
+    EXPECT_TRUE(typing.done());
+  }
+  ASSERT_EQ(questions_.size(), 1) << questions_.join('\n').toStdString();
+  for (const char* part : {"unsaved changes", "2 results are not saved", "notes are not saved"})
+    EXPECT_TRUE(questions_[0].contains(part)) << questions_[0].toStdString();
+  const auto again = open();
+  ASSERT_TRUE(again->openProject(path("kept.squat-project")));
+  ASSERT_NO_FATAL_FAILURE(expectTheWork(*again));
+}
+
+TEST_F(ProjectOfRuns, theLastOneIsOpenedAtTheStart) {
+  {
+    const auto window = open();
+    ASSERT_NO_FATAL_FAILURE(work(*window));
+    ASSERT_TRUE(window->saveProjectTo(path("day.squat-project")));
+    ASSERT_TRUE(window->close());
+  }
+  {
+    const auto window = open();
+    window->openLastProject();
+    ASSERT_NO_FATAL_FAILURE(expectTheWork(*window));
+    ASSERT_TRUE(window->closeProject());  // nobody wants it at the next start
+  }
+  const auto window = open();
+  window->openLastProject();
+  EXPECT_FALSE(window->keeper()->isOpen());
+}
+
+}  // namespace
+}  // namespace squat::studio

@@ -1,0 +1,285 @@
+// The project in the main window: what it holds, opening, saving, and what is asked before work is left.
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTextDocument>
+#include <algorithm>
+
+#include "case/CaseFile.h"
+#include "core/Errors.h"
+#include "project/ProjectFile.h"
+#include "results/ResultFile.h"
+#include "studio/common/LocationToSave.h"
+#include "studio/common/MessageBar.h"
+#include "studio/comparison/ComparisonWindow.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/model/ScenePanel.h"
+#include "studio/preview/PreviewPanel.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/profile/ProfilePlot.h"
+#include "studio/project/NotesPanel.h"
+#include "studio/project/ProjectKeeper.h"
+#include "studio/project/ProjectRuns.h"
+#include "studio/runs/RunsPanel.h"
+#include "studio/signals/SignalsPanel.h"
+#include "studio/window/MainWindow.h"
+#include "studio/window/RecentFiles.h"
+#include "studio/window/Recovery.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr const char* lastProject = "project";  // in the settings
+
+QString projectKinds() { return QObject::tr("Projects (*.squat-project)"); }
+
+}  // namespace
+
+void MainWindow::makeProject() {
+  connect(keeper_, &ProjectKeeper::failed, messages_, [this](const QString& text) { messages_->warn(text); });
+  const auto soon = [this] { keeper_->saveSoon(); };
+  connect(&document_, &CaseDocument::changed, this, soon);
+  connect(&document_, &CaseDocument::titleChanged, this, soon);
+  connect(&store_, &RunStore::rowsInserted, this, [this] { keeper_->saveSoon(0); });  // a run has ended
+  connect(&store_, &RunStore::rowsRemoved, this, soon);
+  connect(&store_, &RunStore::dataChanged, this, soon);
+  connect(&store_, &RunStore::currentChanged, this, soon);
+  connect(&store_, &RunStore::overlaysChanged, this, soon);
+  connect(&store_, &RunStore::namesChanged, this, soon);
+  connect(&store_, &RunStore::referenceChanged, this, soon);
+  connect(runs_, &RunsPanel::findRequested, this, &MainWindow::findMissing);
+  connect(notes_, &QPlainTextEdit::textChanged, this, soon);
+  connect(middle_, &QTabWidget::currentChanged, this, soon);
+  connect(right_, &QTabWidget::currentChanged, this, soon);
+  connect(signals_, &SignalsPanel::tabChanged, this, soon);
+}
+
+void MainWindow::makeProjectActions(QMenu& menu) {
+  const auto add = [&](const QString& text, const QKeySequence& keys, const char* name, auto action) {
+    QAction* made = menu.addAction(text, this, action);
+    made->setShortcut(keys);
+    made->setObjectName(name);
+  };
+  menu.addSeparator();
+  add(tr("Open &project…"), QKeySequence("Ctrl+Alt+O"), "openProject", [this] {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open a project"), QString(), projectKinds());
+    if (!path.isEmpty()) openProject(path);
+  });
+  add(tr("Save pro&ject as…"), QKeySequence("Ctrl+Alt+S"), "saveProject", [this] { saveProjectAs(); });
+  add(tr("Close projec&t"), QKeySequence("Ctrl+Alt+W"), "closeProject", [this] { closeProject(); });
+  menu.addSeparator();
+}
+
+QStringList MainWindow::shownTabs() const {
+  QStringList names;
+  const QWidget* middle = middle_->currentWidget();
+  names << (middle == scene_ ? "model" : middle == paper_ ? "paper" : middle == notes_ ? "notes" : "profile");
+  names << (right_->currentWidget() == previewPanel_ ? QString("preview") : signals_->currentTab());
+  if (comparison_->isVisible()) names << "comparison";
+  return names;
+}
+
+project::Project MainWindow::work() const {
+  project::Project project;
+  project.open = {document_.name().toStdString(), document_.path().toStdString(), document_.isModified(),
+                  cases::writeCase(document_.description())};
+  for (const QString& path : cases_) project.cases.push_back(path.toStdString());
+  listRuns(store_, project);
+  project.notes = notes_->toPlainText().toStdString();
+  for (const QString& name : shownTabs()) project.views.push_back(name.toStdString());
+  return project;
+}
+
+bool MainWindow::openProject(const QString& path) {
+  if (!mayLeaveWork()) return false;
+  project::Project project;
+  try {
+    project = project::readProject(path.toStdString());
+  } catch (const FileError& error) {
+    messages_->warn(QString::fromStdString(error.what()));
+    return false;
+  }
+  QString other;
+  if (!keeper_->take(path, &other)) {
+    messages_->warn(tr("%1 is open in another window: %2. Close it there first.").arg(path, other));
+    return false;
+  }
+  QStringList problems;
+  startCase(project.open, problems);
+  auto runs = openRuns(project, problems);
+  const RecordPointer reference =
+      project.reference < 0 ? nullptr : runs[static_cast<std::size_t>(project.reference)].record;
+  store_.replaceAll(std::move(runs), project.current);
+  if (reference) store_.setReference(store_.rowOfRecord(reference));
+  showProject(project, problems);
+  return true;
+}
+
+// The case as it was, whatever has become of its file since.
+void MainWindow::startCase(const project::OpenCase& open, QStringList& problems) {
+  const auto description = cases::parseUnfinishedCase(open.toml, open.name);
+  QString path = QString::fromStdString(open.path);
+  bool modified = open.modified;
+  if (!path.isEmpty()) try {
+      const bool same = sameCase(cases::readCase(open.path), description);
+      if (!same && !open.modified)
+        problems << tr("%1 has changed since; the case of the project is shown, and not saved there.").arg(path);
+      modified = !same;
+    } catch (const std::exception& error) {
+      problems << QString::fromStdString(error.what());
+      path.clear();
+      modified = true;
+    }
+  document_.startFrom(description, path, QString::fromStdString(open.name), modified);
+  profile_->plot()->fit();
+}
+
+void MainWindow::showProject(const project::Project& project, const QStringList& problems) {
+  cases_.clear();
+  for (const auto& path : project.cases) cases_ << QString::fromStdString(path);
+  notes_->setNotes(QString::fromStdString(project.notes));
+  for (const auto& name : project.views) showTab(QString::fromStdString(name));
+  messages_->hide();
+  if (!problems.isEmpty())
+    messages_->warn(problems.size() == 1
+                        ? tr("1 file of the project is missing or has changed.")
+                        : tr("%1 files of the project are missing or have changed.").arg(problems.size()),
+                    problems.join('\n'));
+  addRecentFile(keeper_->path());
+  QSettings().setValue(lastProject, keeper_->path());
+  if (recovery_) recovery_->setHeld(true);
+  showTitle();
+  enableActions();
+  keeper_->saveSoon();
+}
+
+// Rows may move while the dialog stands: the run itself is what is meant.
+void MainWindow::findMissing(int row) {
+  const StoredRun lost = store_.at(row);
+  const QString path = QFileDialog::getOpenFileName(this, tr("Find the file of “%1”").arg(lost.label),
+                                                    QFileInfo(lost.path).absolutePath(), tr("All files (*)"));
+  row = store_.rowOfRecord(lost.record);
+  if (path.isEmpty() || row < 0) return;
+  project::Project one;
+  one.entries = {*lost.link};
+  one.entries[0].path = QFileInfo(path).absoluteFilePath().toStdString();
+  one.entries[0].name = lost.label.toStdString();
+  QStringList problems;
+  StoredRun found = openRuns(one, problems)[0];
+  messages_->hide();
+  if (!problems.isEmpty()) messages_->warn(problems[0]);
+  if (found.isMissing()) return;
+  std::vector<StoredRun> all;
+  for (int at = 0; at < store_.rowCount(); ++at) all.push_back(at == row ? found : store_.at(at));
+  store_.replaceAll(std::move(all), store_.current() < 0 ? row : store_.current());
+}
+
+void MainWindow::openLastProject() {
+  const QString path = QSettings().value(lastProject).toString();
+  if (path.isEmpty() || hasUnsavedChanges() || store_.rowCount() > 0) return;
+  if (!openProject(path)) QSettings().remove(lastProject);
+}
+
+bool MainWindow::saveProjectAs() {
+  takeWhatIsTyped();
+  const QString name = keeper_->isOpen() ? keeper_->name() : document_.name();
+  const QString path = locationToSave(this, tr("Save project"), name + ".squat-project", projectKinds());
+  return !path.isEmpty() && saveProjectTo(path);
+}
+
+bool MainWindow::saveProjectTo(const QString& path) {
+  QString other;
+  if (!keeper_->take(path, &other)) {
+    messages_->warn(tr("%1 is open in another window: %2. Choose another name.").arg(path, other));
+    return false;
+  }
+  try {
+    keepResults();
+    keeper_->saveNow();
+  } catch (const FileError& error) {
+    keeper_->release();
+    showTitle();
+    messages_->warn(QString::fromStdString(error.what()));
+    return false;
+  }
+  notes_->document()->setModified(false);
+  addRecentFile(keeper_->path());
+  QSettings().setValue(lastProject, keeper_->path());
+  if (recovery_) recovery_->setHeld(true);
+  showTitle();
+  enableActions();
+  return true;
+}
+
+void MainWindow::keepResults() {
+  for (const ResultPointer& result : store_.unsaved()) {
+    const QString file = keeper_->nextResult(QString::fromStdString(result->stem));
+    results::writeResult(file.toStdString(), *result);
+    store_.setPath(store_.rowOf(result), file);
+  }
+}
+
+bool MainWindow::keepProject() {
+  try {
+    keepResults();
+    keeper_->saveNow();
+    return true;
+  } catch (const FileError& error) {
+    const QString question = tr("The project could not be saved: %1").arg(QString::fromStdString(error.what()));
+    return services_.asker(this, question, tr("Discard")) == Answer::discard;
+  }
+}
+
+bool MainWindow::closeProject() {
+  if (!mayLeaveWork()) return false;
+  keeper_->release();
+  QSettings().remove(lastProject);
+  store_.replaceAll({}, -1);
+  document_.startNew();
+  profile_->plot()->fit();
+  cases_.clear();
+  notes_->setNotes({});
+  messages_->hide();
+  if (recovery_) recovery_->setHeld(false);
+  showTitle();
+  enableActions();
+  return true;
+}
+
+// A run may end while the question stands: what it adds is asked for as well.
+bool MainWindow::mayLeaveWork() {
+  std::vector<ResultPointer> asked;
+  bool caseAsked = false, notesAsked = false;
+  for (;;) {
+    takeWhatIsTyped();
+    if (keeper_->isOpen() && form_->refusals().isEmpty()) return keepProject();
+    std::vector<ResultPointer> fresh;
+    for (const auto& result : store_.unsaved())
+      if (std::find(asked.begin(), asked.end(), result) == asked.end()) fresh.push_back(result);
+    const bool ofCase = !caseAsked && hasUnsavedChanges();
+    const bool ofNotes = !notesAsked && !keeper_->isOpen() && notes_->document()->isModified();
+    QStringList sentences;
+    if (ofCase) sentences << tr("“%1” has unsaved changes.").arg(document_.name());
+    if (fresh.size() == 1)
+      sentences << tr("The result “%1” is not saved.").arg(store_.at(store_.rowOf(fresh[0])).label);
+    if (fresh.size() > 1) sentences << tr("%1 results are not saved.").arg(fresh.size());
+    if (ofNotes) sentences << tr("The notes are not saved.");
+    if (sentences.isEmpty()) return true;
+    const Answer answer = services_.asker(this, sentences.join(' '), tr("Discard"));
+    if (answer == Answer::cancel || (answer == Answer::save && !saveWork(ofCase, fresh, ofNotes))) return false;
+    asked.insert(asked.end(), fresh.begin(), fresh.end());
+    caseAsked = notesAsked = true;
+  }
+}
+
+// One thing goes where the user says; several go into a project, which asks for one place.
+bool MainWindow::saveWork(bool ofCase, const std::vector<ResultPointer>& results, bool ofNotes) {
+  if (ofCase && results.empty() && !ofNotes) return saveCase();
+  if (!ofCase && results.size() == 1 && !ofNotes) return saveResult(results[0]);
+  return isTaken() && saveProjectAs();
+}
+
+}  // namespace squat::studio
