@@ -114,7 +114,7 @@ cases::CaseDescription readCase(const CaseOptions& options) {
   cases::CaseOverrides overrides;
   auto problems = takeSets(options, overrides);
   if (problems.empty()) {
-    const auto description = cases::loadCase(options.name, overrides);
+    auto description = cases::loadCase(options.name, overrides);
     reportUselessSets(description, overrides);
     return description;
   }

@@ -46,7 +46,7 @@ std::string hashOn(const std::string& name, const std::string& mesh) {
 // The finished result in the folder. With --mesh it must be this very case on that mesh; without, whatever mesh stands
 // there will do. Throws CaseError for a result of another case, which is not to be overwritten.
 std::optional<results::RunResult> finished(const RunFiles& files, const std::string& mesh) {
-  const auto result = completeResult(files);
+  auto result = completeResult(files);
   if (!result) return std::nullopt;
   // A result of an earlier version had fewer keys: its case counts as this version reads it.
   const auto& found = results::caseOf(*result).description;

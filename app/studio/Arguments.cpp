@@ -60,9 +60,9 @@ Arguments readArguments() {
   if (parser.isSet(version)) parser.showVersion();
   const QStringList files = parser.positionalArguments() + parser.values(caseFile) + parser.values(resultFile);
   if (files.size() > 1) refuse("give one case, result or project; found " + files.join(", "));
-  const Arguments arguments{files.value(0),    parser.value(screenshot),
-                            parser.value(tab), parser.isSet(dark),
-                            parser.isSet(run), parser.isSet(size) ? sizeFrom(parser.value(size)) : QSize()};
+  Arguments arguments{files.value(0),    parser.value(screenshot),
+                      parser.value(tab), parser.isSet(dark),
+                      parser.isSet(run), parser.isSet(size) ? sizeFrom(parser.value(size)) : QSize()};
   if (!arguments.tab.isEmpty() && !MainWindow::tabNames().contains(arguments.tab))
     refuse(QStringLiteral("--tab is “%1”, must be one of %2").arg(arguments.tab, MainWindow::tabNames().join(", ")));
   if (arguments.run && !parser.isSet(screenshot)) refuse("--run needs --screenshot; in the window press F5");

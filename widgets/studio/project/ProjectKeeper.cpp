@@ -59,7 +59,7 @@ QString ProjectKeeper::nextResult(const QString& stem) const {
   QString base = stem.left(longest);
   base.replace('/', '_');
   for (int number = 1;; ++number) {
-    const QString file = folder.filePath(number == 1 ? base + ".h5" : QStringLiteral("%1-%2.h5").arg(base).arg(number));
+    QString file = folder.filePath(number == 1 ? base + ".h5" : QStringLiteral("%1-%2.h5").arg(base).arg(number));
     if (!QFileInfo::exists(file)) return file;
   }
 }
