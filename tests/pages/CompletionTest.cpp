@@ -45,7 +45,7 @@ TEST_F(Completion, OfCommands) {
 TEST_F(Completion, OfOptionsOfTheCommand) {
   EXPECT_EQ(offered("run --resum"), "--resume");
   EXPECT_EQ(offered("render --resum"), "");
-  EXPECT_EQ(offered("figures paper --me"), "--mesh");
+  EXPECT_EQ(offered("figures paper --mes"), "--mesh");
 }
 
 TEST_F(Completion, OfValues) {

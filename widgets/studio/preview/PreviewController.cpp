@@ -63,7 +63,9 @@ void PreviewController::takeNews() {
 }
 
 bool PreviewController::waitFor(int milliseconds) {
-  const auto isOver = [this] { return !isBusy() && !isPosted_; };
+  // The worker is idle a moment before its last news are posted.
+  const auto isTaken = [this] { return !worker_ || !on_ || held_ || worker_->take().phase == latest_.phase; };
+  const auto isOver = [&] { return !isBusy() && !isPosted_ && isTaken(); };
   QEventLoop loop;
   QTimer look;
   connect(&look, &QTimer::timeout, &loop, [&] {
