@@ -151,8 +151,8 @@ void addCalibrateCommand(CLI::App& program, Action& action) {
   addFigureOptions(*command, options->figures);
   command
       ->add_option("--partition", options->partition,
-                   "Compute the M-th of N parts of the points that fill the limits only; the call without it takes "
-                   "what all parts have computed, and goes on")
+                   "Compute only the M-th of N parts of the points that fill the limits; the call without it takes "
+                   "what all parts have computed, and continues the search")
       ->type_name("slice:M/N");
   command->footer(
       "Every point is kept in calibration.csv; the same command in the same folder resumes.\n"

@@ -219,7 +219,7 @@ void addDetectCommand(CLI::App& program, Action& action) {
       ->type_name("N");
   auto* partition = command
                         ->add_option("--partition", options->partition,
-                                     "Search the M-th of N parts of the records only, and keep what is found in "
+                                     "Search only the M-th of N parts of the records, and keep what is found in "
                                      "DIR/candidates: slice (every N-th record) or hash (by their names)")
                         ->type_name("slice:M/N");
   command->add_flag("--collect", options->collect, "Search no record: judge and combine what all parts have found")

@@ -47,7 +47,8 @@ std::vector<detection::RecordDetection> collectRecords(const RecordSearch& searc
       missing.push_back(record);
   }
   if (!missing.empty())
-    throw FileError(search.folder, "", "holds no candidates of " + listed(missing) + " as they stand now",
+    throw FileError(search.folder, "",
+                    "holds no candidates of " + listed(missing) + ": never searched, or changed since",
                     "Repeat the parts that have these records");
   return found;
 }

@@ -120,11 +120,11 @@ void addEstimateCommand(CLI::App& program, Action& action) {
                    ->excludes(json);
   auto* partition = command
                         ->add_option("--partition", options->partition,
-                                     "With --each, estimate the M-th of N parts of the files only: slice (every N-th "
+                                     "With --each, estimate only the M-th of N parts of the files: slice (every N-th "
                                      "file) or hash (by their names)")
                         ->type_name("slice:M/N")
                         ->needs(each);
-  command->add_flag("--collect", options->collect, "With --each, estimate nothing: put what all parts found together")
+  command->add_flag("--collect", options->collect, "With --each, estimate nothing: combine the estimates of all parts")
       ->needs(each)
       ->excludes(partition);
   command->callback([options, &action] { action = [options] { return estimate(*options); }; });

@@ -72,7 +72,7 @@ int collect(const EachEstimate& each) {
       missing.push_back(file);
   }
   if (!missing.empty())
-    throw FileError(each.folder, "", "holds no estimates of " + listed(missing) + " as this call makes them",
+    throw FileError(each.folder, "", "holds no estimates of " + listed(missing) + " with the options of this call",
                     "Repeat the parts that have these passages");
   TextTable table({"passage", "depth [um]", "length [mm]", "misfit", "peak [m/s²]"});
   const auto range = [](const estimation::Interval& interval, double unit) {

@@ -79,7 +79,7 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
   return result;
 }
 
-// Read ahead of the runs: a wrong file is told at once.
+// Read ahead of the runs: a wrong file is reported at once.
 std::vector<analysis::SignalAnalysis> passagesOf(const std::vector<std::string>& files,
                                                  const PaperFigureOptions& options, Monitor& monitor) {
   if (files.empty()) return {};

@@ -23,7 +23,7 @@ int workOnPart(const std::string& command, const std::vector<std::string>& files
     }
     if (outcome == FileOutcome::failed) continue;
     ++done;
-    monitor.message(files[i] + (outcome == FileOutcome::known ? ": known" : ": done"));
+    monitor.message(files[i] + (outcome == FileOutcome::known ? ": already done" : ": done"));
   }
   std::printf("%s: %zu of %zu files done\n", studies::toText(part).c_str(), done, own);
   return done == own ? kDone : kFileWrong;

@@ -98,7 +98,7 @@ class Search {
     return all;
   }
 
-  // The case's own values, as far as they lie within the limits.
+  // The case's own values, moved to the limits where they lie outside.
   UnitPoint ownPoint() const {
     const auto description = cases::loadCase(definition_.caseName, definition_.overrides);
     Values own;
@@ -114,7 +114,7 @@ class Search {
     return points;
   }
 
-  // Of the points that depend on no other.
+  // The part's share of the points that depend on no other.
   std::vector<UnitPoint> sharePoints() const {
     auto all = fillingPoints();
     all.insert(all.begin(), ownPoint());

@@ -47,7 +47,7 @@ struct CalibrationOptions {
   std::string folder = ".";
   int jobs = 1, threads = 1;  // points at once; threads of each run
   std::string isa;
-  // A share of the points that fill the limits, in FOLDER/parts; what comes behind them depends on all of them.
+  // A share of the points that fill the limits, in FOLDER/parts; the stages that follow depend on all of them.
   std::optional<studies::Partition> part;
 };
 
@@ -72,7 +72,7 @@ struct Calibration {
 // Every evaluated point is kept in FOLDER/calibration.csv at once; a call for the same calibration in the same folder
 // takes them from there and resumes. Throws CaseError for a folder that holds another calibration and for a case that
 // can be run at no point; FileError for targets that cannot be what they claim to be (units). What parts have computed
-// in FOLDER/parts is taken from there. For a part, nothing but its evaluations comes back.
+// in FOLDER/parts is taken from there. For a part, only its evaluations are returned.
 Calibration calibrate(const CalibrationDefinition& definition, const CalibrationOptions& options, Monitor& monitor);
 
 // The files that a calibration writes into its folder.

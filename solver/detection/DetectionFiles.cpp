@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -55,6 +57,32 @@ std::string passageText(const Event& event) {
   for (std::size_t i = 0; i < event.passage.values.size(); ++i) time.push_back(event.passage.timeAt(i));
   return text::csvColumns({"time [s]", "speed [m/s]", "aba [" + event.passage.unit + "]"},
                           {&time, &speed, &event.passage.values});
+}
+
+bool isPassageFile(const std::string& name) {
+  const std::string head = "squat-", end = ".csv";
+  if (!name.starts_with(head) || !name.ends_with(end) || name.size() < head.size() + 4 + end.size()) return false;
+  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(head.size()),
+                     name.end() - static_cast<std::ptrdiff_t>(end.size()), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+// Returns their number. Those of an earlier call are removed: whoever takes all files of the folder gets this list's.
+std::size_t writePassages(const DetectionReport& report, const std::string& folder) {
+  std::set<std::string> written;
+  for (std::size_t i = 0; i < report.events.size(); ++i) {
+    const auto file = passageFile(report, i);
+    if (file.empty()) continue;
+    if (written.empty()) makeFolder(folder + "/passages");
+    writeDurably(folder + "/" + file, passageText(report.events[i].event));
+    written.insert(std::filesystem::path(file).filename().string());
+  }
+  std::error_code none;
+  std::vector<std::filesystem::path> earlier;
+  for (const auto& entry : std::filesystem::directory_iterator(folder + "/passages", none))
+    if (const auto name = entry.path().filename().string(); isPassageFile(name) && written.count(name) == 0)
+      earlier.push_back(entry.path());
+  for (const auto& path : earlier) std::filesystem::remove(path, none);
+  return written.size();
 }
 
 std::string row(const DetectionReport& report, std::size_t index) {
@@ -180,10 +208,7 @@ std::vector<std::string> writeDetection(const DetectionReport& report, const std
   write("squats.csv", detectionCsv(report));
   write("squats.json", detectionJson(report));
   write("squats.geojson", detectionGeoJson(report));
-  makeFolder(folder + "/passages");
-  for (std::size_t i = 0; i < report.events.size(); ++i)
-    if (const auto file = passageFile(report, i); !file.empty())
-      writeDurably(folder + "/" + file, passageText(report.events[i].event));
+  if (writePassages(report, folder) > 0) paths.push_back(folder + "/passages");
   return paths;
 }
 

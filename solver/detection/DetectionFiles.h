@@ -15,8 +15,9 @@ struct DetectionReport {
   std::vector<std::string> notes;
 };
 
-// FOLDER/squats.csv, squats.json, and squats.geojson where a record has coordinates; durable. Returns the paths. Beside
-// them, in FOLDER/passages, the signal over each squat, which `squat estimate` reads.
+// FOLDER/squats.csv, squats.json, squats.geojson where a record has coordinates, and the signal over each squat in
+// FOLDER/passages, which `squat estimate` reads (time [s], speed [m/s], acceleration); durable. Passages of an earlier
+// call are removed. Returns the paths, the folder of the passages last.
 std::vector<std::string> writeDetection(const DetectionReport& report, const std::string& folder);
 
 std::string detectionCsv(const DetectionReport& report);

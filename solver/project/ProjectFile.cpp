@@ -72,17 +72,17 @@ class Node {
       : json_(json), place_(std::move(place)), origin_(origin) {}
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw FileError(origin_, place_.empty() ? "the whole" : place_, what,
+    throw FileError(origin_, place_.empty() ? "the whole file" : place_, what,
                     "Correct it there, or open an earlier copy of the project");
   }
   Node at(const char* key) const {
-    if (!json_.is_object()) fail("is no table of keys and values");
+    if (!json_.is_object()) fail("is not a table of keys and values");
     const auto found = json_.find(key);
     if (found == json_.end()) fail(std::string("lacks the key '") + key + "'");
     return {*found, place_ + "/" + key, origin_};
   }
   std::vector<Node> list() const {
-    if (!json_.is_array()) fail("is no list");
+    if (!json_.is_array()) fail("is not a list");
     if (json_.size() > mostEntries) fail("has more than " + std::to_string(mostEntries) + " entries");
     std::vector<Node> nodes;
     for (std::size_t i = 0; i < json_.size(); ++i)
@@ -90,7 +90,7 @@ class Node {
     return nodes;
   }
   std::string text() const {
-    if (!json_.is_string()) fail("is no text");
+    if (!json_.is_string()) fail("is not a text");
     return json_.get<std::string>();
   }
   bool flag() const {
@@ -106,7 +106,7 @@ class Node {
   }
   int whole(int lowest, int highest) const {
     const double value = number(lowest, highest);
-    if (value != std::floor(value)) fail("is no whole number");
+    if (value != std::floor(value)) fail("is not a whole number");
     return static_cast<int>(value);
   }
   char letter() const {
@@ -136,13 +136,13 @@ std::string digestIn(const Node& node) {
 std::string colourIn(const Node& node) {
   std::string colour = node.text();
   if (!colour.empty() && (colour.size() != 7 || colour[0] != '#' || !isHexadecimal(colour, 1)))
-    node.fail("is no colour like #0072b2");
+    node.fail("is not a colour such as #0072b2");
   return colour;
 }
 
 std::string linkIn(const Node& node, const std::string& folder) {
   const std::string link = node.text();
-  if (link.empty() || link.find('\0') != std::string::npos) node.fail("is no path");
+  if (link.empty() || link.find('\0') != std::string::npos) node.fail("is not a path");
   return pathOf(link, folder);
 }
 
@@ -190,7 +190,7 @@ OpenCase openCaseIn(const Node& node, const std::string& folder) {
   try {
     cases::parseUnfinishedCase(open.toml, "the case");
   } catch (const std::exception& error) {
-    node.at("toml").fail(std::string("is no case: ") + error.what());
+    node.at("toml").fail(std::string("is not a case: ") + error.what());
   }
   return open;
 }
@@ -204,7 +204,7 @@ std::string placeOf(const std::string& text, std::size_t byte) {
 }
 
 void requireSchema(const Node& root) {
-  if (root.at("schema").text() != schemaName) root.at("schema").fail("is no project of this program");
+  if (root.at("schema").text() != schemaName) root.at("schema").fail("is not a project of this program");
   const int version = root.at("schema_version").whole(1, 1 << 30);
   if (version > projectSchema)
     root.at("schema_version")
@@ -239,7 +239,7 @@ Project parseProject(const std::string& text, const std::string& origin, const s
   try {
     json = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw FileError(origin, placeOf(text, error.byte), "is no JSON, or was cut off here",
+    throw FileError(origin, placeOf(text, error.byte), "is not JSON, or was cut off here",
                     "Open an earlier copy of the project");
   }
   const Node root(json, "", origin);

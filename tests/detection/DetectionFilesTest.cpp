@@ -8,7 +8,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "results/SampleResult.h"
 #include "text/Csv.h"
 
 namespace squat::detection {
@@ -67,6 +69,28 @@ TEST(DetectionFiles, JsonReadsBack) {
   EXPECT_EQ(json["events"].size(), 2U);
   EXPECT_EQ(json["events"][0]["depth_mm"][0], 0.2);
   EXPECT_FALSE(json["events"][1].contains("severity"));
+}
+
+// What `squat estimate passages/*.csv --each` is given: this list's squats, none of an earlier call, no other's file.
+TEST(DetectionFiles, PassagesAreThoseOfTheList) {
+  const squat::testing::TemporaryFolder folder;
+  const auto name = [&](const char* file) { return folder / (std::string("passages/") + file); };
+  auto report = reportWith(53);
+  report.events[0].event.passage = {10.25, 2e-4, {1.5, -2}, "left", "m/s2"};
+  std::filesystem::create_directory(folder / "passages");
+  for (const char* file : {"squat-0002.csv", "squat-own.csv", "squat-12.csv"}) std::ofstream(name(file)) << "kept?";
+  EXPECT_EQ(writeDetection(report, folder.path()).back(), folder / "passages");
+  EXPECT_EQ(readWholeFile(name("squat-0001.csv"), 1000),
+            "time [s],speed [m/s],aba [m/s2]\n10.25,30,1.5\n10.2502,30,-2\n");
+  EXPECT_FALSE(std::filesystem::exists(name("squat-0002.csv"))) << "a weld now, a squat of an earlier list";
+  EXPECT_TRUE(std::filesystem::exists(name("squat-own.csv")));
+  EXPECT_TRUE(std::filesystem::exists(name("squat-12.csv")));
+  const auto rows = text::csvRecords(readWholeFile(folder / "squats.csv", 10000));
+  EXPECT_EQ(rows.at(1).back(), "passages/squat-0001.csv");
+  EXPECT_EQ(rows.at(2).back(), "");
+  report.events.erase(report.events.begin());
+  EXPECT_NE(writeDetection(report, folder.path()).back(), folder / "passages");
+  EXPECT_FALSE(std::filesystem::exists(name("squat-0001.csv")));
 }
 
 // The table corrected by hand serves as labels.

@@ -117,7 +117,7 @@ TEST(ProjectFile, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(place("\"current\": 0", "\"current\": 1"), "/current");
   EXPECT_EQ(place("\"reference\": 1", "\"reference\": 2"), "/reference");
   EXPECT_EQ(place("\"results/dip.h5\"", "\"\""), "/runs/0/path");
-  EXPECT_EQ(place("\"notes\":", "\"nodes\":"), "the whole");
+  EXPECT_EQ(place("\"notes\":", "\"nodes\":"), "the whole file");
   EXPECT_THAT(refusalOf(with(good, "\"notes\":", "\"nodes\":")).what(), HasSubstr("lacks the key 'notes'"));
   EXPECT_THAT(refusalOf(with(good, "[motion]", "[motoin]")).what(),
               AllOf(HasSubstr("/open_case/toml"), HasSubstr("motoin")));
@@ -159,7 +159,7 @@ TEST(ProjectFile, damageIsNamedOrHarmless) {
 
 TEST(ProjectFile, strangersAreRefused) {
   EXPECT_THAT(refusalOf("").location(), HasSubstr("line 1"));
-  EXPECT_THAT(refusalOf("[]").what(), HasSubstr("no table"));
+  EXPECT_THAT(refusalOf("[]").what(), HasSubstr("not a table"));
   EXPECT_THAT(refusalOf(std::string(1U << 20U, '[')).location(), HasSubstr("line 1"));
   const Folder folder;
   EXPECT_THROW(readProject(folder.path("none.squat-project")), FileError);
@@ -172,7 +172,7 @@ TEST(ProjectFile, aPlaceThatCannotBeWrittenLeavesWhatIsThere) {
   writeProject(path, everything(folder.path()));
   const auto before = folder.read("day.squat-project");
   auto broken = everything(folder.path());
-  broken.open.toml = "no case";  // cannot be read back
+  broken.open.toml = "not a case";  // cannot be read back
   EXPECT_THROW(writeProject(path, broken), FileError);
   EXPECT_EQ(folder.read("day.squat-project"), before);
   EXPECT_THROW(writeProject(folder.path("missing/day.squat-project"), everything(folder.path())), FileError);
