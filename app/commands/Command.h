@@ -19,6 +19,7 @@ void addExportCommand(CLI::App& program, Action& action);
 void addFiguresCommand(CLI::App& program, Action& action);
 void addReceptanceCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
+void addReportCommand(CLI::App& program, Action& action);
 void addRunCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 void addValidateCommand(CLI::App& program, Action& action);

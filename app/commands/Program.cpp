@@ -121,6 +121,7 @@ int runProgram(int argc, char** argv) {
   addRunCommand(program, action);
   addWarmCommand(program, action);
   addRenderCommand(program, action);
+  addReportCommand(program, action);
   addExportCommand(program, action);
   addDescribeCommand(program, action);
   addFiguresCommand(program, action);

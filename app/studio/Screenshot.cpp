@@ -5,6 +5,7 @@
 #include <QThread>
 
 #include "studio/comparison/ComparisonWindow.h"
+#include "studio/project/RunReader.h"
 #include "studio/window/MainWindow.h"
 
 namespace squat::studio {
@@ -21,6 +22,7 @@ bool runFirst(MainWindow& window) {
 bool takeScreenshot(MainWindow& window, const QString& path) {
   window.show();
   constexpr int patience = 600 * 1000;  // [ms]
+  window.reader()->waitFor(patience);
   window.preview().waitFor(patience);
   // Queued replots and late layouts are done after a few turns of the event loop.
   QElapsedTimer clock;

@@ -1,11 +1,12 @@
-// solver/project/LinkedRun.h - the result that an entry of a project links to.
+// solver/project/LinkedRun.h - the result or measured signal that an entry of a project links to.
 #pragma once
 
 #include <memory>
 #include <string>
 
+#include "project/MeasuredRecords.h"
 #include "project/Project.h"
-#include "results/RunResult.h"
+#include "results/ResultFile.h"
 
 namespace squat::project {
 
@@ -15,7 +16,15 @@ struct LinkedRun {
 };
 
 // Throws nothing: what cannot be read is missing.
-LinkedRun openRun(const Entry& entry);
+LinkedRun openRun(const Entry& entry, results::ResultContent content = results::ResultContent::everything);
+
+struct LinkedSignal {
+  MeasuredRecord measured;  // its record null: missing, `problem` says why
+  std::string problem;      // as above
+};
+
+// Throws nothing.
+LinkedSignal openSignal(const Entry& entry);
 
 // "PATH holds other values than when the project was saved"; empty where the digests agree or one is not known.
 std::string changeOf(const Entry& entry, const signals::Record& record);

@@ -22,6 +22,8 @@ struct Hdf5Limits {
   // Datasets with more values than this come without them: their type, shape and attributes alone. Such a tree can
   // not be written again.
   std::size_t valuesUpTo = static_cast<std::size_t>(-1);
+  // Groups that are passed over with all that is in them ("/fields"). Such a tree can not be written again either.
+  std::vector<std::string> without = {};
 };
 
 // The image of an HDF5 file in memory. Nothing touches the disk, so a full disk cannot leave the library in a bad

@@ -1,5 +1,6 @@
 #include "results/Hdf5Reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -68,6 +69,7 @@ class Walker {
     if (depth > kDeepest) refuse(groupPath, "groups are nested too deeply");
     for (const auto& name : linkNames(group, groupPath)) {
       const auto path = groupPath + "/" + name;
+      if (std::find(limits_.without.begin(), limits_.without.end(), path) != limits_.without.end()) continue;
       if (++objects_ > limits_.objects) refuse(path, "too many objects");
       H5L_info_t link{};
       check(H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT), path_, path, "cannot be looked up");

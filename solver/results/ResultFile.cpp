@@ -38,7 +38,11 @@ void writeResult(const std::string& path, const RunResult& result) {
   });
 }
 
-RunResult readResult(const std::string& path) { return fromTree(readHdf5(path), path); }
+RunResult readResult(const std::string& path, ResultContent content) {
+  Hdf5Limits limits;
+  if (content == ResultContent::withoutFields) limits.without = {"/mesh/surface", "/fields", "/patch"};
+  return fromTree(readHdf5(path, limits), path);
+}
 
 bool isCompleteResult(const std::string& path) noexcept {
   try {

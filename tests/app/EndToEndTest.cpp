@@ -13,10 +13,12 @@
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
+#include "case/ParameterTable.h"
 #include "case/Resolve.h"
 #include "core/DurableFile.h"
 #include "model/Model.h"
 #include "model/WheelsetModes.h"
+#include "project/ProjectFile.h"
 #include "results/Hdf5.h"
 #include "results/SampleResult.h"
 #include "signals/Features.h"
@@ -82,6 +84,37 @@ void expectPicture(const std::string& path, double ink) {
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) other += picture.pixel(x, y) != picture.pixel(0, 0);
   EXPECT_GT(static_cast<double>(other), ink * picture.width() * picture.height()) << path;
+}
+
+// What is on its pages, plots::ReportPages tests.
+TEST_F(EndToEnd, ReportOfResultsAndOfAProject) {
+  const TemporaryFolder folder;
+  const std::string pdf = folder / "report.pdf";
+  const auto pages = [&] { return readWholeFile(pdf, 100000000); };
+  writeDurably(folder / "notes.txt", "Second bogie\n");
+  const std::vector<std::string> report{"report", file("light-defect.h5"), file("class-c-squat.h5"), "-o", pdf};
+  auto words = report;
+  words.insert(words.end(),
+               {"--notes", folder / "notes.txt", "--figures", "psd", "--measured", file("light-defect.csv")});
+  EXPECT_THAT(call(words), HasSubstr(pdf));
+  EXPECT_TRUE(pages().starts_with("%PDF-"));
+
+  project::Project work;
+  work.open = {"dip", "", false, cases::writeCase(cases::defaultCase())};
+  work.entries.resize(2);
+  work.entries[0].path = file("class-c-squat.h5"), work.entries[0].name = "deep";
+  work.entries[1].path = folder / "gone.h5", work.entries[1].name = "gone";
+  work.current = 0;
+  project::writeProject(folder / "day.squat-project", work);
+  std::filesystem::remove(pdf);
+  EXPECT_THAT(call({"report", folder / "day.squat-project", "-o", pdf}), HasSubstr("gone.h5"));  // said, and left out
+  EXPECT_TRUE(pages().starts_with("%PDF-"));
+
+  EXPECT_EQ(testing::call({"report", folder / "gone.h5", "-o", pdf}), 4);
+  EXPECT_EQ(testing::call({"report", file("light-defect.h5"), "--figures", "nonsense", "-o", pdf}), 2);
+  EXPECT_EQ(testing::call({"report", folder / "day.squat-project", file("light-defect.h5"), "-o", pdf}), 2);
+  EXPECT_EQ(testing::call({"report", file("light-defect.h5"), "-o", folder / "no/such/folder"}), 0);  // it is made
+  EXPECT_EQ(testing::call({"report", file("light-defect.h5"), "-o", "/proc/report.pdf"}), 4);
 }
 
 TEST_F(EndToEnd, FiguresPaperRunsTheCasesAndDrawsThem) {

@@ -18,6 +18,7 @@
 #include "studio/comparison/ComparisonWindow.h"
 #include "studio/project/NotesPanel.h"
 #include "studio/project/ProjectKeeper.h"
+#include "studio/project/RunReader.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
 
@@ -82,6 +83,7 @@ class ProjectOfRuns : public testing::Test {
     window.showTab("notes");
   }
   void expectTheWork(MainWindow& window) const {
+    ASSERT_TRUE(window.reader()->waitFor(30000));
     RunStore& store = window.store();
     ASSERT_EQ(store.rowCount(), 3);
     EXPECT_EQ(store.at(0).label, "the shallow one");
@@ -118,8 +120,12 @@ TEST_F(ProjectOfRuns, comesBackByteForByte) {
   const QByteArray saved = read("day.squat-project");
   const auto window = open();
   ASSERT_TRUE(window->openAny(path("day.squat-project"))) << window->messages()->text().toStdString();
-  EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
+  // Saved while the runs are still being read: nothing of them is lost.
+  EXPECT_TRUE(window->store().at(0).opening);
+  window->keeper()->saveNow();
+  EXPECT_EQ(read("day.squat-project"), saved);
   ASSERT_NO_FATAL_FAILURE(expectTheWork(*window));
+  EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
   window->keeper()->saveNow();
   EXPECT_EQ(read("day.squat-project"), saved);
 }
@@ -160,6 +166,7 @@ TEST_F(ProjectOfRuns, whatIsMissingIsListedAndStaysListed) {
   {
     const auto window = open();
     ASSERT_TRUE(window->openProject(path("day.squat-project")));
+    ASSERT_TRUE(window->reader()->waitFor(30000));
     EXPECT_TRUE(window->messages()->text().contains("3 files")) << window->messages()->text().toStdString();
     RunStore& store = window->store();
     ASSERT_EQ(store.rowCount(), 3);
@@ -177,6 +184,7 @@ TEST_F(ProjectOfRuns, whatIsMissingIsListedAndStaysListed) {
   ASSERT_TRUE(QFile::rename(path("elsewhere.csv"), path("measured.csv")));
   const auto window = open();
   ASSERT_TRUE(window->openProject(path("day.squat-project")));
+  ASSERT_TRUE(window->reader()->waitFor(30000));
   EXPECT_TRUE(window->store().at(0).isMissing());  // still, and not dropped
   EXPECT_FALSE(window->store().at(2).isMissing());
   EXPECT_TRUE(window->store().at(2).overlaid);  // as it was before it was missing
@@ -206,6 +214,7 @@ TEST_F(ProjectOfRuns, movesWithItsFolder) {
   ASSERT_TRUE(QDir(folder_.path()).rename("here", "there"));
   const auto window = open();
   ASSERT_TRUE(window->openProject(path("there/day.squat-project")));
+  ASSERT_TRUE(window->reader()->waitFor(30000));
   EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
   EXPECT_TRUE(window->store().currentResult());
 }

@@ -38,7 +38,7 @@ class Completion : public ::testing::Test {
 };
 
 TEST_F(Completion, OfCommands) {
-  EXPECT_EQ(offered("re"), "render receptance");
+  EXPECT_EQ(offered("re"), "render report receptance");
   EXPECT_EQ(offered("figures ''"), "paper");
 }
 

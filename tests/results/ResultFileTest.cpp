@@ -41,6 +41,16 @@ TEST(ResultFile, GivesBackEveryBit) {
   EXPECT_EQ(back.snapshots[1].name, "impact");
 }
 
+TEST(ResultFile, WithoutFieldsHasAllTheRest) {
+  const TemporaryFolder folder;
+  auto result = sampleResult();
+  writeResult(folder / "sample.h5", result);
+  const auto light = readResult(folder / "sample.h5", ResultContent::withoutFields);
+  ASSERT_FALSE(result.surface.quads.empty() || result.snapshots.empty() || result.patches.empty());
+  result.surface = {}, result.snapshots.clear(), result.patches.clear();
+  EXPECT_EQ(firstDifference(toTree(result), toTree(light)), "");
+}
+
 TEST(ResultFile, SurvivesAnEmptyResult) {
   const TemporaryFolder folder;
   writeResult(folder / "empty.h5", RunResult{});

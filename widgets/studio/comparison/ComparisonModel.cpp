@@ -58,7 +58,9 @@ void ComparisonModel::update() {
   std::vector<QString> problems;
   for (int row = 0; row < store_->rowCount(); ++row) {
     const StoredRun& run = store_->at(row);
-    const QString name = run.isMissing() ? run.label + tr(" (missing)") : run.label;
+    const QString name = run.opening       ? run.label + tr(" (opening)")
+                         : run.isMissing() ? run.label + tr(" (missing)")
+                                           : run.label;
     analysis::ComparedSignal signal{name.toStdString(), run.values.get(), {}, {}};
     QString problem = run.missing;
     const auto take = [&](const ComparisonWorker::Numbers* numbers, analysis::NamedNumbers& into) {
@@ -68,7 +70,8 @@ void ComparisonModel::update() {
     };
     if (!run.isMissing()) {
       take(worker_.numbersOf(sourceOf(row)), signal.numbers);
-      take(worker_.likenessOf(sourceOf(row), sourceOf(reference)), signal.likeness);
+      if (!store_->at(reference).isMissing())  // it may still be opening
+        take(worker_.likenessOf(sourceOf(row), sourceOf(reference)), signal.likeness);
     }
     signals.push_back(std::move(signal));
     problems.push_back(problem);

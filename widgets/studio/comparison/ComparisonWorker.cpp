@@ -4,7 +4,7 @@ namespace squat::studio {
 namespace {
 
 signals::Record wholeOf(const ComparisonWorker::Source& source) {
-  return source.measured ? wholeRecord({source.record, source.reading}) : *source.record;
+  return source.measured ? project::wholeRecord({source.record, source.reading}) : *source.record;
 }
 
 }  // namespace

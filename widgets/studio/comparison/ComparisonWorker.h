@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "analysis/ComparisonTable.h"
-#include "studio/runs/MeasuredRecords.h"
+#include "project/MeasuredRecords.h"
 
 namespace squat::studio {
+
+using project::RecordPointer;
 
 // One signal after the other, each once: of a run its record, of a measured signal the whole file, which may be longer
 // than what is drawn.
@@ -20,7 +22,7 @@ class ComparisonWorker : public QObject {
  public:
   struct Source {
     RecordPointer record;
-    MeasuredReading reading;
+    project::MeasuredReading reading;
     bool measured = false;
   };
   struct Numbers {

@@ -140,6 +140,10 @@ void ScenePanel::showResult() {
   play_->setEnabled(count > 1);
   if (count < 2) play_->setChecked(false);
   time_->setValue(std::max(shown, 0));
+  const bool reading = result && store_.at(store_.current()).fields == Fields::inFile;
+  scene_->setHint(reading  ? tr("The model of this run is being read.")
+                  : result ? tr("This result holds no model.")
+                           : tr("Run a case or open a result to see the model."));
   scene_->setResult(result);
   apply();
 }

@@ -45,6 +45,11 @@ void SceneWidget::setResult(std::shared_ptr<const results::RunResult> result) {
   refresh(false);
 }
 
+void SceneWidget::setHint(const QString& hint) {
+  hint_ = hint;
+  update();
+}
+
 void SceneWidget::setChoices(const scene::SceneChoices& choices, bool moving) {
   choices_ = choices;
   if (view_) view_->setChoices(choices);
@@ -75,8 +80,7 @@ void SceneWidget::paintEvent(QPaintEvent*) {
   const bool empty = !result_ || result_->surface.quads.empty();
   if (empty || !ensureView()) {
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
-                     empty ? tr("Run a case or open a result to see the model.") : reason_);
+    painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, empty ? hint_ : reason_);
     return;
   }
   if (stale_) {

@@ -19,6 +19,7 @@ class SceneWidget : public QWidget {
   ~SceneWidget() override;
 
   void setResult(std::shared_ptr<const results::RunResult> result);
+  void setHint(const QString& hint);  // shown where there is no model
   void setChoices(const scene::SceneChoices& choices, bool moving = false);
   void lookFrom(scene::StandardView view);
   bool isAvailable() const { return view_ != nullptr || !tried_; }
@@ -43,7 +44,7 @@ class SceneWidget : public QWidget {
   std::shared_ptr<const results::RunResult> result_;
   scene::SceneChoices choices_;
   QImage image_;
-  QString reason_;
+  QString reason_, hint_;
   QPoint last_;
   QTimer rest_;
   bool tried_ = false, stale_ = true, moving_ = false;

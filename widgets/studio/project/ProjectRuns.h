@@ -1,10 +1,10 @@
 // widgets/studio/project/ProjectRuns.h - runs and measured signals of the list as entries of a project, and back.
 #pragma once
 
-#include <QStringList>
-#include <vector>
+#include <QString>
 
 #include "project/Project.h"
+#include "results/ResultFile.h"
 #include "studio/runs/RunStore.h"
 
 namespace squat::studio {
@@ -12,8 +12,14 @@ namespace squat::studio {
 // What a project keeps of the list: what is in no file yet is left out.
 void listRuns(const RunStore& store, project::Project& project);
 
-// The files of the entries, in their order; what cannot be read is listed as missing. `problems` gets a sentence for
-// each file that is missing, or holds something else than it did.
-std::vector<StoredRun> openRuns(const project::Project& project, QStringList& problems);
+// The link to a run or a measured signal that is in a file.
+project::Entry entryOf(const StoredRun& run);
+
+// As it stands in the list before its file is read.
+StoredRun listedRun(const project::Entry& entry);
+
+// What the file of an entry holds; without a record where it cannot be read. `problem` gets a sentence where it is
+// missing, or holds something else than it did. May be called in any thread.
+StoredRun openEntry(const project::Entry& entry, results::ResultContent content, QString& problem);
 
 }  // namespace squat::studio

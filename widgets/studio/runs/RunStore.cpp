@@ -16,6 +16,7 @@ QVariant RunStore::data(const QModelIndex& index, int role) const {
   const StoredRun& run = at(index.row());
   if (role == Qt::DisplayRole) {
     QString text = run.label;
+    if (run.opening) return text + tr(" (opening)");
     if (run.isMissing()) return text + tr(" (missing)");
     if (run.isMeasured()) text += tr(" (measured)");
     if (!run.isMeasured() && !run.result->complete) text += tr(" (incomplete)");
@@ -51,8 +52,7 @@ Qt::ItemFlags RunStore::flags(const QModelIndex& index) const {
   return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable : Qt::NoItemFlags;
 }
 
-// What the table and the names need of it.
-void RunStore::know(StoredRun& run) {
+void describe(StoredRun& run) {
   if (!run.isMeasured() && run.result->resolvedCase)
     run.values = std::make_shared<cases::ComparedCase>(cases::comparedCase(run.result->resolvedCase->description));
   if (run.record) run.digest = analysis::runDigest(*run.record);
@@ -63,7 +63,7 @@ int RunStore::add(StoredRun run) {
   const bool measured = run.isMeasured();
   run.overlaid = measured;
   run.colourIndex = freeColourIndex();
-  know(run);
+  describe(run);
   beginInsertRows({}, row, row);
   runs_.push_back(std::move(run));
   endInsertRows();
@@ -79,18 +79,63 @@ void RunStore::replaceAll(std::vector<StoredRun> runs, int current) {
   beginResetModel();
   runs_.clear();
   current_ = -1;
+  waiting_.reset();
   for (StoredRun& run : runs) {
     if (run.isMissing()) run.overlaid = false;
     run.colourIndex = freeColourIndex();
-    know(run);
+    if (!run.isMissing()) describe(run);
     runs_.push_back(std::move(run));
   }
-  if (current >= 0 && current < rowCount() && !at(current).isMeasured()) current_ = current;
+  if (current >= 0 && current < rowCount() && at(current).opening)
+    waiting_ = at(current).link;
+  else if (current >= 0 && current < rowCount() && !at(current).isMeasured())
+    current_ = current;
   endResetModel();
   makeNames();
   Q_EMIT referenceChanged();
   Q_EMIT currentChanged();
   Q_EMIT overlaysChanged();
+}
+
+bool RunStore::fillRow(int row, const StoredRun& read) {
+  auto& run = runs_.at(static_cast<std::size_t>(row));
+  run.opening = false, run.missing = read.missing;
+  if (read.isMissing()) {
+    if (reference_ == run.record) reference_.reset();
+    return false;
+  }
+  const bool isWaitedFor = waiting_ && (waiting_ == run.link || rowOfLink(waiting_) < 0);  // or that one was removed
+  if (reference_ == run.record) reference_ = read.record;
+  run.result = read.result, run.record = read.record, run.reading = read.reading;
+  run.values = read.values, run.digest = read.digest, run.fields = read.fields;
+  run.colourIndex = freeColourIndex(), run.overlaid = run.link->overlaid;
+  run.link.reset();
+  return current_ < 0 && read.result && isWaitedFor;
+}
+
+void RunStore::fill(std::vector<std::pair<int, StoredRun>> read) {
+  if (read.empty()) return;
+  int first = rowCount(), last = -1, current = -1;
+  bool overlaid = false;
+  for (const auto& [row, run] : read) {
+    if (fillRow(row, run)) current = row;
+    overlaid = overlaid || at(row).overlaid;
+    first = std::min(first, row), last = std::max(last, row);
+  }
+  makeNames();
+  Q_EMIT dataChanged(index(first), index(last));
+  Q_EMIT filled();
+  if (current >= 0) setCurrent(current);
+  if (overlaid) Q_EMIT overlaysChanged();
+}
+
+void RunStore::setResult(int row, const ResultPointer& result, Fields fields) {
+  auto& run = runs_.at(static_cast<std::size_t>(row));
+  if (reference_ == run.record) reference_ = result;
+  run.result = result, run.record = result, run.fields = fields;
+  Q_EMIT dataChanged(index(row), index(row));
+  if (row == current_) Q_EMIT currentChanged();
+  if (run.overlaid && row != current_) Q_EMIT overlaysChanged();
 }
 
 void RunStore::remove(int row) {
@@ -131,8 +176,10 @@ void RunStore::setColour(int row, const QColor& colour) {
   if (at(row).overlaid) Q_EMIT overlaysChanged();
 }
 
-// Also those that the user named are compared with: what is called by what differs, differs from them.
+// Also those that the user named are compared with: what is called by what differs, differs from them. The names of a
+// project stand until all of its runs are read.
 void RunStore::makeNames() {
+  if (std::any_of(runs_.begin(), runs_.end(), [](const StoredRun& run) { return run.opening; })) return;
   std::vector<cases::CaseToName> known;
   for (const StoredRun& run : runs_)
     if (run.values) known.push_back({run.result->stem, run.values.get()});
@@ -186,6 +233,14 @@ int RunStore::rowOfRecord(const RecordPointer& record) const {
   return -1;
 }
 
+int RunStore::rowOfLink(const RunLink& link) const {
+  for (int row = 0; row < rowCount(); ++row)
+    if (link && at(row).link == link) return row;
+  return -1;
+}
+
+int RunStore::waitingCurrent() const { return current_ < 0 ? rowOfLink(waiting_) : -1; }
+
 int RunStore::reference() const {
   if (const int chosen = chosenReference(); chosen >= 0) return chosen;
   int first = -1;
@@ -198,7 +253,8 @@ int RunStore::reference() const {
 }
 
 void RunStore::setReference(int row) {
-  if (row < 0 || row >= rowCount() || at(row).isMissing() || at(row).record == reference_) return;
+  if (row < 0 || row >= rowCount() || at(row).record == reference_) return;
+  if (at(row).isMissing() && !at(row).opening) return;
   reference_ = at(row).record;
   Q_EMIT referenceChanged();
 }

@@ -8,12 +8,19 @@
 
 #include "analysis/RunFeatures.h"
 #include "case/CaseNames.h"
+#include "project/MeasuredRecords.h"
 #include "project/Project.h"
-#include "studio/runs/MeasuredRecords.h"
 #include "studio/runs/RunController.h"
 #include "studio/runs/UnsavedResults.h"
 
 namespace squat::studio {
+
+using project::MeasuredReading;
+using project::RecordPointer;
+using RunLink = std::shared_ptr<const project::Entry>;
+
+// Where surface, snapshots and contact patches of a run are: of a project's runs the file's, read when they are shown.
+enum class Fields { inMemory, inFile, both };
 
 // A run of this program, or a measured record, which is laid over runs and is never the current one.
 struct StoredRun {
@@ -31,11 +38,16 @@ struct StoredRun {
   MeasuredReading reading = {};  // of a measured one
   // Why a file that a project links to is not shown, and the link; its record is empty then. Empty: nothing is missing.
   QString missing = {};
-  std::shared_ptr<const project::Entry> link = nullptr;
+  RunLink link = nullptr;
+  bool opening = false;  // it is missing because it is still being read
+  Fields fields = Fields::inMemory;
 
   bool isMeasured() const { return !result; }
   bool isMissing() const { return !missing.isEmpty(); }
 };
+
+// Fills in what the table and the names need of a run: its compared case and its digest.
+void describe(StoredRun& run);
 
 // A list with check boxes: checked runs are overlaid on the current one. Runs without a name of their own are called by
 // what differs between them (case/CaseNames.h), anew with every run that joins or leaves.
@@ -51,17 +63,24 @@ class RunStore : public QAbstractListModel {
 
   // Makes it the current one, unless it is measured, which is overlaid instead. Returns its row.
   int add(StoredRun run);
-  // In place of all there are, overlaid or not as each says; `current` is the row that becomes the current one.
+  // In place of all there are, overlaid or not as each says; `current` is the row that becomes the current one,
+  // once it is read.
   void replaceAll(std::vector<StoredRun> runs, int current);
+  // What was read of the files of rows that were opening: name, colour and overlay stay as they are listed.
+  void fill(std::vector<std::pair<int, StoredRun>> read);
+  // The same run with or without fields.
+  void setResult(int row, const ResultPointer& result, Fields fields);
   void remove(int row);
   // An empty name gives a run of this program the one that is made from what differs between runs.
   void rename(int row, const QString& name);
   void setColour(int row, const QColor& colour);  // not valid: the automatic one again
   int current() const { return current_; }
+  int waitingCurrent() const;  // the row that becomes the current one once it is read; -1: none
   void setCurrent(int row);
   ResultPointer currentResult() const;
   int rowOf(const ResultPointer& result) const;        // -1: not in the list (any more)
   int rowOfRecord(const RecordPointer& record) const;  // the same of runs and measured signals
+  int rowOfLink(const RunLink& link) const;            // of what a project links to and is not read yet
   const StoredRun& at(int row) const { return runs_.at(static_cast<std::size_t>(row)); }
   void setPath(int row, const QString& path);
   // What the comparison compares with: the one that was set, else the first measured signal, else the first run; -1:
@@ -77,15 +96,17 @@ class RunStore : public QAbstractListModel {
   void overlaysChanged();
   void namesChanged();
   void referenceChanged();
+  void filled();
 
  private:
-  static void know(StoredRun& run);
   void makeNames();
+  bool fillRow(int row, const StoredRun& read);  // whether it becomes the current one
   std::size_t freeColourIndex() const;
   int computedNear(int row) const;  // the next computed run from this row on, else the one before; -1: none
   std::vector<StoredRun> runs_;
   int current_ = -1;
   RecordPointer reference_;  // null: none was set
+  RunLink waiting_;          // of the row that becomes the current one
 };
 
 }  // namespace squat::studio

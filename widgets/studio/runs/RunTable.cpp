@@ -51,13 +51,20 @@ QColor curveColour(const StoredRun& run, bool current) {
 }
 
 RunTable::RunTable(RunStore& store, QObject* parent) : QAbstractTableModel(parent), store_(&store) {
-  makeColumns();
+  columns_ = columnsNow();
   // What differs, and so the columns, may change with every run that comes or goes.
   const auto begin = [this] { beginResetModel(); };
   const auto end = [this] {
-    makeColumns();
+    columns_ = columnsNow();
     endResetModel();
   };
+  connect(&store, &RunStore::filled, this, [this] {
+    auto columns = columnsNow();
+    if (columns == columns_) return;
+    beginResetModel();
+    columns_ = std::move(columns);
+    endResetModel();
+  });
   connect(&store, &RunStore::rowsAboutToBeInserted, this, begin);
   connect(&store, &RunStore::rowsInserted, this, end);
   connect(&store, &RunStore::rowsAboutToBeRemoved, this, begin);
@@ -69,15 +76,16 @@ RunTable::RunTable(RunStore& store, QObject* parent) : QAbstractTableModel(paren
   });
 }
 
-void RunTable::makeColumns() {
-  columns_ = {{Kind::name}, {Kind::peak}, {Kind::lines}};
+std::vector<RunTable::Column> RunTable::columnsNow() const {
+  std::vector<Column> columns{{Kind::name}, {Kind::peak}, {Kind::lines}};
   std::vector<const cases::ComparedCase*> cases;
   for (int row = 0; row < store_->rowCount(); ++row)
     if (store_->at(row).values) cases.push_back(store_->at(row).values.get());
   for (const std::size_t row : cases::differingRows(cases))
-    if (row != meshRow()) columns_.push_back({Kind::parameter, row});
-  columns_.push_back({Kind::mesh, meshRow()});
-  columns_.push_back({Kind::time});
+    if (row != meshRow()) columns.push_back({Kind::parameter, row});
+  columns.push_back({Kind::mesh, meshRow()});
+  columns.push_back({Kind::time});
+  return columns;
 }
 
 int RunTable::rowCount(const QModelIndex& parent) const { return parent.isValid() || !store_ ? 0 : store_->rowCount(); }

@@ -32,8 +32,9 @@ class RunTable : public QAbstractTableModel {
   struct Column {
     Kind kind = Kind::name;
     std::size_t row = 0;  // of the parameter table
+    bool operator==(const Column&) const = default;
   };
-  void makeColumns();
+  std::vector<Column> columnsNow() const;
   QString text(const StoredRun& run, const Column& column) const;
   QVariant sorted(const StoredRun& run, const Column& column) const;
 

@@ -32,6 +32,7 @@ class SignalsPanel : public QWidget {
   static QStringList names();
   void showTab(const QString& name);
   QString currentTab() const;
+  std::string colourMap() const { return style_.colourMap; }
   FigureView* view(const QString& name) const;
   FigureView* currentView() const;
   const SignalSettings& settings() const { return settings_; }

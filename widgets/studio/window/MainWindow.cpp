@@ -28,6 +28,7 @@
 #include "studio/profile/ProfileEditor.h"
 #include "studio/project/NotesPanel.h"
 #include "studio/project/ProjectKeeper.h"
+#include "studio/project/RunReader.h"
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
@@ -88,6 +89,7 @@ void MainWindow::makeParts() {
   applyTheme(dark);
   const plots::Style style = figureStyle(dark);
   keeper_ = new ProjectKeeper([this] { return work(); }, this);
+  reader_ = new RunReader(store_, this);
   auto* centre = new QWidget(this);
   messages_ = new MessageBar(centre);
   middle_ = new QTabWidget(centre);
@@ -277,8 +279,12 @@ void MainWindow::enableActions() {
   };
   for (const char* name : {"pauseAction", "cancelAction"}) enable(name, running);
   enable("closeProject", keeper_->isOpen());
-  for (const char* name : {"saveResult", "modelPicture", "vtkSeries"}) enable(name, result);
-  for (const char* name : {"copyFigure", "exportFigure", "exportAll"}) enable(name, figures);
+  const bool reading = result && store_.at(store_.current()).fields == Fields::inFile;  // the model, for a moment
+  enable("saveResult", result);
+  for (const char* name : {"modelPicture", "vtkSeries"}) enable(name, result && !reading);
+  for (const char* name : {"copyFigure", "exportFigure"}) enable(name, figures);
+  enable("report", result);
+  enable("exportAll", figures && !reading);
 }
 
 void MainWindow::setDark(bool dark) {

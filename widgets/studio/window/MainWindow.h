@@ -29,6 +29,7 @@ class ParameterForm;
 class PreviewPanel;
 class ProfileEditor;
 class ProjectKeeper;
+class RunReader;
 class Recovery;
 class RunPanel;
 class RunsPanel;
@@ -79,12 +80,16 @@ class MainWindow : public QMainWindow {
   bool saveProjectAs();    // asks for a place
   bool saveProjectTo(const QString& path);
   bool closeProject();  // saves it; a new case and an empty list follow
+  bool saveReport();    // asks for a place
+  bool saveReportTo(const QString& path);
   ProjectKeeper* keeper() const { return keeper_; }
+  RunReader* reader() const { return reader_; }
   NotesPanel* notes() const { return notes_; }
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);
   bool saveResult(const ResultPointer& result);  // asks for a place
+  bool saveRun(int row);                         // the same, with the fields that are in its file alone
   bool saveResultTo(const QString& path) { return saveResultTo(store_.current(), path); }
   bool saveResultTo(int row, const QString& path);
   void startRun() { beginRun(false); }
@@ -144,9 +149,11 @@ class MainWindow : public QMainWindow {
   void keepResults();         // all of them in files of the project; throws FileError
   void findMissing(int row);  // asks where its file is now
   bool keepProject();         // saves it whole, or the user lets go what cannot be saved
-  void showProject(const project::Project& project, const QStringList& problems);
+  void showProject(const project::Project& project);
+  void showProjectProblems();  // files that are missing or have changed
   void startCase(const project::OpenCase& open, QStringList& problems);
   QStringList shownTabs() const;
+  QString reportTitle() const;
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
 
   StudioServices services_;
@@ -177,6 +184,8 @@ class MainWindow : public QMainWindow {
   ComparisonWindow* comparison_;
   NotesPanel* notes_;
   ProjectKeeper* keeper_;
+  RunReader* reader_;
+  QStringList projectProblems_;
   QStringList cases_;  // files of the cases of this work, the last one first
   QTabWidget *middle_, *right_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;

@@ -96,14 +96,14 @@ void MainWindow::makeFileMenu() {
   add(menu, tr("Save case &as…"), QKeySequence("Ctrl+Shift+S"), "saveAs", this, [this] { saveCaseAs(); });
   makeProjectActions(*menu);
   QAction* saving = add(menu, tr("Save r&esult…"), QKeySequence("Ctrl+Shift+R"), "saveResult", this,
-                        [this] { saveResult(store_.currentResult()); });
+                        [this] { saveRun(store_.current()); });
   QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
     const QString path = QFileDialog::getOpenFileName(this, tr("Overlay a measured signal"), QString(),
                                                       tr("Signals (*.csv *.txt *.h5 *.mat);;All files (*)"));
     if (!path.isEmpty() && !openMeasured(path) && QFileInfo(path).isReadable()) askHowToRead(path);
   });
   connect(runs_, &RunsPanel::saveRequested, saving, &QAction::trigger);
-  connect(runs_, &RunsPanel::saveRunRequested, this, [this](int row) { saveResult(store_.at(row).result); });
+  connect(runs_, &RunsPanel::saveRunRequested, this, [this](int row) { saveRun(row); });
   connect(runs_, &RunsPanel::compareRequested, this, [this] { showTab("comparison"); });
   connect(runs_, &RunsPanel::measuredRequested, measured, &QAction::trigger);
   connect(runs_, &RunsPanel::removeRequested, this, &MainWindow::removeRun);
@@ -165,6 +165,7 @@ void MainWindow::makeFigureMenu() {
   add(menu, tr("&Reset zoom"), QKeySequence("Ctrl+Shift+0"), "resetZoom", this,
       [this] { signals_->currentView()->resetZoom(); });
   add(menu, tr("C&ursors"), QKeySequence("Ctrl+Shift+U"), "toggleCursors", this, [this] { signals_->toggleCursors(); });
+  add(menu, tr("Save rep&ort…"), QKeySequence("Ctrl+Alt+R"), "report", this, [this] { saveReport(); });
   menu->addSeparator();
   add(menu, tr("Save &picture of the model…"), QKeySequence("Ctrl+Alt+P"), "modelPicture", this,
       [this] { scene_->savePicture(); });

@@ -4,14 +4,15 @@
 
 #include "case/CaseFile.h"
 #include "core/Errors.h"
+#include "project/MeasuredRecords.h"
 #include "results/ResultFile.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/MessageBar.h"
 #include "studio/document/ParameterForm.h"
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
+#include "studio/project/RunReader.h"
 #include "studio/runs/MeasuredDialog.h"
-#include "studio/runs/MeasuredRecords.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/RecentFiles.h"
 #include "studio/window/Recovery.h"
@@ -98,7 +99,7 @@ bool MainWindow::openResult(const QString& path) {
 void MainWindow::overlay(const QString& path, const readers::SignalFileOptions& options) {
   const ResultPointer current = store_.currentResult();
   const double speed = options.speed > 0 ? options.speed : document_.description().motion.speed;
-  const auto records = measuredRecords(path, speed, {options, impactOf(current.get())});
+  const auto records = project::measuredRecords(path.toStdString(), speed, {options, project::impactOf(current.get())});
   messages_->hide();
   QStringList notes;
   for (const auto& [record, reading] : records) {
@@ -185,10 +186,20 @@ bool MainWindow::saveResult(const ResultPointer& result) {
   return !path.isEmpty() && saveResultTo(store_.rowOf(result), path);
 }
 
+bool MainWindow::saveRun(int row) {
+  if (row < 0) return false;
+  try {
+    return saveResult(reader_->wholeResult(row));
+  } catch (const FileError& error) {
+    messages_->warn(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
 bool MainWindow::saveResultTo(int row, const QString& path) {
   if (row < 0 || row >= store_.rowCount()) return false;
   try {
-    results::writeResult(path.toStdString(), *store_.at(row).result);
+    results::writeResult(path.toStdString(), *reader_->wholeResult(row));
   } catch (const FileError& error) {
     messages_->warn(QString::fromStdString(error.what()));
     return false;

@@ -2,6 +2,8 @@
 #include <QAction>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGuiApplication>
+#include <QLocale>
 #include <QMenu>
 #include <QSettings>
 #include <QTabWidget>
@@ -10,6 +12,8 @@
 
 #include "case/CaseFile.h"
 #include "core/Errors.h"
+#include "plots/FigureFiles.h"
+#include "plots/ReportPages.h"
 #include "project/ProjectFile.h"
 #include "results/ResultFile.h"
 #include "studio/common/LocationToSave.h"
@@ -23,6 +27,8 @@
 #include "studio/project/NotesPanel.h"
 #include "studio/project/ProjectKeeper.h"
 #include "studio/project/ProjectRuns.h"
+#include "studio/project/RunReader.h"
+#include "studio/project/StoreReport.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/window/MainWindow.h"
@@ -50,6 +56,14 @@ void MainWindow::makeProject() {
   connect(&store_, &RunStore::overlaysChanged, this, soon);
   connect(&store_, &RunStore::namesChanged, this, soon);
   connect(&store_, &RunStore::referenceChanged, this, soon);
+  connect(reader_, &RunReader::progressed, this, [this](int read, int all) {
+    runsDock_->setWindowTitle(read < all ? tr("Runs (reading %1 of %2)").arg(read + 1).arg(all) : tr("Runs"));
+  });
+  connect(reader_, &RunReader::finished, this, [this](const QStringList& problems) {
+    projectProblems_ += problems;
+    if (!problems.isEmpty()) showProjectProblems();
+  });
+  connect(reader_, &RunReader::failed, messages_, [this](const QString& text) { messages_->warn(text); });
   connect(runs_, &RunsPanel::findRequested, this, &MainWindow::findMissing);
   connect(notes_, &QPlainTextEdit::textChanged, this, soon);
   connect(middle_, &QTabWidget::currentChanged, this, soon);
@@ -107,14 +121,10 @@ bool MainWindow::openProject(const QString& path) {
     messages_->warn(tr("%1 is open in another window: %2. Close it there first.").arg(path, other));
     return false;
   }
-  QStringList problems;
-  startCase(project.open, problems);
-  auto runs = openRuns(project, problems);
-  const RecordPointer reference =
-      project.reference < 0 ? nullptr : runs[static_cast<std::size_t>(project.reference)].record;
-  store_.replaceAll(std::move(runs), project.current);
-  if (reference) store_.setReference(store_.rowOfRecord(reference));
-  showProject(project, problems);
+  projectProblems_.clear();
+  startCase(project.open, projectProblems_);
+  reader_->open(project);
+  showProject(project);
   return true;
 }
 
@@ -137,23 +147,27 @@ void MainWindow::startCase(const project::OpenCase& open, QStringList& problems)
   profile_->plot()->fit();
 }
 
-void MainWindow::showProject(const project::Project& project, const QStringList& problems) {
+void MainWindow::showProject(const project::Project& project) {
   cases_.clear();
   for (const auto& path : project.cases) cases_ << QString::fromStdString(path);
   notes_->setNotes(QString::fromStdString(project.notes));
   for (const auto& name : project.views) showTab(QString::fromStdString(name));
   messages_->hide();
-  if (!problems.isEmpty())
-    messages_->warn(problems.size() == 1
-                        ? tr("1 file of the project is missing or has changed.")
-                        : tr("%1 files of the project are missing or have changed.").arg(problems.size()),
-                    problems.join('\n'));
+  showProjectProblems();
   addRecentFile(keeper_->path());
   QSettings().setValue(lastProject, keeper_->path());
   if (recovery_) recovery_->setHeld(true);
   showTitle();
   enableActions();
   keeper_->saveSoon();
+}
+
+void MainWindow::showProjectProblems() {
+  const auto count = projectProblems_.size();
+  if (count > 0)
+    messages_->warn(count == 1 ? tr("1 file of the project is missing or has changed.")
+                               : tr("%1 files of the project are missing or have changed.").arg(count),
+                    projectProblems_.join('\n'));
 }
 
 // Rows may move while the dialog stands: the run itself is what is meant.
@@ -163,18 +177,16 @@ void MainWindow::findMissing(int row) {
                                                     QFileInfo(lost.path).absolutePath(), tr("All files (*)"));
   row = store_.rowOfRecord(lost.record);
   if (path.isEmpty() || row < 0) return;
-  project::Project one;
-  one.entries = {*lost.link};
-  one.entries[0].path = QFileInfo(path).absoluteFilePath().toStdString();
-  one.entries[0].name = lost.label.toStdString();
-  QStringList problems;
-  StoredRun found = openRuns(one, problems)[0];
+  project::Entry entry = *lost.link;
+  entry.path = QFileInfo(path).absoluteFilePath().toStdString();
+  QString problem;
+  StoredRun found = openEntry(entry, results::ResultContent::withoutFields, problem);
   messages_->hide();
-  if (!problems.isEmpty()) messages_->warn(problems[0]);
-  if (found.isMissing()) return;
-  std::vector<StoredRun> all;
-  for (int at = 0; at < store_.rowCount(); ++at) all.push_back(at == row ? found : store_.at(at));
-  store_.replaceAll(std::move(all), store_.current() < 0 ? row : store_.current());
+  if (!problem.isEmpty()) messages_->warn(problem);
+  if (!found.record) return;
+  store_.setPath(row, QString::fromStdString(entry.path));
+  store_.fill({{row, std::move(found)}});
+  if (store_.current() < 0 && !store_.at(row).isMeasured()) store_.setCurrent(row);
 }
 
 void MainWindow::openLastProject() {
@@ -214,6 +226,45 @@ bool MainWindow::saveProjectTo(const QString& path) {
   return true;
 }
 
+bool MainWindow::saveReport() {
+  const QString path = locationToSave(this, tr("Save report"), reportTitle() + ".pdf", tr("PDF (*.pdf)"));
+  return !path.isEmpty() && saveReportTo(path);
+}
+
+QString MainWindow::reportTitle() const {
+  if (keeper_->isOpen()) return keeper_->name();
+  return store_.current() < 0 ? document_.name() : store_.at(store_.current()).label;
+}
+
+bool MainWindow::saveReportTo(const QString& path) {
+  if (store_.current() < 0) return false;
+  const bool letter = QLocale().measurementSystem() == QLocale::ImperialUSSystem;
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  std::vector<std::string> problems;
+  QString failure;
+  try {
+    const auto shown = reader_->wholeResult(store_.current());
+    const auto report = reportOf(store_, shown, reportTitle(), notes_->toPlainText());
+    const auto page = letter ? plots::PageFormat::letter : plots::PageFormat::a4;
+    plots::writeWhole(plots::reportPdf(report, {page, {}, signals_->colourMap()}, problems), path.toStdString());
+  } catch (const FileError& error) {
+    failure = QString::fromStdString(error.what());
+  }
+  QGuiApplication::restoreOverrideCursor();
+  if (!failure.isEmpty()) {
+    messages_->warn(failure);
+    return false;
+  }
+  QStringList lines;
+  for (const auto& problem : problems) lines << QString::fromStdString(problem);
+  const QString said = tr("Report written to %1.").arg(path);
+  if (lines.isEmpty())
+    messages_->say(said);
+  else
+    messages_->say(tr("%1 Not all could be computed or drawn.").arg(said), lines.join('\n'));
+  return true;
+}
+
 void MainWindow::keepResults() {
   for (const ResultPointer& result : store_.unsaved()) {
     const QString file = keeper_->nextResult(QString::fromStdString(result->stem));
@@ -237,7 +288,7 @@ bool MainWindow::closeProject() {
   if (!mayLeaveWork()) return false;
   keeper_->release();
   QSettings().remove(lastProject);
-  store_.replaceAll({}, -1);
+  reader_->open({});
   document_.startNew();
   profile_->plot()->fit();
   cases_.clear();

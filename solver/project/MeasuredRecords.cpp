@@ -1,4 +1,4 @@
-#include "studio/runs/MeasuredRecords.h"
+#include "project/MeasuredRecords.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,9 @@
 #include "core/Errors.h"
 #include "signals/Butterworth.h"
 #include "signals/SignalError.h"
+#include "text/Numbers.h"
 
-namespace squat::studio {
+namespace squat::project {
 namespace {
 
 constexpr double alignmentCutoff = 2000;  // [Hz] peaks are compared below it
@@ -63,18 +64,17 @@ double impactOf(const signals::Record* run) {
   return run->position[largest(*values)];
 }
 
-std::vector<MeasuredRecord> measuredRecords(const QString& path, double speed, const MeasuredReading& reading) {
-  auto read = readers::readSignals(path.toStdString(), reading.options);
-  if (read.empty()) throw FileError(path.toStdString(), "", "contains no signal");
+std::vector<MeasuredRecord> measuredRecords(const std::string& path, double speed, const MeasuredReading& reading) {
+  auto read = readers::readSignals(path, reading.options);
+  if (read.empty()) throw FileError(path, "", "contains no signal");
   std::vector<MeasuredRecord> records;
   for (auto& record : read) {
     MeasuredReading used = reading;
     if (record.position.empty()) {
       used.options.speed = speed;
-      record.notes.push_back("no speed in file; using the case's speed (" + QString::number(speed).toStdString() +
-                             " m/s)");
+      record.notes.push_back("no speed in file; using the case's speed (" + text::roundedText(speed) + " m/s)");
     }
-    records.push_back({shown(std::move(record), path.toStdString(), speed, reading.impact), used});
+    records.push_back({shown(std::move(record), path, speed, reading.impact), used});
   }
   return records;
 }
@@ -86,4 +86,4 @@ signals::Record wholeRecord(const MeasuredRecord& measured) {
   throw FileError(record->file, record->run, "the file has this signal no more", "Open the file again");
 }
 
-}  // namespace squat::studio
+}  // namespace squat::project

@@ -1,13 +1,13 @@
-// widgets/studio/runs/MeasuredRecords.h - measured signals, ready to be laid over a run.
+// solver/project/MeasuredRecords.h - measured signals, ready to be laid over a run.
 #pragma once
 
-#include <QString>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "readers/SignalFile.h"
 
-namespace squat::studio {
+namespace squat::project {
 
 using RecordPointer = std::shared_ptr<const signals::Record>;
 
@@ -29,9 +29,9 @@ double impactOf(const signals::Record* run);
 // rate allows), and puts the largest value of each at `reading.impact`. Only 5 m on both sides of it are kept. Where
 // neither file nor options give a speed, `speed` [m/s] links time and position. Throws FileError, also for signals that
 // are no accelerations.
-std::vector<MeasuredRecord> measuredRecords(const QString& path, double speed, const MeasuredReading& reading);
+std::vector<MeasuredRecord> measuredRecords(const std::string& path, double speed, const MeasuredReading& reading);
 
 // The whole of such a signal, as the file has it. Throws FileError, also where the file has it no more.
 signals::Record wholeRecord(const MeasuredRecord& measured);
 
-}  // namespace squat::studio
+}  // namespace squat::project

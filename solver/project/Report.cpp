@@ -1,0 +1,51 @@
+#include "project/Report.h"
+
+#include <algorithm>
+
+#include "project/LinkedRun.h"
+
+namespace squat::project {
+namespace {
+
+// As the studio has it where none was chosen.
+int usualReference(const Report& report) {
+  const auto measured =
+      std::find_if(report.signals.begin(), report.signals.end(), [](const auto& each) { return !each.result; });
+  if (measured != report.signals.end()) return static_cast<int>(measured - report.signals.begin());
+  return report.signals.empty() ? -1 : 0;
+}
+
+ReportSignal openedRun(const Entry& entry, bool shown, std::string& problem) {
+  const auto content = shown ? results::ResultContent::everything : results::ResultContent::withoutFields;
+  auto linked = openRun(entry, content);
+  problem = linked.problem;
+  return {entry.name, entry.path, linked.result, linked.result, {}, entry.overlaid, entry.colour};
+}
+
+ReportSignal openedSignal(const Entry& entry, std::string& problem) {
+  auto linked = openSignal(entry);
+  problem = linked.problem;
+  return {entry.name,     entry.path,  linked.measured.record, nullptr, linked.measured.reading,
+          entry.overlaid, entry.colour};
+}
+
+}  // namespace
+
+Report reportOf(const Project& project, const std::string& title, std::vector<std::string>& problems) {
+  Report report{title, project.notes, {}, -1, -1};
+  for (std::size_t i = 0; i < project.entries.size(); ++i) {
+    const Entry& entry = project.entries[i];
+    const bool shown = static_cast<int>(i) == project.current;
+    std::string problem;
+    auto signal = entry.kind == Kind::run ? openedRun(entry, shown, problem) : openedSignal(entry, problem);
+    if (!problem.empty()) problems.push_back(problem);
+    if (!signal.record) continue;
+    if (shown && signal.result) report.shown = static_cast<int>(report.signals.size());
+    if (static_cast<int>(i) == project.reference) report.reference = static_cast<int>(report.signals.size());
+    report.signals.push_back(std::move(signal));
+  }
+  if (report.reference < 0) report.reference = usualReference(report);
+  return report;
+}
+
+}  // namespace squat::project

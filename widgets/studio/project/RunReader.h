@@ -1,0 +1,59 @@
+// widgets/studio/project/RunReader.h - reads the files of a project while the window is in use.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QThreadPool>
+#include <QTimer>
+#include <atomic>
+#include <deque>
+
+#include "project/Project.h"
+#include "studio/runs/RunStore.h"
+
+namespace squat::studio {
+
+// All entries are listed at once, and their files are read in a thread of its own: the current run first, then what is
+// overlaid and the reference, then the others. Results come without fields, which are most of a file. The fields of a
+// run are read when it becomes the current one, and kept for the last few of them.
+class RunReader : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr std::size_t keptFields = 4;  // runs; those of the mesh `paper` take some 100 MB each
+
+  explicit RunReader(RunStore& store, QObject* parent = nullptr);
+  ~RunReader() override;  // waits for the file that is being read
+
+  // In place of all runs of the store. What was being read for another project is dropped.
+  void open(const project::Project& project);
+  bool isBusy() const { return ahead_ > 0; }
+  bool waitFor(int milliseconds);  // runs the event loop until all is read
+
+  // With its fields, read here and now where they are not in memory. Throws FileError.
+  ResultPointer wholeResult(int row);
+
+ Q_SIGNALS:
+  void progressed(int read, int all);
+  void finished(const QStringList& problems);  // a sentence for each file that is missing or holds something else
+  void failed(const QString& problem);         // the fields of the current run could not be read
+
+ private:
+  void ask(const RunLink& link, int generation);
+  void take(const RunLink& link, StoredRun run, const QString& problem);
+  void list();  // what has been read since
+  void readFields();
+  void takeFields(const RecordPointer& light, const ResultPointer& whole, const QString& problem);
+  void setWhole(int row, const ResultPointer& whole);
+
+  RunStore& store_;
+  std::atomic<int> generation_{0};
+  int ahead_ = 0, all_ = 0;
+  QStringList problems_;
+  RecordPointer asked_;              // the run whose fields are being read
+  std::deque<RecordPointer> whole_;  // runs whose fields can be read again, the last one used first
+  std::vector<std::pair<RunLink, StoredRun>> arrived_;
+  QTimer timer_;
+  QThreadPool thread_;
+};
+
+}  // namespace squat::studio
