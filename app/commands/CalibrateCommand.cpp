@@ -1,8 +1,6 @@
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <thread>
 
 #include "calibration/CalibratedCase.h"
 #include "calibration/Calibration.h"
@@ -32,18 +30,15 @@ struct CalibrateCommandOptions {
   int jobs = 0, threads = 0, evaluations = 0;
 };
 
-// Draft takes a quarter of a GiB, the paper's mesh 1.5.
-double bytesOfARun(const CalibrateCommandOptions& options) {
-  const auto isSmall = [](const std::string& mesh) { return mesh == "tiny" || mesh == "draft"; };
-  return (isSmall(options.mesh) && isSmall(options.confirm) ? 0.5 : 2.0) * (1ULL << 30);
+studies::RunDemand demandOf(const CalibrateCommandOptions& options) {
+  const auto demand = studies::demandOnMesh(options.mesh), confirm = studies::demandOnMesh(options.confirm);
+  return demand.memory < confirm.memory ? confirm : demand;
 }
 
 void shareCores(CalibrateCommandOptions& options) {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  auto& shared = options.calibration;
-  shared.jobs =
-      options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.threads), bytesOfARun(options));
-  shared.threads = options.threads > 0 ? options.threads : std::max(1, cores / shared.jobs);
+  const auto sharing =
+      studies::shareMachine(studies::thisMachine(), demandOf(options), {options.jobs, options.threads});
+  options.calibration.jobs = sharing.jobs, options.calibration.threads = sharing.threads;
 }
 
 calibration::CalibrationDefinition definitionOf(const CalibrateCommandOptions& options) {

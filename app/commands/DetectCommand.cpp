@@ -1,10 +1,8 @@
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <thread>
 
 #include "analysis/OptionText.h"
 #include "case/CaseFile.h"
@@ -25,6 +23,7 @@
 #include "core/FolderLock.h"
 #include "detection/DetectionFiles.h"
 #include "detection/MakeExamples.h"
+#include "studies/Jobs.h"
 
 namespace squat::commands {
 
@@ -77,7 +76,7 @@ std::optional<std::vector<detection::Example>> ownExamples(const DetectCommandOp
   if (std::filesystem::exists(file)) return detection::readExamples(file);
   monitor.message("computing the examples of this vehicle and track, kept in " + file);
   detection::ExampleOptions make;
-  make.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  make.jobs = studies::coresHere();
   auto made = detection::makeExamples(description, make, monitor);
   if (made) writeDurably(file, detection::examplesText(*made));
   return made;

@@ -1,9 +1,7 @@
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <optional>
-#include <thread>
 
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
@@ -37,11 +35,9 @@ struct EstimateCommandOptions {
 };
 
 void shareCores(EstimateCommandOptions& options) {
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const double bytesOfARun = (options.mesh == "tiny" || options.mesh == "draft" ? 0.5 : 2.0) * (1ULL << 30);
-  auto& shared = options.estimate;
-  shared.jobs = options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.threads), bytesOfARun);
-  shared.threads = options.threads > 0 ? options.threads : std::max(1, cores / shared.jobs);
+  const auto sharing = studies::shareMachine(studies::thisMachine(), studies::demandOnMesh(options.mesh),
+                                             {options.jobs, options.threads});
+  options.estimate.jobs = sharing.jobs, options.estimate.threads = sharing.threads;
 }
 
 int estimate(EstimateCommandOptions options) {

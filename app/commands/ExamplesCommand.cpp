@@ -1,8 +1,6 @@
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <thread>
 
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
@@ -12,6 +10,7 @@
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
 #include "detection/MakeExamples.h"
+#include "studies/Jobs.h"
 
 namespace squat::commands {
 
@@ -27,7 +26,7 @@ struct ExamplesOptions {
 int examples(const ExamplesOptions& options) {
   const auto description = readCase(options.caseOptions);
   auto examples = options.examples;
-  examples.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  examples.jobs = options.jobs > 0 ? options.jobs : studies::coresHere();
   squat::keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), {options.file});
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);

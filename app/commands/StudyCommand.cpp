@@ -44,11 +44,11 @@ struct StudyCommandOptions {
 
 constexpr double kBytesOfARun = 1ULL << 30;  // of a part; the paper's mesh takes a quarter of it
 
-// Several small runs at once use the cores better than the threads of one.
-void shareCores(StudyCommandOptions& options, double bytesOfARun) {
-  options.study.jobs =
-      options.jobs > 0 ? options.jobs : studies::jobsThatFit(std::max(1, options.run.threads), bytesOfARun);
-  if (options.run.threads == 0) options.run.threads = std::max(1, studies::coresHere() / options.study.jobs);
+void shareCores(StudyCommandOptions& options, const studies::CostEstimate& cost) {
+  const studies::RunDemand demand{cost.bytes, studies::kTrafficOfAThread,
+                                  studies::kStateOfAnElement * static_cast<double>(cost.elements)};
+  const auto sharing = studies::shareMachine(studies::thisMachine(), demand, {options.jobs, options.run.threads});
+  options.study.jobs = sharing.jobs, options.run.threads = sharing.threads;
 }
 
 int report(const studies::StudyTable& table, const std::string& path) {
@@ -117,7 +117,7 @@ int compute(StudyCommandOptions options, studies::StudyDefinition definition, co
   cost.bytes = kBytesOfARun;
   const auto runs = options.study.part ? 0 : runsAhead(options, definition);
   if (runs > 0) cost = studies::costOfARun(definition, overrides), printEstimate(cost, runs);
-  shareCores(options, cost.bytes);
+  shareCores(options, cost);
   if (!isWanted(options, hoursOf(cost, runs))) {
     std::fprintf(stderr, "not started\n");
     return kCancelled;

@@ -7,12 +7,13 @@
 #include "elasticity/SweptKernel.h"
 #include "model/Model.h"
 #include "studies/CaseStudy.h"
+#include "studies/Jobs.h"
 
 namespace squat::studies {
 namespace {
 
 constexpr double kUpdatesPerSecond = 90e6, kBesideRolling = 1.25;
-constexpr double kBytes = 110.0 * (1 << 20), kBytesPerElement = 310;
+constexpr double kBytes = 110.0 * (1 << 20);
 
 }  // namespace
 
@@ -26,7 +27,7 @@ CostEstimate costOf(const cases::CaseDescription& description) {
   cost.elements = model.elements();
   cost.steps = (scenario.motion.runUp + scenario.motion.beyond) / scenario.motion.speed / step;
   cost.coreSeconds = kBesideRolling * cost.steps * static_cast<double>(cost.elements) / kUpdatesPerSecond;
-  cost.bytes = kBytes + kBytesPerElement * static_cast<double>(cost.elements);
+  cost.bytes = kBytes + kStateOfAnElement * static_cast<double>(cost.elements);
   return cost;
 }
 

@@ -4,14 +4,29 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
+#include <vector>
+
+#include "core/ThreadTeam.h"
 
 namespace squat::studies {
+namespace {
+
+// Runs for which a supply is enough; without limit where supply or demand is not known.
+double runsFor(double supply, double demand) {
+  return supply > 0 && demand > 0 ? supply / demand : std::numeric_limits<double>::max();
+}
+
+}  // namespace
 
 double freeMemory() {
   std::ifstream file("/proc/meminfo");
@@ -35,16 +50,69 @@ int coresHere() {
   return std::max(1, cores);
 }
 
-int jobsThatFit(int threadsPerRun, double bytesPerRun) {
-  double jobs = std::numeric_limits<int>::max();
-  if (threadsPerRun > 0) {
-    const int sharing = coresHere() / threadsPerRun;  // whole runs
-    jobs = std::min(jobs, static_cast<double>(sharing));
+// Each core adds two arrays into a third, which together are far beyond its share of any cache; the best of a few
+// rounds. A store reads its line first, so that an element moves four numbers.
+double memoryBandwidth(int cores) {
+  constexpr int fewCores = 4, rounds = 4;
+  if (cores <= fewCores) return 0;
+  constexpr std::size_t length = std::size_t{1} << 19;  // three arrays of 4 MiB
+  ThreadTeam team(cores);
+  std::vector<std::vector<double>> arrays(static_cast<std::size_t>(cores));
+  team.run([&](int core) { arrays[static_cast<std::size_t>(core)].assign(3 * length, 1.0); });
+  double best = std::numeric_limits<double>::max();
+  for (int round = 0; round < rounds; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    team.run([&](int core) {
+      double* a = arrays[static_cast<std::size_t>(core)].data();
+      for (std::size_t i = 0; i < length; ++i) a[i] = a[i + length] + 0.5 * a[i + 2 * length];
+    });
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  const double memory = freeMemory();
-  if (bytesPerRun > 0 && memory > 0) jobs = std::min(jobs, 0.9 * memory / bytesPerRun);
-  if (jobs >= std::numeric_limits<int>::max()) return 1;
-  return std::max(1, static_cast<int>(jobs));
+  return 4.0 * sizeof(double) * length * cores / best;
+}
+
+// Linux lists the caches of each core; those that cores share are counted once.
+double lastLevelCache() {
+  const std::filesystem::path folder("/sys/devices/system/cpu");
+  std::map<std::string, double> sizes;  // by the cores that share it
+  std::error_code none;
+  for (const auto& core : std::filesystem::directory_iterator(folder, none)) {
+    std::ifstream shared(core.path() / "cache/index3/shared_cpu_list"), file(core.path() / "cache/index3/size");
+    std::string cores;
+    double kibibytes = 0;
+    if (shared >> cores && file >> kibibytes) sizes[cores] = 1024 * kibibytes;  // "32768K"
+  }
+  double sum = 0;
+  for (const auto& [cores, size] : sizes) sum += size;
+  return sum;
+}
+
+Machine thisMachine() {
+  const int cores = coresHere();
+  return {cores, freeMemory(), memoryBandwidth(cores), lastLevelCache()};
+}
+
+RunDemand demandOnMesh(const std::string& preset) {
+  const bool small = preset == "tiny" || preset == "draft";
+  constexpr double gibibyte = 1ULL << 30, most = 80000, mostOfLarge = 400000;  // elements
+  return {(small ? 0.5 : 2.0) * gibibyte, kTrafficOfAThread, kStateOfAnElement * (small ? most : mostOfLarge)};
+}
+
+Sharing shareMachine(const Machine& machine, const RunDemand& demand, Sharing wanted) {
+  const int threads = std::max(1, wanted.threads);
+  const double held = demand.state > 0 ? 0.8 * machine.cache / demand.state : 0;  // runs whose states stay in the cache
+  Sharing sharing = wanted;
+  if (wanted.jobs == 0) {
+    const double fed = std::max(runsFor(machine.bandwidth, threads * demand.traffic), held);
+    const double jobs = std::min({static_cast<double>(machine.cores / threads),  // whole runs
+                                  runsFor(0.9 * machine.memory, demand.memory), fed});
+    sharing.jobs = std::max(1, static_cast<int>(jobs));
+  }
+  if (wanted.threads == 0) {
+    const double fed = sharing.jobs <= held ? machine.cores : runsFor(machine.bandwidth, demand.traffic);
+    sharing.threads = std::max(1, static_cast<int>(std::min<double>(machine.cores, fed)) / sharing.jobs);
+  }
+  return sharing;
 }
 
 }  // namespace squat::studies

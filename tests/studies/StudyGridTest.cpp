@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "core/Errors.h"
-#include "studies/Jobs.h"
 
 namespace squat::studies {
 namespace {
@@ -37,14 +36,6 @@ TEST(StudyGrid, refusesAbsurdGrids) {
   EXPECT_THROW(gridOf({"c", "h", {}}), CaseError);
   EXPECT_THROW(gridOf({"c", "h", {variationFromText("a=1:2:2"), variationFromText("a=3,4")}}), CaseError);
   EXPECT_THROW(gridOf({"c", "h", {variationFromText("a=1:2:1000"), variationFromText("b=1:2:11")}}), CaseError);
-}
-
-TEST(Jobs, fitTheMachine) {
-  EXPECT_GT(freeMemory(), 0);
-  EXPECT_EQ(jobsThatFit(1, 1e18), 1);
-  EXPECT_EQ(jobsThatFit(100000, 0), 1);
-  EXPECT_GE(jobsThatFit(1, 1e6), 1);
-  EXPECT_EQ(jobsThatFit(0, 0), 1);
 }
 
 }  // namespace
