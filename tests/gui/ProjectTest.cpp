@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QMenu>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -256,6 +257,29 @@ TEST_F(ProjectOfRuns, oneQuestionOnClosing) {
   const auto again = open();
   ASSERT_TRUE(again->openProject(path("kept.squat-project")));
   ASSERT_NO_FATAL_FAILURE(expectTheWork(*again));
+}
+
+// Notes and what is overlaid are in it; the pages themselves, plots::ReportPages tests.
+TEST_F(ProjectOfRuns, isReported) {
+  const auto window = open();
+  EXPECT_FALSE(window->findChild<QAction*>("report")->isEnabled());
+  ASSERT_NO_FATAL_FAILURE(work(*window));
+  EXPECT_TRUE(window->findChild<QAction*>("report")->isEnabled());
+  {
+    tests::FileDialogTyping typing(path("day.pdf"));
+    window->findChild<QAction*>("report")->trigger();
+    EXPECT_TRUE(typing.done());
+  }
+  EXPECT_TRUE(read("day.pdf").startsWith("%PDF-"));
+  EXPECT_TRUE(window->messages()->text().contains("day.pdf")) << window->messages()->text().toStdString();
+  QProcess text;
+  text.start("pdftotext", {"-raw", path("day.pdf"), "-"});
+  ASSERT_TRUE(text.waitForFinished(60000));
+  const QString pages = QString::fromUtf8(text.readAllStandardOutput());
+  for (const char* part : {"Second bogie: wheel flat?", "the shallow one", "depth 0.3", "measured"})
+    EXPECT_TRUE(pages.contains(part)) << part;
+  EXPECT_FALSE(window->saveReportTo(path("no such folder/day.pdf")));
+  EXPECT_TRUE(window->messages()->text().contains("cannot be written"));
 }
 
 TEST_F(ProjectOfRuns, theLastOneIsOpenedAtTheStart) {
