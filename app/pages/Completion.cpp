@@ -32,12 +32,6 @@ std::string replaced(std::string text, const std::string& program) {
   return text;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const auto& word : words) all += (all.empty() ? "" : " ") + word;
-  return all;
-}
-
 std::vector<std::string> namesOf(const std::vector<HelpEntry>& entries) {
   std::vector<std::string> names;
   for (const auto& entry : entries) names.insert(names.end(), entry.names.begin(), entry.names.end());

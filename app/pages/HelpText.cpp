@@ -113,6 +113,31 @@ const std::vector<HelpEntry>& HelpText::of(const std::string& title) const {
   return none;
 }
 
+std::string sentenceOf(const HelpEntry& entry) {
+  std::string text = entry.text;
+  const bool listed = std::all_of(entry.choices.begin(), entry.choices.end(),
+                                  [&](const std::string& choice) { return text.find(choice) != std::string::npos; });
+  const auto add = [&](const std::string& words) {
+    text += (text.empty() || text.ends_with('.') ? " " : ". ") + words;
+  };
+  if (!listed) add("One of: " + joined(entry.choices, ", "));
+  if (!entry.range.empty()) add("Range: " + entry.range);
+  if (!entry.needs.empty()) add("Needs: " + entry.needs);
+  if (!entry.excludes.empty()) add("Not with: " + entry.excludes);
+  return text;
+}
+
+std::string argumentsOf(const HelpText& help) {
+  const auto at = help.usage.find('[');
+  return at == std::string::npos ? std::string() : help.usage.substr(at);
+}
+
+std::string joined(const std::vector<std::string>& parts, const std::string& between) {
+  std::string all;
+  for (const auto& part : parts) all += (all.empty() ? "" : between) + part;
+  return all;
+}
+
 HelpText helpFrom(const std::string& text) {
   HelpText help;
   std::vector<std::vector<std::string>> lines;  // of each section

@@ -31,6 +31,14 @@ struct HelpText {
   const std::vector<HelpEntry>& of(const std::string& title) const;
 };
 
+// All that an entry says, in sentences: its text, choices that the text does not list, range, other options.
+std::string sentenceOf(const HelpEntry& entry);
+
+// What stands behind the name of the program in the line of usage: "[OPTIONS] case".
+std::string argumentsOf(const HelpText& help);
+
+std::string joined(const std::vector<std::string>& parts, const std::string& between = " ");
+
 // Reads what the command line (CLI11) and the studio (Qt) print. Entries are indented by two columns; what is indented
 // further goes on with the entry above. Throws std::runtime_error for a text without "Usage:".
 HelpText helpFrom(const std::string& text);

@@ -21,31 +21,11 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
-std::string joined(const std::vector<std::string>& parts, const std::string& between) {
-  std::string all;
-  for (const auto& part : parts) all += (all.empty() ? "" : between) + part;
-  return all;
-}
-
 // "\fB\-o\fR, \fB\-\-output\fR \fIDIR\fR"
 std::string termOf(const HelpEntry& entry) {
   std::vector<std::string> names;
   for (const auto& name : entry.names) names.push_back("\\fB" + escaped(name) + "\\fR");
   return joined(names, ", ") + (entry.value.empty() ? "" : " \\fI" + escaped(entry.value) + "\\fR");
-}
-
-std::string sentenceOf(const HelpEntry& entry) {
-  std::string text = entry.text;
-  const bool listed = std::all_of(entry.choices.begin(), entry.choices.end(),
-                                  [&](const std::string& choice) { return text.find(choice) != std::string::npos; });
-  const auto add = [&](const std::string& words) {
-    text += (text.empty() || text.ends_with('.') ? " " : ". ") + words;
-  };
-  if (!listed) add("One of: " + joined(entry.choices, ", "));
-  if (!entry.range.empty()) add("Range: " + entry.range);
-  if (!entry.needs.empty()) add("Needs: " + entry.needs);
-  if (!entry.excludes.empty()) add("Not with: " + entry.excludes);
-  return text;
 }
 
 std::string titleOf(const std::string& section) {
@@ -55,12 +35,6 @@ std::string titleOf(const std::string& section) {
   std::transform(title.begin(), title.end(), title.begin(),
                  [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   return title;
-}
-
-// Behind the name of the program the help writes what it takes: "[OPTIONS] case".
-std::string argumentsIn(const PageOf& page) {
-  const auto at = page.help.usage.find('[');
-  return at == std::string::npos ? std::string() : page.help.usage.substr(at);
 }
 
 std::string lowered(std::string summary) {
@@ -82,7 +56,7 @@ std::string manualPage(const PageOf& page, const std::string& version) {
   const auto name = pageName(page.call);
   std::string text = ".TH \"" + titleOf(name) + "\" 1 \"\" \"" + version + "\" \"User commands\"\n.nh\n.ad l\n";
   text += ".SH NAME\n" + escaped(name) + " \\- " + escaped(lowered(page.help.summary)) + "\n";
-  text += ".SH SYNOPSIS\n\\fB" + escaped(page.call) + "\\fR " + escaped(argumentsIn(page)) + "\n";
+  text += ".SH SYNOPSIS\n\\fB" + escaped(page.call) + "\\fR " + escaped(argumentsOf(page.help)) + "\n";
   for (const auto& section : page.help.sections) {
     text += ".SH " + titleOf(section.title) + "\n";
     for (const auto& entry : section.entries)

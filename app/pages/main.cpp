@@ -1,5 +1,5 @@
 // squat_pages DIR PROGRAM... - man pages and shell completion of the programs, from what they print for --help, into
-// DIR/man1 and DIR/completions.
+// DIR/man1 and DIR/completions; the pages of the manual about commands and parameters into DIR/manual.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -7,8 +7,10 @@
 
 #include "core/DurableFile.h"
 #include "core/ProgramVersion.h"
+#include "pages/CommandPage.h"
 #include "pages/Completion.h"
 #include "pages/ManualPage.h"
+#include "pages/ParameterPage.h"
 #include "pages/Program.h"
 
 namespace {
@@ -23,8 +25,7 @@ std::vector<std::string> othersOf(const Calls& calls, const std::string& call) {
   return others;
 }
 
-void writePages(const std::string& folder, const std::string& program) {
-  const auto calls = squat::pages::callsOf(program);
+void writePages(const std::string& folder, const Calls& calls) {
   const auto version = std::string("Squat Studio ") + squat::programVersion();
   for (const auto& [call, help] : calls)
     squat::writeDurably(folder + "/man1/" + squat::pages::pageName(call) + ".1",
@@ -41,8 +42,15 @@ int main(int argc, char** argv) {
   }
   try {
     const std::string folder = argv[1];
-    for (const char* part : {"/man1", "/completions"}) squat::makeFolder(folder + part);
-    for (int i = 2; i < argc; ++i) writePages(folder, argv[i]);
+    for (const char* part : {"/man1", "/completions", "/manual"}) squat::makeFolder(folder + part);
+    Calls all;
+    for (int i = 2; i < argc; ++i) {
+      const auto calls = squat::pages::callsOf(argv[i]);
+      writePages(folder, calls);
+      all.insert(all.end(), calls.begin(), calls.end());
+    }
+    squat::writeDurably(folder + "/manual/commands.md", squat::pages::commandPage(all));
+    squat::writeDurably(folder + "/manual/parameters.md", squat::pages::parameterPage());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "squat_pages: %s\n", error.what());
     return 1;

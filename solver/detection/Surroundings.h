@@ -18,7 +18,7 @@ struct SurroundingsOptions {
 // one channel, in the order of travel, judged. Returns the circumference [m], 0 where there is no flat.
 double markFlats(std::vector<Event>& events, const SurroundingsOptions& options);
 
-// Corrugation excites a stretch: an event whose neighbourhood is as loud over more than a metre and a half.
+// Corrugation excites a stretch: an event whose neighbourhood is as loud over two metres and more.
 void markCorrugation(std::vector<Event>& events);
 
 }  // namespace squat::detection

@@ -33,7 +33,7 @@ Folder roomOf(const std::string& path) { return path.substr(0, path.rfind('/'));
 
 Folder folderOf(const Include& include) {
   const auto first = include.name.substr(0, include.name.find('/'));
-  if (first == "app" || first == "commands" || first == "pages") return "app";
+  if (first == "app" || first == "commands" || first == "manual" || first == "pages") return "app";
   if (first == "studio") {
     const auto room = roomOf("widgets/" + include.name);
     return room == "widgets/studio" ? "app" : room;  // without a room: the program's own files

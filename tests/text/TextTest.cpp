@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "text/Csv.h"
+#include "text/HeadingAnchor.h"
 #include "text/Units.h"
 
 namespace squat::text {
@@ -50,6 +51,13 @@ TEST(Units, KnownByTheirUsualNames) {
   EXPECT_FALSE(isUnit("height"));
   ASSERT_NE(findUnit("KM/H"), nullptr);
   EXPECT_DOUBLE_EQ(findUnit("km/h")->factor, 1 / 3.6);
+}
+
+// As GitHub names the headings of a page; by hand.
+TEST(HeadingAnchor, LowerCaseWithHyphens) {
+  EXPECT_EQ(headingAnchor("Parts of other work"), "parts-of-other-work");
+  EXPECT_EQ(headingAnchor("Stick, slip: `run_1`"), "stick-slip-run_1");
+  EXPECT_EQ(headingAnchor("Größe"), "größe");
 }
 
 }  // namespace
