@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QMessageBox>
+#include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
@@ -28,6 +32,72 @@ TEST(Help, F1OpensHelpAndNotTheAboutBox) {
   EXPECT_EQ(window.findChild<QMessageBox*>(), nullptr);
   tests::press(window, Qt::Key_F1);  // the same window again
   EXPECT_EQ(window.findChildren<HelpWindow*>().size(), 1);
+}
+
+// Of a key its table in the reference that the build writes; of a panel its page; of nothing the index.
+TEST(Help, F1GoesToThePageOfWhatHasTheFocus) {
+  MainWindow window(tests::services());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  const auto shown = [&](QWidget* focus) {
+    window.activateWindow();
+    focus->setFocus();
+    tests::press(window, Qt::Key_F1);
+    const QUrl source = window.findChild<HelpWindow*>()->browser()->source();
+    return source.fileName() + (source.hasFragment() ? "#" + source.fragment() : "");
+  };
+  auto* stiffness = window.findChild<QLineEdit*>("pad.stiffness");
+  ASSERT_NE(stiffness, nullptr);
+  EXPECT_EQ(shown(stiffness), "parameters.md#pad");
+  EXPECT_EQ(shown(window.findChild<QLineEdit*>("parameterSearch")), "parameters.md");
+  EXPECT_EQ(shown(window.findChild<QWidget*>("runs")), "studio.md#runs");
+  window.findChild<QWidget*>("runs")->clearFocus();
+  window.findChild<HelpWindow*>()->showIndex();
+  EXPECT_TRUE(window.findChild<HelpWindow*>()->browser()->toPlainText().contains("Squat Studio: manual"));
+}
+
+// Anchors that the window asks for are headings of the pages.
+TEST(Help, EveryPageOfTheManualOpensAtItsHeading) {
+  HelpWindow help(helpPages());
+  help.setAttribute(Qt::WA_DeleteOnClose, false);
+  help.resize(600, 200);
+  help.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
+  for (const char* page : {"parameters.md#pad", "commands.md#squat-run", "studio.md#runs", "studio.md#comparison",
+                           "studio.md#live-preview", "studio.md#projects", "studio.md#profile", "studio.md#signals",
+                           "exchange.md#python", "running.md#what-a-run-writes", "CONTRIBUTING.md#recipes"}) {
+    help.showPage(page);
+    EXPECT_EQ(help.browser()->source().fileName(), QString(page).section('#', 0, 0)) << page;
+    EXPECT_GT(help.browser()->verticalScrollBar()->value(), 0) << page;
+  }
+}
+
+// A page that stands elsewhere is found by its name; a file that is no page is shown as text.
+TEST(Help, LinksToWhatStandsElsewhere) {
+  const QTemporaryDir folder;
+  const auto write = [&](const QString& name, const QByteArray& text) {
+    QDir(folder.path()).mkpath(QFileInfo(name).path());
+    QFile file(folder.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  };
+  const QByteArray longText = QByteArray("Line.\n\n").repeated(100);
+  const QStringList pages{write("manual/README.md", "# Manual\n\n[Keys](keys.md#pad)\n"),
+                          write("built/keys.md", "# Keys\n\n" + longText + "## Pad\n\nStiff.\n" + longText)};
+  write("manual/loop.py", "for each in all:\n    run(each)\n");
+  HelpWindow help(pages);
+  help.setAttribute(Qt::WA_DeleteOnClose, false);
+  help.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
+  EXPECT_TRUE(help.browser()->toPlainText().contains("Manual"));
+  help.browser()->setSource(QUrl("keys.md#pad"));  // as a click on the link
+  EXPECT_TRUE(help.browser()->toPlainText().contains("Stiff."));
+  EXPECT_GT(help.browser()->verticalScrollBar()->value(), 0);
+  help.browser()->backward();
+  EXPECT_TRUE(help.browser()->toPlainText().contains("Manual"));
+  help.browser()->setSource(QUrl("loop.py"));
+  EXPECT_TRUE(help.browser()->toPlainText().contains("    run(each)"));
 }
 
 TEST(Help, AboutNamesVersionAndCommit) {

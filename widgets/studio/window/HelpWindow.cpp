@@ -1,21 +1,79 @@
 #include "studio/window/HelpWindow.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QToolBar>
 
 #include "case/ShippedCases.h"
+#include "text/HeadingAnchor.h"
 
 namespace squat::studio {
 namespace {
 
+// The manual's own, resources/manual/README.md.
 bool isIndex(const QString& page) {
-  const QString name = QFileInfo(page).completeBaseName().toLower();
-  return name == "index" || name == "contents";
+  const QFileInfo file(page);
+  const QString name = file.completeBaseName().toLower();
+  return name == "index" || name == "contents" || (name == "readme" && file.dir().dirName() == "manual");
 }
+
+// Pages by the links of Markdown: Qt does not know the anchors of headings, and what the build writes or installs
+// elsewhere (reference pages, README) does not stand where a link says, but bears that name.
+class PageBrowser : public QTextBrowser {
+ public:
+  PageBrowser(const QStringList& pages, QWidget* parent) : QTextBrowser(parent), pages_(pages) {}
+
+ protected:
+  void doSetSource(const QUrl& url, QTextDocument::ResourceType type) override {
+    QTextBrowser::doSetSource(found(url), type);
+    nameHeadings();
+    if (url.hasFragment()) scrollToAnchor(url.fragment());
+  }
+
+  QVariant loadResource(int type, const QUrl& name) override {
+    const QUrl url = found(name);
+    const QString path = url.toLocalFile();
+    const bool isText = type == QTextDocument::HtmlResource && !path.endsWith(".html");
+    QFile file(path);
+    if (isText && file.open(QIODevice::ReadOnly))  // an example that a page links to
+      return QStringLiteral("<pre>%1</pre>").arg(QString::fromUtf8(file.readAll()).toHtmlEscaped());
+    return QTextBrowser::loadResource(type, url);
+  }
+
+ private:
+  QUrl found(const QUrl& url) const {
+    const QString path = url.toLocalFile();
+    if (path.isEmpty() || QFile::exists(path)) return url;
+    QUrl other = url;
+    const auto at = path.indexOf("/resources/");  // as the README names pictures and pages
+    if (const QString resources = QString::fromStdString(cases::resourcesFolder().string());
+        at >= 0 && QFile::exists(resources + path.mid(at + 10)))
+      other.setPath(resources + path.mid(at + 10));
+    else
+      for (const QString& page : pages_)
+        if (QFileInfo(page).fileName() == QFileInfo(path).fileName() && !isIndex(page)) other.setPath(page);
+    return other;
+  }
+
+  void nameHeadings() {
+    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+      if (block.blockFormat().headingLevel() == 0 || block.length() < 2) continue;
+      QTextCursor cursor(block);
+      cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor);
+      QTextCharFormat name;
+      name.setAnchor(true);
+      name.setAnchorNames({QString::fromStdString(text::headingAnchor(block.text().toStdString()))});
+      cursor.mergeCharFormat(name);
+    }
+  }
+
+  const QStringList pages_;
+};
 
 // The first heading, else the name of the file.
 QString titleOf(const QString& page) {
@@ -48,17 +106,22 @@ QStringList helpPages() {
   QStringList pages;
   const auto found = QDir(resources + "/manual").entryInfoList({"*.md"}, QDir::Files, QDir::Name);
   for (const QFileInfo& page : found) pages << page.absoluteFilePath();
+  // What the build writes: installed it stands among the others, else beside the program.
+  const QDir built(QCoreApplication::applicationDirPath() + "/../pages/manual");
+  for (const QFileInfo& page : built.entryInfoList({"*.md"}, QDir::Files, QDir::Name))
+    if (!QFile::exists(resources + "/manual/" + page.fileName())) pages << QDir::cleanPath(page.absoluteFilePath());
   // Installed: share/squat-studio and share/doc/squat-studio; in the source tree: resources and what it stands in.
-  for (const char* location : {"/../doc/squat-studio/README.md", "/../README.md"})
-    if (const QFileInfo readme(resources + location); readme.isFile()) {
-      pages << QDir::cleanPath(readme.absoluteFilePath());
-      break;
-    }
+  for (const char* name : {"CHANGELOG.md", "CONTRIBUTING.md", "README.md"})
+    for (const char* location : {"/../doc/squat-studio/", "/../"})
+      if (const QFileInfo text(resources + location + name); text.isFile()) {
+        pages << QDir::cleanPath(text.absoluteFilePath());
+        break;
+      }
   return pages;
 }
 
 HelpWindow::HelpWindow(const QStringList& pages, QWidget* parent)
-    : QMainWindow(parent), pages_(pages), browser_(new QTextBrowser(this)) {
+    : QMainWindow(parent), pages_(pages), browser_(new PageBrowser(pages, this)) {
   setWindowTitle(tr("Squat Studio: help"));
   setObjectName("helpWindow");
   setAttribute(Qt::WA_DeleteOnClose);
@@ -86,6 +149,17 @@ void HelpWindow::showIndex() {
     if (isIndex(page)) return browser_->setSource(QUrl::fromLocalFile(page));
   browser_->setSource(QUrl());
   browser_->setMarkdown(listOf(pages_));
+}
+
+void HelpWindow::showPage(const QString& target) {
+  const QString name = target.section('#', 0, 0);
+  for (const QString& page : pages_)
+    if (QFileInfo(page).fileName() == name && !isIndex(page)) {
+      QUrl url = QUrl::fromLocalFile(page);
+      if (target.contains('#')) url.setFragment(target.section('#', 1));
+      return browser_->setSource(url);
+    }
+  showIndex();
 }
 
 }  // namespace squat::studio

@@ -8,10 +8,12 @@ class QTextBrowser;
 
 namespace squat::studio {
 
-// Markdown pages that are installed with the program: the manual, then the README. Empty: none found.
+// Markdown pages that are installed with the program: the manual, then changelog, the text for developers and README.
+// Empty: none found.
 QStringList helpPages();
 
-// Shows the index first: the manual's own, or the list of all pages. Links between pages stay in the window.
+// Shows the index first: the manual's own, or the list of all pages. Links between pages, also to a heading, stay in
+// the window.
 class HelpWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -19,6 +21,8 @@ class HelpWindow : public QMainWindow {
 
   QTextBrowser* browser() const { return browser_; }
   void showIndex();
+  // "studio.md" or "studio.md#runs"; the index where there is no such page.
+  void showPage(const QString& target);
 
  private:
   QStringList pages_;

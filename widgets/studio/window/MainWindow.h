@@ -120,6 +120,7 @@ class MainWindow : public QMainWindow {
   void makeHelpMenu();
   void fillRecentMenu();
   void showTitle();
+  QString helpOfFocus() const;
   void showHelp();
   void showShownCase();  // where the result that is shown is not of the case that is open
   void takeWhatIsTyped();

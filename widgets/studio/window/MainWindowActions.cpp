@@ -12,18 +12,26 @@
 #include <QStyle>
 #include <QUrl>
 
+#include "case/ParameterTable.h"
 #include "case/ShippedCases.h"
 #include "core/ProgramVersion.h"
 #include "studio/common/Theme.h"
+#include "studio/comparison/ComparisonWindow.h"
+#include "studio/document/ParameterForm.h"
 #include "studio/model/ScenePanel.h"
+#include "studio/preview/PreviewPanel.h"
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
+#include "studio/project/NotesPanel.h"
+#include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/window/HelpWindow.h"
 #include "studio/window/MainWindow.h"
+#include "studio/window/PaperPanel.h"
 #include "studio/window/RecentFiles.h"
+#include "text/HeadingAnchor.h"
 
 namespace squat::studio {
 namespace {
@@ -200,8 +208,27 @@ void MainWindow::makeViewMenu() {
   darkAction_->setObjectName("dark");
 }
 
+// The page of what has the focus: of a key its table, else that of the panel around it; empty: the index.
+QString MainWindow::helpOfFocus() const {
+  const auto pages = std::initializer_list<std::pair<const QWidget*, const char*>>{
+      {form_, "parameters.md"},         {profile_, "studio.md#profile"},
+      {scene_, "exchange.md#paraview"}, {paper_, "validation.md"},
+      {notes_, "studio.md#projects"},   {previewPanel_, "studio.md#live-preview"},
+      {signals_, "studio.md#signals"},  {run_, "running.md#what-a-run-writes"},
+      {runs_, "studio.md#runs"},        {comparison_, "studio.md#comparison"}};
+  for (const QWidget* widget = QApplication::focusWidget(); widget; widget = widget->parentWidget()) {
+    if (const auto* parameter = cases::findParameter(widget->objectName().toStdString()))
+      return "parameters.md#" + QString::fromStdString(text::headingAnchor(parameter->group));
+    for (const auto& [panel, page] : pages)
+      if (widget == panel) return page;
+  }
+  return {};
+}
+
 void MainWindow::showHelp() {
+  const QString page = helpOfFocus();
   if (!help_) help_ = new HelpWindow(helpPages(), this);
+  if (!page.isEmpty()) help_->showPage(page);
   help_->show();
   help_->raise();
   help_->activateWindow();
