@@ -1,6 +1,6 @@
 // Every command line of README and manual, typed by a reader in an empty folder with the programs on the PATH, on the
 // mesh `tiny`: a shim in front of each program swaps the mesh, and lets the studio draw its window into a picture.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <stdlib.h>
 
 #include <chrono>
@@ -8,6 +8,7 @@
 #include <fstream>
 #include <regex>
 
+#include "app/FilesPage.h"
 #include "arch/Page.h"
 #include "core/DurableFile.h"
 #include "results/SampleResult.h"
@@ -79,7 +80,9 @@ int typeAll(const std::string& page, const TemporaryFolder& folder) {
   return typed;
 }
 
-// The README first; the manual's pages go on in its folder, where its results stand.
+// The README first; the manual's pages go on in its folder, where its results stand. Among them are results of elastic
+// and yielding rails and tables of every command: the page of files must know each file, dataset and column, and
+// describe none that there is not.
 TEST(Typed, EveryCommandWorksInAnEmptyFolder) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "programs");
@@ -89,6 +92,10 @@ TEST(Typed, EveryCommandWorksInAnEmptyFolder) {
   int typed = 0;
   for (const auto& page : arch::pagesOf(SQUAT_SOURCE_DIR)) typed += typeAll(page, folder);
   EXPECT_GT(typed, 18);
+  FilesPage page(SQUAT_SOURCE_DIR "/resources/manual/files.md");
+  EXPECT_THAT(page.notSaid(folder / "empty"), ::testing::IsEmpty());
+  for (const auto& name : page.notSeen())  // axes of which a file has one; the commit of a build from an archive
+    EXPECT_TRUE(name.ends_with(": position") || name.ends_with(": time") || name == "/: commit") << name;
 }
 
 // Nothing in a block of the README is passed over: what is not typed here is for the source folder.

@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <regex>
+#include <set>
 
 #include "arch/Page.h"
+#include "arch/SourceTree.h"
 
 namespace squat::arch {
 namespace {
@@ -70,6 +73,42 @@ TEST(Pages, EveryTestOfTheVerificationTableIsThere) {
   }
   EXPECT_THAT(missing, IsEmpty());
   EXPECT_GT(rows, 30);
+}
+
+// Every name in the code of the solver.
+std::set<std::string> solverNames() {
+  std::set<std::string> names;
+  for (const auto& file : readSources(kTop, {"solver"})) {
+    std::string name;
+    for (const char c : file.code + " ") {
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+        name += c;
+      } else if (!name.empty()) {
+        names.insert(name);
+        name.clear();
+      }
+    }
+  }
+  return names;
+}
+
+// Each row of the page's tables: what, equation, source, and the functions that compute it, which the solver has.
+TEST(Pages, EveryEquationHasASourceAndAFunction) {
+  static const std::regex row(R"(^\| (.+) \| (.+) \| (.+) \| (.+) \|$)"), name("`(\\w+)`");
+  const auto known = solverNames();
+  int rows = 0;
+  for (const auto& line : linesOf(kTop + "/resources/manual/theory.md")) {
+    if (line.rfind("| ", 0) != 0 || line.rfind("| what", 0) == 0) continue;
+    ++rows;
+    std::smatch cells;
+    ASSERT_TRUE(std::regex_match(line, cells, row)) << line;
+    const std::string functions = cells.str(4);
+    int inRow = 0;
+    for (std::sregex_iterator found(functions.begin(), functions.end(), name), end; found != end; ++found, ++inRow)
+      EXPECT_EQ(known.count(found->str(1)), 1U) << found->str(1) << ": " << line;
+    EXPECT_GT(inRow, 0) << line;
+  }
+  EXPECT_GT(rows, 35);
 }
 
 TEST(Pages, EveryExpressionForCtestFindsATest) {

@@ -1,0 +1,61 @@
+// The manual against tables of the code that no typed command writes, or writes only after minutes: heads of CSV files,
+// features, exit codes.
+#include "app/FilesPage.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "arch/Page.h"
+#include "commands/ExitCodes.h"
+#include "detection/DetectionFiles.h"
+#include "detection/Examples.h"
+#include "estimation/EstimateList.h"
+#include "statements/Judge.h"
+#include "statements/Sensitivity.h"
+
+namespace squat {
+namespace {
+
+using ::testing::IsEmpty;
+
+const std::string kManual = SQUAT_SOURCE_DIR "/resources/manual/";
+
+TEST(FilesPage, HasEveryColumnOfWrittenTables) {
+  FilesPage page(kManual + "files.md");
+  EXPECT_THAT(page.notSaid("estimates.csv", estimation::estimatesText({})), IsEmpty());
+  EXPECT_THAT(page.notSaid("squats.csv", detection::detectionCsv({})), IsEmpty());
+  EXPECT_THAT(page.notSaid("examples.csv", detection::examplesText({})), IsEmpty());
+  EXPECT_THAT(page.notSaid("validation.csv", statements::judgedCsv({})), IsEmpty());
+  EXPECT_THAT(page.notSaid("validation_parameters.csv", statements::parametersCsv({})), IsEmpty());
+  statements::SensitivityTable sensitivity;
+  sensitivity.statements.resize(1);
+  EXPECT_THAT(page.notSaid("sensitivity.csv", statements::sensitivityCsv(sensitivity)), IsEmpty());
+  // STATEMENT stands for any name; all else of these tables has been seen.
+  EXPECT_THAT(page.notSeen(), IsEmpty());
+}
+
+TEST(FilesPage, MissesWhatItDoesNotSay) {
+  FilesPage page(kManual + "files.md");
+  EXPECT_EQ(page.notSaid("estimates.csv", "passage,colour\n").size(), 1U);
+  EXPECT_EQ(page.notSaid("estimates.csv", "depth [mm]\n").size(), 1U);  // another unit
+  EXPECT_EQ(page.notSaid("study.csv", "motion.speed,peak [m/s2],motion.sped\n").size(), 1U);
+  EXPECT_EQ(page.notSaid("no such section", "passage\n").size(), 1U);
+}
+
+TEST(ExitCodes, StandInTheManualAndTheReadme) {
+  const auto lines = arch::linesOf(kManual + "running.md");
+  std::string readme;
+  for (const auto& line : arch::linesOf(SQUAT_SOURCE_DIR "/README.md"))
+    if (line.starts_with("Exit codes: ")) readme = line;
+  for (const int code :
+       {commands::kDone, commands::kCaseWrong, commands::kRunFailed, commands::kFileWrong, commands::kCancelled}) {
+    const auto row = "| " + std::to_string(code) + " | ";
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const auto& line) { return line.starts_with(row); }))
+        << row;
+    EXPECT_NE(readme.find(" " + std::to_string(code) + " "), std::string::npos) << code;
+  }
+}
+
+}  // namespace
+}  // namespace squat
