@@ -2,8 +2,8 @@
 
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
+#include "commands/ResultToRead.h"
 #include "commands/VtkOutput.h"
-#include "results/ResultFile.h"
 
 namespace squat::commands {
 
@@ -14,7 +14,7 @@ struct ExportOptions {
 };
 
 int exportResult(const ExportOptions& options) {
-  for (const auto& path : writeVtkFiles(results::readResult(options.result), options.folder))
+  for (const auto& path : writeVtkFiles(resultToRead(options.result), options.folder))
     std::printf("%s\n", path.c_str());
   return kDone;
 }

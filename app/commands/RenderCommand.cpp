@@ -4,8 +4,8 @@
 #include "commands/ExitCodes.h"
 #include "commands/FigureNames.h"
 #include "commands/FigureOutput.h"
+#include "commands/ResultToRead.h"
 #include "core/DurableFile.h"
-#include "results/ResultFile.h"
 
 namespace squat::commands {
 
@@ -18,7 +18,7 @@ struct RenderOptions {
 
 int render(const RenderOptions& options) {
   checkFigureNames(options.figures, options.formats);
-  const auto result = results::readResult(options.result);
+  const auto result = resultToRead(options.result);
   makeFolder(options.folder);
   const auto output = writeFigures(result, options.folder, options.figures, options.formats);
   for (const auto& message : output.messages) std::fprintf(stderr, "%s\n", message.c_str());

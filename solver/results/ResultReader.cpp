@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "core/Errors.h"
 #include "results/ResultTree.h"
@@ -23,6 +24,7 @@ class Mapper {
   // The values of a dataset, empty where there is none; the dataset is used up.
   template <typename T>
   std::vector<T> take(const std::string& object) const {
+    used_.insert(object);
     auto* array = tree_.find(object);
     if (!array) return {};
     auto* values = std::get_if<std::vector<T>>(&array->values);
@@ -59,6 +61,7 @@ class Mapper {
     for (const auto& array : tree_.arrays) {
       const auto name = nameIn(group, array.path);
       if (name.empty()) continue;
+      used_.insert(array.path);
       const auto* values = std::get_if<std::vector<double>>(&array.values);
       if (!values || values->size() != 1) refuse(array.path, "is not one number");
       list.push_back({name, textAttribute(array.attributes, "unit"), textAttribute(array.attributes, "description"),
@@ -74,6 +77,16 @@ class Mapper {
       if (!nameIn(group, entry.path).empty()) list.push_back(entry.path);
     std::sort(list.begin(), list.end());
     return list;
+  }
+
+  // Datasets that nothing has asked for, the first few by name; empty where there are none.
+  std::string notAskedFor() const {
+    constexpr int named = 4;
+    std::string names;
+    int count = 0;
+    for (const auto& array : tree_.arrays)
+      if (!used_.contains(array.path) && ++count <= named) names += (names.empty() ? "" : ", ") + array.path;
+    return count > named ? names + " and " + std::to_string(count - named) + " more" : names;
   }
 
   std::string text(const std::string& group, const char* name) const {
@@ -96,6 +109,7 @@ class Mapper {
 
   ArrayTree& tree_;
   const std::string& path_;
+  mutable std::set<std::string> used_;
 };
 
 void checkSchema(const ArrayTree& tree, const std::string& path) {
@@ -260,6 +274,8 @@ RunResult fromTree(ArrayTree tree, const std::string& path) {
   readSurface(from, result.surface);
   readFields(from, result);
   readPatches(from, result);
+  if (const auto names = from.notAskedFor(); !names.empty())
+    result.notRead = names + ", written by version " + result.codeVersion;
   return result;
 }
 

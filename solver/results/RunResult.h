@@ -82,6 +82,9 @@ struct RunResult : AnalysedRecord {
   // where this version cannot read it: then caseProblem says why.
   std::shared_ptr<const cases::ResolvedCase> resolvedCase;
   std::string caseProblem;
+  // Datasets of the file that this version does not know, and the version that has written them: what a newer program
+  // added within one schema. Empty: all of the file is here.
+  std::string notRead;
   std::string codeVersion;
   std::string commit;  // that the program was built from, core/ProgramVersion.h; empty: not known
   std::string isa;     // instruction set of the operator

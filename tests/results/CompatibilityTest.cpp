@@ -2,8 +2,12 @@
 // current): each must go on being read, with the same numbers.
 #include <gtest/gtest.h>
 
+#include "core/DurableFile.h"
 #include "results/Checkpoint.h"
+#include "results/Hdf5.h"
 #include "results/ResultFile.h"
+#include "results/ResultTree.h"
+#include "results/SampleResult.h"
 
 namespace squat::results {
 namespace {
@@ -44,6 +48,27 @@ TEST(Compatibility, ResultOf020) {
   EXPECT_EQ(result.plasticity.at(0).value, 3e-3);
   EXPECT_EQ(result.permanent.height.at(2), -2e-6);
   EXPECT_EQ(result.modes.at(1).frequency, 500);
+}
+
+// Within one schema a newer program may add datasets: the rest is read, and the reader says what it leaves out. A
+// signal or a number in a known list is no such thing.
+TEST(Compatibility, WhatANewerProgramHasAddedIsNamed) {
+  const testing::TemporaryFolder folder;
+  auto tree = toTree(testing::sampleResult());
+  setAttribute(tree.attributes, "code_version", std::string("0.9.0"));
+  tree.add("/wear/depth", std::vector<double>{1, 2}, "m");
+  tree.add("/spectra/phase", std::vector<double>{1, 2, 3}, "rad");
+  tree.addScalar("/features/loudness", 3, "sone");
+  writeDurably(folder / "newer.h5", encodeHdf5(tree, "newer.h5"));
+  const auto result = readResult(folder / "newer.h5");
+  EXPECT_EQ(result.notRead, "/spectra/phase, /wear/depth, written by version 0.9.0");
+  EXPECT_EQ(result.features.back().name, "loudness");
+  EXPECT_EQ(result.psd, testing::sampleResult().psd);
+
+  writeResult(folder / "own.h5", testing::sampleResult());
+  EXPECT_EQ(readResult(folder / "own.h5").notRead, "");
+  for (const char* frozen : {"squat-result-1.h5", "squat-result-1-of-0.2.0.h5"})
+    EXPECT_EQ(readResult(SQUAT_SOURCE_DIR "/tests/results/frozen/" + std::string(frozen)).notRead, "") << frozen;
 }
 
 TEST(Compatibility, CheckpointOfSchema1) {

@@ -80,6 +80,9 @@ bool MainWindow::openResult(const QString& path) {
     if (result->stem.empty()) result->stem = label.toStdString();
     addRecentFile(path);
     store_.add({result, label, QFileInfo(path).absoluteFilePath(), false});
+    if (!result->notRead.empty())
+      messages_->warn(tr("This version does not read all of %1: install the newer one to see the rest.").arg(path),
+                      QString::fromStdString(result->notRead));
     if (result->caseToml.empty() || hasUnsavedChanges()) return true;
     // The case that made the result, to be looked at and changed.
     if (!result->resolvedCase) {
