@@ -104,8 +104,8 @@ Sharing shareMachine(const Machine& machine, const RunDemand& demand, Sharing wa
   Sharing sharing = wanted;
   if (wanted.jobs == 0) {
     const double fed = std::max(runsFor(machine.bandwidth, threads * demand.traffic), held);
-    const double jobs = std::min({static_cast<double>(machine.cores / threads),  // whole runs
-                                  runsFor(0.9 * machine.memory, demand.memory), fed});
+    const int whole = machine.cores / threads;
+    const double jobs = std::min({static_cast<double>(whole), runsFor(0.9 * machine.memory, demand.memory), fed});
     sharing.jobs = std::max(1, static_cast<int>(jobs));
   }
   if (wanted.threads == 0) {

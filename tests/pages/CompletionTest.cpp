@@ -17,13 +17,13 @@ using squat::testing::TemporaryFolder;
 
 class Completion : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { text_ = completion(callsOf(SQUAT_PROGRAM)); }
+  static void SetUpTestSuite() { text = completion(callsOf(SQUAT_PROGRAM)); }
 
   // What bash offers for the last of the words, in a folder that holds oats.csv and the folder out.
   std::string offered(const std::string& words) const {
     std::filesystem::create_directories(folder_ / "place/out");
     writeDurably(folder_ / "place/oats.csv", std::string_view("1\n"));
-    writeDurably(folder_ / "squat", std::string_view(text_));
+    writeDurably(folder_ / "squat", std::string_view(text));
     writeDurably(folder_ / "ask",
                  "cd '" + (folder_ / "place") + "' && source ../squat && COMP_WORDS=(squat " + words +
                      ") && COMP_CWORD=$((${#COMP_WORDS[@]} - 1)) && _squat && echo -n \"${COMPREPLY[*]}\"");
@@ -34,7 +34,7 @@ class Completion : public ::testing::Test {
 
  private:
   TemporaryFolder folder_;
-  static inline std::string text_;
+  static inline std::string text;
 };
 
 TEST_F(Completion, OfCommands) {

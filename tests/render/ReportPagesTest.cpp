@@ -17,7 +17,6 @@
 namespace squat::plots {
 namespace {
 
-using ::testing::Contains;
 using ::testing::HasSubstr;
 
 // Two runs and a measured signal, which is the reference.

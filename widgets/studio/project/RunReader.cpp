@@ -94,7 +94,7 @@ void RunReader::list() {
   std::vector<std::pair<int, StoredRun>> read;
   for (auto& [link, run] : std::exchange(arrived_, {}))
     if (const int row = store_.rowOfLink(link); row >= 0) read.emplace_back(row, std::move(run));
-  store_.fill(std::move(read));
+  store_.fill(read);
   Q_EMIT progressed(all_ - ahead_, all_);
   if (ahead_ == 0) Q_EMIT finished(std::exchange(problems_, {}));
 }

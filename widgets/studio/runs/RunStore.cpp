@@ -113,7 +113,7 @@ bool RunStore::fillRow(int row, const StoredRun& read) {
   return current_ < 0 && read.result && isWaitedFor;
 }
 
-void RunStore::fill(std::vector<std::pair<int, StoredRun>> read) {
+void RunStore::fill(const std::vector<std::pair<int, StoredRun>>& read) {
   if (read.empty()) return;
   int first = rowCount(), last = -1, current = -1;
   bool overlaid = false;

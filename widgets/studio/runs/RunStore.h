@@ -67,7 +67,7 @@ class RunStore : public QAbstractListModel {
   // once it is read.
   void replaceAll(std::vector<StoredRun> runs, int current);
   // What was read of the files of rows that were opening: name, colour and overlay stay as they are listed.
-  void fill(std::vector<std::pair<int, StoredRun>> read);
+  void fill(const std::vector<std::pair<int, StoredRun>>& read);
   // The same run with or without fields.
   void setResult(int row, const ResultPointer& result, Fields fields);
   void remove(int row);

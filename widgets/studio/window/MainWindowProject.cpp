@@ -185,7 +185,7 @@ void MainWindow::findMissing(int row) {
   if (!problem.isEmpty()) messages_->warn(problem);
   if (!found.record) return;
   store_.setPath(row, QString::fromStdString(entry.path));
-  store_.fill({{row, std::move(found)}});
+  store_.fill({{row, found}});
   if (store_.current() < 0 && !store_.at(row).isMeasured()) store_.setCurrent(row);
 }
 
