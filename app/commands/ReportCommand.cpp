@@ -85,7 +85,7 @@ int report(const ReportOptions& options) {
     throw CaseError({{"--measured", options.measured[0], "a run to lay it over", "Show a run in the project"}});
   addMeasured(options, content);
   const std::string output = options.output.empty() ? stem + ".pdf" : options.output;
-  makeFolder(std::filesystem::path(output).parent_path().string());
+  if (const auto folder = std::filesystem::path(output).parent_path(); !folder.empty()) makeFolder(folder.string());
   for (const auto& problem : writeReport(content, options.choice, output)) problems.push_back(problem);
   for (const auto& problem : problems) std::fprintf(stderr, "note: %s\n", problem.c_str());
   std::printf("%s\n", output.c_str());
