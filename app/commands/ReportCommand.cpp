@@ -1,25 +1,24 @@
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "commands/Command.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureNames.h"
 #include "commands/FigureOutput.h"
-#include "commands/OutputFolder.h"
 #include "commands/ReportOutput.h"
 #include "commands/SignalOptions.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "project/ProjectFile.h"
 #include "project/Report.h"
+#include "results/ResultFile.h"
 
 namespace squat::commands {
 
 namespace {
 
 constexpr const char* kProjectEnding = ".squat-project";
+constexpr std::size_t kLongestNotes = std::size_t{1} << 20;
 
 struct ReportOptions {
   std::vector<std::string> files, measured;
@@ -28,42 +27,39 @@ struct ReportOptions {
   ReportChoice choice;
 };
 
-std::string textOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw FileError(path, "", "cannot be read", "Check the path, or leave --notes out");
-  return text.str();
-}
+std::string stemOf(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
-// The first result is shown, the others are laid over it.
-project::Project projectOf(const ReportOptions& options) {
-  project::Project project;
-  for (const auto& file : options.files) {
-    project::Entry entry;
-    entry.path = file;
-    entry.name = std::filesystem::path(file).stem().string();
-    entry.overlaid = true;
-    project.entries.push_back(entry);
+// The first result is shown and compared with, the others are laid over it.
+project::Report reportOfResults(const std::vector<std::string>& files) {
+  project::Report report;
+  for (const auto& file : files) {
+    const auto content =
+        report.signals.empty() ? results::ResultContent::everything : results::ResultContent::withoutFields;
+    const auto result = std::make_shared<results::RunResult>(results::readResult(file, content));
+    report.signals.push_back({stemOf(file), file, result, result, {}, true});
   }
-  project.current = 0;
-  return project;
+  report.shown = report.reference = 0;
+  return report;
 }
 
-// Their largest value is laid where that of the run is, as in the studio.
-void addMeasured(const ReportOptions& options, project::Report& report) {
+// Their largest value is laid where that of the run is, as in the studio. The first one becomes the reference, unless a
+// measured signal is it already.
+void addMeasured(const ReportOptions& options, project::Report& report, std::vector<std::string>& notes) {
   if (options.measured.empty()) return;
-  const auto& shown = report.signals.at(static_cast<std::size_t>(report.shown));
+  if (report.shown < 0)
+    throw CaseError({{"--measured", options.measured[0], "a run to lay it over", "Show a run in the project"}});
+  const auto shown = report.signals.at(static_cast<std::size_t>(report.shown));
   const auto reading = fileOptions(options.signal);
   const double speed = reading.speed > 0 ? reading.speed : shown.result->speed;
+  bool hasReference = report.reference >= 0 && !report.signals[static_cast<std::size_t>(report.reference)].result;
   for (const auto& file : options.measured) {
     const auto records = project::measuredRecords(file, speed, {reading, project::impactOf(shown.record.get())});
-    for (const auto& measured : records) {
-      const std::string stem = std::filesystem::path(file).stem().string();
-      if (report.reference < 0 || report.signals[static_cast<std::size_t>(report.reference)].result)
-        report.reference = static_cast<int>(report.signals.size());
-      report.signals.push_back({records.size() > 1 ? stem + ": " + measured.record->run : stem, file, measured.record,
-                                nullptr, measured.reading, true});
+    for (const auto& [record, used] : records) {
+      if (!hasReference) report.reference = static_cast<int>(report.signals.size());
+      hasReference = true;
+      const std::string name = records.size() > 1 ? stemOf(file) + ": " + record->run : stemOf(file);
+      for (const auto& note : record->notes) notes.push_back(name + ": " + note);
+      report.signals.push_back({name, file, record, nullptr, used, true});
     }
   }
 }
@@ -74,20 +70,19 @@ int report(const ReportOptions& options) {
   if (isProject && options.files.size() > 1)
     throw CaseError({{"RESULT", options.files[1], "nothing beside a project", "Add the result to the project"}});
   checkFigureNames(options.choice.figures, {});
-  auto project = isProject ? project::readProject(first) : projectOf(options);
-  if (!options.notes.empty()) project.notes = textOf(options.notes);
-  std::vector<std::string> problems;
-  const std::string stem = std::filesystem::path(first).stem().string();
-  auto content = project::reportOf(project, options.title.empty() ? stem : options.title, problems);
-  // A project may have lost a file; a file that was named must be there.
-  if (!isProject && !problems.empty()) throw FileError(first, "", problems.front());
-  if (content.shown < 0 && !options.measured.empty())
-    throw CaseError({{"--measured", options.measured[0], "a run to lay it over", "Show a run in the project"}});
-  addMeasured(options, content);
-  const std::string output = options.output.empty() ? stem + ".pdf" : options.output;
+  const std::string output = options.output.empty() ? stemOf(first) + ".pdf" : options.output;
+  auto inputs = options.files;
+  inputs.insert(inputs.end(), options.measured.begin(), options.measured.end());
+  if (!options.notes.empty()) inputs.push_back(options.notes);
+  keepInputs(inputs, {output});
+  std::vector<std::string> notes;
+  auto content = isProject ? project::reportOf(project::readProject(first), notes) : reportOfResults(options.files);
+  content.title = options.title.empty() ? stemOf(first) : options.title;
+  if (!options.notes.empty()) content.notes = readWholeFile(options.notes, kLongestNotes);
+  addMeasured(options, content, notes);
   if (const auto folder = std::filesystem::path(output).parent_path(); !folder.empty()) makeFolder(folder.string());
-  for (const auto& problem : writeReport(content, options.choice, output)) problems.push_back(problem);
-  for (const auto& problem : problems) std::fprintf(stderr, "note: %s\n", problem.c_str());
+  for (const auto& problem : writeReport(content, options.choice, output)) notes.push_back(problem);
+  for (const auto& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   std::printf("%s\n", output.c_str());
   return kDone;
 }

@@ -42,7 +42,7 @@ std::string meshPresets() {
   std::vector<std::string> head{"key"};
   for (const auto& name : names) head.push_back(codeText(name));
   std::string text =
-      "\n## Mesh presets\n\nWhat `mesh.preset` (`--mesh`) sets; keys that the case states count more.\n\n";
+      "\n## Mesh presets\n\nWhat `mesh.preset` (`--mesh`) sets; a key that the case states takes precedence.\n\n";
   text += tableHead(head);
   for (const auto& row : cases::presetTable()) {
     std::vector<std::string> cells{codeText(row.key)};

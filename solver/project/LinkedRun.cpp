@@ -29,7 +29,7 @@ LinkedSignal openSignal(const Entry& entry) {
     const auto found = std::find_if(records.begin(), records.end(),
                                     [&](const auto& each) { return each.record->run == entry.signal; });
     if (found == records.end()) {
-      linked.problem = entry.path + " has no signal “" + entry.signal + "” any more";
+      linked.problem = entry.path + " no longer has a signal “" + entry.signal + "”";
     } else {
       linked.measured = *found;
       linked.problem = changeOf(entry, *found->record);

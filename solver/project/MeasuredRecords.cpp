@@ -83,7 +83,7 @@ signals::Record wholeRecord(const MeasuredRecord& measured) {
   const auto& [record, reading] = measured;
   for (auto& each : readers::readSignals(record->file, reading.options))
     if (each.run == record->run) return std::move(each);
-  throw FileError(record->file, record->run, "the file has this signal no more", "Open the file again");
+  throw FileError(record->file, record->run, "is no longer in the file", "Open the file again");
 }
 
 }  // namespace squat::project

@@ -31,7 +31,7 @@ double impactOf(const signals::Record* run);
 // are no accelerations.
 std::vector<MeasuredRecord> measuredRecords(const std::string& path, double speed, const MeasuredReading& reading);
 
-// The whole of such a signal, as the file has it. Throws FileError, also where the file has it no more.
+// The whole of such a signal, as the file has it. Throws FileError, also where it is no longer there.
 signals::Record wholeRecord(const MeasuredRecord& measured);
 
 }  // namespace squat::project

@@ -31,8 +31,8 @@ ReportSignal openedSignal(const Entry& entry, std::string& problem) {
 
 }  // namespace
 
-Report reportOf(const Project& project, const std::string& title, std::vector<std::string>& problems) {
-  Report report{title, project.notes, {}, -1, -1};
+Report reportOf(const Project& project, std::vector<std::string>& problems) {
+  Report report{{}, project.notes, {}, -1, -1};
   for (std::size_t i = 0; i < project.entries.size(); ++i) {
     const Entry& entry = project.entries[i];
     const bool shown = static_cast<int>(i) == project.current;

@@ -30,10 +30,10 @@ struct Report {
   int reference = -1;  // what the others are compared with; -1: nothing
 };
 
-// The report of a project: every run and signal of it, results without fields except the one that is shown. The
-// reference is the one that was chosen, else the first measured signal, else the first run. `problems` gets a sentence
-// for each file that is missing or has changed since.
-Report reportOf(const Project& project, const std::string& title, std::vector<std::string>& problems);
+// The report of a project, without a title: every run and signal of it, results without fields except the one that is
+// shown. The reference is the one that was chosen, else the first measured signal, else the first run. `problems` gets
+// a sentence for each file that is missing or has changed since.
+Report reportOf(const Project& project, std::vector<std::string>& problems);
 
 struct ReportTable {
   std::string heading;

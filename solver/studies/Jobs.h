@@ -32,10 +32,11 @@ struct Sharing {
   int threads = 0;  // of each
 };
 
-// 100 million element updates a second (resources/manual/speed.md), of 130 bytes each: what a simulated cache of 2 MiB
-// (valgrind's cachegrind) reads and fills on `tiny` from one step to the next, lines written back not counted. With 256
-// KiB it is 245 bytes. The smaller number stands here: too many runs wait for each other, too few leave cores idle.
-inline constexpr double kTrafficOfAThread = 13e9;
+// 100 million element updates a second (resources/manual/speed.md), of 123 bytes each: what a simulated cache of 2 MiB
+// (valgrind's cachegrind) reads and fills on `tiny` in a step, the mean of 480 steps, lines written back not counted.
+// With 256 KiB it is 245 bytes. The smaller number stands here: too many runs wait for each other, too few leave cores
+// idle.
+inline constexpr double kTrafficOfAThread = 12.3e9;
 // Of the state, an element: what the memory of a run grows by.
 inline constexpr double kStateOfAnElement = 310;
 
@@ -46,7 +47,7 @@ RunDemand demandOnMesh(const std::string& preset);
 // Fills in what is 0 of `wanted`. Runs at once: as many as cores (for `wanted.threads` each, else one) and nine tenths
 // of the memory allow, and as the bandwidth feeds or four fifths of the last cache hold, whichever is more; at least
 // one. Threads: what the cores leave to each run, and the bandwidth where the states do not stay in the cache. Several
-// runs use the cores better than several threads of one; more of either than are fed would only wait.
+// runs use the cores better than several threads of one; more of either would only wait for the memory.
 Sharing shareMachine(const Machine& machine, const RunDemand& demand, Sharing wanted = {});
 
 }  // namespace squat::studies

@@ -110,7 +110,12 @@ TEST_F(EndToEnd, ReportOfResultsAndOfAProject) {
   EXPECT_THAT(call({"report", folder / "day.squat-project", "-o", pdf}), HasSubstr("gone.h5"));  // said, and left out
   EXPECT_TRUE(pages().starts_with("%PDF-"));
 
-  EXPECT_EQ(testing::call({"report", folder / "gone.h5", "-o", pdf}), 4);
+  std::string said;
+  EXPECT_EQ(testing::call({"report", file("light-defect.h5"), folder / "gone.h5", "-o", pdf}, &said), 4);
+  EXPECT_THAT(said, HasSubstr("invalid file: " + (folder / "gone.h5")));
+  std::filesystem::copy_file(file("light-defect.h5"), folder / "mine.h5");
+  EXPECT_EQ(testing::call({"report", folder / "mine.h5", "-o", folder / "mine.h5"}), 2);  // it would be lost
+  EXPECT_TRUE(results::isCompleteResult(folder / "mine.h5"));
   EXPECT_EQ(testing::call({"report", file("light-defect.h5"), "--figures", "nonsense", "-o", pdf}), 2);
   EXPECT_EQ(testing::call({"report", folder / "day.squat-project", file("light-defect.h5"), "-o", pdf}), 2);
   EXPECT_EQ(testing::call({"report", file("light-defect.h5"), "-o", folder / "no/such/folder"}), 0);  // it is made

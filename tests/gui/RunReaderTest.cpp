@@ -1,6 +1,7 @@
 // A project with many runs: the window is there at once, the runs follow, and their fields when they are looked at.
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
@@ -130,6 +131,7 @@ TEST_F(ManyRuns, canBeLeftWhileTheyAreRead) {
   ASSERT_TRUE(window.closeProject());
   EXPECT_EQ(window.store().rowCount(), 0);
   EXPECT_FALSE(window.reader()->isBusy());
+  EXPECT_EQ(window.findChild<QDockWidget*>("runsDock")->windowTitle(), "Runs");  // no longer "reading"
   ASSERT_TRUE(window.openProject(projectFile()));
   window.store().remove(29);  // the one that is read first
   EXPECT_TRUE(tests::passes([&] { return !window.store().at(0).opening; }, 20000));

@@ -141,6 +141,11 @@ TEST_F(ReportPages, haveOnlyTheFiguresThatWereAskedFor) {
   EXPECT_TRUE(all.contains("Force on the rail [kN]"));
   EXPECT_FALSE(some.contains("Force on the rail [kN]"));
   EXPECT_THROW(printed("pdftotext", {}, {PageFormat::a4, {"nonsense"}, "viridis"}), CaseError);
+  // A run that was stopped early, or a study's, has no contact patch to draw.
+  auto bare = std::make_shared<results::RunResult>(*report_.signals[0].result);
+  bare->patches.clear();
+  report_.signals[0].result = bare, report_.signals[0].record = bare;
+  EXPECT_THROW(printed("pdftotext", {}, {PageFormat::a4, {"contact_patch"}, "viridis"}), CaseError);
   report_.shown = -1;  // measured signals alone: tables, no figures
   const QString text = packed(printed("pdftotext", {"-raw"}));
   EXPECT_TRUE(text.contains("Comparison"));

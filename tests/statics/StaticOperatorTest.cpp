@@ -84,6 +84,7 @@ TEST(StaticOperator, DiagonalKnowsWhatTheMastersOfTheTieCarry) {
         // A share that comes by two ways is squared way by way, which is less than the square of their sum.
         EXPECT_GT(diagonal[index], 0.9 * expected) << column.outer << " " << c << " " << s;
         EXPECT_LT(diagonal[index], (1 + 1e-9) * expected) << column.outer << " " << c << " " << s;
+        // The tie matters: what it carries is at least half of what the master has of its own.
         EXPECT_GT(expected, 1.5 * own[index]) << column.outer << " " << c << " " << s;
       }
 }

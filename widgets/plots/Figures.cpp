@@ -55,10 +55,14 @@ void checkRequest(const FigureRequest& request, const cases::CaseDescription* de
   check(request, [&](const FigureRow& row) { return !description || !row.expected || row.expected(*description); });
 }
 
+void checkRequest(const FigureRequest& request, const results::RunResult& result) {
+  check(request, [&](const FigureRow& row) { return row.applies(result); });
+}
+
 std::vector<std::string> renderFigures(const results::RunResult& result, const std::string& folder,
                                        const FigureRequest& request, std::vector<std::string>* messages) {
   const Fits applies = [&](const FigureRow& row) { return row.applies(result); };
-  check(request, applies);
+  checkRequest(request, result);
   makeFolder(folder);
   Style style = lightStyle();
   style.colourMap = request.colourMap;

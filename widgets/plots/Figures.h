@@ -19,6 +19,9 @@ struct FigureRequest {
 // of it will have nothing for.
 void checkRequest(const FigureRequest& request, const cases::CaseDescription* description = nullptr);
 
+// The same for figures that the result has nothing for.
+void checkRequest(const FigureRequest& request, const results::RunResult& result);
+
 // Writes NAME.FORMAT into `folder` (made where missing) for rows of figureRegistry() and returns the paths written.
 // Call plots::ensureApplication() before. Where the 3-D picture cannot be drawn on this machine, or the result has
 // nothing for any figure, that is added to `messages`. Throws CaseError for unknown names, formats or colour maps, and

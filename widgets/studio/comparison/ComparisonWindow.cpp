@@ -167,11 +167,13 @@ void ComparisonWindow::showMenu(const QPoint& place) {
 void ComparisonWindow::fillMenu(QMenu& menu, int row) {
   if (row < 0 || row >= store_.rowCount()) return;
   const StoredRun& run = store_.at(row);
-  const auto place = [this, record = run.record] { return store_.rowOfRecord(record); };
+  const auto place = [index = QPersistentModelIndex(store_.index(row))] { return index.row(); };  // -1: removed
   QAction* chosen = menu.addAction(tr("Use as &reference"), this, [this, place] { store_.setReference(place()); });
   chosen->setObjectName("useAsReference");
   chosen->setEnabled(!run.isMissing() && row != store_.reference());
-  QAction* shown = menu.addAction(tr("&Show in the figures"), this, [this, place] { store_.setCurrent(place()); });
+  QAction* shown = menu.addAction(tr("&Show in the figures"), this, [this, place] {
+    if (const int at = place(); at >= 0) store_.setCurrent(at);
+  });
   shown->setObjectName("showRun");
   shown->setEnabled(!run.isMeasured());
   menu.addSeparator();

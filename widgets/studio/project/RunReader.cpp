@@ -59,6 +59,7 @@ void RunReader::open(const project::Project& project) {
   store_.replaceAll(std::move(runs), project.current);
   if (reference) store_.setReference(store_.rowOfRecord(reference));
   for (const RunLink& link : links) ask(link, generation);
+  Q_EMIT progressed(0, all_);
 }
 
 void RunReader::ask(const RunLink& link, int generation) {

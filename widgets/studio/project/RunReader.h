@@ -19,7 +19,7 @@ namespace squat::studio {
 class RunReader : public QObject {
   Q_OBJECT
  public:
-  static constexpr std::size_t keptFields = 4;  // runs; those of the mesh `paper` take some 100 MB each
+  static constexpr std::size_t keptFields = 4;  // runs
 
   explicit RunReader(RunStore& store, QObject* parent = nullptr);
   ~RunReader() override;  // waits for the file that is being read

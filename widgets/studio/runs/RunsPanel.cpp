@@ -154,7 +154,7 @@ void RunsPanel::chooseColour(int row) {
 // Rows may move while the menu stands: the run itself is what is meant.
 void RunsPanel::fillMenu(QMenu& menu, int row) {
   const StoredRun& run = store_.at(row);
-  const auto place = [this, record = run.record] { return store_.rowOfRecord(record); };
+  const auto place = [index = QPersistentModelIndex(store_.index(row))] { return index.row(); };  // -1: removed
   const auto add = [&](const QString& text, const char* name, bool enabled, auto action) {
     QAction* made = menu.addAction(text, this, [place, action] {
       if (const int at = place(); at >= 0) action(at);
@@ -180,7 +180,8 @@ void RunsPanel::fillMenu(QMenu& menu, int row) {
   add(tr("S&ave…"), "runSave", !run.isMeasured(), [this](int at) { Q_EMIT saveRunRequested(at); });
   add(tr("Show in &folder"), "runFolder", !run.path.isEmpty(),
       [this](int at) { Q_EMIT folderRequested(QFileInfo(store_.at(at).path).absolutePath()); });
-  if (run.isMissing()) add(tr("F&ind the file…"), "runFind", true, [this](int at) { Q_EMIT findRequested(at); });
+  if (run.isMissing() && !run.opening)
+    add(tr("F&ind the file…"), "runFind", true, [this](int at) { Q_EMIT findRequested(at); });
   add(tr("&Remove"), "runRemove", true, [this](int at) { Q_EMIT removeRequested(at); });
 }
 

@@ -247,7 +247,7 @@ bool MainWindow::saveReportTo(const QString& path) {
     const auto report = reportOf(store_, shown, reportTitle(), notes_->toPlainText());
     const auto page = letter ? plots::PageFormat::letter : plots::PageFormat::a4;
     plots::writeWhole(plots::reportPdf(report, {page, {}, signals_->colourMap()}, problems), path.toStdString());
-  } catch (const FileError& error) {
+  } catch (const std::exception& error) {  // the cursor must not stay a clock
     failure = QString::fromStdString(error.what());
   }
   QGuiApplication::restoreOverrideCursor();
