@@ -90,7 +90,7 @@ std::string featureCsv(const Analysis& analysis) {
 }
 
 std::string featureJson(const Analysis& analysis) {
-  Json json;
+  Json json{{"schema", "squat-features"}, {"schema_version", 1}};
   json["signals"] = Json::array();
   for (const auto& signal : analysis.signals) json["signals"].push_back(jsonOf(signal));
   if (analysis.dispersion)

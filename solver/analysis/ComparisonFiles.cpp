@@ -45,18 +45,18 @@ std::string comparisonCsv(const std::vector<FileComparison>& comparisons) {
 }
 
 std::string comparisonJson(const std::vector<FileComparison>& comparisons) {
-  Json json = Json::array();
+  Json json{{"schema", "squat-comparison"}, {"schema_version", 1}, {"pairs", Json::array()}};
   for (const auto& entry : comparisons)
-    json.push_back({{"first_file", entry.firstFile},
-                    {"second_file", entry.secondFile},
-                    {"first", entry.comparison.firstName},
-                    {"second", entry.comparison.secondName},
-                    {"comparison", rowOf(signals::comparisonRow(entry.comparison))},
-                    {"first_anchor", signals::toText(entry.comparison.firstFeatures.anchor)},
-                    {"second_anchor", signals::toText(entry.comparison.secondFeatures.anchor)},
-                    {"first_features", rowOf(signals::featureRow(entry.comparison.firstFeatures))},
-                    {"second_features", rowOf(signals::featureRow(entry.comparison.secondFeatures))},
-                    {"notes", entry.notes}});
+    json["pairs"].push_back({{"first_file", entry.firstFile},
+                             {"second_file", entry.secondFile},
+                             {"first", entry.comparison.firstName},
+                             {"second", entry.comparison.secondName},
+                             {"comparison", rowOf(signals::comparisonRow(entry.comparison))},
+                             {"first_anchor", signals::toText(entry.comparison.firstFeatures.anchor)},
+                             {"second_anchor", signals::toText(entry.comparison.secondFeatures.anchor)},
+                             {"first_features", rowOf(signals::featureRow(entry.comparison.firstFeatures))},
+                             {"second_features", rowOf(signals::featureRow(entry.comparison.secondFeatures))},
+                             {"notes", entry.notes}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -64,7 +64,8 @@ Json identityOf(const CalibrationDefinition& definition) {
   json["data_hash"] = cases::shortHash(data);
   json["meshes"] = {definition.searchMesh, definition.confirmMesh};
   json["evaluations"] = definition.evaluations;
-  return json;
+  // As it is read back: names of files need not be UTF-8.
+  return Json::parse(json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 Stage stageFrom(const std::string& text) {

@@ -162,6 +162,9 @@ Json jsonOf(const RecordDetection& record) {
           {"notes", record.notes}};
 }
 
+// Names of files and channels need not be UTF-8.
+std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
 std::size_t columnOf(const std::vector<std::string>& names, std::string_view wanted) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i].substr(0, names[i].find(" [")) == wanted) return i;
@@ -180,9 +183,12 @@ std::string detectionJson(const DetectionReport& report) {
   Json events = Json::array(), records = Json::array();
   for (const auto& event : report.events) events.push_back(jsonOf(report, event));
   for (const auto& record : report.records) records.push_back(jsonOf(record));
-  return Json{{"examples", report.examples}, {"records", records}, {"events", events}, {"notes", report.notes}}.dump(
-             2) +
-         '\n';
+  return textOf({{"schema", "squat-detection"},
+                 {"schema_version", 1},
+                 {"examples", report.examples},
+                 {"records", records},
+                 {"events", events},
+                 {"notes", report.notes}});
 }
 
 std::string detectionGeoJson(const DetectionReport& report) {
@@ -195,7 +201,7 @@ std::string detectionGeoJson(const DetectionReport& report) {
                         {"properties", jsonOf(report, combined)}});
   }
   if (features.empty()) return {};
-  return Json{{"type", "FeatureCollection"}, {"features", features}}.dump(2) + '\n';
+  return textOf({{"type", "FeatureCollection"}, {"features", features}});
 }
 
 std::vector<std::string> writeDetection(const DetectionReport& report, const std::string& folder) {

@@ -80,7 +80,7 @@ std::string estimateJson(const Estimate& estimate) {
                               {"lower_um", 1e6 * sample.lower},
                               {"upper_um", 1e6 * sample.upper},
                               {"felt", sample.isFelt}});
-  return all.dump(2) + "\n";
+  return all.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace squat::estimation

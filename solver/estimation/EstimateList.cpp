@@ -69,7 +69,8 @@ void writeRow(const std::string& folder, const EstimateRow& row, const std::stri
                   {"misfit", row.misfit},
                   {"peak", row.peak},
                   {"runs", row.runs}};
-  writeDurably(rowFile(folder, row.file), std::string_view(json.dump(2) + "\n"));
+  writeDurably(rowFile(folder, row.file),
+               std::string_view(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"));
 }
 
 std::optional<EstimateRow> readRow(const std::string& folder, const std::string& file, const std::string& key) {

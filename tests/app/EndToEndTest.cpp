@@ -200,7 +200,7 @@ TEST_F(EndToEnd, CompareKnowsASignalAndItsDouble) {
   call({"compare", file("light-defect.h5"), file("light-defect.h5"), file("double.csv"), "-o", folder, "--format",
         "png"});
   const auto table = readCsv(folder + "/comparison.csv");
-  const auto json = nlohmann::json::parse(readWholeFile(folder + "/comparison.json", 1000000));
+  const auto json = nlohmann::json::parse(readWholeFile(folder + "/comparison.json", 1000000)).at("pairs");
   ASSERT_EQ(table.size(), 2u);
   ASSERT_EQ(json.size(), 2u);
   for (int i = 0; i < 2; ++i) {

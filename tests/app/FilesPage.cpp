@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 #include "analysis/FeatureTable.h"
 #include "arch/Page.h"
@@ -45,6 +47,20 @@ const std::vector<std::pair<std::regex, std::string>>& tables() {
       {is("sensitivity\\.csv"), "sensitivity.csv"},
   };
   return all;
+}
+
+// Objects below which keys are no words of the format: columns of a table, bands, free names.
+constexpr const char* kOpenObjects[] = {"features", "comparison",  "first_features", "second_features", "power_m2_s4",
+                                        "energy",   "equilibrium", "mesh",           "plasticity",      "performance"};
+
+void addKeys(const nlohmann::json& json, std::set<std::string>& keys) {
+  if (!json.is_structured()) return;
+  for (const auto& [key, value] : json.items()) {
+    if (json.is_object()) keys.insert(key);
+    const bool isOpen = json.is_object() && value.is_object() &&
+                        std::find(std::begin(kOpenObjects), std::end(kOpenObjects), key) != std::end(kOpenObjects);
+    if (!isOpen) addKeys(value, keys);
+  }
 }
 
 // Names of the first table as expressions: `STEM_NNN.vtu`, and `.svg` behind `FIGURE.png`.
@@ -135,6 +151,12 @@ void FilesPage::checkHead(const std::string& file, const std::string& section, c
   }
 }
 
+void FilesPage::checkKeys(const std::string& file, const std::string& section, const std::string& text) {
+  std::set<std::string> keys;
+  addKeys(nlohmann::json::parse(text), keys);
+  for (const auto& key : keys) see(file, section, key, "");
+}
+
 void FilesPage::checkArrays(const std::string& file, bool isResult) {
   static const std::regex frame("^/(fields|patch)/\\d{3}");
   const auto tree = results::readHdf5(file);
@@ -166,6 +188,8 @@ std::vector<std::string> FilesPage::notSaid(const std::string& folder) {
     const auto file = entry.path().string(), name = entry.path().filename().string();
     if (!isNamed(name, files_)) missing_.push_back(file + ": the page names no such file");
     if (name.ends_with(".h5")) checkArrays(file, !name.ends_with("-receptance.h5"));
+    if (name.ends_with(".json"))
+      checkKeys(file, name == "study-parts.json" ? "study.json" : name, readWholeFile(file, kLargestFile));
     if (!name.ends_with(".csv")) continue;
     if (name == "points.csv" && entry.path().parent_path() == folder)
       continue;  // typed: its columns are keys of a case
@@ -181,6 +205,12 @@ std::vector<std::string> FilesPage::notSaid(const std::string& folder) {
 std::vector<std::string> FilesPage::notSaid(const std::string& section, const std::string& text) {
   missing_.clear();
   checkHead("a table", section, text);
+  return missing_;
+}
+
+std::vector<std::string> FilesPage::notSaidOfJson(const std::string& section, const std::string& text) {
+  missing_.clear();
+  checkKeys("a file", section, text);
   return missing_;
 }
 

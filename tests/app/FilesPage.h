@@ -13,14 +13,17 @@ class FilesPage {
   explicit FilesPage(const std::string& path);
 
   // Goes through every file below the folder. What the page does not say, one line each: a file that it does not know,
-  // a column, dataset or attribute, a unit other than the page's.
+  // a column, key, dataset or attribute, a unit other than the page's.
   std::vector<std::string> notSaid(const std::string& folder);
 
   // The same of one table, as it would be written: `text` begins with its head.
   std::vector<std::string> notSaid(const std::string& section, const std::string& text);
 
-  // Columns, datasets and attributes of the page that no file so far has shown. Sections of which no file was seen are
-  // left out.
+  // The same of the keys of a JSON text, at any depth.
+  std::vector<std::string> notSaidOfJson(const std::string& section, const std::string& text);
+
+  // Columns, keys, datasets and attributes of the page that no file so far has shown. Sections of which no file was
+  // seen are left out.
   std::vector<std::string> notSeen() const;
 
  private:
@@ -34,6 +37,7 @@ class FilesPage {
     bool seen = false;
   };
   void checkHead(const std::string& file, const std::string& section, const std::string& text);
+  void checkKeys(const std::string& file, const std::string& section, const std::string& text);
   void checkArrays(const std::string& file, bool isResult);
   void see(const std::string& file, const std::string& section, const std::string& name, const std::string& unit);
   bool isPlaceholder(const Section& section, const std::string& name) const;

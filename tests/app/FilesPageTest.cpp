@@ -8,9 +8,11 @@
 
 #include "arch/Page.h"
 #include "commands/ExitCodes.h"
+#include "core/DurableFile.h"
 #include "detection/DetectionFiles.h"
 #include "detection/Examples.h"
 #include "estimation/EstimateList.h"
+#include "results/SampleResult.h"
 #include "statements/Judge.h"
 #include "statements/Sensitivity.h"
 
@@ -35,12 +37,35 @@ TEST(FilesPage, HasEveryColumnOfWrittenTables) {
   EXPECT_THAT(page.notSeen(), IsEmpty());
 }
 
+// An estimate takes minutes; its file and the lists of a detection, filled in.
+TEST(FilesPage, HasEveryKeyOfWrittenJson) {
+  FilesPage page(kManual + "files.md");
+  estimation::Estimate estimate;
+  estimate.passages.emplace_back();
+  estimate.profile.emplace_back();
+  const testing::TemporaryFolder folder;
+  estimation::writeRow(folder.path(), estimation::rowOf("passage.csv", estimate), "key", &estimate);
+  EXPECT_THAT(page.notSaidOfJson("estimate.json", readWholeFile(folder / "passage/estimate.json", 1000000)), IsEmpty());
+  detection::DetectionReport report;
+  detection::RecordDetection record;
+  record.channels.push_back({"left", {}, {}, 2.9});
+  record.faults.emplace_back();
+  report.records.push_back(record);
+  detection::CombinedEvent squat{{}, {0}, 0};
+  squat.event.kind = detection::Kind::squat, squat.event.reason = "a reason";
+  squat.event.latitude = squat.event.longitude = 1;
+  report.events.push_back(squat);
+  EXPECT_THAT(page.notSaidOfJson("squats.json", detection::detectionJson(report)), IsEmpty());
+  EXPECT_THAT(page.notSeen(), IsEmpty());
+}
+
 TEST(FilesPage, MissesWhatItDoesNotSay) {
   FilesPage page(kManual + "files.md");
   EXPECT_EQ(page.notSaid("estimates.csv", "passage,colour\n").size(), 1U);
   EXPECT_EQ(page.notSaid("estimates.csv", "depth [mm]\n").size(), 1U);  // another unit
   EXPECT_EQ(page.notSaid("study.csv", "motion.speed,peak [m/s2],motion.sped\n").size(), 1U);
   EXPECT_EQ(page.notSaid("no such section", "passage\n").size(), 1U);
+  EXPECT_EQ(page.notSaidOfJson("squats.json", R"({"events": [{"kind": "squat", "colour": 1}]})").size(), 1U);
 }
 
 TEST(ExitCodes, StandInTheManualAndTheReadme) {

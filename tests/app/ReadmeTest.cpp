@@ -26,7 +26,7 @@ for word in "$@"; do
   words+=("$word") previous=$word
 done
 case "$1" in run | warm | study | validate | receptance | figures | describe) [[ $meshed ]] || words+=(--mesh tiny) ;; esac
-[[ $1 == estimate ]] && words+=(--runs 20 --longest 30)
+[[ $1 == estimate ]] && words+=(--runs 8 --longest 30)
 [[ $1 == calibrate ]] && words+=(--confirm tiny --evaluations 10)
 exec "PROGRAM" "${words[@]}"
 )";
@@ -95,7 +95,9 @@ TEST(Typed, EveryCommandWorksInAnEmptyFolder) {
   FilesPage page(SQUAT_SOURCE_DIR "/resources/manual/files.md");
   EXPECT_THAT(page.notSaid(folder / "empty"), ::testing::IsEmpty());
   for (const auto& name : page.notSeen())  // axes of which a file has one; the commit of a build from an archive
-    EXPECT_TRUE(name.ends_with(": position") || name.ends_with(": time") || name == "/: commit") << name;
+    EXPECT_TRUE(name.ends_with(": position") || name.ends_with(": time") || name == "/: commit" ||
+                name.find(".json: ") != std::string::npos)  // keys of what there may be: FilesPageTest
+        << name;
 }
 
 // Nothing in a block of the README is passed over: what is not typed here is for the source folder.

@@ -1,11 +1,12 @@
 // squat run --json: stdout is one JSON object and nothing else, and its numbers are those of the result file.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/FilesPage.h"
 #include "commands/RunReport.h"
 #include "core/DurableFile.h"
 #include "core/ProgramVersion.h"
@@ -58,6 +59,8 @@ TEST(RunReport, HasTheNumbersOfTheResultFile) {
     EXPECT_NE(feature.unit, "") << feature.name;
   }
   EXPECT_EQ(report.at("energy").size(), result.energy.size());
+  FilesPage page(SQUAT_SOURCE_DIR "/resources/manual/files.md");
+  EXPECT_THAT(page.notSaidOfJson("run --json", output), ::testing::IsEmpty());
   EXPECT_EQ(report["energy"].at("friction").at("value"), result.energy.at(3).values.back());
   EXPECT_GT(report.at("wall_time").at("value"), 0.0);
 

@@ -15,6 +15,7 @@
 #include "results/SampleResult.h"
 #include "signals/Butterworth.h"
 #include "simulation/RunCase.h"
+#include "verification/Seen.h"
 
 namespace squat::calibration {
 namespace {
@@ -105,6 +106,7 @@ TEST(TwinExperiment, FiveInputsAreFoundAgainFromNoisySignals) {
   for (const double sign : {1.0, -1.0}) {
     std::printf("peak %+.0f: true %.1f, calibrated %.1f m/s2\n", sign, peakOf(truth, sign), peakOf(calibrated, sign));
     EXPECT_NEAR(peakOf(calibrated, sign), peakOf(truth, sign), 0.05 * peakOf(truth, sign));
+    verification::seenDeviation("peaks", peakOf(calibrated, sign), peakOf(truth, sign));
   }
   std::printf("%zu points, %.1f minutes\n", found.evaluations.size(), minutes);
 }

@@ -71,6 +71,17 @@ TEST(DetectionFiles, JsonReadsBack) {
   EXPECT_FALSE(json["events"][1].contains("severity"));
 }
 
+// A file name from an old system, in Latin-1: the list is written all the same, and reads back.
+TEST(DetectionFiles, NamesNeedNotBeUtf8) {
+  auto report = reportWith(53);
+  report.records[0].layout.path =
+      "gleis-s\xfc"
+      "d.csv";
+  EXPECT_THAT(nlohmann::json::parse(detectionJson(report))["events"][0]["record"].get<std::string>(),
+              HasSubstr("d.csv"));
+  EXPECT_EQ(nlohmann::json::parse(detectionGeoJson(report))["features"].size(), 1U);
+}
+
 // What `squat estimate passages/*.csv --each` is given: this list's squats, none of an earlier call, no other's file.
 TEST(DetectionFiles, PassagesAreThoseOfTheList) {
   const squat::testing::TemporaryFolder folder;

@@ -15,6 +15,7 @@
 #include "model/WheelsetModes.h"
 #include "scenario/WheelsetMass.h"
 #include "simulation/EnergyBalance.h"
+#include "verification/Seen.h"
 
 namespace squat::dynamics {
 namespace {
@@ -82,6 +83,7 @@ TEST(WheelsetModes, SoftBearingMakesTwoMassesOnASpring) {
   const double expected = std::sqrt(1e5 * (1 / w.axleBoxMass + 1 / rest)) / (2 * std::numbers::pi);
   ASSERT_FALSE(modes.empty());
   EXPECT_NEAR(modes[0].frequency, expected, 0.01 * expected);
+  verification::seenDeviation("frequency", modes[0].frequency, expected);
   // Amplitudes are as the masses are the other way round, and of unit modal mass.
   EXPECT_NEAR(modes[0].wheelShare / modes[0].boxShare, -w.axleBoxMass / rest, 0.02 * w.axleBoxMass / rest);
   EXPECT_NEAR(std::abs(modes[0].boxShare), std::sqrt(rest / w.axleBoxMass / w.totalMass), 0.01);
@@ -193,6 +195,7 @@ TEST(WheelsetDamping, ModeDecaysAsItsRatioSays) {
   const double left = lastOf(balance, "kinetic") + lastOf(balance, "strain");
   const double expected = std::exp(-2 * ratio * 2 * std::numbers::pi * periods);
   EXPECT_NEAR(left / started, expected, 0.03);
+  verification::seen("energy left", 100 * (left / started - expected), "% of the given");
   // Motion is counted half a step off the strain: of first order in omega dt, at either end.
   const double offset = 2 * std::numbers::pi * damping.frequency(chosen) * free.stable.step;
   EXPECT_NEAR(lastOf(balance, "damping"), started - left, 2 * offset * given);
@@ -253,8 +256,10 @@ TEST(Wheelset, RadiiThatNearlyMeetKeepTheNaturalFrequencies) {
                               {"wheelset.bearing_width", "72"}});
   const double resolved[] = {66.82, 182.1, 566.4, 1045, 1559, 1712};  // [Hz]
   ASSERT_GE(modes.size(), std::size(resolved));
-  for (std::size_t k = 0; k < std::size(resolved); ++k)
+  for (std::size_t k = 0; k < std::size(resolved); ++k) {
     EXPECT_NEAR(modes[k].frequency, resolved[k], 0.025 * resolved[k]) << k;
+    verification::seenDeviation("frequencies", modes[k].frequency, resolved[k]);
+  }
 }
 
 // 16 chords cut up to 5.8 mm off a rim of 2.5 mm: the nodes behind the rim's tie would have less than no mass.

@@ -36,6 +36,16 @@ TEST(EstimateList, ARowComesBackUnderItsKeyAlone) {
   EXPECT_THROW(readRow(folder.path(), "in/a.csv", "key"), FileError);
 }
 
+TEST(EstimateList, NamesAndMessagesNeedNotBeUtf8) {
+  const TemporaryFolder folder;
+  auto row = kFailed;
+  row.message =
+      "gleis-s\xfc"
+      "d.csv has no event";
+  writeRow(folder.path(), row, "key", nullptr);
+  EXPECT_THAT(readRow(folder.path(), "in/b.csv", "key")->message, ::testing::HasSubstr("has no event"));
+}
+
 TEST(EstimateList, TheTableHasTheColumnsThatOthersRead) {
   EXPECT_EQ(estimatesText({kDone, kFailed}),
             "passage,state,depth [um],depth low [um],depth high [um],length [mm],length low [mm],length high [mm],"

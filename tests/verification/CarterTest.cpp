@@ -13,6 +13,7 @@
 
 #include "elasticity/SweptSamples.h"
 #include "verification/CreepForce.h"
+#include "verification/Seen.h"
 
 namespace squat::contact {
 namespace {
@@ -33,7 +34,9 @@ TEST(Carter, ForceAndStickZoneOfARollingCylinder) {
     std::printf("  creepage %.2e  F / mu P %.4f  Carter %.4f  stick %.2f mm  Carter %.2f mm (%+.1f %%)\n", creepage,
                 found.share, share, 1e3 * found.stick, 1e3 * stick, 100 * (found.stick / stick - 1));
     EXPECT_NEAR(found.share, share, std::max(0.01, 0.05 * share));
+    verification::seenDeviation("force", found.share, share);
     EXPECT_NEAR(found.stick, stick, 0.08 * stick);
+    verification::seenDeviation("stick length", found.stick, stick);
     // A semi-ellipse of pressure: <x^2> = a^2 / 4.
     EXPECT_NEAR(found.length, std::sqrt(5.0) * with.halfAxis, 0.03 * std::sqrt(5.0) * with.halfAxis);
   }

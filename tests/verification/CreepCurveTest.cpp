@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "verification/CreepForce.h"
+#include "verification/Seen.h"
 
 namespace squat::contact {
 namespace {
@@ -24,6 +25,7 @@ TEST(CreepCurve, ShippedPenaltyAgainstContact) {
     std::printf("  creepage %.0e  F / mu N %.4f  CONTACT %.4f  %+.4f\n", expected.creepage, share, expected.share,
                 share - expected.share);
     EXPECT_NEAR(share, expected.share, std::max(0.01, 0.05 * expected.share)) << expected.creepage;
+    verification::seenDeviation("force", share, expected.share);
     shortfall = std::max(shortfall, expected.share - share);
   }
   std::printf("  free rolling at creepage %.1e, shortfall %.4f\n", curve.freeCreepage(), shortfall);

@@ -10,6 +10,7 @@
 #include "case/Resolve.h"
 #include "model/Model.h"
 #include "verification/SectionFlexibility.h"
+#include "verification/Seen.h"
 #include "verification/TrackBeam.h"
 
 namespace squat::verification {
@@ -113,10 +114,10 @@ void compareWithBeam(const cases::CaseDescription& d, double step, const recepta
       EXPECT_NEAR(*nearest, f, kShift * f) << point.name;
       shift = std::max(shift, std::abs(*nearest / f - 1));
     }
-    std::printf(
-        "%s: resonances within %.1f %% of the beam's, levels within %.2f dB (at %.0f Hz), phases %.1f degrees "
-        "(at %.0f Hz)\n",
-        point.name.c_str(), 100 * shift, worst, at, worstLag, lagAt);
+    seen("resonances", 100 * shift, "%");
+    seen("levels", worst, "dB");
+    seen("phases", worstLag, "degrees");
+    std::printf("%s: largest difference of level at %.0f Hz, of phase at %.0f Hz\n", point.name.c_str(), at, lagAt);
   }
 }
 

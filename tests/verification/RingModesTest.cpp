@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "elasticity/SweptSamples.h"
+#include "verification/Seen.h"
 
 namespace squat::elasticity {
 namespace {
@@ -84,7 +85,9 @@ TEST(RingModes, BendInTheirPlaneAfterHoppe) {
     const double squares = n * n;
     const double expected = std::sqrt(squares * std::pow(squares - 1, 2) / (squares + 1) * steel.young * inertia /
                                       (steel.density * area * std::pow(radius, 4)));
-    EXPECT_NEAR(lowestInPlane(n), expected, 0.02 * expected) << "n = " << n;
+    const double found = lowestInPlane(n);
+    EXPECT_NEAR(found, expected, 0.02 * expected) << "n = " << n;
+    verification::seenDeviation("in the plane", found, expected);
   }
 }
 
@@ -101,6 +104,7 @@ TEST(RingModes, BendOutOfTheirPlaneAfterLove) {
     for (const Mode& mode : modesOfOrder(n, 6))
       if (mode.inPlane < 0.1 && found == 0) found = mode.frequency;
     EXPECT_NEAR(found, expected, 0.02 * expected) << "n = " << n;
+    verification::seenDeviation("out of the plane", found, expected);
   }
 }
 

@@ -14,6 +14,7 @@
 #include "elasticity/SweptSamples.h"
 #include "keys/Keys.h"
 #include "model/StaticOperator.h"
+#include "verification/Seen.h"
 #include "verification/TrackBeam.h"
 
 namespace squat::verification {
@@ -213,6 +214,8 @@ TEST(SleeperHeight, BendsAsATimoshenkoBeamOfItsSections) {
     ASSERT_EQ(beam.size(), 2u);
     EXPECT_NEAR(solid[0], beam[0], 0.01 * beam[0]) << middle;
     EXPECT_NEAR(solid[1], beam[1], 0.02 * beam[1]) << middle;
+    seenDeviation("first", solid[0], beam[0]);
+    seenDeviation("second", solid[1], beam[1]);
   }
 }
 

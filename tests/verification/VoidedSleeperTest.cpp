@@ -10,6 +10,7 @@
 #include "case/CaseFile.h"
 #include "case/Resolve.h"
 #include "statics/Equilibrium.h"
+#include "verification/Seen.h"
 #include "verification/TrackBeam.h"
 
 namespace squat::verification {
@@ -53,6 +54,7 @@ TEST(VoidedSleeper, TakesTheLoadThatABeamLeavesIt) {
     EXPECT_GT(found.expected, 1e3) << gap;
     EXPECT_LT(found.expected, before) << gap;
     EXPECT_NEAR(found.load, found.expected, 0.03 * (found.expected + ballast * metres)) << gap << " mm";
+    seen("load", 100 * (found.load - found.expected) / (found.expected + ballast * metres), "%");
     EXPECT_NEAR(found.contactForce, 9.81 * 8950, 0.1) << gap;
     EXPECT_LE(found.newtonSteps, 15) << gap;
     before = found.expected;
