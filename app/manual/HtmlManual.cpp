@@ -32,7 +32,7 @@ section { border-top: 1px solid #b0b0b0; margin-top: 3rem; }
 h1, h2, h3 { line-height: 1.25; }
 code, pre { font-family: monospace; background: #f2f2f2; }
 pre { padding: .6rem; overflow-x: auto; }
-table { border-collapse: collapse; display: block; overflow-x: auto; }
+table { border-collapse: collapse; display: block; margin: 0.8em 0; overflow-x: auto; }
 th, td { border: 1px solid #c8c8c8; padding: .25rem .5rem; text-align: left; vertical-align: top; }
 img { max-width: 100%; }
 nav { position: fixed; top: .5rem; right: 1rem; background: #fff; }

@@ -26,7 +26,7 @@ for word in "$@"; do
   words+=("$word") previous=$word
 done
 case "$1" in run | warm | study | validate | receptance | figures | describe) [[ $meshed ]] || words+=(--mesh tiny) ;; esac
-[[ $1 == estimate ]] && words+=(--runs 8 --longest 30)
+[[ $1 == estimate ]] && words+=(--runs 20 --longest 20)
 [[ $1 == calibrate ]] && words+=(--confirm tiny --evaluations 10)
 exec "PROGRAM" "${words[@]}"
 )";
