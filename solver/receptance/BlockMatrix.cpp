@@ -116,7 +116,8 @@ BlockFactor DynamicStiffness::factor(double omega) const {
     MatrixXcd side(result.pivot_[k].rows(), width);
     Eigen::Index at = 0;
     for (const auto& [l, m] : rows[k]) side.middleCols(at, m.cols()) = m, at += m.cols();
-    result.solved_[k] = result.pivot_[k].solve(side);
+    // The last group couples with no later one: Eigen's solver reads an element even of an empty right side.
+    result.solved_[k] = width > 0 ? MatrixXcd(result.pivot_[k].solve(side)) : side;
     Eigen::Index column = 0;
     for (auto a = rows[k].begin(); a != rows[k].end(); ++a) {
       const auto& [l, m] = *a;
