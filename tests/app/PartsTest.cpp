@@ -75,7 +75,9 @@ TEST_F(PartsTest, ManyProcessesLoseNothing) {
       processes.emplace_back([&, i] {
         std::string said;
         const int code = call(records + "--threads 1 --partition slice:" + std::to_string(1 + i % 4) + "/4", said);
-        if (code != 0) EXPECT_THAT(said, HasSubstr("must be a part that no other process computes"));
+        if (code != 0) {
+          EXPECT_THAT(said, HasSubstr("must be a part that no other process computes"));
+        }
       });
   }
   call(records + "--collect");

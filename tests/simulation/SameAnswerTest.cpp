@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, SameAnswer,
                          ::testing::Values(Faster{"Double", "double", "false"}, Faster{"Single", "single", "false"},
                                            Faster{"SelectiveInertia", "double", "true"},
                                            Faster{"AsByDefault", "single", "true"}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& way) { return way.param.name; });
 
 }  // namespace
 }  // namespace squat

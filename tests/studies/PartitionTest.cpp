@@ -53,7 +53,9 @@ TEST(Partition, partsShareAllPoints) {
       smallest = std::min(smallest, points), largest = std::max(largest, points), all += points;
     }
     EXPECT_EQ(all, 225U) << kind;
-    if (std::string(kind) == "slice:") EXPECT_EQ(largest - smallest, 1U);
+    if (std::string(kind) == "slice:") {
+      EXPECT_EQ(largest - smallest, 1U);
+    }
     EXPECT_GT(smallest, 0U) << kind;
   }
 }
