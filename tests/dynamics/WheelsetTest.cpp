@@ -22,7 +22,7 @@ namespace {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
-cases::CaseDescription caseWith(Settings settings) {
+cases::CaseDescription caseWith(const Settings& settings) {
   auto d = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", settings});
   d.motion.gravity = d.motion.torque = d.motion.tractionCoefficient = 0;
   d.suspension.stiffness = d.suspension.longitudinalStiffness = 1e3;  // 2 Hz: free

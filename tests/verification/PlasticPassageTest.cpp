@@ -69,7 +69,9 @@ TEST_P(RolledOver, SameAsElementByElement) {
   LayerForces forces = layerForces(layer, layerKernels, state);
 
   // Plain body: nodes numbered station by station.
-  const auto location = [&](int node, int station) { return static_cast<std::size_t>(station * block.nodes + node); };
+  const auto location = [&](std::size_t node, std::size_t station) {
+    return station * static_cast<std::size_t>(block.nodes) + node;
+  };
   std::vector<elasticity::PlainElement> elements;
   std::vector<std::array<int, 2>> elementAt;  // quad, interval
   for (int q = 0; q < static_cast<int>(block.section.quads.size()); ++q)
@@ -114,7 +116,7 @@ TEST_P(RolledOver, SameAsElementByElement) {
   elasticity::KernelScratch scratch(blocks);
   AlignedVector w(total, 0.0), next(total, 0.0), velocity(total, 0.0);
 
-  const auto unknowns = static_cast<Eigen::Index>(3 * block.nodes * (intervals + 1));
+  const auto unknowns = 3 * static_cast<Eigen::Index>(block.nodes) * (intervals + 1);
   Eigen::VectorXd plainW = Eigen::VectorXd::Zero(unknowns), plainV = plainW;
   const double from = 0, to = size * intervals;
   const int steps = static_cast<int>((to - from) / speed / step);
