@@ -195,7 +195,7 @@ TEST(WheelsetDamping, ModeDecaysAsItsRatioSays) {
   const double left = lastOf(balance, "kinetic") + lastOf(balance, "strain");
   const double expected = std::exp(-2 * ratio * 2 * std::numbers::pi * periods);
   EXPECT_NEAR(left / started, expected, 0.03);
-  verification::seen("energy left", 100 * (left / started - expected), "% of the given");
+  verification::seen("energy left", 100 * (left / started - expected), "% of the energy given");
   // Motion is counted half a step off the strain: of first order in omega dt, at either end.
   const double offset = 2 * std::numbers::pi * damping.frequency(chosen) * free.stable.step;
   EXPECT_NEAR(lastOf(balance, "damping"), started - left, 2 * offset * given);

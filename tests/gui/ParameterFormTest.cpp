@@ -125,6 +125,22 @@ TEST_F(Form, aDecimalCommaIsCalledWhatItIs) {
   EXPECT_FALSE(form_.row("motion.speed")->reason().contains("decimal point"));
 }
 
+// Without Enter, and without another field that takes the focus. The sanitizers watch the order of destruction.
+TEST(FormEnd, textInTheFieldWithTheFocusReachesTheCase) {
+  CaseDocument document;
+  {
+    ParameterForm form(document);
+    form.show();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&form));
+    auto* line = qobject_cast<QLineEdit*>(form.row("motion.speed")->editor());
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, "27");
+    EXPECT_DOUBLE_EQ(document.description().motion.speed, 30);
+  }
+  EXPECT_DOUBLE_EQ(document.description().motion.speed, 27);
+}
+
 // Also where the value has never left its default.
 TEST_F(Form, aRefusedTextCanBeReset) {
   type("motion.speed", "400");

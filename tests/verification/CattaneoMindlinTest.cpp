@@ -31,7 +31,7 @@ TEST(CattaneoMindlin, ShiftOfAPressedContact) {
     verification::seenDeviation("shift", bodies, theory(found.force));
     const double stick = with.halfAxis * std::cbrt(1 - found.force / grip);
     EXPECT_NEAR(found.stickRadius, stick, 0.08 * stick) << "Q / mu P " << share;
-    verification::seenDeviation("radius that sticks", found.stickRadius, stick);
+    verification::seenDeviation("stick radius", found.stickRadius, stick);
   }
   // Beyond the grip everything slides.
   const auto sliding = sphere.shift(1.5 * theory(grip), grip, 4);

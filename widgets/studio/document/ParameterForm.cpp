@@ -61,6 +61,9 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   update();
 }
 
+// Hidden while it is whole: the field that loses the focus commits its text, which calls rows and form.
+ParameterForm::~ParameterForm() { hide(); }
+
 void ParameterForm::makeGroups(QWidget* inside) {
   auto* layout = new QVBoxLayout(inside);
   layout->setContentsMargins(0, 0, 6, 0);

@@ -19,6 +19,7 @@ class ParameterForm : public QWidget {
   Q_OBJECT
  public:
   explicit ParameterForm(CaseDocument& document, QWidget* parent = nullptr);
+  ~ParameterForm() override;
 
   // One sentence for each reason why the case cannot be run; empty: it can.
   QStringList blockers() const;
