@@ -108,7 +108,7 @@ int analyse(const AnalyseOptions& given) {
 void addAnalyseCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("analyse", "Compute spectra and features of measured or computed signals");
   auto options = std::make_shared<AnalyseOptions>();
-  command->add_option("signals", options->files, "CSV or HDF5 files")->required()->type_name("SIGNAL...");
+  command->add_option("signals", options->files, "CSV, HDF5 or MATLAB files")->required()->type_name("SIGNAL...");
   command->add_option("-o,--output", options->folder, "Folder for tables and figures (default: print only)")
       ->type_name("DIR");
   addSignalOptions(*command, options->signal);

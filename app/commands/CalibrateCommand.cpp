@@ -146,9 +146,9 @@ void addCalibrateCommand(CLI::App& program, Action& action) {
   addFigureOptions(*command, options->figures);
   command
       ->add_option("--partition", options->partition,
-                   "Compute only the M-th of N parts of the points that fill the limits; the call without it takes "
-                   "what all parts have computed, and continues the search")
-      ->type_name("slice:M/N");
+                   "Compute only the M-th of N parts (slice or hash) of the points that fill the limits; the call "
+                   "without it takes what all parts have computed, and continues the search")
+      ->type_name("KIND:M/N");
   command->footer(
       "Every point is kept in calibration.csv; the same command in the same folder resumes.\n"
       "Exit code 4: a target is out of reach within the limits.");

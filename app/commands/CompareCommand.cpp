@@ -71,7 +71,7 @@ void addCompareCommand(CLI::App& program, Action& action) {
       program.add_subcommand("compare", "Compare a computed signal with measured ones, or with its run on smooth rail");
   auto options = std::make_shared<CompareOptions>();
   command->add_option("result", options->result, "Result file (or any signal)")->required()->type_name("RESULT.h5");
-  command->add_option("measured", options->measured, "CSV or HDF5 files")->required()->type_name("MEASURED...");
+  command->add_option("measured", options->measured, "CSV, HDF5 or MATLAB files")->required()->type_name("MEASURED...");
   command->add_option("-o,--output", options->folder, "Folder for tables and figures (default: print only)")
       ->type_name("DIR");
   command->add_option("--result-column", options->resultColumn, "Signal of the result (default: aba)")

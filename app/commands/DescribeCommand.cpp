@@ -34,11 +34,11 @@ int describe(const DescribeOptions& options) {
 
 void addDescribeCommand(CLI::App& program, Action& action) {
   auto* command =
-      program.add_subcommand("describe", "Prints every parameter of a case with its unit, range, default and source");
+      program.add_subcommand("describe", "Print every parameter of a case with its unit, range, default and source");
   auto options = std::make_shared<DescribeOptions>();
   addCaseOptions(*command, options->caseOptions);
   command->get_option("case")->required(false);
-  command->add_flag("--json", options->json, "Prints JSON, for scripts");
+  command->add_flag("--json", options->json, "Print JSON, for scripts");
   command->callback([options, command, &action] {
     options->defaults = command->count("case") == 0;
     action = [options] { return describe(*options); };

@@ -196,7 +196,9 @@ void addDetectCommand(CLI::App& program, Action& action) {
   addSignalOptions(*command, options->signal);
   command->add_option("--chainage", options->chainage, "Of the first sample: metres, \"12.3 km\" or 12+300")
       ->type_name("PLACE");
-  command->add_option("--case", options->caseOptions.name, "Vehicle and track at hand: kinds and severities from it")
+  command
+      ->add_option("--case", options->caseOptions.name,
+                   "Judge kinds and severities by passages of this vehicle and track (default: general thresholds)")
       ->type_name("CASE");
   command->add_option("--mesh", options->caseOptions.mesh, "Mesh of the passages of --case (default: tiny)")
       ->type_name("NAME");
@@ -220,7 +222,7 @@ void addDetectCommand(CLI::App& program, Action& action) {
                         ->add_option("--partition", options->partition,
                                      "Search only the M-th of N parts of the records, and keep what is found in "
                                      "DIR/candidates: slice (every N-th record) or hash (by their names)")
-                        ->type_name("slice:M/N");
+                        ->type_name("KIND:M/N");
   command->add_flag("--collect", options->collect, "Search no record: judge and combine what all parts have found")
       ->excludes(partition);
   addFigureOptions(*command, options->figures);

@@ -85,7 +85,8 @@ void addEstimateCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("estimate", "Estimate the profile of a defect from measured passages over it");
   auto options = std::make_shared<EstimateCommandOptions>();
   command
-      ->add_option("measured", options->definition.files, "CSV or HDF5 files: one or several passages over one defect")
+      ->add_option("measured", options->definition.files,
+                   "CSV, HDF5 or MATLAB files: one or several passages over one defect")
       ->required()
       ->type_name("MEASURED...");
   addCaseWithoutMesh(*command, options->caseOptions, "--case");
@@ -118,7 +119,7 @@ void addEstimateCommand(CLI::App& program, Action& action) {
                         ->add_option("--partition", options->partition,
                                      "With --each, estimate only the M-th of N parts of the files: slice (every N-th "
                                      "file) or hash (by their names)")
-                        ->type_name("slice:M/N")
+                        ->type_name("KIND:M/N")
                         ->needs(each);
   command->add_flag("--collect", options->collect, "With --each, estimate nothing: combine the estimates of all parts")
       ->needs(each)

@@ -236,7 +236,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
           ->add_option("--partition", options->partition,
                        "Compute the M-th of N parts only, into a table of its own: slice (every N-th point) or hash "
                        "(points keep their part when others are added)")
-          ->type_name("slice:M/N");
+          ->type_name("KIND:M/N");
   auto* collecting =
       command->add_flag("--collect", options->collect, "Compute nothing: put the tables of all parts together")
           ->excludes(partition);

@@ -12,31 +12,50 @@ namespace squat::analysis {
 
 namespace {
 
-// Names as featureTable gives them, without their units, up to the name of a band or of a peak.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kMeanings{{
+// Names as featureTable gives them, without their units, up to the name of a band. First match counts.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kMeanings{{
     {"speed", "of the wheel where it passes the anchor"},
     {"impact time", "of the anchor, since the start of the record"},
     {"peak to peak", "largest less smallest value of aba_filtered"},
-    {"peak 1", "most prominent peak of the spectrum from 100 mm before to 280 mm behind the anchor"},
-    {"peak 2", "second peak of that spectrum; not a number: there are fewer"},
-    {"peak 3", "third peak of that spectrum; not a number: there are fewer"},
-    {"peak 4", "fourth peak of that spectrum; not a number: there are fewer"},
     {"peak", "largest absolute value of aba_filtered"},
     {"maximum", "largest value of aba_filtered"},
     {"minimum", "smallest value of aba_filtered"},
     {"rms", "root mean square of aba_filtered, whole record"},
     {"largest moving rms", "largest root mean square of aba_filtered over 250 mm"},
-    {"wavelength by", "mean wavelength of aba_filtered after the impact; not a number: too few waves"},
+    {"wavelength by crossings", "mean after the impact, from the zero crossings; not a number: fewer than three"},
+    {"wavelength by ridge", "mean after the impact, from the ridge of the wavelet transform; not a number: no waves"},
     {"power", "integral of the spectrum of aba_filtered over the band"},
     {"free vibration", "until the band has decayed to a tenth; not a number: longer than the record"},
-    {"spectrum", "of the spectrum of aba_filtered around the anchor"},
+    {"spectrum integral", "of the density around the anchor, over all frequencies"},
+    {"spectrum mean square", "of the samples around the anchor: what the integral should be"},
     {"smallest contact force", "smallest vertical force on the rail"},
     {"largest contact force", "largest vertical force on the rail"},
 }};
 
+// "peak 2 width": of the peaks of the spectrum around the anchor, the most prominent first.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kPeakMeanings{{
+    {"frequency", "of peak N of the spectrum around the anchor (100 mm before to 280 mm behind it)"},
+    {"width", "of that peak, at half its prominence"},
+    {"prominence", "of that peak: its height above the higher of the two valleys beside it"},
+}};
+
+std::string peakMeaning(std::string_view rest) {
+  for (const auto& [quantity, meaning] : kPeakMeanings) {
+    if (!rest.substr(2).starts_with(quantity)) continue;
+    std::string text(meaning);
+    if (const auto at = text.find('N'); at != std::string::npos) text[at] = rest[0];
+    return text + "; not a number: fewer peaks";
+  }
+  return {};
+}
+
 std::string meaningOf(const std::string& column) {
-  const auto found = std::find_if(kMeanings.begin(), kMeanings.end(),
-                                  [&](const auto& meaning) { return column.starts_with(meaning.first); });
+  constexpr std::string_view peak = "peak ";
+  const std::string_view name = column;
+  if (name.starts_with(peak) && name.size() > peak.size() + 2 && name[peak.size()] >= '1' && name[peak.size()] <= '9')
+    return peakMeaning(name.substr(peak.size()));
+  const auto found =
+      std::find_if(kMeanings.begin(), kMeanings.end(), [&](const auto& row) { return name.starts_with(row.first); });
   return found == kMeanings.end() ? std::string() : std::string(found->second);
 }
 
