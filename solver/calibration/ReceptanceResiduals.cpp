@@ -132,7 +132,7 @@ MeasuredReceptance readMeasuredReceptance(const ReceptanceTarget& target) {
 }
 
 TargetValue receptanceValue(const MeasuredReceptance& measured, const receptance::TrackReceptance& computed) {
-  constexpr double degreesOfOneDecibel = 6.6;  // asin(1 - 10^(-1/20)) [deg] to two digits
+  constexpr double degreesOfOneDecibel = 6.6;  // ln(10) / 20 rad: in ln H = ln |H| + i arg H both weigh the same
   TargetValue value;
   const double tolerance = measured.target.tolerance;
   double sum = 0;

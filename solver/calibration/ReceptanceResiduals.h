@@ -24,8 +24,8 @@ struct MeasuredReceptance {
 MeasuredReceptance readMeasuredReceptance(const ReceptanceTarget& target);
 
 // Residuals: difference of the magnitudes in dB over the tolerance and, where it was measured, of the phases over the
-// angle that goes with it (an error of 1 dB turns a complex number of that size by 6.6 degrees when it is square to
-// it).
+// angle that goes with it: 1 dB is ln(10) / 20 = 0.115 of the magnitude, and 0.115 rad are 6.6 degrees (real and
+// imaginary part of the logarithm of the receptance).
 TargetValue receptanceValue(const MeasuredReceptance& measured, const receptance::TrackReceptance& computed);
 
 // The unit that would explain magnitudes that lie far from the computed ones ("measured magnitudes are about 1e+06

@@ -18,10 +18,10 @@ struct WheelPlacement {
   double turnAhead = 0;             // [rad] from the rotation in whose bases displacements are given to their instant
 };
 
-// Penetration (positive: overlap) after
-//   gap = R cos lead - |d - u_hub| + (u_wheel - u_hub) . e_r,   d: rail point seen from the reference of the axis,
-// R the tread's radius there; along the normal n = cos e_r + sin e_y of a conical tread
-//   gap_n = cos gap + sin (u_wheel - u_rail) . e_y.
+// Penetration, the gap's negative (positive: overlap):
+//   delta = R cos lead - |d - u_hub| + (u_wheel - u_hub) . e_r,   d: rail point, displaced, seen from the reference of
+// the axis, R the tread's radius there; along the normal n = cos e_r + sin e_y of a conical tread
+//   delta_n = cos delta + sin (u_wheel - u_rail) . e_y.
 // u_wheel is that of the material whose displaced place the rail's point is. Its reference place lies behind that by
 //   lead = (u_wheel - u_hub) . e_alpha / R:
 // some micrometres of tread, but times load and speed a hundred watts. Seen in the bases of the wheel's rotation, which

@@ -2,7 +2,7 @@
 //
 // The explicit step is limited by waves of a few elements' length, at hundreds of kilohertz, which no axle box feels.
 // Selective mass scaling (Olovsson, Simonsson and Unosson 2005) slows those alone. Here it acts on the inverse mass
-// (reciprocal masses: Tkachuk and Bischoff 2013), so that nothing is to be solved: accelerations are F M^-1 f with
+// (reciprocal masses: Tkachuk and Bischoff 2015), so that nothing is to be solved: accelerations are F M^-1 f with
 //   F = share 1 + (1 - share) P   within small blocks of nodes, P the projection, orthogonal in the mass, on what is
 // constant or linear across and along the block. Rigid motion and uniform strain of a block keep their inertia,
 // resultants and moments of forces act as before, stiffness and statics are untouched; what bends within a block is

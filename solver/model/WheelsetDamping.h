@@ -2,10 +2,11 @@
 //
 // Every flexible mode of the free half wheelset below a limit loses velocity at the rate 2 zeta omega; rigid motion and
 // everything else lose nothing. Damping proportional to the stiffness would do this to the highest modes of the mesh
-// first and cost the time step. Modes are slow against the step, so they are damped in one kick every twentieth of the
-// shortest period: the modal velocities are taken to exp(-2 zeta omega t) of what they were, which no step makes
-// unstable and whose energy is known exactly. Velocities are those that an observer beside the track sees, as in all
-// damping of this program: a wheel that turns under a steady load is not braked.
+// first and cost the time step. Modes are slow against the step, so they are damped in kicks, at least twenty in the
+// shortest period and two in a sample of the output: the modal velocities are taken to exp(-2 zeta omega t) of what
+// they were, t from kick to kick, the solution of q'' = -2 zeta omega q'; no step makes that unstable, and its energy
+// is known exactly. Velocities are those that an observer beside the track sees, as in all damping of this program: a
+// wheel that turns under a steady load is not braked.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,8 +1,9 @@
 // solver/receptance/HarmonicResponse.h - response of a damped system to harmonic forces, at many frequencies.
 //
 // The system is solved directly at a few frequencies; between them it is projected (Galerkin) on the real and imaginary
-// parts of these solutions, which reproduces them exactly. Each stretch of frequencies is solved directly in its middle
-// and held against the projection: where they differ by more than the tolerance the stretch is halved.
+// parts of these solutions and of the first terms of their Taylor series in the frequency, which reproduces the
+// solutions but for what is negligible. Each stretch of frequencies is solved directly in its middle and held against
+// the projection: where they differ by more than the tolerance the stretch is halved.
 #pragma once
 
 #include <complex>

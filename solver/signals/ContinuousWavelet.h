@@ -44,8 +44,8 @@ struct Scalogram {
   std::vector<double> frequency;  // [Hz] rising
   std::vector<double> time;       // [s] centre of each column
   std::vector<double> power;      // |W|^2, row by row, one row a frequency: [unit^2 s], amplitude: [unit^2]
-  // [Hz] per column: lowest frequency that the record's ends do not touch. The e-folding time of |W|^2 at a step is
-  // sqrt(2) s; at the very ends the value is half the sampling rate.
+  // [Hz] per column: lowest frequency that the record's ends do not touch. sqrt(2) s away from a discontinuity its
+  // trace has fallen to 1/e in |W|, to 1/e^2 in |W|^2; at the very ends the value is half the sampling rate.
   std::vector<double> coneOfInfluence;
   std::string normalisation;  // in words, for labels
 
