@@ -136,7 +136,7 @@ void addCalibrateCommand(CLI::App& program, Action& action) {
                    "Points to compute, about (default: 20 plus 40 for each input)")
       ->check(CLI::Range(10, 100000))
       ->type_name("N");
-  command->add_option("-o,--output", options->calibration.folder, "Folder of the results (default: here)")
+  command->add_option("-o,--output", options->calibration.folder, "Folder of the results (default: current folder)")
       ->type_name("DIR");
   command->add_option("--jobs", options->jobs, "Parallel runs (default: as many as cores and memory allow)")
       ->check(CLI::Range(1, 256))

@@ -31,7 +31,7 @@ void addCaseWithoutMesh(CLI::App& command, CaseOptions& options, const std::stri
       ->type_name("CASE");
   command
       .add_option("--set", options.sets,
-                  "Sets one key of the case, in the unit of the case file or with a unit (motion.speed=\"108 km/h\"); "
+                  "Set one key of the case, in the unit of the case file or with a unit (motion.speed=\"108 km/h\"); "
                   "repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

@@ -201,15 +201,17 @@ void addDetectCommand(CLI::App& program, Action& action) {
                    "Judge kinds and severities by passages of this vehicle and track (default: general thresholds)")
       ->type_name("CASE");
   command->add_option("--mesh", options->caseOptions.mesh, "Mesh of the passages of --case (default: tiny)")
-      ->type_name("NAME");
-  command->add_option("--set", options->caseOptions.sets, "Change a key of --case")
+      ->type_name("PRESET");
+  command->add_option("--set", options->caseOptions.sets, "Set one key of --case, as in squat run; repeatable")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
   command->add_option("--examples", options->examples, "Table of squat examples (default: the shipped one)")
       ->type_name("FILE");
   command->add_option("--labels", options->labels, "Events that you know: position, kind, severity or length and depth")
       ->type_name("FILE");
-  command->add_option("--wheel-diameter", options->diameter, "For wheel flats (default: found)")
+  command
+      ->add_option("--wheel-diameter", options->diameter,
+                   "Diameter of the wheel in metres, for wheel flats (default: found from the record)")
       ->check(between(0.3, 1.5))
       ->type_name("M");
   command->add_option("--threshold", options->detect.threshold, "Evidence that makes an event (default: 14)")

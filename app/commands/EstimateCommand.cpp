@@ -103,7 +103,8 @@ void addEstimateCommand(CLI::App& program, Action& action) {
   command->add_option("--runs", options->estimate.runs, "Runs after which the search ends (default: 150)")
       ->check(CLI::Range(20, 10000))
       ->type_name("N");
-  command->add_option("-o,--output", options->folder, "Folder of the results (default: here)")->type_name("DIR");
+  command->add_option("-o,--output", options->folder, "Folder of the results (default: current folder)")
+      ->type_name("DIR");
   command->add_option("--jobs", options->jobs, "Parallel runs (default: as many as cores and memory allow)")
       ->check(CLI::Range(1, 256))
       ->type_name("N");

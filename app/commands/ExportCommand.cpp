@@ -25,7 +25,8 @@ void addExportCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("export", "Write the stored instants of a result for ParaView (.pvd, .vtu)");
   auto options = std::make_shared<ExportOptions>();
   command->add_option("result", options->result, "Result file")->required()->type_name("RESULT.h5");
-  command->add_option("-o,--output", options->folder, "Folder for the files (default: here)")->type_name("DIR");
+  command->add_option("-o,--output", options->folder, "Folder for the files (default: current folder)")
+      ->type_name("DIR");
   command->callback([options, &action] { action = [options] { return exportResult(*options); }; });
 }
 

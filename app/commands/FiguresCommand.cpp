@@ -98,7 +98,7 @@ std::vector<analysis::SignalAnalysis> passagesOf(const std::vector<std::string>&
 int paper(const PaperFigureOptions& options) {
   if (!figuresAvailable())
     throw CaseError({{"figures", "headless build", "a build with SQUAT_GRAPHICS=ON",
-                      "Use the full build: cmake --preset release"}});
+                      "Use the full build: package squat-studio, or cmake --preset release"}});
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);

@@ -19,7 +19,8 @@ void checkFigureNames(const std::vector<std::string>&, const std::vector<std::st
 FigureOutput writeFigures(const results::RunResult&, const std::string&, const std::vector<std::string>&,
                           const std::vector<std::string>&) {
   throw CaseError({{"squat", "a headless build", "a build with SQUAT_GRAPHICS=ON to draw figures",
-                    "Build with cmake --preset release and run squat render on the same result file"}});
+                    "Run squat render on the same result file with the full build: package squat-studio, or cmake "
+                    "--preset release"}});
 }
 
 }  // namespace squat::commands

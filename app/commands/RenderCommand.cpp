@@ -32,7 +32,8 @@ void addRenderCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("render", "Draw the figures of a result file");
   auto options = std::make_shared<RenderOptions>();
   command->add_option("result", options->result, "Result file")->required()->type_name("RESULT.h5");
-  command->add_option("-o,--output", options->folder, "Folder for the figures (default: here)")->type_name("DIR");
+  command->add_option("-o,--output", options->folder, "Folder for the figures (default: current folder)")
+      ->type_name("DIR");
   addFigureNames(*command, options->figures, options->formats);
   command->callback([options, &action] { action = [options] { return render(*options); }; });
 }

@@ -66,8 +66,8 @@ std::vector<std::string> drawFigures(const RunCommandOptions& options, const res
   if (options.noFigures || !result.complete) return {};
   if (!figuresAvailable()) {
     std::fprintf(stderr,
-                 "No figures in the headless build. Draw them with squat render in the full build "
-                 "(cmake --preset release).\n");
+                 "No figures in the headless build. Draw them with squat render in the full build (package "
+                 "squat-studio, or cmake --preset release).\n");
     return {};
   }
   const auto output = writeFigures(result, options.folder, options.figures, options.formats);

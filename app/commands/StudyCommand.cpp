@@ -221,7 +221,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
   addCaseOptions(*command, options->caseOptions);
   addName(*command, options->caseOptions, "Name of the results of --keep-results, before their numbers (default: run)");
   addPoints(*command, options->request);
-  command->add_option("-o,--output", options->study.folder, "Folder of the table and figures (default: here)")
+  command->add_option("-o,--output", options->study.folder, "Folder of the table and figures (default: current folder)")
       ->type_name("DIR");
   command->add_option("--jobs", options->jobs, "Parallel runs (default: as many as cores and memory allow)")
       ->check(CLI::Range(1, 256))

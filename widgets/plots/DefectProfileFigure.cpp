@@ -71,7 +71,7 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   figure->xAxis->setRange(from * 1e3, to * 1e3);
   if (!x.empty()) addCurve(*figure, {x, scaled(result.profileHeight, 1e6), "rail surface", 0, 1.3});
   if (result.wheelPath.size() == x.size() && !x.empty())
-    addCurve(*figure, {x, scaled(result.wheelPath, 1e6), "rigid-wheel trajectory", 1, 1.0, Qt::DashLine});
+    addCurve(*figure, {x, scaled(result.wheelPath, 1e6), "path of a rigid wheel", 1, 1.0, Qt::DashLine});
   addLines(*figure, result);
   fitValues(*figure, 0.1);
   const QCPRange range = figure->yAxis->range();

@@ -134,7 +134,7 @@ std::vector<FigureRow> railRows() {
            .overlay = railAgainstPosition},
           {.name = "defect_profile",
            .tab = "Defect",
-           .title = "Profile of the defect and rigid-wheel trajectory",
+           .title = "Profile of the defect and path of a rigid wheel",
            .needs = "Needs the profile of the rail.",
            .applies = hasProfile,
            .build = plain<defectProfileFigure>,

@@ -11,7 +11,7 @@ QString parameterLabel(const std::string& key) {
   static const QMap<QString, QString> printed{{"young modulus", "Young's modulus"},
                                               {"poisson ratio", "Poisson's ratio"},
                                               {"run up", "Run-up"},
-                                              {"beyond", "Run-out"},
+                                              {"beyond", "Distance beyond"},
                                               {"cwt voices", "CWT voices"},
                                               {"selective inertia", "Selective mass scaling"}};
   if (const auto found = printed.find(label); found != printed.end()) return *found;

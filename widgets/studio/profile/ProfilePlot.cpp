@@ -36,7 +36,7 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
   yAxis->setLabel(tr("Height [%1]").arg(unit_.name));
   path_ = addGraph();
   path_->setPen(QPen(style.curve(1), 1.4, Qt::DashLine));
-  path_->setName(tr("rigid-wheel trajectory"));
+  path_->setName(tr("path of a rigid wheel"));
   surface_ = addGraph();
   surface_->setPen(QPen(style.curve(0), 1.8));
   surface_->setName(tr("rail surface"));

@@ -1,4 +1,4 @@
-// widgets/studio/profile/ProfilePlot.h - the curve of the defect with points to drag, the rigid-wheel trajectory, the
+// widgets/studio/profile/ProfilePlot.h - the curve of the defect with points to drag, the path of a rigid wheel, the
 // sleepers.
 #pragma once
 

@@ -126,7 +126,7 @@ void RunPanel::showState() {
   goOn_->setEnabled(!running && canGoOn_ && blockers_.isEmpty());
   goOn_->setVisible(canGoOn_ && !running);
   pause_->setEnabled(running && !controller_.isStopping());
-  pause_->setText(controller_.isPaused() && running ? tr("Resume") : tr("Pause"));
+  pause_->setText(controller_.isPaused() && running ? tr("Continue") : tr("Pause"));
   pause_->setAccessibleName(pause_->text());
   cancel_->setEnabled(running && !controller_.isStopping());
   why_->setVisible(!blockers_.isEmpty() && !running);
