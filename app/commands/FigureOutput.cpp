@@ -12,25 +12,24 @@ std::string figureList() { return plots::figureList(); }
 
 namespace {
 
-plots::FigureRequest requestOf(const std::vector<std::string>& figures, const std::vector<std::string>& formats) {
+plots::FigureRequest requestOf(const NamedFigures& named) {
   plots::FigureRequest request;
-  request.figures = figures;
-  if (!formats.empty()) request.formats = formats;
+  request.figures = named.figures;
+  if (!named.formats.empty()) request.formats = named.formats;
+  request.size = {named.size.width, named.size.height, named.size.resolution};
   return request;
 }
 
 }  // namespace
 
-void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats,
-                      const cases::CaseDescription* description) {
-  plots::checkRequest(requestOf(figures, formats), description);
+void checkFigureNames(const NamedFigures& named, const cases::CaseDescription* description) {
+  plots::checkRequest(requestOf(named), description);
 }
 
-FigureOutput writeFigures(const results::RunResult& result, const std::string& folder,
-                          const std::vector<std::string>& figures, const std::vector<std::string>& formats) {
+FigureOutput writeFigures(const results::RunResult& result, const std::string& folder, const NamedFigures& named) {
   plots::ensureApplication();
   FigureOutput output;
-  output.files = plots::renderFigures(result, folder, requestOf(figures, formats), &output.messages);
+  output.files = plots::renderFigures(result, folder, requestOf(named), &output.messages);
   return output;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/CaseDescription.h"
+#include "commands/FigureNames.h"
 #include "results/RunResult.h"
 
 namespace squat::commands {
@@ -21,12 +22,10 @@ std::string figureList();
 
 // Throws CaseError for unknown names and, where a case is given, for figures that a run of it will have nothing for,
 // before hours are spent; a headless build, which draws none, checks the formats alone.
-void checkFigureNames(const std::vector<std::string>& figures, const std::vector<std::string>& formats,
-                      const cases::CaseDescription* description = nullptr);
+void checkFigureNames(const NamedFigures& named, const cases::CaseDescription* description = nullptr);
 
-// `figures` and `formats` empty: all. Throws CaseError for unknown names (and for any call in a headless build),
+// Throws CaseError for unknown names (and for any call in a headless build),
 // FileError where a file cannot be written.
-FigureOutput writeFigures(const results::RunResult& result, const std::string& folder,
-                          const std::vector<std::string>& figures, const std::vector<std::string>& formats);
+FigureOutput writeFigures(const results::RunResult& result, const std::string& folder, const NamedFigures& named);
 
 }  // namespace squat::commands

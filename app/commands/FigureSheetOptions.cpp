@@ -1,4 +1,3 @@
-#include "commands/FigureNames.h"
 #include "commands/FigureSheets.h"
 
 namespace squat::commands {
@@ -11,6 +10,7 @@ void addFigureOptions(CLI::App& command, FigureChoice& choice, bool mayBeNone) {
       .add_option("--colours", choice.colours, "Colour map of scalograms: viridis, cividis or jet (default: viridis)")
       ->check(CLI::IsMember({"viridis", "cividis", "jet"}))
       ->type_name("NAME");
+  addFigureSize(command, choice.size);
   if (mayBeNone) command.add_flag("--no-figures", choice.none, "Draw no figures");
 }
 

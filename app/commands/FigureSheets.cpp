@@ -26,8 +26,12 @@ plots::Style styleOf(const FigureChoice& choice) {
 std::vector<std::string> write(const std::vector<plots::FigureSheet>& sheets, const std::string& folder,
                                const FigureChoice& choice) {
   std::vector<std::string> written;
-  for (const auto& sheet : sheets)
-    for (auto& path : plots::writeSheet(sheet, folder, choice.formats)) written.push_back(std::move(path));
+  for (const auto& sheet : sheets) {
+    if (choice.size.width > 0)
+      for (const auto& panel : sheet.panels) panel->setPrintedSize({choice.size.width, choice.size.height});
+    for (auto& path : plots::writeSheet(sheet, folder, choice.formats, choice.size.resolution))
+      written.push_back(std::move(path));
+  }
   return written;
 }
 

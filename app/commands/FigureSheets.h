@@ -8,6 +8,7 @@
 #include "analysis/Analysis.h"
 #include "analysis/FileComparison.h"
 #include "calibration/Calibration.h"
+#include "commands/FigureNames.h"
 #include "detection/DetectionFiles.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
@@ -19,10 +20,11 @@ namespace squat::commands {
 struct FigureChoice {
   std::vector<std::string> formats;  // empty: png, svg, pdf
   std::string colours = "viridis";
+  FigureSize size = {};
   bool none = false;  // --no-figures
 };
 
-// --format, --colours and, where asked for, --no-figures.
+// --format, --colours, --figure-size, --dpi and, where asked for, --no-figures.
 void addFigureOptions(CLI::App& command, FigureChoice& choice, bool mayBeNone = true);
 
 // Each writes into the folder and returns the paths; nothing where none are wanted or the build has no figures (then

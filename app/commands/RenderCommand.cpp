@@ -13,14 +13,14 @@ namespace {
 
 struct RenderOptions {
   std::string result, folder = ".";
-  std::vector<std::string> figures, formats;
+  NamedFigures figures;
 };
 
 int render(const RenderOptions& options) {
-  checkFigureNames(options.figures, options.formats);
+  checkFigureNames(options.figures);
   const auto result = resultToRead(options.result);
   makeFolder(options.folder);
-  const auto output = writeFigures(result, options.folder, options.figures, options.formats);
+  const auto output = writeFigures(result, options.folder, options.figures);
   for (const auto& message : output.messages) std::fprintf(stderr, "%s\n", message.c_str());
   for (const auto& file : output.files) std::printf("%s\n", file.c_str());
   return kDone;
@@ -34,7 +34,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
   command->add_option("result", options->result, "Result file")->required()->type_name("RESULT.h5");
   command->add_option("-o,--output", options->folder, "Folder for the figures (default: current folder)")
       ->type_name("DIR");
-  addFigureNames(*command, options->figures, options->formats);
+  addFigureNames(*command, options->figures);
   command->callback([options, &action] { action = [options] { return render(*options); }; });
 }
 

@@ -69,7 +69,7 @@ int report(const ReportOptions& options) {
   const bool isProject = first.ends_with(kProjectEnding);
   if (isProject && options.files.size() > 1)
     throw CaseError({{"RESULT", options.files[1], "nothing beside a project", "Add the result to the project"}});
-  checkFigureNames(options.choice.figures, {});
+  checkFigureNames({options.choice.figures, {}});
   const std::string output = options.output.empty() ? stemOf(first) + ".pdf" : options.output;
   auto inputs = options.files;
   inputs.insert(inputs.end(), options.measured.begin(), options.measured.end());

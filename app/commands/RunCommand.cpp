@@ -39,7 +39,7 @@ struct RunCommandOptions {
   std::string folder = ".";
   std::string warmFile;
   simulation::RunOptions run;
-  std::vector<std::string> figures, formats;
+  NamedFigures figures;
   bool noFigures = false, verbose = false, json = false;
 };
 
@@ -70,7 +70,7 @@ std::vector<std::string> drawFigures(const RunCommandOptions& options, const res
                  "squat-studio, or cmake --preset release).\n");
     return {};
   }
-  const auto output = writeFigures(result, options.folder, options.figures, options.formats);
+  const auto output = writeFigures(result, options.folder, options.figures);
   for (const auto& message : output.messages) std::fprintf(stderr, "%s\n", message.c_str());
   return output.files;
 }
@@ -159,7 +159,7 @@ int run(const RunCommandOptions& options) {
   if (!options.warmFile.empty()) description = onMeshOfWarmState(options.warmFile, description, runOptions);
   const RunFiles files{options.folder, stemOf(options.caseOptions)};
   keepInputs(files, options.caseOptions.name, description);
-  if (!options.noFigures) checkFigureNames(options.figures, options.formats, &description);
+  if (!options.noFigures) checkFigureNames(options.figures, &description);
   const OutputFolder folder(options.folder);
   prepareFolder(files);
   const FolderLock owner(options.folder, "squat run " + options.caseOptions.name);
@@ -217,7 +217,7 @@ void addRunCommand(CLI::App& program, Action& action) {
       ->add_option("--checkpoint-every", options->run.checkpointSeconds, "Seconds between checkpoints (default: 300)")
       ->check(between(0.0, 1e6))
       ->type_name("SECONDS");
-  addFigureNames(*command, options->figures, options->formats);
+  addFigureNames(*command, options->figures);
   command->add_flag("--no-figures", options->noFigures, "Draw no figures")->excludes("--figures");
   addDrivenOptions(*command, options->driven);
   command->add_flag("--json", options->json, "Print one JSON object instead of the tables: features, energies, files");

@@ -9,6 +9,7 @@
 #include "case/DecimalNumber.h"
 #include "case/InputPresets.h"
 #include "case/MeshPresets.h"
+#include "case/ParameterLevels.h"
 #include "case/ParameterRows.h"
 #include "case/ParameterValue.h"
 
@@ -160,6 +161,7 @@ std::vector<Parameter> makeTable() {
         parameter.defaultText = preset.values[static_cast<std::size_t>(MeshPreset::draft)];
         parameter.defaultValue = parseDecimal(parameter.defaultText).value_or(parameter.defaultValue);
       }
+  for (auto& parameter : table) parameter.level = levelOf(parameter.key);
   for (auto& parameter : table)
     if (!parameter.condition.empty()) parameter.doc += "; applies if " + conditionText(parameter.condition);
   return table;

@@ -14,6 +14,10 @@ namespace squat::cases {
 
 enum class Kind { number, choice, text, boolean, points, lines, forceCurve, seats };
 
+// Who sets a key: everybody, in every case; who knows track and vehicle; who works on the model itself. The form shows
+// one level and those before it; ParameterLevels.h lists the keys.
+enum class Level { basic, advanced, expert };
+
 // A choice, an enumerator of its own type in the description, as an index into the names of the parameter.
 struct ChoiceAccess {
   std::function<std::size_t(const CaseDescription&)> index;
@@ -53,6 +57,7 @@ struct Parameter {
   std::string source;       // evidence of the default: "paper, Table 1", "literature: ...", "assumed: ..."
   Access access;
   Condition condition;  // Applicability.h
+  Level level = Level::advanced;
 };
 
 // Points and lines: texts of many numbers, which nobody types, empty by default.

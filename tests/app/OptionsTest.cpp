@@ -18,11 +18,31 @@ using ::testing::HasSubstr;
 
 TEST(FigureNames, CountOnce) {
   CLI::App app;
-  std::vector<std::string> figures, formats;
-  addFigureNames(app, figures, formats);
+  NamedFigures named;
+  addFigureNames(app, named);
   app.parse("--figures psd,aba,psd --format png,png --figures aba");
-  EXPECT_THAT(figures, ElementsAre("psd", "aba"));
-  EXPECT_THAT(formats, ElementsAre("png"));
+  EXPECT_THAT(named.figures, ElementsAre("psd", "aba"));
+  EXPECT_THAT(named.formats, ElementsAre("png"));
+}
+
+TEST(FigureSize, IsWidthByHeightInMillimetresAndDotsPerInch) {
+  const auto taken = [](const std::string& words) {
+    CLI::App app;
+    FigureSize size;
+    addFigureSize(app, size);
+    app.parse(words);
+    return size;
+  };
+  EXPECT_EQ(taken("").width, 0);
+  EXPECT_EQ(taken("").resolution, 300);
+  const auto size = taken("--figure-size 120.5x80 --dpi 600");
+  EXPECT_EQ(size.width, 120.5);
+  EXPECT_EQ(size.height, 80);
+  EXPECT_EQ(size.resolution, 600);
+  for (const std::string wrong :
+       {"85", "85x", "x60", "85x60mm", "79x60", "85x54", "85x401", "-85x60", "nanx60", "85*60"})
+    EXPECT_THROW(taken("--figure-size " + wrong), CLI::ParseError) << wrong;
+  for (const std::string wrong : {"49", "1201", "nan"}) EXPECT_THROW(taken("--dpi " + wrong), CLI::ParseError) << wrong;
 }
 
 TEST(Name, IsThatOfTheCaseWhereNoneIsGiven) {

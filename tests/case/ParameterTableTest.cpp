@@ -9,6 +9,7 @@
 
 #include "case/DecimalNumber.h"
 #include "case/MeshPresets.h"
+#include "case/ParameterLevels.h"
 #include "case/ParameterValue.h"
 #include "case/Validation.h"
 
@@ -30,6 +31,18 @@ TEST(ParameterTable, KeysAreUniqueAndGroupsStandTogether) {
     EXPECT_EQ(findParameter(parameter.key), &parameter);
   }
   EXPECT_GE(keys.size(), 90u);
+}
+
+TEST(ParameterTable, LevelsNameKeysOnceAndBasicIsADozen) {
+  std::set<std::string_view> named;
+  for (const Level level : {Level::basic, Level::expert})
+    for (const auto key : keysOfLevel(level)) {
+      EXPECT_TRUE(named.insert(key).second) << key;
+      ASSERT_NE(findParameter(key), nullptr) << key;
+      EXPECT_EQ(findParameter(key)->level, level) << key;
+    }
+  EXPECT_THAT(keysOfLevel(Level::basic).size(), testing::AllOf(testing::Ge(10u), testing::Le(15u)));
+  EXPECT_EQ(findParameter("ballast.stiffness")->level, Level::advanced);
 }
 
 TEST(ParameterTable, EveryRowIsDocumented) {

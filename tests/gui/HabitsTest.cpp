@@ -108,7 +108,7 @@ TEST(Habits, tabWalksThroughTheForm) {
   auto* search = window.findChild<QLineEdit*>("parameterSearch");
   search->setFocus();
   std::vector<QString> visited;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 9; ++i) {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     visited.push_back(QApplication::focusWidget()->objectName());
   }

@@ -3,9 +3,12 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLineEdit>
+#include <QSettings>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 
 #include "case/ParameterTable.h"
 #include "studio/document/CaseDocument.h"
@@ -22,6 +25,7 @@ class Form : public testing::Test {
     form_.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&form_));
   }
+  void TearDown() override { QSettings().setValue("parameterLevel", 2); }
   QLineEdit* line(const std::string& key) { return qobject_cast<QLineEdit*>(form_.row(key)->editor()); }
   void type(const std::string& key, const QString& text) {
     line(key)->setFocus();
@@ -156,6 +160,57 @@ TEST_F(Form, aRefusedTextCanBeReset) {
   EXPECT_EQ(line("motion.speed")->text(), "30");
   EXPECT_TRUE(form_.blockers().isEmpty());
   EXPECT_FALSE(reset->isVisible());
+}
+
+TEST_F(Form, aNewcomerSeesADozenParameters) {
+  const auto shown = [&] {
+    return std::count_if(form_.rows().begin(), form_.rows().end(), [](const auto* row) { return row->isVisible(); });
+  };
+  auto* level = form_.findChild<QComboBox*>("parameterLevel");
+  EXPECT_EQ(shown(), static_cast<std::ptrdiff_t>(cases::parameterTable().size()));  // as the tests begin
+  level->setCurrentText("Basic");
+  EXPECT_GE(shown(), 10);
+  EXPECT_LE(shown(), 15);
+  EXPECT_TRUE(form_.row("motion.speed")->isVisible());
+  EXPECT_FALSE(form_.row("contact.normal_penalty")->isVisible());
+  level->setCurrentText("Advanced");
+  EXPECT_TRUE(form_.row("ballast.stiffness")->isVisible());
+  EXPECT_FALSE(form_.row("contact.normal_penalty")->isVisible());
+}
+
+// What decides a run and what is looked for is seen at every level.
+TEST_F(Form, changedWrongAndSoughtParametersAreShownAtEveryLevel) {
+  form_.findChild<QComboBox*>("parameterLevel")->setCurrentText("Basic");
+  ParameterRow* ramp = form_.row("motion.torque_ramp");
+  EXPECT_FALSE(ramp->isVisible());
+  form_.findChild<QLineEdit*>("parameterSearch")->setText("torque");
+  EXPECT_TRUE(ramp->isVisible());
+  type("motion.torque_ramp", "0.05");
+  QTest::keyClick(line("motion.torque_ramp"), Qt::Key_Return);
+  form_.findChild<QLineEdit*>("parameterSearch")->clear();
+  EXPECT_TRUE(ramp->isVisible());
+  line("motion.speed")->setFocus();
+  document_.undoStack().undo();
+  EXPECT_FALSE(ramp->isVisible());
+  form_.mark({{"mesh.far_size", "0.9", "at most 0.3", "Make it smaller"}});
+  EXPECT_TRUE(form_.row("mesh.far_size")->isVisible());
+}
+
+// A preset sets thirty sizes that nobody typed.
+TEST_F(Form, whatAPresetSetsIsNotShownForThat) {
+  form_.findChild<QComboBox*>("parameterLevel")->setCurrentText("Basic");
+  document_.setParameter("wheelset.preset", "estimated");
+  ParameterRow* radius = form_.row("wheelset.axle_radius");
+  EXPECT_TRUE(radius->isChanged());
+  EXPECT_FALSE(radius->isVisible());
+  document_.setParameter("wheelset.axle_radius", "81");
+  EXPECT_TRUE(radius->isVisible());
+}
+
+TEST_F(Form, theChosenLevelIsKept) {
+  form_.findChild<QComboBox*>("parameterLevel")->setCurrentText("Advanced");
+  const ParameterForm next(document_);
+  EXPECT_EQ(next.findChild<QComboBox*>("parameterLevel")->currentText(), "Advanced");
 }
 
 TEST_F(Form, relationsAreFlaggedAtTheirKey) {

@@ -15,5 +15,6 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("squat-studio-tests");
   const QTemporaryDir settings;  // nobody's own settings are read or written
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  QSettings().setValue("parameterLevel", 2);  // all keys can be typed into; the form's own tests choose
   return RUN_ALL_TESTS();
 }

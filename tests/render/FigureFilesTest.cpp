@@ -60,6 +60,51 @@ TEST_F(FigureFiles, picturesHaveTheWidthOfAColumnAt300Dpi) {
   }
 }
 
+// 25.4 mm an inch; figures are laid out in whole 1/96 inches, 0.26 mm.
+TEST_F(FigureFiles, aChosenSizeAndResolutionAreThoseOfTheFiles) {
+  plots::FigureRequest request{{"psd", "scalogram"}, {"png", "svg"}};
+  request.size = {140, 70, 150};
+  for (const auto& path : plots::renderFigures(tests::syntheticResult(), tests::freshFolder("chosen-size"), request)) {
+    if (path.ends_with(".svg")) {
+      EXPECT_THAT(contents(path).toStdString(), HasSubstr("viewBox=\"0 0 529 265\"")) << path;
+      continue;
+    }
+    const QImage image(QString::fromStdString(path));
+    EXPECT_NEAR(image.width(), 140 / 25.4 * 150, 1) << path;
+    EXPECT_NEAR(image.height(), 70 / 25.4 * 150, 1) << path;
+    EXPECT_NEAR(image.dotsPerMeterX(), 150 / 0.0254, 1) << path;
+    EXPECT_GT(tests::inkShare(image), 0.03) << path << " is nearly empty";
+  }
+}
+
+// A label that is cut leaves ink at the edge.
+TEST_F(FigureFiles, nothingIsCutAtTheSmallestSize) {
+  plots::FigureRequest request{{}, {"png"}};
+  request.size = {80, 55, 150};  // what --figure-size and the studio allow
+  for (const auto& path : plots::renderFigures(tests::syntheticResult(), tests::freshFolder("smallest"), request)) {
+    if (path.ends_with("model.png")) continue;
+    const QImage image(QString::fromStdString(path));
+    const QRgb background = image.pixel(0, 0);
+    int ink = 0;
+    for (int x = 0; x < image.width(); ++x)
+      ink += (image.pixel(x, 0) != background) + (image.pixel(x, image.height() - 1) != background);
+    for (int y = 0; y < image.height(); ++y)
+      ink += (image.pixel(0, y) != background) + (image.pixel(image.width() - 1, y) != background);
+    EXPECT_EQ(ink, 0) << path;
+  }
+}
+
+TEST_F(FigureFiles, aPictureLargerThanTheMemoryIsRefused) {
+  plots::FigureRequest request{{"psd"}, {"png"}};
+  request.size = {400, 400, 1200};
+  try {
+    plots::renderFigures(tests::syntheticResult(), tests::freshFolder("too-large"), request);
+    FAIL();
+  } catch (const CaseError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("1200 dpi"));
+  }
+}
+
 TEST_F(FigureFiles, textInSvgIsTextWithUnitsAndCase) {
   const std::string folder = tests::freshFolder("svg");
   for (const auto& path : plots::renderFigures(

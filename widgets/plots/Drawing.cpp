@@ -3,16 +3,29 @@
 #include <QBuffer>
 #include <QPdfWriter>
 
+#include "core/Errors.h"
 #include "core/ProgramVersion.h"
 #include "plots/Style.h"
 #include "plots/SvgDevice.h"
 
 namespace squat::plots {
 
+namespace {
+
+void requirePixels(const QSizeF& size, double resolution) {
+  constexpr double most = 2e8;  // 800 MB
+  if (size.width() * size.height() <= most) return;
+  throw CaseError({{"resolution", std::to_string(qRound(resolution)) + " dpi", "at most 200 million pixels a picture",
+                    "Choose a smaller figure or a lower resolution"}});
+}
+
+}  // namespace
+
 QString drawnBy() { return "Squat Studio " + QString::fromStdString(programVersionText()); }
 
 QImage drawnImage(const Drawing& drawing, QSize units, const QColor& background, double resolution) {
   const double scale = resolution / 96.0;
+  requirePixels(QSizeF(units) * scale, resolution);
   QImage image(qRound(units.width() * scale), qRound(units.height() * scale), QImage::Format_RGB32);
   image.fill(background);
   image.setText("Software", drawnBy());

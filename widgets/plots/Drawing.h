@@ -14,6 +14,7 @@ namespace squat::plots {
 // Draws in units of 1/96 inch from the upper left corner.
 using Drawing = std::function<void(QCPPainter&)>;
 
+// Throws CaseError above 200 million pixels.
 QImage drawnImage(const Drawing& drawing, QSize units, const QColor& background, double resolution);
 QByteArray drawnSvg(const Drawing& drawing, QSize units, const QString& title);
 QByteArray drawnPdf(const Drawing& drawing, QSize units, const QString& title);

@@ -44,10 +44,10 @@ void writeWhole(const QByteArray& bytes, const std::string& path) {
                     "Check that the folder exists and is writable, and that the disk is not full");
 }
 
-void writeFigure(Figure& figure, const std::string& format, const std::string& path, QSize units) {
+void writeFigure(Figure& figure, const std::string& format, const std::string& path, QSize units, double resolution) {
   if (format == "svg") return writeWhole(toSvg(figure, units), path);
   if (format == "pdf") return writeWhole(toPdf(figure, units), path);
-  writeWhole(pngBytes(toImage(figure, printResolution, units)), path);
+  writeWhole(pngBytes(toImage(figure, resolution, units)), path);
 }
 
 }  // namespace squat::plots

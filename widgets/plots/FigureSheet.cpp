@@ -59,13 +59,13 @@ QByteArray toPdf(const FigureSheet& sheet) {
 }
 
 std::vector<std::string> writeSheet(const FigureSheet& sheet, const std::string& folder,
-                                    const std::vector<std::string>& formats) {
+                                    const std::vector<std::string>& formats, double resolution) {
   std::vector<std::string> written;
   for (const std::string& format : formats.empty() ? std::vector<std::string>{"png", "svg", "pdf"} : formats) {
     const std::string path = (std::filesystem::path(folder) / (sheet.name + "." + format)).string();
     writeWhole(format == "svg"   ? toSvg(sheet)
                : format == "pdf" ? toPdf(sheet)
-                                 : pngBytes(toImage(sheet, printResolution)),
+                                 : pngBytes(toImage(sheet, resolution)),
                path);
     written.push_back(path);
   }

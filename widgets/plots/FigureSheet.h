@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plots/Figure.h"
+#include "plots/PrintedSize.h"
 
 namespace squat::plots {
 
@@ -25,7 +26,7 @@ QByteArray toPdf(const FigureSheet& sheet);
 // Writes FOLDER/NAME.FORMAT for each format ("png", "svg", "pdf"; none: all three), each whole or not at all, and
 // returns the paths. Throws FileError.
 std::vector<std::string> writeSheet(const FigureSheet& sheet, const std::string& folder,
-                                    const std::vector<std::string>& formats);
+                                    const std::vector<std::string>& formats, double resolution = printResolution);
 
 // A sheet of one figure.
 FigureSheet sheetOf(const std::string& name, std::unique_ptr<Figure> figure);

@@ -84,8 +84,9 @@ std::vector<std::string> renderFigures(const results::RunResult& result, const s
       continue;
     }
     const std::unique_ptr<Figure> figure = buildFigure(row, result, style);
+    if (request.size.width > 0) figure->setPrintedSize({request.size.width, request.size.height});
     for (const auto& format : request.formats) {
-      writeFigure(*figure, format, stem + "." + format);
+      writeFigure(*figure, format, stem + "." + format, {}, request.size.resolution);
       written.push_back(stem + "." + format);
     }
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "case/CaseDescription.h"
+#include "plots/PrintedSize.h"
 #include "results/RunResult.h"
 
 namespace squat::plots {
@@ -13,6 +14,7 @@ struct FigureRequest {
   std::vector<std::string> figures;                       // empty: all that the result has something for
   std::vector<std::string> formats{"png", "svg", "pdf"};  // the 3-D picture comes as png whatever stands here
   std::string colourMap = "viridis";                      // or "cividis", "jet"
+  PrintedSize size = {};
 };
 
 // Throws CaseError for unknown names of figures, formats and colours and, where a case is given, for figures that a run

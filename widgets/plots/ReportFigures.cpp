@@ -72,7 +72,7 @@ std::vector<std::unique_ptr<Figure>> reportPlots(const project::Report& report, 
   std::vector<std::unique_ptr<Figure>> plots;
   if (report.shown < 0) return plots;
   const auto& shown = *report.signals.at(static_cast<std::size_t>(report.shown)).result;
-  checkRequest({options.figures, {"pdf"}, options.colourMap}, shown);
+  checkRequest({options.figures, {"pdf"}, options.colourMap, {}}, shown);
   Style style = lightStyle();
   style.colourMap = options.colourMap;
   FigureSettings settings;

@@ -1,11 +1,17 @@
 #include "studio/document/ParameterForm.h"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSettings>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "case/InputPresets.h"
+#include "case/MeshPresets.h"
+#include "case/ParameterTable.h"
+#include "case/ParameterValue.h"
 #include "studio/common/EditorHabits.h"
 #include "studio/common/Words.h"
 #include "studio/document/CaseDocument.h"
@@ -34,8 +40,10 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   changedOnly_ = new QCheckBox(tr("Changed only"), this);
   changedOnly_->setObjectName("changedOnly");
   changedOnly_->setToolTip(tr("Show only parameters that differ from their default"));
+  makeLevels();
   auto* top = new QHBoxLayout;
   top->addWidget(search_);
+  top->addWidget(level_);
   top->addWidget(changedOnly_);
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
@@ -54,6 +62,10 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   setMinimumWidth(inside->minimumSizeHint().width() + scrollBar);
   connect(search_, &QLineEdit::textChanged, this, &ParameterForm::filter);
   connect(changedOnly_, &QCheckBox::toggled, this, &ParameterForm::filter);
+  connect(level_, &QComboBox::currentIndexChanged, this, [this](int level) {
+    QSettings().setValue("parameterLevel", level);
+    filter();
+  });
   connect(&document_, &CaseDocument::changed, this, &ParameterForm::update);
   connect(&document_, &CaseDocument::replaced, this, [this] {
     for (ParameterRow* each : rows_) each->dropRefused();
@@ -63,6 +75,22 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
 
 // Hidden while it is whole: the field that loses the focus commits its text, which calls rows and form.
 ParameterForm::~ParameterForm() { hide(); }
+
+void ParameterForm::makeLevels() {
+  level_ = new QComboBox(this);
+  level_->setObjectName("parameterLevel");
+  level_->setAccessibleName(tr("Parameters shown"));
+  level_->addItem(tr("Basic"));
+  level_->addItem(tr("Advanced"));
+  level_->addItem(tr("Expert"));
+  level_->setItemData(0, tr("What every case sets: speed, load, defect, pads, sleepers, mesh"), Qt::ToolTipRole);
+  level_->setItemData(1, tr("All that describes track, vehicle, defect and outputs"), Qt::ToolTipRole);
+  level_->setItemData(2, tr("All parameters, those of the model itself as well"), Qt::ToolTipRole);
+  level_->setToolTip(
+      tr("Which parameters are shown. What the case states itself, what is wrong and what a search finds "
+         "is always shown"));
+  level_->setCurrentIndex(std::clamp(QSettings().value("parameterLevel", 0).toInt(), 0, level_->count() - 1));
+}
 
 void ParameterForm::makeGroups(QWidget* inside) {
   auto* layout = new QVBoxLayout(inside);
@@ -122,23 +150,54 @@ void ParameterForm::update() {
     else
       unplaced_ << QString::fromStdString(toText(problem));
   }
-  if (changedOnly_->isChecked()) filter();
+  filter();
   Q_EMIT blockersChanged();
 }
 
 void ParameterForm::mark(const std::vector<CaseProblem>& problems) {
   for (const auto& problem : problems)
     if (ParameterRow* flagged = row(problem.key)) flagged->showRelation(relation(problem));
+  filter();
   Q_EMIT blockersChanged();
+}
+
+// What the user is at does not vanish under the hands.
+bool ParameterForm::isOfLevel(const ParameterRow& row) const {
+  const QWidget* focus = QApplication::focusWidget();
+  return static_cast<int>(row.parameter().level) <= level_->currentIndex() || !row.reason().isEmpty() ||
+         (focus && row.isAncestorOf(focus));
+}
+
+void ParameterForm::takePresets() {
+  const auto& shown = document_.description();
+  std::vector<std::string> names{cases::valueText(shown, *cases::findParameter("mesh.preset"))};
+  for (const char* key : cases::inputPresetKeys) names.push_back(cases::valueText(shown, *cases::findParameter(key)));
+  if (names == presetNames_) return;
+  presetNames_ = names;
+  presets_ = cases::defaultCase();
+  cases::applyPreset(presets_, shown.mesh.preset);
+  for (std::size_t i = 1; i < names.size(); ++i) try {
+      cases::applyInputPreset(presets_, cases::inputPresetKeys[i - 1], names[i]);
+    } catch (const FileError&) {  // validation says so; its keys count as stated
+    }
+}
+
+// By the case itself: neither a default nor a preset gives this value.
+bool ParameterForm::isStated(const ParameterRow& row) const {
+  if (cases::isList(row.parameter())) return row.isChanged();
+  return row.isRefused() ||
+         cases::valueText(document_.description(), row.parameter()) != cases::valueText(presets_, row.parameter());
 }
 
 void ParameterForm::filter() {
   const QString searched = search_->text().trimmed();
+  takePresets();
   for (const Group& group : groups_) {
     bool any = false;
     for (ParameterRow* each : group.rows) {
-      const bool edited = each->isChanged() || each->isRefused();
-      const bool shown = each->matches(searched) && (edited || !changedOnly_->isChecked());
+      const bool wanted = changedOnly_->isChecked() ? each->isChanged() || each->isRefused()
+                                                    : !searched.isEmpty() || isOfLevel(*each) || isStated(*each);
+      const bool shown = each->matches(searched) && wanted;
       each->setVisible(shown);
       any = any || shown;
     }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QStringList>
 #include <QToolButton>
 #include <QWidget>
 #include <vector>
 
+#include "case/CaseDescription.h"
 #include "core/Errors.h"
 
 namespace squat::studio {
@@ -41,14 +43,21 @@ class ParameterForm : public QWidget {
   };
   void makeGroups(QWidget* inside);
   void update();
+  void makeLevels();
+  bool isOfLevel(const ParameterRow& row) const;
+  void takePresets();
+  bool isStated(const ParameterRow& row) const;
   void filter();
 
   CaseDocument& document_;
   QLineEdit* search_;
   QCheckBox* changedOnly_;
+  QComboBox* level_;  // cases::Level: this one and those before it are shown
   std::vector<Group> groups_;
   std::vector<ParameterRow*> rows_;
-  QStringList unplaced_;  // problems of keys without a row
+  cases::CaseDescription presets_;        // what the presets of the case give where it states nothing else
+  std::vector<std::string> presetNames_;  // of presets_
+  QStringList unplaced_;                  // problems of keys without a row
 };
 
 }  // namespace squat::studio

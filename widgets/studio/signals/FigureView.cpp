@@ -78,10 +78,22 @@ void FigureView::forgetZoom() {
 
 bool FigureView::isZoomed() const { return figure_ && figure_->xAxis->range() != fullX_; }
 
+QSize FigureView::printedUnits() const {
+  if (!(size_.width > 0)) return figure_->printedUnits();
+  return (QSizeF(size_.width, size_.height) * plots::unitsPerMillimetre).toSize();
+}
+
 void FigureView::copy() {
   if (!figure_) return;
+  QImage picture;
+  try {
+    picture = plots::toImage(*figure_, size_.resolution, printedUnits());
+  } catch (const CaseError& error) {
+    return void(Q_EMIT failed(QString::fromStdString(error.what())));
+  }
+  figure_->replot(QCustomPlot::rpQueuedReplot);  // laid out for the window again
   auto* both = new QMimeData;
-  both->setImageData(plots::toImage(*figure_, plots::printResolution, figure_->size()));
+  both->setImageData(picture);
   both->setText(QString::fromUtf8(table_.isEmpty() ? figureTable(*figure_) : table_));
   QApplication::clipboard()->setMimeData(both);
 }
@@ -101,7 +113,7 @@ void FigureView::askForFile() {
   if (path.isEmpty()) return;
   try {
     writeFile(path);
-  } catch (const FileError& error) {
+  } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
   }
 }
@@ -113,7 +125,8 @@ void FigureView::writeFile(const QString& path) {
   if (ending != "png" && ending != "svg" && ending != "pdf")
     throw FileError(path.toStdString(), "", "is of a kind that figures are not written in",
                     "end its name with .png, .svg, .pdf or .csv");
-  plots::writeFigure(*figure_, ending.toStdString(), path.toStdString(), figure_->size());
+  plots::writeFigure(*figure_, ending.toStdString(), path.toStdString(), printedUnits(), size_.resolution);
+  figure_->replot(QCustomPlot::rpQueuedReplot);  // laid out for the window again
 }
 
 }  // namespace squat::studio

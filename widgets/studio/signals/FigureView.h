@@ -1,4 +1,4 @@
-// widgets/studio/signals/FigureView.h - a figure in the window: zoom, cursors, copy and export exactly as seen.
+// widgets/studio/signals/FigureView.h - a figure in the window: zoom, cursors, copy and export as it is zoomed.
 #pragma once
 
 #include <QVBoxLayout>
@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "plots/Figure.h"
+#include "plots/PrintedSize.h"
 
 namespace squat::studio {
 
@@ -27,9 +28,12 @@ class FigureView : public QWidget {
   void resetZoom();
   void forgetZoom();  // the next figure is of another run: it is shown whole
   bool isZoomed() const;
+  // Of what is copied and exported, whatever the size of the window.
+  void setPrintedSize(const plots::PrintedSize& size) { size_ = size; }
   void copy();        // picture and numbers
   void askForFile();  // exports to what the user names
-  // Format by the file's ending: png, svg, pdf, or csv for the curves. Throws FileError.
+  // Format by the file's ending: png, svg, pdf, or csv for the curves. Throws FileError, CaseError for too large a
+  // size.
   void writeFile(const QString& path);
 
  Q_SIGNALS:
@@ -38,11 +42,13 @@ class FigureView : public QWidget {
 
  private:
   void openMenu(const QPoint& location);
+  QSize printedUnits() const;
 
   QString name_;
   plots::Figure* figure_ = nullptr;
   CursorPair* cursors_ = nullptr;
   QByteArray table_;
+  plots::PrintedSize size_;
   QCPRange fullX_, fullY_;
   bool cursorsVisible_ = false;
 };

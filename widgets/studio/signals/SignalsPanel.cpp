@@ -27,6 +27,7 @@
 #include "studio/common/EditorHabits.h"
 #include "studio/common/FlowLayout.h"
 #include "studio/common/Theme.h"
+#include "studio/signals/FigureSizeDialog.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalFigures.h"
 
@@ -93,6 +94,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     if (!isLinked(name)) continue;
     connect(view, &FigureView::rangeChanged, this, [this, name](const QCPRange& range) { link(name, range); });
   }
+  setFigureSize(storedFigureSize());
   hideWhatDoesNotApply();
   const QMargins around = layout->contentsMargins();
   setMinimumWidth(tabs_->tabBar()->sizeHint().width() + around.left() +
@@ -346,6 +348,21 @@ FigureView* SignalsPanel::currentView() const { return view(names().value(tabs_-
 
 void SignalsPanel::toggleCursors() { cursors_->toggle(); }
 
+void SignalsPanel::setFigureSize(const plots::PrintedSize& size) {
+  size_ = size;
+  for (const auto& [name, view] : views_) view->setPrintedSize(size);
+}
+
+void SignalsPanel::askForSize() {
+  auto* dialog = new FigureSizeDialog(size_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    setFigureSize(dialog->size());
+    storeFigureSize(dialog->size());
+  });
+  dialog->open();
+}
+
 void SignalsPanel::askForFolder() {
   const QString folder = QFileDialog::getExistingDirectory(this, tr("Export figures to folder"));
   if (folder.isEmpty()) return;
@@ -360,7 +377,7 @@ void SignalsPanel::askForFolder() {
     return;
   try {
     exportAll(folder);
-  } catch (const FileError& error) {
+  } catch (const std::exception& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
   }
 }

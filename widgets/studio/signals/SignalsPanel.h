@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "plots/FigureRegistry.h"
+#include "plots/PrintedSize.h"
 #include "studio/runs/RunStore.h"
 #include "studio/signals/SignalSettings.h"
 
@@ -36,12 +37,14 @@ class SignalsPanel : public QWidget {
   FigureView* view(const QString& name) const;
   FigureView* currentView() const;
   const SignalSettings& settings() const { return settings_; }
-  // Every figure of the run as seen, in every format, and the curves as CSV; the 3-D picture as PNG. Returns the files.
-  // Throws FileError.
+  // Every figure of the run as it is zoomed, in every format, and the curves as CSV; the 3-D picture as PNG. Returns
+  // the files. Throws FileError.
   QStringList exportAll(const QString& folder);          // replaces what stands there
   QStringList exportPaths(const QString& folder) const;  // what it writes
   void askForFolder();
   void toggleCursors();
+  void askForSize();  // of copied and exported figures
+  void setFigureSize(const plots::PrintedSize& size);
 
  Q_SIGNALS:
   void failed(const QString& message);
@@ -62,6 +65,7 @@ class SignalsPanel : public QWidget {
   RunStore& store_;
   plots::Style style_;
   SignalSettings settings_;
+  plots::PrintedSize size_;
   ResultPointer shown_;
   QTabWidget* tabs_;
   std::map<QString, FigureView*> views_;

@@ -170,6 +170,8 @@ void MainWindow::makeFigureMenu() {
   add(menu, tr("&Export…"), QKeySequence("Ctrl+Shift+E"), "exportFigure", this,
       [this] { signals_->currentView()->askForFile(); });
   add(menu, tr("Export &all…"), QKeySequence("Ctrl+Alt+E"), "exportAll", this, [this] { signals_->askForFolder(); });
+  add(menu, tr("&Size of figures…"), QKeySequence("Ctrl+Alt+F"), "figureSize", this,
+      [this] { signals_->askForSize(); });
   add(menu, tr("&Reset zoom"), QKeySequence("Ctrl+Shift+0"), "resetZoom", this,
       [this] { signals_->currentView()->resetZoom(); });
   add(menu, tr("C&ursors"), QKeySequence("Ctrl+Shift+U"), "toggleCursors", this, [this] { signals_->toggleCursors(); });
