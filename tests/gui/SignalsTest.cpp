@@ -1,13 +1,9 @@
 // Signals of the current run, with others overlaid.
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QClipboard>
-#include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
-#include <QImage>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QSpinBox>
@@ -23,7 +19,6 @@
 #include "studio/common/Theme.h"
 #include "studio/runs/RunStore.h"
 #include "studio/signals/CursorPair.h"
-#include "studio/signals/FigureSizeDialog.h"
 #include "studio/signals/FigureTable.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalSettings.h"
@@ -199,65 +194,6 @@ TEST(Signals, everythingIsExportedInEveryFormat) {
   EXPECT_EQ(files.size(), (fits - 1) * 4 + 1);
   for (const QString& path : files)
     EXPECT_GT(QFileInfo(path).size(), path.endsWith(".csv") ? 20 : 2000) << path.toStdString();
-}
-
-// Whatever the size of the window, which keeps its own layout.
-TEST(Signals, figuresAreExportedInTheChosenSize) {
-  const QTemporaryDir folder;
-  RunStore store;
-  SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
-  panel.showTab("psd");
-  FigureView* view = panel.view("psd");
-  const auto exported = [&](const char* name) {
-    view->writeFile(folder.filePath(name));
-    return QImage(folder.filePath(name));
-  };
-  const QImage own = exported("own.png");  // one column, at 300 dpi
-  EXPECT_NEAR(own.width(), 85 / 25.4 * 300, 2);
-  for (const QSize& window : {QSize(500, 400), QSize(1100, 700)}) {
-    panel.resize(window);
-    panel.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
-    panel.setFigureSize({100, 70, 150});
-    const QImage before = view->figure()->grab().toImage();
-    const QImage chosen = exported("chosen.png");
-    EXPECT_NEAR(chosen.width(), 100 / 25.4 * 150, 1);
-    EXPECT_NEAR(chosen.height(), 70 / 25.4 * 150, 1);
-    view->copy();
-    EXPECT_EQ(QApplication::clipboard()->image().size(), chosen.size());
-    view->figure()->replot();
-    EXPECT_EQ(view->figure()->grab().toImage(), before);
-  }
-}
-
-TEST(Signals, theChosenSizeIsKept) {
-  RunStore store;
-  const QTemporaryDir folder;
-  {
-    SignalsPanel panel(store, figureStyle(false));
-    panel.show();
-    panel.askForSize();
-    auto* dialog = panel.findChild<FigureSizeDialog*>();
-    ASSERT_NE(dialog, nullptr);
-    auto* preset = dialog->findChild<QComboBox*>("figurePreset");
-    auto* width = dialog->findChild<QDoubleSpinBox*>("figureWidth");
-    EXPECT_FALSE(width->isEnabled());  // each figure's own
-    preset->setCurrentText("Two columns");
-    EXPECT_EQ(width->value(), 170);
-    preset->setCurrentText("As below");
-    width->setValue(120);
-    dialog->findChild<QDoubleSpinBox*>("figureResolution")->setValue(100);
-    dialog->accept();
-  }
-  SignalsPanel next(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
-  next.showTab("psd");
-  next.view("psd")->writeFile(folder.filePath("next.png"));
-  const QImage image(folder.filePath("next.png"));
-  EXPECT_NEAR(image.width(), 120 / 25.4 * 100, 1);
-  EXPECT_NEAR(image.height(), 90 / 25.4 * 100, 1);
-  storeFigureSize({});
 }
 
 // A measured aba_position.csv may lie in the folder that is chosen.
