@@ -20,31 +20,38 @@ CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<std
 
 namespace {
 
+using plots::PrintedSize;
+
+// "80x55 to 400x400"
+std::string allowedSizes() {
+  char text[60];
+  std::snprintf(text, sizeof text, "%gx%g to %gx%g", PrintedSize::leastWidth, PrintedSize::leastHeight,
+                PrintedSize::mostSide, PrintedSize::mostSide);
+  return text;
+}
+
 // "85x60"
-void takeSize(const std::string& text, FigureSize& size) {
-  constexpr double leastWidth = 80, leastHeight = 55, most = 400;  // below it labels of axes are cut
+void takeSize(const std::string& text, PrintedSize& size) {
   char after = 0;
-  FigureSize taken = size;
+  PrintedSize taken = size;
   const bool read = std::sscanf(text.c_str(), "%lfx%lf%c", &taken.width, &taken.height, &after) == 2;
-  const auto allowed = [&](double side, double least) { return side >= least && side <= most; };
-  if (!read || !allowed(taken.width, leastWidth) || !allowed(taken.height, leastHeight))
-    throw CLI::ValidationError("--figure-size", text + ": width and height in mm, 80x55 to 400x400, e.g. 85x60");
+  const auto allowed = [](double side, double least) { return side >= least && side <= PrintedSize::mostSide; };
+  if (!read || !allowed(taken.width, PrintedSize::leastWidth) || !allowed(taken.height, PrintedSize::leastHeight))
+    throw CLI::ValidationError("--figure-size", text + ": width and height in mm, " + allowedSizes() + ", e.g. 85x60");
   size = taken;
 }
 
 }  // namespace
 
-void addFigureSize(CLI::App& command, FigureSize& size) {
+void addFigureSize(CLI::App& command, PrintedSize& size) {
   command
       .add_option_function<std::string>(
           "--figure-size", [&size](const std::string& text) { takeSize(text, size); },
-          "Width and height of each plot in mm, 80x55 to 400x400 (default: 85x60, wide ones 170 and their own height); "
-          "the "
-          "3-D "
-          "picture keeps its own")
+          "Width and height of each plot in mm, " + allowedSizes() +
+              " (default: 85x60; wide plots 170 and a height of their own). The 3-D picture keeps its size")
       ->type_name("WIDTHxHEIGHT");
-  command.add_option("--dpi", size.resolution, "Resolution of PNG files, 50 to 1200 (default: 300)")
-      ->check(between(50, 1200))
+  command.add_option("--dpi", size.resolution, "Resolution of PNG files (default: 300)")
+      ->check(between(PrintedSize::leastResolution, PrintedSize::mostResolution))
       ->type_name("N");
 }
 

@@ -16,7 +16,7 @@ plots::FigureRequest requestOf(const NamedFigures& named) {
   plots::FigureRequest request;
   request.figures = named.figures;
   if (!named.formats.empty()) request.formats = named.formats;
-  request.size = {named.size.width, named.size.height, named.size.resolution};
+  request.size = named.size;
   return request;
 }
 

@@ -20,7 +20,7 @@ namespace squat::commands {
 struct FigureChoice {
   std::vector<std::string> formats;  // empty: png, svg, pdf
   std::string colours = "viridis";
-  FigureSize size = {};
+  plots::PrintedSize size = {};
   bool none = false;  // --no-figures
 };
 

@@ -11,7 +11,7 @@ namespace squat::cases {
 // The keys of a level that is not advanced; advanced is what no list names.
 const std::vector<std::string_view>& keysOfLevel(Level level);
 
-// Throws nothing; a key that no list names is advanced.
+// A key that no list names is advanced.
 Level levelOf(std::string_view key);
 
 }  // namespace squat::cases

@@ -277,7 +277,8 @@ TEST_F(EndToEnd, CalibrateWritesACaseThatMeetsItsTarget) {
 TEST(EndToEndReceptance, IsThatOfABeam) {
   const TemporaryFolder folder;
   const auto path = tests::fixtureCase("smooth-rail");
-  call({"receptance", path, "--mesh", "tiny", "--threads", "1", "--format", "png", "-o", folder.path()});
+  call({"receptance", path, "--mesh", "tiny", "--threads", "1", "--format", "png", "--figure-size", "100x70", "--dpi",
+        "150", "-o", folder.path()});
   const auto table = readCsv(folder / "smooth-rail-receptance.csv");
   ASSERT_EQ(table.size(), 1951u);  // 50 to 2000 Hz
   const auto scenario = cases::loadScenario(path, {"tiny", {}});
@@ -302,7 +303,8 @@ TEST(EndToEndReceptance, IsThatOfABeam) {
   ASSERT_EQ(modes.size(), expected.size());
   for (std::size_t k = 0; k < modes.size(); ++k)
     EXPECT_NEAR(std::stod(modes[k].at("frequency [Hz]")), expected[k].frequency, 1e-5 * expected[k].frequency);
-  EXPECT_FALSE(QImage(QString::fromStdString(folder / "smooth-rail-receptance.png")).isNull());
+  // Plots below each other, 100 mm wide at 150 dpi.
+  EXPECT_NEAR(QImage(QString::fromStdString(folder / "smooth-rail-receptance.png")).width(), 100 / 25.4 * 150, 1);
 }
 
 }  // namespace

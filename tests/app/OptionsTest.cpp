@@ -28,7 +28,7 @@ TEST(FigureNames, CountOnce) {
 TEST(FigureSize, IsWidthByHeightInMillimetresAndDotsPerInch) {
   const auto taken = [](const std::string& words) {
     CLI::App app;
-    FigureSize size;
+    plots::PrintedSize size;
     addFigureSize(app, size);
     app.parse(words);
     return size;

@@ -65,7 +65,7 @@ TEST(FigureSize, theChosenSizeIsKept) {
     EXPECT_FALSE(width->isEnabled());  // each figure's own
     preset->setCurrentText("Two columns");
     EXPECT_EQ(width->value(), 170);
-    preset->setCurrentText("As below");
+    preset->setCurrentText("Other");
     width->setValue(120);
     dialog->findChild<QDoubleSpinBox*>("figureResolution")->setValue(100);
     dialog->accept();

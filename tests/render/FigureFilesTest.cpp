@@ -80,7 +80,7 @@ TEST_F(FigureFiles, aChosenSizeAndResolutionAreThoseOfTheFiles) {
 // A label that is cut leaves ink at the edge.
 TEST_F(FigureFiles, nothingIsCutAtTheSmallestSize) {
   plots::FigureRequest request{{}, {"png"}};
-  request.size = {80, 55, 150};  // what --figure-size and the studio allow
+  request.size = {plots::PrintedSize::leastWidth, plots::PrintedSize::leastHeight, 150};
   for (const auto& path : plots::renderFigures(tests::syntheticResult(), tests::freshFolder("smallest"), request)) {
     if (path.ends_with("model.png")) continue;
     const QImage image(QString::fromStdString(path));

@@ -1,4 +1,4 @@
-// widgets/plots/PrintedSize.h - size and resolution of figures in files.
+// widgets/plots/PrintedSize.h - size and resolution of figures in files. No Qt: a headless build knows the options too.
 #pragma once
 
 namespace squat::plots {
@@ -9,6 +9,10 @@ constexpr double printResolution = 300;  // [dpi] of PNG
 struct PrintedSize {
   double width = 0, height = 0;         // [mm] of each plot; 0: its own, one or two columns of a journal
   double resolution = printResolution;  // [dpi] of PNG
+
+  // What a user may choose. In smaller figures the labels of axes are cut.
+  static constexpr double leastWidth = 80, leastHeight = 55, mostSide = 400;  // [mm]
+  static constexpr double leastResolution = 50, mostResolution = 1200;        // [dpi]
 };
 
 }  // namespace squat::plots

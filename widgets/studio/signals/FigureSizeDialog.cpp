@@ -22,11 +22,10 @@ constexpr std::array<Preset, 5> presets{{{QT_TR_NOOP("Each figure's own"), 0, 0}
                                          {QT_TR_NOOP("One column"), 85, 60},
                                          {QT_TR_NOOP("Two columns"), 170, 90},
                                          {QT_TR_NOOP("Slide"), 254, 143},
-                                         {QT_TR_NOOP("As below"), -1, -1}}};
+                                         {QT_TR_NOOP("Other"), -1, -1}}};
 constexpr int last = static_cast<int>(presets.size()) - 1;
 
-// What the command takes: see addPrintedSize.
-constexpr double leastWidth = 80, leastHeight = 55, mostSide = 400, leastResolution = 50, mostResolution = 1200;
+using plots::PrintedSize;
 
 QDoubleSpinBox* numberIn(QFormLayout& form, const QString& label, const QString& name, const QString& unit, double low,
                          double high) {
@@ -60,10 +59,10 @@ FigureSizeDialog::FigureSizeDialog(const plots::PrintedSize& size, QWidget* pare
   preset_->setAccessibleName(tr("Size"));
   for (const auto& preset : presets) preset_->addItem(tr(preset.name));
   form->addRow(tr("&Size"), preset_);
-  width_ = numberIn(*form, tr("&Width"), "figureWidth", tr("mm"), leastWidth, mostSide);
-  height_ = numberIn(*form, tr("&Height"), "figureHeight", tr("mm"), leastHeight, mostSide);
-  resolution_ =
-      numberIn(*form, tr("&Resolution of PNG"), "figureResolution", tr("dpi"), leastResolution, mostResolution);
+  width_ = numberIn(*form, tr("&Width"), "figureWidth", tr("mm"), PrintedSize::leastWidth, PrintedSize::mostSide);
+  height_ = numberIn(*form, tr("&Height"), "figureHeight", tr("mm"), PrintedSize::leastHeight, PrintedSize::mostSide);
+  resolution_ = numberIn(*form, tr("&Resolution of PNG"), "figureResolution", tr("dpi"), PrintedSize::leastResolution,
+                         PrintedSize::mostResolution);
   width_->setValue(size.width > 0 ? size.width : 85);
   height_->setValue(size.height > 0 ? size.height : 60);
   resolution_->setValue(size.resolution);
@@ -102,9 +101,10 @@ plots::PrintedSize storedFigureSize() {
   const double resolution = settings.value("figure/resolution", otherwise.resolution).toDouble();
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
   plots::PrintedSize size;
-  if (within(width, leastWidth, mostSide) && within(height, leastHeight, mostSide))
+  if (within(width, PrintedSize::leastWidth, PrintedSize::mostSide) &&
+      within(height, PrintedSize::leastHeight, PrintedSize::mostSide))
     size.width = width, size.height = height;
-  if (within(resolution, leastResolution, mostResolution)) size.resolution = resolution;
+  if (within(resolution, PrintedSize::leastResolution, PrintedSize::mostResolution)) size.resolution = resolution;
   return size;
 }
 
