@@ -13,13 +13,17 @@
 #include "commands/NumberRange.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
-#include "commands/TextTable.h"
 #include "core/Errors.h"
+#include "text/Numbers.h"
+#include "text/TextTable.h"
 #include "text/Units.h"
 
 namespace squat::commands {
 
 namespace {
+
+using text::roundedText;
+using text::TextTable;
 
 struct AnalyseOptions {
   std::vector<std::string> files, bands;
@@ -32,8 +36,8 @@ struct AnalyseOptions {
 
 void printSpectrum(const char* name, const signals::PowerSpectrum& spectrum) {
   const auto unit = spectrum.unit.empty() ? std::string("unit") : text::printedUnit(spectrum.unit);
-  std::printf("  PSD of the %s: integral %s, mean square %s (%s)²; %s\n", name, number(spectrum.integral).c_str(),
-              number(spectrum.meanSquare).c_str(), unit.c_str(), spectrum.window.c_str());
+  std::printf("  PSD of the %s: integral %s, mean square %s (%s)²; %s\n", name, roundedText(spectrum.integral).c_str(),
+              roundedText(spectrum.meanSquare).c_str(), unit.c_str(), spectrum.window.c_str());
 }
 
 void printTable(const analysis::Analysis& analysis) {
@@ -44,13 +48,14 @@ void printTable(const analysis::Analysis& analysis) {
   const auto features = analysis::featureTable(analysis);
   for (std::size_t row = 0; row < features.names.size(); ++row) {
     std::vector<std::string> cells{text::withPrintedUnit(features.names[row])};
-    for (const auto& column : features.values) cells.push_back(std::isnan(column[row]) ? "-" : number(column[row]));
+    for (const auto& column : features.values)
+      cells.push_back(std::isnan(column[row]) ? "-" : roundedText(column[row]));
     table.add(cells);
   }
   for (const auto& signal : analysis.signals) {
     std::printf("%s, %s\n", signal.file.c_str(), signal.run.c_str());
     std::printf("  features anchored at: %s, %s\n", signals::toText(signal.features.anchor).c_str(),
-                number(1e3 * signal.features.impactTime, "ms").c_str());
+                roundedText(1e3 * signal.features.impactTime, "ms").c_str());
     printSpectrum("whole record", signal.spectrum);
     printSpectrum("window around the anchor", signal.features.spectrum);
     for (const auto& note : signal.notes) std::printf("  note: %s\n", note.c_str());
@@ -59,11 +64,11 @@ void printTable(const analysis::Analysis& analysis) {
   if (analysis.dispersion) {
     const auto& [peak, wave] = *analysis.dispersion;
     std::printf("\n%zu runs aligned: largest peak, mean %s, range / mean %s", analysis.signals.size(),
-                number(peak.mean, text::printedUnit(analysis.signals.front().features.unit)).c_str(),
-                number(100 * peak.range, "%").c_str());
+                roundedText(peak.mean, text::printedUnit(analysis.signals.front().features.unit)).c_str(),
+                roundedText(100 * peak.range, "%").c_str());
     if (!std::isnan(wave.mean))
-      std::printf("; wavelength, mean %s, range / mean %s", number(1e3 * wave.mean, "mm").c_str(),
-                  number(100 * wave.range, "%").c_str());
+      std::printf("; wavelength, mean %s, range / mean %s", roundedText(1e3 * wave.mean, "mm").c_str(),
+                  roundedText(100 * wave.range, "%").c_str());
     std::printf("\n");
   }
   for (const auto& note : analysis.notes) std::printf("note: %s\n", note.c_str());

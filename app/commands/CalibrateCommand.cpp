@@ -2,9 +2,9 @@
 
 #include <cstdio>
 
-#include "calibration/CalibratedCase.h"
 #include "calibration/Calibration.h"
-#include "commands/CalibrationSummary.h"
+#include "calibration/CalibrationFiles.h"
+#include "calibration/CalibrationSummary.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
@@ -14,7 +14,6 @@
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
 #include "core/FolderLock.h"
-#include "studies/Jobs.h"
 #include "studies/PartLock.h"
 
 namespace squat::commands {
@@ -29,17 +28,6 @@ struct CalibrateCommandOptions {
   FigureChoice figures;
   int jobs = 0, threads = 0, evaluations = 0;
 };
-
-studies::RunDemand demandOf(const CalibrateCommandOptions& options) {
-  const auto demand = studies::demandOnMesh(options.mesh), confirm = studies::demandOnMesh(options.confirm);
-  return demand.memory < confirm.memory ? confirm : demand;
-}
-
-void shareCores(CalibrateCommandOptions& options) {
-  const auto sharing =
-      studies::shareMachine(studies::thisMachine(), demandOf(options), {options.jobs, options.threads});
-  options.calibration.jobs = sharing.jobs, options.calibration.threads = sharing.threads;
-}
 
 calibration::CalibrationDefinition definitionOf(const CalibrateCommandOptions& options) {
   calibration::CalibrationDefinition definition;
@@ -66,21 +54,12 @@ int calibratePart(const CalibrateCommandOptions& options, const calibration::Cal
 
 int calibrate(CalibrateCommandOptions options) {
   if (!options.partition.empty()) options.calibration.part = studies::partitionFromText(options.partition);
-  const auto description = readCase(options.caseOptions);
+  readCase(options.caseOptions);  // what is wrong with it is said before what is wrong with the targets
   const auto definition = definitionOf(options);
   const auto& folder = options.calibration.folder;
   const auto stem = stemOf(options.caseOptions);
-  const std::string casePath = folder + "/" + stem + "-calibrated.toml", textPath = folder + "/calibration.txt";
-  auto outputs = calibration::calibrationFiles(folder);
-  outputs.insert(outputs.end(), {casePath, textPath});
-  auto inputs = cases::filesOfCase(options.caseOptions.name, description.defect.file);
-  inputs.insert(inputs.end(), options.targets.begin(), options.targets.end());
-  for (const auto& target : definition.targets.signals)
-    inputs.insert(inputs.end(), target.files.begin(), target.files.end());
-  for (const auto& target : definition.targets.receptances) inputs.push_back(target.file);
-  for (const auto& run : definition.targets.runs) inputs.push_back(run.caseName);
-  keepInputs(inputs, outputs);
-  shareCores(options);
+  calibration::keepInputsOf(definition, options.targets, folder, stem);
+  calibration::shareCores(definition, options.jobs, options.threads, options.calibration);
   makeFolder(folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
@@ -89,15 +68,13 @@ int calibrate(CalibrateCommandOptions options) {
   const FolderLock owner(folder, "squat calibrate " + options.caseOptions.name);
   const auto found = calibration::calibrate(definition, options.calibration, monitor);
   monitor.clearLine();
-  const auto summary = calibrationSummary(found);
+  const auto summary = calibration::calibrationSummary(found);
   if (!found.complete && !summary.empty()) std::printf("Not finished; known so far:\n\n");
   std::printf("%s", summary.c_str());
   if (found.complete && !found.ranges.empty()) {
-    writeDurably(casePath, std::string_view(calibration::calibratedCase(found)));
-    writeDurably(textPath, std::string_view(summary));
-    outputs.erase(outputs.begin() + 1, outputs.begin() + 3);  // those that are only for resuming
+    const auto written = calibration::writeCalibrated(found, folder, stem);
     std::printf("\nwritten:\n");
-    for (const auto& path : outputs) std::printf("  %s\n", path.c_str());
+    for (const auto& path : written) std::printf("  %s\n", path.c_str());
     for (const auto& path : writeCalibrationFigure(found, folder, options.figures)) std::printf("  %s\n", path.c_str());
   }
   if (!found.complete) {

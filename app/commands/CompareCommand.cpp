@@ -12,12 +12,16 @@
 #include "commands/NumberRange.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
-#include "commands/TextTable.h"
+#include "text/Numbers.h"
+#include "text/TextTable.h"
 #include "text/Units.h"
 
 namespace squat::commands {
 
 namespace {
+
+using text::roundedText;
+using text::TextTable;
 
 struct CompareOptions {
   std::string result, folder, resultColumn;
@@ -33,10 +37,10 @@ void printTable(const analysis::FileComparison& pair) {
               pair.secondFile.c_str());
   for (const auto* features : {&comparison.firstFeatures, &comparison.secondFeatures})
     std::printf("  features of %s anchored at: %s, %s\n", features->name.c_str(),
-                signals::toText(features->anchor).c_str(), number(1e3 * features->impactTime, "ms").c_str());
+                signals::toText(features->anchor).c_str(), roundedText(1e3 * features->impactTime, "ms").c_str());
   TextTable table({"quantity", "value"});
   for (const auto& [name, value] : signals::comparisonRow(comparison))
-    table.add({text::withPrintedUnit(name), std::isnan(value) ? "-" : number(value)});
+    table.add({text::withPrintedUnit(name), std::isnan(value) ? "-" : roundedText(value)});
   std::printf("%s", table.text().c_str());
   for (const auto& note : pair.notes) std::printf("note: %s\n", note.c_str());
   std::printf("\n");

@@ -5,12 +5,10 @@
 #include <filesystem>
 
 #include "analysis/OptionText.h"
-#include "case/CaseFile.h"
 #include "case/ShippedCases.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/DetectInParts.h"
-#include "commands/DetectionSummary.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureSheets.h"
 #include "commands/Interrupt.h"
@@ -19,10 +17,10 @@
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
-#include "core/Errors.h"
 #include "core/FolderLock.h"
 #include "detection/DetectionFiles.h"
-#include "detection/MakeExamples.h"
+#include "detection/DetectionSummary.h"
+#include "detection/ExampleSource.h"
 #include "studies/Jobs.h"
 
 namespace squat::commands {
@@ -36,16 +34,9 @@ struct DetectCommandOptions {
   SignalOptions signal;
   FigureChoice figures;
   detection::DetectOptions detect;
-  detection::JudgementOptions judgement;
   double diameter = 0;  // [m] of the wheel
   bool json = false, collect = false;
 };
-
-// Where the vehicle is the one at hand: less of each.
-constexpr double ownSpread = 0.12, ownCommonSpread = 0.05, ownSizeSpread = 0.2;
-constexpr double labelWeight = 5;
-
-std::string generalExamples() { return (cases::resourcesFolder() / "detection/examples.csv").string(); }
 
 // A path, or the name of a shipped record.
 std::string recordFile(const std::string& nameOrPath) {
@@ -54,68 +45,18 @@ std::string recordFile(const std::string& nameOrPath) {
   return std::filesystem::exists(shipped) ? shipped.string() : nameOrPath;
 }
 
-// Median speed of the records' events, or of the call: what examples are computed at.
-double typicalSpeed(const std::vector<detection::RecordDetection>& records) {
-  std::vector<double> speeds;
-  for (const auto& record : records)
-    for (const auto& channel : record.channels)
-      for (const auto& event : channel.events) speeds.push_back(event.features.speed);
-  if (speeds.empty()) return 0;
-  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
-  std::nth_element(speeds.begin(), middle, speeds.end());
-  return std::round(*middle);  // so that the next record of this train finds them again
-}
-
-// --case: computed once and kept beside the other files. Nothing where it was cancelled.
-std::optional<std::vector<detection::Example>> ownExamples(const DetectCommandOptions& options, double speed,
-                                                           Monitor& monitor) {
-  auto description = readCase(options.caseOptions);
-  if (speed > 0) description.motion.speed = speed, description.motion.angularVelocity = 0;
-  const auto file = options.folder + "/" + cases::caseStem(options.caseOptions.name) + "-" +
-                    cases::caseHash(description) + ".examples.csv";
-  if (std::filesystem::exists(file)) return detection::readExamples(file);
-  monitor.message("computing the examples of this vehicle and track, kept in " + file);
-  detection::ExampleOptions make;
-  make.jobs = studies::coresHere();
-  auto made = detection::makeExamples(description, make, monitor);
-  if (made) writeDurably(file, detection::examplesText(*made));
-  return made;
-}
-
 std::optional<double> chainageFrom(const std::string& text) {
   if (text.empty()) return std::nullopt;
   return analysis::chainageFromText(text);
 }
 
-// Examples, where they come from, and how wide they scatter.
-struct Source {
-  std::vector<detection::Example> examples;
-  std::string words;
-};
-
-std::optional<Source> sourceOf(DetectCommandOptions& options, const std::vector<detection::RecordDetection>& records,
-                               Monitor& monitor) {
-  Source source;
-  if (!options.caseOptions.name.empty()) {
-    auto own = ownExamples(options, typicalSpeed(records), monitor);
-    if (!own) return std::nullopt;
-    source.examples = *std::move(own);
-    source.words = "passages of the case " + options.caseOptions.name;
-    options.judgement.spread = ownSpread, options.judgement.commonSpread = ownCommonSpread;
-    options.judgement.sizeSpread = ownSizeSpread;
-  } else {
-    const auto file = options.examples.empty() ? generalExamples() : options.examples;
-    source.examples = detection::readExamples(file);
-    source.words = options.examples.empty()
-                       ? "passages of other vehicles and tracks: severities are uncertain, --case narrows them"
-                       : file;
-  }
-  if (options.labels.empty()) return source;
-  const auto labels = detection::readLabels(options.labels);
-  std::size_t missed = 0;
-  for (const auto& record : records)
-    for (auto& example : detection::labelled(record, labels, labelWeight, missed)) source.examples.push_back(example);
-  source.words += ", and " + std::to_string(labels.size()) + " labels of " + options.labels;
+detection::SourceOptions sourceOf(const DetectCommandOptions& options) {
+  detection::SourceOptions source;
+  if (!options.caseOptions.name.empty()) source.vehicle = readCase(options.caseOptions);
+  source.vehicleName = options.caseOptions.name;
+  source.folder = options.folder;
+  source.examplesFile = options.examples, source.labelsFile = options.labels;
+  source.jobs = studies::coresHere();
   return source;
 }
 
@@ -131,26 +72,20 @@ RecordSearch searchOf(const DetectCommandOptions& options) {
 }
 
 // Judges the records, combines their passes, and writes the list.
-int conclude(DetectCommandOptions& options, std::vector<detection::RecordDetection> records, TerminalMonitor& monitor) {
-  const auto source = sourceOf(options, records, monitor);
+int conclude(const DetectCommandOptions& options, std::vector<detection::RecordDetection> records,
+             TerminalMonitor& monitor) {
+  const auto source = detection::exampleSource(sourceOf(options), records, monitor);
   monitor.clearLine();
   if (!source) {
     std::fprintf(stderr, "cancelled: no file written\n");
     return kCancelled;
   }
-  detection::DetectionReport report;
-  report.records = std::move(records);
-  report.examples = source->words;
-  const detection::Judge judge(source->examples, options.judgement);
-  for (auto& record : report.records) {
-    detection::judgeCandidates(record, judge, options.detect);
-    printFaults(record);
-  }
-  report.events = detection::combine(report.records);
+  const auto report = detection::judged(std::move(records), *source, options.detect);
+  for (const auto& record : report.records) std::fprintf(stderr, "%s", detection::faultText(record).c_str());
   if (options.json)
     std::printf("%s", detection::detectionJson(report).c_str());
   else
-    printEvents(report);
+    std::printf("%s", detection::detectionSummary(report).c_str());
   std::FILE* const list = options.json ? stderr : stdout;
   std::fprintf(list, "\nwritten:\n");
   for (const auto& path : detection::writeDetection(report, options.folder)) std::fprintf(list, "  %s\n", path.c_str());

@@ -7,7 +7,6 @@
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
 #include "commands/EstimateEach.h"
-#include "commands/EstimateSummary.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureSheets.h"
 #include "commands/Interrupt.h"
@@ -17,6 +16,7 @@
 #include "core/DurableFile.h"
 #include "core/FolderLock.h"
 #include "estimation/EstimateFiles.h"
+#include "estimation/EstimateSummary.h"
 #include "studies/Jobs.h"
 
 namespace squat::commands {
@@ -29,6 +29,7 @@ struct EstimateCommandOptions {
   std::string mesh = "tiny", folder = ".", partition;
   estimation::EstimateDefinition definition;
   estimation::EstimateOptions estimate;
+  FigureChoice figures;
   double longest = 70;  // [mm]
   int jobs = 0, threads = 0;
   bool json = false, each = false, collect = false;
@@ -61,7 +62,8 @@ int estimate(EstimateCommandOptions options) {
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   if (options.each)
-    return estimateEach({definition, options.estimate, options.folder, options.partition, options.collect}, monitor);
+    return estimateEach(
+        {definition, options.estimate, options.folder, options.partition, options.collect, options.figures}, monitor);
   const auto found = estimation::estimateProfile(definition, options.estimate, monitor);
   monitor.clearLine();
   if (!found.profile.empty()) {
@@ -70,9 +72,11 @@ int estimate(EstimateCommandOptions options) {
       std::printf("%s", estimation::estimateJson(found).c_str());
     } else {
       std::printf("%s%s\nwritten:\n", found.complete ? "" : "Not finished; the best so far:\n\n",
-                  estimateSummary(found).c_str());
+                  estimation::estimateSummary(found).c_str());
       for (const auto& path : outputs) std::printf("  %s\n", path.c_str());
     }
+    for (const auto& path : writeEstimateFigure(found, options.folder, options.figures))
+      if (!options.json) std::printf("  %s\n", path.c_str());
   }
   if (found.complete) return kDone;
   std::fprintf(stderr, "cancelled%s\n", found.profile.empty() ? ": no profile was found yet, no file written" : "");
@@ -110,6 +114,7 @@ void addEstimateCommand(CLI::App& program, Action& action) {
       ->type_name("N");
   addThreads(*command, options->threads, "Threads of each run (default: cores / jobs)");
   addInstructionSet(*command, options->estimate.isa);
+  addFigureOptions(*command, options->figures);
   auto* json = command->add_flag("--json", options->json, "Print the estimate as JSON");
   auto* each = command
                    ->add_flag("--each", options->each,

@@ -5,15 +5,18 @@
 
 #include "commands/ExitCodes.h"
 #include "commands/FilesInParts.h"
-#include "commands/TextTable.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "estimation/EstimateFiles.h"
 #include "text/Numbers.h"
+#include "text/TextTable.h"
 
 namespace squat::commands {
 
 namespace {
+
+using text::kTerminalWidth;
+using text::TextTable;
 
 using estimation::EstimateRow;
 
@@ -51,6 +54,12 @@ FileOutcome estimateFile(const EachEstimate& each, const std::string& file, cons
     const auto folder = estimation::estimateFolder(each.folder, file);
     makeFolder(folder);
     estimation::writeEstimate(found, folder);
+    // Three files a passage are many: drawn where asked for. A figure that cannot be written costs no estimate.
+    if (each.partition.empty() && !each.figures.formats.empty()) try {
+        writeEstimateFigure(found, folder, each.figures);
+      } catch (const FileError& error) {
+        monitor.message(std::string("no figure: ") + error.what());
+      }
     estimation::writeRow(each.folder, estimation::rowOf(file, found), key, &found);
     return FileOutcome::done;
   } catch (const FileError& error) {

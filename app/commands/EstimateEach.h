@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "commands/FigureSheets.h"
 #include "estimation/EstimateList.h"
 
 namespace squat::commands {
@@ -13,6 +14,7 @@ struct EachEstimate {
   estimation::EstimateOptions options;
   std::string folder, partition;
   bool collect = false;
+  FigureChoice figures = {};
 };
 
 // Estimates each passage into FOLDER/STEM; those that are known are not estimated again. Without a partition, or to

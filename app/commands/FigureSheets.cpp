@@ -7,6 +7,7 @@
 #include "plots/CalibrationFigure.h"
 #include "plots/ComparisonFigures.h"
 #include "plots/DetectionFigures.h"
+#include "plots/EstimateFigure.h"
 #include "plots/PaperFigures.h"
 #include "plots/ReceptanceFigures.h"
 #include "plots/StudyFigures.h"
@@ -60,6 +61,14 @@ std::vector<std::string> writeCalibrationFigure(const calibration::Calibration& 
   if (choice.none) return {};
   std::vector<plots::FigureSheet> sheets;
   sheets.push_back(plots::calibrationFigure(calibration, styleOf(choice)));
+  return write(sheets, folder, choice);
+}
+
+std::vector<std::string> writeEstimateFigure(const estimation::Estimate& estimate, const std::string& folder,
+                                             const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::estimateFigure(estimate, styleOf(choice)));
   return write(sheets, folder, choice);
 }
 

@@ -10,6 +10,7 @@
 #include "calibration/Calibration.h"
 #include "commands/FigureNames.h"
 #include "detection/DetectionFiles.h"
+#include "estimation/Estimation.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
 #include "statements/Judge.h"
@@ -38,6 +39,9 @@ std::vector<std::string> writeStudyFigures(const studies::StudyTable& table, con
 
 std::vector<std::string> writeCalibrationFigure(const calibration::Calibration& calibration, const std::string& folder,
                                                 const FigureChoice& choice);
+
+std::vector<std::string> writeEstimateFigure(const estimation::Estimate& estimate, const std::string& folder,
+                                             const FigureChoice& choice);
 
 // The overview along the track, and one figure an event.
 std::vector<std::string> writeDetectionFigures(const detection::DetectionReport& report, const std::string& folder,

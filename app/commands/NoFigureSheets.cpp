@@ -39,6 +39,11 @@ std::vector<std::string> writeDetectionFigures(const detection::DetectionReport&
   return none(choice);
 }
 
+std::vector<std::string> writeEstimateFigure(const estimation::Estimate&, const std::string&,
+                                             const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writeValidationFigure(const std::vector<statements::Judged>&, const std::string&,
                                                const std::string&, const FigureChoice& choice) {
   return none(choice);

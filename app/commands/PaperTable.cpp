@@ -5,16 +5,23 @@
 #include <cstdio>
 
 #include "analysis/RunFeatures.h"
-#include "commands/TextTable.h"
 #include "commands/ValidationText.h"
+#include "receptance/ReceptanceSummary.h"
 #include "signals/SignalError.h"
 #include "statements/JudgeRun.h"
 #include "statements/Measures.h"
 #include "statements/RunChecks.h"
+#include "text/Numbers.h"
+#include "text/TextTable.h"
+#include "text/Units.h"
 
 namespace squat::commands {
 
 namespace {
+
+using text::kTerminalWidth;
+using text::roundedText;
+using text::TextTable;
 
 using results::RunResult;
 
@@ -42,7 +49,7 @@ void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* c
     return;
   }
   const auto [low, high] = std::minmax_element(values->begin(), values->end());
-  rows.push_back({what, number(*high) + " / " + number(*low) + " m/s²", "", ""});
+  rows.push_back({what, roundedText(*high) + " / " + roundedText(*low) + " m/s²", "", ""});
 }
 
 void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
@@ -52,7 +59,7 @@ void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
   for (std::size_t i = 0; lines && i < std::min(most, lines->frequencies.size()); ++i)
     text += (text.empty() ? "" : ", ") + std::to_string(std::lround(lines->frequencies[i]));
   rows.push_back({"strongest lines of the PSD", text.empty() ? kNone : text + " Hz",
-                  text.empty() ? "" : "resolution " + number(std::round(lines->resolution), "Hz"), ""});
+                  text.empty() ? "" : "resolution " + roundedText(std::round(lines->resolution), "Hz"), ""});
 }
 
 // What lines, wavelength and band powers refer to.
@@ -60,7 +67,7 @@ void addAnchor(std::vector<PaperRow>& rows, const RunResult& result) {
   try {
     const auto features = analysis::runFeatures(result);
     rows.push_back(
-        {"features anchored at", number(1e3 * features.impactTime, "ms"), signals::toText(features.anchor), ""});
+        {"features anchored at", roundedText(1e3 * features.impactTime, "ms"), signals::toText(features.anchor), ""});
   } catch (const signals::SignalError&) {  // too short: no features
   }
 }
@@ -69,7 +76,7 @@ void addWavelength(std::vector<PaperRow>& rows, const RunResult& result) {
   statements::Statement wanted;
   wanted.measure = "wavelength";
   const auto length = statements::measure(result, wanted);
-  rows.push_back({"mean wavelength after the impact", length ? number(*length, "mm") : kNone, "", ""});
+  rows.push_back({"mean wavelength after the impact", length ? roundedText(*length, "mm") : kNone, "", ""});
 }
 
 // As `squat validate` prints them.
@@ -91,15 +98,15 @@ void addContact(std::vector<PaperRow>& rows, const RunResult& result) {
   };
   if (const auto force = scalarNamed(result.equilibrium, "contact_force")) {
     const auto weight = scalarNamed(result.equilibrium, "weight");
-    rows.push_back({"contact force at equilibrium", number(1e-3 * *force, "kN"),
-                    weight ? "weight " + number(1e-3 * *weight, "kN") : "", ""});
+    rows.push_back({"contact force at equilibrium", roundedText(1e-3 * *force, "kN"),
+                    weight ? "weight " + roundedText(1e-3 * *weight, "kN") : "", ""});
   }
   for (const auto& item : compared) {
     const auto ours = scalarNamed(result.equilibrium, item.name);
     if (!ours) continue;
-    PaperRow row{item.what, number(item.factor * *ours, item.unit), "", ""};
+    PaperRow row{item.what, roundedText(item.factor * *ours, item.unit), "", ""};
     if (const auto hertz = scalarNamed(result.equilibrium, item.hertz); hertz && *hertz > 0) {
-      row.paper = "Hertz " + number(item.factor * *hertz, item.unit);
+      row.paper = "Hertz " + roundedText(item.factor * *hertz, item.unit);
       if (std::string(item.name) == "approach") {  // of the mean rail section less the hub: web and foot give as well
         rows.push_back({row.what, row.ours, row.paper + ", local contact only", ""});
         continue;
@@ -120,9 +127,9 @@ void addResidualVibration(std::vector<PaperRow>& rows, const RunResult& result,
   if (!seen) return;
   char what[64];
   std::snprintf(what, sizeof what, "residual vibration before the defect (%.2f m)", seen->length);
-  PaperRow row{what, number(seen->largest, "m/s2"), "", ""};
+  PaperRow row{what, roundedText(seen->largest, "m/s2"), "", ""};
   if (const auto limit = statements::residualVibrationLimit(reference)) {
-    row.paper = "limit " + number(*limit, "m/s2");
+    row.paper = "limit " + roundedText(*limit, "m/s2");
     row.verdict = passed(seen->largest <= *limit);
   }
   rows.push_back(row);
@@ -130,23 +137,23 @@ void addResidualVibration(std::vector<PaperRow>& rows, const RunResult& result,
 
 void addEnergy(std::vector<PaperRow>& rows, const RunResult& result) {
   if (const auto error = statements::energyError(result))
-    rows.push_back({"energy balance error, maximum", number(100 * *error, "%"),
-                    "limit " + number(100 * statements::energyErrorLimit, "%"),
+    rows.push_back({"energy balance error, maximum", roundedText(100 * *error, "%"),
+                    "limit " + roundedText(100 * statements::energyErrorLimit, "%"),
                     passed(*error < statements::energyErrorLimit)});
 }
 
 // Only where the rail may yield.
 void addPlasticity(std::vector<PaperRow>& rows, const RunResult& result) {
   if (const auto strain = scalarNamed(result.plasticity, "largest_equivalent_strain"))
-    rows.push_back({"plastic strain, maximum", number(100 * *strain, "%"), "", ""});
+    rows.push_back({"plastic strain, maximum", roundedText(100 * *strain, "%"), "", ""});
   if (const auto deepest = scalarNamed(result.plasticity, "deepest_change"))
-    rows.push_back({"permanent surface deformation, maximum", number(1e6 * *deepest, "um"), "", ""});
+    rows.push_back({"permanent surface deformation, maximum", roundedText(1e6 * *deepest, "um"), "", ""});
 }
 
 void addCost(std::vector<PaperRow>& rows, const RunResult& result) {
   const auto add = [&](const std::vector<results::Scalar>& list, const char* name, const char* what, double factor,
                        const char* unit) {
-    if (const auto value = scalarNamed(list, name)) rows.push_back({what, number(factor * *value, unit), "", ""});
+    if (const auto value = scalarNamed(list, name)) rows.push_back({what, roundedText(factor * *value, unit), "", ""});
   };
   add(result.meshFigures, "elements", "elements of the mesh", 1, "");
   add(result.performance, "steps", "time steps", 1, "");
@@ -216,21 +223,14 @@ std::string modesTable(const RunResult& result) {
   std::vector<model::HarmonicMode> modes;
   for (const auto& mode : result.modes)
     modes.push_back({mode.frequency, 0, mode.boxShare, mode.wheelShare, mode.contactShare});
-  return modesTable(modes);
-}
-
-std::string modesTable(const std::vector<model::HarmonicMode>& modes) {
-  TextTable table({"mode [Hz]", "axle box", "wheel centre", "contact [1/√kg]"});
-  for (const auto& mode : modes)
-    table.add({number(mode.frequency), number(mode.boxShare), number(mode.wheelShare), number(mode.contactShare)});
-  return table.text();
+  return receptance::modesTable(modes);
 }
 
 std::string phasesTable(const RunResult& result) {
   const std::string prefix = "seconds_";
   TextTable table({"phase", "wall time [s]"});
   for (const auto& scalar : result.performance)
-    if (scalar.name.rfind(prefix, 0) == 0) table.add({scalar.name.substr(prefix.size()), number(scalar.value)});
+    if (scalar.name.rfind(prefix, 0) == 0) table.add({scalar.name.substr(prefix.size()), roundedText(scalar.value)});
   return table.empty() ? std::string() : table.text();
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "model/WheelsetModes.h"
 #include "results/RunResult.h"
 
 namespace squat::commands {
@@ -26,7 +25,6 @@ std::string paperTable(const results::RunResult& result);
 
 // Natural modes of the half wheelset: frequency, mass-normalised mode shape at axle box, wheel centre, contact.
 std::string modesTable(const results::RunResult& result);
-std::string modesTable(const std::vector<model::HarmonicMode>& modes);
 
 // Wall time of each phase of the run; empty where the result does not hold it.
 std::string phasesTable(const results::RunResult& result);

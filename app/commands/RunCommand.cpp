@@ -21,17 +21,21 @@
 #include "commands/RunFiles.h"
 #include "commands/RunReport.h"
 #include "commands/TerminalMonitor.h"
-#include "commands/TextTable.h"
 #include "core/Errors.h"
 #include "core/FolderLock.h"
 #include "results/Checkpoint.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
 #include "simulation/WarmStateFile.h"
+#include "text/Numbers.h"
+#include "text/TextTable.h"
+#include "text/Units.h"
 
 namespace squat::commands {
 
 namespace {
+
+using text::roundedText;
 
 struct RunCommandOptions {
   CaseOptions caseOptions;
@@ -135,7 +139,7 @@ int reportCancelled(const RunFiles& files, const char* what) {
 void printMemory() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  std::printf("\npeak memory of the command: %s\n", number(std::round(usage.ru_maxrss / 1024.0), "MiB").c_str());
+  std::printf("\npeak memory of the command: %s\n", roundedText(std::round(usage.ru_maxrss / 1024.0), "MiB").c_str());
 }
 
 // --warm: the case on the mesh of the warm state, which `run` is to start from. Throws where it does not fit.

@@ -1,10 +1,16 @@
 #include "commands/ValidationText.h"
 
-#include "commands/TextTable.h"
+#include "text/Numbers.h"
+#include "text/TextTable.h"
+#include "text/Units.h"
 
 namespace squat::commands {
 
 namespace {
+
+using text::kTerminalWidth;
+using text::roundedText;
+using text::TextTable;
 
 using statements::Verdict;
 
@@ -14,7 +20,7 @@ std::string stated(const std::string& value, const std::string& unit) {
 
 std::string markText(const statements::SensitivityRow& row, std::size_t statement) {
   if (!row.message.empty()) return row.message;
-  return (row.numbers[statement] ? number(*row.numbers[statement]) : "none") + (row.met[statement] ? "" : " *");
+  return (row.numbers[statement] ? roundedText(*row.numbers[statement]) : "none") + (row.met[statement] ? "" : " *");
 }
 
 // The statements down, the values of one input across.
@@ -40,7 +46,7 @@ std::string countsText(const std::vector<statements::Judged>& judged) {
 // A ratio is a pure number.
 std::string valueText(const statements::Judged& one) {
   const auto& unit = one.statement.unit;
-  return one.value ? number(*one.value, unit == "ratio" ? "" : unit) : "none";
+  return one.value ? roundedText(*one.value, unit == "ratio" ? "" : unit) : "none";
 }
 
 std::string statementsText(const std::vector<statements::Judged>& judged) {

@@ -43,20 +43,9 @@ std::string head() {
          "depth high [mm],passes,passes there,latitude [deg],longitude [deg],reason,passage\n";
 }
 
-// Of an event, by its row in the table: "passages/squat-0007.csv". Empty for what is no squat.
+// Of an event, by its row in the table. Empty for what is no squat.
 std::string passageFile(const DetectionReport& report, std::size_t event) {
-  if (!isSquat(report.events[event].event)) return {};
-  char name[48];
-  std::snprintf(name, sizeof name, "passages/squat-%04zu.csv", event + 1);
-  return name;
-}
-
-// The strongest passage over the event, in the direction of travel, at its speed.
-std::string passageText(const Event& event) {
-  std::vector<double> time, speed(event.passage.values.size(), event.features.speed);
-  for (std::size_t i = 0; i < event.passage.values.size(); ++i) time.push_back(event.passage.timeAt(i));
-  return text::csvColumns({"time [s]", "speed [m/s]", "aba [" + event.passage.unit + "]"},
-                          {&time, &speed, &event.passage.values});
+  return isSquat(report.events[event].event) ? passageName(report.events[event], event) : std::string();
 }
 
 bool isPassageFile(const std::string& name) {
@@ -73,7 +62,7 @@ std::size_t writePassages(const DetectionReport& report, const std::string& fold
     const auto file = passageFile(report, i);
     if (file.empty()) continue;
     if (written.empty()) makeFolder(folder + "/passages");
-    writeDurably(folder + "/" + file, passageText(report.events[i].event));
+    writeDurably(folder + "/" + file, passageCsv(report.events[i].event));
     written.insert(std::filesystem::path(file).filename().string());
   }
   std::error_code none;
@@ -172,6 +161,29 @@ std::size_t columnOf(const std::vector<std::string>& names, std::string_view wan
 }
 
 }  // namespace
+
+std::string passageName(const CombinedEvent& event, std::size_t index) {
+  char name[64];
+  std::snprintf(name, sizeof name, "%s/%s-%04zu.csv", isSquat(event.event) ? "passages" : "other-events",
+                toText(event.event.kind).c_str(), index + 1);
+  return name;
+}
+
+// The strongest passage over the event, in the direction of travel, at its speed.
+std::string passageCsv(const Event& event) {
+  std::vector<double> time, speed(event.passage.values.size(), event.features.speed);
+  for (std::size_t i = 0; i < event.passage.values.size(); ++i) time.push_back(event.passage.timeAt(i));
+  return text::csvColumns({"time [s]", "speed [m/s]", "aba [" + event.passage.unit + "]"},
+                          {&time, &speed, &event.passage.values});
+}
+
+std::string labelsCsv(const std::vector<SeenEvent>& seen) {
+  std::string text = "position [m],channel,kind,severity\n";
+  for (const auto& one : seen)
+    text += fixed(one.position, 3) + "," + text::csvField(one.channel) + "," + toText(one.kind) + "," +
+            (one.kind == Kind::squat ? toText(one.severity) : std::string()) + "\n";
+  return text;
+}
 
 std::string detectionCsv(const DetectionReport& report) {
   std::string text = head();

@@ -25,6 +25,21 @@ std::string detectionJson(const DetectionReport& report);
 // GeoJSON (RFC 7946): a point an event, longitude first. Empty where no event has coordinates.
 std::string detectionGeoJson(const DetectionReport& report);
 
+// The signal over an event, as the files in FOLDER/passages have it.
+std::string passageCsv(const Event& event);
+// "passages/squat-0007.csv" of the event in row 7 of the table; of what is no squat "other-events/joint-0007.csv",
+// which writeDetection() does not write.
+std::string passageName(const CombinedEvent& event, std::size_t index);
+
+// What the user has seen, as readLabels() reads it: position, channel, kind, severity of squats.
+struct SeenEvent {
+  double position = 0;  // [m]
+  std::string channel;
+  Kind kind = Kind::squat;
+  Severity severity = Severity::light;  // of a squat
+};
+std::string labelsCsv(const std::vector<SeenEvent>& seen);
+
 // position [m] and kind, optionally channel, severity, length [mm], depth [mm]; squats.csv as corrected by hand will
 // do. Throws FileError with the line.
 std::vector<Label> readLabels(const std::string& path);

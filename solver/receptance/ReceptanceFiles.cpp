@@ -102,4 +102,15 @@ std::string modesCsv(const TrackReceptance& receptance) {
       {&c.frequency, &c.harmonic, &c.box, &c.wheel, &c.contact});
 }
 
+std::vector<std::string> receptanceFiles(const std::string& stem) {
+  return {stem + "-receptance.h5", stem + "-receptance.csv", stem + "-wheelset-modes.csv"};
+}
+
+void writeReceptanceFiles(const std::string& stem, const TrackReceptance& receptance, const std::string& caseToml) {
+  const auto paths = receptanceFiles(stem);
+  writeReceptance(paths[0], receptance, caseToml);
+  writeDurably(paths[1], std::string_view(receptanceCsv(receptance)));
+  writeDurably(paths[2], std::string_view(modesCsv(receptance)));
+}
+
 }  // namespace squat::receptance

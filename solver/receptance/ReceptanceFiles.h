@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "receptance/Receptance.h"
 
@@ -16,5 +17,9 @@ std::string receptanceCsv(const TrackReceptance& receptance);
 
 // frequency [Hz], harmonic, shares at box, wheel centre and contact [1/sqrt(kg)].
 std::string modesCsv(const TrackReceptance& receptance);
+
+// The three of them: STEM-receptance.h5, STEM-receptance.csv, STEM-wheelset-modes.csv.
+std::vector<std::string> receptanceFiles(const std::string& stem);
+void writeReceptanceFiles(const std::string& stem, const TrackReceptance& receptance, const std::string& caseToml);
 
 }  // namespace squat::receptance

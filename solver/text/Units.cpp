@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "text/Numbers.h"
 #include "text/Text.h"
 
 namespace squat::text {
@@ -84,6 +85,11 @@ std::string withPrintedUnit(const std::string& nameWithUnit) {
   if (open == std::string::npos || close == std::string::npos || close < open) return nameWithUnit;
   return nameWithUnit.substr(0, open + 1) + printedUnit(nameWithUnit.substr(open + 1, close - open - 1)) +
          nameWithUnit.substr(close);
+}
+
+std::string roundedText(double value, const std::string& unit) {
+  const std::string text = roundedText(value);
+  return unit.empty() || unit == "1" ? text : text + " " + printedUnit(unit);
 }
 
 }  // namespace squat::text

@@ -21,4 +21,7 @@ std::string bareUnit(std::string_view text);  // without brackets
 std::string printedUnit(const std::string& unit);
 std::string withPrintedUnit(const std::string& nameWithUnit);
 
+// roundedText() and the printed unit: "103.4 m/s²"; none for "" and "1".
+std::string roundedText(double value, const std::string& unit);
+
 }  // namespace squat::text

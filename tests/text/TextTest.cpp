@@ -41,6 +41,9 @@ TEST(Units, PrintedWithTheirSigns) {
   EXPECT_EQ(printedUnit("m/s2"), "m/s²");
   EXPECT_EQ(printedUnit("(m/s2)2/Hz"), "(m/s²)²/Hz");
   EXPECT_EQ(printedUnit("us"), "µs");
+  EXPECT_EQ(roundedText(103.44, "m/s2"), "103.4 m/s²");
+  EXPECT_EQ(roundedText(0.5, "us"), "0.5 µs");
+  EXPECT_EQ(roundedText(13710, "1"), "13710");
   EXPECT_EQ(printedUnit("km/h"), "km/h");
   EXPECT_EQ(withPrintedUnit("peak 2 prominence [(m/s2)2/Hz]"), "peak 2 prominence [(m/s²)²/Hz]");
 }

@@ -1,11 +1,11 @@
-// app/commands/TextTable.h - a table for a terminal: columns as wide as their widest cell.
+// solver/text/TextTable.h - a table for a terminal: columns as wide as their widest cell.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
-namespace squat::commands {
+namespace squat::text {
 
 // Columns of a terminal that the longer tables are fitted to.
 inline constexpr std::size_t kTerminalWidth = 100;
@@ -23,7 +23,4 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
-// A number with four significant digits and its unit: "103.4 m/s²"; whole numbers with all their digits: "13710".
-std::string number(double value, const std::string& unit = {});
-
-}  // namespace squat::commands
+}  // namespace squat::text

@@ -1,9 +1,9 @@
 // Tables for a terminal.
-#include "commands/TextTable.h"
+#include "text/TextTable.h"
 
 #include <gtest/gtest.h>
 
-namespace squat::commands {
+namespace squat::text {
 namespace {
 
 TEST(TextTable, ColumnsAreAsWideAsTheirWidestCell) {
@@ -25,11 +25,5 @@ TEST(TextTable, AWordThatIsTooLongStaysWhole) {
   EXPECT_EQ(table.text(8), "a  b\n-----------------\n1  incompressible\n");
 }
 
-TEST(Number, HasTheSignsOfPrint) {
-  EXPECT_EQ(number(103.44, "m/s2"), "103.4 m/s²");
-  EXPECT_EQ(number(0.5, "us"), "0.5 µs");
-  EXPECT_EQ(number(13710, "1"), "13710");
-}
-
 }  // namespace
-}  // namespace squat::commands
+}  // namespace squat::text

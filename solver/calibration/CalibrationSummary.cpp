@@ -1,25 +1,25 @@
-#include "commands/CalibrationSummary.h"
+#include "calibration/CalibrationSummary.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "commands/TextTable.h"
 #include "statements/Judge.h"
 #include "text/Numbers.h"
+#include "text/TextTable.h"
 #include "text/Units.h"
 
-namespace squat::commands {
+namespace squat::calibration {
 
 namespace {
 
-using calibration::Calibration;
-using calibration::Evaluation;
+using text::kTerminalWidth;
 using text::roundedText;
+using text::TextTable;
 
 std::string valueCell(const std::optional<double>& value, const std::string& unit) {
   if (!value) return "none";
-  return roundedText(*value) + (unit.empty() || unit == "1" || unit == "ratio" ? "" : " " + text::printedUnit(unit));
+  return roundedText(*value, unit == "ratio" ? "" : unit);
 }
 
 // The targets at the best point, on the mesh of the search and on the finer one.
@@ -32,7 +32,7 @@ std::string targetTable(const Calibration& found) {
   std::vector<std::string> head{"target", "accepted", search.mesh, ""};
   if (both) head.push_back(confirmed.mesh), head.push_back("");
   TextTable table(head);
-  const auto met = [](const calibration::TargetValue& value) { return value.isMet ? "met" : "not met"; };
+  const auto met = [](const TargetValue& value) { return value.isMet ? "met" : "not met"; };
   for (std::size_t t = 0; t < names.size(); ++t) {
     const bool isStatement = t < targets.statements.size();
     const auto* statement = isStatement ? &targets.statements[t].statement : nullptr;
@@ -45,7 +45,7 @@ std::string targetTable(const Calibration& found) {
   return table.text(kTerminalWidth);
 }
 
-std::string remarkOf(const calibration::InputRange& range) {
+std::string remarkOf(const InputRange& range) {
   if (!range.isSeen) return "no effect on the targets";
   if (range.reachesLow && range.reachesHigh) return "not determined: all values between the limits are equally good";
   if (range.reachesLow || range.reachesHigh)
@@ -98,4 +98,4 @@ std::string calibrationSummary(const Calibration& found) {
   return text;
 }
 
-}  // namespace squat::commands
+}  // namespace squat::calibration

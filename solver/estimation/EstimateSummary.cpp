@@ -1,16 +1,17 @@
-#include "commands/EstimateSummary.h"
+#include "estimation/EstimateSummary.h"
 
 #include <cstdio>
 
-#include "commands/TextTable.h"
 #include "text/Numbers.h"
+#include "text/TextTable.h"
 
-namespace squat::commands {
+namespace squat::estimation {
 
 namespace {
 
-using estimation::Estimate;
-using estimation::Interval;
+using text::kTerminalWidth;
+using text::TextTable;
+
 using text::roundedText;
 
 std::string row(const Interval& interval, double unit, const char* name) {
@@ -56,4 +57,4 @@ std::string estimateSummary(const Estimate& estimate) {
   return text;
 }
 
-}  // namespace squat::commands
+}  // namespace squat::estimation

@@ -1,12 +1,13 @@
-#include "commands/StudySummary.h"
+#include "studies/StudySummary.h"
 
 #include <cmath>
 
 #include "case/ParameterTable.h"
-#include "commands/TextTable.h"
+#include "text/Numbers.h"
+#include "text/TextTable.h"
 #include "text/Units.h"
 
-namespace squat::commands {
+namespace squat::studies {
 
 namespace {
 
@@ -23,9 +24,9 @@ constexpr Shown kShown[] = {{"peak [m/s2]", "peak [m/s²]", 1},
                             {"wavelength by ridge [m]", "wavelength [mm]", 1e3},
                             {"peak 1 frequency [Hz]", "line 1 [Hz]", 1}};
 
-std::string cellOf(const studies::StudyRow& row, const Shown& shown) {
+std::string cellOf(const StudyRow& row, const Shown& shown) {
   for (const auto& [name, value] : row.features)
-    if (name == shown.feature && !std::isnan(value)) return number(shown.factor * value);
+    if (name == shown.feature && !std::isnan(value)) return text::roundedText(shown.factor * value);
   return "-";
 }
 
@@ -37,25 +38,25 @@ std::string headOf(const std::string& key) {
 
 }  // namespace
 
-std::string studySummary(const studies::StudyTable& table) {
+std::string studySummary(const StudyTable& table) {
   std::vector<std::string> head;
   for (const auto& variation : table.definition.variations) head.push_back(headOf(variation.key));
   head.emplace_back("state");
   for (const auto& shown : kShown) head.emplace_back(shown.head);
-  TextTable text(head);
+  text::TextTable lines(head);
   std::size_t rows = 0, ended = 0;
   for (const auto& row : table.rows) {
-    if (row.state == studies::RowState::open || ++ended > kMaximumRows) continue;
+    if (row.state == RowState::open || ++ended > kMaximumRows) continue;
     std::vector<std::string> cells = row.point.values;
-    cells.emplace_back(row.state == studies::RowState::done ? "done" : "failed");
+    cells.emplace_back(row.state == RowState::done ? "done" : "failed");
     for (const auto& shown : kShown) cells.push_back(cellOf(row, shown));
-    text.add(cells);
+    lines.add(cells);
     ++rows;
   }
-  if (text.empty()) return {};
-  std::string all = std::string("features anchored at: ") + studies::kStudyAnchor + "\n" + text.text();
+  if (lines.empty()) return {};
+  std::string all = std::string("features anchored at: ") + kStudyAnchor + "\n" + lines.text();
   if (ended > rows) all += "... and " + std::to_string(ended - rows) + " more rows in study.csv\n";
   return all;
 }
 
-}  // namespace squat::commands
+}  // namespace squat::studies

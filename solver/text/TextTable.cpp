@@ -1,11 +1,9 @@
-#include "commands/TextTable.h"
+#include "text/TextTable.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "text/Numbers.h"
-
-namespace squat::commands {
+namespace squat::text {
 
 namespace {
 
@@ -94,14 +92,6 @@ std::string rowText(const Row& row, const std::vector<std::size_t>& widths) {
   return text;
 }
 
-// Units as print has them.
-std::string signsOf(const std::string& unit) {
-  if (unit == "m/s2") return "m/s²";
-  if (unit == "(m/s2)2") return "(m/s²)²";
-  if (unit == "us") return "µs";
-  return unit == "um" ? "µm" : unit;
-}
-
 }  // namespace
 
 std::string TextTable::text(std::size_t atMost) const {
@@ -114,9 +104,4 @@ std::string TextTable::text(std::size_t atMost) const {
   return all;
 }
 
-std::string number(double value, const std::string& unit) {
-  const std::string text = text::roundedText(value);
-  return unit.empty() || unit == "1" ? text : text + (" " + signsOf(unit));
-}
-
-}  // namespace squat::commands
+}  // namespace squat::text

@@ -1,0 +1,71 @@
+#include "detection/DetectionSummary.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "text/Numbers.h"
+#include "text/TextTable.h"
+
+namespace squat::detection {
+
+namespace {
+
+std::string decimals(double value, const char* format) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string rangeText(double value, double low, double high, double factor, const char* format) {
+  return decimals(factor * value, format) + " (" + decimals(factor * low, format) + "-" +
+         decimals(factor * high, format) + ")";
+}
+
+std::vector<std::string> cellsOf(const Event& event) {
+  const bool isSquat = event.kind == Kind::squat;
+  const auto& judged = event.judgement;
+  return {decimals(event.position, "%.2f"),
+          event.channel,
+          toText(event.kind),
+          decimals(100 * event.sureness, "%.0f %%"),
+          isSquat ? toText(judged.severity) : event.reason,
+          isSquat ? rangeText(judged.length, judged.lengthLow, judged.lengthHigh, 1e3, "%.0f") : "",
+          isSquat ? rangeText(judged.depth, judged.depthLow, judged.depthHigh, 1e3, "%.2f") : "",
+          text::roundedText(event.peak),
+          std::to_string(event.passes) + " of " + std::to_string(event.passesThere)};
+}
+
+}  // namespace
+
+std::string faultText(const RecordDetection& record) {
+  constexpr std::size_t shown = 20;
+  const auto& path = record.layout.path;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shown, record.faults.size()); ++i) {
+    const auto& fault = record.faults[i];
+    text += path + ", " + decimals(fault.time, "%.3f s") + ", " + decimals(fault.position, "%.1f m") + ": " +
+            fault.text + ". " + fault.advice + "\n";
+  }
+  if (record.faults.size() > shown)
+    text += "and " + std::to_string(record.faults.size() - shown) + " more faults: squats.json\n";
+  for (const auto& note : record.notes) text += "note: " + path + ": " + note + "\n";
+  return text;
+}
+
+std::string detectionSummary(const DetectionReport& report) {
+  std::string text;
+  for (const auto& record : report.records) {
+    const auto channels = record.channels.size();
+    text += record.layout.path + ": " + decimals(record.length, "%.1f m") + " in " +
+            decimals(record.duration, "%.1f s") + ", " + std::to_string(channels) +
+            (channels == 1 ? " channel at " : " channels at ") + decimals(record.layout.rate, "%.0f Hz") + "\n";
+  }
+  text += "kinds and severities from: " + report.examples + "\n\n";
+  if (report.events.empty()) return text + "nothing that stands out of its surroundings\n";
+  text::TextTable table(
+      {"position [m]", "channel", "kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});
+  for (const auto& combined : report.events) table.add(cellsOf(combined.event));
+  return text + table.text();
+}
+
+}  // namespace squat::detection

@@ -1,0 +1,87 @@
+#include "detection/ExampleSource.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "case/CaseFile.h"
+#include "case/ShippedCases.h"
+#include "core/DurableFile.h"
+#include "detection/MakeExamples.h"
+
+namespace squat::detection {
+
+namespace {
+
+// Where the vehicle is the one at hand: less of each.
+constexpr double kOwnSpread = 0.12, kOwnCommonSpread = 0.05, kOwnSizeSpread = 0.2;
+constexpr double kLabelWeight = 5;
+
+std::string generalExamples() { return (cases::resourcesFolder() / "detection/examples.csv").string(); }
+
+// Median speed of the records' events, or 0: what examples are computed at.
+double typicalSpeed(const std::vector<RecordDetection>& records) {
+  std::vector<double> speeds;
+  for (const auto& record : records)
+    for (const auto& channel : record.channels)
+      for (const auto& event : channel.events) speeds.push_back(event.features.speed);
+  if (speeds.empty()) return 0;
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return std::round(*middle);  // so that the next record of this train finds them again
+}
+
+std::optional<std::vector<Example>> ownExamples(const SourceOptions& options, double speed, Monitor& monitor) {
+  auto description = *options.vehicle;
+  if (speed > 0) description.motion.speed = speed, description.motion.angularVelocity = 0;
+  const auto file = options.folder + "/" + cases::caseStem(options.vehicleName) + "-" + cases::caseHash(description) +
+                    ".examples.csv";
+  if (std::filesystem::exists(file)) return readExamples(file);
+  monitor.message("computing the examples of this vehicle and track, kept in " + file);
+  ExampleOptions make;
+  make.jobs = options.jobs;
+  auto made = makeExamples(description, make, monitor);
+  if (made) writeDurably(file, examplesText(*made));
+  return made;
+}
+
+}  // namespace
+
+std::optional<ExampleSource> exampleSource(const SourceOptions& options, const std::vector<RecordDetection>& records,
+                                           Monitor& monitor) {
+  ExampleSource source;
+  if (options.vehicle) {
+    auto own = ownExamples(options, typicalSpeed(records), monitor);
+    if (!own) return std::nullopt;
+    source.examples = *std::move(own);
+    source.words = "passages of the case " + options.vehicleName;
+    source.judgement.spread = kOwnSpread, source.judgement.commonSpread = kOwnCommonSpread;
+    source.judgement.sizeSpread = kOwnSizeSpread;
+  } else {
+    source.examples = readExamples(options.examplesFile.empty() ? generalExamples() : options.examplesFile);
+    source.words = options.examplesFile.empty()
+                       ? "passages of other vehicles and tracks: severities are uncertain, --case narrows them"
+                       : options.examplesFile;
+  }
+  if (options.labelsFile.empty()) return source;
+  const auto labels = readLabels(options.labelsFile);
+  std::size_t missed = 0;
+  for (const auto& record : records)
+    for (auto& example : labelled(record, labels, kLabelWeight, missed)) source.examples.push_back(example);
+  source.words += ", and " + std::to_string(labels.size()) + (labels.size() == 1 ? " label of " : " labels of ") +
+                  options.labelsFile;
+  return source;
+}
+
+DetectionReport judged(std::vector<RecordDetection> records, const ExampleSource& source,
+                       const DetectOptions& options) {
+  DetectionReport report;
+  report.records = std::move(records);
+  report.examples = source.words;
+  const Judge judge(source.examples, source.judgement);
+  for (auto& record : report.records) judgeCandidates(record, judge, options);
+  report.events = combine(report.records);
+  return report;
+}
+
+}  // namespace squat::detection

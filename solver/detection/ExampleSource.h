@@ -1,0 +1,41 @@
+// solver/detection/ExampleSource.h - what kinds and severities are judged by: shipped examples, those of a file, or
+// passages of the vehicle and track at hand, and the labels of the user.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/CaseDescription.h"
+#include "core/Monitor.h"
+#include "detection/Detect.h"
+#include "detection/DetectionFiles.h"
+#include "detection/Examples.h"
+
+namespace squat::detection {
+
+struct SourceOptions {
+  std::optional<cases::CaseDescription> vehicle;  // whose passages are computed; none: general examples
+  std::string vehicleName;                        // of that case
+  std::string folder;                             // where its examples are kept
+  std::string examplesFile;                       // in place of the shipped ones; empty: those
+  std::string labelsFile;                         // empty: none
+  int jobs = 1;                                   // runs at once, of passages that are computed
+};
+
+struct ExampleSource {
+  std::vector<Example> examples;
+  JudgementOptions judgement;  // narrower for the vehicle at hand
+  std::string words;           // where they come from
+};
+
+// Passages of a vehicle are computed once for the typical speed of the records and kept as
+// FOLDER/CASE-HASH.examples.csv. Nothing where that was cancelled. Throws as makeExamples(), readExamples() and
+// readLabels().
+std::optional<ExampleSource> exampleSource(const SourceOptions& options, const std::vector<RecordDetection>& records,
+                                           Monitor& monitor);
+
+// Judges the candidates of all records and combines their passes.
+DetectionReport judged(std::vector<RecordDetection> records, const ExampleSource& source, const DetectOptions& options);
+
+}  // namespace squat::detection
