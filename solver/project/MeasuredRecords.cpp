@@ -29,11 +29,17 @@ void givePositions(signals::Record& record, double speed) {
   record.position = signals::passageAtSpeed(signals::seriesOf(record), speed).position;  // as the reader would
 }
 
-RecordPointer shown(signals::Record record, const std::string& path, double speed, double impact) {
+void multiply(std::vector<double>& values, double gain) {
+  for (double& value : values) value *= gain;
+}
+
+RecordPointer shown(signals::Record record, const std::string& path, double speed, const MeasuredReading& reading) {
+  const double impact = reading.impact;
   auto& raw = record.signals.front();
   if (!raw.unit.empty() && raw.unit != "m/s2")
     throw FileError(path, raw.name, "is in " + raw.unit + ", not an acceleration", "overlay a signal in m/s2 or g");
   givePositions(record, speed);
+  multiply(raw.values, reading.gain);
   signals::Channel filtered{"aba_filtered", "m/s2", "measured, low-passed", raw.values};
   raw = {"aba", "m/s2", "measured", std::move(raw.values)};
   try {
@@ -58,6 +64,10 @@ RecordPointer shown(signals::Record record, const std::string& path, double spee
 
 }  // namespace
 
+std::string nameWithGain(const std::string& name, const MeasuredReading& reading) {
+  return reading.gain == 1 ? name : name + " × " + text::roundedText(reading.gain);
+}
+
 double impactOf(const signals::Record* run) {
   const auto* values = run ? run->signal("aba_filtered") : nullptr;
   if (!values || values->empty() || values->size() != run->position.size()) return 0;
@@ -74,15 +84,31 @@ std::vector<MeasuredRecord> measuredRecords(const std::string& path, double spee
       used.options.speed = speed;
       record.notes.push_back("no speed in file; using the case's speed (" + text::roundedText(speed) + " m/s)");
     }
-    records.push_back({shown(std::move(record), path, speed, reading.impact), used});
+    records.push_back({shown(std::move(record), path, speed, reading), used});
   }
   return records;
+}
+
+MeasuredRecord realigned(const MeasuredRecord& measured, const MeasuredReading& reading) {
+  const auto& record = *measured.record;
+  for (auto& each : measuredRecords(record.file, reading.options.speed, reading))
+    if (each.record->run == record.run) return std::move(each);
+  throw FileError(record.file, record.run, "is no longer in the file", "Open the file again");
+}
+
+RecordPointer moved(const signals::Record& record, double metres) {
+  auto copy = std::make_shared<signals::Record>(record);
+  for (double& position : copy->position) position += metres;
+  return copy;
 }
 
 signals::Record wholeRecord(const MeasuredRecord& measured) {
   const auto& [record, reading] = measured;
   for (auto& each : readers::readSignals(record->file, reading.options))
-    if (each.run == record->run) return std::move(each);
+    if (each.run == record->run) {
+      for (auto& channel : each.signals) multiply(channel.values, reading.gain);
+      return std::move(each);
+    }
   throw FileError(record->file, record->run, "is no longer in the file", "Open the file again");
 }
 

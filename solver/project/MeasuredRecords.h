@@ -11,11 +11,17 @@ namespace squat::project {
 
 using RecordPointer = std::shared_ptr<const signals::Record>;
 
+inline constexpr double leastGain = 0.001, mostGain = 1000;
+
 // How a measured signal is read again, and laid where it was.
 struct MeasuredReading {
   readers::SignalFileOptions options;  // with the speed that was used
   double impact = 0;                   // [m] where its largest value is put
+  double gain = 1;                     // what the values of the file are multiplied by
 };
+
+// Its name where it stands beside others: "run 1 × 1.1" with a gain that is not one.
+std::string nameWithGain(const std::string& name, const MeasuredReading& reading);
 
 struct MeasuredRecord {
   RecordPointer record;
@@ -31,7 +37,13 @@ double impactOf(const signals::Record* run);
 // are no accelerations.
 std::vector<MeasuredRecord> measuredRecords(const std::string& path, double speed, const MeasuredReading& reading);
 
-// The whole of such a signal, as the file has it. Throws FileError, also where it is no longer there.
+// The same signal, read again and laid otherwise. Throws FileError, CaseError for a speed that it cannot have.
+MeasuredRecord realigned(const MeasuredRecord& measured, const MeasuredReading& reading);
+
+// A record moved along the track, for as long as a mouse drags it: realigned() follows, to the last digit.
+RecordPointer moved(const signals::Record& record, double metres);
+
+// The whole of such a signal, as the file has it, times its gain. Throws FileError, also where it is no longer there.
 signals::Record wholeRecord(const MeasuredRecord& measured);
 
 }  // namespace squat::project

@@ -33,6 +33,7 @@ struct Entry {
   std::string signal;
   readers::SignalFileOptions reading;
   double impact = 0;
+  double gain = 1;  // of its values
 };
 
 // All paths are absolute here; in the file they are relative to it where they can be (ProjectFile.h).

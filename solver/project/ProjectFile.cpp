@@ -11,6 +11,7 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
+#include "project/MeasuredRecords.h"
 #include "text/Numbers.h"
 
 namespace squat::project {
@@ -52,6 +53,7 @@ Json jsonOf(const Entry& entry, const std::string& folder) {
   const auto& reading = entry.reading;
   json["signal"] = entry.signal;
   json["impact"] = entry.impact;
+  if (entry.gain != 1) json["gain"] = entry.gain;
   json["reading"] = {{"column", reading.column},
                      {"time_column", reading.timeColumn},
                      {"position_column", reading.positionColumn},
@@ -81,6 +83,7 @@ class Node {
     if (found == json_.end()) fail(std::string("lacks the key '") + key + "'");
     return {*found, place_ + "/" + key, origin_};
   }
+  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
   std::vector<Node> list() const {
     if (!json_.is_array()) fail("is not a list");
     if (json_.size() > mostEntries) fail("has more than " + std::to_string(mostEntries) + " entries");
@@ -177,6 +180,7 @@ Entry entryIn(const Node& node, const std::string& folder) {
   if (entry.kind == Kind::run) return entry;
   entry.signal = node.at("signal").text();
   entry.impact = node.at("impact").number(-most, most);
+  if (node.has("gain")) entry.gain = node.at("gain").number(leastGain, mostGain);
   entry.reading = readingIn(node.at("reading"));
   return entry;
 }
@@ -212,6 +216,11 @@ void requireSchema(const Node& root) {
               std::to_string(projectSchema) + ": use a newer one");
 }
 
+bool hasGain(const Project& project) {
+  return std::any_of(project.entries.begin(), project.entries.end(),
+                     [](const Entry& entry) { return entry.gain != 1; });
+}
+
 }  // namespace
 
 std::string projectText(const Project& project, const std::string& folder) {
@@ -221,7 +230,7 @@ std::string projectText(const Project& project, const std::string& folder) {
   const auto& open = project.open;
   const Json json{
       {"schema", schemaName},
-      {"schema_version", projectSchema},
+      {"schema_version", hasGain(project) ? projectSchema : 1},
       {"code_version", programVersionText()},
       {"open_case",
        {{"name", open.name}, {"path", linkOf(open.path, folder)}, {"modified", open.modified}, {"toml", open.toml}}},

@@ -7,7 +7,8 @@
 
 namespace squat::project {
 
-inline constexpr int projectSchema = 1;  // raise it when an old reader would misread a new file
+// Raise it when an old reader would misread a new file. 2: measured signals with a gain; a file without one is of 1.
+inline constexpr int projectSchema = 2;
 
 // The text of a project whose file stands in `folder`: links are relative where both share more than the root, so that
 // a folder with all of them can be moved.

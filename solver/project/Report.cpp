@@ -25,8 +25,8 @@ ReportSignal openedRun(const Entry& entry, bool shown, std::string& problem) {
 ReportSignal openedSignal(const Entry& entry, std::string& problem) {
   auto linked = openSignal(entry);
   problem = linked.problem;
-  return {entry.name,     entry.path,  linked.measured.record, nullptr, linked.measured.reading,
-          entry.overlaid, entry.colour};
+  const auto& [record, reading] = linked.measured;
+  return {nameWithGain(entry.name, reading), entry.path, record, nullptr, reading, entry.overlaid, entry.colour};
 }
 
 }  // namespace

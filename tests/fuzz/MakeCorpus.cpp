@@ -1,10 +1,11 @@
-// Makes the binary part of the corpus: make_corpus FOLDER writes FOLDER/stream/* and FOLDER/result/*. Run by hand when
-// the schema changes; what it makes is kept in the tree.
+// Makes the binary part of the corpus: make_corpus FOLDER writes FOLDER/stream/*, FOLDER/result/* and FOLDER/project/*.
+// Run by hand when the schema changes; what it makes is kept in the tree.
 #include <hdf5.h>
 
 #include <string>
 
 #include "core/DurableFile.h"
+#include "project/ProjectFile.h"
 #include "results/Checkpoint.h"
 #include "results/Hdf5.h"
 #include "results/ResultTree.h"
@@ -28,6 +29,19 @@ int main(int argc, char** argv) {
   setAttribute(state.attributes, "isa", std::string("avx2"));
   state.add("/displacement", std::vector<double>{0.5, 0.25}, "m");
   results::writeCheckpoint(folder + "/stream/checkpoint", state);
+
+  project::Project work;
+  work.open = {"dip", "/projects/dip.toml", true, "schema = 1\n"};
+  project::Entry measured;
+  measured.kind = project::Kind::measured;
+  measured.path = "/projects/measured.csv", measured.digest = "0123abcd", measured.gain = 1.25;
+  work.entries = {{}, measured};
+  work.entries[0].path = "/elsewhere/dip.h5";
+  work.current = 0, work.reference = 1, work.notes = "a note\n", work.views = {"psd"};
+  const auto whole = project::projectText(work, "/projects");
+  writeDurably(folder + "/project/whole.squat-project", std::string_view(whole));
+  writeDurably(folder + "/project/cut.squat-project", std::string_view(whole).substr(0, whole.size() / 2));
+  writeDurably(folder + "/project/deep.squat-project", std::string_view(std::string(5000, '[')));
 
   const auto hostile = folder + "/result/external.h5";
   writeDurably(hostile, results::encodeHdf5(empty, hostile));

@@ -34,6 +34,7 @@ Project everything(const std::string& folder) {
   measured.name = "Train 4, axle 1";
   measured.signal = "ABA links, run 2";
   measured.impact = 0.0123456789012345;
+  measured.gain = 1.25;
   measured.reading.column = "ABA links";
   measured.reading.rate = 25600;
   measured.reading.speed = 27.77777777777778;
@@ -73,6 +74,7 @@ TEST(ProjectFile, whatIsWrittenIsRead) {
   const auto read = readProject(folder.path("day.squat-project"));
   EXPECT_EQ(written(read), written(project));
   EXPECT_EQ(read.entries[1].impact, project.entries[1].impact);  // bit for bit
+  EXPECT_EQ(read.entries[1].gain, 1.25);
   EXPECT_EQ(read.entries[1].reading.speed, project.entries[1].reading.speed);
   EXPECT_EQ(read.entries[1].reading.delimiter, ';');
   EXPECT_EQ(read.notes, project.notes);
@@ -114,6 +116,7 @@ TEST(ProjectFile, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(place("\"#0072b2\"", "\"blue\""), "/runs/0/colour");
   EXPECT_EQ(place("\"overlaid\": true", "\"overlaid\": 1"), "/runs/0/overlaid");
   EXPECT_EQ(place("\"rate\": 25600.0", "\"rate\": -1"), "/runs/1/reading/rate");
+  EXPECT_EQ(place("\"gain\": 1.25", "\"gain\": 0"), "/runs/1/gain");
   EXPECT_EQ(place("\"current\": 0", "\"current\": 1"), "/current");
   EXPECT_EQ(place("\"reference\": 1", "\"reference\": 2"), "/reference");
   EXPECT_EQ(place("\"results/dip.h5\"", "\"\""), "/runs/0/path");
@@ -121,10 +124,21 @@ TEST(ProjectFile, saysWhatIsWrongAndWhere) {
   EXPECT_THAT(refusalOf(with(good, "\"notes\":", "\"nodes\":")).what(), HasSubstr("lacks the key 'notes'"));
   EXPECT_THAT(refusalOf(with(good, "[motion]", "[motoin]")).what(),
               AllOf(HasSubstr("/open_case/toml"), HasSubstr("motoin")));
-  EXPECT_THAT(refusalOf(with(good, "\"schema_version\": 1", "\"schema_version\": 2")).what(),
+  EXPECT_THAT(refusalOf(with(good, "\"schema_version\": 2", "\"schema_version\": 3")).what(),
               AllOf(HasSubstr("day.squat-project"), HasSubstr("/schema_version"), HasSubstr("use a newer one")));
-  // The third line is ' "schema_version": 1,'; without its colon the number comes as a surprise, in column 19.
-  EXPECT_EQ(refusalOf(with(good, "\"schema_version\": 1", "\"schema_version\"  1")).location(), "line 3, column 20");
+  // The third line is ' "schema_version": 2,'; without its colon the number comes as a surprise, in column 19.
+  EXPECT_EQ(refusalOf(with(good, "\"schema_version\": 2", "\"schema_version\"  2")).location(), "line 3, column 20");
+}
+
+// Files of before signals could be aligned by hand.
+TEST(ProjectFile, aSignalWithoutAGainHasNone) {
+  const std::string good = projectText(everything("/home/somebody"), "/home/somebody");
+  const auto before =
+      with(with(good, "\"gain\": 1.25", "\"unknown\": 1"), "\"schema_version\": 2", "\"schema_version\": 1");
+  const auto read = parseProject(before, "day.squat-project", "/home/somebody");
+  EXPECT_EQ(read.entries[1].gain, 1);
+  // And they are written as such again: the older program reads them.
+  EXPECT_THAT(projectText(read, "/home/somebody"), HasSubstr("\"schema_version\": 1"));
 }
 
 TEST(ProjectFile, whatIsCutOffIsRefused) {
