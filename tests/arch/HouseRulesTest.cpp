@@ -181,7 +181,8 @@ const std::vector<std::vector<Folder>>& floors() {
       {"widgets/studio/document"},
       {"widgets/studio/profile", "widgets/studio/runs"},
       {"widgets/studio/signals", "widgets/studio/model", "widgets/studio/preview", "widgets/studio/comparison",
-       "widgets/studio/project"},
+       "widgets/studio/project", "widgets/studio/records"},
+      {"widgets/studio/tools"},
       {"widgets/studio/window"},
       {"app"},
   };

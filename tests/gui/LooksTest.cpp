@@ -17,6 +17,7 @@
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "studio/model/SceneWidget.h"
+#include "studio/tools/ToolWindow.h"
 
 namespace squat::studio {
 namespace {
@@ -76,6 +77,7 @@ int widthOfText(const QWidget& widget) {
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
     if (label->wordWrap()) return 0;
     text = label->text();
+    if (label->buddy()) text.remove('&');
   } else if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
     text = button->text().remove('&');
   } else if (const auto* box = qobject_cast<const QComboBox*>(&widget)) {
@@ -137,7 +139,7 @@ void judgeAxes(const QWidget& widget) {
   }
 }
 
-void judgeLayout(const QWidget& window) {
+void judgeLayout(const QWidget& window, int least = 100) {
   int seen = 0;
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible() || widget->isWindow()) continue;
@@ -159,7 +161,7 @@ void judgeLayout(const QWidget& window) {
           << nameOf(*widget).toStdString() << " lies on " << nameOf(*sibling).toStdString();
     }
   }
-  EXPECT_GT(seen, 100);
+  EXPECT_GT(seen, least);
 }
 
 TEST_F(Looks, fitsTheSmallestScreen) {
@@ -198,6 +200,29 @@ TEST_F(Looks, everyTabInLightAndDarkAtPlainAndDoubleResolution) {
           EXPECT_GT(tests::inkShare(image.copy(location)), 0.01) << figure->objectName().toStdString();
         }
       }
+    }
+  }
+}
+
+// Windows beside the main one, as large as they open, and as small as they can be made.
+TEST_F(Looks, windowsOfToolsAreWhole) {
+  for (const bool dark : {false, true}) {
+    window_->setDark(dark);
+    for (const char* name : {"study", "calibration", "receptance", "squats", "estimate"}) {
+      SCOPED_TRACE(std::string(name) + (dark ? ", dark" : ", light"));
+      ToolWindow* tool = window_->tool(name);
+      tool->show();
+      ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
+      const QSize usual = tool->size();
+      EXPECT_LE(tool->minimumSizeHint().width(), smallest.width());
+      EXPECT_LE(tool->minimumSizeHint().height(), smallest.height());
+      for (const QSize& size : {usual, tool->minimumSizeHint()}) {
+        tool->resize(size);
+        QTest::qWait(20);
+        judgeLayout(*tool, 12);
+        EXPECT_GT(tests::inkShare(tool->grab().toImage()), 0.005);
+      }
+      tool->hide();
     }
   }
 }

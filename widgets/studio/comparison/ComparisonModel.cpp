@@ -50,6 +50,8 @@ ComparisonWorker::Source ComparisonModel::sourceOf(int row) const {
 
 void ComparisonModel::update() {
   if (!store_) return;
+  for (int row = 0; row < store_->rowCount(); ++row)
+    if (store_->at(row).dragged) return;  // it is laid in a moment
   std::set<RecordPointer> there;
   for (int row = 0; row < store_->rowCount(); ++row) there.insert(store_->at(row).record);
   worker_.forgetAllBut(there);
@@ -58,9 +60,10 @@ void ComparisonModel::update() {
   std::vector<QString> problems;
   for (int row = 0; row < store_->rowCount(); ++row) {
     const StoredRun& run = store_->at(row);
-    const QString name = run.opening       ? run.label + tr(" (opening)")
-                         : run.isMissing() ? run.label + tr(" (missing)")
-                                           : run.label;
+    const QString name = run.opening ? run.label + tr(" (opening)")
+                         : run.isMissing()
+                             ? run.label + tr(" (missing)")
+                             : QString::fromStdString(project::nameWithGain(run.label.toStdString(), run.reading));
     analysis::ComparedSignal signal{name.toStdString(), run.values.get(), {}, {}};
     QString problem = run.missing;
     const auto take = [&](const ComparisonWorker::Numbers* numbers, analysis::NamedNumbers& into) {

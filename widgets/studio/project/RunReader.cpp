@@ -62,6 +62,27 @@ void RunReader::open(const project::Project& project) {
   Q_EMIT progressed(0, all_);
 }
 
+void RunReader::add(const std::vector<std::pair<std::string, std::string>>& namedFiles) {
+  std::vector<StoredRun> runs;
+  std::vector<RunLink> links;
+  for (const auto& [path, name] : namedFiles) {
+    bool isListed = false;
+    for (int row = 0; row < store_.rowCount(); ++row) isListed = isListed || store_.at(row).path.toStdString() == path;
+    if (isListed) continue;
+    project::Entry entry;
+    entry.path = path;
+    entry.name = name;
+    runs.push_back(listedRun(entry));
+    links.push_back(runs.back().link);
+  }
+  if (links.empty()) return;
+  if (ahead_ == 0) all_ = 0;
+  ahead_ += static_cast<int>(links.size()), all_ += static_cast<int>(links.size());
+  store_.list(std::move(runs));
+  for (const RunLink& link : links) ask(link, generation_);
+  Q_EMIT progressed(all_ - ahead_, all_);
+}
+
 void RunReader::ask(const RunLink& link, int generation) {
   thread_.start([this, link, generation] {
     if (generation != generation_) return;

@@ -26,6 +26,8 @@ class RunReader : public QObject {
 
   // In place of all runs of the store. What was being read for another project is dropped.
   void open(const project::Project& project);
+  // Result files and their names, after all runs there are; those that are listed already are left out.
+  void add(const std::vector<std::pair<std::string, std::string>>& namedFiles);
   bool isBusy() const { return ahead_ > 0; }
   bool waitFor(int milliseconds);  // runs the event loop until all is read
 

@@ -4,8 +4,12 @@ namespace squat::studio {
 namespace {
 
 project::ReportSignal signalOf(const StoredRun& run) {
-  project::ReportSignal signal{
-      run.label.toStdString(), run.path.toStdString(), run.record, run.result, run.reading, run.overlaid};
+  project::ReportSignal signal{project::nameWithGain(run.label.toStdString(), run.reading),
+                               run.path.toStdString(),
+                               run.record,
+                               run.result,
+                               run.reading,
+                               run.overlaid};
   // The name of a measured signal may be the user's; its file is that of the record.
   if (run.isMeasured()) signal.file = run.record->file;
   if (run.colour.isValid()) signal.colour = run.colour.name().toStdString();

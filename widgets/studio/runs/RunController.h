@@ -2,16 +2,15 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
+#include <exception>
 #include <functional>
 #include <memory>
-#include <thread>
 
 #include "case/CaseDescription.h"
 #include "core/Errors.h"
 #include "results/RunResult.h"
 #include "simulation/RunCase.h"
-#include "studio/runs/WorkerMonitor.h"
+#include "studio/runs/BackgroundJob.h"
 
 namespace squat::studio {
 
@@ -31,12 +30,13 @@ class RunController : public QObject {
   void start(const cases::CaseDescription& description, const std::string& stem,
              const simulation::RunOptions& options = {},
              const std::function<void(const results::RunResult&)>& keep = nullptr);
-  bool isRunning() const { return running_; }
-  bool isPaused() const { return monitor_ && monitor_->isPaused(); }
-  bool isStopping() const { return running_ && monitor_->isCancelled(); }
-  void setPaused(bool paused);
-  void cancel();                   // returns at once; finished() follows
-  bool waitFor(int milliseconds);  // runs the event loop until the run has ended
+  bool isRunning() const { return job_.isRunning(); }
+  bool isPaused() const { return job_.isPaused(); }
+  bool isStopping() const { return job_.isStopping(); }
+  void setPaused(bool paused) { job_.setPaused(paused); }
+  void cancel() { job_.cancel(); }  // returns at once; finished() follows
+  // Runs the event loop until the run has ended.
+  bool waitFor(int milliseconds) { return job_.waitFor(milliseconds); }
 
  Q_SIGNALS:
   void started();
@@ -53,18 +53,13 @@ class RunController : public QObject {
 
  private:
   struct Outcome;
-  void conclude();
-  void passNews();
+  void conclude(const std::exception_ptr& error);
 
   Runner runner_;
-  std::unique_ptr<WorkerMonitor> monitor_;
-  std::unique_ptr<Outcome> outcome_;
-  std::thread thread_;
-  QTimer timer_;
-  bool running_ = false;
+  std::shared_ptr<Outcome> outcome_;
+  BackgroundJob job_;  // the last one: its thread uses what stands above
 };
 
 }  // namespace squat::studio
 
 Q_DECLARE_METATYPE(squat::studio::ResultPointer)
-Q_DECLARE_METATYPE(squat::studio::WorkerMonitor::News)

@@ -11,17 +11,10 @@
 
 #include "studio/common/Theme.h"
 #include "studio/runs/LivePlot.h"
+#include "studio/runs/ProgressText.h"
 #include "studio/runs/RunController.h"
 
 namespace squat::studio {
-
-QString durationText(double seconds) {
-  if (!(seconds >= 0) || seconds > 1e7) return QObject::tr("unknown");
-  const auto whole = static_cast<long>(std::lround(seconds));
-  if (whole < 60) return QObject::tr("%1 s").arg(whole);
-  if (whole < 3600) return QObject::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
-  return QObject::tr("%1 h %2 min").arg(whole / 3600).arg(whole % 3600 / 60);
-}
 
 RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget* parent)
     : QWidget(parent), controller_(controller) {
@@ -146,12 +139,7 @@ void RunPanel::showState() {
 void RunPanel::showNews(const WorkerMonitor::News& news) {
   const Progress& now = news.progress;
   progress_->setValue(static_cast<int>(1000 * now.fraction));
-  if (!controller_.isPaused() && !controller_.isStopping() && !now.phase.empty()) {
-    QString text =
-        tr("%1 %2 %").arg(QString::fromStdString(now.phase).replace('_', ' ')).arg(100 * now.fraction, 0, 'f', 0);
-    if (now.remainingSeconds >= 0) text += tr(", %1 left").arg(durationText(now.remainingSeconds));
-    state_->setText(text);
-  }
+  if (!controller_.isPaused() && !controller_.isStopping() && !now.phase.empty()) state_->setText(progressText(now));
   QStringList parts;
   if (now.simulatedTime > 0) parts << tr("%1 ms simulated").arg(now.simulatedTime * 1e3, 0, 'f', 2);
   if (now.elementUpdatesPerSecond > 0)

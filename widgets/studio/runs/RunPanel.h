@@ -49,7 +49,4 @@ class RunPanel : public QWidget {
   bool canGoOn_ = false;
 };
 
-// "3 min 20 s"; "unknown" below zero.
-QString durationText(double seconds);
-
 }  // namespace squat::studio

@@ -97,6 +97,15 @@ void RunStore::replaceAll(std::vector<StoredRun> runs, int current) {
   Q_EMIT overlaysChanged();
 }
 
+void RunStore::list(std::vector<StoredRun> runs) {
+  if (runs.empty()) return;
+  if (current_ < 0 && rowOfLink(waiting_) < 0) waiting_ = runs.front().link;
+  const int row = rowCount();
+  beginInsertRows({}, row, row + static_cast<int>(runs.size()) - 1);
+  for (StoredRun& run : runs) runs_.push_back(std::move(run));
+  endInsertRows();
+}
+
 bool RunStore::fillRow(int row, const StoredRun& read) {
   auto& run = runs_.at(static_cast<std::size_t>(row));
   run.opening = false, run.missing = read.missing;
@@ -136,6 +145,15 @@ void RunStore::setResult(int row, const ResultPointer& result, Fields fields) {
   Q_EMIT dataChanged(index(row), index(row));
   if (row == current_) Q_EMIT currentChanged();
   if (run.overlaid && row != current_) Q_EMIT overlaysChanged();
+}
+
+void RunStore::setMeasured(int row, const project::MeasuredRecord& measured, bool dragged) {
+  auto& run = runs_.at(static_cast<std::size_t>(row));
+  if (reference_ == run.record) reference_ = measured.record;
+  run.record = measured.record, run.reading = measured.reading, run.dragged = dragged;
+  describe(run);
+  Q_EMIT dataChanged(index(row), index(row));
+  if (run.overlaid) Q_EMIT overlaysChanged();
 }
 
 void RunStore::remove(int row) {

@@ -41,6 +41,7 @@ struct StoredRun {
   RunLink link = nullptr;
   bool opening = false;  // it is missing because it is still being read
   Fields fields = Fields::inMemory;
+  bool dragged = false;  // a measured signal that moves under the mouse: its numbers are not worth computing
 
   bool isMeasured() const { return !result; }
   bool isMissing() const { return !missing.isEmpty(); }
@@ -66,10 +67,15 @@ class RunStore : public QAbstractListModel {
   // In place of all there are, overlaid or not as each says; `current` is the row that becomes the current one,
   // once it is read.
   void replaceAll(std::vector<StoredRun> runs, int current);
+  // Runs whose files are still to be read, after all there are. The first of them becomes the current one where there
+  // is none.
+  void list(std::vector<StoredRun> runs);
   // What was read of the files of rows that were opening: name, colour and overlay stay as they are listed.
   void fill(const std::vector<std::pair<int, StoredRun>>& read);
   // The same run with or without fields.
   void setResult(int row, const ResultPointer& result, Fields fields);
+  // A measured signal that is laid otherwise; `dragged`: for a moment only.
+  void setMeasured(int row, const project::MeasuredRecord& measured, bool dragged = false);
   void remove(int row);
   // An empty name gives a run of this program the one that is made from what differs between runs.
   void rename(int row, const QString& name);

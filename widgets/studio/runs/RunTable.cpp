@@ -7,7 +7,7 @@
 #include "case/DecimalNumber.h"
 #include "plots/Style.h"
 #include "studio/common/Words.h"
-#include "studio/runs/RunPanel.h"
+#include "studio/runs/ProgressText.h"
 #include "studio/runs/RunStore.h"
 
 namespace squat::studio {

@@ -169,6 +169,8 @@ void RunsPanel::fillMenu(QMenu& menu, int row) {
   });
   overlaid->setCheckable(true);
   overlaid->setChecked(run.overlaid);
+  if (run.isMeasured() && !run.isMissing())
+    add(tr("A&lign by hand…"), "runAlign", true, [this](int at) { Q_EMIT alignRequested(at); });
   menu.addSeparator();
   add(tr("&Colour…"), "runColour", true, [this](int at) { chooseColour(at); });
   add(tr("A&utomatic colour"), "runColourAnew", run.colour.isValid(), [this](int at) { store_.setColour(at, {}); });

@@ -29,6 +29,7 @@ class RunsPanel : public QWidget {
   void compareRequested();
   void findRequested(int row);  // the file of a run that is missing
   void removeRequested(int row);
+  void alignRequested(int row);  // a measured signal
   void folderRequested(const QString& path);
 
  private:

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMimeData>
+#include <QMouseEvent>
 
 #include "core/Errors.h"
 #include "plots/FigureFiles.h"
@@ -51,7 +52,43 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::rangeChanged);
   connect(figure_, &QWidget::customContextMenuRequested, this, &FigureView::openMenu);
   connect(figure_, &QCustomPlot::mouseDoubleClick, this, &FigureView::resetZoom);
+  figure_->setAttribute(Qt::WA_TransparentForMouseEvents, shifting_);
   figure_->show();
+}
+
+// The figure is made anew with every step of a drag: the view around it takes the mouse.
+void FigureView::setShifting(bool on) {
+  shifting_ = on;
+  pressed_.reset();
+  if (figure_) figure_->setAttribute(Qt::WA_TransparentForMouseEvents, on);
+  setCursor(on ? Qt::SizeHorCursor : Qt::ArrowCursor);
+}
+
+double FigureView::distance(const QMouseEvent& event) const {
+  return figure_->xAxis->pixelToCoord(event.position().x()) - figure_->xAxis->pixelToCoord(*pressed_);
+}
+
+void FigureView::mousePressEvent(QMouseEvent* event) {
+  if (!shifting_ || !figure_ || event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
+  pressed_ = event->position().toPoint().x();
+}
+
+void FigureView::mouseMoveEvent(QMouseEvent* event) {
+  if (!pressed_ || !figure_) return QWidget::mouseMoveEvent(event);
+  Q_EMIT shifted(distance(*event), false);
+}
+
+void FigureView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!pressed_ || !figure_) return QWidget::mouseReleaseEvent(event);
+  const double moved = distance(*event);
+  pressed_.reset();
+  Q_EMIT shifted(moved, true);
+}
+
+// Zooms while a signal is aligned as well.
+void FigureView::wheelEvent(QWheelEvent* event) {
+  if (!shifting_ || !figure_) return QWidget::wheelEvent(event);
+  QCoreApplication::sendEvent(figure_, event);
 }
 
 void FigureView::setCursors(bool visible) {

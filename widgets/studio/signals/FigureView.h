@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "plots/Figure.h"
 #include "plots/PrintedSize.h"
@@ -26,6 +27,8 @@ class FigureView : public QWidget {
   CursorPair* cursors() const { return cursors_; }
   void setRange(const QCPRange& range);  // of x, from a linked view
   void resetZoom();
+  // Dragging moves what is drawn in place of the axis: shifted() tells how far, whoever listens draws it anew.
+  void setShifting(bool on);
   void forgetZoom();  // the next figure is of another run: it is shown whole
   bool isZoomed() const;
   // Of what is copied and exported, whatever the size of the window.
@@ -38,9 +41,17 @@ class FigureView : public QWidget {
 
  Q_SIGNALS:
   void rangeChanged(const QCPRange& range);
+  void shifted(double distance, bool done);  // along x since the button went down; in units of the axis
   void failed(const QString& message);
 
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
  private:
+  double distance(const QMouseEvent& event) const;
   void openMenu(const QPoint& location);
   QSize printedUnits() const;
 
@@ -51,6 +62,8 @@ class FigureView : public QWidget {
   plots::PrintedSize size_;
   QCPRange fullX_, fullY_;
   bool cursorsVisible_ = false;
+  bool shifting_ = false;
+  std::optional<int> pressed_;  // [pixels] where the button went down
 };
 
 }  // namespace squat::studio

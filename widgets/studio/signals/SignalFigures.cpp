@@ -21,8 +21,9 @@ plots::FigureSettings settingsOf(const plots::FigureRow& row, const std::vector<
     } catch (const signals::SignalError&) {
       // Shown as it was recorded, and without a spectrum.
     }
-    chosen.overlays.push_back(
-        {std::move(record), std::move(spectrum), run.label.toStdString(), run.colourIndex, run.colour});
+    chosen.overlays.push_back({std::move(record), std::move(spectrum),
+                               project::nameWithGain(run.label.toStdString(), run.reading), run.colourIndex,
+                               run.colour});
   }
   return chosen;
 }

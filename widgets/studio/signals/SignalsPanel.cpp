@@ -50,6 +50,9 @@ QString unitOf(const QString& name) { return QString::fromStdString(plots::unitO
 
 // Views along the track zoom together, whatever their unit: the speed links time and position.
 bool isInMilliseconds(const QString& name) { return rowOf(name).axis == plots::FigureAxis::time; }
+
+constexpr const char* alongTrack = "aba_position";  // where signals are aligned by hand; its axis is in mm
+
 bool isLinked(const QString& name) {
   return rowOf(name).axis == plots::FigureAxis::wheelPosition || isInMilliseconds(name);
 }
@@ -91,6 +94,8 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     views_[name] = view;
     tabs_->addTab(makePage(row->control, view), QString::fromStdString(row->tab));
     connect(view, &FigureView::failed, this, &SignalsPanel::failed);
+    connect(view, &FigureView::shifted, this,
+            [this](double millimetres, bool done) { Q_EMIT shifted(millimetres * 1e-3, done); });
     if (!isLinked(name)) continue;
     connect(view, &FigureView::rangeChanged, this, [this, name](const QCPRange& range) { link(name, range); });
   }
@@ -319,6 +324,11 @@ void SignalsPanel::rebuild(const QString& name) {
   }
   linking_ = false;
   applyLink(name);
+}
+
+void SignalsPanel::setAligning(bool on) {
+  views_.at(alongTrack)->setShifting(on);
+  if (on) showTab(alongTrack);
 }
 
 void SignalsPanel::link(const QString& from, const QCPRange& range) {

@@ -44,11 +44,14 @@ class SignalsPanel : public QWidget {
   void askForFolder();
   void toggleCursors();
   void askForSize();  // of copied and exported figures
+  // Dragging in the figure of the acceleration along the track shifts what is aligned by hand, not the view.
+  void setAligning(bool on);
   void setFigureSize(const plots::PrintedSize& size);
 
  Q_SIGNALS:
   void failed(const QString& message);
   void tabChanged();
+  void shifted(double metres, bool done);  // while aligning: since the button went down
 
  private:
   QWidget* makeControls();

@@ -32,6 +32,7 @@
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
+#include "studio/tools/ToolWindow.h"
 #include "studio/window/Recovery.h"
 
 namespace squat::studio {
@@ -296,6 +297,7 @@ void MainWindow::setDark(bool dark) {
   previewPanel_->setStyle(style);
   run_->setStyle(style);
   scene_->setDark(dark);
+  for (const auto& [name, window] : tools_) window->setStyle(style);
 }
 
 QStringList MainWindow::tabNames() {
@@ -366,7 +368,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->ignore();
   if (closing_) return;  // events go on passing while a question stands or a run ends
   closing_ = true;
-  const bool leave = mayLeaveRun() && mayLeaveWork();
+  const bool leave = mayLeaveRun() && mayLeaveTools() && mayLeaveWork();
   closing_ = false;
   const ResultPointer part = std::exchange(part_, nullptr);
   if (!leave && part) keep(part);

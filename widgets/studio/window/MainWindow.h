@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QPointer>
 #include <functional>
+#include <map>
 
 #include "readers/SignalFile.h"
 #include "studio/document/CaseDocument.h"
@@ -21,6 +22,7 @@ class QTabWidget;
 
 namespace squat::studio {
 
+class AlignDialog;
 class ComparisonWindow;
 class HelpWindow;
 class MessageBar;
@@ -35,6 +37,7 @@ class RunPanel;
 class RunsPanel;
 class ScenePanel;
 class SignalsPanel;
+class ToolWindow;
 
 enum class Answer { save, discard, cancel };
 // Asks what to do with unsaved changes (or a run in progress); tests answer without a window.
@@ -75,6 +78,7 @@ class MainWindow : public QMainWindow {
   bool openResult(const QString& path);
   bool openMeasured(const QString& path);
   void askHowToRead(const QString& path);  // a measured file that does not say so itself
+  void alignByHand(int row);               // a measured signal
   bool openProject(const QString& path);
   void openLastProject();  // the one that was open when the program ended, unless there is work already
   bool saveProjectAs();    // asks for a place
@@ -85,6 +89,7 @@ class MainWindow : public QMainWindow {
   ProjectKeeper* keeper() const { return keeper_; }
   RunReader* reader() const { return reader_; }
   NotesPanel* notes() const { return notes_; }
+  ToolWindow* tool(const QString& name);  // "study", "calibration", "receptance"; made when it is first asked for
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);
@@ -137,6 +142,9 @@ class MainWindow : public QMainWindow {
   void enableActions();
   void endRun();
   bool mayLeaveRun();  // stops it, or the user stays
+  void makeToolActions(QMenu& menu);
+  void showTool(const QString& name);
+  bool mayLeaveTools();  // stops what they compute, or the user stays
   void offerRecovery();
   void hideSettledRecovery();  // once what was recovered is saved or let go
   bool recoveredResultWaits() const;
@@ -174,6 +182,8 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_;
   QLabel* otherCase_;
   QPointer<HelpWindow> help_;
+  QPointer<AlignDialog> align_;
+  std::map<QString, ToolWindow*> tools_;
   ParameterForm* form_;
   ProfileEditor* profile_;
   ScenePanel* scene_;

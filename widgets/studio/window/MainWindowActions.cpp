@@ -27,6 +27,7 @@
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
+#include "studio/tools/ToolWindow.h"
 #include "studio/window/HelpWindow.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/PaperPanel.h"
@@ -114,6 +115,7 @@ void MainWindow::makeFileMenu() {
   connect(runs_, &RunsPanel::saveRunRequested, this, [this](int row) { saveRun(row); });
   connect(runs_, &RunsPanel::compareRequested, this, [this] { showTab("comparison"); });
   connect(runs_, &RunsPanel::measuredRequested, measured, &QAction::trigger);
+  connect(runs_, &RunsPanel::alignRequested, this, &MainWindow::alignByHand);
   connect(runs_, &RunsPanel::removeRequested, this, &MainWindow::removeRun);
   connect(runs_, &RunsPanel::folderRequested, this,
           [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
@@ -161,6 +163,7 @@ void MainWindow::makeRunMenu() {
   live->setCheckable(true);
   live->setToolTip(tr("Roll a coarse model anew after every change of the profile"));
   live->setEnabled(preview_.isThere());
+  makeToolActions(*menu);
 }
 
 void MainWindow::makeFigureMenu() {
@@ -218,6 +221,10 @@ QString MainWindow::helpOfFocus() const {
       {notes_, "studio.md#projects"},   {previewPanel_, "studio.md#live-preview"},
       {signals_, "studio.md#signals"},  {run_, "running.md#what-a-run-writes"},
       {runs_, "studio.md#runs"},        {comparison_, "studio.md#comparison"}};
+  for (const auto& [name, window] : tools_)
+    if (window->isActiveWindow())
+      return name == "squats" || name == "estimate" ? "studio.md#long-records"
+                                                    : "studio.md#studies-calibration-and-receptance";
   for (const QWidget* widget = QApplication::focusWidget(); widget; widget = widget->parentWidget()) {
     if (const auto* parameter = cases::findParameter(widget->objectName().toStdString()))
       return "parameters.md#" + QString::fromStdString(text::headingAnchor(parameter->group));

@@ -12,7 +12,10 @@
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
 #include "studio/project/RunReader.h"
+#include "studio/runs/AlignDialog.h"
 #include "studio/runs/MeasuredDialog.h"
+#include "studio/runs/RunsPanel.h"
+#include "studio/signals/SignalsPanel.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/RecentFiles.h"
 #include "studio/window/Recovery.h"
@@ -140,6 +143,20 @@ void MainWindow::askHowToRead(const QString& path) {
       this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
+}
+
+// One signal at a time: the figure can be dragged for one alone.
+void MainWindow::alignByHand(int row) {
+  if (row < 0 || row >= store_.rowCount() || !store_.at(row).isMeasured() || store_.at(row).isMissing()) return;
+  delete align_;
+  if (!store_.at(row).overlaid) store_.setData(store_.index(row), Qt::Checked, Qt::CheckStateRole);
+  align_ = new AlignDialog(store_, row, this);
+  align_->setAttribute(Qt::WA_DeleteOnClose);
+  showTab("aba_position");
+  signals_->setAligning(true);
+  connect(signals_, &SignalsPanel::shifted, align_, &AlignDialog::shift);
+  connect(align_, &QDialog::finished, signals_, [this] { signals_->setAligning(false); });
+  align_->show();
 }
 
 bool MainWindow::hasUnsavedChanges() const { return document_.isModified() || !form_->refusals().isEmpty(); }

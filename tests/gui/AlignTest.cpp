@@ -1,0 +1,162 @@
+// A measured signal is laid along the track by hand: typed, dragged, and the same again in a project.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QMenu>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+
+#include "gui/Hands.h"
+#include "gui/MadeUpRun.h"
+#include "render/SyntheticResult.h"
+#include "studio/common/MessageBar.h"
+#include "studio/project/ProjectKeeper.h"
+#include "studio/project/RunReader.h"
+#include "studio/runs/AlignDialog.h"
+#include "studio/runs/RunsPanel.h"
+#include "studio/signals/FigureView.h"
+#include "studio/signals/SignalsPanel.h"
+
+namespace squat::studio {
+namespace {
+
+class AlignByHand : public testing::Test {
+ protected:
+  // One strike of 70 m/s2 at 0.2 s, without a speed: 5000 samples a second, 30 m/s of the case.
+  void SetUp() override {
+    QFile file(folder_.filePath("measured.csv"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("time [s],aba [m/s2]\n");
+    for (int i = 0; i < 2000; ++i) {
+      const double since = i / 5000.0 - 0.2;
+      const double value = since < 0 ? 0 : 70 * std::exp(-80 * since) * std::cos(1900 * since);
+      file.write(QByteArray::number(i / 5000.0) + ',' + QByteArray::number(value, 'g', 12) + '\n');
+    }
+    file.close();
+    const auto result = std::make_shared<const results::RunResult>(tests::syntheticResult());
+    window_.store().add({result, "run", QString(), false});
+    window_.show();
+    ASSERT_TRUE(window_.openMeasured(file.fileName())) << window_.messages()->text().toStdString();
+    automatic_ = measured().reading.impact;
+    QMenu menu;
+    window_.findChild<RunsPanel*>()->fillMenu(menu, 1);
+    menu.findChild<QAction*>("runAlign")->trigger();
+    dialog_ = window_.findChild<AlignDialog*>();
+    ASSERT_NE(dialog_, nullptr);
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog_));
+  }
+  const StoredRun& measured() { return window_.store().at(1); }
+  QDoubleSpinBox* box(const char* name) const { return dialog_->findChild<QDoubleSpinBox*>(name); }
+  // [m] of the largest value that is drawn.
+  double placeOfPeak() {
+    const auto& values = *measured().record->signal("aba_filtered");
+    const auto at =
+        std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return measured().record->position[static_cast<std::size_t>(at - values.begin())];
+  }
+  double spacing() { return measured().record->position[1] - measured().record->position[0]; }
+
+  QTemporaryDir folder_;
+  MainWindow window_{tests::services()};
+  double automatic_ = 0;
+  AlignDialog* dialog_ = nullptr;
+};
+
+TEST_F(AlignByHand, typedNumbersLayItAnew) {
+  EXPECT_NEAR(spacing(), 30.0 / 5000, 1e-12);
+  const double peak =
+      *std::max_element(measured().record->signal("aba")->begin(), measured().record->signal("aba")->end());
+  box("alignPosition")->setValue(123.4);
+  EXPECT_NEAR(placeOfPeak(), 0.1234, 1e-12);
+  box("alignSpeed")->setValue(33);
+  EXPECT_NEAR(spacing(), 33.0 / 5000, 1e-12);
+  EXPECT_NEAR(placeOfPeak(), 0.1234, 1e-12);  // about the strike
+  box("alignGain")->setValue(1.5);
+  const auto& values = *measured().record->signal("aba");
+  EXPECT_NEAR(*std::max_element(values.begin(), values.end()), 1.5 * peak, 1e-9 * peak);
+  // Said where it is drawn.
+  const auto* figure = window_.signalsPanel()->view("aba_position")->figure();
+  bool said = false;
+  for (int i = 0; i < figure->graphCount(); ++i) said = said || figure->graph(i)->name().contains("measured × 1.5");
+  EXPECT_TRUE(said);
+  dialog_->findChild<QPushButton*>("alignAutomatic")->click();
+  EXPECT_NEAR(placeOfPeak(), automatic_, 1e-12);
+  EXPECT_EQ(measured().reading.gain, 1);
+  EXPECT_NEAR(spacing(), 30.0 / 5000, 1e-12);
+}
+
+// Return enters what is typed; it presses no button.
+TEST_F(AlignByHand, aNumberIsTypedWithReturn) {
+  tests::click(*box("alignGain"));
+  tests::press(*dialog_, Qt::Key_A, Qt::ControlModifier);
+  tests::type(*dialog_, "1.25");
+  tests::press(*dialog_, Qt::Key_Return);
+  EXPECT_EQ(measured().reading.gain, 1.25);
+  EXPECT_TRUE(dialog_->isVisible());
+  box("alignPosition")->setValue(-77);
+  EXPECT_EQ(measured().reading.gain, 1.25);
+}
+
+// What cannot be read any more stays as it was, and is said.
+TEST_F(AlignByHand, aFileThatIsGoneChangesNothing) {
+  const auto laid = measured().record->position;
+  ASSERT_TRUE(QFile::remove(folder_.filePath("measured.csv")));
+  box("alignGain")->setValue(2);
+  EXPECT_EQ(measured().record->position, laid);
+  EXPECT_EQ(measured().reading.gain, 1);
+  EXPECT_EQ(box("alignGain")->value(), 1);
+  dialog_->shift(0.02, false);
+  dialog_->shift(0.02, true);
+  EXPECT_EQ(measured().record->position, laid);
+}
+
+TEST_F(AlignByHand, isDraggedAlongTheTrack) {
+  FigureView* view = window_.signalsPanel()->view("aba_position");
+  ASSERT_TRUE(view->isVisible());
+  const QCPRange before = view->figure()->xAxis->range();
+  const QRect room = view->figure()->axisRect()->rect();
+  const QPoint from(room.center()), to = from + QPoint(40, 0);
+  const double expected = 40e-3 * before.size() / room.width();  // [m] of 40 pixels
+  tests::drag(*view, from, to);
+  EXPECT_NEAR(placeOfPeak(), automatic_ + expected, 2e-3 * before.size() / room.width());
+  EXPECT_NEAR(box("alignPosition")->value() * 1e-3, placeOfPeak(), 1e-4);
+  EXPECT_NEAR(measured().reading.impact, placeOfPeak(), 1e-12);
+  // Without the dialog a drag moves the view again, and the signal stays.
+  const double laid = placeOfPeak();
+  dialog_->close();
+  tests::drag(*view->figure(), from, to);
+  EXPECT_EQ(placeOfPeak(), laid);
+}
+
+TEST_F(AlignByHand, comesBackInAProject) {
+  box("alignPosition")->setValue(-50);
+  box("alignSpeed")->setValue(31.25);
+  box("alignGain")->setValue(0.8);
+  const auto laid = measured().record;
+  const QString path = folder_.filePath("day.squat-project");
+  ASSERT_TRUE(window_.saveProjectTo(path)) << window_.messages()->text().toStdString();
+  dialog_->close();
+  ASSERT_TRUE(window_.closeProject());
+  MainWindow tomorrow(tests::services());
+  ASSERT_TRUE(tomorrow.openProject(path)) << tomorrow.messages()->text().toStdString();
+  ASSERT_TRUE(tomorrow.reader()->waitFor(30000));
+  EXPECT_TRUE(tomorrow.messages()->isHidden()) << tomorrow.messages()->text().toStdString();
+  const StoredRun& again = tomorrow.store().at(tomorrow.store().rowCount() - 1);
+  ASSERT_TRUE(again.isMeasured());
+  EXPECT_EQ(again.record->position, laid->position);  // to the last bit
+  EXPECT_EQ(*again.record->signal("aba"), *laid->signal("aba"));
+  EXPECT_EQ(again.reading.gain, 0.8);
+}
+
+TEST_F(AlignByHand, aSignalThatIsRemovedEndsIt) {
+  window_.store().remove(1);
+  EXPECT_TRUE(tests::passes([&] { return !window_.findChild<AlignDialog*>(); }));
+}
+
+}  // namespace
+}  // namespace squat::studio

@@ -1,0 +1,202 @@
+// Long records in the studio: the search is that of the command, the strip shows every strike, events lead to figures.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+
+#include "case/ShippedCases.h"
+#include "gui/Hands.h"
+#include "gui/MadeUpRun.h"
+#include "studio/common/MessageBar.h"
+#include "studio/records/RecordView.h"
+#include "studio/signals/SignalsPanel.h"
+#include "studio/tools/DetectionForm.h"
+#include "studio/tools/EstimateForm.h"
+#include "studio/tools/TargetList.h"
+#include "studio/tools/ToolWindow.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr int patience = 240000;  // [ms]
+
+class Records : public testing::Test {
+ protected:
+  void SetUp() override {
+    QSettings().remove("tools");
+    record_ = QString::fromStdString((cases::resourcesFolder() / "records/example-record.csv").string());
+    window_.show();
+    window_.findChild<QAction*>("squatsAction")->trigger();
+    tool_ = window_.tool("squats");
+    tool_->setFolder(path("studio"));
+    form_ = qobject_cast<DetectionForm*>(tool_->form());
+    view_ = form_->records();
+  }
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  QByteArray read(const QString& name) const {
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  void search() {
+    form_->addRecord(record_);
+    form_->findChild<QDoubleSpinBox*>("recordSpeed")->setValue(30);  // the file has times alone
+    tool_->start();
+    ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
+    ASSERT_TRUE(view_->model()->report()) << tool_->messages()->text().toStdString();
+  }
+  const QAbstractItemModel& seen() const { return *view_->table()->model(); }
+  // The row of the first event of a kind, as the list stands.
+  int rowOf(const QString& kind) const {
+    for (int row = 0; row < seen().rowCount(); ++row)
+      if (seen().index(row, EventModel::kind).data().toString() == kind) return row;
+    return -1;
+  }
+
+  QTemporaryDir folder_;
+  MainWindow window_{tests::services()};
+  QString record_;
+  ToolWindow* tool_ = nullptr;
+  DetectionForm* form_ = nullptr;
+  RecordView* view_ = nullptr;
+};
+
+TEST_F(Records, theSearchIsThatOfTheCommand) {
+  ASSERT_NO_FATAL_FAILURE(search());
+  QProcess program;
+  program.setWorkingDirectory(folder_.path());
+  program.start(SQUAT_PROGRAM, {"detect", record_, "--speed", "30", "-o", "command", "--no-figures"});
+  ASSERT_TRUE(program.waitForFinished(patience));
+  ASSERT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+  EXPECT_EQ(read("studio/squats.csv"), read("command/squats.csv"));
+  EXPECT_EQ(read("studio/squats.json"), read("command/squats.json"));
+  EXPECT_GT(read("studio/squats.csv").count('\n'), 5);
+  EXPECT_EQ(read("studio/passages/squat-0001.csv"), read("command/passages/squat-0001.csv"));
+  EXPECT_TRUE(tool_->text().contains("kinds and severities from")) << tool_->text().toStdString();
+  EXPECT_FALSE(read("studio/overview.png").isEmpty());
+  // The list is that of the file, in its order.
+  const auto rows = read("studio/squats.csv").split('\n');
+  ASSERT_EQ(seen().rowCount(), rows.size() - 2);
+  for (int row = 0; row < seen().rowCount(); ++row)
+    EXPECT_NEAR(seen().index(row, EventModel::position).data().toDouble(), rows[row + 1].split(',')[0].toDouble(),
+                0.0051);
+}
+
+TEST_F(Records, theStripShowsTheRecordAndItsEvents) {
+  ASSERT_NO_FATAL_FAILURE(search());
+  const plots::Figure* figure = view_->strip()->figure();
+  const QCPRange whole = figure->xAxis->range();
+  EXPECT_GT(whole.size(), 100);  // some hundred metres
+  ASSERT_GT(figure->graphCount(), 1);
+  // The signal reaches up to the strongest event of the channel, which filters may have lowered a little.
+  double strongest = 0;
+  for (int row = 0; row < view_->model()->rowCount(); ++row)
+    if (const auto& event = view_->model()->at(row).event;
+        QString::fromStdString(event.channel) == view_->strip()->channel())
+      strongest = std::max(strongest, event.peak);
+  double largest = 0;
+  for (const auto& point : *figure->graph(0)->data()) largest = std::max(largest, std::abs(point.value));
+  EXPECT_GT(largest, 0.8 * strongest);
+  // A row shows its place, a double click the whole again.
+  const int row = rowOf("squat");
+  ASSERT_GE(row, 0);
+  view_->table()->setCurrentIndex(seen().index(row, 0));
+  EXPECT_NEAR(view_->strip()->figure()->xAxis->range().center(), seen().index(row, 0).data().toDouble(), 0.01);
+  view_->strip()->showWhole();
+  EXPECT_EQ(view_->strip()->figure()->xAxis->range(), whole);
+}
+
+TEST_F(Records, theListIsFilteredAndSorted) {
+  ASSERT_NO_FATAL_FAILURE(search());
+  const int all = seen().rowCount();
+  view_->findChild<QLineEdit*>("eventFilter")->setText("squat");
+  EXPECT_LT(seen().rowCount(), all);
+  EXPECT_GT(seen().rowCount(), 0);
+  for (int row = 0; row < seen().rowCount(); ++row)
+    EXPECT_EQ(seen().index(row, EventModel::kind).data().toString(), "squat");
+  view_->table()->sortByColumn(EventModel::peak, Qt::DescendingOrder);
+  for (int row = 1; row < seen().rowCount(); ++row)
+    EXPECT_GE(seen().index(row - 1, EventModel::peak).data(EventModel::sortRole).toDouble(),
+              seen().index(row, EventModel::peak).data(EventModel::sortRole).toDouble());
+}
+
+TEST_F(Records, anEventLeadsToTheFiguresAndToItsProfile) {
+  ASSERT_NO_FATAL_FAILURE(search());
+  auto* show = view_->findChild<QPushButton*>("showEvent");
+  EXPECT_FALSE(show->isEnabled());
+  view_->table()->setCurrentIndex(seen().index(rowOf("squat"), 0));
+  ASSERT_TRUE(show->isEnabled());
+  show->click();
+  ASSERT_EQ(window_.store().rowCount(), 1) << window_.messages()->text().toStdString();
+  EXPECT_TRUE(window_.store().at(0).isMeasured());
+  EXPECT_EQ(window_.signalsPanel()->currentTab(), "aba_position");
+  // What is no squat as well.
+  for (int row = 0; row < seen().rowCount(); ++row) {
+    if (seen().index(row, EventModel::kind).data().toString() == "squat") continue;
+    view_->table()->setCurrentIndex(seen().index(row, 0));
+    show->click();
+    EXPECT_EQ(window_.store().rowCount(), 2) << window_.messages()->text().toStdString();
+    break;
+  }
+  view_->table()->setCurrentIndex(seen().index(rowOf("squat"), 0));
+  view_->findChild<QPushButton*>("estimateEvent")->click();
+  const auto* estimate = qobject_cast<EstimateForm*>(window_.tool("estimate")->form());
+  ASSERT_EQ(estimate->passages()->files().size(), 1);
+  EXPECT_TRUE(estimate->passages()->files()[0].contains("passages/squat-"))
+      << estimate->passages()->files()[0].toStdString();
+}
+
+TEST_F(Records, whatWasSeenIsSavedAsLabels) {
+  ASSERT_NO_FATAL_FAILURE(search());
+  auto* save = view_->findChild<QPushButton*>("saveLabels");
+  EXPECT_FALSE(save->isEnabled());
+  const int first = rowOf("squat");
+  QAbstractItemModel& list = *view_->table()->model();
+  ASSERT_TRUE(list.setData(list.index(first, EventModel::seen), "severe squat", Qt::EditRole));
+  ASSERT_TRUE(save->isEnabled());
+  {
+    tests::FileDialogTyping typing(path("labels.csv"));
+    save->click();
+    ASSERT_TRUE(typing.done());
+  }
+  const auto labels = detection::readLabels(path("labels.csv").toStdString());
+  ASSERT_EQ(labels.size(), 1U);
+  EXPECT_NEAR(labels[0].position, list.index(first, EventModel::position).data().toDouble(), 0.0051);
+  EXPECT_EQ(labels[0].kind, detection::Kind::squat);
+  EXPECT_EQ(detection::severityOf(labels[0].length, labels[0].depth), detection::Severity::severe);
+  // The next search takes it.
+  EXPECT_EQ(form_->findChild<QLineEdit*>("labels")->text(), path("labels.csv"));
+  tool_->start();
+  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
+  EXPECT_TRUE(tool_->text().contains("1 label of")) << tool_->text().toStdString();
+  ASSERT_EQ(view_->model()->seenEvents().size(), 1U);  // it is still there
+  EXPECT_EQ(view_->model()->seenEvents()[0].severity, detection::Severity::severe);
+}
+
+TEST_F(Records, whatCannotBeReadIsSaid) {
+  QFile file(path("nothing.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("no record\n");
+  file.close();
+  tool_->start();
+  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
+  EXPECT_TRUE(tool_->messages()->text().contains("add a record")) << tool_->messages()->text().toStdString();
+  form_->addRecord(file.fileName());
+  tool_->start();
+  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
+  EXPECT_TRUE(tool_->messages()->text().contains("nothing.csv")) << tool_->messages()->text().toStdString();
+}
+
+}  // namespace
+}  // namespace squat::studio

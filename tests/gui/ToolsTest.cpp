@@ -1,0 +1,292 @@
+// Studies, calibration and receptance in the studio: what they write is what the commands write for the same case.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QAccessible>
+#include <QAction>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <set>
+
+#include "case/CaseFile.h"
+#include "case/ParameterValue.h"
+#include "gui/Hands.h"
+#include "gui/MadeUpRun.h"
+#include "results/SignalTable.h"
+#include "simulation/RunCase.h"
+#include "studies/Jobs.h"
+#include "studio/common/MessageBar.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/document/ParameterRow.h"
+#include "studio/project/RunReader.h"
+#include "studio/runs/RunsPanel.h"
+#include "studio/signals/FigureView.h"
+#include "studio/tools/CalibrationForm.h"
+#include "studio/tools/KeyRows.h"
+#include "studio/tools/TargetList.h"
+#include "studio/tools/ToolWindow.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr int patience = 240000;  // [ms] for busy machines; below the time that a test has
+
+// A tenth of a second on the coarsest mesh.
+cases::CaseDescription shortCase() {
+  auto description = cases::loadCase("light-defect", {"tiny", {}});
+  for (const auto& [key, value] :
+       std::initializer_list<std::pair<const char*, const char*>>{{"motion.run_up", "0.06"}, {"motion.beyond", "0.07"}})
+    cases::setValue(description, key, value);
+  return description;
+}
+
+class Tools : public testing::Test {
+ protected:
+  void SetUp() override {
+    QSettings().remove("tools");  // what another test has set
+    window_.document().startFrom(shortCase(), QString(), "short", false);
+    window_.show();
+  }
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  QByteArray read(const QString& name) const {
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  ToolWindow* open(const QString& name) {
+    window_.findChild<QAction*>(name + "Action")->trigger();
+    ToolWindow* tool = window_.tool(name);
+    EXPECT_TRUE(tool->isVisible());
+    tool->setFolder(path(name));
+    return tool;
+  }
+  static void finish(ToolWindow& tool) {
+    tool.start();
+    ASSERT_TRUE(tests::passes([&] { return !tool.isBusy(); }, patience));
+  }
+  // The command on the case that the tool has kept, into a folder of its own. What it prints.
+  QString command(const QStringList& words) const {
+    QProcess program;
+    program.setWorkingDirectory(folder_.path());
+    program.start(SQUAT_PROGRAM, words);
+    EXPECT_TRUE(program.waitForFinished(patience));
+    EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
+    return QString::fromUtf8(program.readAllStandardOutput());
+  }
+
+  QTemporaryDir folder_;
+  MainWindow window_{tests::services()};
+};
+
+TEST_F(Tools, aStudyIsThatOfTheCommand) {
+  ToolWindow* study = open("study");
+  study->form()->findChild<KeyRows*>()->setTexts({"defect.depth=0.1,0.2"});
+  study->form()->findChild<QAbstractButton*>("keepResults")->click();
+  ASSERT_NO_FATAL_FAILURE(finish(*study));
+  EXPECT_TRUE(study->messages()->text().contains("files written")) << study->messages()->text().toStdString();
+  const QString printed =
+      command({"study", "study/case/short.toml", "--vary", "defect.depth=0.1,0.2", "-o", "command", "--format", "png"});
+  EXPECT_EQ(read("study/study.csv"), read("command/study.csv"));
+  EXPECT_GT(read("study/study.csv").size(), 500);
+  EXPECT_EQ(printed.section("command/study.csv", 0, 0), study->text().section(path("study"), 0, 0));
+  EXPECT_FALSE(read("study/study_defect_depth.pdf").isEmpty());
+  EXPECT_EQ(study->findChild<QTabWidget*>()->count(), 3);  // text, log, one key's figures
+  // The runs join the list, called by what differs.
+  ASSERT_TRUE(window_.reader()->waitFor(patience));
+  ASSERT_EQ(window_.store().rowCount(), 2);
+  EXPECT_EQ(window_.store().at(1).label, "depth 0.2");
+  EXPECT_TRUE(window_.store().at(1).result->complete);
+  EXPECT_GE(window_.store().current(), 0);
+  // Once more: nothing is computed again, nothing is listed twice.
+  ASSERT_NO_FATAL_FAILURE(finish(*study));
+  EXPECT_EQ(window_.store().rowCount(), 2);
+}
+
+TEST_F(Tools, aStudyThatWasStoppedGoesOn) {
+  ToolWindow* study = open("study");
+  const int points = 3 * studies::coresHere() + 3;  // more than run at once
+  study->form()->findChild<KeyRows*>()->setTexts({QString("defect.depth=0.05:0.2:%1").arg(points)});
+  study->start();
+  ASSERT_TRUE(tests::passes([&] { return read("study/study.csv").count('\n') > 1; }, patience));
+  study->cancel();
+  ASSERT_TRUE(tests::passes([&] { return !study->isBusy(); }, patience));
+  EXPECT_TRUE(study->messages()->text().contains("Cancelled")) << study->messages()->text().toStdString();
+  EXPECT_FALSE(study->text().isEmpty());  // what is known so far
+  const QByteArray part = read("study/study.csv");
+  ASSERT_NO_FATAL_FAILURE(finish(*study));
+  EXPECT_TRUE(study->text().contains(QString("%1 of %1 runs done").arg(points))) << study->text().toStdString();
+  EXPECT_GT(read("study/study.csv").size(), part.size());
+}
+
+TEST_F(Tools, whatIsWrongIsSaidAndNothingIsLost) {
+  ToolWindow* study = open("study");
+  study->form()->findChild<KeyRows*>()->setTexts({"defect.dept=0.1,0.2"});
+  ASSERT_NO_FATAL_FAILURE(finish(*study));
+  EXPECT_TRUE(study->messages()->text().contains("defect.depth")) << study->messages()->text().toStdString();
+  study->form()->findChild<KeyRows*>()->setTexts({"defect.depth=0.1"});
+  ASSERT_NO_FATAL_FAILURE(finish(*study));
+  const QByteArray table = read("study/study.csv");
+  EXPECT_EQ(table.count('\n'), 2);
+  // Another case has no business in this folder.
+  window_.document().setParameter("motion.speed", "35");
+  ASSERT_NO_FATAL_FAILURE(finish(*study));
+  EXPECT_TRUE(study->messages()->text().contains("another case")) << study->messages()->text().toStdString();
+  EXPECT_EQ(read("study/study.csv"), table);
+  study->setFolder("");
+  study->start();
+  EXPECT_FALSE(study->isBusy());
+  EXPECT_TRUE(study->messages()->text().contains("folder")) << study->messages()->text().toStdString();
+}
+
+// Edits while it computes are those of the next start.
+TEST_F(Tools, takesTheCaseAsItStandsAtTheStart) {
+  ToolWindow* study = open("study");
+  study->form()->findChild<KeyRows*>()->setTexts({"defect.depth=0.1,0.2"});
+  study->start();
+  window_.document().setParameter("motion.speed", "35");
+  ASSERT_TRUE(tests::passes([&] { return !study->isBusy(); }, patience));
+  EXPECT_TRUE(study->text().contains("2 of 2 runs done")) << study->text().toStdString();
+  EXPECT_EQ(cases::readCase(path("study/case/short.toml").toStdString()).motion.speed, 30);
+}
+
+TEST_F(Tools, theReceptanceIsThatOfTheCommand) {
+  ToolWindow* receptance = open("receptance");
+  ASSERT_NO_FATAL_FAILURE(finish(*receptance));
+  ASSERT_TRUE(window_.saveCaseTo(path("short.toml")));
+  const QString printed = command({"receptance", "short.toml", "-o", "command", "--format", "png"});
+  EXPECT_EQ(read("receptance/short-receptance.csv"), read("command/short-receptance.csv"));
+  EXPECT_EQ(read("receptance/short-wheelset-modes.csv"), read("command/short-wheelset-modes.csv"));
+  EXPECT_GT(read("receptance/short-receptance.csv").size(), 10000);
+  EXPECT_EQ(printed.section("\nwritten:", 0, 0), receptance->text());
+  EXPECT_FALSE(read("receptance/short-receptance.svg").isEmpty());
+}
+
+// Two keys from a signal that the case itself has made, measured in the list; ten points or so.
+TEST_F(Tools, aCalibrationIsThatOfTheCommand) {
+  Monitor nobody;
+  results::writeSignalTable(path("measured.csv").toStdString(), simulation::runCase(shortCase(), {}, nobody));
+  ASSERT_TRUE(window_.openMeasured(path("measured.csv"))) << window_.messages()->text().toStdString();
+  ToolWindow* calibration = open("calibration");
+  auto* form = qobject_cast<CalibrationForm*>(calibration->form());
+  const QStringList keys{"pad.stiffness=1000:1800", "defect.depth=0.05:0.15"};
+  form->findChild<KeyRows*>()->setTexts(keys);
+  ASSERT_NO_FATAL_FAILURE(finish(*calibration));
+  EXPECT_TRUE(calibration->messages()->text().contains("target")) << calibration->messages()->text().toStdString();
+  form->targets()->addSignal(0);
+  form->findChild<QComboBox*>("confirmMesh")->setCurrentText("tiny");
+  form->findChild<QSpinBox*>("evaluations")->setValue(10);
+  ASSERT_NO_FATAL_FAILURE(finish(*calibration));
+  ASSERT_TRUE(calibration->text().contains("pad.stiffness")) << calibration->messages()->text().toStdString();
+  const QString printed = command({"calibrate", "calibration/case/short.toml", "--targets",
+                                   "calibration/case/measured-targets.json", "--free", keys[0], "--free", keys[1],
+                                   "--confirm", "tiny", "--evaluations", "10", "-o", "command", "--no-figures"});
+  // Points that are computed at the same time end in any order.
+  const auto sorted = [this](const QString& name) {
+    auto lines = read(name).split('\n');
+    std::sort(lines.begin(), lines.end());
+    return lines;
+  };
+  EXPECT_EQ(sorted("calibration/calibration.csv"), sorted("command/calibration.csv"));
+  EXPECT_EQ(printed.section("\nwritten:", 0, 0), calibration->text());
+  // The case that was found can be opened from the window, and belongs to the work.
+  auto* openCase = calibration->findChild<QPushButton*>("toolOpenCase");
+  ASSERT_TRUE(openCase->isVisible());
+  openCase->click();
+  EXPECT_EQ(window_.document().path(), path("calibration/short-calibrated.toml"));
+}
+
+TEST_F(Tools, keepWhatWasSetForTheNextDay) {
+  {
+    ToolWindow* study = open("study");
+    study->form()->findChild<KeyRows*>()->setTexts({"defect.depth=0.1,0.2", "motion.speed=20:40:3"});
+    study->form()->findChild<QComboBox*>("points")->setCurrentIndex(1);
+    study->hide();
+  }
+  MainWindow tomorrow(tests::services());
+  const ToolForm* form = tomorrow.tool("study")->form();
+  EXPECT_EQ(form->findChild<KeyRows*>()->texts(),
+            (std::vector<std::string>{"defect.depth=0.1,0.2", "motion.speed=20:40:3"}));
+  EXPECT_EQ(form->findChild<QComboBox*>("points")->currentText(), "Sobol sample");
+}
+
+// The window is closed while a study computes: one question, and the study stops; its options are kept.
+TEST_F(Tools, closingAsksAndStops) {
+  QStringList questions;
+  Answer answer = Answer::cancel;
+  StudioServices services = tests::services();
+  services.asker = [&](QWidget*, const QString& question, const QString&) {
+    questions << question;
+    return answer;
+  };
+  MainWindow window(services);
+  window.document().startFrom(shortCase(), QString(), "short", false);
+  window.show();
+  ToolWindow* study = window.tool("study");
+  study->setFolder(path("closed"));
+  study->form()->findChild<KeyRows*>()->setTexts({"defect.depth=0.05:0.2:200"});
+  study->start();
+  ASSERT_TRUE(tests::passes([&] { return read("closed/study.csv").count('\n') > 1; }, patience));
+  EXPECT_FALSE(window.close());
+  EXPECT_TRUE(study->isComputing());
+  answer = Answer::discard;
+  EXPECT_TRUE(window.close());
+  EXPECT_FALSE(study->isBusy());
+  ASSERT_EQ(questions.size(), 2) << questions.join('\n').toStdString();
+  EXPECT_TRUE(questions[1].contains("study")) << questions[1].toStdString();
+  EXPECT_LT(read("closed/study.csv").count('\n'), 200);
+}
+
+// A value that the form refuses is not computed with the value before it.
+TEST_F(Tools, aValueThatIsRefusedStopsTheStart) {
+  ToolWindow* study = open("study");
+  study->form()->findChild<KeyRows*>()->setTexts({"defect.depth=0.1"});
+  auto* line = qobject_cast<QLineEdit*>(window_.form()->row("motion.speed")->editor());
+  line->selectAll();
+  QTest::keyClicks(line, "-5");
+  study->start();
+  EXPECT_FALSE(study->isBusy());
+  EXPECT_TRUE(study->messages()->text().contains("Cannot start")) << study->messages()->text().toStdString();
+}
+
+TEST_F(Tools, everyControlHasANameAndKeysOfItsOwn) {
+  for (const char* name : {"study", "calibration", "receptance", "squats", "estimate"}) {
+    SCOPED_TRACE(name);
+    ToolWindow* tool = open(name);
+    std::set<QString> taken;
+    int seen = 0;
+    for (QWidget* widget : tool->findChildren<QWidget*>()) {
+      if (widget->objectName().startsWith("qt_") || widget->inherits("QTabBar") || widget->inherits("QScrollArea"))
+        continue;
+      if (const auto* button = qobject_cast<QAbstractButton*>(widget); button && !button->text().isEmpty()) {
+        const QString keys = button->shortcut().toString();
+        EXPECT_TRUE(keys.isEmpty() || taken.insert(keys).second) << button->text().toStdString();
+        if (button->inherits("QPushButton")) {
+          EXPECT_FALSE(keys.isEmpty()) << button->text().toStdString();
+        }
+      }
+      if (const auto* label = qobject_cast<QLabel*>(widget); label && label->buddy()) {
+        const QString keys = QKeySequence::mnemonic(label->text()).toString();
+        EXPECT_TRUE(keys.isEmpty() || taken.insert(keys).second) << label->text().toStdString();
+      }
+      if (!(widget->focusPolicy() & Qt::TabFocus) || !widget->isVisible()) continue;
+      QAccessibleInterface* told = QAccessible::queryAccessibleInterface(widget);
+      ASSERT_NE(told, nullptr);
+      EXPECT_FALSE(told->text(QAccessible::Name).isEmpty())
+          << widget->metaObject()->className() << ' ' << widget->objectName().toStdString();
+      ++seen;
+    }
+    EXPECT_GE(seen, 6);
+  }
+}
+
+}  // namespace
+}  // namespace squat::studio

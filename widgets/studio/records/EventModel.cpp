@@ -1,0 +1,180 @@
+#include "studio/records/EventModel.h"
+
+#include <cmath>
+
+#include "text/Numbers.h"
+
+namespace squat::studio {
+namespace {
+
+using detection::Kind;
+using detection::Severity;
+
+struct SeenAs {
+  Kind kind;
+  Severity severity;
+};
+
+// In the order of labels(), which begins with nothing.
+constexpr SeenAs choices[] = {{Kind::squat, Severity::light},  {Kind::squat, Severity::moderate},
+                              {Kind::squat, Severity::severe}, {Kind::joint, Severity::light},
+                              {Kind::weld, Severity::light},   {Kind::corrugation, Severity::light},
+                              {Kind::flat, Severity::light},   {Kind::other, Severity::light}};
+
+QString words(const SeenAs& choice) {
+  const QString kind = QString::fromStdString(detection::toText(choice.kind));
+  return choice.kind == Kind::squat ? QString::fromStdString(detection::toText(choice.severity)) + " " + kind : kind;
+}
+
+QString rounded(double value) { return QString::fromStdString(text::roundedText(value)); }
+
+}  // namespace
+
+QStringList EventModel::labels() {
+  QStringList all{QString()};
+  for (const auto& choice : choices) all << words(choice);
+  return all;
+}
+
+void EventModel::setReport(const ReportPointer& report) {
+  beginResetModel();
+  const auto seenBefore = seenEvents();
+  const auto placesBefore = seen_;
+  report_ = report;
+  seen_.clear();
+  auto place = placesBefore.begin();
+  for (const auto& before : seenBefore) {
+    const int row = nearest(before);
+    if (row >= 0) seen_[row] = place->second;
+    ++place;
+  }
+  endResetModel();
+}
+
+int EventModel::nearest(const detection::SeenEvent& seen) const {
+  int found = -1;
+  double distance = 0.5;  // [m], that of labels
+  for (int row = 0; row < rowCount(); ++row) {
+    const auto& event = at(row).event;
+    const double away = std::abs(event.position - seen.position);
+    if (event.channel == seen.channel && away < distance) found = row, distance = away;
+  }
+  return found;
+}
+
+int EventModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() || !report_ ? 0 : static_cast<int>(report_->events.size());
+}
+
+int EventModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
+
+double EventModel::number(int row, int column) const {
+  const auto& event = at(row).event;
+  const bool isSquat = event.kind == Kind::squat;
+  switch (column) {
+    case position:
+      return event.position;
+    case severity:
+      return isSquat ? static_cast<double>(event.judgement.severity) : -1;
+    case length:
+      return isSquat ? 1e3 * event.judgement.length : NAN;
+    case depth:
+      return isSquat ? 1e3 * event.judgement.depth : NAN;
+    case peak:
+      return event.peak;
+    case speed:
+      return event.features.speed;
+    case passes:
+      return static_cast<double>(event.passes);
+    case sureness:
+      return event.sureness;
+    default:
+      return NAN;
+  }
+}
+
+QString EventModel::text(int row, int column) const {
+  const auto& event = at(row).event;
+  switch (column) {
+    case position:
+      return QString::number(event.position, 'f', 2);
+    case kind:
+      return QString::fromStdString(detection::toText(event.kind));
+    case severity:
+      return event.kind == Kind::squat ? QString::fromStdString(detection::toText(event.judgement.severity))
+                                       : QString::fromStdString(event.reason);
+    case channel:
+      return QString::fromStdString(event.channel);
+    case passes:
+      return tr("%1 of %2").arg(event.passes).arg(event.passesThere);
+    case sureness:
+      return tr("%1 %").arg(100 * event.sureness, 0, 'f', 0);
+    case seen: {
+      const auto found = seen_.find(row);
+      return found == seen_.end() ? QString() : labels().at(found->second);
+    }
+    default: {
+      const double value = number(row, column);
+      return std::isnan(value) ? QString() : rounded(value);
+    }
+  }
+}
+
+QVariant EventModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const bool isText = index.column() == kind || index.column() == channel || index.column() == seen;
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return text(index.row(), index.column());
+    case sortRole: {
+      if (isText) return text(index.row(), index.column());
+      const double value = number(index.row(), index.column());
+      return std::isnan(value) ? QVariant() : QVariant(value);  // what has none comes last
+    }
+    case Qt::TextAlignmentRole:
+      return isText || index.column() == severity ? int(Qt::AlignLeft | Qt::AlignVCenter)
+                                                  : int(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::ToolTipRole:
+      return index.column() == seen ? tr("What you have seen there; “Save labels…” keeps it") : QString();
+    default:
+      return {};
+  }
+}
+
+QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  static const QStringList heads{tr("Position\n[m]"), tr("Kind"),         tr("Severity"),     tr("Length\n[mm]"),
+                                 tr("Depth\n[mm]"),   tr("Peak\n[m/s²]"), tr("Speed\n[m/s]"), tr("Channel"),
+                                 tr("Passes"),        tr("Sure"),         tr("Seen as")};
+  return heads.value(section);
+}
+
+bool EventModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || index.column() != seen) return false;
+  const auto place = labels().indexOf(value.toString());
+  if (place < 0) return false;
+  if (place == 0)
+    seen_.erase(index.row());
+  else
+    seen_[index.row()] = static_cast<int>(place);
+  Q_EMIT dataChanged(index, index);
+  return true;
+}
+
+Qt::ItemFlags EventModel::flags(const QModelIndex& index) const {
+  const auto usual = QAbstractTableModel::flags(index);
+  return index.column() == seen ? usual | Qt::ItemIsEditable : usual;
+}
+
+std::vector<detection::SeenEvent> EventModel::seenEvents() const {
+  std::vector<detection::SeenEvent> all;
+  for (const auto& [row, place] : seen_) {
+    const auto& choice = choices[place - 1];
+    const auto& event = at(row).event;
+    all.push_back({event.position, event.channel, choice.kind, choice.severity});
+  }
+  return all;
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,50 @@
+// widgets/studio/records/EventModel.h - the events of a record as a table: where, what, how severe, and what the user
+// has seen there.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "detection/DetectionFiles.h"
+
+namespace squat::studio {
+
+using ReportPointer = std::shared_ptr<const detection::DetectionReport>;
+
+class EventModel : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { position, kind, severity, length, depth, peak, speed, channel, passes, sureness, seen, columns };
+  static constexpr int sortRole = Qt::UserRole;
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  // What was seen stays with the events of the same channel within half a metre.
+  void setReport(const ReportPointer& report);
+  const ReportPointer& report() const { return report_; }
+  const detection::CombinedEvent& at(int row) const { return report_->events.at(static_cast<std::size_t>(row)); }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  // Of the last column alone: one of labels().
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+  static QStringList labels();  // "", "light squat", ..., "joint", ...
+  std::vector<detection::SeenEvent> seenEvents() const;
+
+ private:
+  int nearest(const detection::SeenEvent& seen) const;  // row; -1: none
+  QString text(int row, int column) const;
+  double number(int row, int column) const;
+
+  ReportPointer report_;
+  std::map<int, int> seen_;  // of a row, the place among labels()
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,208 @@
+#include "studio/records/RecordStrip.h"
+
+#include <QMouseEvent>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plots/UnitText.h"
+
+namespace squat::studio {
+namespace {
+
+using detection::Kind;
+
+constexpr int growEvery = 200;    // [ms] while a record is read
+constexpr double nearEvent = 15;  // [m] on both sides of an event that is shown
+
+struct Mark {
+  Kind kind;
+  QCPScatterStyle::ScatterShape shape;
+};
+constexpr std::array marks{
+    Mark{Kind::squat, QCPScatterStyle::ssTriangle}, Mark{Kind::joint, QCPScatterStyle::ssSquare},
+    Mark{Kind::weld, QCPScatterStyle::ssDiamond},   Mark{Kind::corrugation, QCPScatterStyle::ssCross},
+    Mark{Kind::flat, QCPScatterStyle::ssCircle},    Mark{Kind::other, QCPScatterStyle::ssPlus}};
+
+}  // namespace
+
+RecordStrip::RecordStrip(const plots::Style& style, QWidget* parent)
+    : QWidget(parent), style_(style), timer_(new QTimer(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  setMinimumHeight(150);
+  timer_->setInterval(growEvery);
+  connect(timer_, &QTimer::timeout, this, &RecordStrip::grow);
+  makeFigure();
+}
+
+void RecordStrip::makeFigure() {
+  const bool anew = figure_ != nullptr;
+  const QCPRange kept = anew ? figure_->xAxis->range() : QCPRange();
+  delete figure_;
+  figure_ = new plots::Figure(QStringLiteral("record"), style_, this);
+  layout()->addWidget(figure_);
+  figure_->setObjectName("recordStrip");
+  figure_->setAccessibleName(tr("The record along the track"));
+  figure_->setFocusPolicy(Qt::StrongFocus);
+  figure_->xAxis->setLabel(tr("Chainage [m]"));
+  figure_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+  figure_->axisRect()->setRangeDrag(Qt::Horizontal);
+  figure_->axisRect()->setRangeZoom(Qt::Horizontal);
+  signal_ = figure_->addGraph();
+  signal_->setPen(QPen(style_.curve(0), 1));
+  signal_->setAdaptiveSampling(false);  // the overview has as many points as there are pixels
+  chosen_ = new QCPItemStraightLine(figure_);
+  chosen_->setPen(QPen(style_.axis, 1, Qt::DashLine));
+  connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, [this] { draw(); });
+  connect(figure_, &QCustomPlot::mouseDoubleClick, this, &RecordStrip::showWhole);
+  connect(figure_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) { pick(event->pos()); });
+  connect(figure_, &QCustomPlot::mouseWheel, this, [this] { whole_ = false; });
+  connect(figure_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
+    if (event->buttons() & Qt::LeftButton) whole_ = false;
+  });
+  if (anew) {
+    figure_->xAxis->setRange(kept);
+    draw();
+  }
+}
+
+void RecordStrip::setStyle(const plots::Style& style) {
+  style_ = style;
+  makeFigure();
+}
+
+void RecordStrip::follow(const std::shared_ptr<const records::Overview>& overview) {
+  overview_ = overview;
+  report_.reset();
+  position_.reset();
+  channel_.clear();
+  whole_ = true;
+  timer_->start();
+  draw();
+}
+
+void RecordStrip::stopFollowing() { timer_->stop(); }
+
+void RecordStrip::setReport(const ReportPointer& report) {
+  report_ = report;
+  grow();
+}
+
+QStringList RecordStrip::channels() const {
+  QStringList names;
+  if (overview_)
+    for (const auto& channel : overview_->channels()) names << QString::fromStdString(channel.name);
+  return names;
+}
+
+std::size_t RecordStrip::place() const {
+  return static_cast<std::size_t>(std::max<qsizetype>(0, channels().indexOf(channel_)));
+}
+
+QString RecordStrip::channel() const { return channel_; }
+
+void RecordStrip::setChannel(const QString& name) {
+  channel_ = name;
+  draw();
+}
+
+void RecordStrip::grow() {
+  if (!overview_) return;
+  if (channel_.isEmpty() && !channels().isEmpty()) {
+    channel_ = channels().front();
+    Q_EMIT channelsChanged();
+  }
+  if (whole_)
+    showWhole();
+  else
+    draw();
+}
+
+void RecordStrip::showWhole() {
+  whole_ = true;
+  const auto [from, to] = overview_ ? overview_->extent() : std::pair{0.0, 0.0};
+  if (to > from) figure_->xAxis->setRange(from, to);
+  draw();
+}
+
+void RecordStrip::show(double position) {
+  whole_ = false;
+  position_ = position;
+  figure_->xAxis->setRange(position - nearEvent, position + nearEvent);
+  draw();
+}
+
+// Up and down in every column of pixels.
+void RecordStrip::draw() {
+  const auto points = static_cast<std::size_t>(std::max(100, figure_->axisRect()->width()));
+  const QCPRange range = figure_->xAxis->range();
+  QVector<double> x, y;
+  if (overview_) {
+    const auto envelope = overview_->envelope(place(), range.lower, range.upper, points);
+    for (std::size_t i = 0; i < envelope.position.size(); ++i) {
+      x << envelope.position[i] << envelope.position[i];
+      y << envelope.low[i] << envelope.high[i];
+    }
+    const auto all = overview_->channels();
+    if (place() < all.size())
+      figure_->yAxis->setLabel(QStringLiteral("%1 [%2]").arg(channel_, plots::unitText(all[place()].unit)));
+  }
+  signal_->setData(x, y, true);
+  double low = 0, high = 1e-3;
+  for (const double value : y) low = std::min(low, value), high = std::max(high, value);
+  figure_->yAxis->setRange(low - 0.06 * (high - low), high + 0.1 * (high - low));
+  drawMarks();
+  chosen_->setVisible(position_.has_value());
+  if (position_) {
+    chosen_->point1->setCoords(*position_, 0);
+    chosen_->point2->setCoords(*position_, 1);
+  }
+  figure_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void RecordStrip::drawMarks() {
+  while (figure_->graphCount() > 1) figure_->removeGraph(figure_->graphCount() - 1);
+  if (report_)
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+      QVector<double> x, y;
+      for (const auto& combined : report_->events) {
+        const auto& event = combined.event;
+        if (event.kind != marks[k].kind || QString::fromStdString(event.channel) != channel_) continue;
+        x << event.position;
+        y << event.peak;
+      }
+      if (x.isEmpty()) continue;
+      QCPGraph* graph = figure_->addGraph();
+      graph->setData(x, y);
+      graph->setName(QString::fromStdString(detection::toText(marks[k].kind)));
+      graph->setLineStyle(QCPGraph::lsNone);
+      graph->setScatterStyle(QCPScatterStyle(marks[k].shape, style_.curve(k + 1), style_.curve(k + 1), 8));
+    }
+  signal_->removeFromLegend();
+  figure_->showLegend(figure_->graphCount() > 1);
+}
+
+void RecordStrip::pick(const QPoint& point) {
+  if (!report_) return;
+  constexpr double reach = 12;  // [pixels]
+  int nearest = -1;
+  double distance = reach;
+  for (std::size_t i = 0; i < report_->events.size(); ++i) {
+    const auto& event = report_->events[i].event;
+    if (QString::fromStdString(event.channel) != channel_) continue;
+    const double away = std::hypot(figure_->xAxis->coordToPixel(event.position) - point.x(),
+                                   figure_->yAxis->coordToPixel(event.peak) - point.y());
+    if (away < distance) distance = away, nearest = static_cast<int>(i);
+  }
+  if (nearest >= 0) Q_EMIT eventPicked(nearest);
+}
+
+void RecordStrip::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  draw();
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,61 @@
+// widgets/studio/records/RecordStrip.h - a long record along the chainage: its extremes, and marks at its events.
+#pragma once
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "plots/Figure.h"
+#include "plots/Style.h"
+#include "records/Overview.h"
+#include "studio/records/EventModel.h"
+
+class QTimer;
+
+namespace squat::studio {
+
+// The wheel of the mouse zooms, dragging scrolls; a double click shows the whole. It grows while the record is read.
+class RecordStrip : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RecordStrip(const plots::Style& style, QWidget* parent = nullptr);
+
+  void follow(const std::shared_ptr<const records::Overview>& overview);  // until setReport()
+  void setReport(const ReportPointer& report);
+  void stopFollowing();
+  void setChannel(const QString& name);
+  QString channel() const;
+  QStringList channels() const;
+  void show(double position);  // [m]: brings it into the middle, and marks it
+  void showWhole();
+  void setStyle(const plots::Style& style);
+  plots::Figure* figure() const { return figure_; }
+
+ Q_SIGNALS:
+  void channelsChanged();
+  void eventPicked(int event);  // the nearest mark to where the mouse was pressed
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void makeFigure();
+  void grow();
+  void draw();
+  void drawMarks();
+  std::size_t place() const;
+  void pick(const QPoint& point);
+
+  std::shared_ptr<const records::Overview> overview_;
+  ReportPointer report_;
+  plots::Style style_;
+  plots::Figure* figure_ = nullptr;
+  QCPGraph* signal_ = nullptr;
+  QCPItemStraightLine* chosen_ = nullptr;
+  QString channel_;
+  std::optional<double> position_;
+  QTimer* timer_;
+  bool whole_ = true;  // the view grows with the record
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,219 @@
+#include "studio/records/RecordView.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "studio/common/LocationToSave.h"
+#include "studio/common/NarrowHeader.h"
+
+namespace squat::studio {
+namespace {
+
+// The last column is chosen from a list.
+class LabelDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
+    auto* box = new QComboBox(parent);
+    box->setAccessibleName(QObject::tr("Seen as"));
+    box->addItems(EventModel::labels());
+    return box;
+  }
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    qobject_cast<QComboBox*>(editor)->setCurrentText(index.data().toString());
+  }
+  void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
+    model->setData(index, qobject_cast<QComboBox*>(editor)->currentText());
+  }
+};
+
+}  // namespace
+
+RecordView::RecordView(const plots::Style& style, QWidget* parent)
+    : QWidget(parent),
+      strip_(new RecordStrip(style, this)),
+      model_(new EventModel(this)),
+      seen_(new QSortFilterProxyModel(this)),
+      table_(new QTableView(this)),
+      channel_(new QComboBox(this)),
+      show_(new QPushButton(tr("Show in the fi&gures"), this)),
+      estimate_(new QPushButton(tr("&Estimate its profile…"), this)),
+      labels_(new QPushButton(tr("Save &labels…"), this)) {
+  setObjectName("recordView");
+  makeTable();
+  auto* parts = new QSplitter(Qt::Vertical, this);
+  parts->addWidget(strip_);
+  parts->addWidget(table_);
+  parts->setStretchFactor(0, 3);
+  parts->setStretchFactor(1, 2);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(makeBar());
+  layout->addWidget(parts, 1);
+  connect(strip_, &RecordStrip::channelsChanged, this, [this] {
+    channel_->clear();
+    channel_->addItems(strip_->channels());
+    channel_->setCurrentText(strip_->channel());
+  });
+  connect(channel_, &QComboBox::textActivated, strip_, &RecordStrip::setChannel);
+  connect(strip_, &RecordStrip::eventPicked, this,
+          [this](int event) { table_->setCurrentIndex(seen_->mapFromSource(model_->index(event, 0))); });
+  enableButtons();
+}
+
+void RecordView::makeTable() {
+  seen_->setSourceModel(model_);
+  seen_->setSortRole(EventModel::sortRole);
+  seen_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  seen_->setFilterKeyColumn(-1);
+  table_->setModel(seen_);
+  table_->setObjectName("events");
+  table_->setAccessibleName(tr("Events of the record"));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  table_->setTabKeyNavigation(false);  // Tab leaves the table
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->setItemDelegateForColumn(EventModel::seen, new LabelDelegate(table_));
+  auto* heading = new NarrowHeader(table_);
+  table_->setHorizontalHeader(heading);
+  heading->setSectionResizeMode(QHeaderView::ResizeToContents);
+  heading->setSortIndicator(-1, Qt::AscendingOrder);
+  heading->setSortIndicatorClearable(true);
+  table_->setSortingEnabled(true);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &RecordView::showChosen);
+  connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+    if (index.column() != EventModel::seen) show_->click();
+  });
+  connect(model_, &QAbstractItemModel::dataChanged, this, &RecordView::enableButtons);
+}
+
+QWidget* RecordView::makeBar() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* label = new QLabel(tr("C&hannel:"), bar);
+  label->setBuddy(channel_);
+  channel_->setObjectName("recordChannel");
+  channel_->setAccessibleName(tr("Channel that is drawn"));
+  channel_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  auto* filter = new QLineEdit(bar);
+  filter->setObjectName("eventFilter");
+  filter->setPlaceholderText(tr("Filter events"));
+  filter->setAccessibleName(tr("Filter events by kind, severity or value"));
+  filter->setClearButtonEnabled(true);
+  connect(filter, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
+  show_->setObjectName("showEvent");
+  show_->setToolTip(tr("Lay the signal over the chosen event on the runs"));
+  estimate_->setObjectName("estimateEvent");
+  estimate_->setToolTip(tr("Look for the profile that explains the signal over the chosen event"));
+  labels_->setObjectName("saveLabels");
+  labels_->setToolTip(tr("Save what you have seen (column “Seen as”): the next search takes it as examples"));
+  row->addWidget(label);
+  row->addWidget(channel_);
+  row->addWidget(filter, 1);
+  row->addWidget(show_);
+  row->addWidget(estimate_);
+  row->addWidget(labels_);
+  connect(show_, &QPushButton::clicked, this, [this] {
+    if (const QString file = passageOfChosen(); !file.isEmpty()) Q_EMIT passageRequested(file);
+  });
+  connect(estimate_, &QPushButton::clicked, this, [this] {
+    if (const QString file = passageOfChosen(); !file.isEmpty()) Q_EMIT estimateRequested(file);
+  });
+  connect(labels_, &QPushButton::clicked, this, &RecordView::askForLabels);
+  return bar;
+}
+
+void RecordView::follow(const std::shared_ptr<const records::Overview>& overview) {
+  strip_->follow(overview);
+  table_->setEnabled(false);  // of the record before, until this one is read
+  enableButtons();
+}
+
+void RecordView::stopFollowing() {
+  strip_->stopFollowing();
+  table_->setEnabled(true);
+  enableButtons();
+}
+
+void RecordView::setReport(const ReportPointer& report, const QString& folder) {
+  folder_ = folder;
+  model_->setReport(report);
+  strip_->setReport(report);
+  stopFollowing();
+}
+
+int RecordView::chosen() const {
+  const QModelIndex index = table_->currentIndex();
+  return index.isValid() && model_->report() ? seen_->mapToSource(index).row() : -1;
+}
+
+void RecordView::showChosen() {
+  enableButtons();
+  const int event = chosen();
+  if (event < 0) return;
+  const QString channel = QString::fromStdString(model_->at(event).event.channel);
+  if (channel != strip_->channel()) {
+    channel_->setCurrentText(channel);
+    strip_->setChannel(channel);
+  }
+  strip_->show(model_->at(event).event.position);
+}
+
+// Squats have their files already; what is none gets one when it is looked at, in a folder of its own.
+QString RecordView::passageOfChosen() {
+  const int event = chosen();
+  if (event < 0) return {};
+  const auto& combined = model_->at(event);
+  const std::string file =
+      folder_.toStdString() + "/" + detection::passageName(combined, static_cast<std::size_t>(event));
+  try {
+    if (combined.event.kind != detection::Kind::squat) {
+      makeFolder(folder_.toStdString() + "/other-events");
+      writeDurably(file, std::string_view(detection::passageCsv(combined.event)));
+    }
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+    return {};
+  }
+  return QString::fromStdString(file);
+}
+
+void RecordView::writeLabels(const QString& path) {
+  writeDurably(path.toStdString(), std::string_view(detection::labelsCsv(model_->seenEvents())));
+}
+
+void RecordView::askForLabels() {
+  const QString path = locationToSave(this, tr("Save labels"), "labels.csv", tr("CSV (*.csv)"));
+  if (path.isEmpty()) return;
+  try {
+    writeLabels(path);
+    Q_EMIT labelsSaved(path);
+  } catch (const FileError& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+}
+
+void RecordView::enableButtons() {
+  const bool can = chosen() >= 0 && table_->isEnabled();
+  show_->setEnabled(can);
+  estimate_->setEnabled(can);
+  labels_->setEnabled(model_->report() && !model_->seenEvents().empty());
+}
+
+}  // namespace squat::studio

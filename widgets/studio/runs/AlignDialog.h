@@ -1,0 +1,40 @@
+// widgets/studio/runs/AlignDialog.h - lays a measured signal along the track by hand: position, speed and gain.
+#pragma once
+
+#include <QDialog>
+
+#include "studio/runs/RunStore.h"
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace squat::studio {
+
+// Stands beside the window; what it says is drawn at once. The signal is read again with each change, so that a project
+// which is opened later draws the same.
+class AlignDialog : public QDialog {
+  Q_OBJECT
+ public:
+  AlignDialog(RunStore& store, int row, QWidget* parent = nullptr);
+
+  // While the mouse drags the signal: `metres` since the button went down; laid for good where `done`.
+  void shift(double metres, bool done);
+
+ private:
+  QDoubleSpinBox* numberOf(const QString& name, const QString& label, const QString& unit, double low, double high,
+                           int decimals);
+  int row() const { return store_.rowOfRecord(shown_); }
+  void lay(const project::MeasuredReading& wanted);
+  void layAsTyped();
+  void layAutomatically();
+  void showValues();
+
+  RunStore& store_;
+  project::MeasuredRecord measured_;  // as it is laid for good
+  project::MeasuredReading first_;    // as it was when the dialog opened
+  RecordPointer shown_;               // in the list
+  QDoubleSpinBox *position_, *speed_, *gain_;
+  QLabel* problem_;
+};
+
+}  // namespace squat::studio

@@ -1,0 +1,230 @@
+#include "studio/tools/DetectionForm.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPointer>
+#include <QSettings>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "analysis/OptionText.h"
+#include "case/CaseFile.h"
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "core/FolderLock.h"
+#include "detection/DetectionSummary.h"
+#include "detection/ExampleSource.h"
+#include "plots/DetectionFigures.h"
+#include "records/Overview.h"
+#include "studies/Jobs.h"
+#include "studio/records/RecordView.h"
+
+namespace squat::studio {
+namespace {
+
+struct Search {
+  std::vector<std::string> records;
+  std::string channels, chainage, labels;
+  double speed = 0;  // [m/s]; 0: from the file
+  bool isOwnVehicle = false;
+  std::shared_ptr<records::Overview> overview;  // of the first record
+  QPointer<RecordView> view;
+};
+
+std::vector<detection::RecordDetection> search(const Search& wanted, const detection::DetectOptions& options,
+                                               Monitor& monitor) {
+  records::RecordOptions read;
+  read.columns.column = wanted.channels.empty() ? "all" : wanted.channels;
+  read.columns.speed = wanted.speed;
+  if (!wanted.chainage.empty()) read.chainage = analysis::chainageFromText(wanted.chainage);
+  std::vector<detection::RecordDetection> found;
+  for (const auto& file : wanted.records) {
+    auto stream = records::openRecord(file, read);
+    if (found.empty()) stream = std::make_unique<records::OverviewedStream>(std::move(stream), wanted.overview);
+    found.push_back(detection::findCandidates(*stream, options, monitor));
+    if (found.back().cancelled) break;
+  }
+  return found;
+}
+
+detection::SourceOptions sourceOf(const Search& wanted, const ToolInput& input) {
+  detection::SourceOptions source;
+  if (wanted.isOwnVehicle) {
+    source.vehicle = cases::loadCase(keepCase(input, {}), {"tiny", {}});  // as --case does
+    source.vehicleName = input.name;
+  }
+  source.folder = input.folder;
+  source.labelsFile = wanted.labels;
+  source.jobs = studies::coresHere();
+  return source;
+}
+
+ToolResult compute(const Search& wanted, const ToolInput& input, Monitor& monitor) {
+  if (wanted.records.empty())
+    throw CaseError({{"records", "none", "one file or several of one place", "add a record"}});
+  makeFolder(input.folder);
+  const FolderLock owner(input.folder, "Squat Studio, squats in records");
+  keepInputs(wanted.records, {input.folder + "/squats.csv", input.folder + "/squats.json"});
+  const detection::DetectOptions options;
+  ToolResult result;
+  auto found = search(wanted, options, monitor);
+  if (found.back().cancelled) return result;
+  const auto source = detection::exampleSource(sourceOf(wanted, input), found, monitor);
+  if (!source) return result;
+  const auto report =
+      std::make_shared<const detection::DetectionReport>(detection::judged(std::move(found), *source, options));
+  result.complete = true;
+  result.files = detection::writeDetection(*report, input.folder);
+  for (const auto& record : report->records) result.text += detection::faultText(record);
+  result.text += (result.text.empty() ? "" : "\n") + detection::detectionSummary(*report);
+  result.show = [report, view = wanted.view, folder = QString::fromStdString(input.folder)] {
+    if (view) view->setReport(report, folder);
+  };
+  result.shownSheets = 1;  // the overview: an event is looked at in the view
+  result.figures = [report](const plots::Style& style) { return plots::detectionFigures(*report, style); };
+  return result;
+}
+
+QToolButton* buttonOf(const QString& text, const QString& name, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setText(text);
+  button->setObjectName(name);
+  button->setAccessibleName(QString(text).remove('&'));
+  return button;
+}
+
+}  // namespace
+
+DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
+    : ToolForm(parent),
+      files_(new QListWidget(this)),
+      channels_(new QLineEdit(this)),
+      chainage_(new QLineEdit(this)),
+      labels_(new QLineEdit(this)),
+      speed_(new QDoubleSpinBox(this)),
+      own_(new QCheckBox(tr("&Judge by the vehicle and track of the open case"), this)),
+      view_(new RecordView(style, this)) {
+  channels_->setObjectName("channels");
+  channels_->setAccessibleName(tr("Channels"));
+  channels_->setPlaceholderText(tr("all accelerations; or names of columns, separated by commas"));
+  speed_->setObjectName("recordSpeed");
+  speed_->setAccessibleName(tr("Speed"));
+  speed_->setRange(0, 200);
+  speed_->setDecimals(2);
+  speed_->setSuffix(" m/s");
+  speed_->setSpecialValueText(tr("from the file"));
+  chainage_->setObjectName("chainage");
+  chainage_->setAccessibleName(tr("Chainage of the first sample"));
+  chainage_->setPlaceholderText(tr("from the file, or for example 12+300 or 12.3 km"));
+  labels_->setObjectName("labels");
+  labels_->setAccessibleName(tr("File of labels"));
+  labels_->setPlaceholderText(tr("none, or a table of events that you have seen"));
+  own_->setObjectName("ownVehicle");
+  own_->setToolTip(tr("Computes some fifty passages of this vehicle once: severities and sizes become narrower"));
+  auto* labels = new QHBoxLayout;
+  auto* browse = buttonOf(tr("Bro&wse…"), "browseLabels", this);
+  labels->addWidget(labels_, 1);
+  labels->addWidget(browse);
+  auto* layout = new QFormLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addRow(tr("Records:"), makeFiles());
+  layout->addRow(tr("Channels:"), channels_);
+  auto* where = new QHBoxLayout;
+  where->addWidget(speed_);
+  where->addWidget(new QLabel(tr("begins at:"), this));
+  where->addWidget(chainage_, 1);
+  layout->addRow(tr("Speed:"), where);
+  layout->addRow(tr("Labels:"), labels);
+  layout->addRow(QString(), own_);
+  connect(browse, &QToolButton::clicked, this, &DetectionForm::askForLabels);
+  connect(view_, &RecordView::passageRequested, this, &DetectionForm::passageRequested);
+  connect(view_, &RecordView::estimateRequested, this, &DetectionForm::estimateRequested);
+  connect(view_, &RecordView::labelsSaved, labels_, &QLineEdit::setText);
+  connect(view_, &RecordView::failed, this, &ToolForm::failed);
+}
+
+QWidget* DetectionForm::makeFiles() {
+  auto* part = new QWidget(this);
+  files_->setObjectName("records");
+  files_->setAccessibleName(tr("Records, one or several of one place"));
+  constexpr int lines = 3;
+  files_->setMaximumHeight(lines * (files_->fontMetrics().height() + 4));
+  auto* add = buttonOf(tr("&Add…"), "addRecord", part);
+  auto* remove = buttonOf(tr("Re&move"), "removeRecord", part);
+  auto* buttons = new QVBoxLayout;
+  buttons->addWidget(add);
+  buttons->addWidget(remove);
+  buttons->addStretch(1);
+  auto* layout = new QHBoxLayout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(files_, 1);
+  layout->addLayout(buttons);
+  connect(add, &QToolButton::clicked, this, &DetectionForm::askForRecords);
+  connect(remove, &QToolButton::clicked, this, [this] { delete files_->takeItem(files_->currentRow()); });
+  return part;
+}
+
+QString DetectionForm::explanation() const {
+  return tr(
+      "Finds squats in long records of axle box acceleration, and tells them from joints, welds, corrugation and "
+      "wheel flats. Several passes of one place are combined.");
+}
+
+bool DetectionForm::usesCase() const { return own_->isChecked(); }
+
+QWidget* DetectionForm::view() const { return view_; }
+
+void DetectionForm::setStyle(const plots::Style& style) { view_->setStyle(style); }
+
+void DetectionForm::conclude() { view_->stopFollowing(); }
+
+void DetectionForm::addRecord(const QString& path) {
+  if (files_->findItems(path, Qt::MatchExactly).isEmpty()) files_->addItem(path);
+}
+
+void DetectionForm::askForRecords() {
+  for (const QString& path : QFileDialog::getOpenFileNames(this, tr("Add records"), QString(),
+                                                           tr("Records (*.csv *.txt *.h5 *.mat);;All files (*)")))
+    addRecord(path);
+}
+
+void DetectionForm::askForLabels() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Labels"), QString(), tr("Tables (*.csv);;All files (*)"));
+  if (!path.isEmpty()) labels_->setText(path);
+}
+
+ToolWork DetectionForm::work() {
+  Search wanted;
+  for (int i = 0; i < files_->count(); ++i) wanted.records.push_back(files_->item(i)->text().toStdString());
+  wanted.chainage = chainage_->text().trimmed().toStdString();
+  wanted.channels = channels_->text().trimmed().toStdString();
+  wanted.speed = speed_->value();
+  wanted.labels = labels_->text().trimmed().toStdString();
+  wanted.isOwnVehicle = own_->isChecked();
+  wanted.overview = std::make_shared<records::Overview>();
+  wanted.view = view_;
+  view_->follow(wanted.overview);
+  return [wanted](const ToolInput& input, Monitor& monitor) { return compute(wanted, input, monitor); };
+}
+
+void DetectionForm::save(QSettings& settings) const {
+  settings.setValue("channels", channels_->text());
+  settings.setValue("speed", speed_->value());
+  settings.setValue("labels", labels_->text());
+  settings.setValue("ownVehicle", own_->isChecked());
+}
+
+void DetectionForm::restore(const QSettings& settings) {
+  channels_->setText(settings.value("channels").toString());
+  speed_->setValue(settings.value("speed").toDouble());
+  labels_->setText(settings.value("labels").toString());
+  own_->setChecked(settings.value("ownVehicle").toBool());
+}
+
+}  // namespace squat::studio

@@ -1,0 +1,52 @@
+// widgets/studio/tools/DetectionForm.h - options of a search for squats in long records, and the view of what is found.
+#pragma once
+
+#include "studio/tools/ToolForm.h"
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QLineEdit;
+class QListWidget;
+
+namespace squat::studio {
+
+class RecordView;
+
+class DetectionForm : public ToolForm {
+  Q_OBJECT
+ public:
+  explicit DetectionForm(const plots::Style& style, QWidget* parent = nullptr);
+
+  QString name() const override { return QStringLiteral("squats"); }
+  QString title() const override { return tr("Squats in records"); }
+  QString explanation() const override;
+  QString subject() const override { return tr("The search"); }
+  QString fate() const override { return tr("What it has so far is discarded."); }
+  ToolWork work() override;
+  bool usesCase() const override;
+  QWidget* view() const override;
+  void setStyle(const plots::Style& style) override;
+  void conclude() override;
+  void save(QSettings& settings) const override;
+  void restore(const QSettings& settings) override;
+
+  void addRecord(const QString& path);
+  RecordView* records() const { return view_; }
+
+ Q_SIGNALS:
+  void passageRequested(const QString& file);
+  void estimateRequested(const QString& file);
+
+ private:
+  QWidget* makeFiles();
+  void askForRecords();
+  void askForLabels();
+
+  QListWidget* files_;
+  QLineEdit *channels_, *chainage_, *labels_;
+  QDoubleSpinBox* speed_;
+  QCheckBox* own_;
+  RecordView* view_;
+};
+
+}  // namespace squat::studio

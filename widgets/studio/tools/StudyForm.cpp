@@ -1,0 +1,139 @@
+#include "studio/tools/StudyForm.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QSettings>
+#include <QSpinBox>
+#include <filesystem>
+
+#include "case/CaseNames.h"
+#include "core/DurableFile.h"
+#include "core/FolderLock.h"
+#include "plots/StudyFigures.h"
+#include "studies/CaseStudy.h"
+#include "studies/ComputeStudy.h"
+#include "studies/StudySummary.h"
+#include "studio/tools/KeyRows.h"
+
+namespace squat::studio {
+namespace {
+
+// The words of --sample; the first item has none.
+constexpr const char* methods[] = {"", "sobol", "latin-hypercube"};
+
+bool mayVary(const cases::Parameter& parameter) {
+  using cases::Kind;
+  return parameter.group != "case" &&
+         (parameter.kind == Kind::number || parameter.kind == Kind::choice || parameter.kind == Kind::boolean);
+}
+
+std::string textOf(const studies::StudyTable& table, const std::string& file) {
+  std::string text = studies::studySummary(table);
+  if (!text.empty()) text += "\n";
+  text += file + ": " + std::to_string(table.count(studies::RowState::done)) + " of " +
+          std::to_string(table.rows.size()) + " runs done\n";
+  for (const auto& row : table.rows)
+    if (row.state == studies::RowState::failed)
+      text += "failed: " + studies::toText(table.definition, row.point) + ": " + row.message + "\n";
+  return text;
+}
+
+// "depth 0.2, speed 40": as runs are called by what differs.
+std::string nameOf(const studies::StudyDefinition& definition, const studies::StudyPoint& point) {
+  std::string name;
+  for (std::size_t i = 0; i < point.values.size(); ++i)
+    name += (i > 0 ? ", " : "") + cases::shortLabel(*cases::findParameter(definition.variations[i].key)) + " " +
+            point.values[i];
+  return name;
+}
+
+ToolResult compute(studies::StudyJob job, const studies::StudyRequest& request, const ToolInput& input,
+                   Monitor& monitor) {
+  job.study.folder = input.folder;
+  makeFolder(input.folder);
+  const FolderLock owner(input.folder, "Squat Studio, study");
+  const auto files = studies::studyFiles(input.folder);
+  job.definition = studies::studyOf(keepCase(input, files.front()), job.overrides, request);
+  const auto cost = studies::costAhead(job);
+  if (cost.runs > 0) monitor.message("estimate: " + studies::toText(cost));
+  studies::shareCores(job, 0, 0, cost);
+  const auto table = std::make_shared<studies::StudyTable>(studies::computeStudy(job, monitor));
+  ToolResult result;
+  result.complete = table->count(studies::RowState::open) == 0;
+  result.text = textOf(*table, files.front());
+  result.files = files;
+  result.figures = [table](const plots::Style& style) { return plots::studyFigures(*table, style); };
+  if (job.keepResults)
+    for (const auto& row : table->rows)
+      if (const auto file = studies::resultFile(job, row.point); std::filesystem::exists(file))
+        result.results.emplace_back(file, nameOf(job.definition, row.point));
+  return result;
+}
+
+}  // namespace
+
+StudyForm::StudyForm(QWidget* parent)
+    : ToolForm(parent),
+      rows_(new KeyRows(mayVary, tr("20:60:5 or 20,35,60"), this)),
+      points_(new QComboBox(this)),
+      count_(new QSpinBox(this)),
+      keep_(new QCheckBox(tr("&Keep the result of each run, and list it"), this)) {
+  points_->setObjectName("points");
+  points_->setAccessibleName(tr("Points"));
+  points_->addItems({tr("All combinations"), tr("Sobol sample"), tr("Latin hypercube sample")});
+  points_->setToolTip(tr("A sample puts so many points between the limits of all keys, LOW:HIGH"));
+  count_->setObjectName("samples");
+  count_->setAccessibleName(tr("Number of samples"));
+  count_->setRange(2, 10000);
+  count_->setValue(64);
+  count_->setEnabled(false);
+  keep_->setObjectName("keepResults");
+  connect(points_, &QComboBox::currentIndexChanged, count_, &QWidget::setEnabled);
+  auto* points = new QHBoxLayout;
+  points->addWidget(points_);
+  points->addWidget(count_);
+  points->addWidget(keep_);
+  points->addStretch(1);
+  auto* layout = new QFormLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addRow(tr("Values:"), rows_);
+  layout->addRow(tr("Points:"), points);
+}
+
+QString StudyForm::explanation() const {
+  return tr(
+      "Runs the open case for all combinations of the given values: FROM:TO:COUNT, or single values with commas "
+      "between them, each in the unit of its key. A study that was stopped goes on in its folder.");
+}
+
+void StudyForm::showCase(const cases::CaseDescription& description) { rows_->showCase(description); }
+
+ToolWork StudyForm::work() {
+  studies::StudyRequest request;
+  request.variations = rows_->texts();
+  if (points_->currentIndex() > 0)
+    request.sample = std::string(methods[points_->currentIndex()]) + ":" + std::to_string(count_->value());
+  studies::StudyJob job;
+  job.keepResults = keep_->isChecked();
+  return [job, request](const ToolInput& input, Monitor& monitor) { return compute(job, request, input, monitor); };
+}
+
+void StudyForm::save(QSettings& settings) const {
+  QStringList texts;
+  for (const auto& text : rows_->texts()) texts << QString::fromStdString(text);
+  settings.setValue("rows", texts);
+  settings.setValue("points", points_->currentIndex());
+  settings.setValue("samples", count_->value());
+  settings.setValue("keepResults", keep_->isChecked());
+}
+
+void StudyForm::restore(const QSettings& settings) {
+  rows_->setTexts(settings.value("rows").toStringList());
+  points_->setCurrentIndex(settings.value("points", 0).toInt());
+  count_->setValue(settings.value("samples", count_->value()).toInt());
+  keep_->setChecked(settings.value("keepResults").toBool());
+}
+
+}  // namespace squat::studio

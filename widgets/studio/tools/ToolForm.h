@@ -1,0 +1,73 @@
+// widgets/studio/tools/ToolForm.h - what differs between the tools that compute many runs, or none, of the open case:
+// their options, and the work that follows from them.
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/CaseDescription.h"
+#include "core/Monitor.h"
+#include "plots/FigureSheet.h"
+#include "plots/Style.h"
+
+class QSettings;
+
+namespace squat::studio {
+
+// What a tool works on: the case as it stands in the window.
+struct ToolInput {
+  std::string name;  // of the case
+  cases::CaseDescription description;
+  std::string folder;  // of all that is written
+};
+
+struct ToolResult {
+  bool complete = false;           // false: cancelled; the text says what is known so far
+  std::string text;                // as the command prints it
+  std::vector<std::string> files;  // written
+  // Drawn in the window's thread.
+  std::function<std::vector<plots::FigureSheet>(const plots::Style&)> figures;
+  std::size_t shownSheets = 100;  // of the figures, as pages of the window; all of them are written
+  std::function<void()> show;     // in the form's view, in the window's thread; empty: nothing
+  std::string foundCase;          // the file of a case that was found; empty: none
+  std::vector<std::pair<std::string, std::string>> results;  // files of runs for the list, and their names there
+};
+
+// Called in a thread of its own; throws what its command throws.
+using ToolWork = std::function<ToolResult(const ToolInput&, Monitor&)>;
+
+class ToolForm : public QWidget {
+  Q_OBJECT
+ public:
+  using QWidget::QWidget;
+
+  virtual QString name() const = 0;   // "study": of its folder, its settings and its page of the manual
+  virtual QString title() const = 0;  // of its window
+  virtual QString explanation() const = 0;
+  virtual QString subject() const = 0;  // of a sentence: "The study"
+  // What becomes of it when it is stopped.
+  virtual QString fate() const { return tr("It goes on when it is started again in its folder."); }
+  // From the options as they stand. What is wrong with them is found by the work, as by the command.
+  virtual ToolWork work() = 0;
+  virtual bool usesCase() const { return true; }     // else a case that cannot be run does not matter
+  virtual QWidget* view() const { return nullptr; }  // what stands beside text and figures, from the start on
+  virtual void setStyle(const plots::Style&) {}
+  virtual void showCase(const cases::CaseDescription&) {}  // whose values stand beside the options
+  virtual void save(QSettings&) const {}
+  virtual void restore(const QSettings&) {}
+  virtual void conclude() {}  // it was finished, cancelled or failed
+
+ Q_SIGNALS:
+  void failed(const QString& problem);
+};
+
+// Writes the case as FOLDER/case/NAME.toml and returns its path: the tool reads it from there, so that edits meanwhile
+// change nothing, and the command can go on in the folder. Throws CaseError where `table`, the tool's own file, stands
+// in the folder and was computed from another case (empty: the tool begins anew each time); FileError.
+std::string keepCase(const ToolInput& input, const std::string& table);
+
+}  // namespace squat::studio

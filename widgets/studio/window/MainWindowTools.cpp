@@ -1,0 +1,97 @@
+// Studies, calibration and receptance in the main window: their windows, and what comes out of them.
+#include <QAction>
+#include <QMenu>
+
+#include "studio/common/MessageBar.h"
+#include "studio/common/Theme.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/project/ProjectKeeper.h"
+#include "studio/project/RunReader.h"
+#include "studio/tools/CalibrationForm.h"
+#include "studio/tools/DetectionForm.h"
+#include "studio/tools/EstimateForm.h"
+#include "studio/tools/ReceptanceForm.h"
+#include "studio/tools/StudyForm.h"
+#include "studio/tools/TargetList.h"
+#include "studio/tools/ToolWindow.h"
+#include "studio/window/MainWindow.h"
+
+namespace squat::studio {
+namespace {
+
+ToolForm* formOf(const QString& name, const RunStore& store, const plots::Style& style) {
+  if (name == "study") return new StudyForm;
+  if (name == "calibration") return new CalibrationForm(store);
+  if (name == "squats") return new DetectionForm(style);
+  if (name == "estimate") return new EstimateForm(store);
+  return new ReceptanceForm;
+}
+
+}  // namespace
+
+void MainWindow::makeToolActions(QMenu& menu) {
+  menu.addSeparator();
+  const auto add = [&](const QString& text, const QKeySequence& keys, const QString& name, const QString& tip) {
+    QAction* action = menu.addAction(text, this, [this, name] { showTool(name); });
+    action->setShortcut(keys);
+    action->setObjectName(name + "Action");
+    action->setToolTip(tip);
+  };
+  add(tr("&Study…"), QKeySequence("F8"), "study", tr("Run the case for many values of its keys"));
+  add(tr("C&alibration…"), QKeySequence("F9"), "calibration", tr("Find unknown values from what the case has to meet"));
+  add(tr("Track recep&tance…"), QKeySequence("Shift+F9"), "receptance",
+      tr("Receptance of the track, and modes of the wheelset"));
+  add(tr("S&quats in records…"), QKeySequence("Ctrl+F8"), "squats", tr("Find squats in long records"));
+  add(tr("Profile from &measured passages…"), QKeySequence("Ctrl+F9"), "estimate",
+      tr("Find the profile that explains measured signals"));
+}
+
+ToolWindow* MainWindow::tool(const QString& name) {
+  ToolWindow*& window = tools_[name];
+  if (window) return window;
+  const auto style = figureStyle(requestedDark());
+  const auto blocker = [this] {
+    takeWhatIsTyped();
+    return form_->blockers().value(0);
+  };
+  window = new ToolWindow(document_, formOf(name, store_, style), blocker, style, this);
+  connect(window, &ToolWindow::helpRequested, this, &MainWindow::showHelp);
+  connect(window, &ToolWindow::resultsKept, reader_, &RunReader::add);
+  connect(window, &ToolWindow::openCaseRequested, this, &MainWindow::openCase);
+  connect(window, &ToolWindow::caseFound, this, [this](const QString& path) {
+    listCase(path);
+    keeper_->saveSoon();
+  });
+  if (const auto* records = qobject_cast<DetectionForm*>(window->form())) {
+    connect(records, &DetectionForm::passageRequested, this, [this](const QString& file) {
+      if (openMeasured(file)) showTab("aba_position"), activateWindow(), raise();
+    });
+    connect(records, &DetectionForm::estimateRequested, this, [this](const QString& file) {
+      qobject_cast<EstimateForm*>(tool("estimate")->form())->passages()->addFile(file);
+      showTool("estimate");
+    });
+  }
+  return window;
+}
+
+void MainWindow::showTool(const QString& name) {
+  ToolWindow* window = tool(name);
+  window->show();
+  window->raise();
+  window->activateWindow();
+}
+
+bool MainWindow::mayLeaveTools() {
+  constexpr int patience = 20000;  // [ms]: a computation asks whether it is cancelled many times a second
+  for (const auto& [name, window] : tools_) {
+    if (window->isComputing() &&
+        services_.asker(this, tr("%1 is in progress. %2").arg(window->form()->subject(), window->form()->fate()),
+                        tr("Stop it and close")) == Answer::cancel)
+      return false;
+    window->cancel();
+    window->waitFor(patience);
+  }
+  return true;
+}
+
+}  // namespace squat::studio
