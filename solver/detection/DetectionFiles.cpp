@@ -260,7 +260,8 @@ std::vector<Label> readLabels(const std::string& path) {
     if (const auto at = columnOf(names, "severity"); at < names.size() && label.kind == Kind::squat) {
       // A severity corrected by hand counts more than the estimate beside it.
       const auto severity = rows[i][at];
-      if (!severity.empty() && severity != toText(severityOf(label.length, label.depth)))
+      const bool hasSize = label.length > 0 && label.depth > 0;
+      if (!severity.empty() && (!hasSize || severity != toText(severityOf(label.length, label.depth))))
         label.length = severity == "light"      ? 0.025
                        : severity == "moderate" ? 0.05
                                                 : 0.08,

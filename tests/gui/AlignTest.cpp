@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -110,6 +111,10 @@ TEST_F(AlignByHand, aFileThatIsGoneChangesNothing) {
   EXPECT_EQ(measured().record->position, laid);
   EXPECT_EQ(measured().reading.gain, 1);
   EXPECT_EQ(box("alignGain")->value(), 1);
+  bool said = false;
+  for (const auto* label : dialog_->findChildren<QLabel*>())
+    said = said || (label->isVisible() && label->text().contains("measured.csv"));
+  EXPECT_TRUE(said);
   dialog_->shift(0.02, false);
   dialog_->shift(0.02, true);
   EXPECT_EQ(measured().record->position, laid);
@@ -129,7 +134,9 @@ TEST_F(AlignByHand, isDraggedAlongTheTrack) {
   // Without the dialog a drag moves the view again, and the signal stays.
   const double laid = placeOfPeak();
   dialog_->close();
+  const QCPRange shown = view->figure()->xAxis->range();
   tests::drag(*view->figure(), from, to);
+  EXPECT_NE(view->figure()->xAxis->range(), shown);
   EXPECT_EQ(placeOfPeak(), laid);
 }
 

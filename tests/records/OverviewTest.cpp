@@ -42,6 +42,8 @@ TEST(Overview, KeepsEveryStrikeAtEveryZoom) {
   }
   // The place of the strike, 1050 m and 23.45 m, to a stretch.
   const auto close = overview.envelope(1, 1073, 1074, 1000);
+  EXPECT_GE(close.position.size(), 10U);
+  EXPECT_EQ(highestOf(close), 50);
   for (std::size_t i = 0; i < close.position.size(); ++i)
     EXPECT_EQ(close.high[i] > 1, std::abs(close.position[i] - 1073.45) < 0.5 * Overview::stretch + 1e-9);
 }

@@ -48,7 +48,7 @@ TEST_F(FigureSheets, allKindsAreThere) {
                                           "scatter_position", "measured_comparison", "smooth_comparison",
                                           "study_defect_length", "study_defect_depth", "paper_figure_04",
                                           "paper_figure_05", "paper_figure_06", "paper_figure_08", "paper_figure_09",
-                                          "paper_figure_10", "paper_figure_11", "track_receptance"));
+                                          "paper_figure_10", "paper_figure_11", "track_receptance", "estimate"));
 }
 
 TEST_F(FigureSheets, eachInEveryFormatWithTextAsText) {

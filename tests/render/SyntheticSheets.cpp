@@ -7,6 +7,7 @@
 #include "analysis/FileComparison.h"
 #include "plots/AnalysisFigures.h"
 #include "plots/ComparisonFigures.h"
+#include "plots/EstimateFigure.h"
 #include "plots/PaperFigures.h"
 #include "plots/ReceptanceFigures.h"
 #include "plots/StudyFigures.h"
@@ -100,6 +101,27 @@ receptance::TrackReceptance oneMassTrack() {
   return track;
 }
 
+// A dip of 100 um whose bottom the wheel does not touch, and a passage that it explains but for a tenth.
+estimation::Estimate dip() {
+  estimation::Estimate estimate;
+  for (int i = -25; i <= 25; ++i) {
+    const double x = 2e-3 * i, height = std::abs(i) < 15 ? -50e-6 * (1 + std::cos(M_PI * i / 15.0)) : 0;
+    estimate.profile.push_back({x, height, height - 12e-6, height + 8e-6, std::abs(i) > 4});
+  }
+  const auto signal = passing("run 1", 0.030, 30, 1.0, 1000);
+  estimation::ExplainedPassage passage;
+  passage.name = "run 1";
+  for (std::size_t i = 0; i < signal.time.size(); ++i) {
+    const double x = signal.position[i] - 0.9;
+    if (x < -0.1 || x > 0.13) continue;
+    passage.position.push_back(x);
+    passage.measured.push_back(signal.signals[0].values[i]);
+    passage.computed.push_back(0.9 * signal.signals[0].values[i]);
+  }
+  estimate.passages = {passage};
+  return estimate;
+}
+
 }  // namespace
 
 std::vector<plots::FigureSheet> syntheticSheets() {
@@ -120,6 +142,7 @@ std::vector<plots::FigureSheet> syntheticSheets() {
   for (double& height : modified.profileHeight) height *= 1.5;
   add(plots::paperFigures({&light, &squat, &modified}, style));
   all.push_back(plots::receptanceFigures(oneMassTrack(), "track_receptance", "One mass", "12345678", style));
+  all.push_back(plots::estimateFigure(dip(), style));
   return all;
 }
 

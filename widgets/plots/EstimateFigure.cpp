@@ -61,7 +61,7 @@ std::unique_ptr<Figure> passagePanel(const estimation::ExplainedPassage& passage
   figure->xAxis->setLabel(QStringLiteral("Position [mm]"));
   figure->yAxis->setLabel(QStringLiteral("Acceleration [m/s²]"));
   const auto position = scaled(passage.position, toMillimetres);
-  addCurve(*figure, {position, passage.measured, QStringLiteral("measured"), 7});
+  addCurve(*figure, {position, passage.measured, QStringLiteral("measured"), 1});
   addCurve(*figure, {position, passage.computed, QStringLiteral("computed"), 0});
   if (!position.empty()) figure->xAxis->setRange(position.front(), position.back());
   fitValues(*figure);

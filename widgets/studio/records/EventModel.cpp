@@ -26,6 +26,13 @@ QString words(const SeenAs& choice) {
   return choice.kind == Kind::squat ? QString::fromStdString(detection::toText(choice.severity)) + " " + kind : kind;
 }
 
+bool sharesARecord(const detection::DetectionReport& one, const detection::DetectionReport& other) {
+  for (const auto& a : one.records)
+    for (const auto& b : other.records)
+      if (a.layout.path == b.layout.path) return true;
+  return false;
+}
+
 QString rounded(double value) { return QString::fromStdString(text::roundedText(value)); }
 
 }  // namespace
@@ -38,7 +45,8 @@ QStringList EventModel::labels() {
 
 void EventModel::setReport(const ReportPointer& report) {
   beginResetModel();
-  const auto seenBefore = seenEvents();
+  const bool isSameTrack = report_ && report && sharesARecord(*report_, *report);
+  const auto seenBefore = isSameTrack ? seenEvents() : std::vector<detection::SeenEvent>();
   const auto placesBefore = seen_;
   report_ = report;
   seen_.clear();

@@ -5,7 +5,6 @@
 #include <QAbstractTableModel>
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "detection/DetectionFiles.h"
@@ -22,7 +21,7 @@ class EventModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  // What was seen stays with the events of the same channel within half a metre.
+  // Of the same record, what was seen stays with the events of its channel within half a metre.
   void setReport(const ReportPointer& report);
   const ReportPointer& report() const { return report_; }
   const detection::CombinedEvent& at(int row) const { return report_->events.at(static_cast<std::size_t>(row)); }

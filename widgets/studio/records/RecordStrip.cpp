@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "plots/UnitText.h"
 
@@ -75,6 +76,7 @@ void RecordStrip::setStyle(const plots::Style& style) {
 }
 
 void RecordStrip::follow(const std::shared_ptr<const records::Overview>& overview) {
+  overviewBefore_ = overview_, reportBefore_ = report_;
   overview_ = overview;
   report_.reset();
   position_.reset();
@@ -84,7 +86,14 @@ void RecordStrip::follow(const std::shared_ptr<const records::Overview>& overvie
   draw();
 }
 
-void RecordStrip::stopFollowing() { timer_->stop(); }
+// Without a report, the record before is shown again: its events stand in the list.
+void RecordStrip::stopFollowing() {
+  timer_->stop();
+  if (report_ || !reportBefore_) return;
+  overview_ = std::exchange(overviewBefore_, nullptr);
+  channel_.clear();
+  setReport(std::exchange(reportBefore_, nullptr));
+}
 
 void RecordStrip::setReport(const ReportPointer& report) {
   report_ = report;
@@ -98,9 +107,7 @@ QStringList RecordStrip::channels() const {
   return names;
 }
 
-std::size_t RecordStrip::place() const {
-  return static_cast<std::size_t>(std::max<qsizetype>(0, channels().indexOf(channel_)));
-}
+int RecordStrip::place() const { return static_cast<int>(channels().indexOf(channel_)); }
 
 QString RecordStrip::channel() const { return channel_; }
 
@@ -140,15 +147,16 @@ void RecordStrip::draw() {
   const auto points = static_cast<std::size_t>(std::max(100, figure_->axisRect()->width()));
   const QCPRange range = figure_->xAxis->range();
   QVector<double> x, y;
-  if (overview_) {
-    const auto envelope = overview_->envelope(place(), range.lower, range.upper, points);
+  if (overview_ && place() >= 0) {
+    const auto at = static_cast<std::size_t>(place());
+    const auto envelope = overview_->envelope(at, range.lower, range.upper, points);
     for (std::size_t i = 0; i < envelope.position.size(); ++i) {
       x << envelope.position[i] << envelope.position[i];
       y << envelope.low[i] << envelope.high[i];
     }
     const auto all = overview_->channels();
-    if (place() < all.size())
-      figure_->yAxis->setLabel(QStringLiteral("%1 [%2]").arg(channel_, plots::unitText(all[place()].unit)));
+    if (at < all.size())
+      figure_->yAxis->setLabel(QStringLiteral("%1 [%2]").arg(channel_, plots::unitText(all[at].unit)));
   }
   signal_->setData(x, y, true);
   double low = 0, high = 1e-3;

@@ -43,11 +43,13 @@ class RecordStrip : public QWidget {
   void grow();
   void draw();
   void drawMarks();
-  std::size_t place() const;
+  int place() const;  // of the channel; -1: this record has none of its name
   void pick(const QPoint& point);
 
   std::shared_ptr<const records::Overview> overview_;
   ReportPointer report_;
+  std::shared_ptr<const records::Overview> overviewBefore_;  // while another record is read
+  ReportPointer reportBefore_;
   plots::Style style_;
   plots::Figure* figure_ = nullptr;
   QCPGraph* signal_ = nullptr;

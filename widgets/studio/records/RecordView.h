@@ -8,7 +8,6 @@
 #include "studio/records/RecordStrip.h"
 
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QSortFilterProxyModel;
 class QTableView;

@@ -57,7 +57,7 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
   auto* automatic = buttons->addButton(tr("&Automatic"), QDialogButtonBox::ResetRole);
   automatic->setObjectName("alignAutomatic");
   automatic->setToolTip(tr("The largest value lies where that of the current run does; no gain"));
-  auto* back = buttons->addButton(tr("&As before"), QDialogButtonBox::ResetRole);
+  auto* back = buttons->addButton(tr("As &before"), QDialogButtonBox::ResetRole);
   back->setObjectName("alignBack");
   // Return enters a number; it presses no button.
   for (auto* button : buttons->findChildren<QPushButton*>()) button->setAutoDefault(false);

@@ -25,7 +25,6 @@ class BackgroundJob : public QObject {
   bool isRunning() const { return running_; }
   bool isPaused() const { return monitor_ && monitor_->isPaused(); }
   bool isStopping() const { return running_ && monitor_->isCancelled(); }
-  bool isCancelled() const { return monitor_ && monitor_->isCancelled(); }  // the one going on, or the last one
   void setPaused(bool paused);
   void cancel();                   // returns at once; ended() follows
   bool waitFor(int milliseconds);  // runs the event loop until the job has ended

@@ -34,12 +34,12 @@ bool mayVary(const cases::Parameter& parameter) {
 std::vector<std::string> targetFiles(const ChosenTargets& chosen, const std::string& folder) {
   auto files = chosen.files;
   if (chosen.measured.empty()) return files;
-  writeMeasured(chosen, folder);
   QJsonArray entries;
   for (std::size_t i = 0; i < chosen.measured.size(); ++i)
     entries.append(QJsonObject{{"name", QString::fromStdString(chosen.measured[i].name)},
                                {"files", QJsonArray{QStringLiteral("measured-%1.csv").arg(i + 1)}}});
   const QJsonObject all{{"schema", "squat-targets"}, {"schema_version", 1}, {"signals", entries}};
+  writeMeasured(chosen, folder, calibration::calibrationFiles(folder).front());
   files.push_back(folder + "/case/measured-targets.json");
   writeDurably(files.back(), std::string_view(QJsonDocument(all).toJson().toStdString()));
   return files;
@@ -47,7 +47,6 @@ std::vector<std::string> targetFiles(const ChosenTargets& chosen, const std::str
 
 ToolResult compute(calibration::CalibrationDefinition definition, const std::vector<std::string>& free,
                    const ChosenTargets& chosen, const ToolInput& input, Monitor& monitor) {
-  if (chosen.isEmpty()) throw CaseError({{"targets", "none", "what the case has to reproduce", "add a target"}});
   const auto& folder = input.folder;
   makeFolder(folder);
   const FolderLock owner(folder, "Squat Studio, calibration");
@@ -86,7 +85,7 @@ CalibrationForm::CalibrationForm(const RunStore& store, QWidget* parent)
   evaluations_->setObjectName("evaluations");
   evaluations_->setAccessibleName(tr("Approximate number of points to compute"));
   evaluations_->setRange(fewest - 1, most);
-  evaluations_->setSpecialValueText(tr("20 + 40 a key"));
+  evaluations_->setSpecialValueText(tr("20 + 40 per key"));
   evaluations_->setValue(fewest - 1);
   auto* search = new QHBoxLayout;
   search->addWidget(search_);
@@ -109,6 +108,10 @@ QString CalibrationForm::explanation() const {
 }
 
 void CalibrationForm::showCase(const cases::CaseDescription& description) { rows_->showCase(description); }
+
+QString CalibrationForm::missing() const {
+  return targets_->chosen().isEmpty() ? tr("No target is chosen. Add a target.") : QString();
+}
 
 ToolWork CalibrationForm::work() {
   calibration::CalibrationDefinition definition;

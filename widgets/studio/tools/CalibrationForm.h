@@ -21,6 +21,7 @@ class CalibrationForm : public ToolForm {
   QString title() const override { return tr("Calibration"); }
   QString explanation() const override;
   QString subject() const override { return tr("The calibration"); }
+  QString missing() const override;
   ToolWork work() override;
   void showCase(const cases::CaseDescription& description) override;
   void save(QSettings& settings) const override;

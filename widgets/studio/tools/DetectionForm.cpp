@@ -16,7 +16,6 @@
 #include "analysis/OptionText.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
-#include "core/Errors.h"
 #include "core/FolderLock.h"
 #include "detection/DetectionSummary.h"
 #include "detection/ExampleSource.h"
@@ -66,8 +65,6 @@ detection::SourceOptions sourceOf(const Search& wanted, const ToolInput& input) 
 }
 
 ToolResult compute(const Search& wanted, const ToolInput& input, Monitor& monitor) {
-  if (wanted.records.empty())
-    throw CaseError({{"records", "none", "one file or several of one place", "add a record"}});
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, squats in records");
   keepInputs(wanted.records, {input.folder + "/squats.csv", input.folder + "/squats.json"});
@@ -86,8 +83,9 @@ ToolResult compute(const Search& wanted, const ToolInput& input, Monitor& monito
   result.show = [report, view = wanted.view, folder = QString::fromStdString(input.folder)] {
     if (view) view->setReport(report, folder);
   };
-  result.shownSheets = 1;  // the overview: an event is looked at in the view
   result.figures = [report](const plots::Style& style) { return plots::detectionFigures(*report, style); };
+  // An event is looked at in the view.
+  result.shownFigures = [report](const plots::Style& style) { return plots::detectionFigures(*report, style, 0); };
   return result;
 }
 
@@ -174,6 +172,10 @@ QString DetectionForm::explanation() const {
   return tr(
       "Finds squats in long records of axle box acceleration, and tells them from joints, welds, corrugation and "
       "wheel flats. Several passes of one place are combined.");
+}
+
+QString DetectionForm::missing() const {
+  return files_->count() == 0 ? tr("No record is chosen. Add a record.") : QString();
 }
 
 bool DetectionForm::usesCase() const { return own_->isChecked(); }

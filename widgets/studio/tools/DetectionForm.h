@@ -21,8 +21,9 @@ class DetectionForm : public ToolForm {
   QString title() const override { return tr("Squats in records"); }
   QString explanation() const override;
   QString subject() const override { return tr("The search"); }
-  QString fate() const override { return tr("What it has so far is discarded."); }
+  QString fate() const override { return tr("Its results so far are discarded."); }
   ToolWork work() override;
+  QString missing() const override;
   bool usesCase() const override;
   QWidget* view() const override;
   void setStyle(const plots::Style& style) override;

@@ -8,7 +8,6 @@
 #include <QSettings>
 
 #include "core/DurableFile.h"
-#include "core/Errors.h"
 #include "core/FolderLock.h"
 #include "estimation/EstimateFiles.h"
 #include "estimation/EstimateSummary.h"
@@ -22,7 +21,6 @@ namespace {
 
 ToolResult compute(estimation::EstimateDefinition definition, const std::string& mesh, const ChosenTargets& chosen,
                    const ToolInput& input, Monitor& monitor) {
-  if (chosen.isEmpty()) throw CaseError({{"passages", "none", "measured passages over one defect", "add a passage"}});
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, estimate");
   const auto files = estimation::estimateFiles(input.folder);
@@ -30,7 +28,9 @@ ToolResult compute(estimation::EstimateDefinition definition, const std::string&
   for (auto& path : writeMeasured(chosen, input.folder)) definition.files.push_back(std::move(path));
   definition.caseName = keepCase(input, {});
   definition.overrides.preset = mesh;
-  keepInputs(definition.files, files);
+  auto inputs = definition.files;
+  inputs.insert(inputs.end(), input.files.begin(), input.files.end());
+  keepInputs(inputs, files);
   const auto sharing = studies::shareMachine(studies::thisMachine(), studies::demandOnMesh(mesh));
   estimation::EstimateOptions options;
   options.jobs = sharing.jobs, options.threads = sharing.threads;
@@ -38,9 +38,12 @@ ToolResult compute(estimation::EstimateDefinition definition, const std::string&
       std::make_shared<const estimation::Estimate>(estimation::estimateProfile(definition, options, monitor));
   ToolResult result;
   result.complete = found->complete;
-  if (found->profile.empty()) return result;
+  if (found->profile.empty()) {
+    result.fate = "No profile was found yet.";
+    return result;
+  }
   estimation::writeEstimate(*found, input.folder);
-  result.text = estimation::estimateSummary(*found);
+  result.text = (found->complete ? "" : "Not finished; the best so far:\n\n") + estimation::estimateSummary(*found);
   result.files = files;
   result.foundCase = files.at(1);
   result.figures = [found](const plots::Style& style) {
@@ -78,7 +81,11 @@ EstimateForm::EstimateForm(const RunStore& store, QWidget* parent)
 QString EstimateForm::explanation() const {
   return tr(
       "Looks for the profile that explains measured passages over one defect, with the vehicle and the track of "
-      "the open case. Its own defect does not count.");
+      "the open case. The defect of the case is ignored.");
+}
+
+QString EstimateForm::missing() const {
+  return passages_->chosen().isEmpty() ? tr("No passage is chosen. Add a measured passage.") : QString();
 }
 
 ToolWork EstimateForm::work() {

@@ -21,6 +21,7 @@ class EstimateForm : public ToolForm {
   QString explanation() const override;
   QString subject() const override { return tr("The estimate"); }
   QString fate() const override { return tr("The best profile so far is kept."); }
+  QString missing() const override;
   ToolWork work() override;
   void save(QSettings& settings) const override;
   void restore(const QSettings& settings) override;

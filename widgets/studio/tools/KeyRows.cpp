@@ -66,15 +66,10 @@ void KeyRows::addRow(const QString& key, const QString& text) {
   layout->addWidget(row.now, 2);
   layout->addWidget(remove);
   lines_->addWidget(row.line);
-  connect(row.key, &QComboBox::editTextChanged, this, [this, row] {
-    showValue(row);
-    Q_EMIT changed();
-  });
-  connect(row.text, &QLineEdit::textChanged, this, &KeyRows::changed);
+  connect(row.key, &QComboBox::editTextChanged, this, [this, row] { showValue(row); });
   connect(remove, &QToolButton::clicked, this, [this, line = row.line] { removeRow(line); });
   rows_.push_back(row);
   showValue(row);
-  Q_EMIT changed();
 }
 
 void KeyRows::removeRow(const QWidget* line) {
@@ -84,7 +79,6 @@ void KeyRows::removeRow(const QWidget* line) {
   found->line->deleteLater();
   rows_.erase(found);
   if (rows_.empty()) addRow({}, {});
-  Q_EMIT changed();
 }
 
 void KeyRows::showValue(const Row& row) const {

@@ -27,10 +27,6 @@ class KeyRows : public QWidget {
   std::vector<std::string> texts() const;
   void setTexts(const QStringList& texts);
   void showCase(const cases::CaseDescription& description);  // values beside the keys
-  int count() const { return static_cast<int>(rows_.size()); }
-
- Q_SIGNALS:
-  void changed();
 
  private:
   struct Row {

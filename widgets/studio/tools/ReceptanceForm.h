@@ -14,7 +14,7 @@ class ReceptanceForm : public ToolForm {
   QString title() const override { return tr("Track receptance"); }
   QString explanation() const override;
   QString subject() const override { return tr("The receptance"); }
-  QString fate() const override { return tr("What it has so far is discarded."); }
+  QString fate() const override { return tr("Its results so far are discarded."); }
   ToolWork work() override;
 };
 

@@ -67,7 +67,8 @@ ToolResult compute(studies::StudyJob job, const studies::StudyRequest& request, 
   result.figures = [table](const plots::Style& style) { return plots::studyFigures(*table, style); };
   if (job.keepResults)
     for (const auto& row : table->rows)
-      if (const auto file = studies::resultFile(job, row.point); std::filesystem::exists(file))
+      if (const auto file = studies::resultFile(job, row.point);
+          row.state == studies::RowState::done && std::filesystem::exists(file))
         result.results.emplace_back(file, nameOf(job.definition, row.point));
   return result;
 }
@@ -83,7 +84,7 @@ StudyForm::StudyForm(QWidget* parent)
   points_->setObjectName("points");
   points_->setAccessibleName(tr("Points"));
   points_->addItems({tr("All combinations"), tr("Sobol sample"), tr("Latin hypercube sample")});
-  points_->setToolTip(tr("A sample puts so many points between the limits of all keys, LOW:HIGH"));
+  points_->setToolTip(tr("A sample spreads this many points between the limits of all keys, LOW:HIGH"));
   count_->setObjectName("samples");
   count_->setAccessibleName(tr("Number of samples"));
   count_->setRange(2, 10000);

@@ -1,14 +1,15 @@
 #include "studio/tools/TargetList.h"
 
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <filesystem>
 
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "studio/runs/RunStore.h"
 #include "text/Csv.h"
 
@@ -45,6 +46,19 @@ TargetList::TargetList(const RunStore& store, Offer offer, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(list_, 1);
   layout->addLayout(buttons);
+  // A signal that has left the runs leaves this list.
+  const auto forget = [this] {
+    for (auto it = measured_.begin(); it != measured_.end();) {
+      if (it->second.isValid()) {
+        ++it;
+        continue;
+      }
+      delete it->first;
+      it = measured_.erase(it);
+    }
+  };
+  connect(&store_, &RunStore::rowsRemoved, this, forget);
+  connect(&store_, &RunStore::modelReset, this, forget);
   connect(menu_, &QMenu::aboutToShow, this, &TargetList::fillMenu);
   connect(remove, &QToolButton::clicked, this, &TargetList::removeChosen);
   fillMenu();
@@ -74,6 +88,12 @@ void TargetList::addFile(const QString& nameOrPath) {
   auto* item = new QListWidgetItem(nameOrPath, list_);
   item->setData(fileRole, nameOrPath);
   list_->setCurrentItem(item);
+}
+
+void TargetList::setFile(const QString& nameOrPath) {
+  measured_.clear();
+  list_->clear();
+  addFile(nameOrPath);
 }
 
 void TargetList::addSignal(int row) {
@@ -112,15 +132,22 @@ ChosenTargets TargetList::chosen() const {
   return all;
 }
 
-std::vector<std::string> writeMeasured(const ChosenTargets& chosen, const std::string& folder) {
-  std::vector<std::string> paths;
+std::vector<std::string> writeMeasured(const ChosenTargets& chosen, const std::string& folder,
+                                       const std::string& table) {
+  std::vector<std::string> paths, made;
   for (const auto& [name, record] : chosen.measured) {
     paths.push_back(folder + "/case/measured-" + std::to_string(paths.size() + 1) + ".csv");
     const auto text = text::csvColumns({"time [s]", "position [m]", "aba [m/s2]"},
                                        {&record->time, &record->position, record->signal("aba")});
-    makeFolder(folder + "/case");
-    writeDurably(paths.back(), std::string_view(text));
+    made.push_back(text);
   }
+  const bool isUsed = !table.empty() && std::filesystem::exists(table);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (isUsed && !(std::filesystem::exists(paths[i]) && std::filesystem::file_size(paths[i]) == made[i].size() &&
+                    readWholeFile(paths[i], made[i].size() + 1) == made[i]))
+      throw CaseError({{"folder", folder, "a folder without results from other signals", "Choose another folder"}});
+  if (!paths.empty()) makeFolder(folder + "/case");
+  for (std::size_t i = 0; i < paths.size(); ++i) writeDurably(paths[i], std::string_view(made[i]));
   return paths;
 }
 

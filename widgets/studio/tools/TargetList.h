@@ -32,8 +32,10 @@ struct ChosenTargets {
 };
 
 // Writes the measured signals as FOLDER/case/measured-1.csv and so on: what is shown, with its gain, whatever file it
-// is from. Returns the paths. Throws FileError.
-std::vector<std::string> writeMeasured(const ChosenTargets& chosen, const std::string& folder);
+// is from. Returns the paths. Throws CaseError where `table`, the tool's own file, stands in the folder and was
+// computed from other signals (empty: the tool begins anew each time); FileError.
+std::vector<std::string> writeMeasured(const ChosenTargets& chosen, const std::string& folder,
+                                       const std::string& table = {});
 
 class TargetList : public QWidget {
   Q_OBJECT
@@ -43,10 +45,10 @@ class TargetList : public QWidget {
 
   ChosenTargets chosen() const;
   void addFile(const QString& nameOrPath);
-  void addSignal(int row);  // of the store; measured
+  void setFile(const QString& nameOrPath);  // in place of all that is listed
+  void addSignal(int row);                  // of the store; measured
   // Names and paths alone: measured signals of another day are not offered again.
   QStringList files() const;
-  QListWidget* list() const { return list_; }
 
  private:
   void fillMenu();

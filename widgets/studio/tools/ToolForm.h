@@ -22,7 +22,8 @@ namespace squat::studio {
 struct ToolInput {
   std::string name;  // of the case
   cases::CaseDescription description;
-  std::string folder;  // of all that is written
+  std::string folder;              // of all that is written
+  std::vector<std::string> files;  // that the case is from, which nothing may replace
 };
 
 struct ToolResult {
@@ -31,9 +32,10 @@ struct ToolResult {
   std::vector<std::string> files;  // written
   // Drawn in the window's thread.
   std::function<std::vector<plots::FigureSheet>(const plots::Style&)> figures;
-  std::size_t shownSheets = 100;  // of the figures, as pages of the window; all of them are written
-  std::function<void()> show;     // in the form's view, in the window's thread; empty: nothing
-  std::string foundCase;          // the file of a case that was found; empty: none
+  std::function<std::vector<plots::FigureSheet>(const plots::Style&)> shownFigures;  // in the window; empty: all
+  std::function<void()> show;  // in the form's view, in the window's thread; empty: nothing
+  std::string fate;            // cancelled: what becomes of it; empty: the form's own words
+  std::string foundCase;       // the file of a case that was found; empty: none
   std::vector<std::pair<std::string, std::string>> results;  // files of runs for the list, and their names there
 };
 
@@ -50,9 +52,10 @@ class ToolForm : public QWidget {
   virtual QString explanation() const = 0;
   virtual QString subject() const = 0;  // of a sentence: "The study"
   // What becomes of it when it is stopped.
-  virtual QString fate() const { return tr("It goes on when it is started again in its folder."); }
+  virtual QString fate() const { return tr("To resume it, start it again in the same folder."); }
   // From the options as they stand. What is wrong with them is found by the work, as by the command.
   virtual ToolWork work() = 0;
+  virtual QString missing() const { return {}; }     // what is not chosen yet, as a sentence; empty: nothing
   virtual bool usesCase() const { return true; }     // else a case that cannot be run does not matter
   virtual QWidget* view() const { return nullptr; }  // what stands beside text and figures, from the start on
   virtual void setStyle(const plots::Style&) {}

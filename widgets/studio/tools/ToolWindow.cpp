@@ -23,6 +23,7 @@
 #include <map>
 #include <utility>
 
+#include "case/CaseFile.h"
 #include "core/Errors.h"
 #include "studio/common/ErrorText.h"
 #include "studio/common/MessageBar.h"
@@ -48,8 +49,9 @@ QPlainTextEdit* makeText(const QString& name, QWidget* parent) {
 
 // Options of the command by the names that they have here.
 std::exception_ptr inWordsOfTheWindow(const std::exception_ptr& error) {
-  static const std::map<std::string, std::string> names{
-      {"-o", "folder"}, {"--vary", "values"}, {"--sample", "points"}, {"--free", "unknown keys"}, {"--speed", "speed"}};
+  static const std::map<std::string, std::string> names{{"-o", "folder"},       {"--vary", "values"},
+                                                        {"--sample", "points"}, {"--free", "unknown keys"},
+                                                        {"--speed", "speed"},   {"--chainage", "begins at"}};
   try {
     std::rethrow_exception(error);
   } catch (const CaseError& wrong) {
@@ -220,14 +222,18 @@ void ToolWindow::start() {
   messages_->hide();
   if (const QString reason = blocker_(); !reason.isEmpty() && form_->usesCase())
     return messages_->warn(tr("Cannot start: %1").arg(reason));
-  const QString folder = folder_->text().trimmed();
-  if (folder.isEmpty() || !QDir::isAbsolutePath(folder))
-    return messages_->warn(tr("Name the folder for the files, with its whole path."));
+  if (const QString missing = form_->missing(); !missing.isEmpty()) return messages_->warn(missing);
+  const QString named = folder_->text().trimmed();
+  if (named.isEmpty() || !QDir::isAbsolutePath(named))
+    return messages_->warn(tr("Enter the full path of the output folder."));
+  const QString folder = QDir::cleanPath(named);
   writtenTo_ = folder;
   result_ = nullptr;
   text_->clear(), log_->clear();
   showFigures();
-  const ToolInput input{document_.name().toStdString(), document_.description(), folder.toStdString()};
+  ToolInput input{document_.name().toStdString(), document_.description(), folder.toStdString(), {}};
+  if (const auto path = document_.path().toStdString(); !path.empty())
+    input.files = cases::filesOfCase(path, document_.description().defect.file);
   const auto made = std::make_shared<ToolResult>();
   result_ = made;
   if (form_->view()) tabs_->setCurrentWidget(form_->view());
@@ -279,15 +285,17 @@ void ToolWindow::conclude(const std::exception_ptr& error) {
   if (error) {
     result_ = nullptr;
     const ErrorText text = errorText(inWordsOfTheWindow(error), form_->subject());
-    messages_->warn(text.sentence, text.details);
+    messages_->warn(
+        text.problems.empty() ? text.sentence : tr("Cannot start: %1").arg(text.details.section('\n', 0, 0)),
+        text.details);
     return finish();
   }
   text_->setPlainText(QString::fromStdString(result_->text));
   tabs_->setCurrentWidget(form_->view() ? form_->view() : text_);
   if (result_->show) result_->show();
   if (!result_->complete) {
-    messages_->say(tr("Cancelled. %1").arg(form_->fate()));
-    return finish();
+    const QString fate = QString::fromStdString(result_->fate);
+    messages_->say(tr("Cancelled. %1").arg(fate.isEmpty() ? form_->fate() : fate));
   }
   try {
     showFigures();
@@ -305,9 +313,8 @@ void ToolWindow::showFigures() {
     delete old;
   }
   if (!result_ || !result_->figures) return;
-  std::size_t shown = 0;
-  for (auto& sheet : result_->figures(style_)) {
-    if (++shown > result_->shownSheets) break;
+  const auto& shown = result_->shownFigures ? result_->shownFigures : result_->figures;
+  for (auto& sheet : shown(style_)) {
     const QString title = QString::fromStdString(sheet.name);
     tabs_->addTab(pageOf(std::move(sheet), *messages_, tabs_), QString(title).replace('_', ' '));
   }

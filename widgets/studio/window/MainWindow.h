@@ -89,7 +89,7 @@ class MainWindow : public QMainWindow {
   ProjectKeeper* keeper() const { return keeper_; }
   RunReader* reader() const { return reader_; }
   NotesPanel* notes() const { return notes_; }
-  ToolWindow* tool(const QString& name);  // "study", "calibration", "receptance"; made when it is first asked for
+  ToolWindow* tool(const QString& name);  // "study", "squats", ...; made when it is first asked for
   bool saveCase();
   bool saveCaseAs();
   bool saveCaseTo(const QString& path);

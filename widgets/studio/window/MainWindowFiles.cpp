@@ -270,7 +270,8 @@ void MainWindow::removeRun(int row) {
   const auto unsaved = store_.unsaved();
   const ResultPointer result = store_.at(row).result;
   const bool lost = std::find(unsaved.begin(), unsaved.end(), result) != unsaved.end();
-  if (!lost || mayLeaveResults({result})) store_.remove(store_.rowOf(result));
+  if (!lost) return store_.remove(row);
+  if (mayLeaveResults({result})) store_.remove(store_.rowOf(result));  // rows may have moved while the question stood
 }
 
 void MainWindow::hideSettledRecovery() {

@@ -1,8 +1,7 @@
-// Studies, calibration and receptance in the main window: their windows, and what comes out of them.
+// The windows of studies, calibration, receptance, records and estimates, and what comes out of them.
 #include <QAction>
 #include <QMenu>
 
-#include "studio/common/MessageBar.h"
 #include "studio/common/Theme.h"
 #include "studio/document/ParameterForm.h"
 #include "studio/project/ProjectKeeper.h"
@@ -67,7 +66,7 @@ ToolWindow* MainWindow::tool(const QString& name) {
       if (openMeasured(file)) showTab("aba_position"), activateWindow(), raise();
     });
     connect(records, &DetectionForm::estimateRequested, this, [this](const QString& file) {
-      qobject_cast<EstimateForm*>(tool("estimate")->form())->passages()->addFile(file);
+      qobject_cast<EstimateForm*>(tool("estimate")->form())->passages()->setFile(file);
       showTool("estimate");
     });
   }
@@ -83,11 +82,12 @@ void MainWindow::showTool(const QString& name) {
 
 bool MainWindow::mayLeaveTools() {
   constexpr int patience = 20000;  // [ms]: a computation asks whether it is cancelled many times a second
-  for (const auto& [name, window] : tools_) {
+  for (const auto& [name, window] : tools_)
     if (window->isComputing() &&
         services_.asker(this, tr("%1 is in progress. %2").arg(window->form()->subject(), window->form()->fate()),
                         tr("Stop it and close")) == Answer::cancel)
       return false;
+  for (const auto& [name, window] : tools_) {  // none is stopped before all may be
     window->cancel();
     window->waitFor(patience);
   }
