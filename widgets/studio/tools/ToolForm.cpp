@@ -9,7 +9,8 @@
 namespace squat::studio {
 
 std::string keepCase(const ToolInput& input, const std::string& table) {
-  const std::string folder = input.folder + "/case", path = folder + "/" + input.name + ".toml";
+  const std::string folder = input.folder + "/case";
+  std::string path = folder + "/" + input.name + ".toml";
   if (!table.empty() && std::filesystem::exists(table) &&
       !(std::filesystem::exists(path) && cases::caseHash(cases::readCase(path)) == cases::caseHash(input.description)))
     throw CaseError({{"folder", input.folder, "a folder without results of another case",
