@@ -18,7 +18,7 @@
 #include "core/Errors.h"
 #include "studio/common/ButtonKeys.h"
 #include "studio/common/LocationToSave.h"
-#include "studio/common/NarrowHeader.h"
+#include "studio/common/RowTable.h"
 #include "studio/common/Theme.h"
 #include "studio/comparison/ComparisonModel.h"
 #include "studio/runs/ColourSquare.h"
@@ -67,26 +67,13 @@ void ComparisonWindow::makeTable() {
   seen_->setSourceModel(model_);
   seen_->setSortRole(ComparisonModel::sortRole);
   table_->setModel(seen_);
+  makeRowTable(*table_);
   table_->setObjectName("comparison");
   table_->setAccessibleName(tr("Comparison of runs and measured signals"));
   table_->setItemDelegate(new ColourSquare(table_));
-  table_->setTabKeyNavigation(false);  // Tab leaves the table
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->setAlternatingRowColors(true);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
-  auto* heading = new NarrowHeader(table_);
-  table_->setHorizontalHeader(heading);
-  heading->setSectionResizeMode(QHeaderView::ResizeToContents);
-  heading->setSortIndicator(-1, Qt::AscendingOrder);
-  heading->setSortIndicatorClearable(true);
-  table_->setSortingEnabled(true);
   connect(table_, &QWidget::customContextMenuRequested, this, &ComparisonWindow::showMenu);
 }
 

@@ -1,11 +1,11 @@
 #include "studio/project/RunReader.h"
 
-#include <QEventLoop>
 #include <algorithm>
 #include <utility>
 
 #include "core/Errors.h"
 #include "project/LinkedRun.h"
+#include "studio/common/WaitForSignal.h"
 #include "studio/project/ProjectRuns.h"
 
 namespace squat::studio {
@@ -122,11 +122,7 @@ void RunReader::list() {
 }
 
 bool RunReader::waitFor(int milliseconds) {
-  if (!isBusy()) return true;
-  QEventLoop loop;
-  connect(this, &RunReader::finished, &loop, &QEventLoop::quit);
-  QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
-  loop.exec();
+  if (isBusy()) waitForSignal(this, &RunReader::finished, milliseconds);
   return !isBusy();
 }
 

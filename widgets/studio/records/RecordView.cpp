@@ -14,7 +14,7 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "studio/common/LocationToSave.h"
-#include "studio/common/NarrowHeader.h"
+#include "studio/common/RowTable.h"
 
 namespace squat::studio {
 namespace {
@@ -78,23 +78,11 @@ void RecordView::makeTable() {
   seen_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   seen_->setFilterKeyColumn(-1);
   table_->setModel(seen_);
+  makeRowTable(*table_);
   table_->setObjectName("events");
   table_->setAccessibleName(tr("Events of the record"));
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
-  table_->setTabKeyNavigation(false);  // Tab leaves the table
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   table_->setItemDelegateForColumn(EventModel::seen, new LabelDelegate(table_));
-  auto* heading = new NarrowHeader(table_);
-  table_->setHorizontalHeader(heading);
-  heading->setSectionResizeMode(QHeaderView::ResizeToContents);
-  heading->setSortIndicator(-1, Qt::AscendingOrder);
-  heading->setSortIndicatorClearable(true);
-  table_->setSortingEnabled(true);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &RecordView::showChosen);
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     if (index.column() != EventModel::seen) show_->click();
@@ -118,7 +106,7 @@ QWidget* RecordView::makeBar() {
   filter->setClearButtonEnabled(true);
   connect(filter, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
   show_->setObjectName("showEvent");
-  show_->setToolTip(tr("Lay the signal over the chosen event on the runs"));
+  show_->setToolTip(tr("Overlay the signal around the chosen event on the runs"));
   estimate_->setObjectName("estimateEvent");
   estimate_->setToolTip(tr("Look for the profile that explains the signal over the chosen event"));
   labels_->setObjectName("saveLabels");

@@ -129,6 +129,11 @@ void AlignDialog::layAutomatically() {
   lay(wanted);
 }
 
+void AlignDialog::done(int result) {
+  if (const int at = row(); at >= 0 && store_.at(at).dragged) lay(measured_.reading);
+  QDialog::done(result);
+}
+
 void AlignDialog::shift(double metres, bool done) {
   const int at = row();
   if (at < 0) return;

@@ -19,6 +19,7 @@ class AlignDialog : public QDialog {
 
   // While the mouse drags the signal: `metres` since the button went down; laid for good where `done`.
   void shift(double metres, bool done);
+  void done(int result) override;  // a drag that has not ended is undone
 
  private:
   QDoubleSpinBox* numberOf(const QString& name, const QString& label, const QString& unit, double low, double high,

@@ -1,9 +1,9 @@
 #include "studio/runs/BackgroundJob.h"
 
-#include <QEventLoop>
 #include <utility>
 
 #include "studio/common/ThreadPriority.h"
+#include "studio/common/WaitForSignal.h"
 
 namespace squat::studio {
 
@@ -61,11 +61,7 @@ void BackgroundJob::conclude() {
 }
 
 bool BackgroundJob::waitFor(int milliseconds) {
-  if (!running_) return true;
-  QEventLoop loop;
-  connect(this, &BackgroundJob::ended, &loop, &QEventLoop::quit);
-  QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
-  loop.exec();
+  if (running_) waitForSignal(this, &BackgroundJob::ended, milliseconds);
   return !running_;
 }
 

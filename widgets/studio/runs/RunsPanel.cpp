@@ -14,7 +14,7 @@
 
 #include "studio/common/ButtonKeys.h"
 #include "studio/common/EditorHabits.h"
-#include "studio/common/NarrowHeader.h"
+#include "studio/common/RowTable.h"
 #include "studio/runs/ColourSquare.h"
 #include "studio/runs/RunStore.h"
 #include "studio/runs/RunTable.h"
@@ -45,27 +45,14 @@ void RunsPanel::makeTable() {
   seen_->setFilterKeyColumn(-1);  // every column
   seen_->setSortRole(RunTable::sortRole);
   table_->setModel(seen_);
+  makeRowTable(*table_);
   table_->setAccessibleName(tr("Runs"));
   table_->setObjectName("runs");
   table_->setMinimumHeight(70);
-  table_->setTabKeyNavigation(false);  // Tab leaves the table
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
-  table_->setShowGrid(false);
-  table_->setWordWrap(false);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
-  auto* heading = new NarrowHeader(table_);
-  table_->setHorizontalHeader(heading);
-  heading->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setItemDelegate(new ColourSquare(table_));
   table_->viewport()->installEventFilter(this);
-  heading->setSortIndicator(-1, Qt::AscendingOrder);
-  heading->setSortIndicatorClearable(true);
-  table_->setSortingEnabled(true);
 }
 
 QWidget* RunsPanel::makeButtons() {

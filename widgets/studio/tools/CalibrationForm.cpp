@@ -104,7 +104,7 @@ CalibrationForm::CalibrationForm(const RunStore& store, QWidget* parent)
 QString CalibrationForm::explanation() const {
   return tr(
       "Finds unknown values of the case from what it has to reproduce. Give the limits between which each is looked "
-      "for, in the unit of its key. A calibration that was stopped goes on in its folder.");
+      "for, in the unit of its key. A stopped calibration resumes in its folder.");
 }
 
 void CalibrationForm::showCase(const cases::CaseDescription& description) { rows_->showCase(description); }

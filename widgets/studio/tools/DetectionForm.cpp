@@ -7,11 +7,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPointer>
 #include <QSettings>
-#include <QToolButton>
-#include <QVBoxLayout>
 
 #include "analysis/OptionText.h"
 #include "case/CaseFile.h"
@@ -23,6 +20,7 @@
 #include "records/Overview.h"
 #include "studies/Jobs.h"
 #include "studio/records/RecordView.h"
+#include "studio/tools/ButtonedList.h"
 
 namespace squat::studio {
 namespace {
@@ -89,19 +87,11 @@ ToolResult compute(const Search& wanted, const ToolInput& input, Monitor& monito
   return result;
 }
 
-QToolButton* buttonOf(const QString& text, const QString& name, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setText(text);
-  button->setObjectName(name);
-  button->setAccessibleName(QString(text).remove('&'));
-  return button;
-}
-
 }  // namespace
 
 DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
     : ToolForm(parent),
-      files_(new QListWidget(this)),
+      files_(new ButtonedList("Record", tr("&Add…"), tr("Records, one or several of one place"), 3, this)),
       channels_(new QLineEdit(this)),
       chainage_(new QLineEdit(this)),
       labels_(new QLineEdit(this)),
@@ -126,12 +116,12 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   own_->setObjectName("ownVehicle");
   own_->setToolTip(tr("Computes some fifty passages of this vehicle once: severities and sizes become narrower"));
   auto* labels = new QHBoxLayout;
-  auto* browse = buttonOf(tr("Bro&wse…"), "browseLabels", this);
+  auto* browse = textButton(tr("Bro&wse…"), "browseLabels", this);
   labels->addWidget(labels_, 1);
   labels->addWidget(browse);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addRow(tr("Records:"), makeFiles());
+  layout->addRow(tr("Records:"), files_);
   layout->addRow(tr("Channels:"), channels_);
   auto* where = new QHBoxLayout;
   where->addWidget(speed_);
@@ -140,32 +130,14 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   layout->addRow(tr("Speed:"), where);
   layout->addRow(tr("Labels:"), labels);
   layout->addRow(QString(), own_);
+  connect(files_->add(), &QToolButton::clicked, this, &DetectionForm::askForRecords);
+  connect(files_->remove(), &QToolButton::clicked, this,
+          [this] { delete files_->list()->takeItem(files_->list()->currentRow()); });
   connect(browse, &QToolButton::clicked, this, &DetectionForm::askForLabels);
   connect(view_, &RecordView::passageRequested, this, &DetectionForm::passageRequested);
   connect(view_, &RecordView::estimateRequested, this, &DetectionForm::estimateRequested);
   connect(view_, &RecordView::labelsSaved, labels_, &QLineEdit::setText);
   connect(view_, &RecordView::failed, this, &ToolForm::failed);
-}
-
-QWidget* DetectionForm::makeFiles() {
-  auto* part = new QWidget(this);
-  files_->setObjectName("records");
-  files_->setAccessibleName(tr("Records, one or several of one place"));
-  constexpr int lines = 3;
-  files_->setMaximumHeight(lines * (files_->fontMetrics().height() + 4));
-  auto* add = buttonOf(tr("&Add…"), "addRecord", part);
-  auto* remove = buttonOf(tr("Re&move"), "removeRecord", part);
-  auto* buttons = new QVBoxLayout;
-  buttons->addWidget(add);
-  buttons->addWidget(remove);
-  buttons->addStretch(1);
-  auto* layout = new QHBoxLayout(part);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(files_, 1);
-  layout->addLayout(buttons);
-  connect(add, &QToolButton::clicked, this, &DetectionForm::askForRecords);
-  connect(remove, &QToolButton::clicked, this, [this] { delete files_->takeItem(files_->currentRow()); });
-  return part;
 }
 
 QString DetectionForm::explanation() const {
@@ -175,7 +147,7 @@ QString DetectionForm::explanation() const {
 }
 
 QString DetectionForm::missing() const {
-  return files_->count() == 0 ? tr("No record is chosen. Add a record.") : QString();
+  return files_->list()->count() == 0 ? tr("No record is chosen. Add a record.") : QString();
 }
 
 bool DetectionForm::usesCase() const { return own_->isChecked(); }
@@ -187,7 +159,7 @@ void DetectionForm::setStyle(const plots::Style& style) { view_->setStyle(style)
 void DetectionForm::conclude() { view_->stopFollowing(); }
 
 void DetectionForm::addRecord(const QString& path) {
-  if (files_->findItems(path, Qt::MatchExactly).isEmpty()) files_->addItem(path);
+  if (files_->list()->findItems(path, Qt::MatchExactly).isEmpty()) files_->list()->addItem(path);
 }
 
 void DetectionForm::askForRecords() {
@@ -203,7 +175,8 @@ void DetectionForm::askForLabels() {
 
 ToolWork DetectionForm::work() {
   Search wanted;
-  for (int i = 0; i < files_->count(); ++i) wanted.records.push_back(files_->item(i)->text().toStdString());
+  for (int i = 0; i < files_->list()->count(); ++i)
+    wanted.records.push_back(files_->list()->item(i)->text().toStdString());
   wanted.chainage = chainage_->text().trimmed().toStdString();
   wanted.channels = channels_->text().trimmed().toStdString();
   wanted.speed = speed_->value();

@@ -6,10 +6,10 @@
 class QCheckBox;
 class QDoubleSpinBox;
 class QLineEdit;
-class QListWidget;
 
 namespace squat::studio {
 
+class ButtonedList;
 class RecordView;
 
 class DetectionForm : public ToolForm {
@@ -39,11 +39,10 @@ class DetectionForm : public ToolForm {
   void estimateRequested(const QString& file);
 
  private:
-  QWidget* makeFiles();
   void askForRecords();
   void askForLabels();
 
-  QListWidget* files_;
+  ButtonedList* files_;
   QLineEdit *channels_, *chainage_, *labels_;
   QDoubleSpinBox* speed_;
   QCheckBox* own_;

@@ -106,7 +106,7 @@ StudyForm::StudyForm(QWidget* parent)
 QString StudyForm::explanation() const {
   return tr(
       "Runs the open case for all combinations of the given values: FROM:TO:COUNT, or single values with commas "
-      "between them, each in the unit of its key. A study that was stopped goes on in its folder.");
+      "between them, each in the unit of its key. A stopped study resumes in its folder.");
 }
 
 void StudyForm::showCase(const cases::CaseDescription& description) { rows_->showCase(description); }

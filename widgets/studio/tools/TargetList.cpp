@@ -1,11 +1,7 @@
 #include "studio/tools/TargetList.h"
 
 #include <QFileDialog>
-#include <QHBoxLayout>
-#include <QListWidget>
 #include <QMenu>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <filesystem>
 
 #include "core/DurableFile.h"
@@ -18,34 +14,17 @@ namespace {
 
 constexpr int fileRole = Qt::UserRole;
 
-QToolButton* buttonOf(const QString& text, const QString& name, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setText(text);
-  button->setObjectName(name);
-  button->setAccessibleName(QString(text).remove('&'));
-  return button;
-}
-
 }  // namespace
 
 TargetList::TargetList(const RunStore& store, Offer offer, QWidget* parent)
-    : QWidget(parent), store_(store), offer_(offer), list_(new QListWidget(this)), menu_(new QMenu(this)) {
-  list_->setObjectName("targets");
-  list_->setAccessibleName(offer == Offer::targets ? tr("What the case has to reproduce") : tr("Measured passages"));
-  constexpr int lines = 4;
-  list_->setMaximumHeight(lines * (list_->fontMetrics().height() + 4));
-  auto* add = buttonOf(offer == Offer::targets ? tr("Add a &target") : tr("Add a &passage"), "addTarget", this);
-  add->setPopupMode(QToolButton::InstantPopup);
-  add->setMenu(menu_);
-  auto* remove = buttonOf(tr("Re&move"), "removeTarget", this);
-  auto* buttons = new QVBoxLayout;
-  buttons->addWidget(add);
-  buttons->addWidget(remove);
-  buttons->addStretch(1);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(list_, 1);
-  layout->addLayout(buttons);
+    : ButtonedList("Target", offer == Offer::targets ? tr("Add a &target") : tr("Add a &passage"),
+                   offer == Offer::targets ? tr("What the case has to reproduce") : tr("Measured passages"), 4, parent),
+      store_(store),
+      offer_(offer),
+      menu_(new QMenu(this)) {
+  list()->setObjectName("targets");
+  add()->setPopupMode(QToolButton::InstantPopup);
+  add()->setMenu(menu_);
   // A signal that has left the runs leaves this list.
   const auto forget = [this] {
     for (auto it = measured_.begin(); it != measured_.end();) {
@@ -60,7 +39,7 @@ TargetList::TargetList(const RunStore& store, Offer offer, QWidget* parent)
   connect(&store_, &RunStore::rowsRemoved, this, forget);
   connect(&store_, &RunStore::modelReset, this, forget);
   connect(menu_, &QMenu::aboutToShow, this, &TargetList::fillMenu);
-  connect(remove, &QToolButton::clicked, this, &TargetList::removeChosen);
+  connect(remove(), &QToolButton::clicked, this, &TargetList::removeChosen);
   fillMenu();
 }
 
@@ -83,16 +62,16 @@ void TargetList::fillMenu() {
 }
 
 void TargetList::addFile(const QString& nameOrPath) {
-  for (int i = 0; i < list_->count(); ++i)
-    if (list_->item(i)->data(fileRole).toString() == nameOrPath) return;
-  auto* item = new QListWidgetItem(nameOrPath, list_);
+  for (int i = 0; i < list()->count(); ++i)
+    if (list()->item(i)->data(fileRole).toString() == nameOrPath) return;
+  auto* item = new QListWidgetItem(nameOrPath, list());
   item->setData(fileRole, nameOrPath);
-  list_->setCurrentItem(item);
+  list()->setCurrentItem(item);
 }
 
 void TargetList::setFile(const QString& nameOrPath) {
   measured_.clear();
-  list_->clear();
+  list()->clear();
   addFile(nameOrPath);
 }
 
@@ -101,30 +80,30 @@ void TargetList::addSignal(int row) {
   const StoredRun& run = store_.at(row);
   for (const auto& [item, known] : measured_)
     if (known.row() == row) return;
-  auto* item = new QListWidgetItem(tr("Measured: %1").arg(run.label), list_);
+  auto* item = new QListWidgetItem(tr("Measured: %1").arg(run.label), list());
   item->setToolTip(run.path);
   measured_.emplace(item, store_.index(row));
-  list_->setCurrentItem(item);
+  list()->setCurrentItem(item);
 }
 
 void TargetList::removeChosen() {
-  QListWidgetItem* item = list_->takeItem(list_->currentRow());
+  QListWidgetItem* item = list()->takeItem(list()->currentRow());
   measured_.erase(item);
   delete item;
 }
 
 QStringList TargetList::files() const {
   QStringList all;
-  for (int i = 0; i < list_->count(); ++i)
-    if (const QString file = list_->item(i)->data(fileRole).toString(); !file.isEmpty()) all << file;
+  for (int i = 0; i < list()->count(); ++i)
+    if (const QString file = list()->item(i)->data(fileRole).toString(); !file.isEmpty()) all << file;
   return all;
 }
 
 ChosenTargets TargetList::chosen() const {
   ChosenTargets all;
   for (const QString& file : files()) all.files.push_back(file.toStdString());
-  for (int i = 0; i < list_->count(); ++i) {
-    const auto found = measured_.find(list_->item(i));
+  for (int i = 0; i < list()->count(); ++i) {
+    const auto found = measured_.find(list()->item(i));
     if (found == measured_.end() || !found->second.isValid()) continue;  // removed from the list of runs
     const StoredRun& run = store_.at(found->second.row());
     if (!run.isMissing()) all.measured.push_back({run.label.toStdString(), run.record});

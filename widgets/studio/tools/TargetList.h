@@ -4,15 +4,13 @@
 
 #include <QPersistentModelIndex>
 #include <QStringList>
-#include <QWidget>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "project/MeasuredRecords.h"
+#include "studio/tools/ButtonedList.h"
 
-class QListWidget;
-class QListWidgetItem;
 class QMenu;
 
 namespace squat::studio {
@@ -33,11 +31,11 @@ struct ChosenTargets {
 
 // Writes the measured signals as FOLDER/case/measured-1.csv and so on: what is shown, with its gain, whatever file it
 // is from. Returns the paths. Throws CaseError where `table`, the tool's own file, stands in the folder and was
-// computed from other signals (empty: the tool begins anew each time); FileError.
+// computed from other signals (empty: the tool never resumes); FileError.
 std::vector<std::string> writeMeasured(const ChosenTargets& chosen, const std::string& folder,
                                        const std::string& table = {});
 
-class TargetList : public QWidget {
+class TargetList : public ButtonedList {
   Q_OBJECT
  public:
   enum class Offer { targets, passages };  // all that a case may have to reproduce; measured passages alone
@@ -56,7 +54,6 @@ class TargetList : public QWidget {
 
   const RunStore& store_;
   Offer offer_;
-  QListWidget* list_;
   std::map<QListWidgetItem*, QPersistentModelIndex> measured_;  // rows of the store
   QMenu* menu_;
 };

@@ -69,8 +69,8 @@ class ToolForm : public QWidget {
 };
 
 // Writes the case as FOLDER/case/NAME.toml and returns its path: the tool reads it from there, so that edits meanwhile
-// change nothing, and the command can go on in the folder. Throws CaseError where `table`, the tool's own file, stands
-// in the folder and was computed from another case (empty: the tool begins anew each time); FileError.
+// change nothing, and the command can resume in the folder. Throws CaseError where `table`, the tool's own file, stands
+// in the folder and was computed from another case (empty: the tool never resumes); FileError.
 std::string keepCase(const ToolInput& input, const std::string& table);
 
 }  // namespace squat::studio

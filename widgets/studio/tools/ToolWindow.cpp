@@ -2,7 +2,6 @@
 
 #include <QDesktopServices>
 #include <QDir>
-#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -27,6 +26,7 @@
 #include "core/Errors.h"
 #include "studio/common/ErrorText.h"
 #include "studio/common/MessageBar.h"
+#include "studio/common/WaitForSignal.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/runs/ProgressText.h"
 #include "studio/signals/FigureView.h"
@@ -241,11 +241,7 @@ void ToolWindow::start() {
 }
 
 bool ToolWindow::waitFor(int milliseconds) {
-  if (!isBusy()) return true;
-  QEventLoop loop;
-  connect(this, &ToolWindow::ended, &loop, &QEventLoop::quit);
-  QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
-  loop.exec();
+  if (isBusy()) waitForSignal(this, &ToolWindow::ended, milliseconds);
   return !isBusy();
 }
 
@@ -285,9 +281,10 @@ void ToolWindow::conclude(const std::exception_ptr& error) {
   if (error) {
     result_ = nullptr;
     const ErrorText text = errorText(inWordsOfTheWindow(error), form_->subject());
-    messages_->warn(
-        text.problems.empty() ? text.sentence : tr("Cannot start: %1").arg(text.details.section('\n', 0, 0)),
-        text.details);
+    messages_->warn(text.problems.empty()
+                        ? text.sentence
+                        : tr("%1 cannot be computed: %2").arg(form_->subject(), text.details.section('\n', 0, 0)),
+                    text.details);
     return finish();
   }
   text_->setPlainText(QString::fromStdString(result_->text));

@@ -23,8 +23,8 @@ namespace squat::studio {
 class CaseDocument;
 class MessageBar;
 
-// Computes in a thread of its own; the rest of the studio goes on. What comes out is written into the folder as the
-// command writes it, figures included, and shown here.
+// Computes in a thread of its own; the rest of the studio stays usable. What comes out is written into the folder as
+// the command writes it, figures included, and shown here.
 class ToolWindow : public QWidget {
   Q_OBJECT
  public:
