@@ -41,14 +41,21 @@ void takeSize(const std::string& text, PrintedSize& size) {
   size = taken;
 }
 
+void takeScale(const std::string& text, plots::SpectrumScale& scale) {
+  const auto& names = plots::spectrumScaleNames;
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end()) throw CLI::ValidationError("--spectrum", text + ": linear, log, dB or third-octaves");
+  scale = static_cast<plots::SpectrumScale>(found - names.begin());
+}
+
 }  // namespace
 
 void addFigureSize(CLI::App& command, PrintedSize& size) {
   command
       .add_option_function<std::string>(
           "--figure-size", [&size](const std::string& text) { takeSize(text, size); },
-          "Width and height of each plot in mm, " + allowedSizes() +
-              " (default: 85x60; wide plots 170 and a height of their own). The 3-D picture keeps its size")
+          "Width and height of each figure in mm, " + allowedSizes() +
+              " (default: 85x60; wide plots and the 3-D picture 170 and a height of their own)")
       ->type_name("WIDTHxHEIGHT");
   command.add_option("--dpi", size.resolution, "Resolution of PNG files (default: 300)")
       ->check(between(PrintedSize::leastResolution, PrintedSize::mostResolution))
@@ -61,6 +68,12 @@ void addFigureNames(CLI::App& command, NamedFigures& named) {
       ->type_name("NAME,...");
   addList(command, "--format", named.formats, "png, svg, pdf (default: all)")->type_name("FORMAT,...");
   addFigureSize(command, named.size);
+  command
+      .add_option_function<std::string>(
+          "--spectrum", [&named](const std::string& text) { takeScale(text, named.spectrum); },
+          "Scale of the figure psd: linear, log, dB (density), third-octaves (levels in bands of IEC 61260-1; "
+          "default: linear)")
+      ->type_name("SCALE");
   if (const auto list = figureList(); !list.empty()) command.footer("Figures:\n" + list);
 }
 

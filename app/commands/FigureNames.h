@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plots/PrintedSize.h"
+#include "plots/SpectrumScale.h"
 
 namespace squat::commands {
 
@@ -19,9 +20,10 @@ void addFigureSize(CLI::App& command, plots::PrintedSize& size);
 struct NamedFigures {
   std::vector<std::string> figures, formats;  // empty: all
   plots::PrintedSize size = {};
+  plots::SpectrumScale spectrum = plots::SpectrumScale::linear;
 };
 
-// --figures, --format, --figure-size and --dpi. The help lists the figures with their titles.
+// --figures, --format, --figure-size, --dpi and --spectrum. The help lists the figures with their titles.
 void addFigureNames(CLI::App& command, NamedFigures& named);
 
 }  // namespace squat::commands

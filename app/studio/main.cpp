@@ -88,6 +88,9 @@ int main(int argc, char** argv) {
                                                                        : squat::commands::kFileWrong;
   }
   window.show();
-  if (arguments.file.isEmpty()) window.openLastProject();
+  if (arguments.file.isEmpty()) {
+    window.openLastProject();
+    window.offerTour();
+  }
   return QApplication::exec();
 }

@@ -73,9 +73,13 @@ NamedNumbers signalNumbers(const signals::Record& signal) {
   return numbers;
 }
 
+signals::Comparison recordComparison(const signals::Record& signal, const signals::Record& reference) {
+  return signals::compare(usualPassage(signal), usualPassage(reference));
+}
+
 NamedNumbers likenessNumbers(const signals::Record& signal, const signals::Record& reference) {
   NamedNumbers numbers;
-  for (const auto& each : signals::comparisonRow(signals::compare(usualPassage(signal), usualPassage(reference))))
+  for (const auto& each : signals::comparisonRow(recordComparison(signal, reference)))
     if (each.first == "correlation [-]" || each.first == "peak ratio [-]") numbers.push_back(each);
   return numbers;
 }

@@ -19,6 +19,9 @@ using NamedNumbers = std::vector<std::pair<std::string, double>>;
 // FileError, CaseError and SignalError.
 NamedNumbers signalNumbers(const signals::Record& signal);
 
+// The comparison of squat compare SIGNAL REFERENCE, without names. Throws the same.
+signals::Comparison recordComparison(const signals::Record& signal, const signals::Record& reference);
+
 // What it shows of a signal beside a reference: correlation and peak ratio (signal / reference), those of squat compare
 // SIGNAL REFERENCE. Throws the same.
 NamedNumbers likenessNumbers(const signals::Record& signal, const signals::Record& reference);

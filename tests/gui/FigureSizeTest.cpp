@@ -10,9 +10,9 @@
 #include <QTest>
 
 #include "render/SyntheticResult.h"
+#include "studio/common/FigureSizeDialog.h"
 #include "studio/common/Theme.h"
 #include "studio/runs/RunStore.h"
-#include "studio/signals/FigureSizeDialog.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
 

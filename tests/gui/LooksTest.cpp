@@ -12,11 +12,17 @@
 #include <QTabBar>
 #include <QTest>
 
+#include "case/ParameterTable.h"
 #include "gui/MadeUpRun.h"
 #include "plots/Figure.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
+#include "studio/common/FigureSizeDialog.h"
+#include "studio/common/Theme.h"
+#include "studio/comparison/ComparisonWindow.h"
+#include "studio/comparison/MapWindow.h"
 #include "studio/model/SceneWidget.h"
+#include "studio/profile/SquatDialog.h"
 #include "studio/tools/ToolWindow.h"
 
 namespace squat::studio {
@@ -204,6 +210,48 @@ TEST_F(Looks, everyTabInLightAndDarkAtPlainAndDoubleResolution) {
   }
 }
 
+// At plain and double resolution; letters and lines take at least `share` of the picture.
+void expectDrawn(QWidget& window, double share) {
+  for (const double ratio : {1.0, 2.0}) {
+    QImage image((QSizeF(window.size()) * ratio).toSize(), QImage::Format_RGB32);
+    image.setDevicePixelRatio(ratio);
+    window.render(&image);
+    EXPECT_GT(tests::inkShare(image), share) << ratio;
+  }
+}
+
+TEST_F(Looks, dialogsAndMapsAreWhole) {
+  window_->store().add({std::make_shared<const results::RunResult>(seenRun()), "another", QString(), false});
+  for (const bool dark : {false, true}) {
+    SCOPED_TRACE(dark ? "dark" : "light");
+    window_->setDark(dark);
+    SquatDialog squat(cases::defaultCase(), figureStyle(dark));
+    FigureSizeDialog size({});
+    for (QDialog* dialog : std::initializer_list<QDialog*>{&squat, &size}) {
+      SCOPED_TRACE(dialog->metaObject()->className());
+      dialog->show();
+      ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog));
+      const QSize usual = dialog->size();
+      for (const QSize& room : {usual, dialog->minimumSizeHint()}) {
+        dialog->resize(room);
+        QTest::qWait(20);
+        judgeLayout(*dialog, 5);
+        expectDrawn(*dialog, 0.005);
+      }
+    }
+    window_->comparison()->showMaps();
+    MapWindow& maps = *window_->comparison()->maps();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&maps));
+    for (const QSize& room : {maps.size(), QSize(900, 320)}) {
+      maps.resize(room);
+      QTest::qWait(20);
+      judgeLayout(maps, 8);
+      expectDrawn(maps, 0.05);
+    }
+    maps.hide();
+  }
+}
+
 // Windows beside the main one, as large as they open, and as small as they can be made.
 TEST_F(Looks, windowsOfToolsAreWhole) {
   for (const bool dark : {false, true}) {
@@ -220,7 +268,7 @@ TEST_F(Looks, windowsOfToolsAreWhole) {
         tool->resize(size);
         QTest::qWait(20);
         judgeLayout(*tool, 12);
-        EXPECT_GT(tests::inkShare(tool->grab().toImage()), 0.005);
+        expectDrawn(*tool, 0.005);
       }
       tool->hide();
     }

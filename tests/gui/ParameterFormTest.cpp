@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSettings>
 #include <QTest>
@@ -181,11 +182,14 @@ TEST_F(Form, aNewcomerSeesADozenParameters) {
 // What decides a run and what is looked for is seen at every level.
 TEST_F(Form, changedWrongAndSoughtParametersAreShownAtEveryLevel) {
   form_.findChild<QComboBox*>("parameterLevel")->setCurrentText("Basic");
+  ASSERT_EQ(document_.setParameter("motion.torque", "2"), std::nullopt);  // without a torque its ramp has no effect
   ParameterRow* ramp = form_.row("motion.torque_ramp");
   EXPECT_FALSE(ramp->isVisible());
   form_.findChild<QLineEdit*>("parameterSearch")->setText("torque");
   EXPECT_TRUE(ramp->isVisible());
+  EXPECT_TRUE(line("motion.torque_ramp")->isEnabled()) << ramp->toolTip().toStdString();
   type("motion.torque_ramp", "0.05");
+  EXPECT_EQ(line("motion.torque_ramp")->text(), "0.05");
   QTest::keyClick(line("motion.torque_ramp"), Qt::Key_Return);
   form_.findChild<QLineEdit*>("parameterSearch")->clear();
   EXPECT_TRUE(ramp->isVisible());
@@ -223,6 +227,34 @@ TEST_F(Form, searchLeavesWhatMatches) {
   QTest::keyClicks(search, "friction");
   EXPECT_TRUE(form_.row("contact.friction")->isVisible());
   EXPECT_FALSE(form_.row("pad.stiffness")->isVisible());
+}
+
+// A key that does not apply is greyed, and the tool tip says why; it comes back as soon as it applies.
+TEST_F(Form, aKeyWithoutEffectIsGreyedWithTheReason) {
+  document_.setParameter("defect.shape", "cosine");
+  const ParameterRow* ramp = form_.row("defect.ramp");
+  EXPECT_FALSE(ramp->editor()->isEnabled());
+  EXPECT_TRUE(ramp->toolTip().contains("no effect because defect.shape is cosine")) << ramp->toolTip().toStdString();
+  EXPECT_TRUE(ramp->editor()->accessibleDescription().contains("defect.shape is cosine"));
+  EXPECT_TRUE(form_.row("defect.length")->editor()->isEnabled());
+  document_.setParameter("defect.shape", "cut");
+  EXPECT_TRUE(ramp->editor()->isEnabled());
+  EXPECT_FALSE(ramp->toolTip().contains("no effect"));
+}
+
+// 30 m/s are 108 km/h. Both wheels carry 8000 kg each and weigh 950 kg each: 17.9 t, 175.6 kN at 9.81 m/s2.
+TEST_F(Form, speedAndLoadAreShownInOtherUnits) {
+  const auto other = [&](const char* key) { return form_.row(key)->findChild<QLabel*>("otherUnits")->text(); };
+  for (const char* key : {"motion.speed", "suspension.sprung_mass"}) {
+    EXPECT_TRUE(form_.row(key)->findChild<QLabel*>("otherUnits")->isVisible()) << key;
+  }
+  document_.setParameter("motion.speed", "30");
+  document_.setParameter("suspension.sprung_mass", "8000");
+  document_.setParameter("wheelset.total_mass", "950");
+  document_.setParameter("motion.gravity", "9.81");
+  EXPECT_EQ(other("motion.speed"), "= 108 km/h");
+  EXPECT_EQ(other("suspension.sprung_mass"), "axle load 17.9 t (176 kN)");
+  EXPECT_EQ(other("pad.stiffness"), "");
 }
 
 }  // namespace

@@ -43,12 +43,14 @@ class FigureSheets : public tests::WithoutDisplay {
 TEST_F(FigureSheets, allKindsAreThere) {
   std::vector<std::string> names;
   for (const auto& sheet : *sheets_) names.push_back(sheet.name);
-  EXPECT_THAT(names, testing::ElementsAre("run_1_history", "run_1_psd", "run_1_stft", "run_1_scalogram",
-                                          "run_2_history", "run_2_psd", "run_2_stft", "run_2_scalogram", "scatter_time",
-                                          "scatter_position", "measured_comparison", "smooth_comparison",
-                                          "study_defect_length", "study_defect_depth", "paper_figure_04",
-                                          "paper_figure_05", "paper_figure_06", "paper_figure_08", "paper_figure_09",
-                                          "paper_figure_10", "paper_figure_11", "track_receptance", "estimate"));
+  EXPECT_THAT(names,
+              testing::ElementsAre("run_1_history", "run_1_psd", "run_1_stft", "run_1_scalogram", "run_2_history",
+                                   "run_2_psd", "run_2_stft", "run_2_scalogram", "scatter_time", "scatter_position",
+                                   "measured_comparison", "measured_comparison_scalograms", "measured_comparison_stft",
+                                   "smooth_comparison", "smooth_comparison_scalograms", "smooth_comparison_stft",
+                                   "study_defect_length", "study_defect_depth", "paper_figure_04", "paper_figure_05",
+                                   "paper_figure_06", "paper_figure_08", "paper_figure_09", "paper_figure_10",
+                                   "paper_figure_11", "track_receptance", "estimate"));
 }
 
 TEST_F(FigureSheets, eachInEveryFormatWithTextAsText) {

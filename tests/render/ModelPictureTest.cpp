@@ -93,6 +93,24 @@ TEST(ModelPicture, showsPartsSpringsAndStress) {
   EXPECT_GT(share(picture, 68, 1, 84, 25), 0.1);      // lowest stress
 }
 
+// Letters keep their size on paper: the picture of twice the resolution, halved, is the same picture.
+TEST(ModelPicture, hasTheSizeThatIsAskedFor) {
+  std::string reason;
+  const auto result = tests::syntheticResult();
+  const auto plain = scene::modelPicture(result, "viridis", reason, {127, 76.2, 300});
+  const auto fine = scene::modelPicture(result, "viridis", reason, {127, 76.2, 600});
+  ASSERT_FALSE(plain.empty() || fine.empty()) << reason;
+  EXPECT_EQ(plain.width, 1500);  // 127 mm are 5 inches
+  EXPECT_EQ(plain.height, 900);
+  EXPECT_EQ(fine.width, 3000);
+  EXPECT_EQ(fine.height, 1800);
+  // Shares of paper and of the lowest stress: lines are never thinner than a pixel, which takes 1 % of the pixels.
+  EXPECT_NEAR(share(plain, 255, 255, 255, 0), share(fine, 255, 255, 255, 0), 0.02);
+  EXPECT_NEAR(share(plain, 68, 1, 84, 25), share(fine, 68, 1, 84, 25), 0.02);
+  EXPECT_TRUE(scene::modelPicture(result, "viridis", reason, {400, 200, 1200}).empty());
+  EXPECT_NE(reason.find("8000"), std::string::npos) << reason;
+}
+
 TEST(ModelPicture, withoutSnapshotOrCutFacesTheRailIsSeen) {
   auto result = tests::syntheticResult();
   result.snapshots.clear();

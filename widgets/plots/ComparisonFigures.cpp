@@ -7,6 +7,7 @@
 #include "analysis/AnalysisFiles.h"
 #include "plots/AxisTicker.h"
 #include "plots/LineFigure.h"
+#include "plots/MapComparison.h"
 #include "plots/UnitText.h"
 
 namespace squat::plots {
@@ -129,6 +130,8 @@ std::vector<FigureSheet> comparisonFigures(const std::vector<analysis::FileCompa
     std::string name = wanted;
     for (int number = 2; !taken.insert(name).second; ++number) name = wanted + "_" + std::to_string(number);
     sheets.push_back(comparisonFigure(pair.comparison, name, smooth, style));
+    sheets.push_back(mapComparison(pair.comparison, MapKind::scalogram, name + "_scalograms", style));
+    sheets.push_back(mapComparison(pair.comparison, MapKind::shortTime, name + "_stft", style));
   }
   return sheets;
 }

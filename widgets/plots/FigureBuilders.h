@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "plots/Figure.h"
+#include "plots/LineFigure.h"
+#include "plots/SpectrumScale.h"
 #include "results/RunResult.h"
 
 namespace squat::plots {
@@ -13,7 +15,11 @@ namespace squat::plots {
 std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> abaTimeFigure(const results::RunResult& result, const Style& style);
-std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style);
+std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style,
+                                  SpectrumScale scale = SpectrumScale::linear);
+// A density [(m/s2)2/Hz] over frequencies [Hz] as it is drawn in a scale, and the range of y that holds such curves.
+Curve spectrumCurve(const std::vector<double>& frequency, const std::vector<double>& density, SpectrumScale scale);
+void fitSpectrum(Figure& figure, SpectrumScale scale);
 std::unique_ptr<Figure> scalogramFigure(const results::AnalysedRecord& result, const Style& style);
 // The same of an amplitude-normalised transform: a tone of amplitude 1 m/s2 gives 1 (m/s2)2.
 std::unique_ptr<Figure> amplitudeScalogramFigure(const results::AnalysedRecord& result, const Style& style);
@@ -22,12 +28,13 @@ std::unique_ptr<Figure> amplitudeScalogramFigure(const results::AnalysedRecord& 
 // numbers.
 std::unique_ptr<Figure> stftFigure(const results::AnalysedRecord& result, const Style& style, std::size_t segment = 128,
                                    std::size_t hop = 0);
-// Contact pressure and slip at the impact.
-std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style);
-// The moment that it draws: the impact, else the last one that has pressures; null where there is none.
-const results::PatchSnapshot* shownPatch(const results::RunResult& result);
+// Contact pressure and slip at the impact, or at the moment `index` of result.patches; then axes and colours are those
+// of all moments.
+std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style, int index = -1);
+// The moment that it draws. -1: the impact, else the last one that has pressures. Null where there is none.
+const results::PatchSnapshot* shownPatch(const results::RunResult& result, int index = -1);
 // Every point of contact with pressure, traction and slip, as CSV; empty without a patch.
-QByteArray patchTable(const results::RunResult& result);
+QByteArray patchTable(const results::RunResult& result, int index = -1);
 // What plastic flow leaves in the unloaded rail: change of the running surface; stress against depth where most flowed.
 std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> residualStressFigure(const results::RunResult& result, const Style& style);

@@ -9,11 +9,10 @@ namespace {
 
 using results::RunResult;
 
-void addOverlays(Figure& figure, const FigureRow& row, const RunResult& shown,
-                 const std::vector<OverlaidRun>& overlays) {
+void addOverlays(Figure& figure, const FigureRow& row, const RunResult& shown, const FigureSettings& settings) {
   bool any = false;
-  for (const auto& run : overlays) {
-    Curve curve = row.overlay(run, shown);
+  for (const auto& run : settings.overlays) {
+    Curve curve = row.overlay(run, shown, settings);
     if (curve.y.empty()) continue;
     curve.label = QString::fromStdString(run.label);
     curve.own = run.colour.isValid() ? run.colour : figure.style().overlay(run.colourIndex);
@@ -23,7 +22,7 @@ void addOverlays(Figure& figure, const FigureRow& row, const RunResult& shown,
   }
   if (!any) return;
   if (row.fit)
-    row.fit(figure);
+    row.fit(figure, settings);
   else
     fitValues(figure);
 }
@@ -60,7 +59,7 @@ std::unique_ptr<Figure> buildFigure(const FigureRow& row, const RunResult& resul
   if (!row.build)
     throw CaseError({{"--figures", row.name, "a figure that is a plot", "The 3-D picture is written as PNG only"}});
   auto figure = row.build(result, style, settings);
-  if (row.overlay) addOverlays(*figure, row, result, settings.overlays);
+  if (row.overlay) addOverlays(*figure, row, result, settings);
   return figure;
 }
 

@@ -9,6 +9,7 @@
 
 #include "case/CaseDescription.h"
 #include "plots/LineFigure.h"
+#include "plots/SpectrumScale.h"
 #include "signals/PowerSpectrum.h"
 
 namespace squat::plots {
@@ -20,7 +21,12 @@ enum class FigureAxis { wheelPosition, time, railPosition, frequency, stress, pa
 std::string unitOf(FigureAxis axis);  // "mm", "ms", "Hz", "MPa"
 
 enum class FigureMarks { none, extremes, lines };  // what a viewer marks: peaks of the first curve, of the map
-enum class FigureControl { none, spectrumSection, shortTime };  // what a viewer lets the user choose beside the figure
+enum class FigureControl {
+  none,
+  spectrumSection,
+  shortTime,
+  moment
+};  // what a viewer lets the user choose beside the figure
 
 // A record laid over the run that is shown, computed or measured.
 struct OverlaidRun {
@@ -34,7 +40,9 @@ struct OverlaidRun {
 // What a viewer may choose; a file has the defaults.
 struct FigureSettings {
   std::size_t segment = 128, hop = 0;  // [samples] of the short-time Fourier transform; hop 0: a 32nd of the segment
-  std::vector<OverlaidRun> overlays;   // drawn where the row has an overlay
+  SpectrumScale spectrum = SpectrumScale::linear;
+  int patch = -1;                     // index into the result's patches; -1: the impact
+  std::vector<OverlaidRun> overlays;  // drawn where the row has an overlay
 };
 
 struct FigureRow {
@@ -53,15 +61,16 @@ struct FigureRow {
                                    const FigureSettings& settings) = nullptr;
 
   // Another run over the one that is shown, on its axis; without points where that run lacks it. Null: no overlays.
-  Curve (*overlay)(const OverlaidRun& other, const results::RunResult& shown) = nullptr;
-  void (*fit)(Figure& figure) = nullptr;  // range of y once other runs lie in it; null: fitValues()
+  Curve (*overlay)(const OverlaidRun& other, const results::RunResult& shown, const FigureSettings&) = nullptr;
+  void (*fit)(Figure& figure,
+              const FigureSettings& settings) = nullptr;  // range of y once other runs lie in it; null: fitValues()
 
   FigureAxis axis = FigureAxis::wheelPosition;
   FigureMarks marks = FigureMarks::none;
   FigureControl control = FigureControl::none;
   bool drawsScalogram = false;  // a viewer that filters anew computes the scalogram anew before it builds
   // The numbers as CSV where they are more than the curves; null: the curves alone.
-  QByteArray (*table)(const results::RunResult& result) = nullptr;
+  QByteArray (*table)(const results::RunResult& result, const FigureSettings& settings) = nullptr;
 };
 
 // In the order of tabs and of help. Names are unique.

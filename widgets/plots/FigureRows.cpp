@@ -39,20 +39,32 @@ bool hasPlasticFlow(const RunResult& result) { return !result.permanent.empty();
 bool hasSurface(const RunResult& result) { return !result.surface.quads.empty(); }
 bool mayYield(const cases::CaseDescription& description) { return description.rail.plastic; }
 
-Curve boxAgainstPosition(const OverlaidRun& other, const RunResult&) {
+Curve boxAgainstPosition(const OverlaidRun& other, const RunResult&, const FigureSettings&) {
   return againstPosition(*other.record, "aba_filtered");
 }
-Curve boxAgainstTime(const OverlaidRun& other, const RunResult& shown) {
+Curve boxAgainstTime(const OverlaidRun& other, const RunResult& shown, const FigureSettings&) {
   return againstTime(*other.record, shown, "aba_filtered");
 }
-Curve forceAgainstPosition(const OverlaidRun& other, const RunResult&) {
+Curve forceAgainstPosition(const OverlaidRun& other, const RunResult&, const FigureSettings&) {
   return againstPosition(*other.record, "contact_force", 1e-3);
 }
-Curve railAgainstPosition(const OverlaidRun& other, const RunResult&) {
+Curve railAgainstPosition(const OverlaidRun& other, const RunResult&, const FigureSettings&) {
   return againstPosition(*other.record, "rail_acceleration");
 }
-Curve spectrum(const OverlaidRun& other, const RunResult&) {
-  return {other.spectrum.frequency, other.spectrum.density, {}};
+Curve spectrum(const OverlaidRun& other, const RunResult&, const FigureSettings& settings) {
+  return spectrumCurve(other.spectrum.frequency, other.spectrum.density, settings.spectrum);
+}
+void fitSpectra(Figure& figure, const FigureSettings& settings) { fitSpectrum(figure, settings.spectrum); }
+void fitForce(Figure& figure, const FigureSettings&) { fitWithZero(figure); }
+
+std::unique_ptr<Figure> density(const RunResult& result, const Style& style, const FigureSettings& settings) {
+  return psdFigure(result, style, settings.spectrum);
+}
+std::unique_ptr<Figure> patch(const RunResult& result, const Style& style, const FigureSettings& settings) {
+  return patchFigure(result, style, settings.patch);
+}
+QByteArray patchNumbers(const RunResult& result, const FigureSettings& settings) {
+  return patchTable(result, settings.patch);
 }
 
 constexpr const char* kNeedsAcceleration = "Needs the signal aba_filtered, aba or wheel_acceleration_filtered.";
@@ -81,9 +93,9 @@ std::vector<FigureRow> accelerationRows() {
            .title = "Power spectral density of the axle box acceleration",
            .needs = "Needs a spectrum of the axle box acceleration.",
            .applies = hasSpectrum,
-           .build = plain<psdFigure>,
+           .build = density,
            .overlay = spectrum,
-           .fit = fitDensity,
+           .fit = fitSpectra,
            .axis = FigureAxis::frequency,
            .control = FigureControl::spectrumSection},
           {.name = "stft",
@@ -112,16 +124,17 @@ std::vector<FigureRow> contactRows() {
            .applies = hasForce,
            .build = plain<contactForceFigure>,
            .overlay = forceAgainstPosition,
-           .fit = fitWithZero,
+           .fit = fitForce,
            .marks = FigureMarks::extremes},
           {.name = "contact_patch",
            .tab = "Patch",
            .title = "Contact pressure and slip at the impact",
            .needs = "Needs the pressures of a contact patch.",
            .applies = hasPatch,
-           .build = plain<patchFigure>,
+           .build = patch,
            .axis = FigureAxis::patch,
-           .table = patchTable}};
+           .control = FigureControl::moment,
+           .table = patchNumbers}};
 }
 
 std::vector<FigureRow> railRows() {

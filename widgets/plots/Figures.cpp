@@ -59,6 +59,13 @@ void checkRequest(const FigureRequest& request, const results::RunResult& result
   check(request, [&](const FigureRow& row) { return row.applies(result); });
 }
 
+scene::PictureSize modelSize(const PrintedSize& size) {
+  scene::PictureSize chosen;
+  if (size.width > 0) chosen.width = size.width, chosen.height = size.height;
+  chosen.resolution = size.resolution;
+  return chosen;
+}
+
 std::vector<std::string> renderFigures(const results::RunResult& result, const std::string& folder,
                                        const FigureRequest& request, std::vector<std::string>* messages) {
   const Fits applies = [&](const FigureRow& row) { return row.applies(result); };
@@ -76,14 +83,17 @@ std::vector<std::string> renderFigures(const results::RunResult& result, const s
     const auto& row = figureRow(name);
     const std::string stem = (std::filesystem::path(folder) / name).string();
     if (row.kind == FigureKind::model) {
-      const scene::ModelPictureOutcome outcome = scene::writeModelPicture(result, request.colourMap, stem + ".png");
+      const scene::ModelPictureOutcome outcome =
+          scene::writeModelPicture(result, request.colourMap, stem + ".png", modelSize(request.size));
       if (outcome.written)
         written.push_back(stem + ".png");
       else
         say("figure " + name + " not drawn: " + outcome.reason);
       continue;
     }
-    const std::unique_ptr<Figure> figure = buildFigure(row, result, style);
+    FigureSettings settings;
+    settings.spectrum = request.spectrum;
+    const std::unique_ptr<Figure> figure = buildFigure(row, result, style, settings);
     if (request.size.width > 0) figure->setPrintedSize({request.size.width, request.size.height});
     for (const auto& format : request.formats) {
       writeFigure(*figure, format, stem + "." + format, {}, request.size.resolution);

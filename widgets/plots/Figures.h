@@ -6,7 +6,9 @@
 
 #include "case/CaseDescription.h"
 #include "plots/PrintedSize.h"
+#include "plots/SpectrumScale.h"
 #include "results/RunResult.h"
+#include "scene/ModelPicture.h"
 
 namespace squat::plots {
 
@@ -15,6 +17,7 @@ struct FigureRequest {
   std::vector<std::string> formats{"png", "svg", "pdf"};  // the 3-D picture comes as png whatever stands here
   std::string colourMap = "viridis";                      // or "cividis", "jet"
   PrintedSize size = {};
+  SpectrumScale spectrum = SpectrumScale::linear;
 };
 
 // Throws CaseError for unknown names of figures, formats and colours and, where a case is given, for figures that a run
@@ -23,6 +26,9 @@ void checkRequest(const FigureRequest& request, const cases::CaseDescription* de
 
 // The same for figures that the result has nothing for.
 void checkRequest(const FigureRequest& request, const results::RunResult& result);
+
+// Of the 3-D picture.
+scene::PictureSize modelSize(const PrintedSize& size);
 
 // Writes NAME.FORMAT into `folder` (made where missing) for rows of figureRegistry() and returns the paths written.
 // Call plots::ensureApplication() before. Where the 3-D picture cannot be drawn on this machine, or the result has

@@ -73,18 +73,43 @@ void addSlip(Figure& figure, const results::PatchSnapshot& patch) {
 
 }  // namespace
 
-const results::PatchSnapshot* shownPatch(const results::RunResult& result) {
+namespace {
+
+bool hasPressures(const results::PatchSnapshot& patch) {
+  return !patch.pressure.empty() && patch.x.size() == patch.pressure.size() && patch.y.size() == patch.pressure.size();
+}
+
+// Largest pressure [MPa] and distance of a point of contact from the middle [mm].
+struct Extremes {
+  double pressure = 0, reach = 1;
+};
+
+void widen(Extremes& extremes, const results::PatchSnapshot& patch) {
+  for (std::size_t i = 0; i < patch.pressure.size(); ++i) {
+    if (!(patch.pressure[i] > 0)) continue;
+    extremes.pressure = std::max(extremes.pressure, 1e-6 * static_cast<double>(patch.pressure[i]));
+    extremes.reach = std::max({extremes.reach, 1e3 * std::abs(static_cast<double>(patch.x[i])),
+                               1e3 * std::abs(static_cast<double>(patch.y[i]))});
+  }
+}
+
+}  // namespace
+
+const results::PatchSnapshot* shownPatch(const results::RunResult& result, int index) {
+  if (index >= 0 && index < static_cast<int>(result.patches.size())) {
+    const auto& asked = result.patches[static_cast<std::size_t>(index)];
+    return hasPressures(asked) ? &asked : nullptr;
+  }
   const results::PatchSnapshot* chosen = nullptr;
   for (const auto& patch : result.patches) {
-    if (patch.pressure.empty() || patch.x.size() != patch.pressure.size() || patch.y.size() != patch.pressure.size())
-      continue;
+    if (!hasPressures(patch)) continue;
     chosen = &patch;
     if (patch.name == "impact") break;
   }
   return chosen;
 }
 
-std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style) {
+std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Style& style, int index) {
   auto figure = std::make_unique<Figure>("contact_patch", style);
   figure->setPrintedSize({85, 66});
   figure->xAxis->setLabel("Along the rail, relative to the wheel centre [mm]");
@@ -92,32 +117,31 @@ std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Styl
   figure->xAxis->setRange(-12, 12);
   figure->yAxis->setRange(-12, 12);
   setCaption(*figure, result);
-  const results::PatchSnapshot* patch = shownPatch(result);
+  const results::PatchSnapshot* patch = shownPatch(result, index);
   if (!patch) {
     addNotice(*figure, "no contact patch in this result");
     return figure;
   }
-  double highest = 0, reach = 1;
-  for (std::size_t i = 0; i < patch->pressure.size(); ++i) {
-    if (!(patch->pressure[i] > 0)) continue;
-    highest = std::max(highest, 1e-6 * static_cast<double>(patch->pressure[i]));
-    reach = std::max(
-        {reach, 1e3 * std::abs(static_cast<double>(patch->x[i])), 1e3 * std::abs(static_cast<double>(patch->y[i]))});
-  }
-  if (highest <= 0) {
+  Extremes shown, scale;
+  widen(shown, *patch);
+  if (index < 0) scale = shown;
+  for (const auto& each : result.patches)
+    if (index >= 0 && hasPressures(each)) widen(scale, each);
+  const double reach = scale.reach;
+  if (shown.pressure <= 0) {
     addNotice(*figure, "no contact at this moment");
     return figure;
   }
   figure->xAxis->setRange(-1.25 * reach, 1.25 * reach);
   figure->yAxis->setRange(-1.25 * reach, 1.25 * reach);
-  addPressureScale(*figure, highest);
-  addCells(*figure, *patch, highest);
+  addPressureScale(*figure, scale.pressure);
+  addCells(*figure, *patch, scale.pressure);
   addSlip(*figure, *patch);
   return figure;
 }
 
-QByteArray patchTable(const results::RunResult& result) {
-  const results::PatchSnapshot* patch = shownPatch(result);
+QByteArray patchTable(const results::RunResult& result, int index) {
+  const results::PatchSnapshot* patch = shownPatch(result, index);
   if (!patch) return {};
   QByteArray text = "along [m],across [m],pressure [Pa],traction along [Pa],traction across [Pa],slips\n";
   for (std::size_t i = 0; i < patch->pressure.size(); ++i) {

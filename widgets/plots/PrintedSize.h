@@ -5,9 +5,8 @@ namespace squat::plots {
 
 constexpr double printResolution = 300;  // [dpi] of PNG
 
-// The 3-D picture keeps its own size.
 struct PrintedSize {
-  double width = 0, height = 0;         // [mm] of each plot; 0: its own, one or two columns of a journal
+  double width = 0, height = 0;         // [mm] of each figure; 0: its own, one or two columns of a journal
   double resolution = printResolution;  // [dpi] of PNG
 
   // What a user may choose. In smaller figures the labels of axes are cut.

@@ -5,6 +5,7 @@
 #include "colours/ColourTables.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "plots/MapFigure.h"
 #include "plots/ScalogramGrid.h"
 #include "plots/UnitText.h"
 #include "signals/Resample.h"
@@ -24,6 +25,18 @@ QCPColorGradient gradientOf(const std::string& map) {
     const colours::Rgb colour = colours::colourAt(map, share);
     gradient.setColorStopAt(share, QColor::fromRgbF(colour.red, colour.green, colour.blue));
   }
+  return gradient;
+}
+
+// Readable by those who do not tell red from green.
+QCPColorGradient divergingGradient() {
+  QCPColorGradient gradient;
+  gradient.clearColorStops();
+  gradient.setColorStopAt(0, QColor(33, 102, 172));
+  gradient.setColorStopAt(0.25, QColor(146, 197, 222));
+  gradient.setColorStopAt(0.5, QColor(255, 255, 255));
+  gradient.setColorStopAt(0.75, QColor(244, 165, 130));
+  gradient.setColorStopAt(1, QColor(178, 24, 43));
   return gradient;
 }
 
@@ -61,7 +74,7 @@ void addColourScale(Figure& figure, QCPColorMap& map, const QString& label) {
 }
 
 // Below the curve of the cone the ends of the record count: shaded, bounded by a dashed line.
-void addCone(Figure& figure, const ScalogramGrid& grid) {
+void addCone(Figure& figure, const ScalogramGrid& grid, const QColor& colour) {
   if (grid.cone.empty()) return;
   std::vector<double> clipped(grid.cone);
   for (double& frequency : clipped) frequency = std::clamp(frequency, grid.frequencyFrom, grid.frequencyTo);
@@ -73,15 +86,16 @@ void addCone(Figure& figure, const ScalogramGrid& grid) {
     position[i] = 1e3 * (grid.positionFrom + (grid.positionTo - grid.positionFrom) * static_cast<double>(i) /
                                                  static_cast<double>(position.size() - 1));
   QCPGraph* edge = addCurve(figure, {position, clipped, QString()});
-  edge->setPen(QPen(Qt::white, 0.9, Qt::DashLine));
+  edge->setPen(QPen(colour, 0.9, Qt::DashLine));
   edge->setBrush(QColor(255, 255, 255, 90));
   edge->setName("cone of influence");
   edge->setChannelFillGraph(floor);
 }
 
-std::unique_ptr<Figure> mapFigure(const results::AnalysedRecord& result, const Style& style, const QString& name,
-                                  const QString& label) {
-  auto figure = std::make_unique<Figure>(name, style);
+}  // namespace
+
+std::unique_ptr<Figure> mapFigure(const results::AnalysedRecord& result, const Style& style, const MapLook& look) {
+  auto figure = std::make_unique<Figure>(look.name, style);
   figure->setPrintedSize({85, 62});
   figure->xAxis->setLabel("Position of the wheel [mm]");
   figure->yAxis->setLabel("Frequency [Hz]");
@@ -89,7 +103,7 @@ std::unique_ptr<Figure> mapFigure(const results::AnalysedRecord& result, const S
   const Window window = judgedWindow(result);
   const ScalogramGrid grid = scalogramGrid(result, window.from, window.to, lowest, highest);
   if (grid.power.empty()) {
-    addNotice(*figure, QStringLiteral("no %1 in this result").arg(name));
+    addNotice(*figure, QStringLiteral("no %1 in this result").arg(look.name));
     return figure;
   }
   auto* map = new QCPColorMap(figure->xAxis, figure->yAxis);
@@ -102,10 +116,11 @@ std::unique_ptr<Figure> mapFigure(const results::AnalysedRecord& result, const S
   map->setInterpolate(true);
   map->setTightBoundary(true);
   map->removeFromLegend();
-  addColourScale(*figure, *map, label);
-  map->setGradient(gradientOf(style.colourMap));
-  map->setDataRange(QCPRange(0, grid.largestPower > 0 ? grid.largestPower : 1));
-  addCone(*figure, grid);
+  addColourScale(*figure, *map, look.label);
+  map->setGradient(look.diverging ? divergingGradient() : gradientOf(style.colourMap));
+  map->setDataRange(look.high > look.low ? QCPRange(look.low, look.high)
+                                         : QCPRange(0, grid.largestPower > 0 ? grid.largestPower : 1));
+  addCone(*figure, grid, look.diverging ? QColor(110, 110, 110) : QColor(Qt::white));
   figure->yAxis->setScaleType(QCPAxis::stLogarithmic);
   figure->yAxis->setTicker(frequencyTicks(grid.frequencyFrom, grid.frequencyTo));
   figure->yAxis2->setScaleType(QCPAxis::stLogarithmic);
@@ -116,6 +131,8 @@ std::unique_ptr<Figure> mapFigure(const results::AnalysedRecord& result, const S
   for (QCPAxis* axis : {figure->xAxis, figure->yAxis}) axis->grid()->setVisible(false);
   return figure;
 }
+
+namespace {
 
 // That of the signal that the map was made from: a measured one may be no acceleration.
 std::string signalUnit(const results::AnalysedRecord& result) {
@@ -131,11 +148,11 @@ QString scaleLabel(const QString& quantity, const results::AnalysedRecord& resul
 }  // namespace
 
 std::unique_ptr<Figure> scalogramFigure(const results::AnalysedRecord& result, const Style& style) {
-  return mapFigure(result, style, "scalogram", scaleLabel("Wavelet power [(%1)² s]", result));
+  return mapFigure(result, style, {"scalogram", scaleLabel("Wavelet power [(%1)² s]", result)});
 }
 
 std::unique_ptr<Figure> amplitudeScalogramFigure(const results::AnalysedRecord& result, const Style& style) {
-  return mapFigure(result, style, "scalogram", scaleLabel("Wavelet power [(%1)²]", result));
+  return mapFigure(result, style, {"scalogram", scaleLabel("Wavelet power [(%1)²]", result)});
 }
 
 std::unique_ptr<Figure> stftFigure(const results::AnalysedRecord& result, const Style& style, std::size_t segment,
@@ -165,7 +182,7 @@ std::unique_ptr<Figure> stftFigure(const results::AnalysedRecord& result, const 
     for (double time : stft.time)
       local.scalogramPosition.push_back(signals::interpolateLinear(result.time, result.position, time));
   }
-  return mapFigure(local, style, "stft", scaleLabel("Power density [(%1)²/Hz]", result));
+  return mapFigure(local, style, {"stft", scaleLabel("Power density [(%1)²/Hz]", result)});
 }
 
 }  // namespace squat::plots

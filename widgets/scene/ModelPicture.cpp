@@ -12,12 +12,33 @@
 namespace squat::scene {
 namespace {
 
-constexpr int width = 2008, height = 1063;  // 170 mm x 90 mm at 300 dpi
-constexpr int labelPixels = 33;             // 8 pt
-constexpr int captionPixels = 23;           // 5.5 pt
-constexpr double division = 0.44;           // share of the width that the left picture takes
-constexpr double barLeft = 0.88;            // where the colour bar begins
-constexpr double bodyTop = 0.93;            // share of the height below the caption
+constexpr double labelPoints = 8, captionPoints = 5.5;
+constexpr double division = 0.44;  // share of the width that the left picture takes
+constexpr double barShare = 0.12;  // of the width that the colour bar takes, with letters of full size
+constexpr double bodyTop = 0.93;   // share of the height below the caption
+
+struct Pixels {
+  int width, height;
+  int label, caption;  // heights of letters
+  double line;         // of a line that is one pixel wide at 300 dpi
+  double barLeft;      // share of the width where the colour bar begins
+};
+
+int pixels(double millimetres, double resolution) {
+  return static_cast<int>(std::lround(millimetres / 25.4 * resolution));
+}
+
+// A narrow picture has smaller letters, so that caption and scale keep their room; never below 0.7 of their size.
+Pixels pixelsOf(const PictureSize& size) {
+  const double narrow = size.width / PictureSize{}.width, smaller = std::clamp(narrow, 0.7, 1.0);
+  const double letters = smaller * size.resolution / 72;
+  return {pixels(size.width, size.resolution),
+          pixels(size.height, size.resolution),
+          static_cast<int>(std::lround(letters * labelPoints)),
+          static_cast<int>(std::lround(letters * captionPoints)),
+          size.resolution / PictureSize{}.resolution,
+          1 - barShare * std::max(1.0, smaller / narrow)};
+}
 
 const results::SurfaceSnapshot* chosenSnapshot(const results::RunResult& result) {
   const results::SurfaceSnapshot* chosen = nullptr;
@@ -46,9 +67,10 @@ vtkSmartPointer<vtkPlane> planeAt(double x, double y, double z, double nx, doubl
 }
 
 void addOverview(SurfacelessWindow& window, const results::RunResult& result, const results::SurfaceSnapshot* snapshot,
-                 double contactAt) {
+                 double contactAt, const Pixels& pixels) {
   auto renderer = newRenderer(window, 0, division, 0, bodyTop);
   Look look;
+  look.lines = pixels.line;
   look.field = Field::none;
   look.edges = false;  // too fine for this distance: they would blacken it
   look.cuts = {planeAt(contactAt - 0.8, 0, 0, 1, 0, 0), planeAt(contactAt + 0.8, 0, 0, -1, 0, 0)};
@@ -57,7 +79,8 @@ void addOverview(SurfacelessWindow& window, const results::RunResult& result, co
     renderer->AddActor(partActor(part, look));
     renderer->AddActor(outlineActor(part, look));
   }
-  const auto springs = springActor(springLines(result.surface, snapshot ? snapshot->wheelTravel : 0), 2.5);
+  const auto springs =
+      springActor(springLines(result.surface, snapshot ? snapshot->wheelTravel : 0), 2.5 * pixels.line);
   for (const auto& plane : look.cuts) springs->GetMapper()->AddClippingPlane(plane);
   renderer->AddActor(springs);
   aim(*renderer, {contactAt, -0.12, 0.24}, {0.55, 0.75, 0.42}, 0.95);
@@ -66,9 +89,10 @@ void addOverview(SurfacelessWindow& window, const results::RunResult& result, co
 // With inner faces at y = 0 both bodies are cut there and the stress below the surface is seen; without them the wheel
 // is hidden and the rail's surface is seen from above.
 void addCloseUp(SurfacelessWindow& window, const results::RunResult& result, const results::SurfaceSnapshot* snapshot,
-                double contactAt, const std::string& colourMap) {
-  auto renderer = newRenderer(window, division, barLeft, 0, bodyTop);
+                double contactAt, const std::string& colourMap, const Pixels& pixels) {
+  auto renderer = newRenderer(window, division, pixels.barLeft, 0, bodyTop);
   Look look;
+  look.lines = pixels.line;
   look.colourMap = colourMap;
   look.field = snapshot ? Field::vonMises : Field::none;
   const auto parts = partData(result.surface, snapshot, look.field, 1.0);
@@ -81,15 +105,16 @@ void addCloseUp(SurfacelessWindow& window, const results::RunResult& result, con
     aim(*renderer, {contactAt, 0, 0.0005}, {0.12, 0.97, 0.14}, 0.034);
   else
     aim(*renderer, {contactAt, 0, -0.004}, {0.3, 0.6, 0.75}, 0.045);
-  renderer->AddActor2D(textActor(cut ? "cut at y = 0" : "rail, wheel hidden", 0.03, 0.03, labelPixels, cut));
+  renderer->AddActor2D(textActor(cut ? "cut at y = 0" : "rail, wheel hidden", 0.03, 0.03, pixels.label, cut));
   if (!snapshot) return;
-  auto bar = newRenderer(window, barLeft, 1, 0, bodyTop);
-  bar->AddActor2D(colourBar(look, {0.08, 0.04, 0.9, 0.83}, labelPixels));
-  bar->AddActor2D(textActor("von Mises", 0.08, 0.95, labelPixels, false));
-  bar->AddActor2D(textActor("[MPa]", 0.08, 0.905, labelPixels, false));
+  auto bar = newRenderer(window, pixels.barLeft, 1, 0, bodyTop);
+  bar->AddActor2D(colourBar(look, {0.08, 0.04, 0.9, 0.83}, pixels.label));
+  bar->AddActor2D(textActor("von Mises", 0.08, 0.95, pixels.label, false));
+  bar->AddActor2D(textActor("[MPa]", 0.08, 0.905, pixels.label, false));
 }
 
-void addCaption(SurfacelessWindow& window, const results::RunResult& result, const results::SurfaceSnapshot* snapshot) {
+void addCaption(SurfacelessWindow& window, const results::RunResult& result, const results::SurfaceSnapshot* snapshot,
+                int letters) {
   auto renderer = newRenderer(window, 0, 1, bodyTop, 1);
   std::string left = result.title.empty() ? result.stem : result.title;
   if (snapshot) {
@@ -99,33 +124,40 @@ void addCaption(SurfacelessWindow& window, const results::RunResult& result, con
     left += location;
   }
   if (!result.complete) left = "incomplete (" + result.stopReason + "): " + left;
-  renderer->AddActor2D(textActor(left, 0.01, 0.35, captionPixels, false));
-  renderer->AddActor2D(textActor(result.stem + "  " + result.caseHash, 0.99, 0.35, captionPixels, false, 1.0));
+  renderer->AddActor2D(textActor(left, 0.01, 0.35, letters, false));
+  renderer->AddActor2D(textActor(result.stem + "  " + result.caseHash, 0.99, 0.35, letters, false, 1.0));
 }
 
 }  // namespace
 
-Picture modelPicture(const results::RunResult& result, const std::string& colourMap, std::string& reason) {
+Picture modelPicture(const results::RunResult& result, const std::string& colourMap, std::string& reason,
+                     const PictureSize& size) {
   if (result.surface.quads.empty() || result.surface.points.empty()) {
     reason = "the result has no surface of the model";
+    return {};
+  }
+  const Pixels pixels = pixelsOf(size);
+  if (std::max(pixels.width, pixels.height) > PictureSize::mostPixels) {
+    reason = "it would have more than " + std::to_string(PictureSize::mostPixels) +
+             " pixels on a side; choose a lower resolution";
     return {};
   }
   const auto window = SurfacelessWindow::create(reason);
   if (!window) return {};
   const results::SurfaceSnapshot* snapshot = chosenSnapshot(result);
   const double contactAt = wheelCentre(result.surface)[0] + (snapshot ? snapshot->wheelTravel : 0);
-  addOverview(*window, result, snapshot, contactAt);
-  addCloseUp(*window, result, snapshot, contactAt, colourMap);
-  addCaption(*window, result, snapshot);
-  Picture picture = window->renderPicture(width, height);
+  addOverview(*window, result, snapshot, contactAt, pixels);
+  addCloseUp(*window, result, snapshot, contactAt, colourMap, pixels);
+  addCaption(*window, result, snapshot, pixels.caption);
+  Picture picture = window->renderPicture(pixels.width, pixels.height);
   if (picture.empty()) reason = "OpenGL drew nothing";
   return picture;
 }
 
 ModelPictureOutcome writeModelPicture(const results::RunResult& result, const std::string& colourMap,
-                                      const std::string& path) {
+                                      const std::string& path, const PictureSize& size) {
   ModelPictureOutcome outcome;
-  const Picture picture = modelPicture(result, colourMap, outcome.reason);
+  const Picture picture = modelPicture(result, colourMap, outcome.reason, size);
   if (picture.empty()) return outcome;
   writePng(picture, path);
   outcome.written = true;

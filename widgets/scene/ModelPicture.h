@@ -13,13 +13,22 @@ struct ModelPictureOutcome {
   std::string reason;  // why not, in one sentence
 };
 
+// On paper; two columns of a journal unless another size is asked for.
+struct PictureSize {
+  double width = 170, height = 90;  // [mm]
+  double resolution = 300;          // [dpi]
+
+  static constexpr int mostPixels = 8000;  // of a side, within what graphics drivers draw
+};
+
 // Left the parts, springs and mesh near the contact; right a close-up, cut at y = 0 so that the contact is seen,
-// coloured by von Mises stress. Width 170 mm (two columns) at 300 dpi. Empty, with the reason, where this machine
-// cannot draw it or the result has no surface. Takes the snapshot named "impact", else the last one that has stresses.
-Picture modelPicture(const results::RunResult& result, const std::string& colourMap, std::string& reason);
+// coloured by von Mises stress. Empty, with the reason, where this machine cannot draw it, the result has no surface or
+// the picture would have too many pixels. Takes the snapshot named "impact", else the last one that has stresses.
+Picture modelPicture(const results::RunResult& result, const std::string& colourMap, std::string& reason,
+                     const PictureSize& size = {});
 
 // As above, to a file. Throws FileError where it cannot be written.
 ModelPictureOutcome writeModelPicture(const results::RunResult& result, const std::string& colourMap,
-                                      const std::string& path);
+                                      const std::string& path, const PictureSize& size = {});
 
 }  // namespace squat::scene

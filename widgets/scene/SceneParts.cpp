@@ -97,7 +97,7 @@ vtkSmartPointer<vtkActor> partActor(const PartData& part, const Look& look) {
   property->SetDiffuse(coloured ? 0.6 : 0.75);
   property->SetEdgeVisibility(look.edges);
   property->SetEdgeColor(0.25, 0.27, 0.30);
-  property->SetLineWidth(0.8f);
+  property->SetLineWidth(static_cast<float>(0.8 * look.lines));
   return actor;
 }
 
@@ -115,7 +115,7 @@ vtkSmartPointer<vtkActor> outlineActor(const PartData& part, const Look& look) {
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(0.15, 0.17, 0.20);
-  actor->GetProperty()->SetLineWidth(1.6f);
+  actor->GetProperty()->SetLineWidth(static_cast<float>(1.6 * look.lines));
   actor->GetProperty()->SetLighting(false);
   return actor;
 }

@@ -23,6 +23,7 @@ struct Look {
   bool edges = true;                            // lines of the mesh
   bool blend = false;                           // where the field is low the part keeps its own colour
   bool dark = false;                            // background
+  double lines = 1;                             // factor on the width of lines
   std::vector<vtkSmartPointer<vtkPlane>> cuts;  // only what lies on the side of each normal is shown
 };
 

@@ -21,6 +21,7 @@
 #include "studio/common/RowTable.h"
 #include "studio/common/Theme.h"
 #include "studio/comparison/ComparisonModel.h"
+#include "studio/comparison/MapWindow.h"
 #include "studio/runs/ColourSquare.h"
 
 namespace squat::studio {
@@ -101,8 +102,22 @@ QWidget* ComparisonWindow::makeBar() {
   };
   button(tr("Copy table"), tr("Copy the table, tab-separated"), &ComparisonWindow::copy);
   button(tr("Export CSV…"), tr("Export the table as CSV, with every digit"), &ComparisonWindow::askForFile);
-  giveKeys(*bar, {{tr("Copy table"), "Ctrl+Alt+C"}, {tr("Export CSV…"), "Ctrl+Alt+X"}});
+  button(tr("Maps…"), tr("Show the scalograms of the chosen signal and the reference side by side"),
+         &ComparisonWindow::showMaps);
+  giveKeys(*bar, {{tr("Maps…"), "Ctrl+Alt+M"}, {tr("Copy table"), "Ctrl+Alt+C"}, {tr("Export CSV…"), "Ctrl+Alt+X"}});
   return bar;
+}
+
+// Without a choice, the first signal that is not the reference.
+void ComparisonWindow::showMaps() {
+  if (!maps_) maps_ = new MapWindow(store_, this);
+  const QModelIndex chosen = table_->currentIndex();
+  int row = chosen.isValid() ? seen_->mapToSource(chosen).row() : 0;
+  if (row == store_.reference() && store_.rowCount() > 1) row = row == 0 ? 1 : 0;
+  maps_->show();
+  maps_->choose(row, store_.reference());
+  maps_->raise();
+  maps_->activateWindow();
 }
 
 bool ComparisonWindow::isBusy() const { return model_->isBusy(); }

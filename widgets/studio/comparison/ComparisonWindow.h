@@ -14,6 +14,7 @@ class QTableView;
 namespace squat::studio {
 
 class ComparisonModel;
+class MapWindow;
 class RunStore;
 
 class ComparisonWindow : public QWidget {
@@ -26,6 +27,8 @@ class ComparisonWindow : public QWidget {
   void copy() const;                         // the table as it is sorted, tab-separated
   void writeCsv(const QString& path) const;  // with every digit; throws FileError
   void fillMenu(QMenu& menu, int row);       // of the store
+  void showMaps();                           // of the chosen signal beside the reference
+  MapWindow* maps() const { return maps_; }  // null: not asked for yet
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -45,6 +48,7 @@ class ComparisonWindow : public QWidget {
   QTableView* table_;
   QComboBox* reference_;
   QLabel* problem_;
+  MapWindow* maps_ = nullptr;
 };
 
 }  // namespace squat::studio

@@ -4,10 +4,12 @@
 #include <QRegularExpression>
 #include <QSignalBlocker>
 
+#include "case/Applicability.h"
 #include "case/ParameterValue.h"
 #include "studio/common/Theme.h"
 #include "studio/common/Words.h"
 #include "studio/document/CaseDocument.h"
+#include "studio/document/OtherUnits.h"
 
 namespace squat::studio {
 namespace {
@@ -47,6 +49,10 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   why_->setWordWrap(true);
   why_->setObjectName("reason");
   why_->hide();
+  other_ = new QLabel(this);
+  other_->setObjectName("otherUnits");
+  other_->setForegroundRole(QPalette::PlaceholderText);
+  other_->hide();
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(2, 1, 2, 1);
   grid->setHorizontalSpacing(6);
@@ -58,12 +64,12 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   if (!wide) grid->addWidget(unit, 0, 2);
   unit->setVisible(!wide);
   grid->addWidget(reset_, 0, 3);
-  grid->addWidget(why_, 1, 0, 1, 4);
+  grid->addWidget(other_, 1, 0, 1, 3, Qt::AlignRight);
+  grid->addWidget(why_, 2, 0, 1, 4);
   grid->setColumnStretch(0, wide ? 1 : 5);
   grid->setColumnStretch(1, wide ? 6 : 4);
   name_->setMinimumWidth(wide ? 40 : 120);
   name_->setWordWrap(!wide);  // long names take a second line, not the room of the whole form
-  setToolTip(toolTipText());
   connect(reset_, &QToolButton::clicked, this, [this] {
     dropRefused();
     document_.resetParameter(parameter_.key);
@@ -92,7 +98,6 @@ void ParameterRow::makeEditor() {
   }
   editor_->setObjectName(key);
   editor_->setAccessibleName(key);
-  editor_->setAccessibleDescription(QString::fromStdString(parameter_.doc));
   editor_->setMinimumWidth(choice_ ? 116 : 90);
 }
 
@@ -124,8 +129,22 @@ void ParameterRow::showValue() {
   QFont font = name_->font();
   font.setBold(changed_);
   name_->setFont(font);
+  const QString other = inOtherUnits(document_.description(), parameter_.key);
+  other_->setText(other);
+  other_->setVisible(!other.isEmpty());
+  showEffect();
   showReason();
   if (dropsRefused) Q_EMIT reasonChanged();
+}
+
+void ParameterRow::showEffect() {
+  const bool counts = cases::applies(document_.description(), parameter_);
+  const QString without =
+      counts ? QString() : QString::fromStdString(cases::reasonWithoutEffect(document_.description(), parameter_));
+  name_->setEnabled(counts);
+  editor_->setEnabled(counts || isRefused());
+  editor_->setAccessibleDescription(counts ? QString::fromStdString(parameter_.doc) : without);
+  setToolTip((counts ? QString() : "<b>" + without.toHtmlEscaped() + "</b><br>") + toolTipText());
 }
 
 void ParameterRow::dropRefused() {

@@ -42,6 +42,7 @@ class ParameterRow : public QWidget {
   void tryText(const QString& text);  // while typing: flags, changes nothing
   void commit(const QString& text);
   void showReason();
+  void showEffect();  // greyed, with the reason, where the key has none
   QString toolTipText() const;
 
   CaseDocument& document_;
@@ -51,7 +52,7 @@ class ParameterRow : public QWidget {
   QComboBox* choice_ = nullptr;
   QCheckBox* check_ = nullptr;
   QLabel* name_;
-  QLabel* why_;
+  QLabel *why_, *other_;
   QToolButton* reset_;
   QString wrongText_, relation_;
   std::string value_;  // of the document, as last seen

@@ -10,10 +10,14 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "core/Errors.h"
+#include "scene/ModelPicture.h"
 #include "scene/VtkExport.h"
 #include "studio/common/ButtonKeys.h"
+#include "studio/common/FigureSizeDialog.h"
 #include "studio/common/FlowLayout.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/model/SceneWidget.h"
@@ -187,7 +191,17 @@ void ScenePanel::saveSeries() {
 void ScenePanel::savePicture() {
   const QString path = locationToSave(this, tr("Save picture"), "model.png", tr("PNG (*.png)"));
   if (path.isEmpty()) return;
-  if (!scene_->picture(2000, 1400).save(path, "PNG")) Q_EMIT failed(tr("%1 cannot be written").arg(path));
+  const auto size = storedFigureSize();
+  const double width = size.width > 0 ? size.width : 170, height = size.width > 0 ? size.height : 119;  // [mm]
+  const double pixels = size.resolution / 25.4;
+  if (std::max(width, height) * pixels > scene::PictureSize::mostPixels)
+    return void(Q_EMIT failed(tr("The picture would have more than %1 pixels on a side: choose a lower resolution in "
+                                 "Figure > Size of figures.")
+                                  .arg(scene::PictureSize::mostPixels)));
+  constexpr double screen = 96;  // [dpi] of which letters and lines have their usual size
+  const QImage picture = scene_->picture(static_cast<int>(std::lround(width * pixels)),
+                                         static_cast<int>(std::lround(height * pixels)), size.resolution / screen);
+  if (!picture.save(path, "PNG")) Q_EMIT failed(tr("%1 cannot be written").arg(path));
 }
 
 }  // namespace squat::studio

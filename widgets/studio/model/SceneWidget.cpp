@@ -63,8 +63,8 @@ void SceneWidget::lookFrom(scene::StandardView view) {
   refresh(false);
 }
 
-QImage SceneWidget::picture(int width, int height) {
-  return ensureView() && result_ ? asImage(view_->render(width, height, false, 2)) : QImage();
+QImage SceneWidget::picture(int width, int height, double pixelRatio) {
+  return ensureView() && result_ ? asImage(view_->render(width, height, false, pixelRatio)) : QImage();
 }
 
 void SceneWidget::refresh(bool moving) {

@@ -24,7 +24,8 @@ class SceneWidget : public QWidget {
   void lookFrom(scene::StandardView view);
   bool isAvailable() const { return view_ != nullptr || !tried_; }
   QString reason() const { return reason_; }
-  QImage picture(int width, int height);  // fine
+  // Fine; `pixelRatio` as that of SceneView::render.
+  QImage picture(int width, int height, double pixelRatio = 2);
   double millisecondsPerFrame() const { return lastFrame_; }
 
  protected:

@@ -23,6 +23,7 @@
 #include "studio/profile/ProfilePlot.h"
 #include "studio/profile/ProfileTable.h"
 #include "studio/profile/ShapeControls.h"
+#include "studio/profile/SquatDialog.h"
 
 namespace squat::studio {
 
@@ -90,11 +91,17 @@ QWidget* ProfileEditor::makeToolBar() {
     askForFile();
   })->setObjectName("importProfile");
   button(tr("Export…"), tr("Export the profile as CSV"), [this] { exportFile(); })->setObjectName("exportProfile");
+  button(tr("Squat…"), tr("Choose a squat by class, form and size"), [this] {
+    chooseSquat();
+  })->setObjectName("chooseSquat");
   button(tr("To points"), tr("Convert the shape into points that can be dragged"), [this] {
     document_.edit(tr("Convert the shape into points"), asPoints(document_.description()));
   })->setObjectName("toPoints");
   button(tr("Fit"), tr("Show the whole defect (F)"), [this] { plot_->fit(); });
-  giveKeys(*bar, {{"importProfile", "Ctrl+I"}, {"exportProfile", "Ctrl+Shift+I"}, {"toPoints", "Ctrl+T"}});
+  giveKeys(*bar, {{"importProfile", "Ctrl+I"},
+                  {"exportProfile", "Ctrl+Shift+I"},
+                  {"chooseSquat", "Ctrl+Shift+T"},
+                  {"toPoints", "Ctrl+T"}});
   snap_ = new QComboBox(bar);
   snap_->addItem(tr("Snapping off"), QPointF(0, 0));
   snap_->addItem(tr("Snap 0.5 mm, 1 µm"), QPointF(5e-4, 1e-6));
@@ -198,6 +205,16 @@ void ProfileEditor::importFile(const QString& path) {
   } catch (const FileError& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
   }
+}
+
+void ProfileEditor::chooseSquat() {
+  auto* dialog = new SquatDialog(document_.description(), style_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    document_.edit(tr("Choose a squat"), dialog->description());
+    plot_->fit();
+  });
+  dialog->open();
 }
 
 void ProfileEditor::exportFile() {

@@ -37,6 +37,7 @@ class ProfileEditor : public QWidget {
   void makePlot(const plots::Style& style);
   void askForFile();
   void exportFile();
+  void chooseSquat();
   QWidget* makeToolBar();
   HeightUnit unit() const;
   void showPoints();

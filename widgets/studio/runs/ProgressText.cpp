@@ -1,6 +1,8 @@
 #include "studio/runs/ProgressText.h"
 
 #include <QObject>
+#include <QStringList>
+#include <algorithm>
 #include <cmath>
 
 namespace squat::studio {
@@ -19,6 +21,25 @@ QString progressText(const Progress& progress) {
   QString text = QObject::tr("%1 %2 %").arg(phase).arg(100 * progress.fraction, 0, 'f', 0);
   if (progress.remainingSeconds >= 0) text += QObject::tr(", %1 left").arg(durationText(progress.remainingSeconds));
   return text;
+}
+
+QString completionText(const results::RunResult& result) {
+  QStringList found;
+  const auto* box = result.signal("aba_filtered");
+  if (box && !box->empty()) {
+    const auto [low, high] = std::minmax_element(box->begin(), box->end());
+    found << QObject::tr("axle box acceleration %1 to %2 m/s²").arg(*low, 0, 'f', 1).arg(*high, 0, 'f', 1);
+  }
+  const auto* force = result.signal("contact_force");
+  if (force && !force->empty())
+    found << QObject::tr("contact force up to %1 kN")
+                 .arg(1e-3 * *std::max_element(force->begin(), force->end()), 0, 'f', 1);
+  const auto seconds = std::find_if(result.performance.begin(), result.performance.end(),
+                                    [](const results::Scalar& scalar) { return scalar.name == "seconds"; });
+  const QString done = seconds == result.performance.end()
+                           ? QObject::tr("Done")
+                           : QObject::tr("Done in %1").arg(durationText(seconds->value));
+  return found.isEmpty() ? done + "." : done + ": " + found.join(", ") + ".";
 }
 
 }  // namespace squat::studio

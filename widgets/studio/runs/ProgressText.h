@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "core/Monitor.h"
+#include "results/RunResult.h"
 
 namespace squat::studio {
 
@@ -12,5 +13,8 @@ QString durationText(double seconds);
 
 // "rolling 42 %, 3 min 20 s left"
 QString progressText(const Progress& progress);
+
+// "Done in 23 s: axle box acceleration -98 to 112 m/s², contact force up to 131 kN." Without what the result lacks.
+QString completionText(const results::RunResult& result);
 
 }  // namespace squat::studio

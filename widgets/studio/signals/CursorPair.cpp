@@ -99,7 +99,6 @@ void CursorPair::press(QMouseEvent* event) {
   constexpr double reach = 6;  // pixels
   for (int i = 0; i < 2; ++i)
     if (std::abs(figure_.xAxis->coordToPixel(locations_[i]) - event->position().x()) < reach) dragged_ = i;
-  if (dragged_ >= 0) figure_.setInteraction(QCP::iRangeDrag, false);
 }
 
 void CursorPair::move(QMouseEvent* event) {
@@ -108,10 +107,6 @@ void CursorPair::move(QMouseEvent* event) {
   show();
 }
 
-void CursorPair::release() {
-  if (dragged_ < 0) return;
-  dragged_ = -1;
-  figure_.setInteraction(QCP::iRangeDrag, true);
-}
+void CursorPair::release() { dragged_ = -1; }
 
 }  // namespace squat::studio

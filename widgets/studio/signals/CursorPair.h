@@ -20,6 +20,7 @@ class CursorPair : public QObject {
   void setLocations(double first, double second);
   double location(int cursor) const { return locations_[cursor]; }
   bool isPlaced() const { return placed_; }
+  bool isDragged() const { return dragged_ >= 0; }
   QString text() const;
 
  private:

@@ -12,6 +12,7 @@
 #include "studio/common/LocationToSave.h"
 #include "studio/signals/CursorPair.h"
 #include "studio/signals/FigureTable.h"
+#include "studio/signals/ZoomAndPan.h"
 
 namespace squat::studio {
 
@@ -36,7 +37,6 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   layout()->addWidget(figure_);
   fullX_ = figure_->xAxis->range();
   fullY_ = figure_->yAxis->range();
-  figure_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   figure_->setContextMenuPolicy(Qt::CustomContextMenu);
   figure_->setAccessibleName(tr("Figure %1").arg(name_));
   figure_->setFocusPolicy(Qt::StrongFocus);
@@ -48,6 +48,7 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   cursors_ = new CursorPair(*figure_, secondsPerUnit, unit);
   if (keepCursors) cursors_->setLocations(locations[0], locations[1]);
   cursors_->setVisible(cursorsVisible_);
+  new ZoomAndPan(*figure_, *cursors_);
   if (keep) figure_->xAxis->setRange(kept);
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::rangeChanged);
   connect(figure_, &QWidget::customContextMenuRequested, this, &FigureView::openMenu);

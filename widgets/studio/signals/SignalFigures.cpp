@@ -4,13 +4,14 @@
 #include "studio/signals/PeakMarks.h"
 
 namespace squat::studio {
-namespace {
 
-plots::FigureSettings settingsOf(const plots::FigureRow& row, const std::vector<StoredRun>& overlays,
-                                 const SignalSettings& settings) {
+plots::FigureSettings figureSettings(const plots::FigureRow& row, const std::vector<StoredRun>& overlays,
+                                     const SignalSettings& settings) {
   plots::FigureSettings chosen;
   chosen.segment = settings.segment;
   chosen.hop = settings.hop;
+  chosen.spectrum = settings.spectrum;
+  chosen.patch = settings.moment;
   if (!row.overlay) return chosen;
   for (const StoredRun& run : overlays) {
     auto record = std::make_shared<signals::Record>(*run.record);
@@ -28,13 +29,11 @@ plots::FigureSettings settingsOf(const plots::FigureRow& row, const std::vector<
   return chosen;
 }
 
-}  // namespace
-
 std::unique_ptr<plots::Figure> signalFigure(const std::string& name, const results::RunResult& shown,
                                             const std::vector<StoredRun>& overlays, const SignalSettings& settings,
                                             const plots::Style& style) {
   const plots::FigureRow& row = plots::figureRow(name);
-  const auto chosen = settingsOf(row, overlays, settings);
+  const auto chosen = figureSettings(row, overlays, settings);
   auto figure = row.drawsScalogram ? plots::buildFigure(row, *withScalogram(shown), style, chosen)
                                    : plots::buildFigure(row, shown, style, chosen);
   const auto unit = QString::fromStdString(plots::unitOf(row.axis));

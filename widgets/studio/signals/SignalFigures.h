@@ -11,6 +11,10 @@
 
 namespace squat::studio {
 
+// What the panel's settings are for a figure, with the overlaid runs where the row draws them.
+plots::FigureSettings figureSettings(const plots::FigureRow& row, const std::vector<StoredRun>& overlays,
+                                     const SignalSettings& settings);
+
 // A row of plots::figureRegistry() with its marks. `shown` has been through analysed(); so are the overlaid runs, which
 // are laid on its axis. Throws CaseError for an unknown name and for one that is no plot.
 std::unique_ptr<plots::Figure> signalFigure(const std::string& name, const results::RunResult& shown,

@@ -4,15 +4,18 @@
 #include <memory>
 #include <string>
 
+#include "plots/SpectrumScale.h"
 #include "results/RunResult.h"
 #include "signals/PowerSpectrum.h"
 
 namespace squat::studio {
 
 struct SignalSettings {
-  double cutoff = 2000;                // [Hz] low-pass, Butterworth of order 4 forward and back
-  std::string window = "hann";         // of the spectrum
-  double from = -0.1, to = 0.28;       // [m] stretch of the spectrum
+  double cutoff = 2000;           // [Hz] low-pass, Butterworth of order 4 forward and back
+  std::string window = "hann";    // of the spectrum
+  double from = -0.1, to = 0.28;  // [m] stretch of the spectrum
+  plots::SpectrumScale spectrum = plots::SpectrumScale::linear;
+  int moment = -1;                     // of the contact patch, index into the result's patches; -1: the impact
   std::size_t segment = 128, hop = 4;  // [samples] of the short-time Fourier transform
 };
 

@@ -12,6 +12,7 @@
 #include <QProxyStyle>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSlider>
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTabWidget>
@@ -21,13 +22,15 @@
 #include "case/CaseFile.h"
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
+#include "plots/FigureBuilders.h"
 #include "plots/FigureRegistry.h"
+#include "plots/Figures.h"
 #include "plots/Overlays.h"
 #include "scene/ModelPicture.h"
 #include "studio/common/EditorHabits.h"
+#include "studio/common/FigureSizeDialog.h"
 #include "studio/common/FlowLayout.h"
 #include "studio/common/Theme.h"
-#include "studio/signals/FigureSizeDialog.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalFigures.h"
 
@@ -99,6 +102,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     if (!isLinked(name)) continue;
     connect(view, &FigureView::rangeChanged, this, [this, name](const QCPRange& range) { link(name, range); });
   }
+  takeMoments();
   setFigureSize(storedFigureSize());
   hideWhatDoesNotApply();
   const QMargins around = layout->contentsMargins();
@@ -113,6 +117,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     linked_.reset();
     for (const auto& [name, view] : views_) view->forgetZoom();
     takeWindow();
+    takeMoments();
     update();
   });
   connect(&store_, &RunStore::overlaysChanged, this, &SignalsPanel::update);
@@ -215,6 +220,10 @@ QWidget* SignalsPanel::makePage(plots::FigureControl control, FigureView* view) 
     for (QDoubleSpinBox* box : {from_, to_}) connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("from")), from_});
     flow->addTogether({new QLabel(tr("to")), to_});
+    spectrum_ = choice(tr("Scale of the spectrum"), {tr("linear"), tr("logarithmic"), tr("dB"), tr("1/3 octaves")});
+    spectrum_->setObjectName("spectrumScale");
+    connect(spectrum_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
+    flow->addTogether({new QLabel(tr("Scale")), spectrum_});
   } else if (control == plots::FigureControl::shortTime) {
     segment_ = samples(tr("Window length of the short-time Fourier transform"), settings_.segment, 8192);
     segment_->setMinimum(16);
@@ -225,6 +234,22 @@ QWidget* SignalsPanel::makePage(plots::FigureControl control, FigureView* view) 
     for (QSpinBox* box : {segment_, hop_}) connect(box, &QSpinBox::valueChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("Window")), segment_});
     flow->addTogether({new QLabel(tr("Hop")), hop_});
+  } else if (control == plots::FigureControl::moment) {
+    moment_ = new QSlider(Qt::Horizontal);
+    moment_->setAccessibleName(tr("Moment of the contact patch"));
+    moment_->setToolTip(tr("Moment of the contact patch; axes and colours stay the same"));
+    moment_->setObjectName("patchMoment");
+    moment_->setMinimumWidth(160);
+    momentText_ = new QLabel;
+    momentText_->setObjectName("patchMomentText");
+    connect(moment_, &QSlider::valueChanged, this, [this](int index) {
+      settings_.moment = index;
+      showMoment();
+      stale_["contact_patch"] = true;
+      rebuild(currentTab());
+    });
+    flow->addTogether({new QLabel(tr("Moment")), moment_});
+    flow->addWidget(momentText_);
   }
   if (flow->count() > 0)
     rows->addLayout(flow);
@@ -268,11 +293,36 @@ void SignalsPanel::takeWindow() {
   to_->setValue(current->psdTo * 1e3);
 }
 
+// The patch of a new run is first seen at the impact, as in its file.
+void SignalsPanel::takeMoments() {
+  const ResultPointer current = store_.currentResult();
+  const int count = current ? static_cast<int>(current->patches.size()) : 0;
+  const auto* impact = current ? plots::shownPatch(*current) : nullptr;
+  const QSignalBlocker quiet(moment_);
+  moment_->setRange(0, std::max(count - 1, 0));
+  moment_->setValue(impact ? static_cast<int>(impact - current->patches.data()) : 0);
+  moment_->setEnabled(count > 1);
+  settings_.moment = -1;
+  showMoment();
+}
+
+void SignalsPanel::showMoment() {
+  const ResultPointer current = store_.currentResult();
+  const auto index = static_cast<std::size_t>(moment_->value());
+  if (!current || index >= current->patches.size()) return momentText_->clear();
+  const auto& patch = current->patches[index];
+  momentText_->setText(tr("%1: %2 mm, %3 ms")
+                           .arg(QString::fromStdString(patch.name))
+                           .arg(patch.position * 1e3, 0, 'f', 1)
+                           .arg(patch.time * 1e3, 0, 'f', 2));
+}
+
 void SignalsPanel::update() {
   settings_.segment = static_cast<std::size_t>(segment_->value());
   settings_.hop = static_cast<std::size_t>(hop_->value());
   settings_.cutoff = cutoff_->value();
   settings_.window = window_->currentText().toStdString();
+  settings_.spectrum = static_cast<plots::SpectrumScale>(spectrum_->currentIndex());
   settings_.from = from_->value() * 1e-3;
   settings_.to = to_->value() * 1e-3;
   style_.colourMap = map_->currentText().toStdString();
@@ -315,7 +365,7 @@ void SignalsPanel::rebuild(const QString& name) {
   linking_ = true;
   try {
     views_[name]->show(signalFigure(row.name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
-                       row.table ? row.table(*shown_) : QByteArray());
+                       row.table ? row.table(*shown_, figureSettings(row, {}, settings_)) : QByteArray());
   } catch (const std::exception& error) {  // a signal that cannot be analysed costs its figure, not the session
     problem_->setText(QString::fromStdString(error.what()));
     problem_->show();
@@ -419,7 +469,8 @@ QStringList SignalsPanel::exportAll(const QString& folder) {
 
 // False where this machine cannot draw it, which is said.
 bool SignalsPanel::exportModel(const QString& path) {
-  const auto outcome = scene::writeModelPicture(*store_.currentResult(), style_.colourMap, path.toStdString());
+  const auto outcome =
+      scene::writeModelPicture(*store_.currentResult(), style_.colourMap, path.toStdString(), plots::modelSize(size_));
   if (!outcome.written) Q_EMIT failed(tr("3-D picture not drawn: %1").arg(QString::fromStdString(outcome.reason)));
   return outcome.written;
 }

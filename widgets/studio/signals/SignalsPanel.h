@@ -15,6 +15,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
+class QSlider;
 class QSpinBox;
 class QTabWidget;
 
@@ -57,6 +58,8 @@ class SignalsPanel : public QWidget {
   QWidget* makeControls();
   QWidget* makePage(plots::FigureControl control, FigureView* view);
   void takeWindow();
+  void takeMoments();
+  void showMoment();
   void update();
   void rebuild(const QString& name);
   bool applies(const plots::FigureRow& row) const;
@@ -77,7 +80,9 @@ class SignalsPanel : public QWidget {
   bool linking_ = false;
   QDoubleSpinBox *cutoff_, *from_, *to_;
   QSpinBox *segment_, *hop_;
-  QComboBox *window_, *map_;
+  QComboBox *window_, *map_, *spectrum_;
+  QSlider* moment_;
+  QLabel* momentText_;
   QPushButton* exportAll_;
   QCheckBox* cursors_;
   QLabel* problem_;

@@ -31,6 +31,7 @@ class ParameterForm;
 class PreviewPanel;
 class ProfileEditor;
 class ProjectKeeper;
+class QuickTour;
 class RunReader;
 class Recovery;
 class RunPanel;
@@ -99,6 +100,8 @@ class MainWindow : public QMainWindow {
   bool saveResultTo(int row, const QString& path);
   void startRun() { beginRun(false); }
   void goOnWithRun() { beginRun(true); }  // with the one of this case that was stopped
+  void showTour();
+  void offerTour();  // at the first start
   void setDark(bool dark);
   // "profile", "model", "paper", "notes", "run", "runs", "preview", "comparison" (a window of its own), or one of the
   // signals panel's; false for another name.
@@ -183,6 +186,7 @@ class MainWindow : public QMainWindow {
   QLabel* otherCase_;
   QPointer<HelpWindow> help_;
   QPointer<AlignDialog> align_;
+  QPointer<QuickTour> tour_;
   std::map<QString, ToolWindow*> tools_;
   ParameterForm* form_;
   ProfileEditor* profile_;

@@ -31,6 +31,7 @@
 #include "studio/window/HelpWindow.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/PaperPanel.h"
+#include "studio/window/QuickTour.h"
 #include "studio/window/RecentFiles.h"
 #include "text/HeadingAnchor.h"
 
@@ -246,6 +247,7 @@ void MainWindow::showHelp() {
 void MainWindow::makeHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
   add(menu, tr("&Contents"), QKeySequence("F1"), "help", this, &MainWindow::showHelp);
+  add(menu, tr("&Quick tour"), QKeySequence("Shift+F1"), "tour", this, &MainWindow::showTour);
   add(menu, tr("&About Squat Studio"), QKeySequence("Ctrl+F1"), "about", this, [this] {
     auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Squat Studio"),
                                 tr("<b>Squat Studio %1</b><br>Draw a squat, roll a wheel over it, see the axle box "

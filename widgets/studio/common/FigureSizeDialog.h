@@ -1,4 +1,4 @@
-// widgets/studio/signals/FigureSizeDialog.h - the size in which figures are copied and exported, whatever the window's.
+// widgets/studio/common/FigureSizeDialog.h - the size in which figures are copied and exported, whatever the window's.
 #pragma once
 
 #include <QDialog>

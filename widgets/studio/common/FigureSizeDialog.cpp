@@ -1,4 +1,4 @@
-#include "studio/signals/FigureSizeDialog.h"
+#include "studio/common/FigureSizeDialog.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -51,7 +51,8 @@ int presetOf(const plots::PrintedSize& size) {
 
 FigureSizeDialog::FigureSizeDialog(const plots::PrintedSize& size, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Size of figures"));
-  auto* words = new QLabel(tr("Figures are copied and exported in this size, whatever the size of the window."));
+  auto* words = new QLabel(
+      tr("Figures and pictures of the model are copied and exported in this size, whatever the size of the window."));
   words->setWordWrap(true);
   auto* form = new QFormLayout;
   preset_ = new QComboBox;

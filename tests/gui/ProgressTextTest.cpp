@@ -1,0 +1,26 @@
+// What is said while and after something is computed.
+#include <gtest/gtest.h>
+
+#include "studio/runs/ProgressText.h"
+
+namespace squat::studio {
+namespace {
+
+TEST(ProgressText, aRunThatIsDoneNamesItsTimeAndItsPeaks) {
+  results::RunResult result;
+  result.signals = {{"aba_filtered", "m/s2", "", {0, 112.24, -98.06, 3}},
+                    {"contact_force", "N", "", {9e4, 131240, 8e4}}};
+  result.performance = {{"steps", "-", "", 9000}, {"seconds", "s", "", 83.4}};
+  EXPECT_EQ(completionText(result).toStdString(),
+            "Done in 1 min 23 s: axle box acceleration -98.1 to 112.2 m/s², contact force up to 131.2 kN.");
+}
+
+TEST(ProgressText, whatAResultLacksIsLeftOut) {
+  results::RunResult result;
+  EXPECT_EQ(completionText(result), "Done.");
+  result.performance = {{"seconds", "s", "", 4.2}};
+  EXPECT_EQ(completionText(result), "Done in 4 s.");
+}
+
+}  // namespace
+}  // namespace squat::studio

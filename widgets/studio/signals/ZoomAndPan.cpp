@@ -1,0 +1,64 @@
+#include "studio/signals/ZoomAndPan.h"
+
+#include <QMouseEvent>
+
+#include "studio/signals/CursorPair.h"
+
+namespace squat::studio {
+namespace {
+
+// What stood at `from` stands at `to` afterwards.
+void shift(QCPAxis& axis, double from, double to) {
+  const double before = axis.pixelToCoord(from), after = axis.pixelToCoord(to);
+  if (axis.scaleType() == QCPAxis::stLogarithmic)
+    axis.setRange(axis.range() * (before / after));
+  else
+    axis.moveRange(before - after);
+}
+
+}  // namespace
+
+ZoomAndPan::ZoomAndPan(plots::Figure& figure, const CursorPair& cursors)
+    : QObject(&figure), figure_(figure), cursors_(cursors) {
+  figure_.setInteractions(QCP::iRangeZoom);
+  QCPSelectionRect* box = figure_.selectionRect();
+  QColor colour = figure_.style().curve(0);
+  box->setPen(QPen(colour, 1));
+  colour.setAlpha(40);
+  box->setBrush(colour);
+  connect(&figure_, &QCustomPlot::mousePress, this, &ZoomAndPan::press);  // after the cursors' own
+  connect(&figure_, &QCustomPlot::mouseMove, this, &ZoomAndPan::move);
+  connect(&figure_, &QCustomPlot::mouseRelease, this, [this] { panning_ = false; });
+  connect(box, &QCPSelectionRect::accepted, this, [this](const QRect& rect) { zoomTo(rect.normalized()); });
+}
+
+// The plot begins a box after this, where it is in the mode for it.
+void ZoomAndPan::press(QMouseEvent* event) {
+  const bool within = figure_.axisRect()->rect().contains(event->pos());
+  const bool boxes = within && event->button() == Qt::LeftButton && !cursors_.isDragged();
+  figure_.setSelectionRectMode(boxes ? QCP::srmCustom : QCP::srmNone);
+  panning_ = within && event->button() == Qt::MiddleButton;
+  last_ = event->pos();
+}
+
+void ZoomAndPan::move(QMouseEvent* event) {
+  if (!panning_) return;
+  shift(*figure_.xAxis, last_.x(), event->pos().x());
+  shift(*figure_.yAxis, last_.y(), event->pos().y());
+  last_ = event->pos();
+  figure_.replot(QCustomPlot::rpQueuedReplot);
+}
+
+void ZoomAndPan::zoomTo(const QRect& drawn) {
+  constexpr int thin = 8;  // [pixels]
+  const QRect box = drawn & figure_.axisRect()->rect();
+  if (box.width() < thin && box.height() < thin) return;
+  const auto zoom = [](QCPAxis& axis, int low, int high) {
+    axis.setRange(QCPRange(axis.pixelToCoord(low), axis.pixelToCoord(high)));
+  };
+  if (box.width() >= thin) zoom(*figure_.xAxis, box.left(), box.right());
+  if (box.height() >= thin) zoom(*figure_.yAxis, box.bottom(), box.top());
+  figure_.replot(QCustomPlot::rpQueuedReplot);
+}
+
+}  // namespace squat::studio
