@@ -1,6 +1,7 @@
 #include "commands/FigureNames.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "commands/FigureOutput.h"
@@ -43,7 +44,10 @@ void takeSize(const std::string& text, PrintedSize& size) {
 
 void takeScale(const std::string& text, plots::SpectrumScale& scale) {
   const auto& names = plots::spectrumScaleNames;
-  const auto found = std::find(names.begin(), names.end(), text);
+  const auto found = std::find_if(names.begin(), names.end(), [&](std::string_view name) {
+    return std::equal(name.begin(), name.end(), text.begin(), text.end(),
+                      [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+  });
   if (found == names.end()) throw CLI::ValidationError("--spectrum", text + ": linear, log, dB or third-octaves");
   scale = static_cast<plots::SpectrumScale>(found - names.begin());
 }
@@ -55,7 +59,7 @@ void addFigureSize(CLI::App& command, PrintedSize& size) {
       .add_option_function<std::string>(
           "--figure-size", [&size](const std::string& text) { takeSize(text, size); },
           "Width and height of each figure in mm, " + allowedSizes() +
-              " (default: 85x60; wide plots and the 3-D picture 170 and a height of their own)")
+              " (default: 85x60; wide figures 170 and a height of their own)")
       ->type_name("WIDTHxHEIGHT");
   command.add_option("--dpi", size.resolution, "Resolution of PNG files (default: 300)")
       ->check(between(PrintedSize::leastResolution, PrintedSize::mostResolution))
@@ -71,8 +75,8 @@ void addFigureNames(CLI::App& command, NamedFigures& named) {
   command
       .add_option_function<std::string>(
           "--spectrum", [&named](const std::string& text) { takeScale(text, named.spectrum); },
-          "Scale of the figure psd: linear, log, dB (density), third-octaves (levels in bands of IEC 61260-1; "
-          "default: linear)")
+          "Scale of the figure psd: linear, log, dB (of the density) or third-octaves (levels in bands of IEC 61260-1) "
+          "(default: linear)")
       ->type_name("SCALE");
   if (const auto list = figureList(); !list.empty()) command.footer("Figures:\n" + list);
 }

@@ -25,7 +25,8 @@ OctaveBand bandOf(int x) {
 }  // namespace
 
 std::vector<OctaveBand> thirdOctaveBands(double lowest, double highest) {
-  if (!(lowest > 0)) throw SignalError("one-third octave bands begin above 0 Hz");
+  if (!(lowest > 0) || !std::isfinite(lowest) || !std::isfinite(highest))
+    throw SignalError("one-third octave bands need limits above 0 Hz");
   std::vector<OctaveBand> bands;
   for (int x = static_cast<int>(std::floor(10 * std::log10(lowest / 1000))) - 1;; ++x) {
     const OctaveBand band = bandOf(x);

@@ -18,7 +18,8 @@ struct OctaveBand {
   double lowest = 0, highest = 0;  // [Hz] its edges
 };
 
-// Those that lie within lowest..highest [Hz] as a whole, rising. Throws SignalError unless 0 < lowest.
+// Those that lie within lowest..highest [Hz] as a whole, rising. Throws SignalError unless 0 < lowest and both
+// are finite.
 std::vector<OctaveBand> thirdOctaveBands(double lowest, double highest);
 
 // 10 log10 of the power in each band over the square of the reference [dB]; 1e-6 m/s2 is that of ISO 1683 for

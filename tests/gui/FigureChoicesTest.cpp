@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
 #include <QTest>
@@ -159,6 +160,25 @@ TEST_F(FigureChoices, theSpectrumHasFourScales) {
   EXPECT_EQ(figure("psd").xAxis->scaleType(), QCPAxis::stLinear);
 }
 
+// Over 0.38 m at 30 m/s a spectrum resolves 79 Hz, over half of that 158 Hz: what is narrower is shaded.
+TEST_F(FigureChoices, shadedBandsFollowTheSection) {
+  panel_.findChild<QComboBox*>("spectrumScale")->setCurrentIndex(3);
+  const auto remark = [&] {
+    const plots::Figure& shown = figure("psd");
+    for (int i = 0; i < shown.itemCount(); ++i)
+      if (const auto* text = qobject_cast<QCPItemText*>(shown.item(i)); text && text->text().startsWith("shaded"))
+        return text->text().toStdString();
+    return std::string();
+  };
+  const double speed = store_.currentResult()->speed;
+  panel_.findChild<QDoubleSpinBox*>("psdFrom")->setValue(-100);
+  panel_.findChild<QDoubleSpinBox*>("psdTo")->setValue(280);
+  const auto resolution = [&](double length) { return std::to_string(std::lround(speed / length)) + " Hz"; };
+  EXPECT_NE(remark().find(resolution(0.38)), std::string::npos) << remark();
+  panel_.findChild<QDoubleSpinBox*>("psdTo")->setValue(90);
+  EXPECT_NE(remark().find(resolution(0.19)), std::string::npos) << remark();
+}
+
 TEST_F(FigureChoices, anotherRunIsDrawnInTheSameScale) {
   auto other = std::make_shared<results::RunResult>(tests::syntheticResult());
   for (const char* name : {"aba", "aba_filtered"})
@@ -197,7 +217,14 @@ TEST_F(FigureChoices, theSliderShowsThePatchAtEachMoment) {
   slider->setValue(1);
   EXPECT_EQ(cells(), 2);
   EXPECT_EQ(figure("contact_patch").xAxis->range(), first);  // one scale for all moments
-  EXPECT_NEAR(first.upper, 1.25 * 8, 1e-4);                  // mm, the farthest point with a margin of a quarter
+  // A run that goes from the list changes nothing of what is seen.
+  slider->setValue(0);
+  store_.add({seenRun(), "other", {}, false});
+  store_.setCurrent(0);
+  slider->setValue(0);
+  store_.remove(1);
+  EXPECT_EQ(slider->value(), 0);
+  EXPECT_NEAR(first.upper, 1.25 * 8, 1e-4);  // mm, the farthest point with a margin of a quarter
   // Another run begins at its own impact.
   auto bare = std::make_shared<results::RunResult>(*seenRun());
   bare->patches.pop_back();

@@ -89,7 +89,7 @@ int widthOfText(const QWidget& widget) {
   } else if (const auto* box = qobject_cast<const QComboBox*>(&widget)) {
     text = box->currentText();
   }
-  return widget.fontMetrics().horizontalAdvance(text);
+  return widget.fontMetrics().size(0, text).width();  // of the longest line
 }
 
 // Labels that wrap are as high as their lines ask for.
@@ -104,7 +104,8 @@ bool isCutWithItsFrame(const QWidget& widget) {
   const auto* button = qobject_cast<const QAbstractButton*>(&widget);
   const bool framed = (button && !button->text().isEmpty()) || qobject_cast<const QComboBox*>(&widget) ||
                       qobject_cast<const QAbstractSpinBox*>(&widget);
-  return framed && widget.width() < widget.minimumSizeHint().width();
+  const QSize least = widget.minimumSizeHint();
+  return framed && (widget.width() < least.width() || widget.height() < least.height());
 }
 
 // A label that wraps breaks between words: the longest must fit.

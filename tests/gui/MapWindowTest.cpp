@@ -91,6 +91,32 @@ TEST_F(Maps, areWholeAndExported) {
   EXPECT_GT(QFileInfo(folder.filePath("both.pdf")).size(), 10000);
 }
 
+// Aligned in time, as by squat compare: runs of two speeds have the same milliseconds, not the same millimetres.
+TEST_F(Maps, standOverTimeAsTheComparisonDoes) {
+  EXPECT_TRUE(maps_->view(0)->figure()->xAxis->label().contains("[ms]"));
+  // 100 mm before the impact to 280 mm behind it, at the speed of the first.
+  const double speed = window_.store().at(1).result->speed;
+  const QCPRange shown = maps_->view(0)->figure()->xAxis->range();
+  EXPECT_GE(shown.lower, -1e3 * 0.1 / speed - 0.1);
+  EXPECT_LE(shown.upper, 1e3 * 0.28 / speed + 0.1);
+  EXPECT_GT(shown.size(), 0.5 * 1e3 * 0.38 / speed);
+}
+
+TEST_F(Maps, keepTheirSignalsWhenAnotherOneGoes) {
+  window_.store().add({runTimes(3), "three", QString(), false});
+  maps_->choose(2, 1);
+  const auto* first = maps_->findChild<QComboBox*>("mapFirst");
+  const auto* second = maps_->findChild<QComboBox*>("mapSecond");
+  EXPECT_EQ(first->currentText(), "three");
+  window_.store().remove(0);
+  EXPECT_EQ(first->currentText(), "three");
+  EXPECT_EQ(second->currentText(), "two");
+  EXPECT_TRUE(maps_->findChild<QPushButton*>("exportMaps")->isEnabled());
+  window_.store().remove(1);  // the one that is shown
+  EXPECT_TRUE(maps_->findChild<QLabel*>("mapProblem")->isVisible());
+  EXPECT_FALSE(maps_->findChild<QPushButton*>("exportMaps")->isEnabled());
+}
+
 TEST_F(Maps, aSignalThatIsTooShortIsSaid) {
   auto brief = std::make_shared<results::RunResult>(*runTimes(1));
   brief->time.resize(8);

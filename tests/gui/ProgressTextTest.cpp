@@ -20,6 +20,7 @@ TEST(ProgressText, whatAResultLacksIsLeftOut) {
   EXPECT_EQ(completionText(result), "Done.");
   result.performance = {{"seconds", "s", "", 4.2}};
   EXPECT_EQ(completionText(result), "Done in 4 s.");
+  EXPECT_EQ(completionText(result, true), "Done, 4 s after it was resumed.");
 }
 
 }  // namespace

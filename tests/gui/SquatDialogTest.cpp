@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QTest>
 #include <QToolButton>
 #include <set>
@@ -69,6 +70,25 @@ TEST(SquatDialog, everyFormIsDrawnAndCanBeRun) {
     EXPECT_GE(path.lower, surface.lower - 1e-6);
   }
   EXPECT_EQ(shapes.size(), 4u);
+}
+
+// 5 mm long and 1 mm deep is a slope of 0.63, above the 0.5 that the mesh can carry.
+TEST(SquatDialog, whatCannotBeRunIsSaid) {
+  SquatDialog dialog(cases::defaultCase(), figureStyle(false));
+  auto* length = dialog.findChild<QDoubleSpinBox*>("squatLength");
+  auto* depth = dialog.findChild<QDoubleSpinBox*>("squatDepth");
+  const auto* problem = dialog.findChild<QLabel*>("squatProblem");
+  const auto* ok = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  EXPECT_TRUE(ok->isEnabled());
+  length->setValue(5);
+  depth->setValue(1);
+  ASSERT_FALSE(cases::validate(dialog.description()).problems.empty());
+  EXPECT_FALSE(ok->isEnabled());
+  EXPECT_FALSE(problem->text().isEmpty());
+  length->setValue(40);
+  depth->setValue(0.1);
+  EXPECT_TRUE(ok->isEnabled());
+  EXPECT_TRUE(problem->text().isEmpty());
 }
 
 TEST(SquatDialog, theCaseTakesItAsOneStep) {

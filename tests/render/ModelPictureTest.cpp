@@ -108,7 +108,7 @@ TEST(ModelPicture, hasTheSizeThatIsAskedFor) {
   EXPECT_NEAR(share(plain, 255, 255, 255, 0), share(fine, 255, 255, 255, 0), 0.02);
   EXPECT_NEAR(share(plain, 68, 1, 84, 25), share(fine, 68, 1, 84, 25), 0.02);
   EXPECT_TRUE(scene::modelPicture(result, "viridis", reason, {400, 200, 1200}).empty());
-  EXPECT_NE(reason.find("8000"), std::string::npos) << reason;
+  EXPECT_NE(reason.find("8192"), std::string::npos) << reason;
 }
 
 TEST(ModelPicture, withoutSnapshotOrCutFacesTheRailIsSeen) {

@@ -38,6 +38,8 @@ TEST(ThirdOctaves, lieWithinTheLimitsAsAWhole) {
   EXPECT_TRUE(thirdOctaveBands(892, 1123).empty());
   EXPECT_TRUE(thirdOctaveBands(891, 1121).empty());
   EXPECT_THROW(thirdOctaveBands(0, 1000), SignalError);
+  EXPECT_THROW(thirdOctaveBands(100, INFINITY), SignalError);
+  EXPECT_TRUE(thirdOctaveBands(2000, 100).empty());
 }
 
 // White noise of density S has S (f2 - f1) in a band.

@@ -15,8 +15,9 @@ namespace squat::plots {
 std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, const Style& style);
 std::unique_ptr<Figure> abaTimeFigure(const results::RunResult& result, const Style& style);
+// `section` [m]: of the track, that the spectrum was computed from; 0: psdFrom to psdTo.
 std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style,
-                                  SpectrumScale scale = SpectrumScale::linear);
+                                  SpectrumScale scale = SpectrumScale::linear, double section = 0);
 // A density [(m/s2)2/Hz] over frequencies [Hz] as it is drawn in a scale, and the range of y that holds such curves.
 Curve spectrumCurve(const std::vector<double>& frequency, const std::vector<double>& density, SpectrumScale scale);
 void fitSpectrum(Figure& figure, SpectrumScale scale);

@@ -41,6 +41,7 @@ struct OverlaidRun {
 struct FigureSettings {
   std::size_t segment = 128, hop = 0;  // [samples] of the short-time Fourier transform; hop 0: a 32nd of the segment
   SpectrumScale spectrum = SpectrumScale::linear;
+  double section = 0;                 // [m] that the spectrum was computed from; 0: that of the result
   int patch = -1;                     // index into the result's patches; -1: the impact
   std::vector<OverlaidRun> overlays;  // drawn where the row has an overlay
 };

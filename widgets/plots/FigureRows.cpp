@@ -58,7 +58,7 @@ void fitSpectra(Figure& figure, const FigureSettings& settings) { fitSpectrum(fi
 void fitForce(Figure& figure, const FigureSettings&) { fitWithZero(figure); }
 
 std::unique_ptr<Figure> density(const RunResult& result, const Style& style, const FigureSettings& settings) {
-  return psdFigure(result, style, settings.spectrum);
+  return psdFigure(result, style, settings.spectrum, settings.section);
 }
 std::unique_ptr<Figure> patch(const RunResult& result, const Style& style, const FigureSettings& settings) {
   return patchFigure(result, style, settings.patch);
@@ -128,7 +128,7 @@ std::vector<FigureRow> contactRows() {
            .marks = FigureMarks::extremes},
           {.name = "contact_patch",
            .tab = "Patch",
-           .title = "Contact pressure and slip at the impact",
+           .title = "Contact pressure and slip in the contact patch",
            .needs = "Needs the pressures of a contact patch.",
            .applies = hasPatch,
            .build = patch,

@@ -79,6 +79,8 @@ std::vector<std::string> renderFigures(const results::RunResult& result, const s
   };
   const auto names = request.figures.empty() ? namesWhere(applies) : request.figures;
   if (names.empty()) say("no figure drawn: the result holds nothing that could be shown");
+  if (request.spectrum != SpectrumScale::linear && std::find(names.begin(), names.end(), "psd") == names.end())
+    say("--spectrum has no effect: it is the scale of the figure psd, which is not drawn");
   for (const auto& name : names) {
     const auto& row = figureRow(name);
     const std::string stem = (std::filesystem::path(folder) / name).string();

@@ -5,12 +5,14 @@
 
 #include "analysis/Maps.h"
 #include "plots/MapFigure.h"
+#include "plots/ScalogramGrid.h"
 #include "plots/UnitText.h"
 
 namespace squat::plots {
 namespace {
 
 constexpr double shownBefore = 0.1, shownAfter = 0.28;  // [m]
+constexpr double lowest = 50, highest = 3000;           // [Hz] that maps show
 constexpr double around = 1;                            // [m] beyond what is shown, for waves of 50 Hz
 constexpr double faint = 1e-3;                          // of the largest power
 constexpr double shownDecibels = 20;                    // to each side
@@ -26,18 +28,22 @@ signals::TimeSeries seriesOf(const signals::Comparison& c, const std::vector<dou
   return signals::cutOut(series, -(shownBefore + around) / speed, (shownAfter + around) / speed);
 }
 
-// Both transforms have the grid of the common axis.
-results::AnalysedRecord mapOf(const signals::TimeSeries& series, MapKind kind, double speed) {
+// Over the axis of the comparison, [m] or [s]; the transforms of both signals have one grid.
+results::AnalysedRecord mapOf(const signals::Comparison& c, const std::vector<double>& values, MapKind kind,
+                              double speed) {
+  const auto series = seriesOf(c, values, speed);
+  const double perSecond = c.inPosition ? speed : 1;  // of the axis
   results::AnalysedRecord map;
   map.complete = true;
-  map.speed = speed;
-  map.psdFrom = std::max(-shownBefore, series.start * speed);
-  map.psdTo = std::min(shownAfter, series.timeAt(series.values.size() - 1) * speed);
+  const double from = std::max(-shownBefore / speed, series.start),
+               to = std::min(shownAfter / speed, series.timeAt(series.values.size() - 1));
+  map.psdFrom = from * perSecond;
+  map.psdTo = to * perSecond;
   std::vector<std::string> notes;
   if (kind == MapKind::scalogram) {
     signals::WaveletOptions options;
     options.cell = 0;
-    options.shown = std::pair{map.psdFrom / speed, map.psdTo / speed};
+    options.shown = std::pair{from, to};
     auto scalogram = analysis::scalogramMap(series, options, notes);
     map.scalogramFrequency = std::move(scalogram.frequency);
     map.scalogramTime = std::move(scalogram.time);
@@ -50,21 +56,32 @@ results::AnalysedRecord mapOf(const signals::TimeSeries& series, MapKind kind, d
     map.scalogramPower.assign(stft->density.begin() + static_cast<std::ptrdiff_t>(stft->time.size()),
                               stft->density.end());
   }
-  for (const double time : map.scalogramTime) map.scalogramPosition.push_back(time * speed);
+  for (const double time : map.scalogramTime) map.scalogramPosition.push_back(time * perSecond);
   map.position = map.scalogramPosition;
   return map;
 }
 
-double largestIn(const results::AnalysedRecord& map) {
-  const auto& power = map.scalogramPower;
-  return power.empty() ? 0 : *std::max_element(power.begin(), power.end());
+// Of what is seen: a strike beside it neither dims the colours nor hides what is faint.
+double largestSeen(const results::AnalysedRecord& map) {
+  return scalogramGrid(map, map.psdFrom, map.psdTo, lowest, highest).largestPower;
+}
+
+// [Hz] up to which both signals can have power: half the lower rate.
+double commonFrequency(const signals::Comparison& c) {
+  const auto& ratio = c.densityRatio;
+  const auto beyond = std::find_if(ratio.begin(), ratio.end(), [](double value) { return std::isnan(value); });
+  return beyond == ratio.end() ? highest : c.firstSpectrum.frequency[static_cast<std::size_t>(beyond - ratio.begin())];
 }
 
 results::AnalysedRecord ratioOf(const results::AnalysedRecord& first, const results::AnalysedRecord& second,
-                                double floor) {
+                                double floor, double upTo) {
   results::AnalysedRecord ratio = first;
+  const std::size_t columns = first.scalogramTime.size();
   for (std::size_t i = 0; i < ratio.scalogramPower.size(); ++i)
-    ratio.scalogramPower[i] = 10 * std::log10((first.scalogramPower[i] + floor) / (second.scalogramPower[i] + floor));
+    ratio.scalogramPower[i] =
+        first.scalogramFrequency[i / columns] > upTo
+            ? 0
+            : 10 * std::log10((first.scalogramPower[i] + floor) / (second.scalogramPower[i] + floor));
   return ratio;
 }
 
@@ -73,23 +90,24 @@ results::AnalysedRecord ratioOf(const results::AnalysedRecord& first, const resu
 FigureSheet mapComparison(const signals::Comparison& c, MapKind kind, const std::string& name, const Style& style) {
   FigureSheet sheet{name, {}, 2};
   const double speed = std::max(1e-3, c.firstFeatures.speed);
-  const auto first = mapOf(seriesOf(c, c.first, speed), kind, speed);
-  const auto second = mapOf(seriesOf(c, c.second, speed), kind, speed);
-  const double largest = std::max(largestIn(first), largestIn(second));
+  const auto first = mapOf(c, c.first, kind, speed), second = mapOf(c, c.second, kind, speed);
+  const double largest = std::max(largestSeen(first), largestSeen(second));
   const QString power = kind == MapKind::scalogram ? QStringLiteral("Wavelet power [(%1)² s]")
                                                    : QStringLiteral("Power density [(%1)²/Hz]");
   const auto add = [&](const results::AnalysedRecord& map, const MapLook& look, const QString& left,
                        const QString& right) {
     auto figure = mapFigure(map, style, look);
-    figure->xAxis->setLabel("Position relative to the impact [mm]");
+    figure->xAxis->setLabel(c.inPosition ? "Position relative to the impact [mm]" : "Time relative to the impact [ms]");
     figure->setCaption(left, right);
     sheet.panels.push_back(std::move(figure));
   };
-  const MapLook both{"first", power.arg(unitText(c.unit)), 0, largest, false};
+  const QString map = kind == MapKind::scalogram ? QStringLiteral("scalogram") : QStringLiteral("stft");
+  const MapLook both{map, power.arg(unitText(c.unit)), 0, largest, false};
   add(first, both, "(a) " + QString::fromStdString(c.firstName), QString());
   add(second, both, "(b) " + QString::fromStdString(c.secondName), QString());
-  add(ratioOf(first, second, faint * largest), {"ratio", "(a) / (b) [dB]", -shownDecibels, shownDecibels, true},
-      "(c) difference", "white: alike, or faint in both");
+  add(ratioOf(first, second, faint * largest, commonFrequency(c)),
+      {map, "(a) / (b) [dB]", -shownDecibels, shownDecibels, true}, "(c) ratio of (a) and (b)",
+      "white: alike, or faint in both");
   return sheet;
 }
 

@@ -93,6 +93,15 @@ void widen(Extremes& extremes, const results::PatchSnapshot& patch) {
   }
 }
 
+// In front of the case's name, where a narrow figure does not cut it off.
+void nameMoment(Figure& figure, const results::RunResult& result, int index) {
+  const auto& patch = result.patches[static_cast<std::size_t>(index)];
+  const QString moment =
+      QStringLiteral("%1 at %2 mm: ").arg(QString::fromStdString(patch.name)).arg(1e3 * patch.position, 0, 'f', 1);
+  figure.setCaption(moment + QString::fromStdString(result.title.empty() ? result.stem : result.title),
+                    QString::fromStdString(result.stem + "  " + result.caseHash));
+}
+
 }  // namespace
 
 const results::PatchSnapshot* shownPatch(const results::RunResult& result, int index) {
@@ -117,23 +126,26 @@ std::unique_ptr<Figure> patchFigure(const results::RunResult& result, const Styl
   figure->xAxis->setRange(-12, 12);
   figure->yAxis->setRange(-12, 12);
   setCaption(*figure, result);
-  const results::PatchSnapshot* patch = shownPatch(result, index);
-  if (!patch) {
-    addNotice(*figure, "no contact patch in this result");
-    return figure;
-  }
-  Extremes shown, scale;
-  widen(shown, *patch);
-  if (index < 0) scale = shown;
+  Extremes scale;
   for (const auto& each : result.patches)
     if (index >= 0 && hasPressures(each)) widen(scale, each);
-  const double reach = scale.reach;
+  const results::PatchSnapshot* patch = shownPatch(result, index);
+  if (patch && index < 0) widen(scale, *patch);
+  if (index >= 0 && index < static_cast<int>(result.patches.size())) nameMoment(*figure, result, index);
+  if (!patch) {
+    addNotice(*figure, index < 0 ? "no contact patch in this result" : "no contact patch at this moment");
+    return figure;
+  }
+  if (scale.pressure > 0) {
+    figure->xAxis->setRange(-1.25 * scale.reach, 1.25 * scale.reach);
+    figure->yAxis->setRange(-1.25 * scale.reach, 1.25 * scale.reach);
+  }
+  Extremes shown;
+  widen(shown, *patch);
   if (shown.pressure <= 0) {
     addNotice(*figure, "no contact at this moment");
     return figure;
   }
-  figure->xAxis->setRange(-1.25 * reach, 1.25 * reach);
-  figure->yAxis->setRange(-1.25 * reach, 1.25 * reach);
   addPressureScale(*figure, scale.pressure);
   addCells(*figure, *patch, scale.pressure);
   addSlip(*figure, *patch);

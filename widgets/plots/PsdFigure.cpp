@@ -95,8 +95,9 @@ void setDecades(QCPAxis& axis, QCPAxis& opposite, const QSharedPointer<QCPAxisTi
 // Bands that are narrower than what the stretch of the spectrum resolves (one over its time) are shaded: neighbours
 // share their power.
 void shadeUnresolved(Figure& figure, const results::AnalysedRecord& result,
-                     const std::vector<signals::OctaveBand>& bands) {
-  const double time = result.speed > 0 ? (result.psdTo - result.psdFrom) / result.speed : 0;
+                     const std::vector<signals::OctaveBand>& bands, double section) {
+  const double length = section > 0 ? section : result.psdTo - result.psdFrom;
+  const double time = result.speed > 0 ? length / result.speed : 0;
   if (!(time > 0)) return;
   double upTo = 0;
   for (const auto& band : bands)
@@ -115,7 +116,7 @@ void shadeUnresolved(Figure& figure, const results::AnalysedRecord& result,
 }
 
 // The axis of frequencies with a tick at each band and the nominal frequency at every second one.
-void setOctaveAxis(Figure& figure, const results::AnalysedRecord& result) {
+void setOctaveAxis(Figure& figure, const results::AnalysedRecord& result, double section) {
   const auto bands = bandsWithin(result.frequency);
   if (bands.empty()) return;
   auto ticker = QSharedPointer<QCPAxisTickerText>::create();
@@ -124,7 +125,7 @@ void setOctaveAxis(Figure& figure, const results::AnalysedRecord& result) {
   setDecades(*figure.xAxis, *figure.xAxis2, ticker);
   figure.xAxis->setRange(bands.front().lowest, bands.back().highest);
   figure.xAxis2->setRange(figure.xAxis->range());
-  shadeUnresolved(figure, result, bands);
+  shadeUnresolved(figure, result, bands, section);
 }
 
 }  // namespace
@@ -159,7 +160,8 @@ void fitSpectrum(Figure& figure, SpectrumScale scale) {
   figure.yAxis2->setRange(figure.yAxis->range());
 }
 
-std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style, SpectrumScale scale) {
+std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style, SpectrumScale scale,
+                                  double section) {
   auto figure = std::make_unique<Figure>("psd", style);
   figure->xAxis->setLabel("Frequency [Hz]");
   figure->yAxis->setLabel(labelOf(scale));
@@ -179,7 +181,7 @@ std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const S
   const double top = result.frequency.empty() ? shownUpTo : std::min(shownUpTo, result.frequency.back());
   figure->xAxis->setRange(0, std::max(top, 1.0));
   const bool octaves = scale == SpectrumScale::thirdOctaves;
-  if (octaves && isThere) setOctaveAxis(*figure, result);
+  if (octaves && isThere) setOctaveAxis(*figure, result, section);
   fitSpectrum(*figure, scale);
   if (!octaves) addLineLabels(*figure, linesOf(result), scale);
   setCaption(*figure, result);

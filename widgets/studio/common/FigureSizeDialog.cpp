@@ -51,9 +51,10 @@ int presetOf(const plots::PrintedSize& size) {
 
 FigureSizeDialog::FigureSizeDialog(const plots::PrintedSize& size, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Size of figures"));
-  auto* words = new QLabel(
-      tr("Figures and pictures of the model are copied and exported in this size, whatever the size of the window."));
-  words->setWordWrap(true);
+  // Broken by hand: a label that wraps by itself takes room from the numbers below.
+  auto* words =
+      new QLabel(tr("Figures and pictures of the model are copied and exported\n"
+                    "in this size, whatever the size of the window."));
   auto* form = new QFormLayout;
   preset_ = new QComboBox;
   preset_->setObjectName("figurePreset");

@@ -12,11 +12,10 @@
 
 #include "analysis/ComparisonTable.h"
 #include "core/Errors.h"
-#include "plots/MapComparison.h"
 #include "studio/common/ButtonKeys.h"
+#include "studio/common/FigureSizeDialog.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/Theme.h"
-#include "studio/runs/RunStore.h"
 #include "studio/signals/FigureView.h"
 
 namespace squat::studio {
@@ -24,13 +23,8 @@ namespace {
 
 constexpr QSize usualSize(1200, 430);
 
-// Throws CaseError, FileError and SignalError.
-plots::FigureSheet sheetFor(const StoredRun& first, const StoredRun& second, plots::MapKind kind,
-                            const plots::Style& style) {
-  auto comparison = analysis::recordComparison(*first.record, *second.record);
-  comparison.firstName = first.label.toStdString();
-  comparison.secondName = second.label.toStdString();
-  return plots::mapComparison(comparison, kind, "maps", style);
+QString nameOf(const StoredRun& run) {
+  return QString::fromStdString(project::nameWithGain(run.label.toStdString(), run.reading));
 }
 
 }  // namespace
@@ -60,7 +54,7 @@ MapWindow::MapWindow(RunStore& store, QWidget* parent)
   layout->addLayout(maps, 1);
   resize(usualSize);
   connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QWidget::hide);
-  for (QComboBox* box : {first_, second_, kind_}) connect(box, &QComboBox::activated, this, &MapWindow::draw);
+  for (QComboBox* box : {first_, second_, kind_}) connect(box, &QComboBox::activated, this, &MapWindow::take);
   connect(&store_, &RunStore::rowsInserted, this, &MapWindow::listSignals);
   connect(&store_, &RunStore::rowsRemoved, this, &MapWindow::listSignals);
   connect(&store_, &RunStore::modelReset, this, &MapWindow::listSignals);
@@ -86,34 +80,65 @@ QWidget* MapWindow::makeBar() {
   kind_->addItems({tr("Scalogram"), tr("Short-time Fourier transform")});
   add(kind_, tr("&Map"), "mapKind");
   add(first_, tr("&Signal"), "mapFirst");
-  add(second_, tr("&beside"), "mapSecond");
+  add(second_, tr("&Beside"), "mapSecond");
   row->addStretch(1);
-  auto* button = new QPushButton(tr("Export maps…"), bar);
-  button->setObjectName("exportMaps");
-  button->setToolTip(tr("Write all three maps into one file: PNG, SVG or PDF"));
-  row->addWidget(button);
-  connect(button, &QPushButton::clicked, this, &MapWindow::askForFile);
+  export_ = new QPushButton(tr("Export maps…"), bar);
+  export_->setObjectName("exportMaps");
+  export_->setToolTip(tr("Write all three maps into one file: PNG, SVG or PDF"));
+  row->addWidget(export_);
+  connect(export_, &QPushButton::clicked, this, &MapWindow::askForFile);
   giveKeys(*bar, {{"exportMaps", "Ctrl+Shift+E"}});
   return bar;
 }
 
 // A list that changes keeps what is chosen as long as it is there.
 void MapWindow::listSignals() {
-  const QVariant first = first_->currentData(), second = second_->currentData();
   for (QComboBox* box : {first_, second_}) {
     box->clear();
     for (int row = 0; row < store_.rowCount(); ++row)
       if (!store_.at(row).isMissing() && store_.at(row).record) box->addItem(store_.at(row).label, row);
   }
-  first_->setCurrentIndex(std::max(0, first_->findData(first)));
-  second_->setCurrentIndex(std::max(0, second_->findData(second)));
+  first_->setCurrentIndex(first_->findData(firstIndex_.row()));
+  second_->setCurrentIndex(second_->findData(secondIndex_.row()));
+  draw();
+}
+
+void MapWindow::take() {
+  const auto indexOf = [this](const QComboBox& box) {
+    return box.currentIndex() < 0 ? QModelIndex() : store_.index(box.currentData().toInt());
+  };
+  firstIndex_ = indexOf(*first_);
+  secondIndex_ = indexOf(*second_);
   draw();
 }
 
 void MapWindow::choose(int first, int second) {
   first_->setCurrentIndex(first_->findData(first));
   second_->setCurrentIndex(second_->findData(second));
-  draw();
+  take();
+}
+
+MapWindow::Shown MapWindow::wanted() const {
+  if (first_->currentIndex() < 0 || second_->currentIndex() < 0) return {};
+  const StoredRun &first = store_.at(firstIndex_.row()), &second = store_.at(secondIndex_.row());
+  return {first.record,   second.record,         nameOf(first),
+          nameOf(second), kind_->currentIndex(), palette().base().color().lightness() < 128};
+}
+
+QString MapWindow::problem() const {
+  if (store_.rowCount() < 2) return tr("Two signals are needed: run a case or overlay a measured signal.");
+  if (first_->currentIndex() < 0 || second_->currentIndex() < 0)
+    return tr("Choose two signals. Those that are still being read, or whose file is missing, are not listed.");
+  return {};
+}
+
+// Throws CaseError, FileError and SignalError.
+plots::FigureSheet MapWindow::sheetFor(const plots::Style& style) const {
+  const Shown shown = wanted();
+  auto comparison = analysis::recordComparison(*shown.first, *shown.second);
+  comparison.firstName = shown.firstName.toStdString();
+  comparison.secondName = shown.secondName.toStdString();
+  return plots::mapComparison(comparison, static_cast<plots::MapKind>(shown.kind), "maps", style);
 }
 
 void MapWindow::say(const QString& problem) {
@@ -123,25 +148,43 @@ void MapWindow::say(const QString& problem) {
 
 void MapWindow::draw() {
   if (!isVisible()) return;
+  export_->setEnabled(false);
+  if (const QString reason = problem(); !reason.isEmpty()) {
+    shown_ = {};
+    return say(reason);
+  }
+  if (store_.at(firstIndex_.row()).dragged || store_.at(secondIndex_.row()).dragged) return;  // once it rests
+  export_->setEnabled(true);
+  const Shown now = wanted();
+  if (now == shown_) return;
+  shown_ = now;
   say({});
   try {
-    if (first_->currentIndex() < 0 || second_->currentIndex() < 0) return say(tr("There are no signals yet."));
-    auto sheet = sheetFor(store_.at(first_->currentData().toInt()), store_.at(second_->currentData().toInt()),
-                          static_cast<plots::MapKind>(kind_->currentIndex()),
-                          figureStyle(palette().base().color().lightness() < 128));
-    for (std::size_t panel = 0; panel < views_.size(); ++panel)
-      views_[panel]->show(std::move(sheet.panels[panel]), 0, "mm");
+    auto sheet = sheetFor(figureStyle(now.dark));
+    for (std::size_t panel = 0; panel < views_.size(); ++panel) {
+      const bool inTime = sheet.panels[panel]->xAxis->label().contains("[ms]");
+      views_[panel]->setPrintedSize(storedFigureSize());
+      views_[panel]->show(std::move(sheet.panels[panel]), inTime ? 1e-3 : 0, inTime ? "ms" : "mm");
+      views_[panel]->setEnabled(true);
+    }
   } catch (const std::exception& error) {
+    shown_ = {};
+    export_->setEnabled(false);
+    for (FigureView* view : views_) view->setEnabled(false);  // what they show is of other signals
     say(QString::fromStdString(error.what()));
   }
 }
 
 void MapWindow::writeFile(const QString& path) const {
+  if (const QString reason = problem(); !reason.isEmpty())
+    throw FileError(path.toStdString(), "", reason.toStdString());
   const QFileInfo file(path);
-  auto sheet = sheetFor(store_.at(first_->currentData().toInt()), store_.at(second_->currentData().toInt()),
-                        static_cast<plots::MapKind>(kind_->currentIndex()), plots::lightStyle());
+  const auto size = storedFigureSize();
+  auto sheet = sheetFor(plots::lightStyle());
   sheet.name = file.completeBaseName().toStdString();
-  plots::writeSheet(sheet, file.path().toStdString(), {file.suffix().toLower().toStdString()});
+  for (const auto& panel : sheet.panels)
+    if (size.width > 0) panel->setPrintedSize({size.width, size.height});
+  plots::writeSheet(sheet, file.path().toStdString(), {file.suffix().toLower().toStdString()}, size.resolution);
 }
 
 void MapWindow::askForFile() {

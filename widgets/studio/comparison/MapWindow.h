@@ -1,19 +1,24 @@
 // widgets/studio/comparison/MapWindow.h - two signals as maps over position and frequency, side by side.
 #pragma once
 
+#include <QPersistentModelIndex>
 #include <QWidget>
 #include <array>
 
+#include "plots/MapComparison.h"
+#include "studio/runs/RunStore.h"
+
 class QComboBox;
 class QLabel;
+class QPushButton;
 
 namespace squat::studio {
 
 class FigureView;
-class RunStore;
 
 // Scalogram or short-time transform of a run or measured signal, of another one in the same colours, and their ratio.
-// The maps are drawn anew when a choice or a signal changes while the window is seen.
+// The maps are drawn anew when a choice or one of the two signals changes while the window is seen, once a signal that
+// is aligned by hand rests.
 class MapWindow : public QWidget {
   Q_OBJECT
  public:
@@ -29,15 +34,30 @@ class MapWindow : public QWidget {
   void changeEvent(QEvent* event) override;  // light and dark
 
  private:
+  // What the maps show; drawn anew only where it differs.
+  struct Shown {
+    RecordPointer first, second;
+    QString firstName, secondName;
+    int kind = -1;
+    bool dark = false;
+    bool operator==(const Shown&) const = default;
+  };
   QWidget* makeBar();
   void listSignals();
+  void take();  // what the lists have chosen
   void draw();
+  Shown wanted() const;
+  QString problem() const;  // why nothing can be drawn; empty: it can
+  plots::FigureSheet sheetFor(const plots::Style& style) const;
   void askForFile();
   void say(const QString& problem);
 
   RunStore& store_;
   QComboBox *first_, *second_, *kind_;
+  QPushButton* export_;
   QLabel* problem_;
+  QPersistentModelIndex firstIndex_, secondIndex_;  // rows move
+  Shown shown_;
   std::array<FigureView*, 3> views_{};
 };
 

@@ -7,7 +7,7 @@
 
 namespace squat::studio {
 
-// Of a speed in m/s "= 108 km/h", of a mass that the wheel carries "axle load 17.9 t (175 kN)": of both wheels, with
+// Of a speed in m/s "= 108 km/h", of a mass that the wheel carries "axle load 17.9 t (176 kN)": of both wheels, with
 // the wheelset. Empty for other keys.
 QString inOtherUnits(const cases::CaseDescription& description, const std::string& key);
 

@@ -141,8 +141,13 @@ void ParameterRow::showEffect() {
   const bool counts = cases::applies(document_.description(), parameter_);
   const QString without =
       counts ? QString() : QString::fromStdString(cases::reasonWithoutEffect(document_.description(), parameter_));
-  name_->setEnabled(counts);
-  editor_->setEnabled(counts || isRefused());
+  // Greyed, and still there for keys and screen readers: a value can be prepared, and F1 explains it.
+  name_->setForegroundRole(counts ? QPalette::WindowText : QPalette::PlaceholderText);
+  QPalette colours;
+  if (!counts)
+    for (const auto role : {QPalette::Text, QPalette::ButtonText, QPalette::WindowText})
+      colours.setColor(role, palette().color(QPalette::PlaceholderText));
+  editor_->setPalette(counts ? QPalette() : colours);
   editor_->setAccessibleDescription(counts ? QString::fromStdString(parameter_.doc) : without);
   setToolTip((counts ? QString() : "<b>" + without.toHtmlEscaped() + "</b><br>") + toolTipText());
 }

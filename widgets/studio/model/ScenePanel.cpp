@@ -198,9 +198,11 @@ void ScenePanel::savePicture() {
     return void(Q_EMIT failed(tr("The picture would have more than %1 pixels on a side: choose a lower resolution in "
                                  "Figure > Size of figures.")
                                   .arg(scene::PictureSize::mostPixels)));
-  constexpr double screen = 96;  // [dpi] of which letters and lines have their usual size
+  // Letters and lines have their usual size on paper, smaller ones in a narrow picture.
+  const double pixelRatio = size.resolution / 96 * std::clamp(width / 170, 0.7, 1.0);
   const QImage picture = scene_->picture(static_cast<int>(std::lround(width * pixels)),
-                                         static_cast<int>(std::lround(height * pixels)), size.resolution / screen);
+                                         static_cast<int>(std::lround(height * pixels)), pixelRatio);
+  if (picture.isNull()) return void(Q_EMIT failed(tr("The picture cannot be drawn: %1").arg(scene_->reason())));
   if (!picture.save(path, "PNG")) Q_EMIT failed(tr("%1 cannot be written").arg(path));
 }
 

@@ -5,13 +5,17 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
 #include "case/ParameterTable.h"
+#include "case/Validation.h"
 #include "plots/LineFigure.h"
+#include "studio/common/Theme.h"
+#include "studio/common/Words.h"
 #include "studio/profile/ProfileModel.h"
 
 namespace squat::studio {
@@ -21,8 +25,8 @@ struct Usual {
   double length, depth;  // [m]
 };
 
-// In the middle of each class, and of a severe one what the class C squat of the paper is like.
-constexpr std::array<Usual, 3> usualSizes{{{0.028, 0.07e-3}, {0.048, 0.18e-3}, {0.085, 0.40e-3}}};
+// A usual size of each class; the severe one is that of the case class-c-squat.
+constexpr std::array<Usual, 3> usualSizes{{{0.028, 0.07e-3}, {0.048, 0.18e-3}, {0.057, 0.30e-3}}};
 
 constexpr std::array<cases::DefectShape, 4> forms{cases::DefectShape::cosine, cases::DefectShape::wshape,
                                                   cases::DefectShape::dipWithWave, cases::DefectShape::cut};
@@ -63,7 +67,14 @@ SquatDialog::SquatDialog(cases::CaseDescription base, const plots::Style& style,
   depth_->setSingleStep(0.01);
   form->addRow(tr("&Length"), length_);
   form->addRow(tr("&Depth"), depth_);
+  problem_ = new QLabel(this);
+  problem_->setObjectName("squatProblem");
+  problem_->setWordWrap(true);
+  problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
+  problem_->hide();
+  layout_->addWidget(problem_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  ok_ = buttons->button(QDialogButtonBox::Ok);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   layout_->addWidget(buttons);
@@ -115,9 +126,23 @@ cases::CaseDescription SquatDialog::description() const {
   return after;
 }
 
+// Of the squat alone: what else is wrong with the case stands in its form.
+void SquatDialog::judge() {
+  QString wrong;
+  for (const auto& problem : cases::validate(description()).problems)
+    if (wrong.isEmpty() && problem.key.rfind("defect.", 0) == 0)
+      wrong = tr("%1 must be %2. %3")
+                  .arg(parameterLabel(problem.key), printedUnits(QString::fromStdString(problem.allowed)),
+                       QString::fromStdString(problem.advice));
+  problem_->setText(wrong);
+  problem_->setVisible(!wrong.isEmpty());
+  ok_->setEnabled(wrong.isEmpty());
+}
+
 void SquatDialog::draw() {
   const QSignalBlocker quiet(severity_);
   severity_->setCurrentIndex(static_cast<int>(severity()));
+  judge();
   const ProfileView view = profileView(description());
   auto figure = std::make_unique<plots::Figure>("squat", style_);
   figure->xAxis->setLabel(tr("Along the rail [mm]"));

@@ -9,6 +9,8 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
 class QVBoxLayout;
 
 namespace squat::studio {
@@ -24,6 +26,7 @@ class SquatDialog : public QDialog {
  private:
   QDoubleSpinBox* number(const QString& name, const QString& label, double low, double high);  // [mm]
   void takeSeverity(int severity);                                                             // its usual size
+  void judge();
   void draw();
 
   cases::CaseDescription base_;
@@ -31,6 +34,8 @@ class SquatDialog : public QDialog {
   QComboBox *severity_, *form_;
   QDoubleSpinBox *length_, *depth_;
   QVBoxLayout* layout_;
+  QLabel* problem_;
+  QPushButton* ok_;
   QWidget* picture_ = nullptr;
 };
 

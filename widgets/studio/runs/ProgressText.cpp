@@ -23,7 +23,7 @@ QString progressText(const Progress& progress) {
   return text;
 }
 
-QString completionText(const results::RunResult& result) {
+QString completionText(const results::RunResult& result, bool resumed) {
   QStringList found;
   const auto* box = result.signal("aba_filtered");
   if (box && !box->empty()) {
@@ -38,7 +38,8 @@ QString completionText(const results::RunResult& result) {
                                     [](const results::Scalar& scalar) { return scalar.name == "seconds"; });
   const QString done = seconds == result.performance.end()
                            ? QObject::tr("Done")
-                           : QObject::tr("Done in %1").arg(durationText(seconds->value));
+                           : (resumed ? QObject::tr("Done, %1 after it was resumed") : QObject::tr("Done in %1"))
+                                 .arg(durationText(seconds->value));
   return found.isEmpty() ? done + "." : done + ": " + found.join(", ") + ".";
 }
 

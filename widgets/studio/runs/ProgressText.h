@@ -14,7 +14,8 @@ QString durationText(double seconds);
 // "rolling 42 %, 3 min 20 s left"
 QString progressText(const Progress& progress);
 
-// "Done in 23 s: axle box acceleration -98 to 112 m/s², contact force up to 131 kN." Without what the result lacks.
-QString completionText(const results::RunResult& result);
+// "Done in 23 s: axle box acceleration -98 to 112 m/s², contact force up to 131 kN." Without what the result lacks; of
+// a run that was resumed, "Done, 4 s after it was resumed".
+QString completionText(const results::RunResult& result, bool resumed = false);
 
 }  // namespace squat::studio

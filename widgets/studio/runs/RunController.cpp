@@ -24,6 +24,7 @@ void RunController::start(const cases::CaseDescription& description, const std::
                           const simulation::RunOptions& options,
                           const std::function<void(const results::RunResult&)>& keep) {
   if (isRunning()) return;
+  resumed_ = options.resume;
   outcome_ = std::make_shared<Outcome>();
   job_.start([this, description, stem, options, keep, outcome = outcome_](Monitor& monitor) {
     try {

@@ -32,6 +32,7 @@ class RunController : public QObject {
              const std::function<void(const results::RunResult&)>& keep = nullptr);
   bool isRunning() const { return job_.isRunning(); }
   bool isPaused() const { return job_.isPaused(); }
+  bool isResumed() const { return resumed_; }  // the run in progress, or the last one
   bool isStopping() const { return job_.isStopping(); }
   void setPaused(bool paused) { job_.setPaused(paused); }
   void cancel() { job_.cancel(); }  // returns at once; finished() follows
@@ -56,6 +57,7 @@ class RunController : public QObject {
   void conclude(const std::exception_ptr& error);
 
   Runner runner_;
+  bool resumed_ = false;
   std::shared_ptr<Outcome> outcome_;
   BackgroundJob job_;  // the last one: its thread uses what stands above
 };

@@ -84,7 +84,7 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   connect(&controller_, &RunController::stopping, this, &RunPanel::showState);
   connect(&controller_, &RunController::news, this, &RunPanel::showNews);
   connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
-    say(result->complete       ? completionText(*result)
+    say(result->complete       ? completionText(*result, controller_.isResumed())
         : result->time.empty() ? tr("Cancelled before rolling started: no results.")
                                : tr("Stopped: %1. Partial results are kept and marked as incomplete.")
                                      .arg(QString::fromStdString(result->stopReason)));

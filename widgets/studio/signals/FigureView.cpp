@@ -28,6 +28,9 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   const bool sameAxis = figure_ && figure_->xAxis->label() == figure->xAxis->label();
   const bool keep = sameAxis && isZoomed();
   const QCPRange kept = keep ? figure_->xAxis->range() : QCPRange();
+  const bool keepUp =
+      sameAxis && figure_->yAxis->label() == figure->yAxis->label() && figure_->yAxis->range() != fullY_;
+  const QCPRange keptUp = keepUp ? figure_->yAxis->range() : QCPRange();
   const bool keepCursors = sameAxis && cursors_->isPlaced();
   const double locations[] = {keepCursors ? cursors_->location(0) : 0, keepCursors ? cursors_->location(1) : 0};
   table_ = table;
@@ -50,6 +53,7 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   cursors_->setVisible(cursorsVisible_);
   new ZoomAndPan(*figure_, *cursors_);
   if (keep) figure_->xAxis->setRange(kept);
+  if (keepUp) figure_->yAxis->setRange(keptUp);
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::rangeChanged);
   connect(figure_, &QWidget::customContextMenuRequested, this, &FigureView::openMenu);
   connect(figure_, &QCustomPlot::mouseDoubleClick, this, &FigureView::resetZoom);
@@ -111,7 +115,9 @@ void FigureView::resetZoom() {
 }
 
 void FigureView::forgetZoom() {
-  if (figure_) fullX_ = figure_->xAxis->range();
+  if (!figure_) return;
+  fullX_ = figure_->xAxis->range();
+  fullY_ = figure_->yAxis->range();
 }
 
 bool FigureView::isZoomed() const { return figure_ && figure_->xAxis->range() != fullX_; }

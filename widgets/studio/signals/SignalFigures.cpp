@@ -11,6 +11,7 @@ plots::FigureSettings figureSettings(const plots::FigureRow& row, const std::vec
   chosen.segment = settings.segment;
   chosen.hop = settings.hop;
   chosen.spectrum = settings.spectrum;
+  chosen.section = settings.to - settings.from;
   chosen.patch = settings.moment;
   if (!row.overlay) return chosen;
   for (const StoredRun& run : overlays) {

@@ -296,13 +296,15 @@ void SignalsPanel::takeWindow() {
 // The patch of a new run is first seen at the impact, as in its file.
 void SignalsPanel::takeMoments() {
   const ResultPointer current = store_.currentResult();
+  if (current && current == momentsOf_.lock()) return;  // another run has gone
+  momentsOf_ = current;
   const int count = current ? static_cast<int>(current->patches.size()) : 0;
   const auto* impact = current ? plots::shownPatch(*current) : nullptr;
   const QSignalBlocker quiet(moment_);
   moment_->setRange(0, std::max(count - 1, 0));
   moment_->setValue(impact ? static_cast<int>(impact - current->patches.data()) : 0);
   moment_->setEnabled(count > 1);
-  settings_.moment = -1;
+  settings_.moment = count > 1 ? moment_->value() : -1;  // one scale for all moments, where there are several
   showMoment();
 }
 

@@ -73,6 +73,7 @@ class SignalsPanel : public QWidget {
   SignalSettings settings_;
   plots::PrintedSize size_;
   ResultPointer shown_;
+  std::weak_ptr<const results::RunResult> momentsOf_;  // whose patches the slider shows
   QTabWidget* tabs_;
   std::map<QString, FigureView*> views_;
   std::map<QString, bool> stale_;

@@ -32,7 +32,7 @@ void MainWindow::showTour() {
        dock(formDock_)},
       {tr("The defect"),
        tr("Choose a shape and move its sliders, or import a measured profile, and drag its points. The second curve is "
-          "the path of a rigid wheel: what it passes over, the axle box cannot feel."),
+          "the path of a rigid wheel, which does not reach the bottom of short hollows: the axle box feels this path."),
        tab("profile", profile_)},
       {tr("Live preview"),
        tr("After every change a coarse model rolls over the defect, so that you see what the change does to the "

@@ -47,7 +47,6 @@ QuickTour::QuickTour(std::vector<Stop> stops, QWidget& window)
   window_.installEventFilter(this);
   show();
   go(0);
-  next_->setFocus();
 }
 
 void QuickTour::makeCard() {
@@ -94,19 +93,21 @@ void QuickTour::go(int stop) {
   words_->setText(shown.words);
   count_->setText(tr("%1 of %2").arg(stop_ + 1).arg(stops()));
   back_->setEnabled(stop_ > 0);
-  next_->setText(stop_ + 1 < stops() ? tr("&Next") : tr("&Finish"));
+  next_->setText(stop_ + 1 < stops() ? tr("&Next") : tr("Fi&nish"));
   setAccessibleDescription(shown.title + ". " + shown.words);  // what a screen reader says
   settle();
+  if (stop_ == 0) next_->setFocus();
 }
 
 void QuickTour::settle() {
-  if (!part_) return;
+  if (!part_ || !outline_) return;
   setFixedWidth(cardWidth);
   const QMargins margins = layout()->contentsMargins() + contentsMargins();
   words_->setMinimumHeight(words_->heightForWidth(cardWidth - margins.left() - margins.right()));
   layout()->activate();
   const QRect part(window_.mapFromGlobal(part_->mapToGlobal(QPoint())), part_->size());  // a dock may float
   outline_->setGeometry(part);
+  outline_->setVisible(part_->isVisible() && part_->window() == &window_);
   resize(cardWidth, sizeHint().height());
   move(besideThe(part, size(), window_.rect()));
   outline_->raise();
@@ -115,7 +116,7 @@ void QuickTour::settle() {
 
 bool QuickTour::eventFilter(QObject* watched, QEvent* event) {
   const auto type = event->type();
-  if (type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show)
+  if (type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide)
     QMetaObject::invokeMethod(this, &QuickTour::settle, Qt::QueuedConnection);  // once the layout has settled
   return QFrame::eventFilter(watched, event);
 }
@@ -126,8 +127,7 @@ void QuickTour::keyPressEvent(QKeyEvent* event) {
 }
 
 void QuickTour::end() {
-  outline_->deleteLater();
-  outline_->hide();
+  if (outline_) outline_->deleteLater(), outline_->hide();
   window_.removeEventFilter(this);
   if (focusBefore_) focusBefore_->setFocus();
   close();

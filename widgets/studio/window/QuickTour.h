@@ -38,7 +38,7 @@ class QuickTour : public QFrame {
 
   std::vector<Stop> all_;
   QWidget& window_;
-  QFrame* outline_;
+  QPointer<QFrame> outline_;
   QLabel *title_, *words_, *count_;
   QPushButton *back_, *next_;
   QPointer<QWidget> part_, focusBefore_;
