@@ -3,7 +3,8 @@
 //   fm = 1000 Hz * G^(x/3),   edges fm * G^(-1/6) and fm * G^(1/6),   G = 10^(3/10)
 //
 // Nominal frequencies are those of the standard's annex E: 1, 1.25, 1.6, 2, 2.5, 3.15, 4, 5, 6.3, 8 times a power of
-// ten. The power of a band is the integral of a spectrum between its edges, not the output of a filter of the standard.
+// ten (from memory of the standard; exact frequencies follow from the formula). The power of a band is the integral of
+// a spectrum between its edges, not the output of a filter of the standard.
 #pragma once
 
 #include <vector>

@@ -45,6 +45,23 @@ TEST(FigureSize, IsWidthByHeightInMillimetresAndDotsPerInch) {
   for (const std::string wrong : {"49", "1201", "nan"}) EXPECT_THROW(taken("--dpi " + wrong), CLI::ParseError) << wrong;
 }
 
+TEST(Spectrum, IsOneOfFourScalesInAnyCase) {
+  const auto taken = [](const std::string& words) {
+    CLI::App app;
+    NamedFigures named;
+    addFigureNames(app, named);
+    app.parse(words);
+    return named.spectrum;
+  };
+  EXPECT_EQ(taken(""), plots::SpectrumScale::linear);
+  EXPECT_EQ(taken("--spectrum linear"), plots::SpectrumScale::linear);
+  EXPECT_EQ(taken("--spectrum log"), plots::SpectrumScale::logarithmic);
+  EXPECT_EQ(taken("--spectrum db"), plots::SpectrumScale::decibel);
+  EXPECT_EQ(taken("--spectrum Third-Octaves"), plots::SpectrumScale::thirdOctaves);
+  for (const std::string wrong : {"d", "decibel", "third", "0"})
+    EXPECT_THROW(taken("--spectrum " + wrong), CLI::ParseError) << wrong;
+}
+
 TEST(Name, IsThatOfTheCaseWhereNoneIsGiven) {
   const auto stem = [](std::vector<std::string> words) {
     CLI::App app;

@@ -8,14 +8,12 @@
 #include <QTest>
 #include <cmath>
 
-#include "plots/FigureBuilders.h"
 #include "render/SyntheticResult.h"
 #include "studio/common/Theme.h"
 #include "studio/runs/RunStore.h"
 #include "studio/signals/CursorPair.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
-#include "studio/signals/ZoomAndPan.h"
 
 namespace squat::studio {
 namespace {

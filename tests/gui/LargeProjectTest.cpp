@@ -12,8 +12,8 @@
 #include <fstream>
 
 #include "core/Monitor.h"
+#include "gui/LinkedProject.h"
 #include "gui/MadeUpRun.h"
-#include "project/ProjectFile.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
 #include "studio/project/RunReader.h"
@@ -33,43 +33,31 @@ double memory(const std::string& name) {
 
 class LargeProject : public testing::Test {
  protected:
-  std::string file(int run) const { return folder_.filePath(QStringLiteral("run-%1.h5").arg(run)).toStdString(); }
-  QString projectFile() const { return folder_.filePath("large.squat-project"); }
-
-  void make() {
+  // Returns the project's path.
+  QString make() {
     MainWindow window(tests::services());
     window.openCase("light-defect");
     window.document().setParameter("mesh.preset", "draft");
     Monitor silent;
     auto result = simulation::runCase(window.document().description(), {}, silent);
     result.stem = "light-defect";
-    results::writeResult(file(0), result);
-    project::Project project;
-    project.open.name = "light-defect";
-    for (int i = 0; i < count; ++i) {
-      if (i > 0) std::filesystem::create_hard_link(file(0), file(i));
-      project::Entry entry;
-      entry.path = file(i);
-      entry.name = "run " + std::to_string(i);
-      project.entries.push_back(entry);
-    }
-    project.current = count - 1;
-    project.reference = 0;
-    project::writeProject(projectFile().toStdString(), project);
+    results::writeResult(file(), result);
+    return QString::fromStdString(tests::writeLinkedProject(folder_.path().toStdString(), count));
   }
+  std::string file() const { return tests::runFile(folder_.path().toStdString(), 0); }
   QTemporaryDir folder_;
 };
 
 // The promise: 2 s until the current run is seen, below 1 GB with all of them, 60 frames a second in the table.
 TEST_F(LargeProject, opensAtOnceScrollsSmoothlyAndStaysBelowAGigabyte) {
-  make();
+  const QString project = make();
   MainWindow window(tests::services(20, Answer::discard));
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
   const double before = memory("VmRSS");
   QElapsedTimer clock;
   clock.start();
-  ASSERT_TRUE(window.openProject(projectFile()));
+  ASSERT_TRUE(window.openProject(project));
   ASSERT_TRUE(tests::passes([&] { return window.store().current() == count - 1; }, 60000));
   const double seen = 1e-3 * static_cast<double>(clock.elapsed());
   ASSERT_TRUE(window.reader()->waitFor(600000));
@@ -92,7 +80,7 @@ TEST_F(LargeProject, opensAtOnceScrollsSmoothlyAndStaysBelowAGigabyte) {
     window.store().setCurrent(row);
     ASSERT_TRUE(tests::passes([&] { return window.store().at(row).fields == Fields::both; }, 20000)) << row;
   }
-  const double size = 1e-6 * static_cast<double>(std::filesystem::file_size(file(0)));
+  const double size = 1e-6 * static_cast<double>(std::filesystem::file_size(file()));
   std::printf(
       "seen after %.2f s, all read after %.1f s, %.1f ms a frame, memory %.0f MB before, %.0f MB after, at most "
       "%.0f MB; a result file has %.1f MB\n",

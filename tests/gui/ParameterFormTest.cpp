@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "case/ParameterTable.h"
+#include "studio/common/Theme.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/document/ParameterForm.h"
 #include "studio/document/ParameterRow.h"
@@ -237,6 +238,11 @@ TEST_F(Form, aKeyWithoutEffectIsGreyedWithTheReason) {
   EXPECT_TRUE(ramp->editor()->isEnabled());  // the keyboard reaches it, and F1 explains it
   EXPECT_TRUE(ramp->toolTip().contains("no effect because defect.shape is cosine")) << ramp->toolTip().toStdString();
   EXPECT_TRUE(ramp->editor()->accessibleDescription().contains("defect.shape is cosine"));
+  applyTheme(true);
+  QTest::qWait(20);
+  EXPECT_EQ(colour(*ramp), form_.palette().color(QPalette::PlaceholderText));  // the grey of the dark ground
+  applyTheme(false);
+  QTest::qWait(20);
   document_.setParameter("defect.shape", "cut");
   EXPECT_EQ(colour(*ramp), usual);
   EXPECT_FALSE(ramp->toolTip().contains("no effect"));

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "gui/Hands.h"
+#include "gui/LinkedProject.h"
 #include "gui/MadeUpRun.h"
-#include "project/ProjectFile.h"
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
 #include "studio/common/MessageBar.h"
@@ -24,23 +24,9 @@ class ManyRuns : public testing::Test {
   // `count` results in files of their own, the last one in front, the first one the reference.
   void make(int count) {
     results::writeResult(file(0), tests::syntheticResult());
-    for (int i = 1; i < count; ++i) {
-      std::filesystem::remove(file(i));
-      std::filesystem::create_hard_link(file(0), file(i));
-    }
-    project::Project project;
-    project.open.name = "dip";
-    for (int i = 0; i < count; ++i) {
-      project::Entry entry;
-      entry.path = file(i);
-      entry.name = "run " + std::to_string(i);
-      project.entries.push_back(entry);
-    }
-    project.current = count - 1;
-    project.reference = 0;
-    project::writeProject(projectFile().toStdString(), project);
+    tests::writeLinkedProject(folder_.path().toStdString(), count);
   }
-  std::string file(int run) const { return folder_.filePath(QStringLiteral("run-%1.h5").arg(run)).toStdString(); }
+  std::string file(int run) const { return tests::runFile(folder_.path().toStdString(), run); }
   QString projectFile() const { return folder_.filePath("many.squat-project"); }
   MainWindow& open() {
     window_ = std::make_unique<MainWindow>(tests::services(20, Answer::discard));

@@ -77,11 +77,41 @@ TEST_F(FigureFiles, aChosenSizeAndResolutionAreThoseOfTheFiles) {
   }
 }
 
+// In files as asked for, and no word of it is lost where the figure is not drawn.
+TEST_F(FigureFiles, theSpectrumHasTheScaleThatIsAskedFor) {
+  plots::FigureRequest request{{"psd"}, {"svg"}};
+  const auto textOf = [&](plots::SpectrumScale scale) {
+    request.spectrum = scale;
+    std::vector<std::string> messages;
+    const auto paths = plots::renderFigures(tests::syntheticResult(), tests::freshFolder("scale"), request, &messages);
+    EXPECT_THAT(messages, testing::IsEmpty());
+    return contents(paths.at(0)).toStdString();
+  };
+  EXPECT_THAT(textOf(plots::SpectrumScale::linear), HasSubstr("PSD [(m/s²)²/Hz]"));
+  EXPECT_THAT(textOf(plots::SpectrumScale::decibel), HasSubstr("PSD [dB re (1 µm/s²)²/Hz]"));
+  const auto octaves = textOf(plots::SpectrumScale::thirdOctaves);
+  EXPECT_THAT(octaves, HasSubstr("Level [dB re 1 µm/s²]"));
+  EXPECT_THAT(octaves, HasSubstr(">1600<"));  // a nominal frequency at the axis
+  request.figures = {"aba_time"};
+  std::vector<std::string> messages;
+  plots::renderFigures(tests::syntheticResult(), tests::freshFolder("scale"), request, &messages);
+  EXPECT_THAT(messages, testing::ElementsAre(HasSubstr("--spectrum has no effect")));
+}
+
 // A label that is cut leaves ink at the edge.
 TEST_F(FigureFiles, nothingIsCutAtTheSmallestSize) {
   plots::FigureRequest request{{}, {"png"}};
   request.size = {plots::PrintedSize::leastWidth, plots::PrintedSize::leastHeight, 150};
-  for (const auto& path : plots::renderFigures(tests::syntheticResult(), tests::freshFolder("smallest"), request)) {
+  auto paths = plots::renderFigures(tests::syntheticResult(), tests::freshFolder("smallest"), request);
+  plots::FigureRequest spectrum{{"psd"}, {"png"}};
+  spectrum.size = request.size;
+  for (const auto scale :
+       {plots::SpectrumScale::logarithmic, plots::SpectrumScale::decibel, plots::SpectrumScale::thirdOctaves}) {
+    spectrum.spectrum = scale;
+    const auto folder = tests::freshFolder("smallest-" + std::to_string(static_cast<int>(scale)));
+    for (auto& path : plots::renderFigures(tests::syntheticResult(), folder, spectrum)) paths.push_back(path);
+  }
+  for (const auto& path : paths) {
     if (path.ends_with("model.png")) continue;
     const QImage image(QString::fromStdString(path));
     const QRgb background = image.pixel(0, 0);

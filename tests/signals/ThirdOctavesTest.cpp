@@ -10,8 +10,8 @@
 namespace squat::signals {
 namespace {
 
-// The standard's table of one-third octaves from 25 Hz to 20 kHz: nominal and exact mid-band frequency to five digits,
-// as printed there (base ten).
+// One-third octaves from 25 Hz to 20 kHz: nominal frequencies from memory of the standard's table, unverified, and
+// 10^(n/10) Hz rounded to five digits.
 constexpr double table[][2] = {{25, 25.119},   {31.5, 31.623}, {40, 39.811},   {50, 50.119},   {63, 63.096},
                                {80, 79.433},   {100, 100},     {125, 125.89},  {160, 158.49},  {200, 199.53},
                                {250, 251.19},  {315, 316.23},  {400, 398.11},  {500, 501.19},  {630, 630.96},

@@ -21,12 +21,8 @@ enum class FigureAxis { wheelPosition, time, railPosition, frequency, stress, pa
 std::string unitOf(FigureAxis axis);  // "mm", "ms", "Hz", "MPa"
 
 enum class FigureMarks { none, extremes, lines };  // what a viewer marks: peaks of the first curve, of the map
-enum class FigureControl {
-  none,
-  spectrumSection,
-  shortTime,
-  moment
-};  // what a viewer lets the user choose beside the figure
+// What a viewer lets the user choose beside the figure.
+enum class FigureControl { none, spectrumSection, shortTime, moment };
 
 // A record laid over the run that is shown, computed or measured.
 struct OverlaidRun {
@@ -63,8 +59,8 @@ struct FigureRow {
 
   // Another run over the one that is shown, on its axis; without points where that run lacks it. Null: no overlays.
   Curve (*overlay)(const OverlaidRun& other, const results::RunResult& shown, const FigureSettings&) = nullptr;
-  void (*fit)(Figure& figure,
-              const FigureSettings& settings) = nullptr;  // range of y once other runs lie in it; null: fitValues()
+  // Range of y once other runs lie in it; null: fitValues().
+  void (*fit)(Figure& figure, const FigureSettings& settings) = nullptr;
 
   FigureAxis axis = FigureAxis::wheelPosition;
   FigureMarks marks = FigureMarks::none;

@@ -149,11 +149,9 @@ void MapWindow::say(const QString& problem) {
 void MapWindow::draw() {
   if (!isVisible()) return;
   export_->setEnabled(false);
-  if (const QString reason = problem(); !reason.isEmpty()) {
-    shown_ = {};
-    return say(reason);
-  }
-  if (store_.at(firstIndex_.row()).dragged || store_.at(secondIndex_.row()).dragged) return;  // once it rests
+  if (const QString reason = problem(); !reason.isEmpty()) return stop(reason);
+  if (store_.at(firstIndex_.row()).dragged || store_.at(secondIndex_.row()).dragged)
+    return;  // drawn when the drag ends
   export_->setEnabled(true);
   const Shown now = wanted();
   if (now == shown_) return;
@@ -168,11 +166,16 @@ void MapWindow::draw() {
       views_[panel]->setEnabled(true);
     }
   } catch (const std::exception& error) {
-    shown_ = {};
-    export_->setEnabled(false);
-    for (FigureView* view : views_) view->setEnabled(false);  // what they show is of other signals
-    say(QString::fromStdString(error.what()));
+    stop(QString::fromStdString(error.what()));
   }
+}
+
+// The maps that still stand are of other signals: greyed, and not exported.
+void MapWindow::stop(const QString& reason) {
+  shown_ = {};
+  export_->setEnabled(false);
+  for (FigureView* view : views_) view->setEnabled(false);
+  say(reason);
 }
 
 void MapWindow::writeFile(const QString& path) const {

@@ -17,8 +17,8 @@ namespace squat::studio {
 class FigureView;
 
 // Scalogram or short-time transform of a run or measured signal, of another one in the same colours, and their ratio.
-// The maps are drawn anew when a choice or one of the two signals changes while the window is seen, once a signal that
-// is aligned by hand rests.
+// The maps are drawn anew when a choice or one of the two signals changes while the window is seen; of a signal that
+// is dragged, when the drag ends.
 class MapWindow : public QWidget {
   Q_OBJECT
  public:
@@ -46,6 +46,7 @@ class MapWindow : public QWidget {
   void listSignals();
   void take();  // what the lists have chosen
   void draw();
+  void stop(const QString& reason);
   Shown wanted() const;
   QString problem() const;  // why nothing can be drawn; empty: it can
   plots::FigureSheet sheetFor(const plots::Style& style) const;

@@ -1,5 +1,6 @@
 #include "studio/document/ParameterRow.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QRegularExpression>
 #include <QSignalBlocker>
@@ -150,6 +151,11 @@ void ParameterRow::showEffect() {
   editor_->setPalette(counts ? QPalette() : colours);
   editor_->setAccessibleDescription(counts ? QString::fromStdString(parameter_.doc) : without);
   setToolTip((counts ? QString() : "<b>" + without.toHtmlEscaped() + "</b><br>") + toolTipText());
+}
+
+void ParameterRow::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && reset_) showEffect();  // once the row is made
 }
 
 void ParameterRow::dropRefused() {

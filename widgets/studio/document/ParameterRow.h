@@ -37,6 +37,9 @@ class ParameterRow : public QWidget {
  Q_SIGNALS:
   void reasonChanged();
 
+ protected:
+  void changeEvent(QEvent* event) override;  // light and dark have greys of their own
+
  private:
   void makeEditor();
   void tryText(const QString& text);  // while typing: flags, changes nothing
@@ -53,7 +56,7 @@ class ParameterRow : public QWidget {
   QCheckBox* check_ = nullptr;
   QLabel* name_;
   QLabel *why_, *other_;
-  QToolButton* reset_;
+  QToolButton* reset_ = nullptr;
   QString wrongText_, relation_;
   std::string value_;  // of the document, as last seen
   bool changed_ = false;

@@ -95,7 +95,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     const QString name = nameOf(*row);
     auto* view = new FigureView(name, tabs_);
     views_[name] = view;
-    tabs_->addTab(makePage(row->control, view), QString::fromStdString(row->tab));
+    tabs_->addTab(makePage(*row, view), QString::fromStdString(row->tab));
     connect(view, &FigureView::failed, this, &SignalsPanel::failed);
     connect(view, &FigureView::shifted, this,
             [this](double millimetres, bool done) { Q_EMIT shifted(millimetres * 1e-3, done); });
@@ -202,7 +202,8 @@ QWidget* SignalsPanel::makeControls() {
 }
 
 // What applies to one figure stands above it: its window or section.
-QWidget* SignalsPanel::makePage(plots::FigureControl control, FigureView* view) {
+QWidget* SignalsPanel::makePage(const plots::FigureRow& row, FigureView* view) {
+  const plots::FigureControl control = row.control;
   auto* page = new QWidget(tabs_);
   auto* rows = new QVBoxLayout(page);
   rows->setContentsMargins(0, 4, 0, 0);
@@ -242,10 +243,10 @@ QWidget* SignalsPanel::makePage(plots::FigureControl control, FigureView* view) 
     moment_->setMinimumWidth(160);
     momentText_ = new QLabel;
     momentText_->setObjectName("patchMomentText");
-    connect(moment_, &QSlider::valueChanged, this, [this](int index) {
+    connect(moment_, &QSlider::valueChanged, this, [this, name = nameOf(row)](int index) {
       settings_.moment = index;
       showMoment();
-      stale_["contact_patch"] = true;
+      stale_[name] = true;
       rebuild(currentTab());
     });
     flow->addTogether({new QLabel(tr("Moment")), moment_});

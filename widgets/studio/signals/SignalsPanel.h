@@ -56,7 +56,7 @@ class SignalsPanel : public QWidget {
 
  private:
   QWidget* makeControls();
-  QWidget* makePage(plots::FigureControl control, FigureView* view);
+  QWidget* makePage(const plots::FigureRow& row, FigureView* view);
   void takeWindow();
   void takeMoments();
   void showMoment();

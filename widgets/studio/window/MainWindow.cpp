@@ -33,7 +33,6 @@
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/tools/ToolWindow.h"
-#include "studio/window/QuickTour.h"
 #include "studio/window/Recovery.h"
 
 namespace squat::studio {

@@ -31,7 +31,6 @@
 #include "studio/window/HelpWindow.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/PaperPanel.h"
-#include "studio/window/QuickTour.h"
 #include "studio/window/RecentFiles.h"
 #include "text/HeadingAnchor.h"
 

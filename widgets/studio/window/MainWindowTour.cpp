@@ -2,9 +2,7 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QSettings>
-#include <QTabWidget>
 
-#include "studio/preview/PreviewPanel.h"
 #include "studio/profile/ProfileEditor.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/QuickTour.h"

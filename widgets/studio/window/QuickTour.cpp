@@ -14,7 +14,7 @@ namespace {
 constexpr int cardWidth = 340, gap = 10;  // [pixels]
 
 // Right of the part, left of it, below or above, where the card has room; else in the part's middle.
-QPoint besideThe(const QRect& part, const QSize& card, const QRect& window) {
+QPoint cornerBeside(const QRect& part, const QSize& card, const QRect& window) {
   const int x = part.center().x() - card.width() / 2, y = part.center().y() - card.height() / 2;
   const QPoint choices[] = {{part.right() + gap, y},
                             {part.left() - gap - card.width(), y},
@@ -109,7 +109,7 @@ void QuickTour::settle() {
   outline_->setGeometry(part);
   outline_->setVisible(part_->isVisible() && part_->window() == &window_);
   resize(cardWidth, sizeHint().height());
-  move(besideThe(part, size(), window_.rect()));
+  move(cornerBeside(part, size(), window_.rect()));
   outline_->raise();
   raise();
 }
