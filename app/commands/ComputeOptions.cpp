@@ -22,11 +22,11 @@ constexpr int maximumThreads = 1024;
 // result do not depend on how many there are, so fewer than asked for do no harm.
 std::string limitThreads(std::string& input) {
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const int most = usefulThreads(cores);
+  const int maximum = usefulThreads(cores);
   int threads = 0;
-  if (CLI::detail::lexical_cast(input, threads) && threads > most && threads <= maximumThreads) {
-    std::fprintf(stderr, "note: using %d threads instead of %d; this machine has %d cores\n", most, threads, cores);
-    input = std::to_string(most);
+  if (CLI::detail::lexical_cast(input, threads) && threads > maximum && threads <= maximumThreads) {
+    std::fprintf(stderr, "note: using %d threads instead of %d; this machine has %d cores\n", maximum, threads, cores);
+    input = std::to_string(maximum);
   }
   return {};
 }

@@ -26,8 +26,8 @@ using plots::PrintedSize;
 // "80x55 to 400x400"
 std::string allowedSizes() {
   char text[60];
-  std::snprintf(text, sizeof text, "%gx%g to %gx%g", PrintedSize::leastWidth, PrintedSize::leastHeight,
-                PrintedSize::mostSide, PrintedSize::mostSide);
+  std::snprintf(text, sizeof text, "%gx%g to %gx%g", PrintedSize::minimumWidth, PrintedSize::minimumHeight,
+                PrintedSize::maximumSide, PrintedSize::maximumSide);
   return text;
 }
 
@@ -36,8 +36,8 @@ void takeSize(const std::string& text, PrintedSize& size) {
   char after = 0;
   PrintedSize taken = size;
   const bool read = std::sscanf(text.c_str(), "%lfx%lf%c", &taken.width, &taken.height, &after) == 2;
-  const auto allowed = [](double side, double least) { return side >= least && side <= PrintedSize::mostSide; };
-  if (!read || !allowed(taken.width, PrintedSize::leastWidth) || !allowed(taken.height, PrintedSize::leastHeight))
+  const auto allowed = [](double side, double minimum) { return side >= minimum && side <= PrintedSize::maximumSide; };
+  if (!read || !allowed(taken.width, PrintedSize::minimumWidth) || !allowed(taken.height, PrintedSize::minimumHeight))
     throw CLI::ValidationError("--figure-size", text + ": width and height in mm, " + allowedSizes() + ", e.g. 85x60");
   size = taken;
 }
@@ -62,7 +62,7 @@ void addFigureSize(CLI::App& command, PrintedSize& size) {
               " (default: 85x60; wide figures 170 and a height of their own)")
       ->type_name("WIDTHxHEIGHT");
   command.add_option("--dpi", size.resolution, "Resolution of PNG files (default: 300)")
-      ->check(between(PrintedSize::leastResolution, PrintedSize::mostResolution))
+      ->check(between(PrintedSize::minimumResolution, PrintedSize::maximumResolution))
       ->type_name("N");
 }
 

@@ -70,7 +70,7 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
   }
   for (const auto& line : keepOtherCases(files, cases::caseHash(description))) monitor.message(line);
   monitor.message("running " + name);
-  auto result = runOrGoOn(description, options.run, files, monitor);
+  auto result = runOrResume(description, options.run, files, monitor);
   monitor.clearLine();
   result.stem = name;
   if (!result.complete && result.time.empty()) return std::nullopt;  // nothing recorded, nothing to keep

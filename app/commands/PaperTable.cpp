@@ -53,10 +53,10 @@ void addPeak(std::vector<PaperRow>& rows, const RunResult& result, const char* c
 }
 
 void addLines(std::vector<PaperRow>& rows, const RunResult& result) {
-  constexpr std::size_t most = 6;
+  constexpr std::size_t maximum = 6;
   const auto lines = statements::strongLines(result, {});
   std::string text;
-  for (std::size_t i = 0; lines && i < std::min(most, lines->frequencies.size()); ++i)
+  for (std::size_t i = 0; lines && i < std::min(maximum, lines->frequencies.size()); ++i)
     text += (text.empty() ? "" : ", ") + std::to_string(std::lround(lines->frequencies[i]));
   rows.push_back({"strongest lines of the PSD", text.empty() ? kNone : text + " Hz",
                   text.empty() ? "" : "resolution " + roundedText(std::round(lines->resolution), "Hz"), ""});

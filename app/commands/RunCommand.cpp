@@ -126,12 +126,12 @@ std::vector<std::string> writeAndPrint(const RunCommandOptions& options, const R
 // A run that was cancelled ahead of its first sample has nothing to keep, and replaces nothing.
 bool hasNothing(const RunFiles& files, const results::RunResult& result) {
   std::error_code ignored;
-  return result.time.empty() && (!canGoOn(files) || std::filesystem::exists(files.result(), ignored));
+  return result.time.empty() && (!canResume(files) || std::filesystem::exists(files.result(), ignored));
 }
 
 int reportCancelled(const RunFiles& files, const char* what) {
   std::fprintf(stderr, "cancelled: %s; %s\n", what,
-               canGoOn(files) ? "squat run --resume continues this run" : "no checkpoint to resume from");
+               canResume(files) ? "squat run --resume continues this run" : "no checkpoint to resume from");
   return kCancelled;
 }
 

@@ -73,8 +73,8 @@ std::optional<results::RunResult> completeResult(const RunFiles& files) {
   return result.complete ? std::optional(std::move(result)) : std::nullopt;
 }
 
-results::RunResult runOrGoOn(const cases::CaseDescription& description, simulation::RunOptions options,
-                             const RunFiles& files, Monitor& monitor) {
+results::RunResult runOrResume(const cases::CaseDescription& description, simulation::RunOptions options,
+                               const RunFiles& files, Monitor& monitor) {
   options.checkpointPath = files.checkpoint();
   options.resume = true;
   try {
@@ -98,7 +98,7 @@ void prepareFolder(const RunFiles& files) {
   fs::remove(probe, ignored);
 }
 
-bool canGoOn(const RunFiles& files) {
+bool canResume(const RunFiles& files) {
   std::error_code ignored;
   return fs::exists(files.checkpoint(), ignored) || fs::exists(files.checkpoint() + ".previous", ignored);
 }

@@ -35,15 +35,15 @@ std::vector<std::string> keepOtherCases(const RunFiles& files, const std::string
 
 // Runs the case with checkpoints among the files. Resumes from the one that is there, if it fits; one of another
 // case or version is removed, and that is reported.
-results::RunResult runOrGoOn(const cases::CaseDescription& description, simulation::RunOptions options,
-                             const RunFiles& files, Monitor& monitor);
+results::RunResult runOrResume(const cases::CaseDescription& description, simulation::RunOptions options,
+                               const RunFiles& files, Monitor& monitor);
 
 // The complete result that stands there; nothing where there is none, or an incomplete one. FileError for a file that
 // is no result or is damaged: it may be somebody's, and is not replaced unasked.
 std::optional<results::RunResult> completeResult(const RunFiles& files);
 
 // Whether a run resumes from here with --resume.
-bool canGoOn(const RunFiles& files);
+bool canResume(const RunFiles& files);
 
 // Where the result could not be written: the signals alone, as STEM.partial.csv, which need a hundredth of the room.
 // The path; nothing where they do not fit either.

@@ -59,7 +59,7 @@ std::string arrayText(const std::vector<std::size_t>& parts) {
 std::string arrayScript(const SlurmJob& job) {
   auto partition = job.partition;
   partition.replace(partition.find('%'), 1, "$SLURM_ARRAY_TASK_ID");
-  // Preempted or near its time limit, a task is told by SIGTERM a minute ahead; started again, it resumes.
+  // Preempted or near its time limit, a task gets SIGTERM a minute ahead; started again, it resumes.
   return "#!/bin/sh\n# The parts of a study, one a task. A part that is started again resumes.\n" +
          option("job-name=squat-study") + option("array=" + arrayText(job.parts)) +
          option("cpus-per-task=" + std::to_string(job.cores)) + (job.time.empty() ? "" : option("time=" + job.time)) +

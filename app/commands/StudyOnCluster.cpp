@@ -43,7 +43,7 @@ void addClusterOptions(CLI::App& command, ClusterOptions& options, const std::ve
                     .add_option("--slurm", options.parts,
                                 "Compute nothing: write the scripts of N parts as an array of Slurm jobs, and of the "
                                 "job that collects them")
-                    ->check(CLI::Range(1, static_cast<int>(studies::kMostParts)))
+                    ->check(CLI::Range(1, static_cast<int>(studies::kMaximumParts)))
                     ->type_name("N");
   auto* resubmit = command.add_flag("--resubmit", options.resubmit,
                                     "The same for those parts of the study in the folder that miss points or failed");

@@ -5,19 +5,16 @@
 #include <cmath>
 
 #include "commands/Interrupt.h"
+#include "text/Numbers.h"
 
 namespace squat::commands {
+
+using text::formatted;
 
 namespace {
 
 constexpr auto kBetweenLines = std::chrono::seconds(2);
 constexpr auto kBetweenRefreshes = std::chrono::milliseconds(100);
-
-std::string formatted(const char* format, double value) {
-  char part[96];
-  std::snprintf(part, sizeof part, format, value);
-  return part;
-}
 
 std::string remainingText(double seconds) {
   if (!(seconds >= 0) || seconds > 1e7) return {};

@@ -64,7 +64,7 @@ std::optional<results::RunResult> make(const ValidateOptions& options, const sta
     return result;
   }
   monitor.message("running " + run.name);
-  auto result = runOrGoOn(description, options.run, files, monitor);
+  auto result = runOrResume(description, options.run, files, monitor);
   if (!result.complete) return std::nullopt;
   result.stem = files.stem;
   writeRunFiles(files, result);

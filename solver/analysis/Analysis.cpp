@@ -9,17 +9,12 @@
 #include "core/Errors.h"
 #include "signals/Butterworth.h"
 #include "signals/SignalError.h"
+#include "text/Numbers.h"
 
 namespace squat::analysis {
 namespace {
 
 constexpr std::size_t longestPeriodogram = 16384, usualSegment = 8192;
-
-std::string hertz(double value) {
-  std::ostringstream text;
-  text << value << " Hz";
-  return text.str();
-}
 
 // The stretch that is shown; all of a record with too few samples there. Columns are made for that stretch alone:
 // spread over a long record, they would average the impact away.
@@ -40,8 +35,9 @@ void noteUnseenBands(double rate, const signals::FeatureOptions& options, std::v
     if (!band.required && !signals::shows(rate, band)) add(band.name);
   const auto& waves = options.waveBand;
   if (!waves.required && !signals::shows(rate, waves))
-    add("the wavelength (" + hertz(waves.low) + " to " + hertz(waves.high) + ")");
-  if (!names.empty()) notes.push_back("left out at a sampling rate of " + hertz(rate) + ": " + names);
+    add("the wavelength (" + text::formatted("%g Hz", waves.low) + " to " + text::formatted("%g Hz", waves.high) + ")");
+  if (!names.empty())
+    notes.push_back("left out at a sampling rate of " + text::formatted("%g Hz", rate) + ": " + names);
 }
 
 // Of what still rings when the record ends only a lower limit is known.
@@ -121,8 +117,8 @@ SignalAnalysis analyseSignal(const signals::Record& signal, const AnalysisOption
   if (options.lowPass > 0 && options.lowPass < 0.49 * series.rate())
     result.filtered = signals::lowPass(series, options.lowPass);
   else if (options.lowPass > 0)
-    result.notes.push_back("not low-pass filtered at " + hertz(options.lowPass) + ": the sampling rate is " +
-                           hertz(series.rate()));
+    result.notes.push_back("not low-pass filtered at " + text::formatted("%g Hz", options.lowPass) +
+                           ": the sampling rate is " + text::formatted("%g Hz", series.rate()));
   if (!signal.run.empty()) result.filtered.name = signal.run;
 
   noteUnseenBands(series.rate(), options.features, result.notes);

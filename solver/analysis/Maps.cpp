@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "signals/FourierTransform.h"
 #include "signals/SignalError.h"
+#include "text/Numbers.h"
 
 namespace squat::analysis {
 namespace {
@@ -13,19 +13,13 @@ namespace {
 constexpr std::size_t maximumColumns = 2000, maximumRows = 1000;  // of a picture
 constexpr double slowestWave = 1e-5;  // of the sampling rate: longer wavelets outgrow the memory
 
-std::string hertz(double value) {
-  std::ostringstream text;
-  text << value << " Hz";
-  return text.str();
-}
-
 // Below one wave in the record a row shows nothing but its ends.
 void raiseLowest(const signals::TimeSeries& series, double& lowest, std::vector<std::string>& notes) {
   const double seconds = static_cast<double>(series.values.size()) * series.step;
   const double longest = std::max(1 / seconds, slowestWave * series.rate());
   if (!(lowest < longest)) return;
   lowest = longest;
-  notes.push_back("the scalogram starts at " + hertz(longest) +
+  notes.push_back("the scalogram starts at " + text::formatted("%g Hz", longest) +
                   (longest * seconds > 1.5 ? ", 1e-5 of the sampling rate" : ", one period in the record"));
 }
 
@@ -58,18 +52,19 @@ signals::Scalogram scalogramMap(const signals::TimeSeries& series, signals::Wave
                                 std::vector<std::string>& notes) {
   const double half = series.rate() / 2;
   if (options.highest > half) {
-    notes.push_back("the scalogram ends at " + hertz(half) + ", half the sampling rate");
+    notes.push_back("the scalogram ends at " + text::formatted("%g Hz", half) + ", half the sampling rate");
     options.highest = half;
   }
   if (options.lowest >= options.highest) {
     options.lowest = options.highest / 8;
-    notes.push_back("the scalogram starts at " + hertz(options.lowest) + ", three octaves below its end");
+    notes.push_back("the scalogram starts at " + text::formatted("%g Hz", options.lowest) +
+                    ", three octaves below its end");
   }
   raiseLowest(series, options.lowest, notes);
   if (options.lowest >= options.highest)
-    throw signals::SignalError("the scalogram of a record of this length and rate starts at " + hertz(options.lowest) +
-                               ", above its highest frequency of " + hertz(options.highest) +
-                               "; raise the highest frequency");
+    throw signals::SignalError("the scalogram of a record of this length and rate starts at " +
+                               text::formatted("%g Hz", options.lowest) + ", above its highest frequency of " +
+                               text::formatted("%g Hz", options.highest) + "; raise the highest frequency");
   limitVoices(options, notes);
   const double length = static_cast<double>(series.values.size()) * series.step;
   const double samples = (options.shown ? options.shown->second - options.shown->first : length) / series.step;

@@ -192,9 +192,9 @@ class Search {
   }
 
   static bool isApart(const UnitPoint& a, const UnitPoint& b) {
-    constexpr double least = 0.004;  // nearer points are one: a tenth of the step of the derivatives
+    constexpr double minimum = 0.004;  // nearer points are one: a tenth of the step of the derivatives
     for (std::size_t i = 0; i < a.size(); ++i)
-      if (std::abs(a[i] - b[i]) > least) return true;
+      if (std::abs(a[i] - b[i]) > minimum) return true;
     return false;
   }
 

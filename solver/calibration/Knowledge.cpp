@@ -187,11 +187,11 @@ std::vector<UnitPoint> spreadOut(const std::vector<UnitPoint>& points, std::size
   std::vector<UnitPoint> chosen;
   while (!points.empty() && chosen.size() < std::min(count, points.size())) {
     const UnitPoint* farthest = nullptr;
-    double most = -1;
+    double maximum = -1;
     for (const auto& point : points) {
       double nearest = std::numeric_limits<double>::infinity();
       for (const auto& other : chosen) nearest = std::min(nearest, distance(point, other));
-      if (nearest > most) most = nearest, farthest = &point;
+      if (nearest > maximum) maximum = nearest, farthest = &point;
     }
     chosen.push_back(*farthest);
   }

@@ -78,9 +78,9 @@ std::complex<double> valueAt(const ReceptanceColumns& columns, std::size_t row, 
 }
 
 // At most so many frequencies, in equal ratios: a measurement in steps of 1 Hz does not know more than its resonances.
-std::vector<std::size_t> thinned(const std::vector<double>& frequency, std::size_t most) {
+std::vector<std::size_t> thinned(const std::vector<double>& frequency, std::size_t maximum) {
   std::vector<std::size_t> kept;
-  const double ratio = std::pow(frequency.back() / frequency.front(), 1.0 / static_cast<double>(most));
+  const double ratio = std::pow(frequency.back() / frequency.front(), 1.0 / static_cast<double>(maximum));
   double next = frequency.front();
   for (std::size_t i = 0; i < frequency.size(); ++i)
     if (frequency[i] >= next) kept.push_back(i), next = frequency[i] * ratio;
@@ -102,7 +102,7 @@ std::complex<double> computedAt(const receptance::TrackReceptance& computed, con
 }  // namespace
 
 MeasuredReceptance readMeasuredReceptance(const ReceptanceTarget& target) {
-  constexpr std::size_t most = 60;
+  constexpr std::size_t maximum = 60;
   const auto table = text::readDelimitedTable(target.file);
   if (table.columns.size() < 2)
     throw FileError(target.file, "", "must have a column of frequencies and one of magnitudes at least");
@@ -126,7 +126,7 @@ MeasuredReceptance readMeasuredReceptance(const ReceptanceTarget& target) {
                     "Change \"lowest\" and \"highest\" [Hz]");
   const bool isComplex = columns.real && columns.imaginary;
   MeasuredReceptance measured{target, {}, {}, isComplex || columns.phase};
-  for (const std::size_t i : thinned(frequency, most))
+  for (const std::size_t i : thinned(frequency, maximum))
     measured.frequency.push_back(frequency[i]), measured.receptance.push_back(values[i]);
   return measured;
 }

@@ -21,9 +21,9 @@ signals::Passage filtered(signals::Passage passage, double cutoff) {
 }
 
 double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
+  double maximum = 0;
+  for (const double value : values) maximum = std::max(maximum, std::abs(value));
+  return maximum;
 }
 
 std::vector<signals::Passage> runsOf(const SignalTarget& target, std::vector<std::string>& notes) {

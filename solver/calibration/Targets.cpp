@@ -154,7 +154,7 @@ class TargetFile {
     target.cutoff = entry.value("cutoff", target.cutoff), target.noise = entry.value("noise", target.noise);
     target.reading.column = entry.value("column", "");
     target.reading.speed = entry.value("speed", 0.0), target.reading.rate = entry.value("rate", 0.0);
-    const auto isWithin = [](double value, double most) { return value > 0 && value <= most; };
+    const auto isWithin = [](double value, double maximum) { return value > 0 && value <= maximum; };
     if (!isWithin(target.before, 5) || !isWithin(target.after, 5))
       throw std::invalid_argument("before and after must be positive, at most 5 m");
     if (!isWithin(target.cutoff, 10000)) throw std::invalid_argument("cutoff must be positive, at most 10000 Hz");

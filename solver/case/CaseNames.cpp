@@ -16,7 +16,7 @@ namespace squat::cases {
 
 namespace {
 
-constexpr std::size_t mostNamed = 4;  // values in a name: more of them nobody reads in a list
+constexpr std::size_t maximumNamed = 4;  // values in a name: more of them nobody reads in a list
 
 // What a case is called, and where its values are from, change no result.
 bool changesResults(const Parameter& parameter) {
@@ -83,7 +83,7 @@ std::string nameOf(const CaseToName& one, const std::vector<std::size_t>& rows, 
   std::size_t count = 0;
   for (const std::size_t row : rows) {
     const std::string& shown = (*one.values)[row].shown;
-    if (shown.empty() || count == mostNamed) continue;
+    if (shown.empty() || count == maximumNamed) continue;
     ++count;
     name += (name.empty() ? "" : ", ") + named(parameterTable()[row], shown);
   }
@@ -119,13 +119,26 @@ std::vector<std::size_t> differingRows(const std::vector<const ComparedCase*>& c
   return rows;
 }
 
+std::string printedWords(const std::string& key) {
+  static const std::map<std::string, std::string> printed{{"beyond", "distance beyond"},
+                                                          {"cwt_voices", "CWT voices"},
+                                                          {"poisson_ratio", "Poisson's ratio"},
+                                                          {"run_up", "run-up"},
+                                                          {"selective_inertia", "selective mass scaling"},
+                                                          {"young_modulus", "Young's modulus"}};
+  if (const auto found = printed.find(key); found != printed.end()) return found->second;
+  std::string words = key;
+  std::replace_if(
+      words.begin(), words.end(), [](char letter) { return letter == '.' || letter == '_'; }, ' ');
+  return words;
+}
+
 std::string shortLabel(const Parameter& parameter) {
   const auto dot = parameter.key.find('.');
+  if (dot == std::string::npos) return printedWords(parameter.key);
+  const std::string own = printedWords(parameter.key.substr(dot + 1));
   const bool plain = parameter.group == "defect" || parameter.group == "motion" || parameter.group == "mesh";
-  std::string label = plain && dot != std::string::npos ? parameter.key.substr(dot + 1) : parameter.key;
-  std::replace_if(
-      label.begin(), label.end(), [](char letter) { return letter == '.' || letter == '_'; }, ' ');
-  return label;
+  return plain ? own : printedWords(parameter.key.substr(0, dot)) + " " + own;
 }
 
 std::vector<std::string> caseNames(const std::vector<CaseToName>& cases) {

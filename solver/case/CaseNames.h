@@ -23,6 +23,9 @@ ComparedCase comparedCase(const CaseDescription& description);
 // last.
 std::vector<std::size_t> differingRows(const std::vector<const ComparedCase*>& cases);
 
+// The words of a key as they are printed: "young_modulus" is "Young's modulus", "sleeper_spacing" "sleeper spacing".
+std::string printedWords(const std::string& key);
+
 // "depth", "pad stiffness": without the table of the case file where it says nothing new.
 std::string shortLabel(const Parameter& parameter);
 

@@ -6,6 +6,7 @@
 
 #include "case/DecimalNumber.h"
 #include "case/ParameterValue.h"
+#include "case/Resolve.h"
 #include "scenario/DefectSurface.h"
 #include "scenario/SleeperHeight.h"
 #include "scenario/TrackCentre.h"
@@ -75,17 +76,17 @@ namespace {
 
 void checkWheelsetMass(const Case& c, std::vector<Finding>& findings) {
   const auto& w = c.wheelset;
-  const double least = scenario::partsMass(w), discs = scenario::brakeDiscsMass(w);
-  if (w.totalMass > 0 && w.totalMass < least)
+  const double minimum = scenario::partsMass(w), discs = scenario::brakeDiscsMass(w);
+  if (w.totalMass > 0 && w.totalMass < minimum)
     add(findings, c, Severity::problem,
         {"wheelset.total_mass", "wheelset.axle_box_mass", "wheelset.brake_disc_mass", "wheelset.density",
          "wheelset.radius"},
         limitText("wheelset.total_mass",
                   discs > 0 ? "at least the mass of the solid parts, the axle box and the brake discs:"
                             : "at least the mass of the solid parts and the axle box:",
-                  least),
+                  minimum),
         "Increase the total mass or make the parts lighter; 0 takes what they weigh, solid parts " +
-            rounded(least - w.axleBoxMass - discs) + " kg, axle box " + rounded(w.axleBoxMass) + " kg" +
+            rounded(minimum - w.axleBoxMass - discs) + " kg, axle box " + rounded(w.axleBoxMass) + " kg" +
             (discs > 0 ? ", brake discs " + rounded(discs) + " kg" : ""));
   if (w.brakeDiscs > 0 && (w.brakeDiscPosition <= 0.5 * w.hubWidth || w.brakeDiscPosition >= w.trackCentre))
     add(findings, c, Severity::problem, {"wheelset.brake_disc_position", "wheelset.hub_width", "wheelset.track_centre"},
@@ -205,15 +206,15 @@ namespace {
 // The top of a sleeper falls from the pads to its middle; elements there keep a height.
 void checkSleeperHeight(const Case& c, std::vector<Finding>& findings) {
   const auto& s = c.sleeper;
-  constexpr double least = 0.3, rise = 0.02;  // [-] of the height under the rail, [m] of the slope of the top
+  constexpr double minimum = 0.3, rise = 0.02;  // [-] of the height under the rail, [m] of the slope of the top
   if (s.middleHeight == 0) return;
   if (s.middleHeight > s.height)
     add(findings, c, Severity::problem, {"sleeper.middle_height", "sleeper.height"},
         "0 or " + limitText("sleeper.middle_height", "at most sleeper.height =", s.height),
         "A sleeper is highest under the rail");
-  if (s.middleHeight < least * s.height)
+  if (s.middleHeight < minimum * s.height)
     add(findings, c, Severity::problem, {"sleeper.middle_height", "sleeper.height"},
-        "0 or " + limitText("sleeper.middle_height", "at least 0.3 of sleeper.height:", least * s.height),
+        "0 or " + limitText("sleeper.middle_height", "at least 0.3 of sleeper.height:", minimum * s.height),
         "Set it to 0 for an even height");
   const double longest = scenario::fullHeightFrom(c) - rise;
   if (s.middleHalfLength > longest)
@@ -226,7 +227,7 @@ void checkSleeperHeight(const Case& c, std::vector<Finding>& findings) {
 
 void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   const double half = 0.5 * c.track.length;
-  const DefectSurface surface(c.defect);
+  const auto surface = surfaceOf(c);
   if (c.defect.shape == DefectShape::dipWithWave && c.defect.waveCount > 0 && c.defect.waveDepth > c.defect.depth)
     add(findings, c, Severity::problem, {"defect.wave_depth", "defect.depth"},
         limitText("defect.wave_depth", "at most defect.depth =", c.defect.depth),
@@ -306,7 +307,7 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, {"defect.ramp", "defect.length"},
         limitText("defect.ramp", "at most half of defect.length:", 0.5 * d.length),
         "Both ramps lie within the length of the cut");
-  const DefectSurface surface(d);
+  const auto surface = surfaceOf(c);
   if (surface.first() == surface.last()) return;
   const std::string pointsKey = d.lines.empty() ? "defect.points" : "defect.lines";
   const std::string depthKey = sampled ? pointsKey : "defect.depth";
@@ -357,12 +358,13 @@ void checkSeat(const Case& c, std::vector<Finding>& findings) {
   if (touch == 0) return;
   const std::string key = c.motion.lateralOffset != 0 ? "motion.lateral_offset" : "wheelset.cone";
   const std::string found = "The wheel touches the crown at " + rounded(touch * 1e3) + " mm";
-  const auto between = [&](double most) {
+  const auto between = [&](double maximum) {
     if (key == "motion.lateral_offset")
-      return rounded(1e3 * (-most - crownRadius * tilt)) + " to " + rounded(1e3 * (most - crownRadius * tilt)) + " mm";
+      return rounded(1e3 * (-maximum - crownRadius * tilt)) + " to " + rounded(1e3 * (maximum - crownRadius * tilt)) +
+             " mm";
     const double inclination = std::atan(c.rail.inclination);
-    return rounded(std::tan(inclination - most / crownRadius)) + " to " +
-           rounded(std::tan(inclination + most / crownRadius));
+    return rounded(std::tan(inclination - maximum / crownRadius)) + " to " +
+           rounded(std::tan(inclination + maximum / crownRadius));
   };
   const Keys keys{key, "rail.inclination", "wheelset.cone", "motion.lateral_offset"};
   if (std::abs(touch) > crownEnd) {
@@ -406,7 +408,7 @@ void checkMesh(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, {"mesh.band_half_width", "wheelset.rim_width"},
         limitText("mesh.band_half_width", "at most 0.4 of wheelset.rim_width:", 0.4 * c.wheelset.rimWidth),
         "The contact band ends within the tread");
-  const DefectSurface surface(c.defect);
+  const auto surface = surfaceOf(c);
   if (surface.dipLength() > 0 && m.contactSize > surface.dipLength() / 4)
     add(findings, c, Severity::warning, {"mesh.contact_size", "defect.length", "defect.points", "defect.file"},
         limitText("mesh.contact_size", "at most a quarter of the length of the dip:", surface.dipLength() / 4),

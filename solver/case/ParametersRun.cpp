@@ -108,7 +108,8 @@ void addMesh(Rows& rows) {
       "maximum ratio of neighbouring element sizes in the sections, away from the contact band", notStated));
   rows.push_back(number(
       "mesh.section_size", millimetre, 16, {3, 30}, [](Case& c) -> double& { return c.mesh.sectionSize; },
-      "maximum element size in the sections of rail and rim", notStated));
+      "size that elements grow to in the sections of rail and rim; up to twice as large where few rows fill a part",
+      notStated));
   rows.push_back(number(
       "mesh.band_half_width", millimetre, 7.8, {2, 25}, [](Case& c) -> double& { return c.mesh.bandHalfWidth; },
       "half width of the contact band meshed with mesh.contact_size", notStated));
@@ -146,7 +147,7 @@ void addMesh(Rows& rows) {
       "double",
       "assumed: single takes up to a quarter less time and changes the axle box acceleration by less than 0.2 %"));
   rows.push_back(boolean(
-      "mesh.selective_inertia", true, [](Case& c) -> bool& { return c.mesh.selectiveInertia; },
+      "mesh.selective_inertia", true, [](Case& c) -> bool& { return c.mesh.selectiveMassScaling; },
       "selective mass scaling: more inertia for waves as short as the smallest elements, which allows a longer time "
       "step; "
       "rigid motion, longer waves and statics are unchanged",

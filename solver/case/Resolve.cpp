@@ -4,10 +4,15 @@
 
 namespace squat::cases {
 
+scenario::DefectSurface surfaceOf(const CaseDescription& description) { return DefectSurface(description.defect); }
+
+DefectZone defectZone(const CaseDescription& description) {
+  return scenario::defectZone(surfaceOf(description), description.mesh);
+}
+
 scenario::Scenario resolve(const CaseDescription& d) {
   scenario::Scenario resolved{
-      d, DefectSurface(d.defect),
-      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction};
+      d, surfaceOf(d), d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction};
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
   return resolved;
 }

@@ -9,6 +9,13 @@ namespace squat::cases {
 // The scenario of a case that has been validated (Validation.h): everything in SI, the surface of its defect made.
 scenario::Scenario resolve(const CaseDescription& description);
 
+// The surface of the defect that the case describes: of a profile with its height scale. The one way from a case to a
+// surface, for all who ask about a case that is not run yet.
+scenario::DefectSurface surfaceOf(const CaseDescription& description);
+
+// The finely meshed stretch of rail that its defect needs.
+DefectZone defectZone(const CaseDescription& description);
+
 // A case and what it is resolved into: made once, carried by a result.
 struct ResolvedCase {
   CaseDescription description;

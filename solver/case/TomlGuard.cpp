@@ -65,13 +65,13 @@ void walk(std::string_view text, const Visit& visit, const VisitString& visitStr
 }  // namespace
 
 std::size_t maximumKeyParts(std::string_view text) {
-  std::size_t dots = 0, most = 0;
+  std::size_t dots = 0, maximum = 0;
   const auto count = [&](char letter, std::size_t) {
-    if (letter == '.') most = std::max(most, ++dots);
+    if (letter == '.') maximum = std::max(maximum, ++dots);
     if (std::string_view("=,[]{}\n#").find(letter) != npos) dots = 0;
   };
   walk(text, count, [](const String&) {});
-  return most + 1;
+  return maximum + 1;
 }
 
 ForeignByte firstForeignByte(std::string_view text) {

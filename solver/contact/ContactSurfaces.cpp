@@ -32,8 +32,8 @@ CrownArc crownAt(double y) { return {geometry::crownHeight54E1(y), std::atan(geo
 // On a slope the wheel touches radius times slope beside its lowest point, though not farther than the defect goes; the
 // patch, 7 mm each way, comes on top. On smooth rail 20 mm hold any patch.
 double reachAlong(const scenario::DefectSurface& defect, double radius) {
-  constexpr double least = 0.020, patch = 0.012;  // [m]
-  return std::max(least, std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first())) + patch);
+  constexpr double minimum = 0.020, patch = 0.012;  // [m]
+  return std::max(minimum, std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first())) + patch);
 }
 
 Seat seatOf(const scenario::Scenario& d) {

@@ -48,7 +48,7 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int get() const { return number_; }
-  int closeNow() {  // 0 or the error: some file systems tell of a full disk only here
+  int closeNow() {  // 0 or the error: some file systems report a full disk only here
     const int result = ::close(number_);
     number_ = -1;
     return result == 0 ? 0 : errno;

@@ -15,11 +15,11 @@ struct Progress {
   double position = 0.0;              // [m] wheel relative to the deepest point of the defect
   double contactForce = 0.0;          // [N] vertical
   double axleBoxAcceleration = 0.0;   // [m/s2] vertical, anti-aliased: its filter waits for what comes, so that it
-                                      // belongs to an earlier place than `position`
+                                      // belongs to an earlier location than `position`
   double accelerationPosition = 0.0;  // [m] of the wheel at that instant
   double energyResidual = 0.0;        // of the energy balance, relative
   double step = 0.0;                  // [s] that the run takes; known once the stable step is
-  std::string limitedBy;              // what sets the stable step: block and place
+  std::string limitedBy;              // what sets the stable step: block and location
 };
 
 // The seam to whoever watches: terminal, studio, tests. Called from the computing thread, several times a second.

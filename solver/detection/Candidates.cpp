@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "detection/LocalLevel.h"
+#include "signals/Median.h"
 
 namespace squat::detection {
 namespace {
@@ -14,13 +15,6 @@ constexpr double anchorSeconds = 2e-3;   // smoothing where the impact is looked
 constexpr std::size_t firstSharp = 2;    // bands from 320 Hz: wavelets shorter than the way over a defect
 constexpr double reached = 0.8;          // of the largest sum: the impact comes first, then its ringing
 constexpr double anchorHalf = 12e-3;     // half of the time in which it is looked for
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::size_t cellsOf(double seconds, double step) {
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(seconds / step)));
@@ -35,7 +29,7 @@ Evidence evidenceOf(const BandPower& power, double rate, const std::vector<doubl
   evidence.value.assign(power.cells(), 0.0);
   evidence.level.assign(bands.size(), std::vector<double>(power.cells(), 0.0));
   const std::size_t width = cellsOf(ringingSeconds, power.step);
-  const double typicalSpeed = std::max(1.0, medianOf(speed));
+  const double typicalSpeed = std::max(1.0, signals::median(speed));
   const std::size_t half = cellsOf(levelMetres / typicalSpeed, power.step);
   for (std::size_t b = 0; b < bands.size(); ++b) {
     if (!shows(rate, bands[b])) continue;

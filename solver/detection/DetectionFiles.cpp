@@ -20,16 +20,9 @@ using Json = nlohmann::ordered_json;
 // To the digits that mean something.
 double rounded(double value, double unit) { return std::round(value / unit) * unit; }
 
-std::string fixed(double value, int digits) {
-  if (!std::isfinite(value)) return {};
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 double powerOf(const Event& event, std::size_t band) {
   const auto window = eventWindow(band);
-  const double seconds = (window.before + window.behind) / std::max(event.features.speed, leastSpeed);
+  const double seconds = (window.before + window.behind) / std::max(event.features.speed, minimumSpeed);
   return std::max(0.0, event.features.energy[band] - event.features.noise[band]) / seconds;
 }
 
@@ -78,26 +71,26 @@ std::string row(const DetectionReport& report, std::size_t index) {
   const auto& combined = report.events[index];
   const auto& event = combined.event;
   const auto& judged = event.judgement;
-  std::vector<std::string> cells{fixed(event.position, 3),
-                                 fixed(event.time, 5),
+  std::vector<std::string> cells{text::fixedText(event.position, 3),
+                                 text::fixedText(event.time, 5),
                                  report.records[combined.records.front()].layout.path,
                                  event.channel,
                                  toText(event.kind),
-                                 fixed(event.sureness, 2),
+                                 text::fixedText(event.sureness, 2),
                                  isSquat(event) ? toText(judged.severity) : "",
-                                 fixed(event.score, 1),
-                                 fixed(event.peak, 1),
-                                 fixed(event.features.speed, 2)};
-  for (std::size_t b = 0; b < bandCount; ++b) cells.push_back(fixed(powerOf(event, b), 2));
-  cells.push_back(event.features.wavelength > 0 ? fixed(1e3 * event.features.wavelength, 1) : "");
+                                 text::fixedText(event.score, 1),
+                                 text::fixedText(event.peak, 1),
+                                 text::fixedText(event.features.speed, 2)};
+  for (std::size_t b = 0; b < bandCount; ++b) cells.push_back(text::fixedText(powerOf(event, b), 2));
+  cells.push_back(event.features.wavelength > 0 ? text::fixedText(1e3 * event.features.wavelength, 1) : "");
   for (const double length : {judged.length, judged.lengthLow, judged.lengthHigh})
-    cells.push_back(isSquat(event) ? fixed(1e3 * length, 0) : "");
+    cells.push_back(isSquat(event) ? text::fixedText(1e3 * length, 0) : "");
   for (const double depth : {judged.depth, judged.depthLow, judged.depthHigh})
-    cells.push_back(isSquat(event) ? fixed(1e3 * depth, 3) : "");
+    cells.push_back(isSquat(event) ? text::fixedText(1e3 * depth, 3) : "");
   cells.push_back(std::to_string(event.passes));
   cells.push_back(std::to_string(event.passesThere));
-  cells.push_back(fixed(event.latitude, 7));
-  cells.push_back(fixed(event.longitude, 7));
+  cells.push_back(text::fixedText(event.latitude, 7));
+  cells.push_back(text::fixedText(event.longitude, 7));
   cells.push_back(event.reason);
   cells.push_back(passageFile(report, index));
   std::string text;
@@ -180,7 +173,7 @@ std::string passageCsv(const Event& event) {
 std::string labelsCsv(const std::vector<SeenEvent>& seen) {
   std::string text = "position [m],channel,kind,severity\n";
   for (const auto& one : seen)
-    text += fixed(one.position, 3) + "," + text::csvField(one.channel) + "," + toText(one.kind) + "," +
+    text += text::fixedText(one.position, 3) + "," + text::csvField(one.channel) + "," + toText(one.kind) + "," +
             (one.kind == Kind::squat ? toText(one.severity) : std::string()) + "\n";
   return text;
 }

@@ -8,26 +8,22 @@
 
 namespace squat::detection {
 
+using text::formatted;
+
 namespace {
 
-std::string decimals(double value, const char* format) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 std::string rangeText(double value, double low, double high, double factor, const char* format) {
-  return decimals(factor * value, format) + " (" + decimals(factor * low, format) + "-" +
-         decimals(factor * high, format) + ")";
+  return formatted(format, factor * value) + " (" + formatted(format, factor * low) + "-" +
+         formatted(format, factor * high) + ")";
 }
 
 std::vector<std::string> cellsOf(const Event& event) {
   const bool isSquat = event.kind == Kind::squat;
   const auto& judged = event.judgement;
-  return {decimals(event.position, "%.2f"),
+  return {formatted("%.2f", event.position),
           event.channel,
           toText(event.kind),
-          decimals(100 * event.sureness, "%.0f %%"),
+          formatted("%.0f %%", 100 * event.sureness),
           isSquat ? toText(judged.severity) : event.reason,
           isSquat ? rangeText(judged.length, judged.lengthLow, judged.lengthHigh, 1e3, "%.0f") : "",
           isSquat ? rangeText(judged.depth, judged.depthLow, judged.depthHigh, 1e3, "%.2f") : "",
@@ -43,7 +39,7 @@ std::string faultText(const RecordDetection& record) {
   std::string text;
   for (std::size_t i = 0; i < std::min(shown, record.faults.size()); ++i) {
     const auto& fault = record.faults[i];
-    text += path + ", " + decimals(fault.time, "%.3f s") + ", " + decimals(fault.position, "%.1f m") + ": " +
+    text += path + ", " + formatted("%.3f s", fault.time) + ", " + formatted("%.1f m", fault.position) + ": " +
             fault.text + ". " + fault.advice + "\n";
   }
   if (record.faults.size() > shown)
@@ -56,9 +52,9 @@ std::string detectionSummary(const DetectionReport& report) {
   std::string text;
   for (const auto& record : report.records) {
     const auto channels = record.channels.size();
-    text += record.layout.path + ": " + decimals(record.length, "%.1f m") + " in " +
-            decimals(record.duration, "%.1f s") + ", " + std::to_string(channels) +
-            (channels == 1 ? " channel at " : " channels at ") + decimals(record.layout.rate, "%.0f Hz") + "\n";
+    text += record.layout.path + ": " + formatted("%.1f m", record.length) + " in " +
+            formatted("%.1f s", record.duration) + ", " + std::to_string(channels) +
+            (channels == 1 ? " channel at " : " channels at ") + formatted("%.0f Hz", record.layout.rate) + "\n";
   }
   text += "kinds and severities from: " + report.examples + "\n\n";
   if (report.events.empty()) return text + "nothing that stands out of its surroundings\n";

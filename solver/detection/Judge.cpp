@@ -11,7 +11,7 @@ namespace {
 
 constexpr double speedSpread = 0.15;    // of the logarithm of the speed: what two speeds have in common
 constexpr double sharedEvidence = 0.5;  // events of a record are not independent looks at its vehicle
-constexpr double leastVehicleWeight = 0.02;
+constexpr double minimumVehicleWeight = 0.02;
 constexpr std::size_t kinds = 6;
 
 // Logarithm of a normal density of log10 energies, band by band added: each band has a variance of its own, and all
@@ -151,7 +151,7 @@ std::vector<double> Judge::vehicleWeights(const std::vector<std::vector<double>>
       logs[v] += sharedEvidence * std::clamp(logSum(ofVehicle[v]) - all, -3.0, 3.0);
   }
   const double sum = logSum(logs), n = static_cast<double>(vehicles_.size());
-  for (auto& value : logs) value = std::exp(value - sum) * (1 - leastVehicleWeight) + leastVehicleWeight / n;
+  for (auto& value : logs) value = std::exp(value - sum) * (1 - minimumVehicleWeight) + minimumVehicleWeight / n;
   return logs;
 }
 

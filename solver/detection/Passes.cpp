@@ -10,8 +10,8 @@
 namespace squat::detection {
 namespace {
 
-constexpr double samePlace = 0.35;   // [m] events of two passes, once moved, that are one
-constexpr double largestShift = 10;  // [m] between the counters of two passes
+constexpr double sameLocation = 0.35;  // [m] events of two passes, once moved, that are one
+constexpr double largestShift = 10;    // [m] between the counters of two passes
 
 struct Extent {
   double first = 0, last = 0;
@@ -47,7 +47,7 @@ double shiftOnto(const std::vector<double>& fixed, const std::vector<double>& mo
   std::sort(shifts.begin(), shifts.end());
   std::size_t best = 1, from = 0, bestFrom = 0;
   for (std::size_t to = 0; to < shifts.size(); ++to) {
-    while (shifts[to] - shifts[from] > samePlace) ++from;
+    while (shifts[to] - shifts[from] > sameLocation) ++from;
     if (to - from + 1 > best) best = to - from + 1, bestFrom = from;
   }
   if (best < 2) return 0;
@@ -129,7 +129,7 @@ std::vector<CombinedEvent> combine(const std::vector<RecordDetection>& detection
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (isTaken[i]) continue;
     std::vector<Found> group{all[i]};
-    for (std::size_t k = i + 1; k < all.size() && all[k].position - all[i].position < samePlace; ++k) {
+    for (std::size_t k = i + 1; k < all.size() && all[k].position - all[i].position < sameLocation; ++k) {
       const bool isOther =
           std::none_of(group.begin(), group.end(), [&](const Found& f) { return f.record == all[k].record; });
       if (isTaken[k] || !isOther || all[k].event->channel != all[i].event->channel) continue;

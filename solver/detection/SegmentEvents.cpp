@@ -60,9 +60,9 @@ Event eventAt(const Segment& segment, std::size_t channel, const std::vector<dou
   event.time = series.timeAt(sample);
   event.position = segment.position[sample];
   event.travelled = travelled[candidate.anchor];
-  const bool hasPlace = !segment.latitude.empty() && !segment.longitude.empty();
-  event.latitude = hasPlace ? segment.latitude[sample] : std::numeric_limits<double>::quiet_NaN();
-  event.longitude = hasPlace ? segment.longitude[sample] : std::numeric_limits<double>::quiet_NaN();
+  const bool hasCoordinates = !segment.latitude.empty() && !segment.longitude.empty();
+  event.latitude = hasCoordinates ? segment.latitude[sample] : std::numeric_limits<double>::quiet_NaN();
+  event.longitude = hasCoordinates ? segment.longitude[sample] : std::numeric_limits<double>::quiet_NaN();
   event.score = candidate.score;
   const double perSample = segment.speed[sample] * series.step;
   const auto ahead = static_cast<std::size_t>(0.5 / perSample), behind = static_cast<std::size_t>(1.0 / perSample);
@@ -128,7 +128,7 @@ SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double 
   const auto evidence = evidenceOf(power, series.rate(), speed, silentCells(series, power));
   for (const auto& candidate : candidatesIn(power, evidence, travelled, threshold)) {
     const double time = power.timeAt(candidate.anchor);
-    if (time < segment.coreStart || time >= segment.coreEnd || speed[candidate.anchor] < leastSpeed) continue;
+    if (time < segment.coreStart || time >= segment.coreEnd || speed[candidate.anchor] < minimumSpeed) continue;
     auto event = eventAt(segment, channel, travelled, power, candidate);
     event.features = eventFeatures(power, evidence, series.rate(), speed, travelled, candidate.anchor);
     found.events.push_back(std::move(event));

@@ -19,9 +19,9 @@ struct SegmentEvents {
   std::vector<Piece> pieces;
 };
 
-// Stretches slower than `leastSpeed` are passed over: a wheel that barely moves excites nothing that can be judged.
-inline constexpr double leastSpeed = 3;   // [m/s]
-inline constexpr double pieceLength = 1;  // [m]
+// Stretches slower than `minimumSpeed` are passed over: a wheel that barely moves excites nothing that can be judged.
+inline constexpr double minimumSpeed = 3;  // [m/s]
+inline constexpr double pieceLength = 1;   // [m]
 
 SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold);
 

@@ -4,28 +4,23 @@
 #include <cmath>
 
 #include "signals/DecimatingFilter.h"
+#include "signals/Median.h"
 
 namespace squat::detection {
 namespace {
 
 constexpr double highestFrequency = 2000;  // [Hz] that is looked at
-constexpr double leastRate = 5000;         // [Hz] that shows it, with room for the filter's edge
+constexpr double minimumRate = 5000;       // [Hz] that shows it, with room for the filter's edge
 
 std::size_t factorFor(double rate) {
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(rate / leastRate * (1 + 1e-9))));
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::floor(rate / minimumRate * (1 + 1e-9))));
 }
 
 // An offset of the sensor would ring at the ends of the stretch.
 void takeOffsetAway(std::vector<double>& values) {
   std::vector<double> some;
   for (std::size_t i = 0; i < values.size(); i += 16) some.push_back(values[i]);
-  const double offset = medianOf(std::move(some));
+  const double offset = signals::median(std::move(some));
   for (auto& value : values) value -= offset;
 }
 

@@ -8,7 +8,7 @@ namespace squat::detection {
 namespace {
 
 constexpr double positionTolerance = 0.06;  // [m] of a strike: half of what an event's place scatters by
-constexpr std::size_t leastStrikes = 4;
+constexpr std::size_t minimumStrikes = 4;
 
 double strengthOf(const Event& event) {
   double sum = 0;
@@ -41,7 +41,7 @@ std::vector<std::vector<std::size_t>> chains(const std::vector<Event>& events, d
       isTaken[k] = true;
       chain.push_back(k);
     }
-    if (chain.size() >= leastStrikes) found.push_back(std::move(chain));
+    if (chain.size() >= minimumStrikes) found.push_back(std::move(chain));
   }
   return found;
 }
@@ -55,11 +55,11 @@ std::size_t strikes(const std::vector<Event>& events, double circumference) {
 double likeliestCircumference(const std::vector<Event>& events, const SurroundingsOptions& options) {
   if (options.circumference > 0) return options.circumference;
   double best = 0;
-  std::size_t most = leastStrikes;
+  std::size_t maximum = minimumStrikes;
   // Steps that a chain of four does not miss.
-  for (double length = options.leastCircumference; length <= options.largestCircumference; length += 0.01) {
+  for (double length = options.minimumCircumference; length <= options.largestCircumference; length += 0.01) {
     const auto count = strikes(events, length);
-    if (count > most || (best == 0 && count >= most)) best = length, most = count;
+    if (count > maximum || (best == 0 && count >= maximum)) best = length, maximum = count;
   }
   return best;
 }

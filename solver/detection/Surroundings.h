@@ -10,7 +10,7 @@ namespace squat::detection {
 struct SurroundingsOptions {
   // [m] of the wheel; 0: found, between these two.
   double circumference = 0;
-  double leastCircumference = 2.0, largestCircumference = 3.4;
+  double minimumCircumference = 2.0, largestCircumference = 3.4;
 };
 
 // A wheel flat strikes once a turn: four events or more, of which each has another one circumference away (two where

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "elasticity/SelectiveInertia.h"
+#include "elasticity/SelectiveMassScaling.h"
 #include "model/ContactPenalty.h"
 
 namespace squat::dynamics {

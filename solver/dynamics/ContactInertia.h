@@ -17,7 +17,7 @@
 // Masses that come and go may be heavy only so far: where stiff penalties asked for 30 (tiny) to 150 (draft) layers of
 // elements, runs did not close their energy balance or broke off. Beyond ten layers the step is shortened instead
 // (StableStep). Where short waves have more inertia, blocks with such nodes have a filter of their own, orthogonal in M
-// + D: the effective mass grows by D at least (SelectiveInertia.h).
+// + D: the effective mass grows by D at least (SelectiveMassScaling.h).
 #pragma once
 
 #include <array>
@@ -60,8 +60,8 @@ class ContactInertia {
   double addedAngularVelocity(const double* velocity, double cosine, double sine) const;
 
  private:
-  static constexpr int most = elasticity::maximumRows * elasticity::maximumStations;
-  using Areas = std::array<double, most>;  // [m2] per node of a cluster and station
+  static constexpr int maximum = elasticity::maximumRows * elasticity::maximumStations;
+  using Areas = std::array<double, maximum>;  // [m2] per node of a cluster and station
   // A cluster on stations that share their inertia, where the patch touches it.
   struct Touched {
     int key = 0;  // cluster * units + unit of the first station

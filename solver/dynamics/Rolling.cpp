@@ -94,7 +94,7 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
     with.evenInverse = evenInverse_.back().data();
     with.slave = model.slave[b].data();
     with.force = forces_.data() + model.loaded[b].offset;
-    // Along a line gravity is the same everywhere; who is held there is held after each step (hold()).
+    // Along a line gravity is the same everywhere; what is fixed there is fixed after each step (fix()).
     if (block.kind == elasticity::SweepKind::aroundAxis)
       with.acceleration = acceleration_[b].data();
     else
@@ -126,7 +126,7 @@ void Rolling::start(const AlignedVector& displacement, const AlignedVector& velo
 void Rolling::restore(RollingState state) {
   state_ = std::move(state);
   nearUntil_ = state_.step;
-  hold(model_.fixed);
+  fix(model_.fixed);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   layerForces_ = plasticity::layerForces(model_.layer, layerKernels_, state_.plastic);
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
@@ -245,7 +245,7 @@ void Rolling::pushWheelset() {
   }
 }
 
-void Rolling::hold(const std::vector<std::size_t>& unknowns) {
+void Rolling::fix(const std::vector<std::size_t>& unknowns) {
   for (const auto index : unknowns) state_.velocity[index] = 0, state_.displaced[index] = 0;
 }
 

@@ -77,7 +77,7 @@ class Rolling {
         if (!wheelsetOfOne_) team_.barrier();
         passTieForces(index);
         advanceMasters(index);
-        hold(fixedOf_[index]);
+        fix(fixedOf_[index]);
         team_.barrier();
       }
     });
@@ -116,7 +116,7 @@ class Rolling {
   void passTieForces(int index);
   void advanceMasters(int index);
   void finishStep();
-  void hold(const std::vector<std::size_t>& unknowns);
+  void fix(const std::vector<std::size_t>& unknowns);
   void listNearPoints(const contact::WheelPlacement& wheel);
   void touch();
   void pushHub();

@@ -1,4 +1,4 @@
-// Who does what of a step: stations, ties, held unknowns and force elements shared among the threads.
+// Who does what of a step: stations, ties, fixed degrees of freedom and force elements shared among the threads.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -68,10 +68,10 @@ void Rolling::requireWholeSleepers() const {
 // does it there. Who advances a master's stations serves them.
 void Rolling::shareTies() {
   slaveShares_.resize(static_cast<std::size_t>(team_.size()));
-  std::size_t most = 0;
-  for (const auto& tie : model_.ties) most = std::max(most, elasticity::tieWorkspace(tie));
+  std::size_t maximum = 0;
+  for (const auto& tie : model_.ties) maximum = std::max(maximum, elasticity::tieWorkspace(tie));
   for (int index = 0; index < team_.size(); ++index) {
-    tieWorkspaces_.emplace_back(most, 0.0);
+    tieWorkspaces_.emplace_back(maximum, 0.0);
     auto& placed = slaveShares_[static_cast<std::size_t>(index == 0 ? team_.size() - 1 : index)];
     tieShares_.emplace_back();
     for (std::size_t t = 0; t < model_.ties.size(); ++t) {

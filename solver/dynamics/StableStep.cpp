@@ -8,7 +8,7 @@
 
 #include "core/OrderedSum.h"
 #include "dynamics/ContactInertia.h"
-#include "elasticity/SelectiveInertia.h"
+#include "elasticity/SelectiveMassScaling.h"
 #include "model/StaticOperator.h"
 
 namespace squat::dynamics {
@@ -161,7 +161,7 @@ double dampingOf(const model::Model& model, model::StaticOperator& op, const Hig
   return 2 * damping.fraction / std::sqrt(eigenvalue);
 }
 
-std::string placeOf(const model::Model& model, std::size_t unknown) {
+std::string locationOf(const model::Model& model, std::size_t unknown) {
   return model::partName(model, unknown) + "; " + model::locationName(model, unknown);
 }
 
@@ -198,7 +198,7 @@ StableStep stableStep(const model::Model& model, const elasticity::KernelSet& ke
     bound = shorter;
     by = ", by its dampers";
   }
-  if (!monitor.cancelled()) result.location = placeOf(model, whereHighest(op, accelerations, highest.value)) + by;
+  if (!monitor.cancelled()) result.location = locationOf(model, whereHighest(op, accelerations, highest.value)) + by;
   if (const double byContact = stepFor(eigenvalueOfStiffContact(model.scenario)); byContact < bound) {
     bound = byContact;
     result.location = "the contact, by its penalties";

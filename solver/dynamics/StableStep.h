@@ -1,7 +1,7 @@
 // solver/dynamics/StableStep.h - the largest stable step of the central difference, from the assembled operator:
 // solids, ties, force elements by their stiffest tangents, dashpots. Contact shortens it only where penalties are so
 // stiff that the mass which answers for them would be too heavy: see ContactInertia.h. Short waves count with the
-// inertia that the case gives them: see SelectiveInertia.h.
+// inertia that the case gives them: see SelectiveMassScaling.h.
 #pragma once
 
 #include <string>

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "elasticity/SelectiveInertia.h"
+#include "elasticity/SelectiveMassScaling.h"
 
 namespace squat::elasticity {
 
@@ -37,7 +37,7 @@ int bestToJoin(const SweptBlock& block, const std::vector<std::vector<int>>& clo
   for (const int n : cluster)
     for (int k = 0; k < 2; ++k) middle[k] += block.section.nodes[n][k] / static_cast<double>(cluster.size());
   int best = -1;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const int n : cluster)
     for (const int other : close[n]) {
       if (taken[other]) continue;
@@ -46,20 +46,20 @@ int bestToJoin(const SweptBlock& block, const std::vector<std::vector<int>>& clo
       });
       const double far = distance(block.section.nodes[other], middle);
       const double badness = far * far / (1 + 0.3 * static_cast<double>(links));
-      if (badness < least) least = badness, best = other;
+      if (badness < minimum) minimum = badness, best = other;
     }
   return best;
 }
 
 Clusters grow(const SweptBlock& block, const std::vector<std::vector<int>>& close, const std::vector<int>& starts,
-              std::size_t most) {
+              std::size_t maximum) {
   Clusters clusters;
   std::vector<unsigned char> taken(static_cast<std::size_t>(block.nodes), 0);
   for (const int start : starts) {
     if (taken[start] || close[start].empty()) continue;
     std::vector<int> cluster{start};
     taken[start] = 1;
-    while (cluster.size() < most) {
+    while (cluster.size() < maximum) {
       const int next = bestToJoin(block, close, cluster, taken);
       if (next < 0) break;
       cluster.push_back(next), taken[next] = 1;
@@ -70,7 +70,7 @@ Clusters grow(const SweptBlock& block, const std::vector<std::vector<int>>& clos
 }
 
 // The section in plane strain and shear: what every station of a uniform wave of infinite length does. Nodes that stay
-// alone are held: they follow others.
+// alone are fixed: they follow others.
 class PlaneSection {
  public:
   PlaneSection(const SweptBlock& block, const std::vector<unsigned char>& moves) : block_(block), moves_(moves) {
@@ -162,15 +162,15 @@ Clusters sectionClusters(const SweptBlock& block, const std::function<bool(int)>
     for (int k = 0; k < 4; ++k)
       shortest = std::min(shortest, distance(block.section.nodes[quad[k]], block.section.nodes[quad[(k + 1) % 4]]));
   Clusters best;
-  double least = plane.highestEigenvalue({});
+  double minimum = plane.highestEigenvalue({});
   for (const double reach : {2.2, 3.0, 4.0, 6.0})
-    for (const std::size_t most : {16u, 18u, 20u, 22u, 24u, 26u, 28u, 30u, 32u}) {
+    for (const std::size_t maximum : {16u, 18u, 20u, 22u, 24u, 26u, 28u, 30u, 32u}) {
       const auto close = closeNeighbours(block, joins, reach * shortest);
       std::vector<int> starts = block.order.nodes;
       for (int turn = 0; turn < 2; ++turn, std::reverse(starts.begin(), starts.end())) {
-        Clusters trial = grow(block, close, starts, most);
+        Clusters trial = grow(block, close, starts, maximum);
         const double highest = plane.highestEigenvalue(trial);
-        if (highest < least) least = highest, best = std::move(trial);
+        if (highest < minimum) minimum = highest, best = std::move(trial);
       }
     }
   std::vector<unsigned char> alone = joins;

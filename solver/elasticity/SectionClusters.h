@@ -1,4 +1,4 @@
-// solver/elasticity/SectionClusters.h - which section nodes share the inertia of short waves (SelectiveInertia.h).
+// solver/elasticity/SectionClusters.h - which section nodes share the inertia of short waves (SelectiveMassScaling.h).
 #pragma once
 
 #include <functional>

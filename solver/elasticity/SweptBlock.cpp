@@ -63,9 +63,9 @@ std::array<int, 2> middleAndFar(const geometry::SectionMesh& section) {
       area += cross / 2, b += cross * (p[0] + q[0]) / 6, c += cross * (p[1] + q[1]) / 6;
     }
   const auto away = [&](const geometry::Point2& p) { return std::hypot(p[0] - b / area, p[1] - c / area); };
-  const auto [least, most] = std::minmax_element(section.nodes.begin(), section.nodes.end(),
-                                                 [&](const auto& p, const auto& q) { return away(p) < away(q); });
-  return {static_cast<int>(least - section.nodes.begin()), static_cast<int>(most - section.nodes.begin())};
+  const auto [minimum, maximum] = std::minmax_element(section.nodes.begin(), section.nodes.end(),
+                                                      [&](const auto& p, const auto& q) { return away(p) < away(q); });
+  return {static_cast<int>(minimum - section.nodes.begin()), static_cast<int>(maximum - section.nodes.begin())};
 }
 
 AlignedVector stationMass(const SweptBlock& block) {
@@ -137,7 +137,7 @@ void prepareBlock(SweptBlock& block) {
   block.middle = middle, block.far = far;
   block.lowest = std::min_element(block.section.nodes.begin(), block.section.nodes.end())->front();
   block.stationMass = stationMass(block);
-  block.inertia = selectiveInertia(block);
+  block.inertia = selectiveMassScaling(block);
 }
 
 double massOfInterval(const SweptBlock& block, double length) {

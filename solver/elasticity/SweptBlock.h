@@ -24,7 +24,7 @@
 #include "core/AlignedVector.h"
 #include "elasticity/Hexahedron.h"
 #include "elasticity/SectionOrder.h"
-#include "elasticity/SelectiveInertia.h"
+#include "elasticity/SelectiveMassScaling.h"
 #include "elasticity/SweptKernel.h"
 #include "geometry/SectionMesh.h"
 #include "geometry/Stations.h"
@@ -56,7 +56,7 @@ struct SweptBlock {
   scenario::Material material;
   double lean = 0;  // [rad] alongX: the section, and b and c with it, turned about x, its top towards -y
   // Section nodes that share the inertia of short waves, and the longest intervals (in the unit of the stations) that
-  // do so along the sweep; no clusters: none (SelectiveInertia.h, SectionClusters.h).
+  // do so along the sweep; no clusters: none (SelectiveMassScaling.h, SectionClusters.h).
   std::vector<std::vector<int>> clusters;
   double shortLength = 0;
   // Per station, what is left of the section's extent in b above its lowest node; empty: all of it. Positions and
@@ -80,7 +80,7 @@ struct SweptBlock {
   std::vector<std::array<int, 2>> runIntervals;        // per run: first interval and one past the last
   double lowest = 0;                                   // [m] b of the lowest section node
   int middle = 0, far = 0;                             // section nodes next to the centre of mass and farthest from it
-  SelectiveInertia inertia;
+  SelectiveMassScaling inertia;
 
   std::size_t lines() const { return static_cast<std::size_t>(nodes) * 3; }
   std::size_t chunkSize() const { return lines() * chunk; }

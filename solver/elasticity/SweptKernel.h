@@ -18,9 +18,9 @@ constexpr int advancedPerRow = 2;  // nodes that are advanced after each row: th
 // Between the force and the velocity of a node stand its accelerations times its station's mass (SweptBlock.h): for
 // nodes with a mass of the section alone that is their force times one number (evenInverse).
 
-// SelectiveInertia: clusters share their inertia with 16 stations, [16 k, 16 k + 16), where these are of one run, else
-// with eight. What is kept along the sweep, two fields: their weights in both amplitudes, then both fields, a line of
-// stations each. Where a run's stand: on eight and on 16 stations; of the run's first group, which shares a station
+// SelectiveMassScaling: clusters share their inertia with 16 stations, [16 k, 16 k + 16), where these are of one run,
+// else with eight. What is kept along the sweep, two fields: their weights in both amplitudes, then both fields, a line
+// of stations each. Where a run's stand: on eight and on 16 stations; of the run's first group, which shares a station
 // with the run before, and of the others.
 constexpr int stationUnit = 8, maximumStations = 16, keptAlong = 2;
 constexpr int projectionLocation[2][2] = {{0, 32}, {64, 128}}, projectionsSize = 192;
@@ -31,9 +31,9 @@ struct KernelRun {
   double length = 0;                          // in the unit of the stations
   const double* coefficients = nullptr;       // in the order of the rows
   const float* singleCoefficients = nullptr;  // the same
-  const double* along = nullptr;              // SelectiveInertia: projections along the sweep (of accelerations times
-                                              // station mass), or null
-  const float* singleAlong = nullptr;         // the same
+  const double* along = nullptr;       // SelectiveMassScaling: projections along the sweep (of accelerations times
+                                       // station mass), or null
+  const float* singleAlong = nullptr;  // the same
 };
 
 // Places [first, end) whose nodes share the inertia of short waves.
@@ -100,7 +100,7 @@ struct KernelCall {
   double angularAcceleration = 0;           // [rad/s2] added times radius to a
   double step = 0, beta = 0;                // [s]
   double cosine = 1, sine = 0;              // of the angle by which the local basis turns in this step
-  const KernelCluster* clusters = nullptr;  // SelectiveInertia, as are the next four
+  const KernelCluster* clusters = nullptr;  // SelectiveMassScaling, as are the next four
   int clusterCount = 0;
   const double* clusterWeights = nullptr;
   const float* singleClusterWeights = nullptr;

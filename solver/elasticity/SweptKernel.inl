@@ -24,16 +24,16 @@ inline bool halvesAreEven(const KernelRun* run, int first, int count) {
 // at the end of a stretch narrower ones, each within one run.
 template <typename Whole, typename Piece>
 inline void findParts(const KernelCall& call, Group<typename Whole::Real>& group) {
-  constexpr int most = wide<Whole> * Whole::lanes, least = narrow<Piece> * Piece::lanes;
-  static_assert(most % least == 0 && chunk % most == 0);
+  constexpr int maximum = wide<Whole> * Whole::lanes, minimum = narrow<Piece> * Piece::lanes;
+  static_assert(maximum % minimum == 0 && chunk % maximum == 0);
   const KernelRun* run = call.runs;
   for (int from = 0; from < group.count;) {
     auto& part = group.part[group.parts++];
-    int width = most;
+    int width = maximum;
     while (run->last <= group.at + from) ++run;
     const int inRun = run->last - group.at - from;
-    while (width > group.count - from || (width > least && from % Whole::lanes != 0)) width /= 2;
-    part.isMixed = width == most && inRun < most && !halvesAreEven(run, group.at + from, most);
+    while (width > group.count - from || (width > minimum && from % Whole::lanes != 0)) width /= 2;
+    part.isMixed = width == maximum && inRun < maximum && !halvesAreEven(run, group.at + from, maximum);
     while (!part.isMixed && width > inRun) width /= 2;
     part.offset = from, part.width = width;
     const KernelRun* here = run;

@@ -1,4 +1,4 @@
-// More inertia for short waves, as the kernels apply it (SelectiveInertia.h); after SweptKernelVectors.inl.
+// More inertia for short waves, as the kernels apply it (SelectiveMassScaling.h); after SweptKernelVectors.inl.
 namespace squat::elasticity {
 namespace {
 
@@ -107,11 +107,11 @@ inline void filterBlock(Real (*rows)[3][chunk], int count, const Real* values, R
   });
 }
 
-// Accelerations of a cluster's nodes, times station mass, short waves slowed (SelectiveInertia.h).
+// Accelerations of a cluster's nodes, times station mass, short waves slowed (SelectiveMassScaling.h).
 template <typename Whole, typename Piece, typename Real = typename Piece::Real>
 inline void slowCluster(const KernelCall& call, const Group<Real>& group, int index, Real (*rows)[3][chunk]) {
   // As many of the widest vectors as leave the sums of three fields in registers.
-  constexpr int vectors = chunk / Whole::lanes < 4 ? chunk / Whole::lanes : 4, most = vectors * Whole::lanes;
+  constexpr int vectors = chunk / Whole::lanes < 4 ? chunk / Whole::lanes : 4, maximum = vectors * Whole::lanes;
   const auto& own = call.clusters[index];
   const int count = own.end - own.first;
   const Real* weights = clusterWeightsOf(call, Real{}) + 6 * static_cast<std::size_t>(own.first);
@@ -127,7 +127,7 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
       for (int i = 0; i < count; ++i)
         for (int s = 0; s < group.count; ++s) before[i][s] = rows[i][c][s] / static_cast<Real>(stationMass[s]);
     int at = 0;
-    for (; at + most <= group.count; at += most) amplitudes<Whole, vectors>(rows, count, weights, c, at, sums);
+    for (; at + maximum <= group.count; at += maximum) amplitudes<Whole, vectors>(rows, count, weights, c, at, sums);
     for (; at < group.count; at += Piece::lanes) amplitudes<Piece, 1>(rows, count, weights, c, at, sums);
     for (at = 0; at < group.count; at += stationUnit) {
       const Real* projection = group.along[at / stationUnit];
@@ -137,7 +137,7 @@ inline void slowCluster(const KernelCall& call, const Group<Real>& group, int in
       else
         projectAlong<Piece, stationUnit>(sums, projection, at);
     }
-    for (at = 0; at + most <= group.count; at += most)
+    for (at = 0; at + maximum <= group.count; at += maximum)
       keepFields<Whole, vectors>(rows, count, weights, share, c, at, sums);
     for (; at < group.count; at += Piece::lanes) keepFields<Piece, 1>(rows, count, weights, share, c, at, sums);
     if (hasOwn)

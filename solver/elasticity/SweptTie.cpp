@@ -203,16 +203,17 @@ void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& block
 
 void interpolateSlaves(const SweptTie& tie, const std::vector<SweptBlock>& blocks, double* state, double* workspace,
                        StationSpan span) {
-  constexpr int most = tieStations;
+  constexpr int maximum = tieStations;
   const auto &slave = blocks[tie.slaveBlock], &master = blocks[tie.masterBlock];
-  for (int from = span.first; from < span.last; from += most) {
-    const int count = std::min(most, span.last - from);
+  for (int from = span.first; from < span.last; from += maximum) {
+    const int count = std::min(maximum, span.last - from);
     for (std::size_t j = 0; j < tie.columns.size(); ++j)
-      interpolateColumn(tie, tie.columns[j], master, state, from, count, workspace + 3 * j * most);
+      interpolateColumn(tie, tie.columns[j], master, state, from, count, workspace + 3 * j * maximum);
     for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
       for (int c = 0; c < 3; ++c) {
         const auto line = slave.line(state, tie.slaveNodes[i], c);
-        for (int k = from + most; k < std::min(from + 2 * most, span.last); k += 8) __builtin_prefetch(&line[k], 1, 2);
+        for (int k = from + maximum; k < std::min(from + 2 * maximum, span.last); k += 8)
+          __builtin_prefetch(&line[k], 1, 2);
         interpolateLine(tie, i, c, workspace, from, count, line);
       }
   }

@@ -63,27 +63,27 @@ void passColumn(const SweptTie& tie, const SweptTie::Column& column, const doubl
 template <typename SlaveLine, typename MasterLine>
 void transferForces(const SweptTie& tie, double sign, const SlaveLine& slaveLine, const MasterLine& masterLine,
                     double* workspace, int firstMaster, int lastMaster, const std::vector<StationSpan>& spans) {
-  constexpr int most = tieStations;  // a few stations at a time: lines are read and written in long pieces
+  constexpr int maximum = tieStations;  // a few stations at a time: lines are read and written in long pieces
   const std::size_t sums = 3 * tie.columns.size();
   const auto endOf = [&](int station) { return tie.stretchEnd[tie.stretchOf[station]]; };
   for (const auto& span : spans)
     for (int from = span.first, end = from; from < span.last; from = end) {
-      while (end < span.last && endOf(end) - from <= most) end = endOf(end);
+      while (end < span.last && endOf(end) - from <= maximum) end = endOf(end);
       const int count = end - from;
-      std::fill(workspace, workspace + sums * most, 0.0);
+      std::fill(workspace, workspace + sums * maximum, 0.0);
       for (std::size_t i = 0; i < tie.slaveNodes.size(); ++i)
         for (int c = 0; c < 3; ++c) {
           const auto line = slaveLine(static_cast<int>(i), c);
-          for (int k = end; k < std::min(end + most, span.last); k += 8) __builtin_prefetch(&line[k], 0, 2);
-          double force[most];
+          for (int k = end; k < std::min(end + maximum, span.last); k += 8) __builtin_prefetch(&line[k], 0, 2);
+          double force[maximum];
           for (int k = 0; k < count; ++k) force[k] = line[from + k];
           for (int e = tie.entryStart[i]; e < tie.entryStart[i + 1]; ++e) {
-            double* sum = workspace + (3 * static_cast<std::size_t>(tie.entryColumn[e]) + c) * most;
+            double* sum = workspace + (3 * static_cast<std::size_t>(tie.entryColumn[e]) + c) * maximum;
             addTimes(sign * tie.entryWeight[e], force, count, sum);
           }
         }
       for (std::size_t j = 0; j < tie.columns.size(); ++j)
-        passColumn(tie, tie.columns[j], workspace + 3 * j * most, from, end, masterLine, firstMaster, lastMaster);
+        passColumn(tie, tie.columns[j], workspace + 3 * j * maximum, from, end, masterLine, firstMaster, lastMaster);
     }
 }
 

@@ -91,7 +91,7 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
       accelerations[3 * n + c] = total * inverse;
     }
   }
-  slowShortWavesAcross(block, accelerations);
+  scaleMassAcross(block, accelerations);
   for (int n = 0; n < block.nodes; ++n) {
     if (with.slave[n]) continue;
     for (int c = 0; c < 3; ++c) {
@@ -134,9 +134,9 @@ std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& block
 }
 
 KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
-  int most = 0, window = 0, slots = 0;
+  int maximum = 0, window = 0, slots = 0;
   for (const auto& block : blocks) {
-    most = std::max(most, block.nodes), window = std::max(window, block.order.window);
+    maximum = std::max(maximum, block.nodes), window = std::max(window, block.order.window);
     slots = std::max(slots, block.order.forceSlots);
   }
   for (const auto& block : blocks) {
@@ -151,8 +151,8 @@ KernelScratch::KernelScratch(const std::vector<SweptBlock>& blocks) {
   }
   workspace.assign(kernelWorkspace(window), 0.0);
   waiting.assign(forceWorkspace(slots), 0.0);
-  carry.assign(static_cast<std::size_t>(most) * 3 + 8, 0.0);
-  lastAccelerations.assign(static_cast<std::size_t>(most) * 3, 0.0);
+  carry.assign(static_cast<std::size_t>(maximum) * 3 + 8, 0.0);
+  lastAccelerations.assign(static_cast<std::size_t>(maximum) * 3, 0.0);
 }
 
 void applySegments(const std::vector<Segment>& segments, const std::vector<SweptBlock>& blocks,

@@ -109,13 +109,13 @@ class Estimation {
     estimate_.profile = profileWithBounds(profile, best, radius_);
     const auto extent = extentOf(profile, best);
     estimate_.depth = extent.depth, estimate_.length = extent.length;
-    // Ends are told no better than to the distance of the knots.
+    // Ends are known no better than to the distance of the knots.
     estimate_.length.low = std::max(0.0, estimate_.length.low - spacing()), estimate_.length.high += spacing();
     estimate_.misfit = search.misfit();
     const auto points = profile.points(search.best().unknowns.head(profile.unknowns()));
     estimate_.description = withProfile(case_, points);
     estimate_.description.motion.speed = speeds_.front();
-    const cases::DefectSurface surface(estimate_.description.defect);
+    const auto surface = cases::surfaceOf(estimate_.description);
     for (const auto& point :
          cases::rigidWheelPath(surface, radius_, surface.first(), surface.last(), SmoothProfile::sampleStep))
       estimate_.depthOfPath = std::max(estimate_.depthOfPath, -point.height);
@@ -158,16 +158,16 @@ class Estimation {
       estimate_.complete = false;
       return;
     }
-    double least = 1, most = 1;
+    double minimum = 1, maximum = 1;
     for (const auto& other : *others) {
       estimate_.notes.push_back("with wheelset.preset = " + other.name + " the record asks for heights " +
                                 text::roundedText(other.factor) + " times as large");
-      least = std::min(least, other.factor), most = std::max(most, other.factor);
+      minimum = std::min(minimum, other.factor), maximum = std::max(maximum, other.factor);
     }
-    estimate_.depth.low *= least, estimate_.depth.high *= most;
+    estimate_.depth.low *= minimum, estimate_.depth.high *= maximum;
     for (auto& sample : estimate_.profile) {
-      const double one = least * sample.lower, other = most * sample.lower;
-      const double third = least * sample.upper, fourth = most * sample.upper;
+      const double one = minimum * sample.lower, other = maximum * sample.lower;
+      const double third = minimum * sample.upper, fourth = maximum * sample.upper;
       sample.lower = std::min({sample.lower, one, other});
       sample.upper = std::max({sample.upper, third, fourth});
     }

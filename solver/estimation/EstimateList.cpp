@@ -1,7 +1,6 @@
 #include "estimation/EstimateList.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -22,12 +21,6 @@ constexpr std::size_t kLargestFile = std::size_t{64} << 20;
 
 std::string rowFile(const std::string& folder, const std::string& file) {
   return estimateFolder(folder, file) + "/estimate.json";
-}
-
-std::string fixed(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
 }
 
 }  // namespace
@@ -105,11 +98,12 @@ std::string estimatesText(const std::vector<EstimateRow>& rows) {
   for (const auto& row : rows) {
     text += text::csvField(row.file) + (row.hasFailed ? ",failed" : ",done");
     for (const double depth : {row.depth.value, row.depth.low, row.depth.high})
-      text += "," + (row.hasFailed ? "" : fixed(1e6 * depth, 1));
+      text += "," + (row.hasFailed ? "" : text::fixedText(1e6 * depth, 1));
     for (const double length : {row.length.value, row.length.low, row.length.high})
-      text += "," + (row.hasFailed ? "" : fixed(1e3 * length, 1));
-    text +=
-        row.hasFailed ? ",,," : "," + fixed(row.misfit, 2) + "," + fixed(row.peak, 1) + "," + std::to_string(row.runs);
+      text += "," + (row.hasFailed ? "" : text::fixedText(1e3 * length, 1));
+    text += row.hasFailed ? ",,,"
+                          : "," + text::fixedText(row.misfit, 2) + "," + text::fixedText(row.peak, 1) + "," +
+                                std::to_string(row.runs);
     text += "," + text::csvField(row.message) + "\n";
   }
   return text;

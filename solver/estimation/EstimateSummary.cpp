@@ -9,6 +9,7 @@ namespace squat::estimation {
 
 namespace {
 
+using text::formatted;
 using text::kTerminalWidth;
 using text::TextTable;
 
@@ -19,12 +20,6 @@ std::string row(const Interval& interval, double unit, const char* name) {
          roundedText(unit * interval.high) + ")";
 }
 
-std::string decimals(double value, const char* format) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 // The stretches that a wheel bridges, from and to [mm].
 std::string unfeltText(const Estimate& estimate) {
   std::string text;
@@ -33,8 +28,8 @@ std::string unfeltText(const Estimate& estimate) {
     if (profile[i].isFelt || (i > 0 && !profile[i - 1].isFelt)) continue;
     std::size_t last = i;
     while (last + 1 < profile.size() && !profile[last + 1].isFelt) ++last;
-    text += (text.empty() ? "" : ", ") + decimals(1e3 * profile[i].position, "%.0f") + " to " +
-            decimals(1e3 * profile[last].position, "%.0f");
+    text += (text.empty() ? "" : ", ") + formatted("%.0f", 1e3 * profile[i].position) + " to " +
+            formatted("%.0f", 1e3 * profile[last].position);
   }
   return text;
 }
@@ -47,9 +42,9 @@ std::string estimateSummary(const Estimate& estimate) {
   text += "misfit  " + roundedText(estimate.misfit) + " times the noise\n\n";
   TextTable table({"passage", "speed", "deepest point at", "peak", "noise", "difference, rms"});
   for (const auto& passage : estimate.passages)
-    table.add({passage.name, decimals(passage.speed, "%.2f m/s"), decimals(passage.place, "%.3f m"),
-               decimals(passage.peak, "%.1f m/s2"), decimals(passage.noise, "%.2f m/s2"),
-               decimals(passage.difference, "%.2f m/s2")});
+    table.add({passage.name, formatted("%.2f m/s", passage.speed), formatted("%.3f m", passage.place),
+               formatted("%.1f m/s2", passage.peak), formatted("%.2f m/s2", passage.noise),
+               formatted("%.2f m/s2", passage.difference)});
   text += table.text(kTerminalWidth);
   if (const auto unfelt = unfeltText(estimate); !unfelt.empty())
     text += "The wheel does not touch " + unfelt + " mm: the rail may be deeper there than estimated.\n";

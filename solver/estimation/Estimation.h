@@ -4,7 +4,7 @@
 // every profile starts where the wheel begins to feel it. The start is the best of a few dips (StartProfile.h); then
 // steps of Gauss and Newton with derivatives by differences, one run for each height, and Broyden's updates between
 // them, until the differences between measured and computed acceleration are no larger than the noise of the record
-// before the event. What the record does not tell is held smooth (LeastSquares.h), and the bounds say how far that may
+// before the event. What the record does not show is kept smooth (LeastSquares.h), and the bounds say how far that may
 // be wrong. A wheel that bridges a gap does not feel how deep it is: such stretches are marked.
 #pragma once
 

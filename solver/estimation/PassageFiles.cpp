@@ -14,9 +14,9 @@ namespace squat::estimation {
 
 namespace {
 
-constexpr double leastBefore = 0.04;  // [m] of record before the impact
-constexpr double leastBehind = 0.06;  // [m] behind it
-constexpr double leastRatio = 4;      // of peak to noise: a peak of noise alone reaches three
+constexpr double minimumBefore = 0.04;  // [m] of record before the impact
+constexpr double minimumBehind = 0.06;  // [m] behind it
+constexpr double minimumRatio = 4;      // of peak to noise: a peak of noise alone reaches three
 
 void requireAcceleration(const signals::Record& record) {
   const auto& unit = record.signals.front().unit;
@@ -69,12 +69,12 @@ void findEvent(MeasuredPassage& measured, double cutoff) {
   measured.impact = x[peak], measured.peak = std::abs(values[peak]);
   measured.speed = signals::speedAt(measured.passage, measured.passage.series.timeAt(peak), 0.1);
   const auto millimetres = [](double metres) { return text::roundedText(1e3 * metres) + " mm"; };
-  if (x[peak] - x.front() < leastBefore || x.back() - x[peak] < leastBehind)
-    throw FileError(
-        measured.file, measured.name,
-        "the record is too short: it holds " + millimetres(x[peak] - x.front()) + " before and " +
-            millimetres(x.back() - x[peak]) + " behind its peak",
-        "At least " + millimetres(leastBefore) + " before and " + millimetres(leastBehind) + " behind it are compared");
+  if (x[peak] - x.front() < minimumBefore || x.back() - x[peak] < minimumBehind)
+    throw FileError(measured.file, measured.name,
+                    "the record is too short: it holds " + millimetres(x[peak] - x.front()) + " before and " +
+                        millimetres(x.back() - x[peak]) + " behind its peak",
+                    "At least " + millimetres(minimumBefore) + " before and " + millimetres(minimumBehind) +
+                        " behind it are compared");
   // The event begins where a quarter of the peak is first reached; what stands a period of the cut-off before it is
   // noise, and the vibration of the track that any record has.
   const auto begin = static_cast<std::size_t>(std::lower_bound(x.begin(), x.end(), x[peak] - 0.3) - x.begin());
@@ -88,7 +88,7 @@ void findEvent(MeasuredPassage& measured, double cutoff) {
     return;
   }
   measured.noise = rms(values, 0, end);
-  if (measured.peak < leastRatio * measured.noise)
+  if (measured.peak < minimumRatio * measured.noise)
     throw FileError(measured.file, measured.name,
                     "no event stands out: the largest value is " + text::roundedText(measured.peak) +
                         " m/s2 where the record before it has a standard deviation of " +

@@ -14,14 +14,14 @@ constexpr double difference = 3e-6;  // [m] of each height for the derivatives: 
 }  // namespace
 
 ProfileSearch::ProfileSearch(const SmoothProfile& profile, const std::vector<ComparedPassage>& passages,
-                             ProfileRuns& runs, double radius, int mostRuns)
+                             ProfileRuns& runs, double radius, int maximumRuns)
     : profile_(profile),
       passages_(passages),
       runs_(runs),
       smallest_(0.05 / radius),
       largest_(2 / radius),
       followed_(1 / radius),
-      mostRuns_(mostRuns) {
+      mostRuns_(maximumRuns) {
   const auto shifts = static_cast<Eigen::Index>(passages.size()) - 1;
   const auto& curvature = profile.curvature();
   penalty_ = Eigen::MatrixXd::Zero(curvature.rows(), curvature.cols() + shifts);

@@ -25,7 +25,7 @@ class ProfileSearch {
   // Keeps references. `radius` [m] of the wheel, which sets how rough a profile is expected to be, and which holds its
   // hollows back: a hollow that is curved more than the wheel is bridged, and nothing tells how deep it is.
   ProfileSearch(const SmoothProfile& profile, const std::vector<ComparedPassage>& passages, ProfileRuns& runs,
-                double radius, int mostRuns);
+                double radius, int maximumRuns);
 
   // Returns true when it has converged, false where it was cancelled, had no runs left or could run none. The best
   // profile so far is known in any case once `best().isRun`.

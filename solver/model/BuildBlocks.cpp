@@ -42,7 +42,7 @@ geometry::SectionMesh rectangleMesh(const std::vector<double>& b, const std::vec
 // Short waves of rail and rim get more inertia, but those of tied nodes, which have none of their own.
 void slowShortWaves(const scenario::Scenario& d, elasticity::SweptBlock& block, double shortLength,
                     const std::function<bool(int)>& mayJoin) {
-  if (!d.mesh.selectiveInertia) return;
+  if (!d.mesh.selectiveMassScaling) return;
   elasticity::prepareBlock(block);
   block.clusters = elasticity::sectionClusters(block, mayJoin);
   block.shortLength = shortLength;

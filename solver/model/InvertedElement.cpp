@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace squat::model {
 
@@ -54,15 +53,6 @@ bool inverted(const SweptBlock& block, const std::array<int, 4>& quad, int inter
   return false;
 }
 
-std::string locationOf(const SweptBlock& block, int quad, int interval) {
-  Eigen::Vector3d centre(0, 0, 0);
-  for (const int n : block.section.quads[quad]) centre += 0.25 * elasticity::nodePosition(block, n, interval);
-  char text[160];
-  std::snprintf(text, sizeof text, "%s, section quad %d, interval %d at x %.4f, y %.4f, z %.4f m", block.name.c_str(),
-                quad, interval, centre[0], centre[1], centre[2]);
-  return text;
-}
-
 }  // namespace
 
 std::string invertedElement(const Model& model, const AlignedVector& displacement) {
@@ -83,7 +73,7 @@ std::string invertedElement(const Model& model, const AlignedVector& displacemen
         differences(block, quad, first, last, u, largest);
         for (int s = first; s < last; ++s)
           if (largest[s - first] > allowed && inverted(block, quad, s, corners, turn, u))
-            return locationOf(block, q, s);
+            return elementLocation(block, q, s);
       }
     }
   return {};

@@ -6,9 +6,7 @@
 
 namespace squat::model {
 
-namespace {
-
-std::string locationOf(const elasticity::SweptBlock& block, int quad, int interval) {
+std::string elementLocation(const elasticity::SweptBlock& block, int quad, int interval) {
   Eigen::Vector3d centre(0, 0, 0);
   for (const int n : block.section.quads[quad]) centre += 0.25 * elasticity::nodePosition(block, n, interval);
   char text[160];
@@ -16,8 +14,6 @@ std::string locationOf(const elasticity::SweptBlock& block, int quad, int interv
                 quad, interval, centre[0], centre[1], centre[2]);
   return text;
 }
-
-}  // namespace
 
 MeshQuality meshQuality(const Model& model) {
   MeshQuality quality;
@@ -28,7 +24,7 @@ MeshQuality meshQuality(const Model& model) {
         const double jacobian = elasticity::jacobianRatio(corners);
         if (jacobian < quality.smallestJacobian) {
           quality.smallestJacobian = jacobian;
-          quality.jacobianLocation = locationOf(block, q, block.runIntervals[r][0]);
+          quality.jacobianLocation = elementLocation(block, q, block.runIntervals[r][0]);
         }
         double shortest = 1e30, longest = 0;
         for (int i = 0; i < 4; ++i) {
@@ -37,7 +33,7 @@ MeshQuality meshQuality(const Model& model) {
         }
         if (longest / shortest > quality.largestAspect) {
           quality.largestAspect = longest / shortest;
-          quality.aspectLocation = locationOf(block, q, block.runIntervals[r][0]);
+          quality.aspectLocation = elementLocation(block, q, block.runIntervals[r][0]);
         }
       }
   return quality;

@@ -92,6 +92,9 @@ Model withDefect(Model model, const scenario::Scenario& scenario);
 // Block, node, station and position of a state index, for messages.
 std::string locationName(const Model& model, std::size_t index);
 
+// The same of an element of a block.
+std::string elementLocation(const elasticity::SweptBlock& block, int quad, int interval);
+
 // The part of the track or vehicle in words of its user with the keys of the case that give its elements their size,
 // those that shape the part before those of the mesh.
 std::string partName(const Model& model, std::size_t index);

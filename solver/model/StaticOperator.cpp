@@ -83,9 +83,9 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
   const AlignedVector atRest(tangents_.empty() ? 0 : model.stateSize, 0.0);
   linearise(atRest.data());
   if (rotationStiffness > 0) spin_.add(hubTurn(model), rotationStiffness, 0);
-  std::size_t most = 0;
-  for (const auto& tie : model.ties) most = std::max(most, elasticity::tieWorkspace(tie));
-  for (int i = 0; i < team.size(); ++i) tieWorkspaces_.emplace_back(most, 0.0);
+  std::size_t maximum = 0;
+  for (const auto& tie : model.ties) maximum = std::max(maximum, elasticity::tieWorkspace(tie));
+  for (int i = 0; i < team.size(); ++i) tieWorkspaces_.emplace_back(maximum, 0.0);
 }
 
 // One thread's share of the slave stations; the first one's holds station 0, to which ghosts belong.

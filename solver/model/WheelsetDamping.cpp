@@ -32,7 +32,7 @@ struct Location {
 // that misses it least.
 Location locate(const geometry::SectionMesh& section, const geometry::Point2& p) {
   Location best;
-  double least = 1e30;
+  double minimum = 1e30;
   for (int q = 0; q < static_cast<int>(section.quads.size()); ++q) {
     const geometry::Point2* corner[4];
     for (int i = 0; i < 4; ++i) corner[i] = &section.nodes[section.quads[q][i]];
@@ -48,11 +48,11 @@ Location locate(const geometry::SectionMesh& section, const geometry::Point2& p)
       u -= (at[0] * av[1] - at[1] * av[0]) / det, v -= (au[0] * at[1] - au[1] * at[0]) / det;
     }
     const double outside = std::max({0.0, -u, u - 1, -v, v - 1});
-    if (outside >= least) continue;
-    least = outside;
+    if (outside >= minimum) continue;
+    minimum = outside;
     u = std::clamp(u, 0.0, 1.0), v = std::clamp(v, 0.0, 1.0);
     best = {q, {(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v}};
-    if (least == 0) break;
+    if (minimum == 0) break;
   }
   return best;
 }

@@ -37,9 +37,9 @@ inline bool anyPositive(Vector v) {
   return false;
 }
 inline double largest(Vector v) {
-  double most = 0;
-  for (int i = 0; i < LANES; ++i) most = std::max(most, v[i]);
-  return most;
+  double maximum = 0;
+  for (int i = 0; i < LANES; ++i) maximum = std::max(maximum, v[i]);
+  return maximum;
 }
 
 // Coefficient i of the lanes at `at`: shared by all, or of each lane its own.
@@ -130,14 +130,14 @@ void settle(const LayerCall& call, int at, Point* points, Vector (&a)[9]) {
   Vector step[9] = {};
   for (int k = 0; k < maximumIterations; ++k) {
     returnAll<Own>(call, at, points, a);
-    Vector wanted[9], most{};
+    Vector wanted[9], maximum{};
     addAmplitudes<Own>(call, at, points, wanted);
     for (int i = 0; i < 9; ++i) {
       wanted[i] -= a[i];
       const Vector size = wanted[i] > 0 ? wanted[i] : -wanted[i];
-      most = size > most ? size : most;
+      maximum = size > maximum ? size : maximum;
     }
-    if (largest(most * steepest) < tolerance * call.radius) return;
+    if (largest(maximum * steepest) < tolerance * call.radius) return;
     const double next = k == 0 ? rho : 1 / (2 * sigma - rho);
     for (int i = 0; i < 9; ++i) {
       step[i] = k == 0 ? wanted[i] / middle : next * rho * step[i] + (2 * next / half) * wanted[i];

@@ -178,10 +178,10 @@ LayerEnergy layerEnergy(const SurfaceLayer& layer, const LayerState& state, cons
 }
 
 double largestEquivalentStrain(const LayerState& state) {
-  double most = 0;
+  double maximum = 0;
   for (std::size_t at = 5 * lanes; at < state.values.size(); at += rows * lanes)
-    for (int lane = 0; lane < lanes; ++lane) most = std::max(most, state.values[at + lane]);
-  return most;
+    for (int lane = 0; lane < lanes; ++lane) maximum = std::max(maximum, state.values[at + lane]);
+  return maximum;
 }
 
 }  // namespace squat::plasticity

@@ -65,18 +65,18 @@ DynamicStiffness::DynamicStiffness(const BlockMatrix& stiffness, const BlockMatr
   std::vector<long> cost;
   for (int i = 0; i < g.count(); ++i) cost.push_back(unknownsAbout(i));
   for (int k = 0; k < g.count(); ++k) {
-    int least = -1;
+    int minimum = -1;
     for (int i = 0; i < g.count(); ++i)
-      if (!done[i] && (least < 0 || cost[i] < cost[least])) least = i;
-    done[least] = 1;
-    placeInOrder_[least] = k;
-    order_.push_back(least);
-    for (const int i : about[least]) {
-      about[i].erase(least);
-      for (const int j : about[least])
+      if (!done[i] && (minimum < 0 || cost[i] < cost[minimum])) minimum = i;
+    done[minimum] = 1;
+    placeInOrder_[minimum] = k;
+    order_.push_back(minimum);
+    for (const int i : about[minimum]) {
+      about[i].erase(minimum);
+      for (const int j : about[minimum])
         if (j != i) about[i].insert(j);
     }
-    for (const int i : about[least]) cost[i] = unknownsAbout(i);
+    for (const int i : about[minimum]) cost[i] = unknownsAbout(i);
   }
 }
 

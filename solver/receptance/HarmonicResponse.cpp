@@ -74,6 +74,30 @@ struct Stretch {
   double middle() const { return 0.5 * (from + to); }
 };
 
+// One row a load, one value a frequency.
+std::vector<std::vector<Complex>> evaluate(const Projection& projection, Index loads,
+                                           const std::vector<double>& frequencies, ThreadTeam& team) {
+  std::vector<std::vector<Complex>> values(static_cast<std::size_t>(loads), std::vector<Complex>(frequencies.size()));
+  team.run([&](int index) {
+    for (std::size_t f = static_cast<std::size_t>(index); f < frequencies.size();
+         f += static_cast<std::size_t>(team.size())) {
+      const VectorXcd at = projection.at(angular(frequencies[f]));
+      for (Index p = 0; p < at.size(); ++p) values[static_cast<std::size_t>(p)][f] = at[p];
+    }
+  });
+  return values;
+}
+
+// Largest relative difference, over the loads, between what the projection predicts and a direct solution.
+double differenceOf(const VectorXcd& predicted, const MatrixXcd& solution, const MatrixXd& responses) {
+  double difference = 0;
+  for (Index p = 0; p < predicted.size(); ++p) {
+    const Complex direct = (responses.col(p).cast<Complex>().cwiseProduct(solution.col(p))).sum();
+    difference = std::max(difference, std::abs(predicted[p] - direct) / std::abs(direct));
+  }
+  return difference;
+}
+
 }  // namespace
 
 HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatrix& damping, const BlockMatrix& mass,
@@ -127,12 +151,7 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
     if (monitor.cancelled()) break;
     std::vector<Stretch> next;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      const VectorXcd predicted = projection.at(angular(middles[i]));
-      double difference = 0;
-      for (Index p = 0; p < loads.cols(); ++p) {
-        const Complex direct = (responses.col(p).cast<Complex>().cwiseProduct(solutions[i].front().col(p))).sum();
-        difference = std::max(difference, std::abs(predicted[p] - direct) / std::abs(direct));
-      }
+      const double difference = differenceOf(projection.at(angular(middles[i])), solutions[i].front(), responses);
       if (difference > options.tolerance && result.solutions < options.maximumSolutions) {
         next.push_back({open[i].from, middles[i]}), next.push_back({middles[i], open[i].to});
       } else {
@@ -147,14 +166,7 @@ HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatri
     result.cancelled = true;
     return result;
   }
-  result.values.assign(static_cast<std::size_t>(loads.cols()), std::vector<Complex>(frequencies.size()));
-  team.run([&](int index) {
-    for (std::size_t f = static_cast<std::size_t>(index); f < frequencies.size();
-         f += static_cast<std::size_t>(team.size())) {
-      const VectorXcd values = projection.at(angular(frequencies[f]));
-      for (Index p = 0; p < values.size(); ++p) result.values[static_cast<std::size_t>(p)][f] = values[p];
-    }
-  });
+  result.values = evaluate(projection, loads.cols(), frequencies, team);
   reportProgress(1);
   return result;
 }

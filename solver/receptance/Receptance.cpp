@@ -17,7 +17,7 @@ constexpr double loadedSquare = 0.010;  // [m]
 scenario::Scenario receptanceCase(const scenario::Scenario& scenario) {
   auto d = scenario;
   const double spacing = d.track.sleeperSpacing;
-  d.defectSurface = scenario::DefectSurface({});
+  d.defectSurface = {};
   d.defectModel = scenario::DefectModel::gapFunction;
   d.track.defectFromSleeper = 0;  // x = 0 over a sleeper
   d.motion.runUp = spacing / 2;   // the other fine zone at midspan
@@ -78,7 +78,7 @@ TrackReceptance trackReceptance(const scenario::Scenario& scenario, const Recept
 }
 
 std::vector<double> resonances(const std::vector<double>& frequency, const std::vector<std::complex<double>>& values,
-                               double least) {
+                               double minimum) {
   std::vector<double> level, found;
   for (const auto& value : values) level.push_back(20 * std::log10(std::abs(value)));
   for (std::size_t i = 1; i + 1 < level.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<double> resonances(const std::vector<double>& frequency, const std::
     double left = level[i], right = level[i];
     for (std::size_t k = i; k-- > 0 && level[k] <= level[i];) left = std::min(left, level[k]);
     for (std::size_t k = i + 1; k < level.size() && level[k] <= level[i]; ++k) right = std::min(right, level[k]);
-    if (level[i] - std::max(left, right) < least) continue;
+    if (level[i] - std::max(left, right) < minimum) continue;
     const double curve = level[i - 1] - 2 * level[i] + level[i + 1];
     const double shift = curve < 0 ? 0.5 * (level[i - 1] - level[i + 1]) / curve : 0.0;
     found.push_back(frequency[i] + shift * (frequency[i + 1] - frequency[i]));

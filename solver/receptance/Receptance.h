@@ -49,9 +49,9 @@ scenario::Scenario receptanceCase(const scenario::Scenario& scenario);
 // Throws CaseError where the case cannot be meshed. A cancelled call returns what it has, with complete == false.
 TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options, Monitor& monitor);
 
-// Local maxima of the magnitude [Hz], refined by a parabola through three points; those at least `least` [dB] above the
-// higher of the two valleys beside them.
+// Local maxima of the magnitude [Hz], refined by a parabola through three points; those at least `minimum` [dB] above
+// the higher of the two valleys beside them.
 std::vector<double> resonances(const std::vector<double>& frequency, const std::vector<std::complex<double>>& values,
-                               double least = 1);
+                               double minimum = 1);
 
 }  // namespace squat::receptance

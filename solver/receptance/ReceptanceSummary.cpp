@@ -11,16 +11,11 @@ namespace squat::receptance {
 
 namespace {
 
+using text::formatted;
 using text::roundedText;
 using text::TextTable;
 
 constexpr double kShown[] = {50, 82, 100, 300, 500, 1000, 1500, 2000};  // [Hz], where they were computed
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
 
 std::string receptanceTable(const TrackReceptance& result) {
   std::vector<std::string> head{"frequency"};
@@ -30,10 +25,10 @@ std::string receptanceTable(const TrackReceptance& result) {
   for (const double f : kShown) {
     const auto i = std::lround((f - result.frequency.front()) / step);
     if (i < 0 || i >= static_cast<long>(result.frequency.size())) continue;
-    std::vector<std::string> row{format("%.0f Hz", result.frequency[i])};
+    std::vector<std::string> row{formatted("%.0f Hz", result.frequency[i])};
     for (const auto& point : result.points) {
-      row.push_back(format("%.3e m/N", std::abs(point.receptance[i])));
-      row.push_back(format("%.0f°", std::arg(point.receptance[i]) * 180 / std::numbers::pi));
+      row.push_back(formatted("%.3e m/N", std::abs(point.receptance[i])));
+      row.push_back(formatted("%.0f°", std::arg(point.receptance[i]) * 180 / std::numbers::pi));
     }
     table.add(row);
   }
@@ -46,7 +41,7 @@ std::string receptanceSummary(const TrackReceptance& receptance) {
   std::string text = receptanceTable(receptance) + "\n";
   for (const auto& point : receptance.points) {
     text += "resonances " + point.name + " [Hz]:";
-    for (const double f : resonances(receptance.frequency, point.receptance)) text += format(" %.0f", f);
+    for (const double f : resonances(receptance.frequency, point.receptance)) text += formatted(" %.0f", f);
     text += "\n";
   }
   text += "\nNatural modes of the free half wheelset:\n" + modesTable(receptance.modes);

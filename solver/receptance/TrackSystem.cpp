@@ -14,8 +14,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Terms = std::vector<std::pair<std::size_t, double>>;
 
-constexpr int vertical = 2;       // component of a block swept along x
-constexpr double holding = 1e14;  // [N/m] of what is held: far above any element, far from round-off
+constexpr int vertical = 2;      // component of a block swept along x
+constexpr double fixing = 1e14;  // [N/m] of fixed degrees of freedom: far above any element, far from round-off
 
 // Groups of all stations of the track, before anything is assembled: one for each family of shapes of a station.
 Groups groupsOf(const model::Model& model, const std::vector<int>& railFamilies) {
@@ -46,7 +46,7 @@ TrackSystem::TrackSystem(const model::Model& model, const SectionShapes& railSha
   }
   for (const auto& part : parts_) addBlock(part);
   for (const auto& set : model.forceElements) addForceElements(set);
-  for (const auto index : model.fixed) hold(index);
+  for (const auto index : model.fixed) fix(index);
 }
 
 void TrackSystem::addBlock(const Part& part) {
@@ -142,7 +142,7 @@ void TrackSystem::addForceElements(const forces::ForceElements& set) {
   }
 }
 
-void TrackSystem::hold(std::size_t index) { stiffness_.addOuter(pieces({{index, 1.0}}), holding); }
+void TrackSystem::fix(std::size_t index) { stiffness_.addOuter(pieces({{index, 1.0}}), fixing); }
 
 VectorXd TrackSystem::load(double position, double side) const {
   constexpr int points = 8;  // each way: even pressure

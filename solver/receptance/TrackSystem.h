@@ -36,7 +36,7 @@ class TrackSystem {
   void addBlock(const Part& part);
   void addHeight(const Part& sleeper);
   void addForceElements(const forces::ForceElements& set);
-  void hold(std::size_t index);
+  void fix(std::size_t index);
 
   const model::Model& model_;
   Groups groups_;

@@ -26,16 +26,16 @@ std::string longestGroup(const results::ArrayTree& tree) {
     if (text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == "aba") return {};
     if (std::holds_alternative<std::vector<std::string>>(array.values)) continue;
     for (const std::size_t extent : array.shape) {
-      auto& most = longest[parentOf(array.path)];
-      most = std::max(most, extent);
+      auto& maximum = longest[parentOf(array.path)];
+      maximum = std::max(maximum, extent);
     }
   }
   if (longest.empty()) return {};
   const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
-  const auto most = std::max_element(longest.begin(), longest.end(), less);
+  const auto maximum = std::max_element(longest.begin(), longest.end(), less);
   const auto as =
-      std::count_if(longest.begin(), longest.end(), [&](const auto& g) { return g.second == most->second; });
-  return as > 1 ? std::string() : most->first.empty() ? "/" : most->first;
+      std::count_if(longest.begin(), longest.end(), [&](const auto& g) { return g.second == maximum->second; });
+  return as > 1 ? std::string() : maximum->first.empty() ? "/" : maximum->first;
 }
 
 std::string groupNamed(const std::string& object) {
@@ -81,9 +81,9 @@ void ArrayRows::choose(std::vector<std::size_t> columns) {
   stream_ = readers::streamArrays(path_, places, samples_);
 }
 
-bool ArrayRows::next(std::size_t most, Rows& rows) {
+bool ArrayRows::next(std::size_t maximum, Rows& rows) {
   for (auto& column : rows.columns) column.clear();
-  while (rows.size() < most && stream_->next(rows.columns)) continue;
+  while (rows.size() < maximum && stream_->next(rows.columns)) continue;
   read_ += rows.size();
   return rows.size() > 0;
 }

@@ -20,7 +20,7 @@ class ArrayRows : public RowSource {
 
   const text::DelimitedTable& head() const override { return head_; }
   void choose(std::vector<std::size_t> columns) override;
-  bool next(std::size_t most, Rows& rows) override;
+  bool next(std::size_t maximum, Rows& rows) override;
   double fraction() const override;
   std::size_t rows() const override { return samples_; }
   const std::string& column() const { return column_; }  // what the object named chooses; empty: nothing

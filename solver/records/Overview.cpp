@@ -16,7 +16,7 @@ long stretchOf(double position) { return static_cast<long>(std::floor(position /
 Overview::Extreme* Overview::Side::at(long index) {
   auto& side = index >= 0 ? up : down;
   const auto place = static_cast<std::size_t>(index >= 0 ? index : -index - 1);
-  if (place >= most / 2) return nullptr;
+  if (place >= maximum / 2) return nullptr;
   if (place >= side.size()) side.resize(place + 1);
   return &side[place];
 }
@@ -36,12 +36,12 @@ void Overview::add(const RecordLayout& layout, const RecordBlock& block) {
     long known = 0;
     for (std::size_t i = 0; i < std::min(values.size(), block.size()); ++i) {
       if (!std::isfinite(values[i]) || !(std::abs(block.position[i]) < kFarthest)) continue;
-      const long stretch = stretchOf(block.position[i]);
-      if (!begun_) begun_ = true, first_ = lowest_ = highest_ = stretch;
-      if (!extreme || stretch != known) {
-        extreme = sides_[c].at(stretch - first_);
-        known = stretch;
-        if (extreme) lowest_ = std::min(lowest_, stretch), highest_ = std::max(highest_, stretch);
+      const long number = stretchOf(block.position[i]);
+      if (!begun_) begun_ = true, first_ = lowest_ = highest_ = number;
+      if (!extreme || number != known) {
+        extreme = sides_[c].at(number - first_);
+        known = number;
+        if (extreme) lowest_ = std::min(lowest_, number), highest_ = std::max(highest_, number);
       }
       if (!extreme) continue;
       const auto value = static_cast<float>(values[i]);

@@ -20,8 +20,8 @@ struct Envelope {
 // 8 MB for 100 km of one channel.
 class Overview {
  public:
-  static constexpr double stretch = 0.1;           // [m]
-  static constexpr std::size_t most = 20'000'000;  // stretches; what lies beyond is left out
+  static constexpr double stretch = 0.1;              // [m]
+  static constexpr std::size_t maximum = 20'000'000;  // stretches; what lies beyond is left out
 
   void add(const RecordLayout& layout, const RecordBlock& block);
   std::vector<RecordChannel> channels() const;

@@ -157,8 +157,8 @@ void RecordReader::judgeValues() {
 // Coordinates that cannot be are left out, not guessed.
 void RecordReader::judgeCoordinates() {
   if (!layout_.hasCoordinates) return;
-  const auto beyond = [](const std::vector<double>& values, double most) {
-    return std::find_if(values.begin(), values.end(), [most](double v) { return std::abs(v) > most; });
+  const auto beyond = [](const std::vector<double>& values, double maximum) {
+    return std::find_if(values.begin(), values.end(), [maximum](double v) { return std::abs(v) > maximum; });
   };
   const auto north = beyond(work_.latitude, 90), east = beyond(work_.longitude, 180);
   if (north == work_.latitude.end() && east == work_.longitude.end()) return;

@@ -27,7 +27,7 @@ class RowSource {
   virtual ~RowSource() = default;
   virtual const text::DelimitedTable& head() const = 0;       // names, units and the first rows
   virtual void choose(std::vector<std::size_t> columns) = 0;  // once, before next()
-  virtual bool next(std::size_t most, Rows& rows) = 0;        // the following rows; false: the end
+  virtual bool next(std::size_t maximum, Rows& rows) = 0;     // the following rows; false: the end
   virtual double fraction() const = 0;                        // of the file that has been read, 0..1
   virtual std::size_t rows() const { return 0; }              // in the file; 0: not known
   virtual std::string truncation() const { return {}; }       // what is cut off at the end of the file; empty: nothing

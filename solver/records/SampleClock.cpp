@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/Median.h"
+
 namespace squat::records {
 namespace {
 
@@ -11,12 +13,6 @@ std::vector<double> stepsBetween(const double* times, std::size_t count) {
   for (std::size_t i = 1; i < count; ++i)
     if (std::isfinite(times[i]) && std::isfinite(times[i - 1])) steps.push_back(times[i] - times[i - 1]);
   return steps;
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // The mean of the steps that are no gap: those near the median, as far as the resolution allows.
@@ -36,7 +32,7 @@ ClockSteps stepsOf(const std::vector<double>& times) {
   ClockSteps result;
   const auto steps = stepsBetween(times.data(), times.size());
   if (steps.empty()) return result;
-  const double median = medianOf(steps);
+  const double median = signals::median(steps);
   std::vector<double> off(steps.size());
   std::transform(steps.begin(), steps.end(), off.begin(), [&](double step) { return std::abs(step - median); });
   const std::size_t gaps = std::max<std::size_t>(2, off.size() / 10000);
@@ -63,7 +59,7 @@ std::size_t SampleClock::window() const {
 bool SampleClock::sameRate(const double* times, std::size_t count) const {
   const auto steps = stepsBetween(times, count);
   if (steps.size() < 3) return true;
-  const double mean = meanStep(steps, medianOf(steps), steps_.resolution);
+  const double mean = meanStep(steps, signals::median(steps), steps_.resolution);
   const double rounding = 4 * steps_.resolution / (static_cast<double>(steps.size()) * steps_.step);
   return std::abs(mean / steps_.step - 1) <= std::max(1e-3, rounding);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "signals/Median.h"
 #include "text/Numbers.h"
 
 namespace squat::records {
@@ -20,13 +21,6 @@ constexpr double limitAt = 10;                   // robust deviations: what is l
 constexpr double deadSeconds = 0.5, slow = 1.0;  // [s], [m/s]
 constexpr double sameEvent = 0.1;                // [s] between runs at the limit that are one fault
 
-double medianOf(std::vector<double>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 struct Spread {
   double median = 0;
   double deviation = 0;  // robust: 1.4826 median absolute deviations, a tenth of the root mean square at least
@@ -41,13 +35,13 @@ Spread spreadOf(const std::vector<double>& values) {
   for (std::size_t i = 1; i < some.size(); ++i)
     if (const double step = std::abs(some[i] - some[i - 1]); step > 0 && (spread.step == 0 || step < spread.step))
       spread.step = step;
-  spread.median = medianOf(some);
+  spread.median = signals::median(some);
   for (const double value : some) {
     sizes.push_back(std::abs(value - spread.median));
     squares += sizes.back() * sizes.back();
   }
   const double rms = sizes.empty() ? 0 : std::sqrt(squares / static_cast<double>(sizes.size()));
-  spread.deviation = std::max(1.4826 * medianOf(sizes), 0.1 * rms);
+  spread.deviation = std::max(1.4826 * signals::median(sizes), 0.1 * rms);
   return spread;
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t bufferBytes = std::size_t{4} << 20;
 constexpr std::size_t longestLine = std::size_t{1} << 20;
 constexpr std::size_t headRows = 200;
-constexpr std::size_t mostMistakes = 100;  // told of one block
+constexpr std::size_t maximumMistakes = 100;  // reported of one block
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
@@ -170,18 +170,18 @@ bool TextRows::slowRow(std::string& mistake) {
   return true;
 }
 
-bool TextRows::next(std::size_t most, Rows& rows) {
+bool TextRows::next(std::size_t maximum, Rows& rows) {
   rows.columns.resize(chosen_.size());
   for (auto& column : rows.columns) column.clear();
   rows.lines.clear();
   rows.mistakes.clear();
   std::string mistake;
-  while (rows.lines.size() < most) {
+  while (rows.lines.size() < maximum) {
     if (at_ == whole_ && !fill()) break;
     if (!quickRow()) {
       mistake.clear();
       if (!slowRow(mistake)) continue;
-      if (!mistake.empty() && rows.mistakes.size() < mostMistakes)
+      if (!mistake.empty() && rows.mistakes.size() < maximumMistakes)
         rows.mistakes.emplace_back(rows.lines.size(), mistake);
     }
     for (std::size_t k = 0; k < chosen_.size(); ++k) rows.columns[k].push_back(values_[chosen_[k]]);

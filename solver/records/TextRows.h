@@ -20,7 +20,7 @@ class TextRows : public RowSource {
 
   const text::DelimitedTable& head() const override { return head_; }
   void choose(std::vector<std::size_t> columns) override;
-  bool next(std::size_t most, Rows& rows) override;
+  bool next(std::size_t maximum, Rows& rows) override;
   double fraction() const override;
   std::string truncation() const override { return truncation_; }
 

@@ -1,6 +1,6 @@
 // solver/results/Checkpoint.h - the state of a run on disk, to resume from after a kill.
 // A checkpoint is an ArrayTree whose root carries the attributes `schema` = "squat-checkpoint" and `schema_version`;
-// whoever writes one adds what must agree on going on (case hash, instruction set, code version) as root attributes.
+// whoever writes one adds what must agree to resume (case hash, instruction set, code version) as root attributes.
 #pragma once
 
 #include <optional>

@@ -27,10 +27,10 @@ namespace squat::results {
 
 namespace {
 
-void limit(int resource, rlim_t most) {
+void limit(int resource, rlim_t maximum) {
   rlimit now{};
   if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return;
-  now.rlim_cur = now.rlim_max == RLIM_INFINITY ? most : std::min(most, now.rlim_max);
+  now.rlim_cur = now.rlim_max == RLIM_INFINITY ? maximum : std::min(maximum, now.rlim_max);
   ::setrlimit(static_cast<__rlimit_resource>(resource), &now);
 }
 

@@ -46,7 +46,7 @@ std::unique_lock<std::mutex> lockLibrary();
 // What the library says about its last failure, in one line.
 std::string lastError();
 
-// Throws FileError(path, object) where `result` tells of a failure; hands it on otherwise.
+// Throws FileError(path, object) where `result` reports a failure; hands it on otherwise.
 template <typename Result>
 Result check(Result result, const std::string& path, const std::string& object, const char* what) {
   if (result < 0) {

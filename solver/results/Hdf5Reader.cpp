@@ -20,7 +20,7 @@ constexpr const char* kForeignAdvice = "Export the signals alone, as plain numbe
 
 struct Names {
   std::vector<std::string> list;
-  std::size_t most;
+  std::size_t maximum;
 };
 
 // For the library's walks over links and attributes; a negative value ends the walk with an error.
@@ -28,7 +28,7 @@ template <typename Info>
 herr_t collectName(hid_t, const char* name, const Info*, void* names) {
   auto& found = *static_cast<Names*>(names);
   try {
-    if (found.list.size() >= found.most) return -1;
+    if (found.list.size() >= found.maximum) return -1;
     found.list.emplace_back(name);
     return 0;
   } catch (...) {

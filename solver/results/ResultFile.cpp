@@ -10,9 +10,9 @@ namespace squat::results {
 namespace {
 
 // Leaves out every second snapshot but the first and the last until the rest fits.
-RunResult thinned(RunResult result, std::size_t most) {
+RunResult thinned(RunResult result, std::size_t maximum) {
   const auto count = result.snapshots.size();
-  while (result.snapshots.size() > 2 && byteCount(toTree(result)) > most) {
+  while (result.snapshots.size() > 2 && byteCount(toTree(result)) > maximum) {
     std::vector<SurfaceSnapshot> kept;
     for (std::size_t i = 0; i < result.snapshots.size(); ++i)
       if (i % 2 == 0 || i + 1 == result.snapshots.size()) kept.push_back(std::move(result.snapshots[i]));
@@ -28,9 +28,9 @@ RunResult thinned(RunResult result, std::size_t most) {
 
 void writeResult(const std::string& path, const RunResult& result) {
   const Hdf5Limits limits;
-  const std::size_t most = limits.bytes / 10 * 9;
+  const std::size_t maximum = limits.bytes / 10 * 9;
   auto tree = toTree(result);
-  if (byteCount(tree) > most) tree = toTree(thinned(result, most));
+  if (byteCount(tree) > maximum) tree = toTree(thinned(result, maximum));
   const auto image = encodeHdf5(tree, path);
   writeDurably(path, image, [&](const std::string& part) {
     const auto object = firstDifference(tree, readOwnHdf5(part, limits));

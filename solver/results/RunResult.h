@@ -74,8 +74,7 @@ struct WheelsetMode {
 };
 
 // A run is a record, time from 0 at the start of rolling and position of the wheel centre from the deepest point of the
-// defect, with what only a computation knows beside it. Its signals: aba, aba_longitudinal, wheel_acceleration,
-// aba_filtered, wheel_acceleration_filtered, contact_force, creep_force, wheel_speed, patch_length, patch_width.
+// defect, with what only a computation knows beside it. Its signals are the rows of simulation/Signals.cpp.
 struct RunResult : AnalysedRecord {
   std::string caseToml;  // every default filled in; caseHash is its hash
   // caseToml as read, once, when the result was made or read. None where there is no case, as in a measured record, or

@@ -24,6 +24,7 @@ namespace squat::scenario {
 
 class DefectSurface {
  public:
+  DefectSurface() : DefectSurface(Defect{}) {}   // a smooth rail
   explicit DefectSurface(const Defect& defect);  // profiles need ascending positions; fewer than two points: no defect
 
   double height(double x, double y = 0) const;  // [m]; zero outside first() to last()

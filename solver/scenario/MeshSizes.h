@@ -21,8 +21,8 @@ struct MeshSizes {
   int wheelSectors = 0;  // sectors of the coarse wheel body
   double rimDepth = 0;   // [m] depth of the finely meshed rim
   ElementPrecision precision = ElementPrecision::single;
-  bool coarseWeb = false;         // three columns of the band become one below the upper head
-  bool selectiveInertia = false;  // waves as short as the elements are slowed
+  bool coarseWeb = false;             // three columns of the band become one below the upper head
+  bool selectiveMassScaling = false;  // waves as short as the elements are slowed
 };
 
 }  // namespace squat::scenario

@@ -17,13 +17,13 @@ void requireFinite(const std::vector<double>& values, const std::string& name) {
   throw SignalError(nameOf(name) + ": sample " + std::to_string(sample) + " is not a finite number", sample);
 }
 
-void requireUsable(const TimeSeries& series, std::size_t least, const std::string& use) {
+void requireUsable(const TimeSeries& series, std::size_t minimum, const std::string& use) {
   if (!(std::isfinite(series.step) && series.step > 0))
     throw SignalError(nameOf(series.name) + ": the sampling step must be a positive number of seconds, not " +
                       std::to_string(series.step));
-  if (series.values.size() < least)
+  if (series.values.size() < minimum)
     throw SignalError(nameOf(series.name) + " has " + std::to_string(series.values.size()) + " samples; " + use +
-                      " needs at least " + std::to_string(least));
+                      " needs at least " + std::to_string(minimum));
   requireFinite(series.values, series.name);
 }
 

@@ -24,9 +24,9 @@ class SignalError : public std::invalid_argument {
   std::optional<std::size_t> sample_;
 };
 
-// Refuses a signal with fewer than `least` samples, with a step that is not a positive finite number, or with values
+// Refuses a signal with fewer than `minimum` samples, with a step that is not a positive finite number, or with values
 // that are not finite; the message names the first such sample. `use` completes the sentence, e.g. "a power spectrum".
-void requireUsable(const TimeSeries& series, std::size_t least, const std::string& use);
+void requireUsable(const TimeSeries& series, std::size_t minimum, const std::string& use);
 void requireFinite(const std::vector<double>& values, const std::string& name);
 
 // Refuses a signal whose values are all the same: it has no spectrum, peak or wavelength.

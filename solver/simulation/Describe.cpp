@@ -108,8 +108,8 @@ std::string remarkOnCone(const results::RunResult& result) {
 }  // namespace
 
 std::string addSpectra(const scenario::Scenario& d, results::RunResult& result) {
-  const auto tooShort = [](std::size_t samples, const char* where, std::size_t least) {
-    return "no spectra: " + std::to_string(samples) + " samples " + where + ", at least " + std::to_string(least) +
+  const auto tooShort = [](std::size_t samples, const char* where, std::size_t minimum) {
+    return "no spectra: " + std::to_string(samples) + " samples " + where + ", at least " + std::to_string(minimum) +
            " are needed; raise output.rate or lengthen motion.run_up and motion.beyond";
   };
   constexpr std::size_t minimumRecord = 64, minimumWindow = 32;

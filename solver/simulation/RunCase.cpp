@@ -69,26 +69,27 @@ std::optional<results::ArrayTree> readMatchingCheckpoint(OpenRun& run) {
     throw CaseError({{"--resume", run.options.checkpointPath, "a checkpoint of this case (" + run.result.caseHash + ")",
                       "It belongs to case " + hash + ": give another output folder or run without --resume"}});
   warnOfOtherProcessor(run, *tree, "a run that was begun on");
-  if (usedPrevious) run.monitor.message("warning: the newest checkpoint is not whole; going on from the one before");
+  if (usedPrevious)
+    run.monitor.message("warning: the newest checkpoint is not whole; the run resumes from the one before");
   return tree;
 }
 
 // Beyond this creepage friction is exhausted everywhere in a patch of this size, many times over.
-constexpr double spinning = 0.01;
+constexpr double slipping = 0.01;
 
 void markRotation(OpenRun& run, double radius) {
   auto& r = run.result;
   const auto* angularVelocity = r.signal("wheel_speed");
   if (!angularVelocity) return;
-  double most = 0;
+  double maximum = 0;
   for (const double rate : *angularVelocity)
-    if (std::abs(rate * radius / r.speed - 1) > std::abs(most)) most = rate * radius / r.speed - 1;
-  r.equilibrium.push_back({"largest_creepage", "1", "angular velocity times radius over speed, less one", most});
-  if (std::abs(most) < spinning) return;
+    if (std::abs(rate * radius / r.speed - 1) > std::abs(maximum)) maximum = rate * radius / r.speed - 1;
+  r.equilibrium.push_back({"largest_creepage", "1", "angular velocity times radius over speed, less one", maximum});
+  if (std::abs(maximum) < slipping) return;
   char text[160];
   std::snprintf(text, sizeof text,
                 "the wheel slips: its circumference moves %.1f %% %s than the train; reduce the torque",
-                100 * std::abs(most), most > 0 ? "faster" : "slower");
+                100 * std::abs(maximum), maximum > 0 ? "faster" : "slower");
   run.warn(text);
 }
 

@@ -14,10 +14,10 @@ namespace {
 std::vector<int> nearestNodes(const elasticity::SweptBlock& block, double first, double second) {
   std::vector<double> distances;
   for (const auto& p : block.section.nodes) distances.push_back(std::hypot(p[0] - first, p[1] - second));
-  const double least = *std::min_element(distances.begin(), distances.end());
+  const double minimum = *std::min_element(distances.begin(), distances.end());
   std::vector<int> nodes;
   for (std::size_t n = 0; n < distances.size(); ++n)
-    if (distances[n] < least + 1e-9) nodes.push_back(static_cast<int>(n));
+    if (distances[n] < minimum + 1e-9) nodes.push_back(static_cast<int>(n));
   return nodes;
 }
 

@@ -30,10 +30,6 @@ std::string withUnit(const cases::CaseDescription& description, const cases::Par
   return parameter.unit.empty() || parameter.unit == "-" ? text : text + " " + parameter.unit;
 }
 
-cases::DefectZone zoneOf(const cases::CaseDescription& description) {
-  return cases::defectZone(cases::DefectSurface(description.defect), description.mesh);
-}
-
 // What is wrong with one side of the zone; `own` of the case, `set` whether its key states it.
 void checkZone(const WarmState& warm, const char* key, double own, bool set, double served,
                std::vector<CaseProblem>& problems) {
@@ -60,7 +56,7 @@ void checkDefect(const WarmState& warm, const cases::CaseDescription& descriptio
     problems.push_back({"defect.move_nodes", "true", "false with a warm state",
                         "Moved nodes change the stiffness of the rail, which waves feel before the wheel arrives: "
                         "run the whole case"});
-  const auto own = zoneOf(description), served = zoneOf(warm.description);
+  const auto own = cases::defectZone(description), served = cases::defectZone(warm.description);
   const auto& mesh = description.mesh;
   checkZone(warm, "mesh.zone_before", own.before, mesh.zoneBefore > 0, served.before, problems);
   checkZone(warm, "mesh.zone_behind", own.behind, mesh.zoneBehind > 0, served.behind, problems);
@@ -96,8 +92,8 @@ bool fits(const WarmState& warm, const cases::CaseDescription& description) {
 }
 
 cases::CaseDescription onMeshOf(const WarmState& warm, cases::CaseDescription description) {
-  const auto zone = zoneOf(warm.description);
-  if (zoneOf(description) == zone) return description;
+  const auto zone = cases::defectZone(warm.description);
+  if (cases::defectZone(description) == zone) return description;
   description.mesh.zoneBefore = zone.before, description.mesh.zoneBehind = zone.behind;
   return description;
 }
@@ -172,7 +168,7 @@ std::optional<WarmState> makeWarmState(const cases::CaseDescription& description
   plain.checkpointPath.clear(), plain.resume = false, plain.warm.reset();
   WarmState warm;
   warm.description = description;
-  const auto zone = zoneOf(description);
+  const auto zone = cases::defectZone(description);
   warm.description.mesh.zoneBefore = zone.before, warm.description.mesh.zoneBehind = zone.behind;
   OpenRun run(warm.description, plain, monitor);
   if (!run.start(nullptr)) return std::nullopt;

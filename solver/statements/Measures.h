@@ -22,7 +22,7 @@ namespace squat::statements {
 //                   what rings as long is a stronger line beside the band
 //   impact_top      [Hz] highest frequency with 5 % of the scalogram's largest power, within 10 mm of the deepest point
 //                   of the defect
-//   quiet           [m/s2] residualVibration() of RunChecks.h
+//   residual_vibration [m/s2] residualVibration() of RunChecks.h; "quiet" until 0.2
 // Spectra reach from 0.1 m before the impact to 0.28 m behind it; those for lines or bands at or below 320 Hz, a period
 // of which takes 0.1 m, to 0.58 m where the run goes that far.
 std::vector<std::string> measureNames();

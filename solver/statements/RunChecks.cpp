@@ -39,7 +39,7 @@ std::optional<ResidualVibration> residualVibration(const results::RunResult& res
 
 std::optional<double> residualVibrationLimit(const Reference& reference) {
   for (const auto& statement : reference.statements)
-    if (statement.measure == "quiet") return statement.high;
+    if (statement.measure == "residual_vibration") return statement.high;
   return std::nullopt;
 }
 

@@ -356,7 +356,7 @@ void CoarseSpace::factorise(const forces::ForceElements& contact) {
   }
   // Hats of the wheelset overlap and are nearly dependent: a little relative stiffness keeps the factor definite.
   whole.diagonal() *= 1 + 1e-10;
-  for (int j = 0; j < unknowns_; ++j)  // held, or out of reach of every node
+  for (int j = 0; j < unknowns_; ++j)  // fixed, or out of reach of every node
     if (!(whole(j, j) > 0)) whole.col(j).setZero(), whole.row(j).setZero(), whole(j, j) = 1;
   const double negligible = 1e-14 * whole.diagonal().maxCoeff();
   factor_.compute(whole.sparseView(negligible, 1.0));

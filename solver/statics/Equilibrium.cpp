@@ -79,6 +79,37 @@ double railDeflection(const model::Model& model, const AlignedVector& u, double 
   return verticalOfRailSection(model, u, s);
 }
 
+double normOf(const AlignedVector& r, ThreadTeam& team) {
+  return std::sqrt(orderedSum(team, r.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += r[i] * r[i];
+    return sum;
+  }));
+}
+
+void checkConvergence(const Equilibrium& e, double norm, const EquilibriumOptions& options) {
+  if (!std::isfinite(norm)) throw RunError("the equilibrium is not a number", 0, 0, "equilibrium");
+  if (e.newtonSteps >= options.maximumNewtonSteps || e.iterations >= options.maximumIterations)
+    throw RunError("the equilibrium does not converge: residual " + std::to_string(e.residual) + " of the load after " +
+                       std::to_string(e.newtonSteps) + " Newton steps and " + std::to_string(e.iterations) +
+                       " iterations",
+                   0, 0, "equilibrium");
+}
+
+// Displacements of all nodes without the mean rotation, strain energy beside the contact's, approach.
+void complete(const model::Model& model, model::StaticOperator& op, Equilibrium& e) {
+  op.fillSlaves(e.displacement.data());
+  model::removeMeanRotation(model, model::meanRotation(model, e.displacement.data()), e.displacement.data());
+  op.fillSlaves(e.displacement.data());
+  op.contactSprings() = {};
+  AlignedVector copy = e.displacement, forces(e.displacement.size(), 0.0);
+  op.apply(copy.data(), forces.data());
+  for (std::size_t i = 0; i < copy.size(); ++i) e.strainEnergy += 0.5 * copy[i] * forces[i];
+  e.strainEnergy += op.energyBesideTangents();
+  const auto hub = ringMean(model, model.centre, op.turned(), e.displacement.data());
+  e.approach = railDeflection(model, e.displacement, e.wheelX) - hub.z;
+}
+
 }  // namespace
 
 Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
@@ -117,11 +148,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
     addContactForces(closed, r.data());
     op.addForcesBesideTangents(r.data());
     op.reduceForces(r.data());
-    const double norm = std::sqrt(orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) sum += r[i] * r[i];
-      return sum;
-    }));
+    const double norm = normOf(r, team);
     e.residual = norm / load;
     e.contactForce = closed.vertical, e.lateralForce = closed.lateral;
     if (e.newtonSteps == 0) startNorm = norm;
@@ -131,12 +158,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
         e.strainEnergy += 0.5 * closed.springs.stiffness[i] * closed.penetration[i] * closed.penetration[i];
       break;
     }
-    if (!std::isfinite(norm)) throw RunError("the equilibrium is not a number", 0, 0, "equilibrium");
-    if (e.newtonSteps >= options.maximumNewtonSteps || e.iterations >= options.maximumIterations)
-      throw RunError("the equilibrium does not converge: residual " + std::to_string(e.residual) +
-                         " of the load after " + std::to_string(e.newtonSteps) + " Newton steps and " +
-                         std::to_string(e.iterations) + " iterations",
-                     0, 0, "equilibrium");
+    checkConvergence(e, norm, options);
     op.contactSprings() = closed.springs;
     coarse.factorise(closed.springs);
     // Inexact Newton: no better than the set of closed points is known, which shrinks to the true one, and the tangents
@@ -164,16 +186,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
     }
     for (std::size_t i = 0; i < n; ++i) e.displacement[i] += change[i];
   }
-  op.fillSlaves(e.displacement.data());
-  model::removeMeanRotation(model, model::meanRotation(model, e.displacement.data()), e.displacement.data());
-  op.fillSlaves(e.displacement.data());
-  op.contactSprings() = {};
-  AlignedVector copy = e.displacement;
-  op.apply(copy.data(), r.data());
-  for (std::size_t i = 0; i < n; ++i) e.strainEnergy += 0.5 * copy[i] * r[i];
-  e.strainEnergy += op.energyBesideTangents();
-  const auto hub = ringMean(model, model.centre, op.turned(), e.displacement.data());
-  e.approach = railDeflection(model, e.displacement, wheelX) - hub.z;
+  complete(model, op, e);
   return e;
 }
 

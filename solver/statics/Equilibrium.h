@@ -1,8 +1,8 @@
 // solver/statics/Equilibrium.h - static equilibrium of track, wheelset and sprung mass with frictionless contact.
 //
 // Newton's method on the active set of contact points and the tangents of the force elements; each linear system by
-// conjugate gradients with a coarse space (CoarseSpace.h). Load: weight of everything. The sprung mass is held along
-// the track, the wheelset's mean rotation is held and taken out of the result.
+// conjugate gradients with a coarse space (CoarseSpace.h). Load: weight of everything. The sprung mass is fixed along
+// the track, the wheelset's mean rotation is fixed and taken out of the result.
 #pragma once
 
 #include <Eigen/Core>
@@ -43,7 +43,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
 
 // How the equilibrium changes as the wheel rolls on: du/dx per metre [1], state layout, wheelset in the bases of
 // rotation zero; `e` must stand at rotation zero. One linear system with the closed contact of `e`:
-// K_T du/dx = dR/dx, R the residual with the material held and the wheel moved and turned.
+// K_T du/dx = dR/dx, R the residual with the material fixed and the wheel moved and turned.
 AlignedVector equilibriumRate(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                               const Equilibrium& e, Monitor& monitor);
 

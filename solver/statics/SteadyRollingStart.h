@@ -1,7 +1,8 @@
 // solver/statics/SteadyRollingStart.h - displacements and the velocities that steady rolling through them implies.
 //
 // The equilibrium at the start and its rate as the wheel rolls on: rate times speed is the velocity of every node. The
-// vehicle as a whole follows the deflection of the rail, not the elements under the wheel. Rolling then starts quietly.
+// vehicle as a whole follows the deflection of the rail, not the elements under the wheel. Rolling then starts without
+// vibration.
 #pragma once
 
 #include "statics/Equilibrium.h"

@@ -8,7 +8,7 @@
 namespace squat::studies {
 namespace {
 
-constexpr std::size_t kMostNamed = 10;
+constexpr std::size_t kMaximumNamed = 10;
 
 void count(PartState& part, const StudyTable& table, std::size_t row) {
   switch (table.rows[row].state) {
@@ -37,7 +37,7 @@ std::string missingText(const CollectedStudy& study) {
       std::to_string(study.missing()) + " of " + std::to_string(study.table.rows.size()) + " points are missing: ";
   std::size_t named = 0, parts = 0;
   for (const auto& part : study.parts) {
-    if (part.isComplete() || ++parts > kMostNamed) continue;
+    if (part.isComplete() || ++parts > kMaximumNamed) continue;
     text += (named++ ? ", " : "") + sentenceOf(part, study.table);
   }
   return parts > named ? text + ", and points of " + std::to_string(parts - named) + " more parts" : text;

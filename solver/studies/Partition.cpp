@@ -38,7 +38,7 @@ Partition partitionFromText(const std::string& text) {
   const auto kind = kindFrom(text.substr(0, colon));
   const auto part = countFrom(text.substr(colon + 1, slash - colon - 1)), parts = countFrom(text.substr(slash + 1));
   if (!kind || !part || !parts) throw refuse("slice:M/N or hash:M/N");
-  if (*parts < 1 || *parts > kMostParts) throw refuse("N from 1 to " + std::to_string(kMostParts));
+  if (*parts < 1 || *parts > kMaximumParts) throw refuse("N from 1 to " + std::to_string(kMaximumParts));
   if (*part < 1 || *part > *parts) throw refuse("M from 1 to N");
   return {*kind, *part, *parts};
 }

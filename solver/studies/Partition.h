@@ -19,7 +19,7 @@ struct Partition {
   bool operator==(const Partition&) const = default;
 };
 
-inline constexpr std::size_t kMostParts = 10000;
+inline constexpr std::size_t kMaximumParts = 10000;
 
 // "slice:3/16" or "hash:3/16". Throws CaseError.
 Partition partitionFromText(const std::string& text);

@@ -39,7 +39,7 @@ Sample sampleFromText(const std::string& text) {
   const auto* last = number.data() + number.size();
   const auto [end, error] = std::from_chars(number.data(), last, sample.count);
   if ((method != "sobol" && method != "latin-hypercube") || error != std::errc() || end != last || sample.count < 2 ||
-      sample.count > kMostPoints)
+      sample.count > kMaximumPoints)
     throw CaseError({{"--sample", "'" + text + "'", "sobol:N or latin-hypercube:N, N from 2 to 10000",
                       "Example: --sample sobol:256 --vary defect.length=20:60 --vary pad.stiffness=200:2000"}});
   return sample;
@@ -107,7 +107,7 @@ std::vector<Variation> variationsFromFile(const std::string& path) {
     for (auto& field : record) field = std::string(text::trimmed(field));
   if (records.size() < 2)
     throw FileError(path, "", "holds no points", "Keys in the first line, a point in each other one");
-  if (records.size() - 1 > kMostPoints) throw FileError(path, "", "holds more than 10000 points", "Divide it");
+  if (records.size() - 1 > kMaximumPoints) throw FileError(path, "", "holds more than 10000 points", "Divide it");
   std::vector<Variation> variations;
   for (const auto& key : records[0]) variations.push_back({key, {}});
   for (std::size_t r = 1; r < records.size(); ++r) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "case/BeforeDefect.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "text/Numbers.h"
 
@@ -19,12 +20,8 @@ bool variesOnlyTheDefect(const StudyDefinition& definition) {
   });
 }
 
-cases::DefectZone zoneOf(const cases::CaseDescription& description) {
-  return cases::defectZone(cases::DefectSurface(description.defect), description.mesh);
-}
-
 void setZone(cases::CaseDescription& description, const cases::DefectZone& zone) {
-  if (zoneOf(description) == zone) return;
+  if (cases::defectZone(description) == zone) return;
   description.mesh.zoneBefore = zone.before, description.mesh.zoneBehind = zone.behind;
 }
 
@@ -37,7 +34,7 @@ std::optional<cases::CaseDescription> caseOfAll(const StudyDefinition& definitio
     try {
       const auto description = caseAt(definition, overrides, point);
       if (description.defect.moveNodes) return std::nullopt;
-      const auto own = zoneOf(description);
+      const auto own = cases::defectZone(description);
       zone = {std::max(zone.before, own.before), std::max(zone.behind, own.behind)};
       if (!base) base = description;
     } catch (const CaseError&) {
@@ -61,7 +58,7 @@ SharedStart::SharedStart(const StudyDefinition& definition, const cases::CaseOve
 
 std::string SharedStart::text() const {
   if (!base_) return {};
-  const auto zone = zoneOf(*base_);
+  const auto zone = cases::defectZone(*base_);
   return "zone " + text::numberText(zone.before) + ":" + text::numberText(zone.behind);
 }
 
@@ -85,7 +82,7 @@ SharedStart::Made SharedStart::stateFor(Monitor& monitor) {
 results::RunResult SharedStart::run(const cases::CaseDescription& description, Monitor& monitor) {
   if (!base_) return simulation::runCase(description, options_, monitor);
   auto meshed = description;
-  setZone(meshed, zoneOf(*base_));
+  setZone(meshed, cases::defectZone(*base_));
   const auto made = stateFor(monitor);
   if (made.cancelled) return {};
   auto options = options_;

@@ -78,7 +78,7 @@ std::vector<StudyPoint> gridOf(const StudyDefinition& definition) {
     if (!keys.insert(variation.key).second)
       throw CaseError({{"--vary", variation.key, "given once per key", "Put all its values into one --vary"}});
     count = definition.isList ? variation.values.size() : count * variation.values.size();
-    if (count > kMostPoints || count == 0)
+    if (count > kMaximumPoints || count == 0)
       throw CaseError({{"--vary", "more than 10000 runs", "1 to 10000 runs", "Use fewer values"}});
   }
   if (definition.isList) return listOf(definition);

@@ -7,7 +7,7 @@
 
 namespace squat::studies {
 
-inline constexpr std::size_t kMostPoints = 10000;
+inline constexpr std::size_t kMaximumPoints = 10000;
 
 // One key of the case and the values that it takes, as text in the unit of the case file.
 struct Variation {

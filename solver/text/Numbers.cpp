@@ -69,4 +69,14 @@ std::string roundedText(double value) {
   return text;
 }
 
+std::string formatted(const char* format, double value) {
+  char text[96];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string fixedText(double value, int decimals) {
+  return std::isfinite(value) ? formatted(("%." + std::to_string(decimals) + "f").c_str(), value) : std::string();
+}
+
 }  // namespace squat::text

@@ -26,4 +26,10 @@ std::optional<double> numberFromText(std::string_view text);
 // For people: four significant digits; whole numbers, and those from 10,000 on, without decimals.
 std::string roundedText(double value);
 
+// printf's text of one number: formatted("%.1f mm", 0.25).
+std::string formatted(const char* format, double value);
+
+// With so many decimals; empty where the value is not finite.
+std::string fixedText(double value, int decimals);
+
 }  // namespace squat::text

@@ -101,12 +101,12 @@ std::pair<int, std::string> threadsOf(const std::string& words) {
 TEST(Threads, AreLimitedByTheMachineAndThatIsTold) {
   EXPECT_EQ(threadsOf("").first, 0);
   EXPECT_EQ(threadsOf("--threads 3"), std::pair(3, std::string()));
-  for (const auto& [cores, most] : {std::pair(1, 8), std::pair(2, 8), std::pair(16, 64), std::pair(200, 800)})
-    EXPECT_EQ(usefulThreads(cores), most);
+  for (const auto& [cores, maximum] : {std::pair(1, 8), std::pair(2, 8), std::pair(16, 64), std::pair(200, 800)})
+    EXPECT_EQ(usefulThreads(cores), maximum);
   const auto [threads, told] = threadsOf("--threads 1024");
-  const int most = usefulThreads(static_cast<int>(std::thread::hardware_concurrency()));
-  EXPECT_EQ(threads, std::min(1024, most));
-  if (most < 1024)
+  const int maximum = usefulThreads(static_cast<int>(std::thread::hardware_concurrency()));
+  EXPECT_EQ(threads, std::min(1024, maximum));
+  if (maximum < 1024)
     EXPECT_THAT(told, HasSubstr("instead of 1024"));
   else
     EXPECT_EQ(told, "");  // nothing was taken off, nothing is said

@@ -113,7 +113,7 @@ TEST(RunFiles, ACheckpointOfAnotherCaseGivesWay) {
     bool cancelled() override { return true; }
   } monitor;
   const auto description = cases::loadCase("light-defect", {"tiny", {}});
-  EXPECT_FALSE(runOrGoOn(description, {}, files, monitor).complete);
+  EXPECT_FALSE(runOrResume(description, {}, files, monitor).complete);
   EXPECT_THAT(monitor.told, ::testing::Contains(::testing::HasSubstr("starts from the beginning")));
   EXPECT_FALSE(std::filesystem::exists(files.checkpoint()));
 }

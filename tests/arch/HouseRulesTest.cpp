@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <regex>
+#include <sstream>
 
 #include "arch/SourceTree.h"
 
@@ -236,6 +237,48 @@ TEST(HouseRules, NoFileIsLongerThan500Lines) {
   std::vector<std::string> list;
   for (const auto& file : readSources(SQUAT_SOURCE_DIR, {"solver", "widgets", "app", "tests"}))
     if (file.lines > 500) list.push_back(file.path + ": " + std::to_string(file.lines));
+  EXPECT_THAT(list, IsEmpty());
+}
+
+// A function of the sources, found by the layout: its first line and its closing brace start in one column.
+std::vector<std::string> longFunctions(const SourceFile& file, std::size_t maximum) {
+  std::vector<std::string> found;
+  std::istringstream text(file.code);
+  std::string line, opening;
+  for (std::size_t number = 1, start = 1; std::getline(text, line); ++number) {
+    if (line.empty()) continue;
+    if (line == "}") {
+      if (number - start + 1 > maximum) found.push_back(file.path + ": " + opening);
+    } else if (line[0] != ' ' && line[0] != '}' && line[0] != '#') {
+      start = number, opening = line;
+    }
+  }
+  return found;
+}
+
+TEST(HouseRules, NoFunctionOfTheSolverIsLongerThan80Lines) {
+  std::vector<std::string> list;
+  for (const auto& file : sources())
+    if (file.layer == "solver")
+      for (auto& function : longFunctions(file, 80)) list.push_back(std::move(function));
+  EXPECT_THAT(list, IsEmpty());
+}
+
+TEST(LongFunctions, AreFound) {
+  SourceFile file;
+  file.path = "some.cpp";
+  file.code = "namespace a {\nint f(int x,\n      int y) {\n  if (x) {\n  }\n  return y;\n}\nint g() {\n}\n}  \n";
+  EXPECT_THAT(longFunctions(file, 5), ::testing::ElementsAre("some.cpp: int f(int x,"));
+  EXPECT_THAT(longFunctions(file, 6), IsEmpty());
+}
+
+TEST(HouseRules, TheDefectSurfaceIsBuiltInOnePlace) {
+  static const std::regex construction(R"(\bDefectSurface\s*(\w+\s*)?[({]\s*[a-zA-Z*])");
+  std::vector<std::string> list;
+  for (const auto& file : sources())
+    if (file.folder != "scenario" && file.path.rfind("solver/case/Resolve.", 0) != 0 &&
+        std::regex_search(file.code, construction))
+      list.push_back(file.path + ": ask cases::surfaceOf() or the scenario for it");
   EXPECT_THAT(list, IsEmpty());
 }
 

@@ -1,17 +1,20 @@
 // The twin experiment: inputs of a known case are found again from its own signals with noise (three runs, standard
 // deviation a tenth of the signal's). Five inputs at once, on the tiny mesh; what is asked for is what a user is
 // promised: each true value lies in the range that is reported, and the peaks of the calibrated run are those of the
-// true one.
+// true one. The same of the pads from a measured receptance.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <fstream>
 #include <random>
 
 #include "calibration/Calibration.h"
+#include "case/Resolve.h"
+#include "receptance/Receptance.h"
 #include "results/SampleResult.h"
 #include "signals/Butterworth.h"
 #include "simulation/RunCase.h"
@@ -109,6 +112,61 @@ TEST(TwinExperiment, FiveInputsAreFoundAgainFromNoisySignals) {
     verification::seenDeviation("peaks", peakOf(calibrated, sign), peakOf(truth, sign));
   }
   std::printf("%zu points, %.1f minutes\n", found.evaluations.size(), minutes);
+}
+
+// The receptance of the track that the case describes, at both points, with 5 % of scatter in each part of each value:
+// a hammer test, as (Shen, Dollevoet, Li, MSSP 2020) calibrate a track from.
+void writeHammerTest(const std::string& path, const cases::CaseOverrides& overrides, const char* point) {
+  receptance::ReceptanceOptions options;
+  options.lowest = 60, options.highest = 1500, options.frequencyStep = 10, options.wheelset = false;
+  Monitor monitor;
+  const auto track = receptance::trackReceptance(cases::loadScenario("smooth-rail", overrides), options, monitor);
+  std::mt19937 random(point[0] == 'm' ? 7 : 11);
+  std::normal_distribution<double> scatter(0, 0.05);
+  std::ofstream file(path);
+  file << "frequency [Hz],real [m/N],imaginary [m/N]\n";
+  for (const auto& one : track.points) {
+    if (one.name != point) continue;
+    for (std::size_t i = 0; i < track.frequency.size(); ++i) {
+      const auto value =
+          one.receptance[i] + std::abs(one.receptance[i]) * std::complex(scatter(random), scatter(random));
+      file << track.frequency[i] << "," << value.real() << "," << value.imag() << "\n";
+    }
+  }
+}
+
+TEST(TwinExperiment, ThePadIsFoundAgainFromANoisyReceptance) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> free{"pad.stiffness=500:2600", "pad.damping=15:120"};
+  const Values truth{940, 63};
+  cases::CaseOverrides track;
+  track.values = {{"pad.stiffness", valueText(truth[0])}, {"pad.damping", valueText(truth[1])}};
+  writeHammerTest(folder / "sleeper.csv", track, "over a sleeper");
+  writeHammerTest(folder / "midspan.csv", track, "midspan");
+  std::ofstream(folder / "targets.json")
+      << R"({"schema": "squat-targets", "schema_version": 1, "receptance": [{"file": "sleeper.csv"},)"
+      << R"( {"file": "midspan.csv", "point": "midspan"}]})";
+  CalibrationDefinition definition;
+  definition.caseName = "smooth-rail";
+  definition.inputs = freeInputsFromText(free);
+  definition.targets = readTargets({folder / "targets.json"}, definition.caseName);
+  definition.confirmMesh = "tiny";
+  CalibrationOptions options;
+  options.folder = folder / "calibration", options.jobs = 2, options.threads = 1;
+  Monitor monitor;
+  const auto found = calibrate(definition, options, monitor);
+  ASSERT_TRUE(found.complete);
+  // What a user is promised: 5 % of the stiffness and 15 % of the damping, from a receptance with 5 % of scatter.
+  const double promised[] = {0.05, 0.15};
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const auto& range = found.ranges[i];
+    std::printf("%-14s true %g found %g range %g to %g, %zu points\n", found.definition.inputs[i].key().c_str(),
+                truth[i], range.best, range.low, range.high, found.evaluations.size());
+    EXPECT_NEAR(range.best, truth[i], promised[i] * truth[i]);
+    EXPECT_LE(range.low, truth[i]);
+    EXPECT_GE(range.high, truth[i]);
+    verification::seenDeviation(i == 0 ? "pad stiffness" : "pad damping", range.best, truth[i]);
+  }
 }
 
 }  // namespace

@@ -47,6 +47,14 @@ TEST_F(CaseNames, oneCaseIsCalledByItsFile) {
   EXPECT_THAT(names(), ElementsAre("light-defect"));
 }
 
+TEST_F(CaseNames, wordsArePrintedAsInATable) {
+  EXPECT_EQ(shortLabel(*findParameter("rail.young_modulus")), "rail Young's modulus");
+  EXPECT_EQ(shortLabel(*findParameter("sleeper.poisson_ratio")), "sleeper Poisson's ratio");
+  EXPECT_EQ(shortLabel(*findParameter("motion.run_up")), "run-up");
+  EXPECT_EQ(shortLabel(*findParameter("track.sleeper_spacing")), "track sleeper spacing");
+  EXPECT_EQ(shortLabel(*findParameter("title")), "title");
+}
+
 TEST_F(CaseNames, namesSayWhatDiffers) {
   add({{"defect.depth", "0.15"}});
   add({{"defect.depth", "0.2"}, {"pad.stiffness", "800"}}, "untitled", MeshPreset::tiny);

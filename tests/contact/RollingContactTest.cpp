@@ -60,7 +60,7 @@ class RollingContactTest : public testing::Test {
   }
 
   // Turns the rim's displacements, without moving the wheel's centre.
-  void spin(double angle) {
+  void rotate(double angle) {
     const auto& rim = tiny().blocks[tiny().rim];
     for (int n = 0; n < rim.nodes; ++n)
       for (int s = 0; s < rim.stationCount; ++s) displaced_[rim.index(n, 0, s)] += angle * rim.section.nodes[n][0];
@@ -185,7 +185,7 @@ TEST_F(RollingContactTest, OnlyTheWheelsPlaceCounts) {
   wheel_.placement.centreZ += approach;
   lower(approach);
   // Displacements along the tread lie beside its circle: 1e-5^2 R / 2 of 8e-5 m, twice that of the force, 6e-7.
-  spin(1e-5);
+  rotate(1e-5);
   EXPECT_NEAR(roll().vertical, force, 1e-6 * force);
 }
 
@@ -245,7 +245,7 @@ TEST_F(RollingContactTest, TheSpinFeelsTheForcesOnTheRim) {
   };
   constexpr double turn = 2e-4;
   const double radius = tiny().surfaces.radius;
-  spin(turn);
+  rotate(turn);
   auto patch = roll({law.normalPenalty, law.tangentialPenalty, 0});
   EXPECT_NEAR(patch.rotationMoment, patch.vertical * radius * turn, 1e-3 * patch.vertical * radius * turn);
   EXPECT_NEAR(patch.rotationMoment, moment(), 1e-5 * patch.vertical * radius * turn);
@@ -310,7 +310,7 @@ TEST_F(RollingContactTest, TheConeIsRound) {
 TEST_F(RollingContactTest, SlidingWorkIsStoredOrDissipated) {
   const double speed = 2;
   slide(speed);
-  double before = roll().storedEnergy, most = 0;
+  double before = roll().storedEnergy, maximum = 0;
   for (int k = 0; k < 60; ++k) {
     std::vector<double> old;
     for (const auto& p : points_) old.push_back(p.tractionX);
@@ -322,9 +322,9 @@ TEST_F(RollingContactTest, SlidingWorkIsStoredOrDissipated) {
     const double gone = patch.frictionPower * step, stored = patch.storedEnergy - before;
     // Trapezoid and return err by the square of one step's stick, times area over penalty.
     EXPECT_NEAR(stored + gone, work, 0.02 * std::abs(work)) << k;
-    before = patch.storedEnergy, most = std::max(most, gone);
+    before = patch.storedEnergy, maximum = std::max(maximum, gone);
   }
-  EXPECT_GT(most, 0);
+  EXPECT_GT(maximum, 0);
 }
 
 TEST_F(RollingContactTest, OpenedPointsForget) {

@@ -11,7 +11,7 @@
 #include "case/Resolve.h"
 #include "contact/TouchPoint.h"
 #include "dynamics/StableStep.h"
-#include "elasticity/SelectiveInertia.h"
+#include "elasticity/SelectiveMassScaling.h"
 #include "model/ContactPenalty.h"
 #include "model/StaticOperator.h"
 

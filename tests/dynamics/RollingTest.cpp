@@ -11,7 +11,7 @@
 #include "case/CaseFile.h"
 #include "case/Resolve.h"
 #include "dynamics/StableStep.h"
-#include "elasticity/SelectiveInertia.h"
+#include "elasticity/SelectiveMassScaling.h"
 #include "statics/SteadyRollingStart.h"
 #include "verification/StepBlocks.h"
 
@@ -220,10 +220,10 @@ TEST(StableStep, FollowsStrongDashpots) {
     rolling.start(smooth().start.equilibrium.displacement, smooth().start.velocity, rollingAngularVelocity());
     rolling.advance(steps, [](const StepView&) {});
     const auto& rail = model.blocks[model.rail];
-    double most = 0;
+    double maximum = 0;
     for (std::size_t i = 0; i < rail.size(); ++i)
-      most = std::max(most, std::abs(rolling.state().velocity[rail.offset + i]));
-    return most;
+      maximum = std::max(maximum, std::abs(rolling.state().velocity[rail.offset + i]));
+    return maximum;
   };
   // The rail under a wheel at 30 m/s moves by less than half a metre a second.
   EXPECT_LT(fastest(stable.step, 400), 0.5);

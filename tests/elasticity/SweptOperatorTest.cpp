@@ -213,10 +213,10 @@ TEST(SweptOperator, SinglePrecisionInsideAgreesAndDoesNotSeeRigidMotions) {
       const AlignedVector expected = applySwept(s.blocks, small, isa);
       for (const auto* u : {&small, &moved}) {
         const AlignedVector found = applySwept(s.blocks, *u, isa, 2, Precision::singleInside);
-        double most = 0;
-        for (std::size_t i = 0; i < found.size(); ++i) most = std::max(most, std::abs(found[i] - expected[i]));
-        EXPECT_GT(most, 0) << "it is single precision";
-        EXPECT_LT(most, 2e-6 * largest(expected)) << s.name << ", " << isa;
+        double maximum = 0;
+        for (std::size_t i = 0; i < found.size(); ++i) maximum = std::max(maximum, std::abs(found[i] - expected[i]));
+        EXPECT_GT(maximum, 0) << "it is single precision";
+        EXPECT_LT(maximum, 2e-6 * largest(expected)) << s.name << ", " << isa;
       }
     }
   }

@@ -156,9 +156,9 @@ std::vector<Field> rigidMotions() {
 }
 
 double largest(const AlignedVector& values) {
-  double most = 0;
-  for (const double v : values) most = std::max(most, std::abs(v));
-  return most;
+  double maximum = 0;
+  for (const double v : values) maximum = std::max(maximum, std::abs(v));
+  return maximum;
 }
 
 }  // namespace squat::elasticity

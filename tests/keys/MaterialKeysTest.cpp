@@ -69,14 +69,14 @@ TEST(SleeperKeys, SizesMakeTheBlock) {
                                 {"wheelset.track_centre", "0.8"}});
   const auto& sleeper = model.blocks[model.firstSleeper];
   EXPECT_NEAR(volumeOf(sleeper), 1.1 * 0.3 * 0.2, 1e-9);
-  Eigen::Vector3d least(9, 9, 9), most(-9, -9, -9);
+  Eigen::Vector3d minimum(9, 9, 9), maximum(-9, -9, -9);
   for (int n = 0; n < sleeper.nodes; ++n)
     for (int s = 0; s < sleeper.stationCount; ++s) {
       const auto p = elasticity::nodePosition(sleeper, n, s);
-      least = least.cwiseMin(p), most = most.cwiseMax(p);
+      minimum = minimum.cwiseMin(p), maximum = maximum.cwiseMax(p);
     }
-  EXPECT_NEAR((most - least - Eigen::Vector3d(0.3, 1.1, 0.2)).norm(), 0, 1e-9);
-  EXPECT_NEAR(least[1], -0.8, 1e-9);
+  EXPECT_NEAR((maximum - minimum - Eigen::Vector3d(0.3, 1.1, 0.2)).norm(), 0, 1e-9);
+  EXPECT_NEAR(minimum[1], -0.8, 1e-9);
 }
 
 // Lower by 0.07 m up to 0.4 m from the track centre, then rising to the pad's inner edge at 0.75 - 0.07 m: the top

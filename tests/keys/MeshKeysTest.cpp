@@ -40,6 +40,33 @@ TEST(MeshKeys, TheWheelHasItsSectors) {
   }
 }
 
+// Elements of rail and rim grow to about the size that the key asks for: more than half of it, where parts are larger
+// than that, and less than twice it, since thin parts (the foot, the web) have whole numbers of rows that widen with
+// them.
+TEST(MeshKeys, SectionsGrowToTheirSize) {
+  std::size_t quads = 0;
+  for (const double size : {24.0, 8.0}) {
+    const auto model = modelWith({{"mesh.section_size", std::to_string(size)},
+                                  {"mesh.section_growth", "2"},
+                                  {"mesh.contact_size", "5"},
+                                  {"mesh.rim_depth", "60"}});
+    for (const auto which : {model.rail, model.rim}) {
+      const auto& section = model.blocks[which].section;
+      double largest = 0;
+      for (const auto& quad : section.quads)
+        for (int i = 0; i < 4; ++i) {
+          const auto& a = section.nodes[quad[i]];
+          const auto& b = section.nodes[quad[(i + 1) % 4]];
+          largest = std::max(largest, 1e3 * std::hypot(a[0] - b[0], a[1] - b[1]));
+        }
+      EXPECT_GT(largest, 0.5 * size) << model.blocks[which].name;
+      EXPECT_LT(largest, 2 * size) << model.blocks[which].name;
+    }
+    EXPECT_GT(model.blocks[model.rail].section.quads.size(), quads);
+    quads = model.blocks[model.rail].section.quads.size();
+  }
+}
+
 // Rows of the rim from the tread downwards: the first of the contact size, each at most that much larger than the one
 // above, and in as few rows as will do.
 TEST(MeshKeys, SectionsGrowSlowly) {

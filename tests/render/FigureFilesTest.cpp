@@ -101,7 +101,7 @@ TEST_F(FigureFiles, theSpectrumHasTheScaleThatIsAskedFor) {
 // A label that is cut leaves ink at the edge.
 TEST_F(FigureFiles, nothingIsCutAtTheSmallestSize) {
   plots::FigureRequest request{{}, {"png"}};
-  request.size = {plots::PrintedSize::leastWidth, plots::PrintedSize::leastHeight, 150};
+  request.size = {plots::PrintedSize::minimumWidth, plots::PrintedSize::minimumHeight, 150};
   auto paths = plots::renderFigures(tests::syntheticResult(), tests::freshFolder("smallest"), request);
   plots::FigureRequest spectrum{{"psd"}, {"png"}};
   spectrum.size = request.size;

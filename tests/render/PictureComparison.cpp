@@ -26,10 +26,10 @@ PixelDifference difference(const QImage& a, const QImage& b) {
   for (int y = 0; y < first.height(); ++y)
     for (int x = 0; x < first.width(); ++x) {
       const QRgb p = first.pixel(x, y), q = second.pixel(x, y);
-      const int most =
+      const int maximum =
           std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
-      found.largest = std::max(found.largest, most);
-      if (most <= channelTolerance) continue;
+      found.largest = std::max(found.largest, maximum);
+      if (maximum <= channelTolerance) continue;
       ++found.pixels;
       found.where |= QRect(x, y, 1, 1);
     }

@@ -152,8 +152,8 @@ TEST(HostileHdf5, AbsurdChunksAreRefused) {
     const hsize_t chunk = hsize_t{1} << 28;
     H5Pset_chunk(creation, 1, &chunk);
     H5Pset_deflate(creation, 1);
-    const hsize_t extent = 300, most = H5S_UNLIMITED;
-    const hid_t space = H5Screate_simple(1, &extent, &most);
+    const hsize_t extent = 300, maximum = H5S_UNLIMITED;
+    const hid_t space = H5Screate_simple(1, &extent, &maximum);
     H5Dclose(H5Dcreate2(file, "/signals/other", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, creation, H5P_DEFAULT));
     H5Sclose(space);
     H5Pclose(creation);

@@ -148,10 +148,10 @@ TEST(Alignment, aFasterRunIsLowPassedBeforeItsPlacesAreThinnedOut) {
   const auto slow = passageAtSpeed(sampled(500, 2500, struck), 30);
   const auto aligned = alignInPosition({slow, passageAtSpeed(sampled(5000, 25000, high), 30)});
   // Where nothing is struck yet: 0.3 of 30 m/s2 would be the least that folding leaves.
-  double most = 0;
+  double maximum = 0;
   for (std::size_t i = 0; i < aligned.axis.size(); ++i)
-    if (aligned.axis[i] < -0.3 && aligned.axis[i] > -1.2) most = std::max(most, std::abs(aligned.values[1][i]));
-  EXPECT_LT(most, 1);
+    if (aligned.axis[i] < -0.3 && aligned.axis[i] > -1.2) maximum = std::max(maximum, std::abs(aligned.values[1][i]));
+  EXPECT_LT(maximum, 1);
 }
 
 }  // namespace

@@ -27,7 +27,9 @@ TEST(ThirdOctaves, areThoseOfTheStandard) {
     EXPECT_NEAR(bands[i].middle, table[i][1], 5e-5 * table[i][1]);   // five digits
     EXPECT_NEAR(bands[i].highest / bands[i].lowest, 1.2589, 5e-5);   // G^(1/3), five digits
     EXPECT_NEAR(std::sqrt(bands[i].highest * bands[i].lowest), bands[i].middle, 1e-9 * bands[i].middle);
-    if (i > 0) EXPECT_NEAR(bands[i].lowest, bands[i - 1].highest, 1e-9 * bands[i].lowest) << "a gap or an overlap";
+    if (i > 0) {
+      EXPECT_NEAR(bands[i].lowest, bands[i - 1].highest, 1e-9 * bands[i].lowest) << "a gap or an overlap";
+    }
   }
 }
 
@@ -52,7 +54,9 @@ TEST(ThirdOctaves, aFlatSpectrumRisesByOneDecibelABand) {
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const double width = bands[i].middle * (std::pow(10, 0.05) - std::pow(10, -0.05));
     EXPECT_NEAR(levels[i], 10 * std::log10(density * width / 1e-12), 1e-9);  // exact for a linear density
-    if (i > 0) EXPECT_NEAR(levels[i] - levels[i - 1], 1, 1e-9);              // ten bands a decade
+    if (i > 0) {
+      EXPECT_NEAR(levels[i] - levels[i - 1], 1, 1e-9);  // ten bands a decade
+    }
   }
 }
 

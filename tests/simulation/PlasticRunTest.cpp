@@ -119,13 +119,13 @@ TEST(PlasticRun, IsTheSameInAnotherUnitOfForce) {
   const auto &a = yielded().permanent, &b = doubled.permanent;
   const auto expectTimes = [](double factor, const std::vector<double>& from, const std::vector<double>& to) {
     ASSERT_EQ(from.size(), to.size());
-    double most = 0, difference = 0;
+    double maximum = 0, difference = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {
-      most = std::max(most, std::abs(factor * from[i]));
+      maximum = std::max(maximum, std::abs(factor * from[i]));
       difference = std::max(difference, std::abs(to[i] - factor * from[i]));
     }
-    EXPECT_GT(most, 0);
-    EXPECT_LE(difference, 5e-6 * most);
+    EXPECT_GT(maximum, 0);
+    EXPECT_LE(difference, 5e-6 * maximum);
   };
   expectTimes(1, a.height, b.height);
   expectTimes(1, a.equivalentStrain, b.equivalentStrain);

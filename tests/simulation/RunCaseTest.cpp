@@ -50,15 +50,15 @@ double scalar(const std::vector<results::Scalar>& list, const std::string& name)
 }
 
 double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double v : values) most = std::max(most, std::abs(v));
-  return most;
+  double maximum = 0;
+  for (const double v : values) maximum = std::max(maximum, std::abs(v));
+  return maximum;
 }
 
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
+  double maximum = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) maximum = std::max(maximum, std::abs(a[i] - b[i]));
+  return maximum;
 }
 
 const results::RunResult& lightDefect() {
@@ -126,7 +126,7 @@ double lastOf(const results::RunResult& result, const std::string& name) {
 // Solids and springs are all that is strained: together they hold what the energy balance counts at the end. Each solid
 // holds what it holds under a wheel that stands there (energies of solids at rest:
 // Equilibrium.EverySolidStoresWhatItsModulus Says), but for the wheel's vibration.
-TEST(RunCase, StrainEnergiesOfTheSolidsAreInTheLedger) {
+TEST(RunCase, StrainEnergiesOfTheSolidsAreInTheEnergyBalance) {
   const auto& r = lightDefect();
   double sum = 0;
   for (const char* name :

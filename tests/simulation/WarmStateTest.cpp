@@ -283,8 +283,8 @@ TEST(WarmState, EveryKeyCountsButThoseOfTheDefectAndOfTheFinishedRecord) {
     if (parameter.kind != cases::Kind::number) continue;
     if (!cases::countsBeforeDefect(parameter)) continue;
     auto changed = shared()->description;
-    const bool isLeast = cases::numberInUnit(changed, parameter) == parameter.minimum;
-    cases::setValue(changed, parameter.key, cases::formatDecimal(isLeast ? parameter.maximum : parameter.minimum));
+    const bool isMinimum = cases::numberInUnit(changed, parameter) == parameter.minimum;
+    cases::setValue(changed, parameter.key, cases::formatDecimal(isMinimum ? parameter.maximum : parameter.minimum));
     EXPECT_THAT(refusal(*shared(), changed), HasSubstr(parameter.key + " is ")) << parameter.key;
   }
 }

@@ -67,7 +67,7 @@ TEST(Measures, OfAWaveOfKnownFrequency) {
   // taper softens the step at the impact, which makes the wings: more than that, less than all.
   EXPECT_GT(measure(result, share).value(), 0.87);
   EXPECT_LT(measure(result, share).value(), 0.99);
-  EXPECT_LT(measure(result, statement("quiet", 0, 1)).value(), 0.01);
+  EXPECT_LT(measure(result, statement("residual_vibration", 0, 1)).value(), 0.01);
 }
 
 // exp(-t/4 ms) falls to a tenth in 9.2 ms; a band of 300 Hz rings about 5 ms by itself (BandDecayTest).

@@ -115,6 +115,7 @@ TEST(Reference, MistakesAreNamed) {
   EXPECT_THAT(refusal(with(head + R"("run": "a", "measure": "maximum", "low": 3, "high": 2})")),
               HasSubstr("lower limit not below upper limit"));
   EXPECT_EQ(refusal(with(head + R"("run": "a", "measure": "maximum", "high": 2})")), "accepted");
+  EXPECT_EQ(refusal(with(head + R"("run": "a", "measure": "quiet", "high": 2})")), "accepted") << "a name of before";
   EXPECT_THAT(refusal(with(head + R"("run": "a", "measure": "maximum"})")), HasSubstr("has no range"));
   EXPECT_THAT(refusal(with(head + R"("run": "a", "measure": "maximum", "tolerance": 0.1})")),
               HasSubstr("needs an expected value"));

@@ -63,13 +63,13 @@ TEST(CoarseSpace, HoldsOnElementsLongerThanItsUsualHats) {
   coarse.prolong(team, coarse.correctionOf(team, r.data()).y, z.data());
   // A kilonewton at each station, some hundred in all, on sleepers with some 10 MN/m of ballast each: down, by
   // millimetres.
-  double most = 0;
+  double maximum = 0;
   for (int s = 0; s < rail.stationCount; ++s) {
     const double down = -z[rail.index(0, 2, s)];
     ASSERT_GT(down, 0) << s;
-    most = std::max(most, down);
+    maximum = std::max(maximum, down);
   }
-  EXPECT_LT(most, 0.01);
+  EXPECT_LT(maximum, 0.01);
 }
 
 }  // namespace

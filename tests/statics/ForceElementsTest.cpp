@@ -25,9 +25,9 @@ Equilibrium equilibriumOf(const model::Model& model) {
 }
 
 double largest(const AlignedVector& values) {
-  double most = 0;
-  for (const double v : values) most = std::max(most, std::abs(v));
-  return most;
+  double maximum = 0;
+  for (const double v : values) maximum = std::max(maximum, std::abs(v));
+  return maximum;
 }
 
 // A curve whose points lie on one line is the linear pad: 1300 kN/mm.
@@ -36,9 +36,9 @@ TEST(ProgressivePad, StraightCurveIsTheLinearPad) {
   const auto a = equilibriumOf(linear), b = equilibriumOf(curved);
   // Both leave 1e-7 of the load, some nanometres on 45 MN/m, and stop at different iterates.
   ASSERT_EQ(a.displacement.size(), b.displacement.size());
-  const double most = largest(a.displacement);
+  const double maximum = largest(a.displacement);
   for (std::size_t i = 0; i < a.displacement.size(); ++i)
-    ASSERT_NEAR(a.displacement[i], b.displacement[i], 1e-5 * most) << i;
+    ASSERT_NEAR(a.displacement[i], b.displacement[i], 1e-5 * maximum) << i;
   EXPECT_NEAR(b.strainEnergy, a.strainEnergy, 1e-5 * a.strainEnergy);
 }
 

@@ -111,14 +111,14 @@ TEST(StaticOperator, WheelsetMovesRigidlyThroughTheTie) {
         }
     }
     op.apply(u.data(), f.data());
-    double most = 0;
-    for (const double v : f) most = std::max(most, std::abs(v));
+    double maximum = 0;
+    for (const double v : f) maximum = std::max(maximum, std::abs(v));
     // Stiffnesses at single nodes are of the order of E times 0.1 m.
     const double stiff = 210e9 * 0.1;
     if (motion < 3) {
-      EXPECT_LT(most, 1e-12 * stiff) << "motion " << motion;
+      EXPECT_LT(maximum, 1e-12 * stiff) << "motion " << motion;
     } else {
-      EXPECT_GT(most, 1e-3 * stiff);
+      EXPECT_GT(maximum, 1e-3 * stiff);
     }
   }
 }

@@ -46,5 +46,14 @@ TEST(Numbers, RoundedForPeople) {
   EXPECT_EQ(roundedText(-7), "-7");
 }
 
+TEST(Numbers, InAFormatOrWithSoManyDecimals) {
+  EXPECT_EQ(formatted("%.1f mm", 0.25), "0.2 mm");  // exact in binary: rounded to even
+  EXPECT_EQ(formatted("%g Hz", 1250000), "1.25e+06 Hz");
+  EXPECT_EQ(fixedText(-1.005, 1), "-1.0");
+  EXPECT_EQ(fixedText(12, 3), "12.000");
+  EXPECT_EQ(fixedText(std::numeric_limits<double>::infinity(), 2), "");
+  EXPECT_EQ(fixedText(std::numeric_limits<double>::quiet_NaN(), 2), "");
+}
+
 }  // namespace
 }  // namespace squat::text

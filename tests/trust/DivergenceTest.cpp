@@ -66,7 +66,7 @@ struct Outcome {
 };
 
 // Goes on from a checkpoint that `change` has spoilt.
-Outcome goOn(const TemporaryFolder& folder, const std::function<void(ArrayTree&)>& change) {
+Outcome resume(const TemporaryFolder& folder, const std::function<void(ArrayTree&)>& change) {
   auto state = goodState();
   change(state);
   simulation::RunOptions options;
@@ -96,7 +96,8 @@ long storedStep() {
 void expectStoppedSoon(const TemporaryFolder& folder, const std::string& what, const Outcome& outcome) {
   EXPECT_THAT(outcome.error, HasSubstr(what));
   EXPECT_THAT(outcome.error, HasSubstr("step"));
-  EXPECT_LE(outcome.step - storedStep(), 500) << "the ledger is looked at every five output samples of about 80 steps";
+  EXPECT_LE(outcome.step - storedStep(), 500)
+      << "the energy balance is looked at every five output samples of about 80 steps";
   EXPECT_FALSE(outcome.partial.complete);
   EXPECT_THAT(outcome.partial.stopReason, HasSubstr("failed"));
   EXPECT_GT(outcome.partial.time.size(), 10U) << "the signals so far are kept";
@@ -107,7 +108,7 @@ void expectStoppedSoon(const TemporaryFolder& folder, const std::string& what, c
 
 TEST(Divergence, AVelocityBeyondEverythingIsCaught) {
   const TemporaryFolder folder;
-  expectStoppedSoon(folder, "diverges", goOn(folder, [](ArrayTree& state) {
+  expectStoppedSoon(folder, "diverges", resume(folder, [](ArrayTree& state) {
                       auto& velocity = numbers(state, "/rolling/velocity");
                       for (double& value : velocity) value *= 1e200;
                     }));
@@ -118,7 +119,7 @@ TEST(Divergence, RunawayPenetrationIsCaught) {
   constexpr double drop = 3e-3;
   const auto model = model::buildModel(cases::resolve(shortCase()));
   const TemporaryFolder folder;
-  expectStoppedSoon(folder, "runaway penetration", goOn(folder, [&](ArrayTree& state) {
+  expectStoppedSoon(folder, "runaway penetration", resume(folder, [&](ArrayTree& state) {
                       const double rotation = numbers(state, "/rolling/scalars")[2];
                       auto& displaced = numbers(state, "/rolling/displaced");
                       for (const int b : {model.rim, model.body}) {
@@ -141,7 +142,7 @@ TEST(Divergence, AnElementTurnedInsideOutIsCaught) {
   const int node = rail.section.quads[rail.section.quads.size() / 2][0], station = rail.intervals / 2;
   const double interval = rail.positions[station + 1] - rail.positions[station];
   const TemporaryFolder folder;
-  const auto outcome = goOn(folder, [&](ArrayTree& state) {
+  const auto outcome = resume(folder, [&](ArrayTree& state) {
     numbers(state, "/rolling/displaced")[rail.index(node, 0, station)] += 3 * interval;
   });
   expectStoppedSoon(folder, "turned inside out", outcome);
@@ -170,7 +171,7 @@ TEST(Divergence, ACheckpointWithANotANumberIsRefused) {
 // Near equilibrium the energy is stationary: stretching all displacements by 20 % adds 4 % of the strain energy.
 TEST(Divergence, EnergyFromNowhereIsCaught) {
   const TemporaryFolder folder;
-  expectStoppedSoon(folder, "energy balance", goOn(folder, [](ArrayTree& state) {
+  expectStoppedSoon(folder, "energy balance", resume(folder, [](ArrayTree& state) {
                       for (double& value : numbers(state, "/rolling/displaced")) value *= 1.2;
                     }));
 }
@@ -178,7 +179,7 @@ TEST(Divergence, EnergyFromNowhereIsCaught) {
 TEST(HostileCheckpoint, WhatDoesNotFitIsRefusedByName) {
   const auto refusal = [](const std::function<void(ArrayTree&)>& change) {
     const TemporaryFolder folder;
-    return goOn(folder, change).error;
+    return resume(folder, change).error;
   };
   EXPECT_THAT(refusal([](ArrayTree& s) {
                 numbers(s, "/rolling/velocity").resize(10);
@@ -191,7 +192,7 @@ TEST(HostileCheckpoint, WhatDoesNotFitIsRefusedByName) {
               }),
               HasSubstr("/rolling/closed"));
   EXPECT_THAT(refusal([](ArrayTree& s) { numbers(s, "/rolling/scalars")[0] = -5; }), HasSubstr("/rolling/scalars"));
-  // Time, rotation and spin: a search around the wheel would take its turns one by one.
+  // Time, rotation and angular velocity: a search around the wheel would take its turns one by one.
   for (const std::size_t which : {1u, 2u, 3u})
     for (const double value : {1e300, -1e9})
       EXPECT_THAT(refusal([&](ArrayTree& s) { numbers(s, "/rolling/scalars")[which] = value; }),

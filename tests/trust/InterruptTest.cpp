@@ -21,7 +21,7 @@ using testing::TemporaryFolder;
 
 class Interrupt : public ::testing::TestWithParam<int> {};
 
-TEST_P(Interrupt, OneSignalStopsCleanlyAndTheRunCanGoOn) {
+TEST_P(Interrupt, OneSignalStopsCleanlyAndTheRunCanBeResumed) {
   const TemporaryFolder folder;
   const auto result = folder / "light-defect.h5";
   Program program(shortRun(folder.path()));

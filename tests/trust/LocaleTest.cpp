@@ -36,9 +36,9 @@ TEST(Locale, ADecimalCommaInTheEnvironmentChangesNothing) {
 
   ASSERT_EQ(call(testing::shortRun(folder / "plain"), &first, plain), 0) << first;
   ASSERT_EQ(call(testing::shortRun(folder / "german"), &second, german), 0) << second;
-  constexpr std::size_t most = 100000000;
-  EXPECT_EQ(readWholeFile(folder / "plain/light-defect.csv", most),
-            readWholeFile(folder / "german/light-defect.csv", most));
+  constexpr std::size_t maximum = 100000000;
+  EXPECT_EQ(readWholeFile(folder / "plain/light-defect.csv", maximum),
+            readWholeFile(folder / "german/light-defect.csv", maximum));
   EXPECT_EQ(results::readResult(folder / "plain/light-defect.h5").caseToml,
             results::readResult(folder / "german/light-defect.h5").caseToml);
 
@@ -49,7 +49,8 @@ TEST(Locale, ADecimalCommaInTheEnvironmentChangesNothing) {
       call({"analyse", folder / "plain/light-defect.csv", "--column", "aba", "-o", folder / "german"}, &second, german),
       0)
       << second;
-  EXPECT_EQ(readWholeFile(folder / "plain/features.csv", most), readWholeFile(folder / "german/features.csv", most));
+  EXPECT_EQ(readWholeFile(folder / "plain/features.csv", maximum),
+            readWholeFile(folder / "german/features.csv", maximum));
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ TEST(ImpactEnergy, IsKeptThroughAnImpact) {
   dynamics::Rolling rolling(model, kernels, team, stable.step, stable.beta);
   rolling.start(start.equilibrium.displacement, start.velocity, description.motion.speed / description.wheelset.radius);
   EnergyBalance balance(rolling, start.equilibrium.strainEnergy);
-  double most = 0;
-  const auto watch = [&](const dynamics::StepView& view) { most = std::max(most, view.patch.vertical); };
+  double maximum = 0;
+  const auto watch = [&](const dynamics::StepView& view) { maximum = std::max(maximum, view.patch.vertical); };
   const double load = start.equilibrium.contactForce;
   while (rolling.state().time < 2e-3) {
     balance.before(rolling);
@@ -69,7 +69,7 @@ TEST(ImpactEnergy, IsKeptThroughAnImpact) {
     balance.after(rolling);
     rolling.advance(39, watch);
   }
-  EXPECT_GT(most, 1.8 * load);
+  EXPECT_GT(maximum, 1.8 * load);
   for (const double value : valuesOf(balance, "residual"))
     EXPECT_LT(std::abs(value), 1e-3 * start.equilibrium.strainEnergy);
   double residual = 0;
@@ -77,7 +77,7 @@ TEST(ImpactEnergy, IsKeptThroughAnImpact) {
   verification::seen("energy balance", 100 * residual / start.equilibrium.strainEnergy, "%");
 }
 
-// A driven wheel: the torque's work goes into travel, spin, strain and slip. Theory: conservation of energy.
+// A driven wheel: the torque's work goes into travel, rotation, strain and slip. Theory: conservation of energy.
 // 0.05 J: what the books may miss is the power of slip along the slope of the deformed tread, which the contact leaves
 // out (0.03 J seen). Without any of these it is 0.08 to 0.2 J, each seen by taking it out: the displaced material and
 // its arm, the wheel's place at the instant of u + beta v, the angular momentum of the contact's added inertia, the
@@ -102,16 +102,16 @@ TEST(DrivenWheel, KeepsTheBooks) {
     balance.after(rolling);
     rolling.advance(199, ignore);
   }
-  double most = 0;
+  double maximum = 0;
   for (const double value : valuesOf(balance, "residual")) {
     EXPECT_LT(std::abs(value), 0.05);
-    most = std::max(most, std::abs(value));
+    maximum = std::max(maximum, std::abs(value));
   }
   // Traction times speed from the middle of the ramp on. 2 %: creepage, and the weight of wheels that rise and fall.
   const double work =
       0.2 * start.equilibrium.contactForce * description.motion.speed * (balance.times().back() - 0.5e-3);
   EXPECT_NEAR(valuesOf(balance, "external").back(), work, 0.02 * work);
-  verification::seen("energy balance", most, "J");
+  verification::seen("energy balance", maximum, "J");
 }
 
 }  // namespace

@@ -112,16 +112,16 @@ TEST_P(UniaxialPlasticity, LoadUnloadReload) {
                   1e-11 * yieldStress * yieldStress / steel.young * volume);
       EXPECT_NEAR(energy.dissipated, yieldStress * law.equivalent * volume, 1e-12 * yieldStress * volume);
       for (int station = 0; station < 8; ++station) {  // the last station is another segment's
-        double sum = 0, most = 0;
+        double sum = 0, maximum = 0;
         for (int n = 0; n < block.nodes; ++n)
           for (int c = 0; c < 3; ++c) {
             const double rest = force[block.index(n, c, station)] - plastic[(3 * n + c) * block.stride + station];
             if (c == 0) sum += rest;
-            most = std::max(most, std::abs(rest));
+            maximum = std::max(maximum, std::abs(rest));
           }
         EXPECT_NEAR(sum, station == 0 ? -s * area : 0.0, 1e-11 * steel.young * area * 0.01);
         if (station == 0) continue;
-        EXPECT_LT(most, 1e-11 * steel.young * area * 0.01) << "station " << station;
+        EXPECT_LT(maximum, 1e-11 * steel.young * area * 0.01) << "station " << station;
       }
       if (k == 5) before = goal;
     }

@@ -93,14 +93,14 @@ double reflected(double slaveSize, double masterSize, double width) {
         }
   }
   const auto& upper = j.blocks[0];
-  double most = 0, passed = 0;
+  double maximum = 0, passed = 0;
   for (int n = 0; n < upper.nodes; ++n)
     if (upper.section.nodes[n][1] > 0.05)
-      for (int s = 0; s < upper.stationCount; ++s) most = std::max(most, std::abs(u[upper.index(n, 2, s)]));
+      for (int s = 0; s < upper.stationCount; ++s) maximum = std::max(maximum, std::abs(u[upper.index(n, 2, s)]));
   for (int n = 0; n < j.blocks[1].nodes; ++n)
     for (int s = 0; s < j.blocks[1].stationCount; ++s) passed = std::max(passed, u[j.blocks[1].index(n, 2, s)]);
   EXPECT_NEAR(passed, 1, 0.05) << "the pulse has gone through";
-  return most;
+  return maximum;
 }
 
 // A Gaussian of standard deviation s holds wavelengths from about 2 pi s / 2 upwards (two standard deviations of its

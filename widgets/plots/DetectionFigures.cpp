@@ -91,10 +91,8 @@ results::AnalysedRecord recordOf(const CombinedEvent& combined) {
   }
   record.psdFrom = std::max(-0.2, record.position.front());
   record.psdTo = std::min(0.6, record.position.back());
-  signals::WaveletOptions options;
-  options.highest = std::min(2000.0, 0.45 * series.rate());
-  options.voicesPerOctave = 12;
-  const auto map = signals::scalogram(series, options);
+  std::vector<std::string> notes;
+  const auto map = analysis::scalogramMap(series, {}, notes);
   record.scalogramFrequency = map.frequency;
   record.scalogramTime = map.time;
   record.scalogramPower = map.power;
@@ -123,7 +121,7 @@ std::unique_ptr<Figure> signalFigure(const results::AnalysedRecord& record, cons
   return figure;
 }
 
-std::vector<const CombinedEvent*> mostImportant(const detection::DetectionReport& report, std::size_t most) {
+std::vector<const CombinedEvent*> mostImportant(const detection::DetectionReport& report, std::size_t maximum) {
   std::vector<const CombinedEvent*> events;
   for (const auto& event : report.events)
     if (event.event.passage.values.size() > 32) events.push_back(&event);
@@ -132,14 +130,14 @@ std::vector<const CombinedEvent*> mostImportant(const detection::DetectionReport
   };
   std::stable_sort(events.begin(), events.end(),
                    [&](const CombinedEvent* a, const CombinedEvent* b) { return rank(*a) > rank(*b); });
-  if (events.size() > most) events.resize(most);
+  if (events.size() > maximum) events.resize(maximum);
   return events;
 }
 
 }  // namespace
 
 std::vector<FigureSheet> detectionFigures(const detection::DetectionReport& report, const Style& style,
-                                          std::size_t most) {
+                                          std::size_t maximum) {
   std::vector<FigureSheet> sheets;
   FigureSheet overview{"overview", {}, 1};
   const auto channels = report.records.empty() ? 0 : report.records.front().channels.size();
@@ -147,7 +145,7 @@ std::vector<FigureSheet> detectionFigures(const detection::DetectionReport& repo
     overview.panels.push_back(overviewFigure(report, c, c + 1 == channels, style));
   if (channels > 0) sheets.push_back(std::move(overview));
   std::size_t count = 0;
-  for (const auto* combined : mostImportant(report, most)) {
+  for (const auto* combined : mostImportant(report, maximum)) {
     const auto record = recordOf(*combined);
     char name[32];
     std::snprintf(name, sizeof name, "event_%03zu", ++count);

@@ -9,8 +9,8 @@
 namespace squat::plots {
 
 // "overview": largest acceleration along the chainage, a panel a channel of the first record, events as marks.
-// "event_001", ...: signal and scalogram of each event, squats first, the strongest first, at most `most`.
+// "event_001", ...: signal and scalogram of each event, squats first, the strongest first, at most `maximum`.
 std::vector<FigureSheet> detectionFigures(const detection::DetectionReport& report, const Style& style,
-                                          std::size_t most = 40);
+                                          std::size_t maximum = 40);
 
 }  // namespace squat::plots

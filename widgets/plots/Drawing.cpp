@@ -13,8 +13,8 @@ namespace squat::plots {
 namespace {
 
 void requirePixels(const QSizeF& size, double resolution) {
-  constexpr double most = 2e8;  // 800 MB
-  if (size.width() * size.height() <= most) return;
+  constexpr double maximum = 2e8;  // 800 MB
+  if (size.width() * size.height() <= maximum) return;
   throw CaseError({{"resolution", std::to_string(qRound(resolution)) + " dpi", "at most 200 million pixels a picture",
                     "Choose a smaller figure or a lower resolution"}});
 }

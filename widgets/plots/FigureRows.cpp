@@ -153,7 +153,7 @@ std::vector<FigureRow> railRows() {
            .build = plain<defectProfileFigure>,
            .axis = FigureAxis::railPosition},
           {.name = "permanent_change",
-           .tab = "Change",
+           .tab = "Dent",
            .title = "Permanent change of the running surface",
            .needs = kNeedsPlasticFlow,
            .applies = hasPlasticFlow,

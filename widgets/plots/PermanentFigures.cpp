@@ -69,8 +69,8 @@ std::unique_ptr<Figure> residualStressFigure(const results::RunResult& result, c
     return figure;
   }
   const std::size_t width = change.depth.size();
-  const auto most = std::max_element(change.equivalentStrain.begin(), change.equivalentStrain.end());
-  const std::size_t row = static_cast<std::size_t>(most - change.equivalentStrain.begin()) / width;
+  const auto maximum = std::max_element(change.equivalentStrain.begin(), change.equivalentStrain.end());
+  const std::size_t row = static_cast<std::size_t>(maximum - change.equivalentStrain.begin()) / width;
   const auto first = static_cast<std::ptrdiff_t>(row * width), last = static_cast<std::ptrdiff_t>(row * width + width);
   const std::vector<double> depth = scaled(change.depth, 1e3);
   double low = 0, high = 0;

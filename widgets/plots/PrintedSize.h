@@ -10,8 +10,8 @@ struct PrintedSize {
   double resolution = printResolution;  // [dpi] of PNG
 
   // What a user may choose. In smaller figures the labels of axes are cut.
-  static constexpr double leastWidth = 80, leastHeight = 55, mostSide = 400;  // [mm]
-  static constexpr double leastResolution = 50, mostResolution = 1200;        // [dpi]
+  static constexpr double minimumWidth = 80, minimumHeight = 55, maximumSide = 400;  // [mm]
+  static constexpr double minimumResolution = 50, maximumResolution = 1200;          // [dpi]
 };
 
 }  // namespace squat::plots

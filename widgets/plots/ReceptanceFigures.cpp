@@ -73,9 +73,9 @@ void alignAxes(FigureSheet& sheet) {
     left = std::max(left, panel->axisRect()->margins().left());
   }
   for (const auto& panel : sheet.panels) {
-    QMargins least = panel->axisRect()->minimumMargins();
-    least.setLeft(left);
-    panel->axisRect()->setMinimumMargins(least);
+    QMargins minimum = panel->axisRect()->minimumMargins();
+    minimum.setLeft(left);
+    panel->axisRect()->setMinimumMargins(minimum);
   }
 }
 

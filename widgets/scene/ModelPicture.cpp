@@ -83,7 +83,7 @@ void addOverview(SurfacelessWindow& window, const results::RunResult& result, co
       springActor(springLines(result.surface, snapshot ? snapshot->wheelTravel : 0), 2.5 * pixels.line);
   for (const auto& plane : look.cuts) springs->GetMapper()->AddClippingPlane(plane);
   renderer->AddActor(springs);
-  aim(*renderer, {contactAt, -0.12, 0.24}, {0.55, 0.75, 0.42}, 0.95);
+  aim(*renderer, {contactAt, -0.12, 0.24}, {0.55, -0.75, 0.42}, 0.95);
 }
 
 // With inner faces at y = 0 both bodies are cut there and the stress below the surface is seen; without them the wheel
@@ -98,13 +98,13 @@ void addCloseUp(SurfacelessWindow& window, const results::RunResult& result, con
   const auto parts = partData(result.surface, snapshot, look.field, 1.0);
   look.high = roundUp(std::max(largestNear(parts, contactAt, 0.03), 1.0));
   const bool cut = std::any_of(parts.begin(), parts.end(), [](const PartData& part) { return isCutFace(part.name); });
-  if (cut) look.cuts = {planeAt(0, 0, 0, 0, -1, 0)};
+  if (cut) look.cuts = {planeAt(0, 0, 0, 0, 1, 0)};
   for (const auto& part : parts)
     if (cut || !rolls(part.name)) renderer->AddActor(partActor(part, look));
   if (cut)
-    aim(*renderer, {contactAt, 0, 0.0005}, {0.12, 0.97, 0.14}, 0.034);
+    aim(*renderer, {contactAt, 0, 0.0005}, {0.12, -0.97, 0.14}, 0.034);
   else
-    aim(*renderer, {contactAt, 0, -0.004}, {0.3, 0.6, 0.75}, 0.045);
+    aim(*renderer, {contactAt, 0, -0.004}, {0.3, -0.6, 0.75}, 0.045);
   renderer->AddActor2D(textActor(cut ? "cut at y = 0" : "rail, wheel hidden", 0.03, 0.03, pixels.label, cut));
   if (!snapshot) return;
   auto bar = newRenderer(window, pixels.barLeft, 1, 0, bodyTop);
@@ -137,8 +137,8 @@ Picture modelPicture(const results::RunResult& result, const std::string& colour
     return {};
   }
   const Pixels pixels = pixelsOf(size);
-  if (std::max(pixels.width, pixels.height) > PictureSize::mostPixels) {
-    reason = "it would have more than " + std::to_string(PictureSize::mostPixels) +
+  if (std::max(pixels.width, pixels.height) > PictureSize::maximumPixels) {
+    reason = "it would have more than " + std::to_string(PictureSize::maximumPixels) +
              " pixels on a side; choose a lower resolution";
     return {};
   }

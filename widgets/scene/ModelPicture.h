@@ -18,7 +18,7 @@ struct PictureSize {
   double width = 170, height = 90;  // [mm]
   double resolution = 300;          // [dpi]
 
-  static constexpr int mostPixels = 8192;  // of a side, within what graphics drivers draw
+  static constexpr int maximumPixels = 8192;  // of a side, within what graphics drivers draw
 };
 
 // Left the parts, springs and mesh near the contact; right a close-up, cut at y = 0 so that the contact is seen,

@@ -1,6 +1,7 @@
 #include "scene/SceneView.h"
 
 #include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
 #include <vtkProperty.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -114,7 +115,7 @@ void SceneView::rebuild() {
   look.high = roundUp(my.highest > 0 ? my.highest : 1);
   if (my.choices.cut) {
     look.cuts.push_back(vtkSmartPointer<vtkPlane>::New());
-    look.cuts.back()->SetNormal(0, -1, 0);
+    look.cuts.back()->SetNormal(0, 1, 0);
   }
   for (const auto& part : parts) {
     if (isCutFace(part.name) && !my.choices.cut) continue;
@@ -186,17 +187,17 @@ void SceneView::showHeading() {
   Parts& my = *parts_;
   if (my.heading) my.renderer->RemoveActor2D(my.heading);
   if (!my.result || my.surfaces.empty()) return;
-  vtkCamera* camera = my.renderer->GetActiveCamera();
-  const double* direction = camera->GetDirectionOfProjection();
-  const double* above = camera->GetViewUp();
-  const double right = direction[1] * above[2] - direction[2] * above[1];  // of +x along the picture
-  constexpr double least = 0.2;
-  if (std::abs(right) < least) return;
+  constexpr double minimum = 0.2;
+  if (std::abs(heading()) < minimum) return;
   const int high = std::max(1, static_cast<int>(std::lround(letters * my.pixelRatio)));
-  my.heading = textActor(right > 0 ? "rolls \u2192" : "\u2190 rolls", 0.02, 0.02, high, my.look.dark);
+  my.heading = textActor(heading() > 0 ? "rolls \u2192" : "\u2190 rolls", 0.02, 0.02, high, my.look.dark);
   my.heading->GetTextProperty()->SetBackgroundColor(my.renderer->GetBackground());  // readable on any part
   my.heading->GetTextProperty()->SetBackgroundOpacity(0.7);
   my.renderer->AddActor2D(my.heading);
+}
+
+double SceneView::heading() const {
+  return parts_->renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetElement(0, 0);
 }
 
 Picture SceneView::render(int width, int height, bool moving, double pixelRatio) {
@@ -250,22 +251,23 @@ void SceneView::zoom(double factor) {
   camera->SetParallelScale(std::clamp(camera->GetParallelScale() / factor, 1e-3, 50.0));
 }
 
+// From the middle of the track, so that the wheel rolls to the right, as the axes of all figures run.
 void SceneView::lookFrom(StandardView view) {
   if (parts_->stale && parts_->placed) rebuild();
   const double x = parts_->contactAt;
   switch (view) {
     case StandardView::overview:
-      return aim(*parts_->renderer, {x, -0.1, 0.22}, {0.55, 0.75, 0.42}, 0.75);
+      return aim(*parts_->renderer, {x, -0.1, 0.22}, {0.55, -0.75, 0.42}, 0.75);
     case StandardView::contact:
-      if (isOfPatch(parts_->choices.field)) return aim(*parts_->renderer, {x, 0, 0}, {0.3, 0.5, 0.8}, 0.014);
-      return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.25, 0.95, 0.16}, 0.06)
-                                 : aim(*parts_->renderer, {x, 0, 0}, {0.5, 0.75, 0.3}, 0.08);
+      if (isOfPatch(parts_->choices.field)) return aim(*parts_->renderer, {x, 0, 0}, {0.3, -0.5, 0.8}, 0.014);
+      return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.25, -0.95, 0.16}, 0.06)
+                                 : aim(*parts_->renderer, {x, 0, 0}, {0.5, -0.75, 0.3}, 0.08);
     case StandardView::side:
-      return aim(*parts_->renderer, {x, 0, 0.25}, {0, 1, 0}, 0.75);
+      return aim(*parts_->renderer, {x, 0, 0.25}, {0, -1, 0}, 0.75);
     case StandardView::front:
       return aim(*parts_->renderer, {x, -0.2, 0.25}, {1, 0, 0}, 0.75);
     case StandardView::top:
-      return aim(*parts_->renderer, {x, -0.1, 0.2}, {0.0001, 0.02, 1}, 0.9);
+      return aim(*parts_->renderer, {x, -0.1, 0.2}, {0.0001, -0.02, 1}, 0.9);
   }
 }
 

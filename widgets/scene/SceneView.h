@@ -41,6 +41,8 @@ class SceneView {
   void pan(double right, double up, int height);  // [pixels] of a picture of that height
   void zoom(double factor);                       // above 1: nearer
   void lookFrom(StandardView view);
+  // Of the rolling direction along the picture: 1 to the right, -1 to the left, 0 towards or away from the eye.
+  double heading() const;
   // Largest value of the field over all snapshots of the result, in the unit of fieldName(): the colours stand for the
   // same values in every frame of an animation.
   double highest() const;

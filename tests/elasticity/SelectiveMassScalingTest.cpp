@@ -1,6 +1,6 @@
 // More inertia for short waves: what the step does against the definition, a dense projection written out here; what
 // must be left alone; and the bound that contact's added mass relies on.
-#include "elasticity/SelectiveInertia.h"
+#include "elasticity/SelectiveMassScaling.h"
 
 #include <gtest/gtest.h>
 
@@ -166,20 +166,20 @@ struct Sample {
 };
 
 // Plain accelerations within round-off of the definition, masses of eight stations included that a coarser run adjoins.
-TEST(SelectiveInertia, IsTheProjectionInTheMasses) {
+TEST(SelectiveMassScaling, IsTheProjectionInTheMasses) {
   const Sample sample;
   const AlignedVector bare = sample.bareAccelerations();
   AlignedVector filtered = bare;
   for (const auto& block : sample.blocks) {
     slowShortWaves(block, filtered.data() + block.offset);
     const AlignedVector expected = byDefinition(block, bare, lumpedMass(block));
-    double most = 0, different = 0, size = 0;
+    double maximum = 0, different = 0, size = 0;
     for (const std::size_t i : unknownsOf(block)) {
       size = std::max(size, std::abs(bare[i]));
-      most = std::max(most, std::abs(filtered[i] - expected[i]));
+      maximum = std::max(maximum, std::abs(filtered[i] - expected[i]));
       different = std::max(different, std::abs(filtered[i] - bare[i]));
     }
-    EXPECT_LT(most, 1e-11 * size) << block.name;
+    EXPECT_LT(maximum, 1e-11 * size) << block.name;
     EXPECT_GT(different, 0.1 * size) << "it does something";
   }
 }
@@ -243,18 +243,18 @@ void expectTheStepByDefinition(const Sample& sample) {
         for (const auto& segments : partition(sample.blocks, {0, 1}, parts))
           advanceSegments(segments, sample.blocks, steps, step, sample.displaced.data(), target.data(), velocity.data(),
                           scratch);
-        double most = 0;
+        double maximum = 0;
         for (const auto& block : sample.blocks)
           for (const std::size_t i : unknownsOf(block))
-            most = std::max(most, std::abs(velocity[i] / step - expected[i]));
-        EXPECT_LT(most, (precision == Precision::doubleInside ? 1e-10 : 2e-5) * size)
+            maximum = std::max(maximum, std::abs(velocity[i] / step - expected[i]));
+        EXPECT_LT(maximum, (precision == Precision::doubleInside ? 1e-10 : 2e-5) * size)
             << isa << ", " << parts << " parts" << (even ? ", even" : "");
       }
 }
 
 // Masses of the section are one number a node on runs of different length, around the axis too; a node that has grown
 // anywhere, or has a line, has its own.
-TEST(SelectiveInertia, EvenMassesAreThoseOfTheSectionAlone) {
+TEST(SelectiveMassScaling, EvenMassesAreThoseOfTheSectionAlone) {
   Sample sample;
   sample.grow(0, 32, 16);
   for (std::size_t b = 0; b < sample.blocks.size(); ++b) {
@@ -279,11 +279,11 @@ TEST(SelectiveInertia, EvenMassesAreThoseOfTheSectionAlone) {
   }
 }
 
-TEST(SelectiveInertia, TheStepDoesTheSameOnAllInstructionSets) { expectTheStepByDefinition({}); }
+TEST(SelectiveMassScaling, TheStepDoesTheSameOnAllInstructionSets) { expectTheStepByDefinition({}); }
 
 // Stations whose masses have grown, 16 and eight of them, first in their chunk and within it, in all clusters: of
 // eight, four and three nodes, and one by itself.
-TEST(SelectiveInertia, TheStepFiltersHeavierStationsInTheirOwnMasses) {
+TEST(SelectiveMassScaling, TheStepFiltersHeavierStationsInTheirOwnMasses) {
   Sample sample;
   const AlignedVector before = byDefinition(sample.blocks[1], sample.bareAccelerations(), sample.mass[1]);
   sample.grow(0, 32, 16), sample.grow(0, 48, 16), sample.grow(0, 64, 8);
@@ -297,7 +297,7 @@ TEST(SelectiveInertia, TheStepFiltersHeavierStationsInTheirOwnMasses) {
 // Resultant and moments: what the masses gain in momentum, and in moment of momentum about all axes, is what the bare
 // accelerations would have given. Along a line exactly; the fields that are kept in the ring's turning basis are
 // constant and linear there, rigid motions only nearly so, its turning about the axis exactly.
-TEST(SelectiveInertia, KeepsMomentumAndItsMoments) {
+TEST(SelectiveMassScaling, KeepsMomentumAndItsMoments) {
   const Sample sample;
   const AlignedVector bare = sample.bareAccelerations();
   AlignedVector filtered = bare;
@@ -328,7 +328,7 @@ TEST(SelectiveInertia, KeepsMomentumAndItsMoments) {
 
 // Blocks whose masses grow by any D: the effective mass grows by D at least. M_e = M F^-1, dense, masses and D at
 // random.
-TEST(SelectiveInertia, AddedMassIsFeltInFullByEveryMotion) {
+TEST(SelectiveMassScaling, AddedMassIsFeltInFullByEveryMotion) {
   const Sample sample;
   const auto& block = sample.blocks[1];
   const auto& cluster = block.clusters[0];
@@ -363,7 +363,7 @@ TEST(SelectiveInertia, AddedMassIsFeltInFullByEveryMotion) {
 
 // The search takes every node that may join once, leaves the others, and finds the same again. That it pays is held by
 // StableStep.CoversTheBareRail.
-TEST(SelectiveInertia, ClustersHoldEveryNodeOnce) {
+TEST(SelectiveMassScaling, ClustersHoldEveryNodeOnce) {
   SweptBlock block;
   block.name = "bar", block.kind = SweepKind::alongX;
   block.section = gridSection(evenly(-0.01, 0.01, 9), evenly(0, 0.012, 6), 0);

@@ -1,4 +1,4 @@
-// solver/elasticity/SelectiveInertia.h - more inertia for waves as short as the elements, none for longer ones.
+// solver/elasticity/SelectiveMassScaling.h - more inertia for waves as short as the elements, none for longer ones.
 //
 // The explicit step is limited by waves of a few elements' length, at hundreds of kilohertz, which no axle box feels.
 // Selective mass scaling (Olovsson, Simonsson and Unosson 2005) slows those alone. Here it acts on the inverse mass
@@ -23,7 +23,7 @@ struct SweptBlock;
 
 constexpr double shortShare = 0.1;  // of their inverse mass that short waves keep
 
-struct SelectiveInertia {
+struct SelectiveMassScaling {
   double share = 1;                     // of the inverse mass that short waves keep
   std::vector<KernelCluster> clusters;  // places of the kernels' order
   // Per place: (1 - share) times its weights in the amplitudes of three fields, then the fields' values there.
@@ -50,13 +50,13 @@ void blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int s
                  const std::vector<double>& mass, std::vector<double>& values);
 
 // From the block's clusters, shortLength, masses and order.
-SelectiveInertia selectiveInertia(const SweptBlock& block);
+SelectiveMassScaling selectiveMassScaling(const SweptBlock& block);
 
 // M^-1 f of every node and station, in state layout from the block's first value, becomes F M^-1 f. Plain, for the
 // stable step and tests; the kernels do the same while they step.
 void slowShortWaves(const SweptBlock& block, double* acceleration);
 
 // The same of one station by itself: nodes x 3.
-void slowShortWavesAcross(const SweptBlock& block, double* acceleration);
+void scaleMassAcross(const SweptBlock& block, double* acceleration);
 
 }  // namespace squat::elasticity

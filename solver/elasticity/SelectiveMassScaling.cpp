@@ -1,4 +1,4 @@
-#include "elasticity/SelectiveInertia.h"
+#include "elasticity/SelectiveMassScaling.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -22,7 +22,7 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& given, const Eigen::VectorXd&
 }
 
 void addCluster(const SweptBlock& block, const KernelCluster& cluster, const std::vector<double>& mass,
-                SelectiveInertia& out) {
+                SelectiveMassScaling& out) {
   const std::vector<int> nodes(block.order.members.begin() + cluster.first, block.order.members.begin() + cluster.end);
   const Eigen::MatrixXd kept = keptFields(block, nodes, mass);
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -73,8 +73,8 @@ Eigen::MatrixXd keptFields(const SweptBlock& block, const std::vector<int>& clus
   return orthonormal(given, own);
 }
 
-SelectiveInertia selectiveInertia(const SweptBlock& block) {
-  SelectiveInertia out;
+SelectiveMassScaling selectiveMassScaling(const SweptBlock& block) {
+  SelectiveMassScaling out;
   out.along.resize(block.runIntervals.size()), out.singleAlong.resize(block.runIntervals.size());
   if (block.clusters.empty()) return out;
   out.share = shortShare;
@@ -148,11 +148,11 @@ void blockFilter(const SweptBlock& block, const std::vector<int>& cluster, int s
     for (int k = 0; k < 2; ++k) middle[k] += block.section.nodes[n][k] / static_cast<double>(rows);
   for (const int n : cluster)
     for (int k = 0; k < 2; ++k) reach[k] = std::max(reach[k], std::abs(block.section.nodes[n][k] - middle[k]));
-  const double least = 1e-9 * std::max(reach[0], reach[1]);
+  const double minimum = 1e-9 * std::max(reach[0], reach[1]);
   const auto across = [&](std::size_t i) {
     const auto& p = block.section.nodes[cluster[i]];
-    return std::array<double, keptAcross>{1, reach[0] > least ? (p[0] - middle[0]) / reach[0] : 0,
-                                          reach[1] > least ? (p[1] - middle[1]) / reach[1] : 0};
+    return std::array<double, keptAcross>{1, reach[0] > minimum ? (p[0] - middle[0]) / reach[0] : 0,
+                                          reach[1] > minimum ? (p[1] - middle[1]) / reach[1] : 0};
   };
   const double half = 0.5 * (stations - 1);
   Square gram{};
@@ -228,7 +228,7 @@ void slowShortWaves(const SweptBlock& block, double* acceleration) {
       }
 }
 
-void slowShortWavesAcross(const SweptBlock& block, double* acceleration) {
+void scaleMassAcross(const SweptBlock& block, double* acceleration) {
   const auto& inertia = block.inertia;
   for (const auto& cluster : inertia.clusters)
     for (int c = 0; c < 3; ++c) {

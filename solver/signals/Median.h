@@ -1,0 +1,17 @@
+// solver/signals/Median.h - the middle value.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace squat::signals {
+
+// Of an even number the upper one of the two in the middle; 0 of none. Values must not be not-a-number.
+inline double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace squat::signals
