@@ -1,7 +1,9 @@
-// solver/project/Project.h - a piece of work around some runs as one plain value: cases, runs, measured signals, notes
-// and what is looked at.
+// solver/project/Project.h - a piece of work around some runs as one plain value: cases, runs, measured signals, long
+// records, notes and views.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,33 @@ struct Entry {
   double gain = 1;  // of its values
 };
 
+// What the user has seen at an event of a long record.
+struct SeenEvent {
+  double position = 0;  // [m]
+  std::string channel;
+  std::string seenAs;  // "severe squat", "weld"
+};
+
+// Long records, the options of the search for events in them, and what came out.
+struct LongRecords {
+  std::vector<std::string> files;  // empty: none are open
+  std::string channels, chainage;  // as typed; empty: all accelerations, from the file
+  double speed = 0;                // [m/s]; 0: from the file
+  bool ownVehicle = false;         // judged by the vehicle and track of the open case
+  std::string labels;              // file of the user's labels; empty: none
+  std::string events;              // file of the list of events, squats.json; empty: not written yet
+  std::vector<SeenEvent> seen;     // saved as labels or not
+};
+
+// How the figures of the signals are computed and drawn.
+struct FigureChoices {
+  double cutoff = 0;        // [Hz] of the low-pass filter
+  double from = 0, to = 0;  // [m] section of the spectrum
+  std::string window, scale, colours;
+  int moment = -1;                   // of the contact patch, index; -1: the impact
+  std::size_t segment = 1, hop = 1;  // [samples] of the short-time Fourier transform
+};
+
 // All paths are absolute here; in the file they are relative to it where they can be (ProjectFile.h).
 struct Project {
   OpenCase open;
@@ -43,7 +72,9 @@ struct Project {
   std::vector<Entry> entries;
   int current = -1, reference = -1;  // of the entries; -1: none
   std::string notes;
-  std::vector<std::string> views;  // names of the tabs in front
+  std::vector<std::string> views;        // names of the tabs in front
+  std::optional<FigureChoices> figures;  // none: as the program starts
+  LongRecords records;
 };
 
 // Eight hexadecimal digits that stand for times, positions and values of a record: whether a file still holds what it

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <span>
 
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
+#include "project/JsonNode.h"
 #include "project/MeasuredRecords.h"
-#include "text/Numbers.h"
 
 namespace squat::project {
 namespace {
@@ -22,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* schemaName = "squat-project";
 constexpr std::size_t largestFile = 64U << 20U;  // [bytes]
-constexpr std::size_t mostEntries = 10000;
+constexpr double farthest = 1e12;                // [m]
 
 std::string linkOf(const std::string& path, const std::string& folder) {
   if (path.empty()) return {};
@@ -67,90 +65,58 @@ Json jsonOf(const Entry& entry, const std::string& folder) {
   return json;
 }
 
-// A value of the file with its place in it: whoever reads it says where it is wrong.
-class Node {
- public:
-  Node(const Json& json, std::string place, const std::string& origin)
-      : json_(json), place_(std::move(place)), origin_(origin) {}
+Json jsonOf(const FigureChoices& figures) {
+  return {{"cutoff", figures.cutoff}, {"from", figures.from},       {"to", figures.to},
+          {"window", figures.window}, {"scale", figures.scale},     {"colours", figures.colours},
+          {"moment", figures.moment}, {"segment", figures.segment}, {"hop", figures.hop}};
+}
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw FileError(origin_, place_.empty() ? "the whole file" : place_, what,
-                    "Correct it there, or open an earlier copy of the project");
-  }
-  Node at(const char* key) const {
-    if (!json_.is_object()) fail("is not a table of keys and values");
-    const auto found = json_.find(key);
-    if (found == json_.end()) fail(std::string("lacks the key '") + key + "'");
-    return {*found, place_ + "/" + key, origin_};
-  }
-  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
-  std::vector<Node> list() const {
-    if (!json_.is_array()) fail("is not a list");
-    if (json_.size() > mostEntries) fail("has more than " + std::to_string(mostEntries) + " entries");
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < json_.size(); ++i)
-      nodes.push_back({json_[i], place_ + "/" + std::to_string(i), origin_});
-    return nodes;
-  }
-  std::string text() const {
-    if (!json_.is_string()) fail("is not a text");
-    return json_.get<std::string>();
-  }
-  bool flag() const {
-    if (!json_.is_boolean()) fail("is neither true nor false");
-    return json_.get<bool>();
-  }
-  double number(double lowest, double highest) const {
-    const double value = json_.is_number() ? json_.get<double>() : NAN;
-    if (!(value >= lowest && value <= highest))
-      fail("is " + (json_.is_number() ? json_.dump() : std::string(json_.type_name())) + ", not a number from " +
-           text::roundedText(lowest) + " to " + text::roundedText(highest));
-    return value;
-  }
-  int whole(int lowest, int highest) const {
-    const double value = number(lowest, highest);
-    if (value != std::floor(value)) fail("is not a whole number");
-    return static_cast<int>(value);
-  }
-  char letter() const {
-    const std::string value = text();
-    if (value.size() > 1) fail("has more than one letter");
-    return value.empty() ? '\0' : value[0];
-  }
-
- private:
-  const Json& json_;
-  std::string place_;
-  const std::string& origin_;
-};
+Json jsonOf(const LongRecords& records, const std::string& folder) {
+  Json files = Json::array(), seen = Json::array();
+  for (const auto& file : records.files) files.push_back(linkOf(file, folder));
+  for (const auto& each : records.seen)
+    seen.push_back({{"position", each.position}, {"channel", each.channel}, {"seen_as", each.seenAs}});
+  return {{"files", files},
+          {"channels", records.channels},
+          {"chainage", records.chainage},
+          {"speed", records.speed},
+          {"own_vehicle", records.ownVehicle},
+          {"labels", linkOf(records.labels, folder)},
+          {"events", linkOf(records.events, folder)},
+          {"seen", seen}};
+}
 
 bool isHexadecimal(const std::string& text, std::size_t from) {
   return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(from), text.end(),
                      [](unsigned char each) { return std::isxdigit(each) != 0; });
 }
 
-std::string digestIn(const Node& node) {
+std::string digestIn(const JsonNode& node) {
   std::string digest = node.text();
   if (!digest.empty() && (digest.size() != 8 || !isHexadecimal(digest, 0)))
     node.fail("is not eight hexadecimal digits");
   return digest;
 }
 
-std::string colourIn(const Node& node) {
+std::string colourIn(const JsonNode& node) {
   std::string colour = node.text();
   if (!colour.empty() && (colour.size() != 7 || colour[0] != '#' || !isHexadecimal(colour, 1)))
     node.fail("is not a colour such as #0072b2");
   return colour;
 }
 
-std::string linkIn(const Node& node, const std::string& folder) {
+std::string linkIn(const JsonNode& node, const std::string& folder) {
   const std::string link = node.text();
   if (link.empty() || link.find('\0') != std::string::npos) node.fail("is not a path");
   return pathOf(link, folder);
 }
 
-readers::SignalFileOptions readingIn(const Node& node) {
-  constexpr double most = 1e12;
+std::string optionalLinkIn(const JsonNode& node, const std::string& folder) {
+  return node.text().empty() ? std::string() : linkIn(node, folder);
+}
+
+readers::SignalFileOptions readingIn(const JsonNode& node) {
+  constexpr double highest = 1e12;
   readers::SignalFileOptions options;
   options.column = node.at("column").text();
   options.timeColumn = node.at("time_column").text();
@@ -158,15 +124,14 @@ readers::SignalFileOptions readingIn(const Node& node) {
   options.speedColumn = node.at("speed_column").text();
   options.runColumn = node.at("run_column").text();
   options.object = node.at("object").text();
-  options.rate = node.at("rate").number(0, most);
-  options.speed = node.at("speed").number(0, most);
+  options.rate = node.at("rate").number(0, highest);
+  options.speed = node.at("speed").number(0, highest);
   options.delimiter = node.at("delimiter").letter();
   options.decimal = node.at("decimal").letter();
   return options;
 }
 
-Entry entryIn(const Node& node, const std::string& folder) {
-  constexpr double most = 1e12;  // [m]
+Entry entryIn(const JsonNode& node, const std::string& folder) {
   Entry entry;
   const std::string kind = node.at("kind").text();
   if (kind != "run" && kind != "measured") node.at("kind").fail("is neither \"run\" nor \"measured\"");
@@ -179,16 +144,49 @@ Entry entryIn(const Node& node, const std::string& folder) {
   entry.colour = colourIn(node.at("colour"));
   if (entry.kind == Kind::run) return entry;
   entry.signal = node.at("signal").text();
-  entry.impact = node.at("impact").number(-most, most);
+  entry.impact = node.at("impact").number(-farthest, farthest);
   if (node.has("gain")) entry.gain = node.at("gain").number(leastGain, mostGain);
   entry.reading = readingIn(node.at("reading"));
   return entry;
 }
 
-OpenCase openCaseIn(const Node& node, const std::string& folder) {
+FigureChoices figuresIn(const JsonNode& node) {
+  constexpr double highest = 1e12;
+  constexpr int largest = 1 << 30;
+  FigureChoices figures;
+  figures.cutoff = node.at("cutoff").number(0, highest);
+  figures.from = node.at("from").number(-farthest, farthest);
+  figures.to = node.at("to").number(-farthest, farthest);
+  figures.window = node.at("window").text();
+  figures.scale = node.at("scale").text();
+  figures.colours = node.at("colours").text();
+  figures.moment = node.at("moment").whole(-1, largest);
+  figures.segment = static_cast<std::size_t>(node.at("segment").whole(1, largest));
+  figures.hop = static_cast<std::size_t>(node.at("hop").whole(1, largest));
+  return figures;
+}
+
+LongRecords recordsIn(const JsonNode& node, const std::string& folder) {
+  constexpr double fastest = 1e6;  // [m/s]
+  LongRecords records;
+  for (const auto& file : node.at("files").list()) records.files.push_back(linkIn(file, folder));
+  records.channels = node.at("channels").text();
+  records.chainage = node.at("chainage").text();
+  records.speed = node.at("speed").number(0, fastest);
+  records.ownVehicle = node.at("own_vehicle").flag();
+  records.labels = optionalLinkIn(node.at("labels"), folder);
+  records.events = optionalLinkIn(node.at("events"), folder);
+  constexpr std::size_t maximumSeen = 1000000;
+  for (const auto& seen : node.at("seen").list(maximumSeen))
+    records.seen.push_back(
+        {seen.at("position").number(-farthest, farthest), seen.at("channel").text(), seen.at("seen_as").text()});
+  return records;
+}
+
+OpenCase openCaseIn(const JsonNode& node, const std::string& folder) {
   OpenCase open;
   open.name = node.at("name").text();
-  open.path = node.at("path").text().empty() ? std::string() : linkIn(node.at("path"), folder);
+  open.path = optionalLinkIn(node.at("path"), folder);
   open.modified = node.at("modified").flag();
   open.toml = node.at("toml").text();
   try {
@@ -199,15 +197,7 @@ OpenCase openCaseIn(const Node& node, const std::string& folder) {
   return open;
 }
 
-// Line and column of a byte, counted from 1.
-std::string placeOf(const std::string& text, std::size_t byte) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte > 0 ? byte - 1 : 0, text.size()));
-  const auto line = 1 + std::count(text.begin(), end, '\n');
-  const auto start = std::find(std::make_reverse_iterator(end), text.rend(), '\n').base();
-  return "line " + std::to_string(line) + ", column " + std::to_string(1 + (end - start));
-}
-
-void requireSchema(const Node& root) {
+void requireSchema(const JsonNode& root) {
   if (root.at("schema").text() != schemaName) root.at("schema").fail("is not a project of this program");
   const int version = root.at("schema_version").whole(1, 1 << 30);
   if (version > projectSchema)
@@ -216,9 +206,12 @@ void requireSchema(const Node& root) {
               std::to_string(projectSchema) + ": use a newer one");
 }
 
-bool hasGain(const Project& project) {
-  return std::any_of(project.entries.begin(), project.entries.end(),
-                     [](const Entry& entry) { return entry.gain != 1; });
+// The lowest version whose readers lose nothing of the project.
+int versionOf(const Project& project) {
+  if (!project.records.files.empty()) return 3;
+  const bool hasGain =
+      std::any_of(project.entries.begin(), project.entries.end(), [](const Entry& entry) { return entry.gain != 1; });
+  return hasGain ? 2 : 1;
 }
 
 }  // namespace
@@ -228,9 +221,9 @@ std::string projectText(const Project& project, const std::string& folder) {
   for (const auto& path : project.cases) cases.push_back(linkOf(path, folder));
   for (const auto& entry : project.entries) runs.push_back(jsonOf(entry, folder));
   const auto& open = project.open;
-  const Json json{
+  Json json{
       {"schema", schemaName},
-      {"schema_version", hasGain(project) ? projectSchema : 1},
+      {"schema_version", versionOf(project)},
       {"code_version", programVersionText()},
       {"open_case",
        {{"name", open.name}, {"path", linkOf(open.path, folder)}, {"modified", open.modified}, {"toml", open.toml}}},
@@ -240,18 +233,15 @@ std::string projectText(const Project& project, const std::string& folder) {
       {"reference", project.reference},
       {"notes", project.notes},
       {"views", project.views}};
+  if (project.figures) json["figures"] = jsonOf(*project.figures);
+  if (!project.records.files.empty()) json["records"] = jsonOf(project.records, folder);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Project parseProject(const std::string& text, const std::string& origin, const std::string& folder) {
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw FileError(origin, placeOf(text, error.byte), "is not JSON, or was cut off here",
-                    "Open an earlier copy of the project");
-  }
-  const Node root(json, "", origin);
+  const Json json = parsedJson(text, origin, "Open an earlier copy of the project");
+  const std::string advice = "Correct it there, or open an earlier copy of the project";
+  const JsonNode root(json, origin, advice);
   requireSchema(root);
   Project project;
   project.open = openCaseIn(root.at("open_case"), folder);
@@ -264,6 +254,8 @@ Project parseProject(const std::string& text, const std::string& origin, const s
     root.at("current").fail("is a measured signal; it must be a run");
   project.notes = root.at("notes").text();
   for (const auto& node : root.at("views").list()) project.views.push_back(node.text());
+  if (root.has("figures")) project.figures = figuresIn(root.at("figures"));
+  if (root.has("records")) project.records = recordsIn(root.at("records"), folder);
   return project;
 }
 

@@ -1,4 +1,5 @@
-// solver/project/ProjectFile.h - the project file STEM.squat-project: JSON, with links to the files of the runs.
+// solver/project/ProjectFile.h - the project file STEM.squat-project: JSON, with links to the files of runs, signals
+// and records.
 #pragma once
 
 #include <string>
@@ -7,8 +8,10 @@
 
 namespace squat::project {
 
-// Raise it when an old reader would misread a new file. 2: measured signals with a gain; a file without one is of 1.
-inline constexpr int projectSchema = 2;
+// Raise it when an old reader would misread a new file. 2: measured signals with a gain; 3: long records, which an
+// older program would drop when it saves. A file that holds neither is still written as 1. What figures look like
+// (`figures`) raises nothing: an older program shows its own defaults.
+inline constexpr int projectSchema = 3;
 
 // The text of a project whose file stands in `folder`: links are relative where both share more than the root, so that
 // a folder with all of them can be moved.

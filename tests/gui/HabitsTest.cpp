@@ -7,32 +7,60 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolBar>
 #include <QUrl>
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
+#include "project/MeasuredRecords.h"
 #include "render/SyntheticResult.h"
+#include "results/ResultFile.h"
+#include "studio/common/FigureSizeDialog.h"
+#include "studio/common/MessageBar.h"
+#include "studio/common/Theme.h"
+#include "studio/comparison/ComparisonWindow.h"
+#include "studio/comparison/MapWindow.h"
 #include "studio/document/ParameterForm.h"
+#include "studio/profile/ImportDialog.h"
 #include "studio/profile/ProfileEditor.h"
+#include "studio/profile/SquatDialog.h"
+#include "studio/runs/AlignDialog.h"
+#include "studio/runs/MeasuredDialog.h"
 #include "studio/signals/SignalsPanel.h"
+#include "studio/window/HelpWindow.h"
 
 namespace squat::studio {
 namespace {
 
 StoredRun madeUp(const QString& label, const QString& path = {}) {
   return {std::make_shared<const results::RunResult>(tests::syntheticResult()), label, path, false};
+}
+
+// One strike of `strength` [m/s2] at 0.1 s, in two columns; 0.2 s without a speed.
+void writeMeasured(const QString& path, double strength) {
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("time [s],aba [m/s2],left [m/s2]\n");
+  for (int i = 0; i < 400; ++i) {
+    const QByteArray value = QByteArray::number(i < 200 ? 0.0 : strength * std::exp(-0.02 * (i - 200)));
+    file.write(QByteArray::number(i / 2000.0) + ',' + value + ',' + value + '\n');
+  }
 }
 
 // Every entry of the menus; those of "Recent" come and go.
@@ -98,6 +126,74 @@ TEST(Habits, everyControlHasANameForScreenReaders) {
     ++seen;
   }
   EXPECT_GT(seen, static_cast<int>(cases::parameterTable().size()));
+}
+
+// Every control has a name, and Tab reaches it; there are `fewest` at least.
+void judgeControls(QWidget& window, int fewest) {
+  SCOPED_TRACE(window.metaObject()->className());
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  QApplication::setActiveWindow(&window);
+  std::set<const QWidget*> reached;
+  for (int i = 0; i < 60; ++i) {
+    QWidget* focus = QApplication::focusWidget();
+    QTest::keyClick(focus ? focus : &window, Qt::Key_Tab);
+    reached.insert(QApplication::focusWidget());
+  }
+  int seen = 0;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    const bool own = !widget->objectName().startsWith("qt_") && !widget->inherits("QScrollArea");
+    if (!own || !(widget->focusPolicy() & Qt::TabFocus) || !widget->isEnabled() || !widget->isVisible()) continue;
+    const std::string words =
+        widget->metaObject()->className() + (' ' + widget->objectName() + ' ' + widget->accessibleName()).toStdString();
+    QAccessibleInterface* told = QAccessible::queryAccessibleInterface(widget);
+    ASSERT_NE(told, nullptr);
+    EXPECT_FALSE(told->text(QAccessible::Name).isEmpty()) << words;
+    EXPECT_TRUE(reached.contains(widget)) << words;
+    ++seen;
+  }
+  EXPECT_GE(seen, fewest);
+  window.hide();
+}
+
+TEST(Habits, everyControlOfADialogHasANameAndIsReachedByTab) {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("profile.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("position [mm];height [um]\n-10;0\n0;-50\n10;0\n");
+  file.close();
+  ASSERT_NO_FATAL_FAILURE(writeMeasured(folder.filePath("measured.csv"), 70));
+  const auto style = figureStyle(false);
+  ImportDialog profile(file.fileName(), style);
+  judgeControls(profile, 14);
+  MeasuredDialog measured({folder.filePath("measured.csv").toStdString(), {}, 30}, style);
+  const auto* take = measured.findChild<QPushButton*>("takeMeasured");
+  ASSERT_TRUE(take && tests::passes([&] { return take->isEnabled(); }, 60000));
+  judgeControls(measured, 8);
+  RunStore store;
+  StoredRun signal = madeUp("signal", "/nowhere/signal.csv");
+  signal.result = nullptr;
+  signal.reading.options.speed = 30;
+  AlignDialog align(store, store.add(signal));
+  judgeControls(align, 6);
+  SquatDialog squat(cases::defaultCase(), style);
+  judgeControls(squat, 6);
+  FigureSizeDialog size({});
+  judgeControls(size, 4);
+  MainWindow window(tests::services());
+  for (const char* label : {"one", "two"}) window.store().add(madeUp(label));
+  window.comparison()->showMaps();
+  judgeControls(*window.comparison()->maps(), 7);
+}
+
+// Buttons of a tool bar take no focus: each has its keys.
+TEST(Habits, helpIsReadWithTheKeyboard) {
+  HelpWindow help(helpPages());
+  help.setAttribute(Qt::WA_DeleteOnClose, false);
+  judgeControls(help, 1);
+  const auto actions = help.findChild<QToolBar*>("helpNavigation")->actions();
+  EXPECT_GE(actions.size(), 3);
+  for (const QAction* action : actions) EXPECT_FALSE(action->shortcut().isEmpty()) << action->text().toStdString();
 }
 
 TEST(Habits, tabWalksThroughTheForm) {
@@ -219,6 +315,66 @@ TEST(Habits, aDroppedCaseIsOpened) {
   QApplication::sendEvent(&window, &drop);
   EXPECT_EQ(window.document().name(), "dropped");
   EXPECT_DOUBLE_EQ(window.document().description().motion.speed, 21);
+}
+
+// By another name of the file as well. A file that was written anew is shown as it is now, called and coloured as
+// before.
+TEST(Habits, aResultThatIsOpenedAgainIsListedOnce) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("run.h5"), link = folder.filePath("link.h5");
+  auto result = tests::syntheticResult();
+  results::writeResult(path.toStdString(), result);
+  ASSERT_TRUE(QFile::link(path, link));
+  MainWindow window(tests::services());
+  RunStore& store = window.store();
+  ASSERT_TRUE(window.openResult(path));
+  store.add(madeUp("another"));
+  store.rename(0, "mine");
+  store.setColour(0, QColor("#123456"));
+  store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
+  ASSERT_TRUE(window.openResult(link)) << window.messages()->text().toStdString();
+  EXPECT_EQ(store.rowCount(), 2);
+  EXPECT_EQ(store.current(), 0);
+  for (double& value : result.channel("aba")->values) value *= 2;
+  results::writeResult(path.toStdString(), result);
+  ASSERT_TRUE(window.openResult(link)) << window.messages()->text().toStdString();
+  ASSERT_EQ(store.rowCount(), 2);
+  EXPECT_EQ(*store.currentResult()->signal("aba"), *result.signal("aba"));
+  const StoredRun& now = store.at(store.current());
+  EXPECT_EQ(now.label, "mine");
+  EXPECT_EQ(now.colour, QColor("#123456"));
+  EXPECT_TRUE(now.overlaid);
+  EXPECT_EQ(now.path, path);
+}
+
+// The same column again: overlaid where it was hidden, laid as it was, with the values that the file has now.
+TEST(Habits, aMeasuredSignalThatIsOpenedAgainIsListedOnce) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("measured.csv");
+  ASSERT_NO_FATAL_FAILURE(writeMeasured(path, 70));
+  MainWindow window(tests::services());
+  RunStore& store = window.store();
+  const auto largest = [&] {
+    const auto& values = *store.at(0).record->signal("aba");
+    return *std::max_element(values.begin(), values.end());
+  };
+  ASSERT_TRUE(window.openMeasured(path)) << window.messages()->text().toStdString();
+  auto reading = store.at(0).reading;
+  reading.gain = 1.5;
+  store.setMeasured(0, project::realigned({store.at(0).record, store.at(0).reading}, reading));
+  store.setData(store.index(0), Qt::Unchecked, Qt::CheckStateRole);
+  ASSERT_TRUE(window.openMeasured(path)) << window.messages()->text().toStdString();
+  ASSERT_EQ(store.rowCount(), 1);
+  EXPECT_TRUE(store.at(0).overlaid);
+  EXPECT_DOUBLE_EQ(largest(), 1.5 * 70);
+  ASSERT_NO_FATAL_FAILURE(writeMeasured(path, 80));
+  ASSERT_TRUE(window.openMeasured(path)) << window.messages()->text().toStdString();
+  ASSERT_EQ(store.rowCount(), 1);
+  EXPECT_DOUBLE_EQ(largest(), 1.5 * 80);
+  // At another speed it is another signal.
+  window.document().setParameter("motion.speed", "40");
+  ASSERT_TRUE(window.openMeasured(path)) << window.messages()->text().toStdString();
+  EXPECT_EQ(store.rowCount(), 2);
 }
 
 TEST(Habits, unsavedResultsAreAskedAboutOnClosing) {

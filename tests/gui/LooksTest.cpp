@@ -5,12 +5,16 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QFile>
 #include <QHeaderView>
 #include <QImage>
 #include <QLabel>
 #include <QLayout>
+#include <QPushButton>
 #include <QTabBar>
+#include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "case/ParameterTable.h"
 #include "gui/MadeUpRun.h"
@@ -22,8 +26,12 @@
 #include "studio/comparison/ComparisonWindow.h"
 #include "studio/comparison/MapWindow.h"
 #include "studio/model/SceneWidget.h"
+#include "studio/profile/ImportDialog.h"
 #include "studio/profile/SquatDialog.h"
+#include "studio/runs/AlignDialog.h"
+#include "studio/runs/MeasuredDialog.h"
 #include "studio/tools/ToolWindow.h"
+#include "studio/window/HelpWindow.h"
 
 namespace squat::studio {
 namespace {
@@ -45,7 +53,6 @@ results::RunResult seenRun() {
       patch.area.push_back(4e-6f);
     }
   result.patches = {patch};
-  result.permanent = {};  // an ordinary rail: the two figures of a yielding one stand behind an arrow
   return result;
 }
 
@@ -221,6 +228,23 @@ void expectDrawn(QWidget& window, double share) {
   }
 }
 
+// As it opens, and as small as it can be made. Texts that wrap say how high they are, which a layout leaves to the
+// window.
+void judgeDialog(QDialog& dialog) {
+  SCOPED_TRACE(dialog.metaObject()->className());
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  const QSize usual = dialog.size(), least = dialog.minimumSizeHint();
+  EXPECT_LE(least.width(), smallest.width());
+  EXPECT_LE(least.height(), smallest.height());
+  for (const QSize& room : {usual, least.expandedTo(QSize(0, dialog.heightForWidth(least.width())))}) {
+    dialog.resize(room);
+    QTest::qWait(20);
+    judgeLayout(dialog, 5);
+    expectDrawn(dialog, 0.005);
+  }
+}
+
 TEST_F(Looks, dialogsAndMapsAreWhole) {
   window_->store().add({std::make_shared<const results::RunResult>(seenRun()), "another", QString(), false});
   for (const bool dark : {false, true}) {
@@ -228,18 +252,7 @@ TEST_F(Looks, dialogsAndMapsAreWhole) {
     window_->setDark(dark);
     SquatDialog squat(cases::defaultCase(), figureStyle(dark));
     FigureSizeDialog size({});
-    for (QDialog* dialog : std::initializer_list<QDialog*>{&squat, &size}) {
-      SCOPED_TRACE(dialog->metaObject()->className());
-      dialog->show();
-      ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog));
-      const QSize usual = dialog->size();
-      for (const QSize& room : {usual, dialog->minimumSizeHint()}) {
-        dialog->resize(room);
-        QTest::qWait(20);
-        judgeLayout(*dialog, 5);
-        expectDrawn(*dialog, 0.005);
-      }
-    }
+    for (QDialog* dialog : std::initializer_list<QDialog*>{&squat, &size}) judgeDialog(*dialog);
     window_->comparison()->showMaps();
     MapWindow& maps = *window_->comparison()->maps();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&maps));
@@ -250,6 +263,52 @@ TEST_F(Looks, dialogsAndMapsAreWhole) {
       expectDrawn(maps, 0.05);
     }
     maps.hide();
+  }
+}
+
+TEST_F(Looks, dialogsOfFilesAndSignalsAreWhole) {
+  const QTemporaryDir folder;
+  const auto write = [&](const QString& name, const QByteArray& text) {
+    QFile file(folder.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    return file.fileName();
+  };
+  QByteArray strike = "time [s],aba [m/s2]\n";
+  for (int i = 0; i < 400; ++i)
+    strike += QByteArray::number(i / 2000.0) + ',' + QByteArray::number(std::sin(0.5 * i) * std::exp(-0.02 * i)) + '\n';
+  const QString profile = write("profile.csv", "position [mm];height [um]\n-10;0\n0;-50\n10;0\n");
+  const std::string signal = write("measured.csv", strike).toStdString();
+  RunStore store;
+  const auto record = std::make_shared<const results::RunResult>(seenRun());
+  store.add({nullptr, "measured", "/nowhere/measured.csv", true, record});
+  for (const bool dark : {false, true}) {
+    SCOPED_TRACE(dark ? "dark" : "light");
+    window_->setDark(dark);
+    ImportDialog ofProfile(profile, figureStyle(dark));
+    judgeDialog(ofProfile);
+    MeasuredDialog ofSignal({signal, {}, 30}, figureStyle(dark));
+    const auto* take = ofSignal.findChild<QPushButton*>("takeMeasured");
+    ASSERT_TRUE(take && tests::passes([&] { return take->isEnabled(); }, 60000));
+    judgeDialog(ofSignal);
+    AlignDialog align(store, 0);
+    judgeDialog(align);
+  }
+}
+
+TEST_F(Looks, helpIsWhole) {
+  for (const bool dark : {false, true}) {
+    SCOPED_TRACE(dark ? "dark" : "light");
+    window_->setDark(dark);
+    HelpWindow help(helpPages());
+    help.setAttribute(Qt::WA_DeleteOnClose, false);
+    help.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&help));
+    for (const QSize& room : {help.size(), QSize(420, 320)}) {
+      help.resize(room);
+      QTest::qWait(20);
+      judgeLayout(help, 4);
+      expectDrawn(help, 0.005);
+    }
   }
 }
 

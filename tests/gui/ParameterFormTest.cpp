@@ -99,18 +99,18 @@ TEST_F(Form, curvesAndSeatsAreTypedAndJudgedWhileTyping) {
 // The user means to mend the text, not to lose it because something else was edited meanwhile.
 TEST_F(Form, aRefusedTextStaysUntilItsOwnValueChanges) {
   const auto refuse = [this] {
-    type("motion.speed", "35,5");
+    type("motion.speed", "35,5.5");
     QTest::keyClick(line("motion.speed"), Qt::Key_Return);
   };
   refuse();
   type("contact.friction", "0.4");
   QTest::keyClick(line("contact.friction"), Qt::Key_Return);
   EXPECT_DOUBLE_EQ(document_.description().contact.friction, 0.4);
-  EXPECT_EQ(line("motion.speed")->text(), "35,5");
+  EXPECT_EQ(line("motion.speed")->text(), "35,5.5");
   EXPECT_FALSE(form_.row("motion.speed")->reason().isEmpty());
   EXPECT_EQ(form_.blockers().size(), 1);
   document_.undoStack().undo();  // of the friction
-  EXPECT_EQ(line("motion.speed")->text(), "35,5");
+  EXPECT_EQ(line("motion.speed")->text(), "35,5.5");
   document_.setParameter("motion.speed", "32");
   EXPECT_EQ(line("motion.speed")->text(), "32");
   EXPECT_TRUE(form_.blockers().isEmpty()) << form_.blockers().join("; ").toStdString();
@@ -123,13 +123,48 @@ TEST_F(Form, aRefusedTextStaysUntilItsOwnValueChanges) {
   EXPECT_TRUE(form_.refusals().isEmpty());
 }
 
-// 30.5 m/s is allowed: it is not the number that is wrong.
-TEST_F(Form, aDecimalCommaIsCalledWhatItIs) {
-  type("motion.speed", "30,5");
-  EXPECT_TRUE(form_.row("motion.speed")->reason().contains("decimal point"))
-      << form_.row("motion.speed")->reason().toStdString();
-  type("motion.speed", "300");
-  EXPECT_FALSE(form_.row("motion.speed")->reason().contains("decimal point"));
+// Many write 30,5 for 30.5, and in a field of one number it can mean nothing else. What is shown then has a point.
+TEST_F(Form, aDecimalCommaIsTaken) {
+  struct Row {
+    const char *key, *typed, *shown;
+  };
+  for (const Row& row : {Row{"motion.speed", "30,5", "30.5"}, Row{"defect.depth", "0,15", "0.15"},  // the default
+                         Row{"defect.depth", "0,25", "0.25"}, Row{"contact.friction", ",35", "0.35"},
+                         Row{"pad.stiffness", "1,25e3 MN/m", "1250"}}) {
+    SCOPED_TRACE(row.typed);
+    type(row.key, row.typed);
+    EXPECT_EQ(form_.row(row.key)->reason().toStdString(), "");  // while typing already
+    QTest::keyClick(line(row.key), Qt::Key_Return);
+    EXPECT_EQ(line(row.key)->text(), row.shown);
+    EXPECT_TRUE(form_.blockers().isEmpty()) << form_.blockers().join("; ").toStdString();
+  }
+  EXPECT_DOUBLE_EQ(document_.description().motion.speed, 30.5);
+  EXPECT_DOUBLE_EQ(document_.description().defect.depth, 0.25e-3);
+  EXPECT_DOUBLE_EQ(document_.description().pad.stiffness, 1250e6);
+  type("defect.wave_count", "2,5");
+  EXPECT_TRUE(form_.row("defect.wave_count")->reason().contains("whole number"));
+}
+
+// Whether 8,000.5 has a comma of thousands is not guessed.
+TEST_F(Form, groupedThousandsAreRefusedWithWhatIsAllowed) {
+  for (const char* typed : {"8,000.5", "8.000,5", "8,000,000"}) {
+    type("suspension.sprung_mass", typed);
+    const QString reason = form_.row("suspension.sprung_mass")->reason();
+    for (const char* words : {typed, " kg", "one decimal point or comma", "nothing between thousands"})
+      EXPECT_TRUE(reason.contains(words)) << reason.toStdString();
+    QTest::keyClick(line("suspension.sprung_mass"), Qt::Key_Return);
+    EXPECT_EQ(line("suspension.sprung_mass")->text(), typed);  // to be mended
+  }
+  EXPECT_EQ(document_.undoStack().count(), 0);
+}
+
+// The pairs of a curve: 1 mm and 5 kN, not 1.5.
+TEST_F(Form, aCommaInAListSeparates) {
+  type("pad.curve", "[[0,0],[1,5],[2,20]]");
+  QTest::keyClick(line("pad.curve"), Qt::Key_Return);
+  ASSERT_EQ(document_.description().pad.curve.size(), 3u);
+  EXPECT_DOUBLE_EQ(document_.description().pad.curve[1].compression, 1e-3);
+  EXPECT_DOUBLE_EQ(document_.description().pad.curve[1].force, 5e3);
 }
 
 // Without Enter, and without another field that takes the focus. The sanitizers watch the order of destruction.

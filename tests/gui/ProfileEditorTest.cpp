@@ -1,12 +1,23 @@
 // The profile editor, driven by mouse and keys.
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
+#include <QMouseEvent>
+#include <QPushButton>
 #include <QSlider>
 #include <QTableView>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "case/ParameterTable.h"
 #include "plots/Style.h"
@@ -34,6 +45,38 @@ class Editor : public testing::Test {
   }
   const std::vector<cases::ProfilePoint>& points() { return document_.description().defect.points; }
   QPoint location(std::size_t index) { return editor_.plot()->locationOf(index).toPoint(); }
+  // The point that is chosen in the plot and the row that is selected in the table; -1: none; -2: they differ.
+  int chosen() {
+    const auto point = editor_.plot()->chosen();
+    const auto rows = editor_.table()->selectionModel()->selectedRows();
+    if (!point && !editor_.table()->selectionModel()->hasSelection()) return -1;
+    return point && rows.size() == 1 && rows[0].row() == static_cast<int>(*point) ? rows[0].row() : -2;
+  }
+  // From one place of the axes to another, as shares of their width and height from the upper left corner.
+  void drag(Qt::MouseButton button, QPointF from, QPointF to) {
+    ProfilePlot& plot = *editor_.plot();
+    const QRect room = plot.axisRect()->rect();
+    const auto place = [&](QPointF share) {
+      return QPoint(room.left() + qRound(share.x() * room.width()), room.top() + qRound(share.y() * room.height()));
+    };
+    QTest::mousePress(&plot, button, {}, place(from));
+    QMouseEvent move(QEvent::MouseMove, place(to), plot.mapToGlobal(place(to)), Qt::NoButton, button, {});
+    QApplication::sendEvent(&plot, &move);
+    QTest::mouseRelease(&plot, button, {}, place(to));
+  }
+  // A table of another profile with as many points.
+  void import() {
+    QTemporaryDir folder;
+    QFile file(folder.filePath("dip.csv"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("x [mm];z [um]\n-40;0\n-20;-30\n0;-90\n20;-30\n40;0\n");
+    file.close();
+    editor_.importFile(file.fileName());
+    auto* dialog = editor_.findChild<QDialog*>("importDialog");
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QPushButton*>("takeProfile")->click();
+    ASSERT_NEAR(points()[2].height, -9e-5, 1e-12);
+  }
   CaseDocument document_;
   ProfileEditor editor_{document_, plots::lightStyle()};
 };
@@ -55,6 +98,153 @@ TEST_F(Editor, aPointCannotPassItsNeighbour) {
   QTest::mouseMove(editor_.plot(), from + QPoint(4000, 0));
   QTest::mouseRelease(editor_.plot(), Qt::LeftButton, {}, from);
   for (std::size_t i = 1; i < points().size(); ++i) EXPECT_GT(points()[i].position, points()[i - 1].position);
+}
+
+constexpr double pixel = 0.01;  // of an axis: a pixel of some 400, and rounding
+
+// As in the other figures. Where these drags begin there is no point.
+TEST_F(Editor, theLeftButtonEnlargesABoxAndTheMiddleOneMovesTheView) {
+  const ProfilePlot& plot = *editor_.plot();
+  const QCPRange x = plot.xAxis->range(), y = plot.yAxis->range();
+  drag(Qt::MiddleButton, {0.5, 0.3}, {0.7, 0.4});
+  EXPECT_NEAR(plot.xAxis->range().lower, x.lower - 0.2 * x.size(), pixel * x.size());
+  EXPECT_NEAR(plot.xAxis->range().size(), x.size(), 1e-9 * x.size());
+  EXPECT_NEAR(plot.yAxis->range().lower, y.lower + 0.1 * y.size(), pixel * y.size());
+  editor_.plot()->fit();
+  drag(Qt::LeftButton, {0.1, 0.3}, {0.4, 0.8});
+  EXPECT_NEAR(plot.xAxis->range().lower, x.lower + 0.1 * x.size(), pixel * x.size());
+  EXPECT_NEAR(plot.xAxis->range().upper, x.lower + 0.4 * x.size(), pixel * x.size());
+  EXPECT_NEAR(plot.yAxis->range().upper, y.upper - 0.3 * y.size(), pixel * y.size());
+  EXPECT_NEAR(plot.yAxis->range().lower, y.upper - 0.8 * y.size(), pixel * y.size());
+  EXPECT_EQ(document_.undoStack().count(), 0);
+}
+
+// The button that moves the view neither ends the drag of a point nor moves anything beside it.
+TEST_F(Editor, aPointThatIsDraggedHasTheMouseForItself) {
+  ProfilePlot& plot = *editor_.plot();
+  const QCPRange x = plot.xAxis->range(), y = plot.yAxis->range();
+  const QPoint from = location(1), to = from + QPoint(0, 30), further = from + QPoint(0, 60);
+  const auto move = [&](const QPoint& place) {
+    QMouseEvent event(QEvent::MouseMove, place, plot.mapToGlobal(place), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&plot, &event);
+  };
+  QTest::mousePress(&plot, Qt::LeftButton, {}, from);
+  move(to);
+  QTest::mousePress(&plot, Qt::MiddleButton, {}, to);
+  QTest::mouseRelease(&plot, Qt::MiddleButton, {}, to);
+  const double before = points()[1].height;
+  EXPECT_LT(before, -6e-5);
+  move(further);
+  EXPECT_LT(points()[1].height, before);
+  QTest::mouseRelease(&plot, Qt::LeftButton, {}, further);
+  EXPECT_EQ(plot.xAxis->range(), x);
+  EXPECT_EQ(plot.yAxis->range(), y);
+  EXPECT_EQ(document_.undoStack().count(), 1);
+}
+
+TEST_F(Editor, theChosenPointStaysWhileSinglePointsChange) {
+  editor_.plot()->choose(2);
+  ASSERT_EQ(chosen(), 2);
+  auto* model = editor_.table()->model();
+  EXPECT_TRUE(model->setData(model->index(2, 1), "-120"));
+  EXPECT_EQ(chosen(), 2);
+  document_.undoStack().undo();
+  EXPECT_EQ(chosen(), 2);
+  document_.undoStack().redo();
+  EXPECT_EQ(chosen(), 2);
+  // A point before it comes and goes: it is the same point under another number.
+  auto more = document_.description();
+  more.defect.points.insert(more.defect.points.begin() + 1, {-0.03, -1e-5});
+  document_.edit("insert", more);
+  QTest::qWait(20);  // the table lays out its rows first
+  EXPECT_EQ(chosen(), 3);
+  document_.undoStack().undo();
+  QTest::qWait(20);
+  EXPECT_EQ(chosen(), 2);
+  document_.setParameter("defect.height_scale", "2");  // the same points, shown twice as deep
+  EXPECT_EQ(chosen(), 2);
+}
+
+// Delete after delete removes one point after the other, as before; a point whose making is undone is not chosen.
+TEST_F(Editor, aPointThatGoesIsNotChosen) {
+  editor_.plot()->choose(1);
+  QTest::keyClick(editor_.plot(), Qt::Key_Delete);
+  QTest::qWait(20);
+  EXPECT_EQ(chosen(), 1);
+  QTest::keyClick(editor_.plot(), Qt::Key_Delete);
+  ASSERT_EQ(points().size(), 3u);
+  EXPECT_DOUBLE_EQ(points()[1].position, 0.02);
+  auto more = document_.description();
+  more.defect.points.insert(more.defect.points.begin() + 1, {-0.03, -1e-5});
+  document_.edit("insert", more);
+  editor_.plot()->choose(1);
+  document_.undoStack().undo();
+  QTest::qWait(20);
+  EXPECT_EQ(chosen(), -1);
+}
+
+// Point 3 of another profile is another point, although it has the same number.
+TEST_F(Editor, noPointIsChosenInAProfileThatReplacesAnother) {
+  editor_.plot()->choose(2);
+  ASSERT_EQ(chosen(), 2);
+  ASSERT_NO_FATAL_FAILURE(import());
+  EXPECT_EQ(chosen(), -1);
+  editor_.plot()->choose(1);
+  document_.undoStack().undo();
+  EXPECT_EQ(chosen(), -1);
+
+  editor_.plot()->choose(2);
+  editor_.findChild<QToolButton*>("chooseSquat")->click();
+  auto* dialog = editor_.findChild<QDialog*>("squatDialog");
+  ASSERT_NE(dialog, nullptr);
+  dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+  ASSERT_NE(document_.description().defect.shape, cases::DefectShape::profile);
+  editor_.findChild<QToolButton*>("toPoints")->click();
+  QTest::qWait(20);
+  EXPECT_EQ(chosen(), -1);
+
+  editor_.plot()->choose(2);
+  document_.startFrom(document_.description(), QString(), "the same once more", false);
+  EXPECT_EQ(chosen(), -1);
+}
+
+// What the user reads is the depth, 150 um, in both units: not 150.001. The point that results count from is one.
+TEST_F(Editor, pointsOfAShapeShowItsDepth) {
+  auto* unit = editor_.findChild<QComboBox*>("heightUnit");
+  for (const char* shape : {"cosine", "cut", "w-shape", "dip-with-wave"}) {
+    SCOPED_TRACE(shape);
+    document_.startFrom(cases::defaultCase(), QString(), "test", false);
+    document_.setParameter("defect.shape", shape);
+    document_.setParameter("defect.depth", "0.15");
+    editor_.findChild<QToolButton*>("toPoints")->click();
+    const auto deepest = std::min_element(points().begin(), points().end(),
+                                          [](const auto& a, const auto& b) { return a.height < b.height; });
+    EXPECT_EQ(deepest->position, 0);
+    const auto* model = editor_.table()->model();
+    const auto read = [&](int row) { return model->data(model->index(row, 1)).toString(); };
+    const int row = static_cast<int>(deepest - points().begin());
+    unit->setCurrentIndex(1);
+    EXPECT_EQ(read(row), "-0.15");
+    unit->setCurrentIndex(0);
+    EXPECT_EQ(read(row), "-150");
+    for (int each = 0; each < model->rowCount(); ++each) EXPECT_GE(read(each).toDouble(), -150) << each;
+    for (const double scale : {1.0, 0.3, 0.7, 3.0, 7.0}) {  // rounding of the product may not make it one of several
+      const auto asDeep = [&](const auto& each) { return each.height * scale <= deepest->height * scale; };
+      EXPECT_EQ(std::count_if(points().begin(), points().end(), asDeep), 1) << scale;
+    }
+    EXPECT_EQ(profileView(document_.description()).shift, 0);
+  }
+}
+
+TEST_F(Editor, aMeasureTakesADecimalComma) {
+  document_.setParameter("defect.shape", "cosine");
+  auto* number = editor_.findChild<QDoubleSpinBox*>("number defect.depth");
+  ASSERT_TRUE(number && number->isVisible());
+  number->selectAll();
+  QTest::keyClicks(number, "0,25");
+  EXPECT_EQ(number->cleanText(), "0.25");
+  number->interpretText();
+  EXPECT_NEAR(document_.description().defect.depth, 0.25e-3, 1e-12);
 }
 
 TEST_F(Editor, doubleClickInsertsAndDeleteRemoves) {
@@ -193,6 +383,21 @@ TEST(ProfileModel, pointsKeepDepthAndPlaceOfEveryShape) {
           EXPECT_NEAR(after.height(x, y), before.height(x, y), 0.05 * defect.depth)
               << static_cast<int>(shape) << " at " << x;
     }
+}
+
+// Of three points: one moved, one before or behind the point, the point itself gone, and two changed at once.
+TEST(ProfileModel, aPointIsFoundAgainWhereSinglePointsHaveChanged) {
+  const std::vector<cases::ProfilePoint> before{{-0.02, 0}, {0, -1e-4}, {0.02, 0}};
+  using Points = std::vector<cases::ProfilePoint>;
+  EXPECT_EQ(pointAfter(before, before, 1), 1u);
+  EXPECT_EQ(pointAfter(before, Points{{-0.02, 0}, {0.001, -2e-4}, {0.02, 0}}, 1), 1u);
+  EXPECT_EQ(pointAfter(before, Points{{-0.02, 0}, {-0.01, 0}, {0, -1e-4}, {0.02, 0}}, 1), 2u);
+  EXPECT_EQ(pointAfter(before, Points{{-0.02, 0}, {0, -1e-4}, {0.01, 0}, {0.02, 0}}, 1), 1u);
+  EXPECT_EQ(pointAfter(before, Points{{-0.02, 0}, {0.02, 0}}, 2), 1u);
+  EXPECT_EQ(pointAfter(before, Points{{-0.02, 0}, {0.02, 0}}, 1), std::nullopt);
+  EXPECT_EQ(pointAfter(before, Points{{-0.02, 0}, {0, -2e-4}, {0.03, 0}}, 0), std::nullopt);
+  EXPECT_EQ(pointAfter(before, Points{}, 0), std::nullopt);
+  EXPECT_EQ(pointAfter(before, before, 3), std::nullopt);
 }
 
 TEST(ProfileModel, theHeightScaleIsSeen) {

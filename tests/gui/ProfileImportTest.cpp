@@ -1,6 +1,13 @@
 // Tables of many makes, read as profiles.
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "studio/common/Theme.h"
+#include "studio/profile/ImportDialog.h"
 #include "studio/profile/ProfileImport.h"
 
 namespace squat::studio {
@@ -74,6 +81,26 @@ TEST(ProfileImport, flippedReversedAndScaled) {
   ASSERT_EQ(profile.points.size(), 3u);
   EXPECT_NEAR(profile.points[0].position, -0.03, 1e-15);
   EXPECT_NEAR(profile.points[1].height, -2e-3, 1e-15);
+}
+
+// 10 um deep, half as deep: 5 um; points every 2.5 mm of 10 mm.
+TEST(ProfileImport, theDialogTakesDecimalCommas) {
+  QTemporaryDir folder;
+  QFile file(folder.filePath("dip.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("x [mm];z [um]\n0;0\n5;-10\n10;0\n");
+  file.close();
+  ImportDialog dialog(file.fileName(), figureStyle(false));
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  for (const auto& [name, typed] : {std::pair{"importScale", "0,5"}, {"importStep", "2,5"}}) {
+    auto* box = dialog.findChild<QDoubleSpinBox*>(name);
+    ASSERT_NE(box, nullptr);
+    box->selectAll();
+    QTest::keyClicks(box, typed);
+  }
+  ASSERT_EQ(dialog.points().size(), 5u);
+  EXPECT_NEAR(dialog.points()[2].height, -5e-6, 1e-15);
 }
 
 TEST(ProfileImport, mistakesNameTheirLine) {

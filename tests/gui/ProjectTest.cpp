@@ -2,14 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QProcess>
+#include <QSlider>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "case/CaseFile.h"
+#include "case/ParameterTable.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "project/ProjectFile.h"
@@ -83,7 +89,7 @@ class ProjectOfRuns : public testing::Test {
     window.showTab("psd");
     window.showTab("notes");
   }
-  void expectTheWork(MainWindow& window) const {
+  void expectTheWork(MainWindow& window, const QString& caseFile = "dip.toml") const {
     ASSERT_TRUE(window.reader()->waitFor(30000));
     RunStore& store = window.store();
     ASSERT_EQ(store.rowCount(), 3);
@@ -101,7 +107,7 @@ class ProjectOfRuns : public testing::Test {
     EXPECT_EQ(window.notes()->toPlainText(), "Second bogie: wheel flat?\n");
     EXPECT_EQ(window.document().description().motion.speed, 41);
     EXPECT_TRUE(window.document().isModified());
-    EXPECT_EQ(window.document().path(), path("dip.toml"));
+    EXPECT_EQ(window.document().path(), path(caseFile));
     EXPECT_EQ(window.signalsPanel()->currentTab(), "psd");
     EXPECT_TRUE(window.notes()->isVisible());
   }
@@ -280,6 +286,158 @@ TEST_F(ProjectOfRuns, isReported) {
     EXPECT_TRUE(pages.contains(part)) << part;
   EXPECT_FALSE(window->saveReportTo(path("no such folder/day.pdf")));
   EXPECT_TRUE(window->messages()->text().contains("cannot be written"));
+}
+
+// Of the run in front; another one is first seen through the filter of its own case.
+TEST_F(ProjectOfRuns, keepsHowItsFiguresAreDrawn) {
+  auto result = tests::syntheticResult();
+  result.patches.resize(3, result.patches.at(0));
+  result.patches[0].name = "frame 001", result.patches[2].name = "frame 003";
+  results::writeResult(path("one.h5").toStdString(), result);
+  results::writeResult(path("two.h5").toStdString(), result);
+  {
+    const auto window = open();
+    ASSERT_TRUE(window->openResult(path("two.h5")));
+    ASSERT_TRUE(window->openResult(path("one.h5")));
+    ASSERT_TRUE(window->saveProjectTo(path("day.squat-project")));
+    const QWidget* panel = window->signalsPanel();
+    panel->findChild<QDoubleSpinBox*>("cutoff")->setValue(777);
+    panel->findChild<QDoubleSpinBox*>("psdFrom")->setValue(-50);
+    panel->findChild<QDoubleSpinBox*>("psdTo")->setValue(110);
+    panel->findChild<QComboBox*>("spectrumScale")->setCurrentText("dB");
+    panel->findChild<QSpinBox*>("stftSegment")->setValue(96);
+    panel->findChild<QSpinBox*>("stftHop")->setValue(7);
+    panel->findChild<QSlider*>("patchMoment")->setValue(2);
+    for (QComboBox* box : panel->findChildren<QComboBox*>()) {
+      if (box->accessibleName() == "Colour map") box->setCurrentText("cividis");
+      if (box->accessibleName().startsWith("Window function")) box->setCurrentText("hamming");
+    }
+    // Saved by itself.
+    const auto saved = [this] { return read("day.squat-project").contains("\"hamming\""); };
+    EXPECT_TRUE(tests::passes(saved, 20000));
+    ASSERT_TRUE(window->close());
+  }
+  const QByteArray saved = read("day.squat-project");
+  const auto window = open();
+  ASSERT_TRUE(window->openProject(path("day.squat-project"))) << window->messages()->text().toStdString();
+  window->keeper()->saveNow();  // before a run is read
+  EXPECT_EQ(read("day.squat-project"), saved);
+  const auto whole = [&] { return window->store().current() == 1 && window->store().at(1).fields == Fields::both; };
+  ASSERT_TRUE(tests::passes(whole, 30000));
+  const SignalSettings& settings = window->signalsPanel()->settings();
+  EXPECT_EQ(settings.cutoff, 777);
+  EXPECT_DOUBLE_EQ(settings.from, -0.05);
+  EXPECT_DOUBLE_EQ(settings.to, 0.11);
+  EXPECT_EQ(settings.window, "hamming");
+  EXPECT_EQ(settings.spectrum, plots::SpectrumScale::decibel);
+  EXPECT_EQ(settings.moment, 2);
+  EXPECT_EQ(settings.segment, 96U);
+  EXPECT_EQ(settings.hop, 7U);
+  EXPECT_EQ(window->signalsPanel()->colourMap(), "cividis");
+  window->keeper()->saveNow();
+  EXPECT_EQ(read("day.squat-project"), saved);
+  // Another run is first seen with its own section, at its own impact.
+  window->store().setCurrent(0);
+  EXPECT_DOUBLE_EQ(settings.from, -0.1);
+  EXPECT_DOUBLE_EQ(settings.to, 0.28);
+  ASSERT_TRUE(tests::passes([&] { return window->store().at(0).fields == Fields::both; }, 30000));
+  EXPECT_EQ(settings.moment, 1);
+}
+
+// What a stranger's file asks for is what the controls can have.
+TEST_F(ProjectOfRuns, drawsNoFigureInAWayThatThereIsNot) {
+  const auto window = open();
+  SignalsPanel* panel = window->signalsPanel();
+  panel->setChoices({1e12, -1e12, 1e12, "triangle", "cubic", "plaid", 1 << 30, 1U << 30U, 1U << 30U}, {});
+  EXPECT_EQ(panel->settings().cutoff, panel->findChild<QDoubleSpinBox*>("cutoff")->maximum());
+  EXPECT_EQ(panel->settings().from, 1e-3 * panel->findChild<QDoubleSpinBox*>("psdFrom")->minimum());
+  EXPECT_EQ(panel->settings().window, "hann");
+  EXPECT_EQ(panel->settings().spectrum, plots::SpectrumScale::linear);
+  EXPECT_EQ(panel->colourMap(), "viridis");
+  EXPECT_LE(panel->settings().segment, 8192U);
+}
+
+// On a memory stick, which another machine reads: there is no other file left.
+TEST_F(ProjectOfRuns, movesWithItsDataToAnotherMachine) {
+  ASSERT_TRUE(QDir(folder_.path()).mkpath("stick"));
+  QByteArray saved;
+  {
+    const auto window = open();
+    const auto* action = window->findChild<QAction*>("copyProject");
+    ASSERT_NO_FATAL_FAILURE(work(*window));
+    EXPECT_FALSE(action->isEnabled());  // what is copied is a project
+    ASSERT_TRUE(window->saveProjectTo(path("day.squat-project")));
+    ASSERT_TRUE(action->isEnabled());
+    {
+      tests::FileDialogTyping typing(path("stick/copy.squat-project"));
+      window->findChild<QAction*>("copyProject")->trigger();
+      EXPECT_TRUE(typing.done());
+    }
+    ASSERT_TRUE(window->keeper()->waitForCopy(30000));
+    EXPECT_TRUE(window->messages()->text().contains("copied to")) << window->messages()->text().toStdString();
+    EXPECT_EQ(window->keeper()->path(), path("day.squat-project"));  // the work goes on where it was
+    ASSERT_TRUE(window->closeProject());
+    EXPECT_FALSE(action->isEnabled());
+  }
+  EXPECT_EQ(QDir(path("stick")).entryList(QDir::Files | QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot),
+            (QStringList{"copy.data", "copy.squat-project"}));
+  for (const char* name : {"dip.toml", "measured.csv", "day.squat-project"}) ASSERT_TRUE(QFile::remove(path(name)));
+  ASSERT_TRUE(QDir(path("day-runs")).removeRecursively());
+  ASSERT_TRUE(QDir(folder_.path()).rename("stick", "there"));
+  saved = read("there/copy.squat-project");
+  const auto window = open();
+  ASSERT_TRUE(window->openProject(path("there/copy.squat-project"))) << window->messages()->text().toStdString();
+  ASSERT_NO_FATAL_FAILURE(expectTheWork(*window, "there/copy.data/cases/dip.toml"));
+  EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();  // nothing has changed
+  window->keeper()->saveNow();
+  EXPECT_EQ(read("there/copy.squat-project"), saved);
+}
+
+TEST_F(ProjectOfRuns, aCopySaysWhatIsMissingAndReplacesNothing) {
+  const auto window = open();
+  ASSERT_NO_FATAL_FAILURE(work(*window));
+  EXPECT_FALSE(window->copyProjectTo(path("copy.squat-project")));
+  EXPECT_TRUE(window->messages()->text().contains("Save the project first"));
+  ASSERT_TRUE(window->saveProjectTo(path("day.squat-project")));
+  EXPECT_FALSE(window->copyProjectTo(path("day.squat-project")));
+  EXPECT_TRUE(window->messages()->text().contains("project that is open"));
+  ASSERT_TRUE(QFile::remove(path("measured.csv")));
+  ASSERT_TRUE(window->copyProjectTo(path("copy.squat-project")));
+  ASSERT_TRUE(window->keeper()->waitForCopy(30000));
+  EXPECT_TRUE(window->messages()->text().contains("1 file is missing from the copy"))
+      << window->messages()->text().toStdString();
+  QString details;
+  for (const QLabel* label : window->messages()->findChildren<QLabel*>()) details += label->text();
+  EXPECT_TRUE(details.contains(path("measured.csv"))) << details.toStdString();
+  // Its data stand there now.
+  ASSERT_TRUE(window->copyProjectTo(path("copy.squat-project")));
+  ASSERT_TRUE(window->keeper()->waitForCopy(30000));
+  EXPECT_TRUE(window->messages()->text().contains("copy.data")) << window->messages()->text().toStdString();
+  EXPECT_TRUE(window->messages()->text().contains("not copied")) << window->messages()->text().toStdString();
+}
+
+// 300 MB take some tenths of a second to copy; the file is a hole, and what is copied before the end is not kept.
+TEST_F(ProjectOfRuns, aCopyIsStoppedByTheUserAlone) {
+  write("big.h5", "no result, and copied as it is");
+  ASSERT_TRUE(QFile::resize(path("big.h5"), 300000000));
+  project::Project project;
+  project.open = {"dip", "", false, cases::writeCase(cases::defaultCase())};
+  project.entries.resize(1);
+  project.entries[0].path = path("big.h5").toStdString();
+  project::writeProject(path("day.squat-project").toStdString(), project);
+  const auto window = open();
+  ASSERT_TRUE(window->openProject(path("day.squat-project")));
+  ASSERT_TRUE(window->reader()->waitFor(30000));
+  ASSERT_TRUE(window->copyProjectTo(path("copy.squat-project")));
+  EXPECT_FALSE(window->close());
+  ASSERT_EQ(questions_.size(), 1);
+  EXPECT_TRUE(questions_[0].contains("copy")) << questions_[0].toStdString();
+  ASSERT_TRUE(window->keeper()->isCopying());
+  EXPECT_FALSE(window->copyProjectTo(path("other.squat-project")));  // one at a time
+  window->keeper()->cancelCopy();
+  ASSERT_TRUE(window->keeper()->waitForCopy(30000));
+  EXPECT_TRUE(window->messages()->text().contains("cancelled")) << window->messages()->text().toStdString();
+  EXPECT_EQ(QDir(folder_.path()).entryList({"copy*", "other*"}, QDir::Files | QDir::Dirs | QDir::Hidden).size(), 0);
 }
 
 TEST_F(ProjectOfRuns, theLastOneIsOpenedAtTheStart) {

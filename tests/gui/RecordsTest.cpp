@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QProcess>
@@ -16,10 +17,14 @@
 #include <QTest>
 #include <algorithm>
 
+#include "case/CaseFile.h"
+#include "case/ParameterTable.h"
 #include "case/ShippedCases.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
+#include "project/ProjectFile.h"
 #include "studio/common/MessageBar.h"
+#include "studio/project/ProjectKeeper.h"
 #include "studio/records/RecordView.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/tools/DetectionForm.h"
@@ -57,6 +62,9 @@ class Records : public testing::Test {
     ASSERT_TRUE(view_->model()->report()) << tool_->messages()->text().toStdString();
   }
   const QAbstractItemModel& seen() const { return *view_->table()->model(); }
+  static DetectionForm* formIn(MainWindow& window) {
+    return qobject_cast<DetectionForm*>(window.tool("squats")->form());
+  }
   // The row of the first event of a kind, as the list stands.
   int rowOf(const QString& kind) const {
     for (int row = 0; row < seen().rowCount(); ++row)
@@ -191,6 +199,158 @@ TEST_F(Records, whatWasSeenIsSavedAsLabels) {
   EXPECT_TRUE(tool_->text().contains("2 labels of")) << tool_->text().toStdString();
   ASSERT_EQ(view_->model()->seenEvents().size(), 2U);  // they are still there
   EXPECT_EQ(view_->model()->seenEvents()[0].severity, detection::Severity::severe);
+}
+
+// Record, options, list and labels: the same after a night, whatever the window of records was used for meanwhile.
+TEST_F(Records, comeBackInAProject) {
+  form_->findChild<QLineEdit*>("chainage")->setText("12+300");
+  ASSERT_TRUE(window_.saveProjectTo(path("day.squat-project"))) << window_.messages()->text().toStdString();
+  ASSERT_NO_FATAL_FAILURE(search());
+  QFile labels(path("labels.csv"));  // for the next search
+  ASSERT_TRUE(labels.open(QIODevice::WriteOnly));
+  labels.close();
+  form_->findChild<QLineEdit*>("labels")->setText(labels.fileName());
+  const int squat = rowOf("squat");
+  ASSERT_GE(squat, 0);
+  view_->table()->model()->setData(seen().index(squat, EventModel::seen), "severe squat", Qt::EditRole);
+  QStringList before;
+  for (int row = 0; row < seen().rowCount(); ++row)
+    for (const int column : {EventModel::kind, EventModel::severity, EventModel::channel, EventModel::passes,
+                             EventModel::sureness, EventModel::seen})
+      before << seen().index(row, column).data().toString();
+  const double first = seen().index(0, EventModel::position).data().toDouble();
+  EXPECT_GT(first, 12000);  // from the chainage that was typed
+  // Saved by itself.
+  EXPECT_TRUE(tests::passes([this] { return read("day.squat-project").contains("severe squat"); }, 20000));
+  ASSERT_TRUE(window_.closeProject());
+  EXPECT_FALSE(view_->model()->report());
+  const QByteArray saved = read("day.squat-project");
+
+  MainWindow tomorrow(tests::services());
+  tomorrow.show();
+  ASSERT_TRUE(tomorrow.openProject(path("day.squat-project"))) << tomorrow.messages()->text().toStdString();
+  EXPECT_TRUE(tomorrow.messages()->isHidden()) << tomorrow.messages()->text().toStdString();
+  EXPECT_TRUE(tomorrow.tool("squats")->isVisible());  // as it was
+  const DetectionForm* form = formIn(tomorrow);
+  const auto* list = form->findChild<QListWidget*>();
+  ASSERT_EQ(list->count(), 1);
+  EXPECT_EQ(list->item(0)->text(), record_);
+  EXPECT_EQ(form->findChild<QDoubleSpinBox*>("recordSpeed")->value(), 30);
+  EXPECT_EQ(form->findChild<QLineEdit*>("chainage")->text(), "12+300");
+  EXPECT_EQ(form->findChild<QLineEdit*>("labels")->text(), path("labels.csv"));
+  EXPECT_EQ(tomorrow.tool("squats")->findChild<QLineEdit*>("toolFolder")->text(), path("studio"));
+  RecordView* view = form->records();
+  ASSERT_TRUE(tests::passes([&] { return !view->isReading(); }, patience));
+  EXPECT_TRUE(tomorrow.tool("squats")->messages()->isHidden())
+      << tomorrow.tool("squats")->messages()->text().toStdString();
+  const QAbstractItemModel& again = *view->table()->model();
+  QStringList after;
+  for (int row = 0; row < again.rowCount(); ++row)
+    for (const int column : {EventModel::kind, EventModel::severity, EventModel::channel, EventModel::passes,
+                             EventModel::sureness, EventModel::seen})
+      after << again.index(row, column).data().toString();
+  EXPECT_EQ(after, before);
+  // The file has millimetres, the table centimetres.
+  EXPECT_NEAR(again.index(0, EventModel::position).data().toDouble(), first, 0.0101);
+  EXPECT_GT(view->strip()->figure()->graph(0)->dataCount(), 100);  // the record itself
+  EXPECT_GT(view->strip()->figure()->graphCount(), 1);             // and the marks
+  tomorrow.keeper()->saveNow();
+  EXPECT_EQ(read("day.squat-project"), saved);
+  // The passages are where they were; the signal over another event is in no file before the next search.
+  view->table()->setCurrentIndex(again.index(squat, 0));
+  view->findChild<QPushButton*>("showEvent")->click();
+  EXPECT_EQ(tomorrow.store().rowCount(), 1) << tomorrow.messages()->text().toStdString();
+  for (int row = 0; row < again.rowCount(); ++row) {
+    if (again.index(row, EventModel::kind).data().toString() == "squat") continue;
+    view->table()->setCurrentIndex(again.index(row, 0));
+    view->findChild<QPushButton*>("showEvent")->click();
+    EXPECT_TRUE(tomorrow.tool("squats")->messages()->text().contains("Start the search again"));
+    EXPECT_FALSE(QFile::exists(path("studio/other-events")));
+    break;
+  }
+  EXPECT_EQ(tomorrow.store().rowCount(), 1);
+}
+
+class RecordsOfAProject : public Records {
+ protected:
+  // The example, without a list, and nothing else.
+  project::Project madeUp() const {
+    project::Project project;
+    project.open = {"dip", "", false, cases::writeCase(cases::defaultCase())};
+    project.records.files = {record_.toStdString()};
+    project.records.speed = 30;
+    return project;
+  }
+  void write(const project::Project& project) const {
+    project::writeProject(path("day.squat-project").toStdString(), project);
+  }
+  static QString detailsOf(const MessageBar& messages) {
+    QString text;
+    for (const QLabel* label : messages.findChildren<QLabel*>()) text += label->text() + '\n';
+    return text;
+  }
+};
+
+// Gigabytes are not read for a window that nobody looks at.
+TEST_F(RecordsOfAProject, areReadWhenTheyAreLookedAt) {
+  write(madeUp());
+  tool_->hide();
+  ASSERT_TRUE(window_.openProject(path("day.squat-project"))) << window_.messages()->text().toStdString();
+  EXPECT_FALSE(tool_->isVisible());
+  EXPECT_FALSE(view_->isReading());
+  window_.findChild<QAction*>("squatsAction")->trigger();
+  EXPECT_TRUE(view_->isReading());
+  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, patience));
+  EXPECT_GT(view_->strip()->figure()->graph(0)->dataCount(), 100);
+  EXPECT_GT(view_->strip()->figure()->xAxis->range().size(), 100);
+  // Left in the middle of it: nothing of it comes later.
+  ASSERT_TRUE(window_.closeProject());
+  EXPECT_EQ(view_->strip()->figure()->graph(0)->dataCount(), 0);
+  ASSERT_TRUE(window_.openProject(path("day.squat-project")));
+  ASSERT_TRUE(window_.closeProject());
+  EXPECT_FALSE(tests::passes([this] { return view_->strip()->figure()->graph(0)->dataCount() > 0; }, 500));
+  EXPECT_EQ(form_->findChild<QListWidget*>()->count(), 0);
+}
+
+TEST_F(RecordsOfAProject, thatAreMissingAreNamedAndStay) {
+  auto project = madeUp();
+  project.records.files.push_back(path("gone.csv").toStdString());
+  project.records.labels = path("labels.csv").toStdString();
+  project.records.events = path("found/squats.json").toStdString();
+  project.records.seen = {{12.5, "left", "light squat"}};
+  project.notes = "a note\n";
+  write(project);
+  ASSERT_TRUE(window_.openProject(path("day.squat-project")));
+  EXPECT_TRUE(window_.messages()->text().contains("3 files")) << window_.messages()->text().toStdString();
+  for (const char* name : {"gone.csv", "labels.csv", "found/squats.json"})
+    EXPECT_TRUE(detailsOf(*window_.messages()).contains(path(name))) << name;
+  // The record that is there is read for all that.
+  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, patience));
+  EXPECT_GT(view_->strip()->figure()->graph(0)->dataCount(), 100);
+  EXPECT_TRUE(detailsOf(*tool_->messages()).contains("squats.json"));
+  window_.keeper()->saveNow();
+  const auto kept = project::readProject(path("day.squat-project").toStdString());
+  EXPECT_EQ(kept.records.files, project.records.files);
+  EXPECT_EQ(kept.records.labels, project.records.labels);
+  EXPECT_EQ(kept.records.events, project.records.events);
+  ASSERT_EQ(kept.records.seen.size(), 1U);
+  EXPECT_EQ(kept.records.seen[0].seenAs, "light squat");
+  EXPECT_EQ(kept.notes, "a note\n");
+}
+
+// A search writes its list into the project that is open when it ends: that must not be another one.
+TEST_F(RecordsOfAProject, areNotExchangedDuringASearch) {
+  write(madeUp());
+  form_->addRecord(record_);
+  form_->findChild<QDoubleSpinBox*>("recordSpeed")->setValue(30);
+  tool_->start();
+  ASSERT_TRUE(tool_->isBusy());
+  EXPECT_FALSE(window_.openProject(path("day.squat-project")));
+  EXPECT_TRUE(window_.messages()->text().contains("search")) << window_.messages()->text().toStdString();
+  EXPECT_FALSE(window_.closeProject());
+  tool_->cancel();
+  ASSERT_TRUE(tool_->waitFor(patience));
+  EXPECT_TRUE(window_.openProject(path("day.squat-project"))) << window_.messages()->text().toStdString();
 }
 
 TEST_F(Records, whatCannotBeReadIsSaid) {

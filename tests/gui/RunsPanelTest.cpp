@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
@@ -142,6 +143,103 @@ TEST_F(Runs, areFilteredByNameAndValue) {
   EXPECT_EQ(column("Depth [mm]"), QStringList{"0.2"});
   filter->clear();
   EXPECT_EQ(column("Depth [mm]").size(), 3);
+}
+
+// Two of one depth: chosen from the list as a user does, sorted, closed, filtered.
+class GroupedRuns : public Runs {
+ protected:
+  void SetUp() override {
+    Runs::SetUp();
+    addThree();
+    store_.add(computed(runOf({{"defect.depth", "0.3"}}, 4)));  // on draft; the other one of this depth on tiny
+  }
+  void groupBy(const QString& choice) {
+    auto* list = panel_.findChild<QComboBox*>("runGroups");
+    ASSERT_GE(list->findText(choice), 0) << choice.toStdString();
+    list->setFocus();
+    list->setCurrentIndex(list->findText(choice));
+    Q_EMIT list->activated(list->currentIndex());
+  }
+  QStringList rows() const { return column("Run"); }
+  void clickRow(int row) {
+    const QModelIndex at = panel_.table()->model()->index(row, 0);
+    QTest::mouseClick(panel_.table()->viewport(), Qt::LeftButton, {}, panel_.table()->visualRect(at).center());
+  }
+};
+
+TEST_F(GroupedRuns, standUnderHeadingsInTheOrderOfTheTable) {
+  groupBy("Groups: Depth");
+  EXPECT_EQ(rows(),
+            (QStringList{"▾ Depth [mm]: 0.15 (1)", "depth 0.15, draft *", "▾ Depth [mm]: 0.3 (2)", "depth 0.3, tiny *",
+                         "depth 0.3, draft *", "▾ Depth [mm]: 0.2 (1)", "depth 0.2, draft *"}));
+  EXPECT_EQ(panel_.table()->columnSpan(2, 0), panel_.table()->model()->columnCount());
+  EXPECT_EQ(panel_.table()->columnSpan(3, 0), 1);
+  clickHeading(1);  // by peak: 1, 2, 3, 4 times the made-up signal
+  EXPECT_EQ(rows(),
+            (QStringList{"▾ Depth [mm]: 0.15 (1)", "depth 0.15, draft *", "▾ Depth [mm]: 0.2 (1)", "depth 0.2, draft *",
+                         "▾ Depth [mm]: 0.3 (2)", "depth 0.3, tiny *", "depth 0.3, draft *"}));
+  clickHeading(1);  // from the largest
+  EXPECT_EQ(rows().mid(0, 3), (QStringList{"▾ Depth [mm]: 0.3 (2)", "depth 0.3, draft *", "depth 0.3, tiny *"}));
+  EXPECT_EQ(panel_.table()->columnSpan(0, 0), panel_.table()->model()->columnCount());
+  groupBy("Groups: Mesh");
+  EXPECT_EQ(rows()[0], "▾ Mesh: draft (3)");
+  EXPECT_EQ(rows()[4], "▾ Mesh: tiny (1)");
+  groupBy("No groups");
+  EXPECT_EQ(rows().size(), 4);
+  EXPECT_EQ(panel_.table()->columnSpan(0, 0), 1);
+}
+
+TEST_F(GroupedRuns, areTheRunsThatTheirRowsShow) {
+  groupBy("Groups: Depth");
+  clickRow(3);
+  EXPECT_EQ(store_.current(), 1);
+  EXPECT_EQ(panel_.table()->currentIndex().row(), 3);
+  EXPECT_EQ(panel_.rowOf(panel_.table()->model()->index(2, 0)), -1);  // a heading is no run
+  panel_.table()->setFocus();
+  tests::press(panel_, Qt::Key_F2);
+  tests::type(panel_, "deep one");
+  tests::press(panel_, Qt::Key_Return);
+  EXPECT_EQ(store_.at(1).label, "deep one");
+  EXPECT_EQ(rows()[3], "deep one *");
+  panel_.table()->model()->setData(panel_.indexOf(3), Qt::Checked, Qt::CheckStateRole);
+  EXPECT_TRUE(store_.at(3).overlaid);
+}
+
+TEST_F(GroupedRuns, closeByMouseAndByKeyboard) {
+  groupBy("Groups: Depth");
+  clickRow(2);
+  EXPECT_EQ(rows(), (QStringList{"▾ Depth [mm]: 0.15 (1)", "depth 0.15, draft *", "▸ Depth [mm]: 0.3 (2)",
+                                 "▾ Depth [mm]: 0.2 (1)", "depth 0.2, draft *"}));
+  panel_.table()->setFocus();
+  EXPECT_EQ(panel_.table()->currentIndex().row(), 2);  // the heading that was clicked
+  for (const int key : {Qt::Key_Right, Qt::Key_Return}) {
+    tests::press(panel_, key);
+    EXPECT_EQ(rows()[3], "depth 0.3, tiny *") << key;
+    tests::press(panel_, key == Qt::Key_Right ? Qt::Key_Left : Qt::Key_Space);
+    EXPECT_EQ(rows().size(), 5) << key;
+  }
+  EXPECT_EQ(store_.current(), 3);  // a heading makes no run the current one
+  store_.setCurrent(0);
+  store_.setCurrent(3);  // what is shown is to be seen in the table
+  EXPECT_EQ(rows()[2], "▾ Depth [mm]: 0.3 (2)");
+  EXPECT_EQ(panel_.table()->currentIndex(), panel_.indexOf(3));
+}
+
+TEST_F(GroupedRuns, followTheFilterAndRunsThatGo) {
+  groupBy("Groups: Depth");
+  auto* filter = panel_.findChild<QLineEdit*>("runFilter");
+  filter->setText("tiny");
+  EXPECT_EQ(rows(), (QStringList{"▾ Depth [mm]: 0.3 (1)", "depth 0.3, tiny *"}));
+  filter->clear();
+  EXPECT_EQ(rows().size(), 7);
+  store_.remove(2);
+  EXPECT_EQ(rows().size(), 5);
+  store_.remove(0);  // all of one depth: no column, no groups
+  EXPECT_EQ(rows(), (QStringList{"tiny *", "draft *"}));
+  EXPECT_EQ(panel_.findChild<QComboBox*>("runGroups")->currentText(), "No groups");
+  store_.add(computed(runOf({{"defect.depth", "0.15"}})));  // the column is back
+  EXPECT_EQ(rows()[0], "▾ Depth [mm]: 0.3 (2)");
+  EXPECT_EQ(panel_.findChild<QComboBox*>("runGroups")->currentText(), "Groups: Depth");
 }
 
 // By the mouse, as a user does: the box overlays, the name makes the run the current one.

@@ -30,6 +30,25 @@ double highestOf(SceneView& view, int frame) {
   return view.highest();
 }
 
+// To the right, as positions run in all figures; how far follows from where the eye stands: the part of x across the
+// line of sight. Seen from the front the wheel comes towards the eye.
+TEST(Scene, theWheelRollsToTheRight) {
+  std::string reason;
+  const auto view = SceneView::create(reason);
+  ASSERT_TRUE(view) << reason;
+  view->setResult(twoFrames());
+  const std::pair<StandardView, double> expected[] = {{StandardView::overview, 0.75 / std::hypot(0.55, 0.75)},
+                                                      {StandardView::contact, 0.75 / std::hypot(0.5, 0.75)},
+                                                      {StandardView::side, 1},
+                                                      {StandardView::front, 0},
+                                                      {StandardView::top, 1}};
+  for (const auto& [from, right] : expected) {
+    view->lookFrom(from);
+    view->render(64, 48);
+    EXPECT_NEAR(view->heading(), right, 1e-4) << static_cast<int>(from);
+  }
+}
+
 TEST(Scene, coloursKeepTheirRangeFromFrameToFrame) {
   std::string reason;
   const auto view = SceneView::create(reason);

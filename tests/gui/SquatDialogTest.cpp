@@ -6,6 +6,7 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLocale>
 #include <QTest>
 #include <QToolButton>
 #include <set>
@@ -15,6 +16,7 @@
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "plots/Figure.h"
+#include "studio/common/NumberBox.h"
 #include "studio/common/Theme.h"
 #include "studio/profile/SquatDialog.h"
 
@@ -89,6 +91,42 @@ TEST(SquatDialog, whatCannotBeRunIsSaid) {
   depth->setValue(0.1);
   EXPECT_TRUE(ok->isEnabled());
   EXPECT_TRUE(problem->text().isEmpty());
+}
+
+TEST(SquatDialog, theDepthTakesADecimalComma) {
+  SquatDialog dialog(cases::defaultCase(), figureStyle(false));
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  auto* depth = dialog.findChild<QDoubleSpinBox*>("squatDepth");
+  depth->selectAll();
+  QTest::keyClicks(depth, "0,26");
+  EXPECT_EQ(depth->text(), "0.26 mm");
+  EXPECT_EQ(dialog.findChild<QComboBox*>("squatClass")->currentIndex(), 2);  // deeper than 0.25 mm
+  EXPECT_DOUBLE_EQ(dialog.description().defect.depth, 1e-3 * 0.26);
+}
+
+// A point is shown on every system, and what may stand between thousands is refused, not left out.
+TEST(NumberBox, takesOneCommaOrPoint) {
+  const QLocale before;
+  for (const char* system : {"C", "en_GB", "de_DE"}) {
+    SCOPED_TRACE(system);
+    QLocale::setDefault(QLocale(system));
+    NumberBox box;
+    box.setRange(0, 1e6);
+    box.setDecimals(3);
+    box.setValue(1234.5);
+    EXPECT_EQ(box.text(), "1234.500");
+    EXPECT_EQ(box.valueFromText("0,15"), 0.15);
+    EXPECT_EQ(box.valueFromText("0.15"), 0.15);
+    int place = 0;
+    for (const char* wrong : {"1,234.5", "1.234,5", "1,234,567"}) {
+      QString text = wrong;
+      EXPECT_EQ(box.validate(text, place), QValidator::Invalid) << wrong;
+      box.fixup(text);
+      EXPECT_EQ(text, wrong);
+    }
+  }
+  QLocale::setDefault(before);
 }
 
 TEST(SquatDialog, theCaseTakesItAsOneStep) {

@@ -45,6 +45,14 @@ Project everything(const std::string& folder) {
   project.reference = 1;
   project.notes = "First line\n\tsecond: µm, \\, \"quoted\"\n";
   project.views = {"profile", "psd"};
+  project.figures = {1250, -0.15, 0.3, "hamming", "third-octaves", "magma", 2, 256, 8};
+  auto& records = project.records;
+  records.files = {folder + "/records/day 1.csv", "/elsewhere/day 2.h5"};
+  records.channels = "left, right", records.chainage = "12+300";
+  records.speed = 33.3333333333333;
+  records.ownVehicle = true;
+  records.labels = folder + "/labels.csv", records.events = folder + "/found/squats.json";
+  records.seen = {{12345.678, "left", "severe squat"}, {-3, "right", "weld"}};
   return project;
 }
 
@@ -78,6 +86,16 @@ TEST(ProjectFile, whatIsWrittenIsRead) {
   EXPECT_EQ(read.entries[1].reading.speed, project.entries[1].reading.speed);
   EXPECT_EQ(read.entries[1].reading.delimiter, ';');
   EXPECT_EQ(read.notes, project.notes);
+  ASSERT_TRUE(read.figures);
+  EXPECT_EQ(read.figures->from, -0.15);
+  EXPECT_EQ(read.figures->scale, "third-octaves");
+  EXPECT_EQ(read.figures->moment, 2);
+  EXPECT_EQ(read.records.files, project.records.files);
+  EXPECT_EQ(read.records.speed, project.records.speed);
+  EXPECT_EQ(read.records.events, project.records.events);
+  ASSERT_EQ(read.records.seen.size(), 2U);
+  EXPECT_EQ(read.records.seen[0].position, 12345.678);
+  EXPECT_EQ(read.records.seen[1].seenAs, "weld");
   EXPECT_EQ(folder.files(), 1U);  // nothing is left beside it
 }
 
@@ -102,6 +120,10 @@ TEST(ProjectFile, linksGoWithTheirFolder) {
   EXPECT_EQ(moved.entries[0].path, (second / "results/dip.h5").string());
   EXPECT_EQ(moved.open.path, (second / "cases/dip.toml").string());
   EXPECT_EQ(moved.cases[1], "/elsewhere/other.toml");
+  EXPECT_EQ(moved.records.files[0], (second / "records/day 1.csv").string());
+  EXPECT_EQ(moved.records.files[1], "/elsewhere/day 2.h5");
+  EXPECT_EQ(moved.records.labels, (second / "labels.csv").string());
+  EXPECT_EQ(moved.records.events, (second / "found/squats.json").string());
 }
 
 TEST(ProjectFile, saysWhatIsWrongAndWhere) {
@@ -120,25 +142,40 @@ TEST(ProjectFile, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(place("\"current\": 0", "\"current\": 1"), "/current");
   EXPECT_EQ(place("\"reference\": 1", "\"reference\": 2"), "/reference");
   EXPECT_EQ(place("\"results/dip.h5\"", "\"\""), "/runs/0/path");
+  EXPECT_EQ(place("\"cutoff\": 1250.0", "\"cutoff\": \"low\""), "/figures/cutoff");
+  EXPECT_EQ(place("\"moment\": 2", "\"moment\": -2"), "/figures/moment");
+  EXPECT_EQ(place("\"segment\": 256", "\"segment\": 0"), "/figures/segment");
+  EXPECT_EQ(place("\"hop\": 8", "\"hop\": 0.5"), "/figures/hop");
+  EXPECT_EQ(place("\"/elsewhere/day 2.h5\"", "\"\""), "/records/files/1");
+  EXPECT_EQ(place("\"own_vehicle\": true", "\"own_vehicle\": 1"), "/records/own_vehicle");
+  EXPECT_EQ(place("\"speed\": 33.3333333333333", "\"speed\": -1"), "/records/speed");
+  EXPECT_EQ(place("\"labels.csv\"", "\"labels\\u0000.csv\""), "/records/labels");
+  EXPECT_EQ(place("\"found/squats.json\"", "[]"), "/records/events");
+  EXPECT_EQ(place("\"position\": 12345.678", "\"position\": 1e13"), "/records/seen/0/position");
+  EXPECT_EQ(place("\"seen_as\": \"weld\"", "\"seen_as\": 3"), "/records/seen/1/seen_as");
   EXPECT_EQ(place("\"notes\":", "\"nodes\":"), "the whole file");
   EXPECT_THAT(refusalOf(with(good, "\"notes\":", "\"nodes\":")).what(), HasSubstr("lacks the key 'notes'"));
   EXPECT_THAT(refusalOf(with(good, "[motion]", "[motoin]")).what(),
               AllOf(HasSubstr("/open_case/toml"), HasSubstr("motoin")));
-  EXPECT_THAT(refusalOf(with(good, "\"schema_version\": 2", "\"schema_version\": 3")).what(),
+  EXPECT_THAT(refusalOf(with(good, "\"schema_version\": 3", "\"schema_version\": 4")).what(),
               AllOf(HasSubstr("day.squat-project"), HasSubstr("/schema_version"), HasSubstr("use a newer one")));
-  // The third line is ' "schema_version": 2,'; without its colon the number comes as a surprise, in column 19.
-  EXPECT_EQ(refusalOf(with(good, "\"schema_version\": 2", "\"schema_version\"  2")).location(), "line 3, column 20");
+  // The third line is ' "schema_version": 3,'; without its colon the number comes as a surprise, in column 20.
+  EXPECT_EQ(refusalOf(with(good, "\"schema_version\": 3", "\"schema_version\"  3")).location(), "line 3, column 20");
 }
 
-// Files of before signals could be aligned by hand.
-TEST(ProjectFile, aSignalWithoutAGainHasNone) {
-  const std::string good = projectText(everything("/home/somebody"), "/home/somebody");
-  const auto before =
-      with(with(good, "\"gain\": 1.25", "\"unknown\": 1"), "\"schema_version\": 2", "\"schema_version\": 1");
-  const auto read = parseProject(before, "day.squat-project", "/home/somebody");
-  EXPECT_EQ(read.entries[1].gain, 1);
-  // And they are written as such again: the older program reads them.
-  EXPECT_THAT(projectText(read, "/home/somebody"), HasSubstr("\"schema_version\": 1"));
+// A file is of the lowest version whose readers lose nothing of it.
+TEST(ProjectFile, theVersionIsThatOfWhatItHolds) {
+  const auto version = [](const Project& project) {
+    const std::string text = written(project);
+    return text.substr(text.find("\"schema_version\": ") + 18, 1);
+  };
+  auto project = everything("/home/somebody");
+  EXPECT_EQ(version(project), "3");
+  project.records = {};  // figures raise nothing
+  EXPECT_EQ(version(project), "2");
+  project.entries[1].gain = 1;
+  EXPECT_EQ(version(project), "1");
+  EXPECT_EQ(written(project).find("\"records\""), std::string::npos);
 }
 
 TEST(ProjectFile, whatIsCutOffIsRefused) {

@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 #include <array>
 
+#include "studio/common/NumberBox.h"
+
 namespace squat::studio {
 namespace {
 
@@ -29,7 +31,7 @@ using plots::PrintedSize;
 
 QDoubleSpinBox* numberIn(QFormLayout& form, const QString& label, const QString& name, const QString& unit, double low,
                          double high) {
-  auto* box = new QDoubleSpinBox;
+  auto* box = new NumberBox;
   box->setObjectName(name);
   box->setAccessibleName(QString(label).remove('&'));
   box->setRange(low, high);
@@ -61,10 +63,11 @@ FigureSizeDialog::FigureSizeDialog(const plots::PrintedSize& size, QWidget* pare
   preset_->setAccessibleName(tr("Size"));
   for (const auto& preset : presets) preset_->addItem(tr(preset.name));
   form->addRow(tr("&Size"), preset_);
-  width_ = numberIn(*form, tr("&Width"), "figureWidth", tr("mm"), PrintedSize::leastWidth, PrintedSize::mostSide);
-  height_ = numberIn(*form, tr("&Height"), "figureHeight", tr("mm"), PrintedSize::leastHeight, PrintedSize::mostSide);
-  resolution_ = numberIn(*form, tr("&Resolution of PNG"), "figureResolution", tr("dpi"), PrintedSize::leastResolution,
-                         PrintedSize::mostResolution);
+  width_ = numberIn(*form, tr("&Width"), "figureWidth", tr("mm"), PrintedSize::minimumWidth, PrintedSize::maximumSide);
+  height_ =
+      numberIn(*form, tr("&Height"), "figureHeight", tr("mm"), PrintedSize::minimumHeight, PrintedSize::maximumSide);
+  resolution_ = numberIn(*form, tr("&Resolution of PNG"), "figureResolution", tr("dpi"), PrintedSize::minimumResolution,
+                         PrintedSize::maximumResolution);
   width_->setValue(size.width > 0 ? size.width : 85);
   height_->setValue(size.height > 0 ? size.height : 60);
   resolution_->setValue(size.resolution);
@@ -103,10 +106,10 @@ plots::PrintedSize storedFigureSize() {
   const double resolution = settings.value("figure/resolution", otherwise.resolution).toDouble();
   const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
   plots::PrintedSize size;
-  if (within(width, PrintedSize::leastWidth, PrintedSize::mostSide) &&
-      within(height, PrintedSize::leastHeight, PrintedSize::mostSide))
+  if (within(width, PrintedSize::minimumWidth, PrintedSize::maximumSide) &&
+      within(height, PrintedSize::minimumHeight, PrintedSize::maximumSide))
     size.width = width, size.height = height;
-  if (within(resolution, PrintedSize::leastResolution, PrintedSize::mostResolution)) size.resolution = resolution;
+  if (within(resolution, PrintedSize::minimumResolution, PrintedSize::maximumResolution)) size.resolution = resolution;
   return size;
 }
 

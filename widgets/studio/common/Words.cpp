@@ -1,20 +1,13 @@
 #include "studio/common/Words.h"
 
-#include <QMap>
 #include <QRegularExpression>
+
+#include "case/CaseNames.h"
 
 namespace squat::studio {
 
 QString parameterLabel(const std::string& key) {
-  QString label = QString::fromStdString(key);
-  label = label.mid(label.indexOf('.') + 1).replace('_', ' ');
-  static const QMap<QString, QString> printed{{"young modulus", "Young's modulus"},
-                                              {"poisson ratio", "Poisson's ratio"},
-                                              {"run up", "Run-up"},
-                                              {"beyond", "Distance beyond"},
-                                              {"cwt voices", "CWT voices"},
-                                              {"selective inertia", "Selective mass scaling"}};
-  if (const auto found = printed.find(label); found != printed.end()) return *found;
+  QString label = QString::fromStdString(cases::printedWords(key.substr(key.find('.') + 1)));
   if (!label.isEmpty()) label[0] = label[0].toUpper();
   return label;
 }

@@ -2,11 +2,11 @@
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 
 #include "case/Applicability.h"
 #include "case/ParameterValue.h"
+#include "studio/common/DecimalComma.h"
 #include "studio/common/Theme.h"
 #include "studio/common/Words.h"
 #include "studio/document/CaseDocument.h"
@@ -15,14 +15,25 @@
 namespace squat::studio {
 namespace {
 
-QString sentence(const CaseProblem& problem) {
+QString adviceOf(const cases::Parameter& parameter, const CaseProblem& problem) {
+  const QString text = QString::fromStdString(problem.value);
+  if (parameter.kind == cases::Kind::number && text.contains(','))
+    return QObject::tr(". Write one decimal point or comma, and nothing between thousands");
+  // It names the point of a curve or the seat that is wrong.
+  return text.startsWith('[') ? ". " + QString::fromStdString(problem.advice) : QString();
+}
+
+QString sentence(const cases::Parameter& parameter, const CaseProblem& problem) {
   QString text = QString::fromStdString(problem.value);
-  static const QRegularExpression decimalComma("\\d,\\d");
-  // The advice names the point of a curve or the seat that is wrong.
-  const bool needsAdvice = decimalComma.match(text).hasMatch() || text.startsWith('[');
-  const QString advice = needsAdvice ? ". " + QString::fromStdString(problem.advice) : QString();
   if (text.size() > 40) text = text.left(40) + QChar(0x2026);
-  return QObject::tr("“%1” must be %2").arg(text, printedUnits(QString::fromStdString(problem.allowed))) + advice;
+  return QObject::tr("“%1” must be %2").arg(text, printedUnits(QString::fromStdString(problem.allowed))) +
+         adviceOf(parameter, problem);
+}
+
+// With the decimal comma of a number as a point. What a comma is depends on the kind of the key: in a curve or in seats
+// "1,5" are two values, in a title or a path it is a letter.
+std::string asWritten(const cases::Parameter& parameter, const QString& typed) {
+  return (parameter.kind == cases::Kind::number ? withDecimalPoint(typed) : typed).toStdString();
 }
 
 }  // namespace
@@ -172,15 +183,15 @@ void ParameterRow::showRelation(const QString& reason) {
 
 void ParameterRow::tryText(const QString& text) {
   cases::CaseDescription copy = document_.description();
-  const auto problem = cases::trySetValue(copy, parameter_, text.toStdString());
-  wrongText_ = problem ? sentence(*problem) : QString();
+  const auto problem = cases::trySetValue(copy, parameter_, asWritten(parameter_, text));
+  wrongText_ = problem ? sentence(parameter_, *problem) : QString();
   showReason();
   Q_EMIT reasonChanged();
 }
 
 void ParameterRow::commit(const QString& text) {
-  if (const auto problem = document_.setParameter(parameter_.key, text.toStdString())) {
-    wrongText_ = sentence(*problem);
+  if (const auto problem = document_.setParameter(parameter_.key, asWritten(parameter_, text))) {
+    wrongText_ = sentence(parameter_, *problem);
     showReason();
     Q_EMIT reasonChanged();
     return;

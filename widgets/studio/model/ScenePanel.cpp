@@ -20,6 +20,7 @@
 #include "studio/common/FigureSizeDialog.h"
 #include "studio/common/FlowLayout.h"
 #include "studio/common/LocationToSave.h"
+#include "studio/common/NumberBox.h"
 #include "studio/model/SceneWidget.h"
 
 namespace squat::studio {
@@ -60,7 +61,7 @@ QWidget* ScenePanel::makeControls() {
     field_->addItem(QString::fromStdString(scene::fieldName(field)), static_cast<int>(field));
   field_->addItem(tr("Parts"), static_cast<int>(scene::Field::none));
   field_->setAccessibleName(tr("Coloured by"));
-  scale_ = new QDoubleSpinBox(bar);
+  scale_ = new NumberBox(bar);
   scale_->setRange(0, 10000);
   scale_->setValue(1);
   scale_->setPrefix(tr("Displacement × "));
@@ -194,10 +195,10 @@ void ScenePanel::savePicture() {
   const auto size = storedFigureSize();
   const double width = size.width > 0 ? size.width : 170, height = size.width > 0 ? size.height : 119;  // [mm]
   const double pixels = size.resolution / 25.4;
-  if (std::max(width, height) * pixels > scene::PictureSize::mostPixels)
+  if (std::max(width, height) * pixels > scene::PictureSize::maximumPixels)
     return void(Q_EMIT failed(tr("The picture would have more than %1 pixels on a side: choose a lower resolution in "
                                  "Figure > Size of figures.")
-                                  .arg(scene::PictureSize::mostPixels)));
+                                  .arg(scene::PictureSize::maximumPixels)));
   // Letters and lines have their usual size on paper, smaller ones in a narrow picture.
   const double pixelRatio = size.resolution / 96 * std::clamp(width / 170, 0.7, 1.0);
   const QImage picture = scene_->picture(static_cast<int>(std::lround(width * pixels)),

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/MeshPresets.h"
+#include "case/Resolve.h"
 
 namespace squat::studio {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr double zoneStep = 0.04;           // [m]
 constexpr double rolledBehindDefect = 0.1;  // [m] from its deepest point
 constexpr double rolledBehindLast = 0.04;   // [m] from the end of a long one
-constexpr double leastApproach = 0.06;      // [m] from the start to the zone
+constexpr double minimumApproach = 0.06;    // [m] from the start to the zone
 constexpr double endMargin = 0.3;           // [m] of rail beyond the run, as cases are checked
 
 double inSteps(double length, double step) { return step * std::ceil(length / step - 1e-9); }
@@ -20,8 +21,8 @@ double inSteps(double length, double step) { return step * std::ceil(length / st
 void lengthenTrack(cases::CaseDescription& description) {
   const auto& motion = description.motion;
   const double half = std::max(motion.runUp, motion.beyond) + endMargin + description.track.sleeperSpacing;
-  const double least = std::max(2 * half, 5 * description.track.sleeperSpacing);
-  if (least > description.track.length) description.track.length = inSteps(least, description.track.sleeperSpacing);
+  const double minimum = std::max(2 * half, 5 * description.track.sleeperSpacing);
+  if (minimum > description.track.length) description.track.length = inSteps(minimum, description.track.sleeperSpacing);
 }
 
 }  // namespace
@@ -30,12 +31,12 @@ cases::CaseDescription previewCase(const cases::CaseDescription& open, const cas
   auto description = open;
   cases::applyPreset(description, cases::MeshPreset::tiny);
   description.output.timeStep = 0;
-  const cases::DefectSurface surface(description.defect);
+  const auto surface = cases::surfaceOf(description);
   auto& mesh = description.mesh;
   auto& motion = description.motion;
   mesh.zoneBefore = std::max(served.before, inSteps(std::max(-surface.first(), zoneStep), zoneStep));
   mesh.zoneBehind = std::max(served.behind, inSteps(std::max(surface.last(), zoneStep), zoneStep));
-  motion.runUp = std::max(motion.runUp, mesh.zoneBefore + leastApproach);
+  motion.runUp = std::max(motion.runUp, mesh.zoneBefore + minimumApproach);
   motion.beyond = std::max(rolledBehindDefect, mesh.zoneBehind + rolledBehindLast);
   lengthenTrack(description);
   return description;
@@ -45,7 +46,7 @@ std::string whyNoPreview(const cases::CaseDescription& open) {
   if (open.defect.moveNodes)
     return "No preview with defect.move_nodes: moved nodes change the stiffness of the rail, so every profile needs a "
            "whole run.";
-  const cases::DefectSurface surface(open.defect);
+  const auto surface = cases::surfaceOf(open);
   if (surface.first() == surface.last()) return "No preview of a smooth rail: the case has no defect.";
   return {};
 }

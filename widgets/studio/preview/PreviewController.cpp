@@ -11,7 +11,7 @@ namespace {
 
 constexpr int betweenPictures = 16;  // [ms]
 // The mesh has some 14,000 elements: more threads would wait for each other longer than they compute.
-constexpr int mostThreads = 4;
+constexpr int maximumThreads = 4;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ PreviewController::PreviewController(const PreviewSolver& solver, int threads, Q
   pause_.setTimerType(Qt::PreciseTimer);
   connect(&pause_, &QTimer::timeout, this, &PreviewController::takeNews);
   if (!solver.isThere()) return;
-  worker_ = std::make_unique<PreviewWorker>(solver, std::min(threadCount(threads), mostThreads), [this] {
+  worker_ = std::make_unique<PreviewWorker>(solver, std::min(threadCount(threads), maximumThreads), [this] {
     if (!isPosted_.exchange(true)) QMetaObject::invokeMethod(this, &PreviewController::takeNews, Qt::QueuedConnection);
   });
 }

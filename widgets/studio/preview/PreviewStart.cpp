@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "studio/preview/PreviewCase.h"
 
@@ -15,7 +16,7 @@ constexpr double roundOff = 1e-9;
 
 // Where the defect begins, in steps [m].
 double beforeOf(const cases::CaseDescription& description) {
-  const double own = -cases::DefectSurface(description.defect).first();
+  const double own = -cases::surfaceOf(description).first();
   return nearStep * std::ceil(own / nearStep - roundOff);
 }
 

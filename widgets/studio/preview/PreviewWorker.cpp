@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "case/BeforeDefect.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "studio/common/ThreadPriority.h"
 #include "studio/preview/GrowingCurve.h"
@@ -27,7 +28,7 @@ simulation::RunOptions bareOptions(int threads) {
 // A picture with what is known before the wheel rolls.
 Preview pictureOf(const cases::CaseDescription& description) {
   Preview picture;
-  const cases::DefectSurface surface(description.defect);
+  const auto surface = cases::surfaceOf(description);
   picture.from = -description.motion.runUp, picture.to = description.motion.beyond;
   picture.defectFrom = surface.first(), picture.defectTo = surface.last();
   return picture;

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -16,6 +15,8 @@
 #include <QVBoxLayout>
 
 #include "core/Errors.h"
+#include "studio/common/HeadTable.h"
+#include "studio/common/NumberBox.h"
 
 namespace squat::studio {
 namespace {
@@ -63,10 +64,12 @@ void ImportDialog::makeControls() {
   heightColumn_ = new QSpinBox(this);
   for (QSpinBox* column : {positionColumn_, heightColumn_}) column->setRange(1, 50);
   heightColumn_->setValue(2);
-  scale_ = new QDoubleSpinBox(this);
+  scale_ = new NumberBox(this);
+  scale_->setObjectName("importScale");
   scale_->setRange(0.01, 100);
   scale_->setValue(1);
-  step_ = new QDoubleSpinBox(this);
+  step_ = new NumberBox(this);
+  step_->setObjectName("importStep");
   step_->setRange(0, 50);
   step_->setSuffix(" mm");
   step_->setSpecialValueText(tr("as measured"));
@@ -75,13 +78,11 @@ void ImportDialog::makeControls() {
   reverse_ = new QCheckBox(tr("reverse direction"), this);
   message_ = new QLabel(this);
   message_->setWordWrap(true);
-  table_ = new QTableWidget(this);
-  table_->setTabKeyNavigation(false);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setAccessibleName(tr("First lines of the file"));
+  table_ = makeHeadTable(this);
   plot_->xAxis->setLabel(tr("Position [mm]"));
   plot_->yAxis->setLabel(tr("Height [µm]"));
-  plot_->setMinimumHeight(200);
+  plot_->setMinimumSize(320, 200);  // the labels of its axes have room
+  plot_->setAccessibleName(tr("The profile as it is imported"));
   auto* form = new QFormLayout;
   form->addRow(tr("&Delimiter"), delimiter_);
   form->addRow(QString(), comma_);
@@ -144,13 +145,7 @@ void ImportDialog::update() {
   choices.heightScale = scale_->value();
   choices.resampleStep = step_->value() * 1e-3;
   profile_ = importProfile(text_, choices);
-  table_->setRowCount(static_cast<int>(profile_.head.size()));
-  table_->setColumnCount(profile_.columns);
-  table_->clearContents();
-  for (std::size_t row = 0; row < profile_.head.size(); ++row)
-    for (std::size_t column = 0; column < profile_.head[row].size(); ++column)
-      table_->setItem(static_cast<int>(row), static_cast<int>(column),
-                      new QTableWidgetItem(QString::fromStdString(profile_.head[row][column])));
+  showHead(*table_, profile_.head, profile_.columns);
   plot_->clearGraphs();
   QCPGraph* graph = plot_->addGraph();
   graph->setPen(QPen(plot_->style().curve(0), 1.4));

@@ -141,9 +141,7 @@ void ProfileEditor::makePlot(const plots::Style& style) {
                            .arg(height * unit().perMetre, 0, 'f', unit().digits)
                            .arg(unit().name));
   });
-  connect(plot_, &ProfilePlot::chosenChanged, this, [this] {
-    if (const auto chosen = plot_->chosen()) table_->selectRow(static_cast<int>(*chosen));
-  });
+  connect(plot_, &ProfilePlot::chosenChanged, this, &ProfileEditor::showChosen);
   connect(table_, &QTableView::clicked, plot_,
           [this](const QModelIndex& index) { plot_->choose(static_cast<std::size_t>(index.row())); });
   // By keys as well.
@@ -160,7 +158,7 @@ void ProfileEditor::showEvent(QShowEvent* event) {
 // The table begins where the defect is deepest, not with the smooth rail before it.
 void ProfileEditor::showPoints() {
   const bool any = points_->rowCount() > 0;
-  hint_->setText(any ? tr("Drag points; double-click adds, Delete removes, wheel zooms, F fits")
+  hint_->setText(any ? tr("Drag points; double-click adds, Delete removes; a box or the wheel zooms, F fits")
                      : tr("The sliders shape the curve; “To points” or a double-click turns it into points"));
   if (!any) return;
   const auto& points = document_.description().defect.points;
@@ -168,6 +166,16 @@ void ProfileEditor::showPoints() {
       std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.height < b.height; });
   const int row = static_cast<int>(deepest - points.begin());
   table_->scrollTo(points_->index(std::min(row, points_->rowCount() - 1), 0), QAbstractItemView::PositionAtCenter);
+  if (plot_->chosen()) showChosen();  // the row went with the rows before
+}
+
+void ProfileEditor::showChosen() {
+  QItemSelectionModel* rows = table_->selectionModel();
+  const auto chosen = plot_->chosen();
+  if (!chosen) return rows->clear();
+  const int column = std::max(0, table_->currentIndex().column());  // that of the cell which was clicked
+  rows->setCurrentIndex(points_->index(static_cast<int>(*chosen), column),
+                        QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 void ProfileEditor::showNotes() {
@@ -199,6 +207,7 @@ void ProfileEditor::importFile(const QString& path) {
       after.defect.level = dialog->levelsThroughEnds();  // what was levelled otherwise stays as it was seen
       after.defect.heightScale = 1;
       document_.edit(tr("Import a profile"), after);
+      plot_->choose(std::nullopt);  // even where one point alone differs from the profile before
       plot_->fit();
     });
     dialog->open();
@@ -212,6 +221,7 @@ void ProfileEditor::chooseSquat() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
     document_.edit(tr("Choose a squat"), dialog->description());
+    plot_->choose(std::nullopt);
     plot_->fit();
   });
   dialog->open();

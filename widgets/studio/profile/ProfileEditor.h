@@ -41,6 +41,7 @@ class ProfileEditor : public QWidget {
   QWidget* makeToolBar();
   HeightUnit unit() const;
   void showPoints();
+  void showChosen();  // in the table
   void showNotes();
 
   CaseDocument& document_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/Resolve.h"
 #include "scenario/DefectSurface.h"
 
 namespace squat::studio {
@@ -33,6 +34,16 @@ ProfileView frameOf(const cases::Defect& defect) {
   return view;
 }
 
+// The defect stays at its place, which is that of its lowest point, although a flat floor is as low elsewhere. Below
+// the twelve digits that tables and exports show, so that users read the depth; fifty times the rounding of a number,
+// so that the point remains the lowest when heights are scaled and levelled.
+constexpr double hairLower = 1e-14;
+
+bool isLowest(const cases::ProfilePoint& point, const std::vector<cases::ProfilePoint>& points) {
+  return std::all_of(points.begin(), points.end(),
+                     [&](const auto& each) { return &each == &point || each.height > point.height; });
+}
+
 }  // namespace
 
 ProfileView profileView(const cases::CaseDescription& description) {
@@ -43,7 +54,7 @@ ProfileView profileView(const cases::CaseDescription& description) {
     slope = (last.height - first.height) / (last.position - first.position);
     start = first.height - slope * first.position;
   }
-  const cases::DefectSurface surface(description.defect);  // as it is run: with the height scale
+  const auto surface = cases::surfaceOf(description);  // as it is run: with the height scale
   const bool none = !(surface.last() > surface.first());
   const double from = none ? -smoothHalfLength : surface.first() - around;
   const double to = none ? smoothHalfLength : surface.last() + around;
@@ -91,7 +102,7 @@ QString profileNotes(const cases::Defect& defect) {
 cases::CaseDescription asPoints(const cases::CaseDescription& description) {
   if (sampled(description.defect)) return description;
   cases::CaseDescription result = description;
-  const cases::DefectSurface surface(description.defect);
+  const auto surface = cases::surfaceOf(description);
   std::vector<cases::ProfilePoint> points;
   if (surface.last() > surface.first()) {
     constexpr int most = 199;
@@ -103,11 +114,11 @@ cases::CaseDescription asPoints(const cases::CaseDescription& description) {
       points.push_back({x, surface.height(x, y)});
     }
     points.front().height = points.back().height = 0;
-    // The defect stays at its place: that of its lowest point, which on a flat floor is only a nanometre lower.
     auto& middle = *std::min_element(points.begin() + 1, points.end() - 1, [](const auto& a, const auto& b) {
       return std::abs(a.position) < std::abs(b.position);
     });
-    middle = {0, surface.height(0, y) - 1e-9};
+    middle = {0, surface.height(0, y)};
+    if (!isLowest(middle, points)) middle.height *= 1 + hairLower;
   } else {
     points = {{-0.03, 0}, {-0.01, 0}, {0, -1e-5}, {0.01, 0}, {0.03, 0}};
   }
@@ -141,6 +152,20 @@ std::vector<cases::ProfilePoint> withPoint(std::vector<cases::ProfilePoint> poin
 std::vector<cases::ProfilePoint> withoutPoint(std::vector<cases::ProfilePoint> points, std::size_t index) {
   if (index < points.size() && points.size() > 2) points.erase(points.begin() + static_cast<std::ptrdiff_t>(index));
   return points;
+}
+
+std::optional<std::size_t> pointAfter(const std::vector<cases::ProfilePoint>& before,
+                                      const std::vector<cases::ProfilePoint>& after, std::size_t index) {
+  const auto same = [](const auto& a, const auto& b) { return a.position == b.position && a.height == b.height; };
+  const std::size_t shorter = std::min(before.size(), after.size());
+  std::size_t head = 0, tail = 0;  // points at both ends that are the same
+  while (head < shorter && same(before[head], after[head])) ++head;
+  while (tail < shorter - head && same(before[before.size() - 1 - tail], after[after.size() - 1 - tail])) ++tail;
+  const std::size_t gone = before.size() - head - tail, come = after.size() - head - tail;
+  if (index >= before.size() || gone > 1 || come > 1) return std::nullopt;
+  if (index < head) return index;
+  if (index >= head + gone) return index + come - gone;
+  return come == 1 ? std::optional(index) : std::nullopt;
 }
 
 double snapped(double value, double step) { return step > 0 ? step * std::round(value / step) : value; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "case/CaseDescription.h"
@@ -38,6 +39,11 @@ std::vector<cases::ProfilePoint> movedPoint(std::vector<cases::ProfilePoint> poi
                                             cases::ProfilePoint to);
 std::vector<cases::ProfilePoint> withPoint(std::vector<cases::ProfilePoint> points, cases::ProfilePoint added);
 std::vector<cases::ProfilePoint> withoutPoint(std::vector<cases::ProfilePoint> points, std::size_t index);
+
+// Which point of `after` is the point `index` of `before`, moved or not. Nothing where it is gone, and where more than
+// one point differs: the profile was replaced as a whole, and no point of it is the one before.
+std::optional<std::size_t> pointAfter(const std::vector<cases::ProfilePoint>& before,
+                                      const std::vector<cases::ProfilePoint>& after, std::size_t index);
 
 // Nearest multiple of `step`; `value` itself where the step is not positive.
 double snapped(double value, double step);

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <cmath>
 
+#include "studio/common/MouseZoom.h"
 #include "studio/document/CaseDocument.h"
 
 namespace squat::studio {
@@ -55,8 +56,9 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
   mark_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, style.curve(1), style.curve(1), 10));
   mark_->removeFromLegend();
   showLegend(true);
-  setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+  new MouseZoom(*this);  // sees no press that drags a point
   connect(&document_, &CaseDocument::changed, this, &ProfilePlot::update);
+  connect(&document_, &CaseDocument::replaced, this, [this] { choose(std::nullopt); });
   update();
 }
 
@@ -79,8 +81,10 @@ void ProfilePlot::update() {
   surface_->setData(positions(view_.surface), heights(view_.surface, unit_.perMetre), true);
   path_->setData(positions(view_.wheelPath), heights(view_.wheelPath, unit_.perMetre), true);
   handles_->setData(positions(view_.handles), heights(view_.handles, unit_.perMetre), true);
-  if (chosen_ && *chosen_ >= view_.handles.size()) choose(std::nullopt);
-  choose(chosen_);
+  const auto& points = document_.description().defect.points;
+  const auto kept = chosen_ ? pointAfter(points_, points, *chosen_) : std::nullopt;
+  points_ = points;
+  choose(kept && *kept < view_.handles.size() ? kept : std::nullopt);
   drawFrame();
   drawSleepers();
   if (!fitted_) fit();
@@ -186,7 +190,9 @@ void ProfilePlot::putPoint(std::size_t index, cases::ProfilePoint to, int gestur
 }
 
 void ProfilePlot::mousePressEvent(QMouseEvent* event) {
+  if (dragging_ && event->button() != Qt::LeftButton) return;
   if (event->button() == Qt::LeftButton) {
+    dragging_ = false;  // a release may have gone to another window
     if (const auto index = pointAt(event->position())) {
       choose(index);
       dragging_ = true;
@@ -212,7 +218,7 @@ void ProfilePlot::mouseMoveEvent(QMouseEvent* event) {
 
 void ProfilePlot::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_) {
-    dragging_ = false;
+    dragging_ = event->button() != Qt::LeftButton;
     return;
   }
   Figure::mouseReleaseEvent(event);
@@ -242,10 +248,12 @@ void ProfilePlot::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
     case Qt::Key_Delete:
     case Qt::Key_Backspace: {
+      const std::size_t next = *chosen_;  // so that Delete removes one after the other
       cases::CaseDescription after = document_.description();
-      after.defect.points = withoutPoint(after.defect.points, *chosen_);
+      after.defect.points = withoutPoint(after.defect.points, next);
       after.defect.file.clear();
       document_.edit(tr("Delete point"), after);
+      if (next < view_.handles.size()) choose(next);
       return;
     }
     case Qt::Key_Left:

@@ -14,7 +14,8 @@ namespace squat::studio {
 class CaseDocument;
 
 // Drag a point; double-click inserts one; Delete removes the chosen one; arrow keys move it by a snap step; wheel zooms
-// (with Ctrl the heights only), dragging the ground moves the view, F fits. Positions in mm, heights in um or mm.
+// (with Ctrl the heights only), a box drawn beside the points is enlarged, the middle button moves the view, F fits.
+// Positions in mm, heights in um or mm. A point stays chosen while single points change, and in no other profile.
 class ProfilePlot : public plots::Figure {
   Q_OBJECT
  public:
@@ -50,6 +51,7 @@ class ProfilePlot : public plots::Figure {
   CaseDocument& document_;
   HeightUnit unit_;
   ProfileView view_;
+  std::vector<cases::ProfilePoint> points_;  // of the case, as last seen
   QCPGraph *surface_, *path_, *removed_, *handles_, *mark_;
   QCPItemStraightLine* zero_;  // of the positions in results
   std::vector<QCPAbstractItem*> sleepers_;

@@ -11,6 +11,7 @@
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "studio/common/EditorHabits.h"
+#include "studio/common/NumberBox.h"
 #include "studio/common/Words.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/profile/ProfileModel.h"
@@ -90,7 +91,7 @@ void ShapeControls::addMeasure(const std::string& key, double from, double to) {
   slider->setAccessibleName(name);
   slider->setObjectName("slider " + name);
   slider->setToolTip(QString::fromStdString(parameter->doc));
-  auto* number = new QDoubleSpinBox(row);
+  auto* number = new NumberBox(row);
   number->setRange(parameter->minimum, parameter->maximum);
   number->setDecimals(parameter->integer ? 0 : 3);
   number->setSingleStep(parameter->integer ? 1 : (to - from) / 50);

@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -14,6 +13,7 @@
 #include "case/ParameterTable.h"
 #include "case/Validation.h"
 #include "plots/LineFigure.h"
+#include "studio/common/NumberBox.h"
 #include "studio/common/Theme.h"
 #include "studio/common/Words.h"
 #include "studio/profile/ProfileModel.h"
@@ -86,7 +86,7 @@ SquatDialog::SquatDialog(cases::CaseDescription base, const plots::Style& style,
 }
 
 QDoubleSpinBox* SquatDialog::number(const QString& name, const QString& label, double low, double high) {
-  auto* box = new QDoubleSpinBox(this);
+  auto* box = new NumberBox(this);
   box->setObjectName(name);
   box->setAccessibleName(label);
   box->setRange(low, high);

@@ -7,6 +7,7 @@
 #include "project/ProjectFile.h"
 
 namespace squat::studio {
+
 ProjectKeeper::ProjectKeeper(std::function<project::Project()> collect, QObject* parent)
     : QObject(parent), collect_(std::move(collect)) {
   timer_.setSingleShot(true);
@@ -17,6 +18,9 @@ ProjectKeeper::ProjectKeeper(std::function<project::Project()> collect, QObject*
       Q_EMIT failed(QString::fromStdString(error.what()));
     }
   });
+  connect(&copying_, &BackgroundJob::news, this,
+          [this](const WorkerMonitor::News& news) { Q_EMIT copyProgressed(news.progress.fraction); });
+  connect(&copying_, &BackgroundJob::ended, this, &ProjectKeeper::concludeCopy);
 }
 
 QString ProjectKeeper::name() const { return QFileInfo(path_).completeBaseName(); }
@@ -34,6 +38,7 @@ bool ProjectKeeper::take(const QString& path, QString* other) {
   lock->write(processName("squat-studio"));
   lock_ = std::move(lock);
   path_ = whole;
+  Q_EMIT openChanged(true);
   return true;
 }
 
@@ -41,6 +46,7 @@ void ProjectKeeper::release() {
   timer_.stop();
   path_.clear();
   lock_.reset();
+  Q_EMIT openChanged(false);
 }
 
 void ProjectKeeper::saveSoon(int delay) {
@@ -62,6 +68,39 @@ QString ProjectKeeper::nextResult(const QString& stem) const {
     QString file = folder.filePath(number == 1 ? base + ".h5" : QStringLiteral("%1-%2.h5").arg(base).arg(number));
     if (!QFileInfo::exists(file)) return file;
   }
+}
+
+void ProjectKeeper::copyTo(const QString& path) {
+  if (isCopying()) return;
+  copyPath_ = QFileInfo(path).absoluteFilePath();
+  if (copyPath_ == path_)
+    throw FileError(path.toStdString(), "", "is the project that is open", "Choose another name for the copy");
+  saveNow();
+  copy_ = std::make_shared<project::ProjectCopy>();
+  copying_.start([copy = copy_, project = collect_(), to = copyPath_.toStdString()](Monitor& monitor) {
+    *copy = project::copyWithData(project, to, monitor);
+  });
+}
+
+void ProjectKeeper::concludeCopy(const std::exception_ptr& error) {
+  const QString folder = QString::fromStdString(project::dataFolder(copyPath_.toStdString()));
+  if (error) try {
+      std::rethrow_exception(error);
+    } catch (const std::exception& failure) {
+      Q_EMIT failed(tr("The project was not copied. %1").arg(QString::fromStdString(failure.what())));
+      Q_EMIT copyEnded({}, {});
+      return;
+    }
+  QStringList problems;
+  for (const auto& problem : copy_->problems) problems << QString::fromStdString(problem);
+  if (!copy_->complete)
+    Q_EMIT copyEnded(tr("The copy was cancelled; nothing of it is left."), {});
+  else
+    Q_EMIT copyEnded(tr("The project was copied to %1, %2 files of its data to %3.")
+                         .arg(copyPath_)
+                         .arg(copy_->files)
+                         .arg(QFileInfo(folder).fileName()),
+                     problems);
 }
 
 }  // namespace squat::studio

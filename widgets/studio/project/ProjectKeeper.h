@@ -1,15 +1,18 @@
 // widgets/studio/project/ProjectKeeper.h - the file of the open project: saved as the work goes on, owned by one
-// window.
+// window, copied with its data.
 #pragma once
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 #include <functional>
 #include <memory>
 
 #include "core/FileLock.h"
 #include "project/Project.h"
+#include "project/ProjectCopy.h"
+#include "studio/runs/BackgroundJob.h"
 
 namespace squat::studio {
 
@@ -34,14 +37,30 @@ class ProjectKeeper : public QObject {
   // The next file for a result in the folder of the project's own results, which it makes: "DIR/DAY-runs/STEM-2.h5".
   QString nextResult(const QString& stem) const;
 
+  // Saves the project, and copies it with its data (project/ProjectCopy.h) in a thread of its own; copyEnded() or
+  // failed() follows. One copy at a time. Throws FileError.
+  void copyTo(const QString& path);
+  bool isCopying() const { return copying_.isRunning(); }
+  void cancelCopy() { copying_.cancel(); }
+  bool waitForCopy(int milliseconds) { return copying_.waitFor(milliseconds); }
+
  Q_SIGNALS:
   void failed(const QString& message);
+  void openChanged(bool open);
+  void copyProgressed(double fraction);
+  // `said`: what was copied, or that it was cancelled; empty: it failed. `problems`: a sentence for each missing file.
+  void copyEnded(const QString& said, const QStringList& problems);
 
  private:
+  void concludeCopy(const std::exception_ptr& error);
+
   std::function<project::Project()> collect_;
   QString path_;
   std::unique_ptr<FileLock> lock_;
   QTimer timer_;
+  QString copyPath_;
+  std::shared_ptr<project::ProjectCopy> copy_;
+  BackgroundJob copying_;  // the last one: its thread uses what stands above
 };
 
 }  // namespace squat::studio

@@ -1,7 +1,10 @@
 #include "studio/records/EventModel.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "core/Errors.h"
 #include "text/Numbers.h"
 
 namespace squat::studio {
@@ -33,9 +36,49 @@ bool sharesARecord(const detection::DetectionReport& one, const detection::Detec
   return false;
 }
 
+Severity severityFromText(const std::string& text) {
+  for (const auto severity : {Severity::light, Severity::moderate, Severity::severe})
+    if (text == detection::toText(severity)) return severity;
+  throw CaseError({{"severity", text, "light, moderate or severe", ""}});
+}
+
+detection::CombinedEvent eventOf(const project::ListedEvent& listed, std::size_t record) {
+  detection::CombinedEvent combined{{}, {record}, 0};
+  auto& event = combined.event;
+  event.channel = listed.channel, event.unit = "m/s2";
+  event.position = listed.position, event.time = listed.time;
+  event.kind = detection::kindFromText(listed.kind);
+  event.sureness = listed.sureness;
+  event.peak = listed.peak;
+  event.features.speed = listed.speed;
+  event.reason = listed.reason;
+  event.passes = static_cast<std::size_t>(listed.passes);
+  event.passesThere = static_cast<std::size_t>(listed.passesThere);
+  if (event.kind != Kind::squat) return combined;
+  event.judgement.severity = severityFromText(listed.severity);
+  event.judgement.length = listed.length, event.judgement.depth = listed.depth;
+  return combined;
+}
+
 QString rounded(double value) { return QString::fromStdString(text::roundedText(value)); }
 
 }  // namespace
+
+ReportPointer reportOf(const project::EventList& list, const std::vector<std::string>& files) {
+  const auto nameOf = [](const std::string& path) { return std::filesystem::path(path).filename(); };
+  auto report = std::make_shared<detection::DetectionReport>();
+  for (const auto& path : list.records) {
+    const auto now =
+        std::find_if(files.begin(), files.end(), [&](const auto& file) { return nameOf(file) == nameOf(path); });
+    report->records.emplace_back();
+    report->records.back().layout.path = now == files.end() ? path : *now;
+  }
+  for (const auto& event : list.events) {
+    const auto record = std::find(list.records.begin(), list.records.end(), event.record) - list.records.begin();
+    report->events.push_back(eventOf(event, static_cast<std::size_t>(record)));
+  }
+  return report;
+}
 
 QStringList EventModel::labels() {
   QStringList all{QString()};
@@ -52,20 +95,20 @@ void EventModel::setReport(const ReportPointer& report) {
   seen_.clear();
   auto place = placesBefore.begin();
   for (const auto& before : seenBefore) {
-    const int row = nearest(before);
+    const int row = nearest(before.channel, before.position);
     if (row >= 0) seen_[row] = place->second;
     ++place;
   }
   endResetModel();
 }
 
-int EventModel::nearest(const detection::SeenEvent& seen) const {
+int EventModel::nearest(const std::string& onChannel, double metres) const {
   int found = -1;
   double distance = 0.5;  // [m], that of labels
   for (int row = 0; row < rowCount(); ++row) {
     const auto& event = at(row).event;
-    const double away = std::abs(event.position - seen.position);
-    if (event.channel == seen.channel && away < distance) found = row, distance = away;
+    const double away = std::abs(event.position - metres);
+    if (event.channel == onChannel && away < distance) found = row, distance = away;
   }
   return found;
 }
@@ -183,6 +226,21 @@ std::vector<detection::SeenEvent> EventModel::seenEvents() const {
     all.push_back({event.position, event.channel, choice.kind, choice.severity});
   }
   return all;
+}
+
+std::vector<project::SeenEvent> EventModel::seenForProject() const {
+  constexpr double unit = 1e-3;  // [m]
+  std::vector<project::SeenEvent> all;
+  for (const auto& [row, label] : seen_) {
+    const auto& event = at(row).event;
+    all.push_back({std::round(event.position / unit) * unit, event.channel, labels().at(label).toStdString()});
+  }
+  return all;
+}
+
+bool EventModel::see(const project::SeenEvent& noted) {
+  const int row = nearest(noted.channel, noted.position);
+  return row >= 0 && setData(index(row, seen), QString::fromStdString(noted.seenAs), Qt::EditRole);
 }
 
 }  // namespace squat::studio

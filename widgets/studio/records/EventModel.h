@@ -8,10 +8,16 @@
 #include <vector>
 
 #include "detection/DetectionFiles.h"
+#include "project/EventList.h"
+#include "project/Project.h"
 
 namespace squat::studio {
 
 using ReportPointer = std::shared_ptr<const detection::DetectionReport>;
+
+// A list of events that was written earlier, without the signals over them. `files`: the records where they are now,
+// known by their names. Throws CaseError for a kind or a severity that is none.
+ReportPointer reportOf(const project::EventList& list, const std::vector<std::string>& files);
 
 class EventModel : public QAbstractTableModel {
   Q_OBJECT
@@ -36,9 +42,12 @@ class EventModel : public QAbstractTableModel {
 
   static QStringList labels();  // "", "light squat", ..., "joint", ...
   std::vector<detection::SeenEvent> seenEvents() const;
+  // The same as a project keeps it, to the millimetre of squats.json; and back: false where no event is near.
+  std::vector<project::SeenEvent> seenForProject() const;
+  bool see(const project::SeenEvent& noted);
 
  private:
-  int nearest(const detection::SeenEvent& seen) const;  // row; -1: none
+  int nearest(const std::string& onChannel, double metres) const;  // row; -1: none
   QString text(int row, int column) const;
   double number(int row, int column) const;
 

@@ -95,6 +95,17 @@ void RecordStrip::stopFollowing() {
   setReport(std::exchange(reportBefore_, nullptr));
 }
 
+void RecordStrip::clear() {
+  timer_->stop();
+  overview_.reset(), overviewBefore_.reset();
+  report_.reset(), reportBefore_.reset();
+  position_.reset();
+  channel_.clear();
+  whole_ = true;
+  draw();
+  Q_EMIT channelsChanged();
+}
+
 void RecordStrip::setReport(const ReportPointer& report) {
   report_ = report;
   grow();

@@ -23,6 +23,7 @@ class RecordStrip : public QWidget {
   void follow(const std::shared_ptr<const records::Overview>& overview);  // until setReport()
   void setReport(const ReportPointer& report);
   void stopFollowing();
+  void clear();  // no record
   void setChannel(const QString& name);
   QString channel() const;
   QStringList channels() const;

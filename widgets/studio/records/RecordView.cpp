@@ -1,6 +1,7 @@
 #include "studio/records/RecordView.h"
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -11,8 +12,10 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "analysis/OptionText.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "records/RecordStream.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/RowTable.h"
 
@@ -37,6 +40,15 @@ class LabelDelegate : public QStyledItemDelegate {
     model->setData(index, qobject_cast<QComboBox*>(editor)->currentText());
   }
 };
+
+// As the search reads them.
+records::RecordOptions optionsOf(const project::LongRecords& kept) {
+  records::RecordOptions options;
+  options.columns.column = kept.channels.empty() ? "all" : kept.channels;
+  options.columns.speed = kept.speed;
+  if (!kept.chainage.empty()) options.chainage = analysis::chainageFromText(kept.chainage);
+  return options;
+}
 
 }  // namespace
 
@@ -69,7 +81,15 @@ RecordView::RecordView(const plots::Style& style, QWidget* parent)
   connect(channel_, &QComboBox::textActivated, strip_, &RecordStrip::setChannel);
   connect(strip_, &RecordStrip::eventPicked, this,
           [this](int event) { table_->setCurrentIndex(seen_->mapFromSource(model_->index(event, 0))); });
+  connect(model_, &QAbstractItemModel::dataChanged, this, &RecordView::changed);
+  thread_.setMaxThreadCount(1);
   enableButtons();
+}
+
+RecordView::~RecordView() {
+  ++generation_;
+  thread_.clear();
+  thread_.waitForDone();
 }
 
 void RecordView::makeTable() {
@@ -128,6 +148,8 @@ QWidget* RecordView::makeBar() {
 }
 
 void RecordView::follow(const std::shared_ptr<const records::Overview>& overview) {
+  openWaiting();  // events that the user has seen go over to the new list
+  ++generation_, reading_ = false;
   strip_->follow(overview);
   table_->setEnabled(false);  // of the record before, until this one is read
   enableButtons();
@@ -141,9 +163,85 @@ void RecordView::stopFollowing() {
 
 void RecordView::setReport(const ReportPointer& report, const QString& folder) {
   folder_ = folder;
+  list_ = folder + "/squats.json";
   model_->setReport(report);
   strip_->setReport(report);
   stopFollowing();
+  placeSeen();
+  Q_EMIT changed();
+}
+
+void RecordView::open(const project::LongRecords& kept) {
+  ++generation_, reading_ = false;
+  list_ = QString::fromStdString(kept.events);
+  folder_ = list_.isEmpty() ? QString() : QFileInfo(list_).path();
+  unplaced_ = kept.seen;
+  strip_->clear();
+  model_->setReport(nullptr);
+  waiting_.reset();
+  if (!kept.files.empty()) waiting_ = kept;
+  if (isVisible()) openWaiting();
+  enableButtons();
+}
+
+void RecordView::keep(project::LongRecords& into) const {
+  into.events = list_.toStdString();
+  into.seen = unplaced_;
+  for (auto& seen : model_->seenForProject()) into.seen.push_back(std::move(seen));
+}
+
+void RecordView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  openWaiting();
+}
+
+void RecordView::openWaiting() {
+  if (!waiting_) return;
+  const auto kept = *std::exchange(waiting_, std::nullopt);
+  readRecord(kept);
+  if (!kept.events.empty()) readList(kept);
+}
+
+// What cannot be read is said and costs itself alone: the project keeps the link.
+void RecordView::readList(const project::LongRecords& kept) {
+  try {
+    const auto report = reportOf(project::readEventList(kept.events), kept.files);
+    model_->setReport(report);
+    strip_->setReport(report);
+    placeSeen();
+  } catch (const std::exception& error) {
+    Q_EMIT failed(QString::fromStdString(error.what()));
+  }
+  enableButtons();
+}
+
+void RecordView::readRecord(const project::LongRecords& kept) {
+  const auto overview = std::make_shared<records::Overview>();
+  strip_->follow(overview);
+  reading_ = true;
+  thread_.start([this, kept, overview, generation = ++generation_] {
+    QString problem;
+    try {
+      records::OverviewedStream stream(records::openRecord(kept.files.front(), optionsOf(kept)), overview);
+      records::RecordBlock block;
+      while (generation == generation_ && stream.next(block)) {
+      }
+    } catch (const std::exception& error) {
+      problem = QString::fromStdString(error.what());
+    }
+    const auto conclude = [this, problem, generation] {
+      if (generation != generation_) return;  // another record is shown by now
+      reading_ = false;
+      strip_->setReport(model_->report());
+      strip_->stopFollowing();
+      if (!problem.isEmpty()) Q_EMIT failed(problem);
+    };
+    QMetaObject::invokeMethod(this, conclude, Qt::QueuedConnection);
+  });
+}
+
+void RecordView::placeSeen() {
+  std::erase_if(unplaced_, [this](const auto& seen) { return model_->see(seen); });
 }
 
 int RecordView::chosen() const {
@@ -170,13 +268,18 @@ QString RecordView::passageOfChosen() {
   const auto& combined = model_->at(event);
   const std::string file =
       folder_.toStdString() + "/" + detection::passageName(combined, static_cast<std::size_t>(event));
+  const bool hasSignal = !combined.event.passage.values.empty();  // else the list was read from its file
   try {
-    if (combined.event.kind != detection::Kind::squat) {
+    if (combined.event.kind != detection::Kind::squat && hasSignal) {
       makeFolder(folder_.toStdString() + "/other-events");
       writeDurably(file, std::string_view(detection::passageCsv(combined.event)));
     }
   } catch (const FileError& error) {
     Q_EMIT failed(QString::fromStdString(error.what()));
+    return {};
+  }
+  if (!hasSignal && !QFileInfo::exists(QString::fromStdString(file))) {
+    Q_EMIT failed(tr("The signal over this event is in no file. Start the search again to see it."));
     return {};
   }
   return QString::fromStdString(file);

@@ -2,8 +2,13 @@
 // can be done with one of them.
 #pragma once
 
+#include <QThreadPool>
 #include <QWidget>
+#include <atomic>
+#include <optional>
+#include <vector>
 
+#include "project/Project.h"
 #include "studio/records/EventModel.h"
 #include "studio/records/RecordStrip.h"
 
@@ -18,11 +23,17 @@ class RecordView : public QWidget {
   Q_OBJECT
  public:
   explicit RecordView(const plots::Style& style, QWidget* parent = nullptr);
+  ~RecordView() override;  // waits for the part of a record that is being read
 
   // A record that is being read, then what was found in it; `folder` is where the list was written.
   void follow(const std::shared_ptr<const records::Overview>& overview);
   void setReport(const ReportPointer& report, const QString& folder);
   void stopFollowing();  // it was read, or will not be
+  // What a project kept, in place of what is shown. Files are read when the view is first seen: the list of events at
+  // once, the first record in a thread of its own.
+  void open(const project::LongRecords& kept);
+  void keep(project::LongRecords& into) const;  // the list, and what the user has seen
+  bool isReading() const { return reading_; }
   void setStyle(const plots::Style& style) { strip_->setStyle(style); }
   RecordStrip* strip() const { return strip_; }
   QTableView* table() const { return table_; }
@@ -34,8 +45,16 @@ class RecordView : public QWidget {
   void estimateRequested(const QString& file);
   void labelsSaved(const QString& path);
   void failed(const QString& problem);
+  void changed();  // what a project keeps
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
+  void openWaiting();
+  void readList(const project::LongRecords& kept);
+  void readRecord(const project::LongRecords& kept);
+  void placeSeen();
   QWidget* makeBar();
   void makeTable();
   int chosen() const;  // event; -1: none
@@ -51,6 +70,12 @@ class RecordView : public QWidget {
   QComboBox* channel_;
   QPushButton *show_, *estimate_, *labels_;
   QString folder_;
+  QString list_;                                 // squats.json of the events; empty: none
+  std::optional<project::LongRecords> waiting_;  // for the view to be seen
+  std::vector<project::SeenEvent> unplaced_;     // of a project, while no event is near
+  std::atomic<int> generation_{0};               // of the record that is read
+  bool reading_ = false;
+  QThreadPool thread_;
 };
 
 }  // namespace squat::studio

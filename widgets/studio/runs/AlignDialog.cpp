@@ -10,6 +10,7 @@
 #include <cmath>
 #include <exception>
 
+#include "studio/common/NumberBox.h"
 #include "studio/common/Theme.h"
 
 namespace squat::studio {
@@ -33,8 +34,8 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
       problem_(new QLabel(this)) {
   setObjectName("alignDialog");
   setWindowTitle(tr("Align “%1”").arg(store.at(row).label));
-  auto* words = new QLabel(tr("Type the values, or drag the signal in the figure along the track."), this);
-  words->setWordWrap(true);
+  // Broken by hand: a label that wraps by itself takes room from the numbers below.
+  auto* words = new QLabel(tr("Type the values, or drag the\nsignal along the track in the figure."), this);
   position_ = numberOf("alignPosition", tr("Position of the largest value"), tr("mm"), -farthest, farthest, 1);
   speed_ = numberOf("alignSpeed", tr("Speed"), tr("m/s"), slowest, fastest, 3);
   gain_ = numberOf("alignGain", tr("Gain"), QString(), project::leastGain, project::mostGain, 3);
@@ -53,12 +54,13 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
   problem_->setWordWrap(true);
   problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
   problem_->hide();
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  auto* buttons = new QDialogButtonBox(this);
   auto* automatic = buttons->addButton(tr("&Automatic"), QDialogButtonBox::ResetRole);
   automatic->setObjectName("alignAutomatic");
   automatic->setToolTip(tr("The largest value lies where that of the current run does; no gain"));
   auto* back = buttons->addButton(tr("As &before"), QDialogButtonBox::ResetRole);
   back->setObjectName("alignBack");
+  buttons->addButton(QDialogButtonBox::Close);  // last, as it stands: else Tab goes round between the other two
   // Return enters a number; it presses no button.
   for (auto* button : buttons->findChildren<QPushButton*>()) button->setAutoDefault(false);
   connect(automatic, &QPushButton::clicked, this, &AlignDialog::layAutomatically);
@@ -80,7 +82,7 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
 
 QDoubleSpinBox* AlignDialog::numberOf(const QString& name, const QString& label, const QString& unit, double low,
                                       double high, int decimals) {
-  auto* box = new QDoubleSpinBox(this);
+  auto* box = new NumberBox(this);
   box->setObjectName(name);
   box->setAccessibleName(label);
   box->setRange(low, high);

@@ -25,8 +25,8 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
     return made;
   };
   run_ = button(tr("Run"), "run");
-  goOn_ = button(tr("Resume"), "goOn");
-  goOn_->setToolTip(tr("Resume the stopped run of this case (Ctrl+F5)"));
+  resume_ = button(tr("Resume"), "resumeRun");
+  resume_->setToolTip(tr("Resume the stopped run of this case (Ctrl+F5)"));
   pause_ = button(tr("Pause"), "pause");
   cancel_ = button(tr("Cancel"), "cancel");
   progress_ = new QProgressBar(this);
@@ -38,6 +38,11 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   figures_ = new QLabel(this);
   figures_->setObjectName("runFigures");
   figures_->setWordWrap(true);
+  note_ = new QLabel(this);
+  note_->setObjectName("runNote");
+  note_->setWordWrap(true);
+  note_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  note_->hide();
   why_ = new QLabel(this);
   why_->setObjectName("blockers");
   why_->setWordWrap(true);
@@ -60,7 +65,7 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   log_->setPlaceholderText(tr("Run messages"));
   log_->setMaximumHeight(46);  // two lines; older ones are scrolled to
   auto* top = new QHBoxLayout;
-  for (QPushButton* each : {run_, goOn_, pause_, cancel_}) top->addWidget(each);
+  for (QPushButton* each : {run_, resume_, pause_, cancel_}) top->addWidget(each);
   top->addWidget(progress_, 1);
   top->addWidget(state_);
   auto* layout = new QVBoxLayout(this);
@@ -68,26 +73,28 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   layout->addLayout(top);
   layout->addWidget(why_);
   layout->addWidget(figures_);
+  layout->addWidget(note_);
   layout->addWidget(seen_, 1);
   layout->addWidget(log_);
   connect(run_, &QPushButton::clicked, this, &RunPanel::runRequested);
-  connect(goOn_, &QPushButton::clicked, this, &RunPanel::resumeRequested);
+  connect(resume_, &QPushButton::clicked, this, &RunPanel::resumeRequested);
   connect(pause_, &QPushButton::clicked, this, [this] { controller_.setPaused(!controller_.isPaused()); });
   connect(cancel_, &QPushButton::clicked, &controller_, &RunController::cancel);
   connect(&controller_, &RunController::started, this, [this] {
     live_->clear();
     seen_->setCurrentWidget(live_);
     log_->clear();
+    showNote({});
     showState();
   });
   connect(&controller_, &RunController::pausedChanged, this, &RunPanel::showState);
   connect(&controller_, &RunController::stopping, this, &RunPanel::showState);
   connect(&controller_, &RunController::news, this, &RunPanel::showNews);
   connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
-    say(result->complete       ? completionText(*result, controller_.isResumed())
-        : result->time.empty() ? tr("Cancelled before rolling started: no results.")
-                               : tr("Stopped: %1. Partial results are kept and marked as incomplete.")
-                                     .arg(QString::fromStdString(result->stopReason)));
+    showNote(result->complete       ? completionText(*result, controller_.isResumed())
+             : result->time.empty() ? tr("Cancelled before rolling started: no results.")
+                                    : tr("Stopped: %1. Partial results are kept and marked as incomplete.")
+                                          .arg(QString::fromStdString(result->stopReason)));
     for (const auto& warning : result->warnings) say(QString::fromStdString(warning));
   });
   connect(&controller_, &RunController::failed, this, [this](const QString& sentence, const QString& details) {
@@ -103,8 +110,8 @@ void RunPanel::setBlockers(const QStringList& reasons) {
   showState();
 }
 
-void RunPanel::setStopped(bool canGoOn) {
-  canGoOn_ = canGoOn;
+void RunPanel::setStopped(bool canResume) {
+  canResume_ = canResume;
   showState();
 }
 
@@ -112,12 +119,18 @@ void RunPanel::setStyle(const plots::Style& style) { live_->setStyle(style); }
 
 void RunPanel::say(const QString& line) { log_->appendPlainText(line); }
 
+void RunPanel::showNote(const QString& note) {
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+  figures_->setVisible(note.isEmpty());
+}
+
 void RunPanel::showState() {
   const bool running = controller_.isRunning();
   run_->setEnabled(!running && blockers_.isEmpty());
   run_->setToolTip(blockers_.isEmpty() ? tr("Run the case (F5)") : blockers_.join('\n'));
-  goOn_->setEnabled(!running && canGoOn_ && blockers_.isEmpty());
-  goOn_->setVisible(canGoOn_ && !running);
+  resume_->setEnabled(!running && canResume_ && blockers_.isEmpty());
+  resume_->setVisible(canResume_ && !running);
   pause_->setEnabled(running && !controller_.isStopping());
   pause_->setText(controller_.isPaused() && running ? tr("Continue") : tr("Pause"));
   pause_->setAccessibleName(pause_->text());

@@ -25,7 +25,7 @@ class RunPanel : public QWidget {
   // Why the case cannot be run, one sentence each; empty: it can.
   void setBlockers(const QStringList& reasons);
   // True where a run of this case was stopped and can be resumed.
-  void setStopped(bool canGoOn);
+  void setStopped(bool canResume);
   LivePlot* live() const { return live_; }
   void setStyle(const plots::Style& style);
 
@@ -36,17 +36,19 @@ class RunPanel : public QWidget {
  private:
   void showNews(const WorkerMonitor::News& news);
   void showState();
+  void showNote(const QString& note);  // empty: the figures
   void say(const QString& line);
 
   RunController& controller_;
-  QPushButton *run_, *goOn_, *pause_, *cancel_;
+  QPushButton *run_, *resume_, *pause_, *cancel_;
   QProgressBar* progress_;
   QLabel *state_, *figures_, *why_;
+  QLabel* note_;  // how the last run ended, in place of the figures of one that is under way
   LivePlot* live_;
   QStackedWidget* seen_;  // a hint, then the live curves
   QPlainTextEdit* log_;
   QStringList blockers_;
-  bool canGoOn_ = false;
+  bool canResume_ = false;
 };
 
 }  // namespace squat::studio

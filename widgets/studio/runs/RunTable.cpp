@@ -7,6 +7,7 @@
 #include "case/DecimalNumber.h"
 #include "plots/Style.h"
 #include "studio/common/Words.h"
+#include "studio/runs/GroupedRows.h"
 #include "studio/runs/ProgressText.h"
 #include "studio/runs/RunStore.h"
 
@@ -151,6 +152,9 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
   const auto& parameter = cases::parameterTable()[column.row];
   if (role == Qt::ToolTipRole && (column.kind == Kind::parameter || column.kind == Kind::mesh))
     return QString::fromStdString(parameter.key + ": " + parameter.doc);
+  if (role == GroupedRows::columnKeyRole)
+    return column.kind == Kind::parameter || column.kind == Kind::mesh ? QString::fromStdString(parameter.key)
+                                                                       : QString();
   if (role != Qt::DisplayRole) return {};  // two lines: a column is hardly wider than its values
   switch (column.kind) {
     case Kind::name:

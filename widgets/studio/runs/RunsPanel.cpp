@@ -1,10 +1,13 @@
 #include "studio/runs/RunsPanel.h"
 
+#include <QAbstractItemView>
 #include <QColorDialog>
+#include <QComboBox>
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
@@ -16,23 +19,23 @@
 #include "studio/common/EditorHabits.h"
 #include "studio/common/RowTable.h"
 #include "studio/runs/ColourSquare.h"
+#include "studio/runs/GroupedRows.h"
 #include "studio/runs/RunStore.h"
 #include "studio/runs/RunTable.h"
 
 namespace squat::studio {
 
 RunsPanel::RunsPanel(RunStore& store, QWidget* parent)
-    : QWidget(parent), store_(store), seen_(new QSortFilterProxyModel(this)), table_(new QTableView(this)) {
+    : QWidget(parent),
+      store_(store),
+      seen_(new QSortFilterProxyModel(this)),
+      groups_(nullptr),
+      groupBy_(new QComboBox(this)),
+      table_(new QTableView(this)) {
   makeTable();
-  auto* filter = new QLineEdit(this);
-  filter->setObjectName("runFilter");
-  filter->setPlaceholderText(tr("Filter runs"));
-  filter->setAccessibleName(tr("Filter runs by name or value"));
-  filter->setClearButtonEnabled(true);
-  connect(filter, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
-  layout->addWidget(filter);
+  layout->addWidget(makeChoices());
   layout->addWidget(table_, 1);
   layout->addWidget(makeButtons());
   leaveUndoToWindow(*this);
@@ -44,7 +47,8 @@ void RunsPanel::makeTable() {
   seen_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   seen_->setFilterKeyColumn(-1);  // every column
   seen_->setSortRole(RunTable::sortRole);
-  table_->setModel(seen_);
+  groups_ = new GroupedRows(*seen_, this);
+  table_->setModel(groups_);
   makeRowTable(*table_);
   table_->setAccessibleName(tr("Runs"));
   table_->setObjectName("runs");
@@ -52,7 +56,61 @@ void RunsPanel::makeTable() {
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->setItemDelegate(new ColourSquare(table_));
+  table_->installEventFilter(this);
   table_->viewport()->installEventFilter(this);
+}
+
+QWidget* RunsPanel::makeChoices() {
+  auto* bar = new QWidget(this);
+  auto* choices = new QHBoxLayout(bar);
+  choices->setContentsMargins(0, 0, 0, 0);
+  auto* filter = new QLineEdit(bar);
+  filter->setObjectName("runFilter");
+  filter->setPlaceholderText(tr("Filter runs"));
+  filter->setAccessibleName(tr("Filter runs by name or value"));
+  filter->setClearButtonEnabled(true);
+  connect(filter, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
+  groupBy_->setObjectName("runGroups");
+  groupBy_->setToolTip(tr("Group runs by what differs between them"));
+  groupBy_->setAccessibleName(groupBy_->toolTip());
+  groupBy_->view()->setAccessibleName(groupBy_->toolTip());
+  groupBy_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  listGroupings();
+  connect(groupBy_, &QComboBox::activated, this, [this] { groups_->groupBy(groupBy_->currentData().toString()); });
+  choices->addWidget(filter, 1);
+  choices->addWidget(groupBy_);
+  return bar;
+}
+
+// Columns come and go with the runs, and so do the ways to group these.
+void RunsPanel::listGroupings() {
+  groupBy_->clear();
+  groupBy_->addItem(tr("No groups"));
+  for (int column = 0; column < groups_->columnCount(); ++column) {
+    const QString key = groups_->headerData(column, Qt::Horizontal, GroupedRows::columnKeyRole).toString();
+    if (key.isEmpty()) continue;
+    const QString heading = groups_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    groupBy_->addItem(tr("Groups: %1").arg(heading.section('\n', 0, 0)), key);
+    if (key == groups_->key()) groupBy_->setCurrentIndex(groupBy_->count() - 1);
+  }
+}
+
+// The heading of a group is as wide as the table.
+void RunsPanel::spanHeadings() {
+  table_->clearSpans();
+  for (int row = 0; row < groups_->rowCount(); ++row)
+    if (groups_->isHeading(groups_->index(row, 0))) table_->setSpan(row, 0, 1, groups_->columnCount());
+}
+
+bool RunsPanel::takesKey(const QModelIndex& heading, int key) {
+  const bool open = groups_->isOpen(heading);
+  if (key == Qt::Key_Left || key == Qt::Key_Right)
+    groups_->setOpen(heading, key == Qt::Key_Right);
+  else if (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space)
+    groups_->setOpen(heading, !open);
+  else
+    return false;
+  return true;
 }
 
 QWidget* RunsPanel::makeButtons() {
@@ -83,7 +141,10 @@ void RunsPanel::connectTable() {
   connect(table_, &QTableView::pressed, this, [this] { ticked_ = false; });
   connect(&store_, &RunStore::overlaysChanged, this, [this] { ticked_ = true; });
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
-    if (!ticked_) makeCurrent(index);
+    if (groups_->isHeading(index))
+      groups_->setOpen(index, !groups_->isOpen(index));
+    else if (!ticked_)
+      makeCurrent(index);
   });
   connect(table_, &QTableView::activated, this, &RunsPanel::makeCurrent);  // by keyboard
   connect(table_, &QTableView::customContextMenuRequested, this, [this](const QPoint& place) {
@@ -95,8 +156,14 @@ void RunsPanel::connectTable() {
     menu->popup(table_->viewport()->mapToGlobal(place));
   });
   const auto mark = [this] { table_->setCurrentIndex(indexOf(store_.current())); };
-  connect(&store_, &RunStore::currentChanged, this, mark);
-  connect(seen_, &QSortFilterProxyModel::modelReset, this, mark);
+  connect(&store_, &RunStore::currentChanged, this, [this, mark] {
+    groups_->reveal(seenIndexOf(store_.current()));
+    mark();
+  });
+  connect(groups_, &GroupedRows::modelReset, this, mark);
+  connect(groups_, &GroupedRows::modelReset, this, &RunsPanel::listGroupings);
+  connect(groups_, &GroupedRows::modelReset, this, &RunsPanel::spanHeadings);
+  connect(groups_, &GroupedRows::layoutChanged, this, &RunsPanel::spanHeadings);
   for (const auto signal : {&RunStore::currentChanged, &RunStore::overlaysChanged, &RunStore::namesChanged})
     connect(&store_, signal, this, &RunsPanel::fitNames, Qt::QueuedConnection);
 }
@@ -115,14 +182,22 @@ void RunsPanel::fitNames() {
 
 bool RunsPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) fitNames();
+  if (watched == table_ && event->type() == QEvent::KeyPress)
+    if (const QModelIndex at = table_->currentIndex(); groups_->isHeading(at))
+      if (takesKey(at, static_cast<QKeyEvent*>(event)->key())) return true;
   return QWidget::eventFilter(watched, event);
 }
 
-QModelIndex RunsPanel::indexOf(int row) const {
+QModelIndex RunsPanel::seenIndexOf(int row) const {
   return row < 0 ? QModelIndex() : seen_->mapFromSource(seen_->sourceModel()->index(row, 0));
 }
 
-int RunsPanel::rowOf(const QModelIndex& index) const { return index.isValid() ? seen_->mapToSource(index).row() : -1; }
+QModelIndex RunsPanel::indexOf(int row) const { return groups_->mapFromSource(seenIndexOf(row)); }
+
+int RunsPanel::rowOf(const QModelIndex& index) const {
+  const QModelIndex seen = groups_->mapToSource(index);
+  return seen.isValid() ? seen_->mapToSource(seen).row() : -1;
+}
 
 void RunsPanel::makeCurrent(const QModelIndex& index) {
   const int row = rowOf(index);
@@ -156,14 +231,16 @@ void RunsPanel::fillMenu(QMenu& menu, int row) {
   });
   overlaid->setCheckable(true);
   overlaid->setChecked(run.overlaid);
-  if (run.isMeasured() && !run.isMissing())
+  if (run.isMeasured() && !run.isMissing()) {
     add(tr("A&lign by hand…"), "runAlign", true, [this](int at) { Q_EMIT alignRequested(at); });
+    add(tr("Colu&mns…"), "runColumns", true, [this](int at) { Q_EMIT columnsRequested(at); });
+  }
   menu.addSeparator();
   add(tr("&Colour…"), "runColour", true, [this](int at) { chooseColour(at); });
   add(tr("A&utomatic colour"), "runColourAnew", run.colour.isValid(), [this](int at) { store_.setColour(at, {}); });
   menu.addSeparator();
   add(tr("Re&name\tF2"), "runRename", true, [this](int at) { table_->edit(indexOf(at)); });
-  add(tr("Auto&matic name"), "runNameAnew", run.named && !run.isMeasured(),
+  add(tr("Au&tomatic name"), "runNameAnew", run.named && !run.isMeasured(),
       [this](int at) { store_.rename(at, QString()); });
   menu.addSeparator();
   add(tr("S&ave…"), "runSave", !run.isMeasured(), [this](int at) { Q_EMIT saveRunRequested(at); });

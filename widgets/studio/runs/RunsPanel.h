@@ -3,22 +3,25 @@
 
 #include <QWidget>
 
+class QComboBox;
 class QMenu;
 class QSortFilterProxyModel;
 class QTableView;
 
 namespace squat::studio {
 
+class GroupedRows;
 class RunStore;
 
-// Sorted by a click on a heading (a third one: in the order they were made), filtered by what is typed above.
+// Sorted by a click on a heading (a third one: in the order they were made), filtered by what is typed above, grouped
+// by the column that is chosen there.
 class RunsPanel : public QWidget {
   Q_OBJECT
  public:
   explicit RunsPanel(RunStore& store, QWidget* parent = nullptr);
   QTableView* table() const { return table_; }
-  QModelIndex indexOf(int row) const;         // of a run in the table; not valid where the filter hides it
-  int rowOf(const QModelIndex& index) const;  // of the store; -1: none
+  QModelIndex indexOf(int row) const;         // of a run; not valid where the filter or a closed group hides it
+  int rowOf(const QModelIndex& index) const;  // of the store; -1: none, as for the heading of a group
   void fillMenu(QMenu& menu, int row);        // what can be done with this run
 
  Q_SIGNALS:
@@ -29,20 +32,28 @@ class RunsPanel : public QWidget {
   void compareRequested();
   void findRequested(int row);  // the file of a run that is missing
   void removeRequested(int row);
-  void alignRequested(int row);  // a measured signal
+  void alignRequested(int row);    // a measured signal
+  void columnsRequested(int row);  // the same
   void folderRequested(const QString& path);
 
  private:
   void makeTable();
+  QWidget* makeChoices();
+  void listGroupings();
+  void spanHeadings();
+  bool takesKey(const QModelIndex& heading, int key);
   QWidget* makeButtons();
   void connectTable();
   void makeCurrent(const QModelIndex& index);
   void chooseColour(int row);
   void fitNames();
+  QModelIndex seenIndexOf(int row) const;  // in the filtered table, whatever group it is in
   bool eventFilter(QObject* watched, QEvent* event) override;
 
   RunStore& store_;
   QSortFilterProxyModel* seen_;
+  GroupedRows* groups_;
+  QComboBox* groupBy_;
   QTableView* table_;
   bool ticked_ = false;  // by the mouse button that is down
 };

@@ -9,7 +9,7 @@
 namespace squat::studio {
 namespace {
 
-const QString ending = QStringLiteral(".checkpoint");
+const QString ending = QStringLiteral(".checkpoint"), lockEnding = QStringLiteral(".lock");
 constexpr int maximumKept = 4;
 
 }  // namespace
@@ -17,8 +17,11 @@ constexpr int maximumKept = 4;
 StoppedRuns::StoppedRuns(const QString& folder) {
   if (folder.isEmpty() || !QDir().mkpath(folder)) return;
   folder_ = folder;
-  const auto newestFirst = QDir(folder_).entryInfoList({"*" + ending}, QDir::Files, QDir::Time);
+  const QDir kept(folder_);
+  const auto newestFirst = kept.entryInfoList({"*" + ending}, QDir::Files, QDir::Time);
   for (int i = maximumKept; i < newestFirst.size(); ++i) forget(newestFirst[i].filePath());
+  const auto locks = kept.entryInfoList({"*" + ending + lockEnding}, QDir::Files);
+  for (const QFileInfo& lock : locks) owner(lock.filePath().chopped(lockEnding.size()));  // those of the dead go
 }
 
 QString StoppedRuns::file(const cases::CaseDescription& description) const {
@@ -30,12 +33,34 @@ QString StoppedRuns::file(const std::string& caseHash) const {
   return QDir(folder_).filePath(QString::fromStdString(caseHash) + ending);
 }
 
+bool StoppedRuns::has(const cases::CaseDescription& description) const {
+  const QString checkpoint = file(description);
+  return exists(checkpoint) && owner(checkpoint).isEmpty();
+}
+
 bool StoppedRuns::exists(const QString& file) {
   return !file.isEmpty() && (QFileInfo::exists(file) || QFileInfo::exists(file + ".previous"));
 }
 
+// Asked with every change of the case: without a run under way there is no lock to be opened.
+QString StoppedRuns::owner(const QString& file) {
+  if (file.isEmpty() || !QFileInfo::exists(file + lockEnding)) return {};
+  FileLock lock((file + lockEnding).toStdString());
+  if (lock.held()) lock.write({});  // a process that died has left it: without its text it goes with this one
+  return QString::fromStdString(lock.other());
+}
+
+std::unique_ptr<FileLock> StoppedRuns::hold(const QString& file) {
+  if (file.isEmpty()) return nullptr;
+  auto lock = std::make_unique<FileLock>((file + lockEnding).toStdString());
+  if (lock->isTaken()) return nullptr;
+  lock->write(processName("squat-studio"));
+  return lock;
+}
+
 void StoppedRuns::forget(const QString& file) {
-  if (!file.isEmpty()) results::removeCheckpoint(file.toStdString());
+  if (!exists(file)) return;
+  if (const auto held = hold(file)) results::removeCheckpoint(file.toStdString());
 }
 
 }  // namespace squat::studio

@@ -10,9 +10,9 @@
 #include "core/Errors.h"
 #include "plots/FigureFiles.h"
 #include "studio/common/LocationToSave.h"
+#include "studio/common/MouseZoom.h"
 #include "studio/signals/CursorPair.h"
 #include "studio/signals/FigureTable.h"
-#include "studio/signals/ZoomAndPan.h"
 
 namespace squat::studio {
 
@@ -51,7 +51,7 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   cursors_ = new CursorPair(*figure_, secondsPerUnit, unit);
   if (keepCursors) cursors_->setLocations(locations[0], locations[1]);
   cursors_->setVisible(cursorsVisible_);
-  new ZoomAndPan(*figure_, *cursors_);
+  new MouseZoom(*figure_, [cursors = cursors_] { return cursors->isDragged(); });  // after the cursors' own
   if (keep) figure_->xAxis->setRange(kept);
   if (keepUp) figure_->yAxis->setRange(keptUp);
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::rangeChanged);

@@ -34,6 +34,25 @@ void requireSamples(const signals::Record& record, double from, double to) {
 
 }  // namespace
 
+project::FigureChoices choicesOf(const SignalSettings& settings, const std::string& colours) {
+  const std::string scale(plots::spectrumScaleNames.at(static_cast<std::size_t>(settings.spectrum)));
+  return {settings.cutoff, settings.from,   settings.to,      settings.window, scale,
+          colours,         settings.moment, settings.segment, settings.hop};
+}
+
+SignalSettings settingsOf(const project::FigureChoices& choices) {
+  const auto& names = plots::spectrumScaleNames;
+  const auto scale = std::find(names.begin(), names.end(), choices.scale);
+  SignalSettings settings;
+  settings.cutoff = choices.cutoff;
+  settings.window = choices.window;
+  settings.from = choices.from, settings.to = choices.to;
+  if (scale != names.end()) settings.spectrum = static_cast<plots::SpectrumScale>(scale - names.begin());
+  settings.moment = choices.moment;
+  settings.segment = choices.segment, settings.hop = choices.hop;
+  return settings;
+}
+
 void filterAnew(signals::Record& record, const SignalSettings& settings) {
   filter(record, "aba", "aba_filtered", settings.cutoff);
   filter(record, "wheel_acceleration", "wheel_acceleration_filtered", settings.cutoff);

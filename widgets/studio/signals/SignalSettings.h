@@ -5,6 +5,7 @@
 #include <string>
 
 #include "plots/SpectrumScale.h"
+#include "project/Project.h"
 #include "results/RunResult.h"
 #include "signals/PowerSpectrum.h"
 
@@ -18,6 +19,10 @@ struct SignalSettings {
   int moment = -1;                     // of the contact patch, index into the result's patches; -1: the impact
   std::size_t segment = 128, hop = 4;  // [samples] of the short-time Fourier transform
 };
+
+// As a project keeps them, with the colours of maps; and back. A scale that this version does not know is linear.
+project::FigureChoices choicesOf(const SignalSettings& settings, const std::string& colours);
+SignalSettings settingsOf(const project::FigureChoices& choices);
 
 // The filtered channels of a record computed anew from the raw ones, where it has them. Throws SignalError, e.g. for a
 // cut-off above half the rate.

@@ -9,7 +9,6 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
-#include <QProxyStyle>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -30,6 +29,8 @@
 #include "studio/common/EditorHabits.h"
 #include "studio/common/FigureSizeDialog.h"
 #include "studio/common/FlowLayout.h"
+#include "studio/common/NarrowTabs.h"
+#include "studio/common/NumberBox.h"
 #include "studio/common/Theme.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalFigures.h"
@@ -60,15 +61,6 @@ bool isLinked(const QString& name) {
   return rowOf(name).axis == plots::FigureAxis::wheelPosition || isInMilliseconds(name);
 }
 
-// Tabs with less room beside their words: those of every run fit a screen of 1280 pixels.
-class NarrowTabs : public QProxyStyle {
- public:
-  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
-    constexpr int besideText = 10;
-    return metric == PM_TabBarTabHSpace ? besideText : QProxyStyle::pixelMetric(metric, option, widget);
-  }
-};
-
 ResultPointer noRun(const QString& title) {
   auto none = std::make_shared<results::RunResult>();
   none->title = title.toStdString();
@@ -83,9 +75,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   tabs_ = new QTabWidget(this);
   tabs_->setDocumentMode(true);
   tabs_->setAccessibleName(tr("Signal figures"));
-  auto* narrow = new NarrowTabs;
-  narrow->setParent(tabs_);
-  tabs_->tabBar()->setStyle(narrow);
+  makeNarrow(*tabs_->tabBar());
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2, 2, 2, 2);
   layout->setSpacing(2);
@@ -104,10 +94,10 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
   }
   takeMoments();
   setFigureSize(storedFigureSize());
+  const int all = tabs_->tabBar()->sizeHint().width();
   hideWhatDoesNotApply();
-  const QMargins around = layout->contentsMargins();
-  setMinimumWidth(tabs_->tabBar()->sizeHint().width() + around.left() +
-                  around.right());  // no tab of an ordinary run behind an arrow
+  const QMargins around = layout->contentsMargins();  // no tab behind an arrow, few or all
+  setMinimumWidth(std::max(all, tabs_->tabBar()->sizeHint().width()) + around.left() + around.right());
   letWheelPass(*this);
   connect(tabs_, &QTabWidget::currentChanged, this, [this] {
     rebuild(currentTab());
@@ -130,7 +120,7 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
 namespace {
 
 QDoubleSpinBox* number(const QString& label, const QString& unit, double low, double high, double value) {
-  auto* box = new QDoubleSpinBox;
+  auto* box = new NumberBox;
   box->setRange(low, high);
   box->setDecimals(0);
   box->setValue(value);
@@ -248,6 +238,7 @@ QWidget* SignalsPanel::makePage(const plots::FigureRow& row, FigureView* view) {
       showMoment();
       stale_[name] = true;
       rebuild(currentTab());
+      Q_EMIT choicesChanged();
     });
     flow->addTogether({new QLabel(tr("Moment")), moment_});
     flow->addWidget(momentText_);
@@ -258,16 +249,6 @@ QWidget* SignalsPanel::makePage(const plots::FigureRow& row, FigureView* view) {
     delete flow;
   rows->addWidget(view, 1);
   return page;
-}
-
-void SignalsPanel::setStyle(const plots::Style& style) {
-  style_ = style;
-  update();
-}
-
-FigureView* SignalsPanel::view(const QString& name) const {
-  const auto found = views_.find(name);
-  return found == views_.end() ? nullptr : found->second;
 }
 
 QStringList SignalsPanel::names() {
@@ -281,9 +262,14 @@ void SignalsPanel::showTab(const QString& name) {
   if (index >= 0) tabs_->setCurrentIndex(index);
 }
 
-// A new run is first seen through the low-pass of its case and the window that its own spectrum has.
+// A new run is first seen through the low-pass of its case and the section that its own spectrum has.
 void SignalsPanel::takeWindow() {
   const ResultPointer current = store_.currentResult();
+  const int row = std::max(store_.current(), store_.waitingCurrent());
+  const QString file = row < 0 ? QString() : store_.at(row).path;
+  if (!file.isEmpty() && file == windowOf_) return;
+  waitingMoment_ = -1;
+  windowOf_ = current ? file : QString();
   if (current && current->resolvedCase) {  // one whose case cannot be read is seen as it was last chosen
     const QSignalBlocker quiet(cutoff_);
     cutoff_->setValue(current->resolvedCase->scenario.output.filterCutoff);
@@ -303,7 +289,9 @@ void SignalsPanel::takeMoments() {
   const auto* impact = current ? plots::shownPatch(*current) : nullptr;
   const QSignalBlocker quiet(moment_);
   moment_->setRange(0, std::max(count - 1, 0));
-  moment_->setValue(impact ? static_cast<int>(impact - current->patches.data()) : 0);
+  const int usual = impact ? static_cast<int>(impact - current->patches.data()) : 0;
+  moment_->setValue(waitingMoment_ >= 0 ? waitingMoment_ : usual);
+  if (count > 0) waitingMoment_ = -1;
   moment_->setEnabled(count > 1);
   settings_.moment = count > 1 ? moment_->value() : -1;  // one scale for all moments, where there are several
   showMoment();
@@ -318,6 +306,27 @@ void SignalsPanel::showMoment() {
                            .arg(QString::fromStdString(patch.name))
                            .arg(patch.position * 1e3, 0, 'f', 1)
                            .arg(patch.time * 1e3, 0, 'f', 2));
+}
+
+project::FigureChoices SignalsPanel::choices() const {
+  SignalSettings settings = settings_;
+  if (waitingMoment_ >= 0) settings.moment = waitingMoment_;
+  return choicesOf(settings, style_.colourMap);
+}
+
+void SignalsPanel::setChoices(const project::FigureChoices& choices, const QString& run) {
+  const SignalSettings settings = settingsOf(choices);
+  const std::initializer_list<QWidget*> controls{cutoff_, map_, window_, from_, to_, spectrum_, segment_, hop_};
+  for (QWidget* each : controls) each->blockSignals(true);
+  cutoff_->setValue(settings.cutoff);
+  map_->setCurrentText(QString::fromStdString(choices.colours));
+  window_->setCurrentText(QString::fromStdString(settings.window));
+  from_->setValue(settings.from * 1e3), to_->setValue(settings.to * 1e3);
+  spectrum_->setCurrentIndex(static_cast<int>(settings.spectrum));
+  segment_->setValue(static_cast<int>(settings.segment)), hop_->setValue(static_cast<int>(settings.hop));
+  for (QWidget* each : controls) each->blockSignals(false);
+  windowOf_ = run, waitingMoment_ = settings.moment;
+  update();
 }
 
 void SignalsPanel::update() {
@@ -339,7 +348,8 @@ void SignalsPanel::update() {
   // Only what is seen is drawn now; the rest when its tab is opened.
   for (const auto& name : names()) stale_[name] = true;
   hideWhatDoesNotApply();
-  rebuild(names().value(tabs_->currentIndex()));
+  rebuild(currentTab());
+  Q_EMIT choicesChanged();
 }
 
 // Without a run there is nothing to judge by: every tab that any run fills says how to get one.
@@ -361,10 +371,9 @@ void SignalsPanel::rebuild(const QString& name) {
   if (!stale_[name] || !shown_) return;
   stale_[name] = false;
   const plots::FigureRow& row = rowOf(name);
-  const bool alongTrack = isLinked(name);
   const QString unit = unitOf(name);
   const double secondsPerMillimetre = shown_->speed > 0 ? 1e-3 / shown_->speed : 0;
-  const double secondsPerUnit = !alongTrack ? 0 : unit == "ms" ? 1e-3 : secondsPerMillimetre;
+  const double secondsPerUnit = !isLinked(name) ? 0 : unit == "ms" ? 1e-3 : secondsPerMillimetre;
   linking_ = true;
   try {
     views_[name]->show(signalFigure(row.name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
@@ -406,8 +415,6 @@ void SignalsPanel::applyLink(const QString& name) {
 }
 
 QString SignalsPanel::currentTab() const { return names().value(tabs_->currentIndex()); }
-
-FigureView* SignalsPanel::currentView() const { return view(names().value(tabs_->currentIndex())); }
 
 void SignalsPanel::toggleCursors() { cursors_->toggle(); }
 

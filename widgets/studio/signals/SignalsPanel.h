@@ -28,16 +28,22 @@ class SignalsPanel : public QWidget {
  public:
   SignalsPanel(RunStore& store, const plots::Style& style, QWidget* parent = nullptr);
 
-  void setStyle(const plots::Style& style);
+  void setStyle(const plots::Style& style) {
+    style_ = style;
+    update();
+  }
   // The names of plots::figureRegistry() that are plots, a tab each. A figure that the current run has nothing for is
   // greyed; its tool tip says what it needs.
   static QStringList names();
   void showTab(const QString& name);
   QString currentTab() const;
   std::string colourMap() const { return style_.colourMap; }
-  FigureView* view(const QString& name) const;
-  FigureView* currentView() const;
+  FigureView* view(const QString& name) const { return views_.contains(name) ? views_.at(name) : nullptr; }
+  FigureView* currentView() const { return view(currentTab()); }
   const SignalSettings& settings() const { return settings_; }
+  // As a project keeps them. `run`: the file of the run that they were chosen for, which may still have to be read.
+  project::FigureChoices choices() const;
+  void setChoices(const project::FigureChoices& choices, const QString& run);
   // Every figure of the run as it is zoomed, in every format, and the curves as CSV; the 3-D picture as PNG. Returns
   // the files. Throws FileError.
   QStringList exportAll(const QString& folder);          // replaces what stands there
@@ -52,6 +58,7 @@ class SignalsPanel : public QWidget {
  Q_SIGNALS:
   void failed(const QString& message);
   void tabChanged();
+  void choicesChanged();
   void shifted(double metres, bool done);  // while aligning: since the button went down
 
  private:
@@ -74,6 +81,8 @@ class SignalsPanel : public QWidget {
   plots::PrintedSize size_;
   ResultPointer shown_;
   std::weak_ptr<const results::RunResult> momentsOf_;  // whose patches the slider shows
+  QString windowOf_;        // file of the run that low-pass and section were set for: read again, it keeps them
+  int waitingMoment_ = -1;  // of that run, until its patches are read
   QTabWidget* tabs_;
   std::map<QString, FigureView*> views_;
   std::map<QString, bool> stale_;

@@ -19,6 +19,7 @@
 #include "plots/DetectionFigures.h"
 #include "records/Overview.h"
 #include "studies/Jobs.h"
+#include "studio/common/NumberBox.h"
 #include "studio/records/RecordView.h"
 #include "studio/tools/ButtonedList.h"
 
@@ -95,7 +96,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
       channels_(new QLineEdit(this)),
       chainage_(new QLineEdit(this)),
       labels_(new QLineEdit(this)),
-      speed_(new QDoubleSpinBox(this)),
+      speed_(new NumberBox(this)),
       own_(new QCheckBox(tr("&Judge by the vehicle and track of the open case"), this)),
       view_(new RecordView(style, this)) {
   channels_->setObjectName("channels");

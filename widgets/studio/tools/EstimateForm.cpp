@@ -13,6 +13,7 @@
 #include "estimation/EstimateSummary.h"
 #include "plots/EstimateFigure.h"
 #include "studies/Jobs.h"
+#include "studio/common/NumberBox.h"
 #include "studio/tools/MeshBox.h"
 #include "studio/tools/TargetList.h"
 
@@ -60,7 +61,7 @@ EstimateForm::EstimateForm(const RunStore& store, QWidget* parent)
     : ToolForm(parent),
       passages_(new TargetList(store, TargetList::Offer::passages, this)),
       mesh_(meshBox(tr("Mesh of the runs"), "estimateMesh", "tiny", this)),
-      longest_(new QDoubleSpinBox(this)) {
+      longest_(new NumberBox(this)) {
   longest_->setObjectName("longest");
   longest_->setAccessibleName(tr("Longest dip to look for"));
   longest_->setRange(20, 200);

@@ -2,6 +2,7 @@
 
 #include <QDesktopServices>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -25,6 +26,7 @@
 #include "case/CaseFile.h"
 #include "core/Errors.h"
 #include "studio/common/ErrorText.h"
+#include "studio/common/FigureSizeDialog.h"
 #include "studio/common/MessageBar.h"
 #include "studio/common/WaitForSignal.h"
 #include "studio/document/CaseDocument.h"
@@ -315,14 +317,24 @@ void ToolWindow::showFigures() {
     const QString title = QString::fromStdString(sheet.name);
     tabs_->addTab(pageOf(std::move(sheet), *messages_, tabs_), QString(title).replace('_', ' '));
   }
+  takeFigureSize();
 }
 
-// As the command writes them: light, in all formats. One sheet between events, so that the window answers.
+void ToolWindow::takeFigureSize() {
+  const plots::PrintedSize size = storedFigureSize();
+  for (FigureView* view : tabs_->findChildren<FigureView*>()) view->setPrintedSize(size);
+}
+
+// As the command writes them in the size that is chosen: light, in all formats. One sheet between events, so that the
+// window answers.
 void ToolWindow::writeNext() {
   if (toWrite_.empty()) return finish();
   showState();
+  const plots::PrintedSize size = storedFigureSize();
+  if (size.width > 0)
+    for (const auto& panel : toWrite_.back().panels) panel->setPrintedSize({size.width, size.height});
   try {
-    for (auto& path : plots::writeSheet(toWrite_.back(), writtenTo_.toStdString(), {}))
+    for (auto& path : plots::writeSheet(toWrite_.back(), writtenTo_.toStdString(), {}, size.resolution))
       result_->files.push_back(std::move(path));
   } catch (const std::exception& error) {
     messages_->warn(QString::fromStdString(error.what()));
@@ -357,6 +369,12 @@ void ToolWindow::saveOptions() const {
   settings.beginGroup(groupOf(*form_));
   settings.setValue("geometry", saveGeometry());
   form_->save(settings);
+}
+
+// The size is chosen in the main window, perhaps since the figures were drawn.
+void ToolWindow::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::ActivationChange) takeFigureSize();
 }
 
 void ToolWindow::hideEvent(QHideEvent* event) {

@@ -54,6 +54,7 @@ class ToolWindow : public QWidget {
 
  protected:
   void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void makeOptions();
@@ -66,6 +67,7 @@ class ToolWindow : public QWidget {
   void showNews(const WorkerMonitor::News& news);
   void conclude(const std::exception_ptr& error);
   void showFigures();
+  void takeFigureSize();
   void writeNext();
   void saveOptions() const;
   void finish();

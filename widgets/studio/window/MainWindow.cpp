@@ -161,10 +161,13 @@ void MainWindow::connectParts() {
   });
   run_->setBlockers(form_->blockers());
   connect(run_, &RunPanel::runRequested, this, &MainWindow::startRun);
-  connect(run_, &RunPanel::resumeRequested, this, &MainWindow::goOnWithRun);
+  connect(run_, &RunPanel::resumeRequested, this, &MainWindow::resumeRun);
   connect(&document_, &CaseDocument::changed, this, &MainWindow::showStopped);
   connect(&controller_, &RunController::started, this, &MainWindow::showStopped);
-  connect(&controller_, &RunController::ended, this, &MainWindow::showStopped);
+  connect(&controller_, &RunController::ended, this, [this] {
+    held_.reset();
+    showStopped();
+  });
   showStopped();
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::showShownCase);
@@ -219,14 +222,11 @@ void MainWindow::beginRun(bool resume) {
   takeWhatIsTyped();
   showTab("run");  // where the reasons stand
   if (!form_->blockers().isEmpty() || controller_.isRunning()) return;
-  const bool stopped = stopped_.has(document_.description());
-  if (resume && !stopped) return;
-  if (!resume && stopped &&
+  if (!resume && stopped_.has(document_.description()) &&
       services_.asker(this, tr("A stopped run of this case can be resumed (Ctrl+F5). Starting over discards it."),
                       tr("Start over")) == Answer::cancel)
     return;
-  if (controller_.isRunning()) return;  // events have passed meanwhile
-  checkpoint_ = stopped_.file(document_.description());
+  if (controller_.isRunning() || !takeCheckpoint(resume)) return;  // events have passed meanwhile
   running_ = cases::writeCase(document_.description());
   resumed_ = resume;
   simulation::RunOptions options;
@@ -239,6 +239,24 @@ void MainWindow::beginRun(bool resume) {
                     [file = unsavedFile_](const results::RunResult& result) { UnsavedResults::write(file, result); });
 }
 
+// Another window that computes this case writes its checkpoint: that run is not resumed here, and one that begins here
+// keeps none.
+bool MainWindow::takeCheckpoint(bool resume) {
+  checkpoint_ = stopped_.file(document_.description());
+  if (resume && !StoppedRuns::exists(checkpoint_)) return false;
+  held_ = StoppedRuns::hold(checkpoint_);
+  if (held_ || checkpoint_.isEmpty()) return true;
+  const QString owner = StoppedRuns::owner(checkpoint_);
+  checkpoint_.clear();
+  showStopped();
+  if (resume)
+    messages_->warn(tr("Another window computes this case. Its run can be resumed once it is stopped there."), owner);
+  else
+    messages_->say(tr("Another window computes this case as well. If this run is stopped, it cannot be resumed."),
+                   owner);
+  return !resume;
+}
+
 void MainWindow::keep(const ResultPointer& result) {
   const auto kept = inProject_ ? nullptr : std::make_shared<KeptFile>(unsavedFile_);
   if (result->time.empty()) return;  // cancelled before the wheel rolled: there is nothing to keep
@@ -247,6 +265,7 @@ void MainWindow::keep(const ResultPointer& result) {
     return;
   }
   if (result->complete) {
+    held_.reset();
     if (unsavedFile_.isEmpty() || QFileInfo::exists(unsavedFile_))
       StoppedRuns::forget(checkpoint_);
     else
@@ -267,7 +286,7 @@ void MainWindow::keep(const ResultPointer& result) {
 void MainWindow::showStopped() {
   const bool can = !controller_.isRunning() && stopped_.has(document_.description());
   run_->setStopped(can);
-  if (goOnAction_) goOnAction_->setEnabled(can);
+  if (resumeAction_) resumeAction_->setEnabled(can);
   enableActions();
 }
 
@@ -379,6 +398,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   settings.setValue("state", saveState());
   preview_.setHeld(true);
   event->accept();
+}
+
+// A run of this case may have begun or stopped in another window meanwhile.
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::ActivationChange) showStopped();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

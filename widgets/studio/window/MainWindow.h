@@ -84,6 +84,8 @@ class MainWindow : public QMainWindow {
   void openLastProject();  // the one that was open when the program ended, unless there is work already
   bool saveProjectAs();    // asks for a place
   bool saveProjectTo(const QString& path);
+  bool copyProject();  // with its data; asks for a place
+  bool copyProjectTo(const QString& path);
   bool closeProject();  // saves it; a new case and an empty list follow
   bool saveReport();    // asks for a place
   bool saveReportTo(const QString& path);
@@ -99,7 +101,7 @@ class MainWindow : public QMainWindow {
   bool saveResultTo(const QString& path) { return saveResultTo(store_.current(), path); }
   bool saveResultTo(int row, const QString& path);
   void startRun() { beginRun(false); }
-  void goOnWithRun() { beginRun(true); }  // with the one of this case that was stopped
+  void resumeRun() { beginRun(true); }  // with the one of this case that was stopped
   void showTour();
   void offerTour();  // at the first start
   void setDark(bool dark);
@@ -110,6 +112,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -140,6 +143,7 @@ class MainWindow : public QMainWindow {
   bool saveWork(bool ofCase, const std::vector<ResultPointer>& results, bool ofNotes);
   void removeRun(int row);
   void beginRun(bool resume);
+  bool takeCheckpoint(bool resume);  // of the open case, for the run that begins; false: it cannot be resumed
   void keep(const ResultPointer& result);
   void showStopped();
   void enableActions();
@@ -157,6 +161,14 @@ class MainWindow : public QMainWindow {
   void overlay(const QString& path, const readers::SignalFileOptions& options);  // throws
   void makeProject();
   project::Project work() const;
+  project::LongRecords longRecords() const;
+  void showRecords(const project::LongRecords& kept);
+  void watchRecords();
+  ToolWindow* recordsWindow() const;
+  bool recordsAreBusy();  // which is said
+  void keepSoon();        // an open project, once nothing has changed for a moment
+  void showCopy(const QString& said, const QStringList& problems);
+  bool mayLeaveCopy();
   void listCase(const QString& path);
   void keepResults();         // all of them in files of the project; throws FileError
   void findMissing(int row);  // asks where its file is now
@@ -171,11 +183,12 @@ class MainWindow : public QMainWindow {
   StudioServices services_;
   CaseDocument document_;
   RunStore store_;
+  std::unique_ptr<FileLock> held_;  // on the checkpoint; outlives the run
   RunController controller_;
   PreviewController preview_;
   StoppedRuns stopped_;
   UnsavedResults unsaved_;
-  QString checkpoint_;      // of the run in progress
+  QString checkpoint_;      // of the run in progress; empty: it keeps none
   QString unsavedFile_;     // where its result is kept
   bool inProject_ = false;  // that file is one of the project
   ResultPointer part_;      // of the run that was stopped to close the window
@@ -205,7 +218,7 @@ class MainWindow : public QMainWindow {
   QTabWidget *middle_, *right_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
   QMenu* recent_ = nullptr;
-  QAction *darkAction_ = nullptr, *goOnAction_ = nullptr;
+  QAction *darkAction_ = nullptr, *resumeAction_ = nullptr;
   bool closing_ = false, ending_ = false;
   bool previewOffered_ = false;  // since the last run was shown
   bool caseRecovered_ = false;

@@ -23,6 +23,8 @@
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
 #include "studio/project/NotesPanel.h"
+#include "studio/runs/AlignDialog.h"
+#include "studio/runs/MeasuredDialog.h"
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/FigureView.h"
@@ -109,13 +111,19 @@ void MainWindow::makeFileMenu() {
   QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
     const QString path = QFileDialog::getOpenFileName(this, tr("Overlay a measured signal"), QString(),
                                                       tr("Signals (*.csv *.txt *.h5 *.mat);;All files (*)"));
-    if (!path.isEmpty() && !openMeasured(path) && QFileInfo(path).isReadable()) askHowToRead(path);
+    if (path.isEmpty()) return;
+    const bool asks = needsChoice(headOf(path.toStdString(), {}));
+    if (asks || (!openMeasured(path) && QFileInfo(path).isReadable())) askHowToRead(path);
   });
   connect(runs_, &RunsPanel::saveRequested, saving, &QAction::trigger);
   connect(runs_, &RunsPanel::saveRunRequested, this, [this](int row) { saveRun(row); });
   connect(runs_, &RunsPanel::compareRequested, this, [this] { showTab("comparison"); });
   connect(runs_, &RunsPanel::measuredRequested, measured, &QAction::trigger);
   connect(runs_, &RunsPanel::alignRequested, this, &MainWindow::alignByHand);
+  connect(runs_, &RunsPanel::columnsRequested, this, [this](int row) {
+    if (align_) align_->close();  // it lays the record that is there now
+    askForColumns(store_, row, document_.description().motion.speed, figureStyle(requestedDark()), this);
+  });
   connect(runs_, &RunsPanel::removeRequested, this, &MainWindow::removeRun);
   connect(runs_, &RunsPanel::folderRequested, this,
           [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
@@ -150,9 +158,9 @@ void MainWindow::makeEditMenu() {
 void MainWindow::makeRunMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Run"));
   add(menu, tr("&Run the case"), QKeySequence("F5"), "runAction", this, [this] { startRun(); });
-  goOnAction_ =
-      add(menu, tr("R&esume the stopped run"), QKeySequence("Ctrl+F5"), "goOnAction", this, [this] { goOnWithRun(); });
-  goOnAction_->setToolTip(tr("The run of this case that was cancelled or interrupted when the program closed"));
+  resumeAction_ =
+      add(menu, tr("R&esume the stopped run"), QKeySequence("Ctrl+F5"), "resumeAction", this, [this] { resumeRun(); });
+  resumeAction_->setToolTip(tr("The run of this case that was cancelled or interrupted when the program closed"));
   add(menu, tr("&Pause or continue"), QKeySequence("F6"), "pauseAction", this,
       [this] { controller_.setPaused(!controller_.isPaused()); });
   add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] { controller_.cancel(); });

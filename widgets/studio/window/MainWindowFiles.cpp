@@ -1,6 +1,8 @@
 // Files of the main window: opening, saving, asking.
 #include <QFileInfo>
 #include <algorithm>
+#include <set>
+#include <tuple>
 
 #include "case/CaseFile.h"
 #include "core/Errors.h"
@@ -8,9 +10,11 @@
 #include "results/ResultFile.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/MessageBar.h"
+#include "studio/common/Theme.h"
 #include "studio/document/ParameterForm.h"
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
+#include "studio/project/ProjectRuns.h"
 #include "studio/project/RunReader.h"
 #include "studio/runs/AlignDialog.h"
 #include "studio/runs/MeasuredDialog.h"
@@ -34,6 +38,119 @@ QString notSaved() { return QObject::tr("The case was not saved: correct the mar
 QString sentence(QString note) {
   if (!note.isEmpty()) note[0] = note[0].toUpper();
   return note;
+}
+
+// By whatever name: links are followed.
+bool isSameFile(const QString& one, const QString& other) {
+  const QString file = QFileInfo(one).canonicalFilePath();
+  return !file.isEmpty() && file == QFileInfo(other).canonicalFilePath();
+}
+
+// The row of a result file; -1: it is not listed.
+int rowOfResult(const RunStore& store, const QString& path) {
+  for (int row = 0; row < store.rowCount(); ++row) {
+    const StoredRun& run = store.at(row);
+    const bool isRun = run.isMissing() ? run.link->kind == project::Kind::run : !run.isMeasured();
+    if (isRun && isSameFile(run.path, path)) return row;
+  }
+  return -1;
+}
+
+// What its file holds now, in place of the listed one: name, colour and overlay stay.
+void showAgain(RunStore& store, int row, const ResultPointer& result) {
+  const StoredRun listed = store.at(row);
+  StoredRun read{result, listed.label, listed.path};
+  read.named = listed.named, read.colour = listed.colour;
+  if (listed.isMissing()) {  // when its project was opened, or it is still to be read
+    describe(read);
+    store.fill({{row, read}});
+  } else if (listed.result->caseHash == result->caseHash &&
+             project::recordDigest(*listed.record) == project::recordDigest(*result)) {
+    store.setResult(row, result, Fields::inMemory);
+  } else {
+    const bool isReference = store.chosenReference() == row;
+    store.remove(row);
+    row = store.add(std::move(read));
+    if (listed.overlaid) store.setData(store.index(row), Qt::Checked, Qt::CheckStateRole);
+    if (isReference) store.setReference(row);
+  }
+  store.setCurrent(row);
+}
+
+bool isSame(const readers::SignalFileOptions& one, const readers::SignalFileOptions& other) {
+  const auto all = [](const readers::SignalFileOptions& of) {
+    return std::tie(of.column, of.timeColumn, of.positionColumn, of.speedColumn, of.runColumn, of.object, of.rate,
+                    of.speed, of.delimiter, of.decimal);
+  };
+  return all(one) == all(other);
+}
+
+bool isLaidAlike(const project::MeasuredReading& one, const project::MeasuredReading& other) {
+  return one.impact == other.impact && one.gain == other.gain;
+}
+
+// The row of the same signal of the same file, read with the same choices or to the same values; -1: it is not listed.
+// It may have been laid otherwise by hand since. A file may have several signals of one name: none of `taken`.
+int rowOfSignal(const RunStore& store, const QString& path, const project::MeasuredRecord& read,
+                const std::set<int>& taken) {
+  for (int row = 0; row < store.rowCount(); ++row) {
+    const StoredRun& run = store.at(row);
+    if (taken.contains(row) || !run.isMeasured() || !isSameFile(run.path, path)) continue;
+    if (run.isMissing()) {
+      if (run.link->signal == read.record->run && isSame(run.link->reading, read.reading.options)) return row;
+      continue;
+    }
+    if (run.record->run != read.record->run) continue;
+    const bool isOfThisGain = read.reading.gain == 1 || read.reading.gain == run.reading.gain;
+    if ((isOfThisGain && isSame(run.reading.options, read.reading.options)) ||
+        project::recordDigest(*run.record) == project::recordDigest(*read.record))
+      return row;
+  }
+  return -1;
+}
+
+// What its file holds now, in place of the listed one, laid as that is; where it was hidden, it is overlaid again.
+void showAgain(RunStore& store, int row, const project::MeasuredRecord& read) {
+  const StoredRun listed = store.at(row);
+  if (listed.isMissing()) {
+    QString problem;
+    const StoredRun found = openEntry(*listed.link, results::ResultContent::everything, problem);
+    if (!found.record) return;
+    store.fill({{row, found}});
+  } else {
+    const bool asRead = isLaidAlike(listed.reading, read.reading);
+    const auto now = asRead ? read : project::realigned({listed.record, listed.reading}, listed.reading);
+    if (project::recordDigest(*now.record) != project::recordDigest(*listed.record)) store.setMeasured(row, now);
+  }
+  if (!store.at(row).overlaid) store.setData(store.index(row), Qt::Checked, Qt::CheckStateRole);
+}
+
+// Returns what was assumed while they were read. Throws FileError where a file has gone meanwhile.
+QStringList addMeasured(RunStore& store, const QString& path, const std::vector<project::MeasuredRecord>& records) {
+  QStringList notes;
+  std::set<int> rows;
+  bool isNew = false;
+  for (const auto& read : records) {
+    if (const int row = rowOfSignal(store, path, read, rows); row >= 0) {
+      showAgain(store, row, read);
+      rows.insert(row);
+      continue;
+    }
+    QString label = QFileInfo(path).completeBaseName();
+    if (records.size() > 1) label += ": " + QString::fromStdString(read.record->run);
+    StoredRun measured{nullptr, label, QFileInfo(path).absoluteFilePath(), true, read.record};
+    measured.reading = read.reading;
+    rows.insert(store.add(std::move(measured)));
+    isNew = true;
+    for (const auto& note : read.record->notes) notes << QString::fromStdString(note);
+  }
+  if (!isNew) notes << QObject::tr("already in the list: %1").arg(QFileInfo(path).fileName());
+  return notes;
+}
+
+void report(MessageBar& messages, const QStringList& notes) {
+  messages.hide();
+  if (!notes.isEmpty()) messages.say(sentence(notes[0]), notes.join('\n'));
 }
 
 }  // namespace
@@ -82,7 +199,10 @@ bool MainWindow::openResult(const QString& path) {
     const QString label = QFileInfo(path).completeBaseName();
     if (result->stem.empty()) result->stem = label.toStdString();
     addRecentFile(path);
-    store_.add({result, label, QFileInfo(path).absoluteFilePath(), false});
+    if (const int row = rowOfResult(store_, path); row >= 0)
+      showAgain(store_, row, result);
+    else
+      store_.add({result, label, QFileInfo(path).absoluteFilePath(), false});
     if (!result->notRead.empty())
       messages_->warn(tr("This version does not read all of %1: install the newer one to see the rest.").arg(path),
                       QString::fromStdString(result->notRead));
@@ -106,17 +226,7 @@ void MainWindow::overlay(const QString& path, const readers::SignalFileOptions& 
   const ResultPointer current = store_.currentResult();
   const double speed = options.speed > 0 ? options.speed : document_.description().motion.speed;
   const auto records = project::measuredRecords(path.toStdString(), speed, {options, project::impactOf(current.get())});
-  messages_->hide();
-  QStringList notes;
-  for (const auto& [record, reading] : records) {
-    QString label = QFileInfo(path).completeBaseName();
-    if (records.size() > 1) label += ": " + QString::fromStdString(record->run);
-    StoredRun measured{nullptr, label, QFileInfo(path).absoluteFilePath(), true, record};
-    measured.reading = reading;
-    store_.add(std::move(measured));
-    for (const auto& note : record->notes) notes << QString::fromStdString(note);
-  }
-  if (!notes.isEmpty()) messages_->say(sentence(notes[0]), notes.join('\n'));
+  report(*messages_, addMeasured(store_, path, records));
 }
 
 bool MainWindow::openMeasured(const QString& path) {
@@ -130,18 +240,18 @@ bool MainWindow::openMeasured(const QString& path) {
 }
 
 void MainWindow::askHowToRead(const QString& path) {
-  auto* dialog = new MeasuredDialog(
-      path, messages_->text(),
-      [this, path](const readers::SignalFileOptions& options) -> QString {
-        try {
-          overlay(path, options);
-          return {};
-        } catch (const std::exception& error) {
-          return QString::fromStdString(error.what());
-        }
-      },
-      this);
+  const project::MeasuredReading reading{{}, project::impactOf(store_.currentResult().get())};
+  auto* dialog = new MeasuredDialog({path.toStdString(), reading, document_.description().motion.speed},
+                                    figureStyle(requestedDark()), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
+    try {
+      report(*messages_, addMeasured(store_, path, dialog->records()));
+    } catch (const std::exception& error) {
+      messages_->warn(QString::fromStdString(error.what()));
+    }
+  });
+  hideWordsOfOldCase();  // why the file could not be read stands in the dialog
   dialog->open();
 }
 

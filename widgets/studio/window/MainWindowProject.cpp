@@ -1,10 +1,16 @@
-// The project in the main window: what it holds, opening, saving, and what is asked before work is left.
+// The project in the main window: what it holds, opening, saving, copying, and what is asked before work is left.
 #include <QAction>
+#include <QCheckBox>
+#include <QDir>
+#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QLocale>
 #include <QMenu>
+#include <QProgressDialog>
 #include <QSettings>
 #include <QTabWidget>
 #include <QTextDocument>
@@ -29,8 +35,11 @@
 #include "studio/project/ProjectRuns.h"
 #include "studio/project/RunReader.h"
 #include "studio/project/StoreReport.h"
+#include "studio/records/RecordView.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
+#include "studio/tools/DetectionForm.h"
+#include "studio/tools/ToolWindow.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/RecentFiles.h"
 #include "studio/window/Recovery.h"
@@ -39,6 +48,7 @@ namespace squat::studio {
 namespace {
 
 constexpr const char* lastProject = "project";  // in the settings
+constexpr const char* recordsTool = "squats";   // the window of long records
 
 QString projectKinds() { return QObject::tr("Projects (*.squat-project)"); }
 
@@ -69,7 +79,13 @@ void MainWindow::makeProject() {
   connect(middle_, &QTabWidget::currentChanged, this, soon);
   connect(right_, &QTabWidget::currentChanged, this, soon);
   connect(signals_, &SignalsPanel::tabChanged, this, soon);
+  connect(signals_, &SignalsPanel::choicesChanged, this, soon);
+  connect(findChild<QAction*>("squatsAction"), &QAction::triggered, this, &MainWindow::watchRecords);
+  connect(keeper_, &ProjectKeeper::openChanged, findChild<QAction*>("copyProject"), &QAction::setEnabled);
+  connect(keeper_, &ProjectKeeper::copyEnded, this, &MainWindow::showCopy);
 }
+
+void MainWindow::keepSoon() { keeper_->saveSoon(); }
 
 void MainWindow::makeProjectActions(QMenu& menu) {
   const auto add = [&](const QString& text, const QKeySequence& keys, const char* name, auto action) {
@@ -83,6 +99,8 @@ void MainWindow::makeProjectActions(QMenu& menu) {
     if (!path.isEmpty()) openProject(path);
   });
   add(tr("Save pro&ject as…"), QKeySequence("Ctrl+Alt+S"), "saveProject", [this] { saveProjectAs(); });
+  add(tr("Save a copy with its &data…"), QKeySequence("Ctrl+Alt+B"), "copyProject", [this] { copyProject(); });
+  findChild<QAction*>("copyProject")->setEnabled(false);
   add(tr("Close projec&t"), QKeySequence("Ctrl+Alt+W"), "closeProject", [this] { closeProject(); });
   menu.addSeparator();
 }
@@ -93,6 +111,7 @@ QStringList MainWindow::shownTabs() const {
   names << (middle == scene_ ? "model" : middle == paper_ ? "paper" : middle == notes_ ? "notes" : "profile");
   names << (right_->currentWidget() == previewPanel_ ? QString("preview") : signals_->currentTab());
   if (comparison_->isVisible()) names << "comparison";
+  if (const ToolWindow* records = recordsWindow(); records && records->isVisible()) names << recordsTool;
   return names;
 }
 
@@ -104,11 +123,85 @@ project::Project MainWindow::work() const {
   listRuns(store_, project);
   project.notes = notes_->toPlainText().toStdString();
   for (const QString& name : shownTabs()) project.views.push_back(name.toStdString());
+  project.figures = signals_->choices();
+  project.records = longRecords();
   return project;
 }
 
+// Null before it is first asked for.
+ToolWindow* MainWindow::recordsWindow() const {
+  const auto found = tools_.find(recordsTool);
+  return found == tools_.end() ? nullptr : found->second;
+}
+
+project::LongRecords MainWindow::longRecords() const {
+  project::LongRecords kept;
+  const ToolWindow* window = recordsWindow();
+  const auto* form = window ? qobject_cast<DetectionForm*>(window->form()) : nullptr;
+  if (!form) return kept;
+  const auto* files = form->findChild<QListWidget*>();
+  for (int i = 0; i < files->count(); ++i) kept.files.push_back(files->item(i)->text().toStdString());
+  if (kept.files.empty()) return kept;
+  const auto line = [&](const char* name) { return form->findChild<QLineEdit*>(name)->text().trimmed(); };
+  kept.channels = line("channels").toStdString(), kept.chainage = line("chainage").toStdString();
+  kept.speed = form->findChild<QDoubleSpinBox*>("recordSpeed")->value();
+  kept.ownVehicle = form->findChild<QCheckBox*>("ownVehicle")->isChecked();
+  if (const QString labels = line("labels"); !labels.isEmpty())
+    kept.labels = QFileInfo(labels).absoluteFilePath().toStdString();
+  form->records()->keep(kept);
+  return kept;
+}
+
+// What is typed and found in the window of long records is a part of the project.
+void MainWindow::watchRecords() {
+  const auto* form = qobject_cast<DetectionForm*>(tool(recordsTool)->form());
+  const auto watch = [this](const auto* sender, auto signal) {
+    connect(sender, signal, this, &MainWindow::keepSoon, Qt::UniqueConnection);
+  };
+  for (const QLineEdit* each : form->findChildren<QLineEdit*>()) watch(each, &QLineEdit::textChanged);
+  watch(form->findChild<QCheckBox*>("ownVehicle"), &QCheckBox::toggled);
+  watch(form->findChild<QListWidget*>()->model(), &QAbstractItemModel::rowsInserted);
+  watch(form->findChild<QListWidget*>()->model(), &QAbstractItemModel::rowsRemoved);
+  watch(form->records(), &RecordView::changed);
+}
+
+// In place of what the window of long records holds; its files are read when it is first seen. The next search writes
+// where this list is, or beside the project: not over the list of another one.
+void MainWindow::showRecords(const project::LongRecords& kept) {
+  if (kept.files.empty() && !recordsWindow()) return;
+  watchRecords();
+  auto* form = qobject_cast<DetectionForm*>(recordsWindow()->form());
+  form->findChild<QListWidget*>()->clear();
+  for (const auto& file : kept.files) form->addRecord(QString::fromStdString(file));
+  form->records()->open(kept);
+  const QString own = keeper_->isOpen() ? keeper_->path() : document_.path();
+  const QDir beside = own.isEmpty() ? QDir::home() : QFileInfo(own).dir();
+  const QString usual = beside.filePath((keeper_->isOpen() ? keeper_->name() : document_.name()) + "-squats");
+  recordsWindow()->setFolder(kept.events.empty() ? usual : QFileInfo(QString::fromStdString(kept.events)).path());
+  if (kept.files.empty()) return;
+  const auto fill = [&](const char* name, const std::string& text) {
+    form->findChild<QLineEdit*>(name)->setText(QString::fromStdString(text));
+  };
+  fill("channels", kept.channels), fill("chainage", kept.chainage), fill("labels", kept.labels);
+  form->findChild<QDoubleSpinBox*>("recordSpeed")->setValue(kept.speed);
+  form->findChild<QCheckBox*>("ownVehicle")->setChecked(kept.ownVehicle);
+  auto files = kept.files;
+  files.insert(files.end(), {kept.labels, kept.events});
+  for (const auto& file : files)
+    if (const QString path = QString::fromStdString(file); !path.isEmpty() && !QFileInfo(path).isReadable())
+      projectProblems_ << tr("%1 is missing, or cannot be read").arg(path);
+}
+
+// A search writes its list into the project that is open when it ends.
+bool MainWindow::recordsAreBusy() {
+  const ToolWindow* window = recordsWindow();
+  if (!window || !window->isBusy()) return false;
+  messages_->warn(tr("A search for squats in records is in progress. Wait for it, or cancel it."));
+  return true;
+}
+
 bool MainWindow::openProject(const QString& path) {
-  if (!mayLeaveWork()) return false;
+  if (recordsAreBusy() || !mayLeaveWork()) return false;
   project::Project project;
   try {
     project = project::readProject(path.toStdString());
@@ -151,7 +244,14 @@ void MainWindow::showProject(const project::Project& project) {
   cases_.clear();
   for (const auto& path : project.cases) cases_ << QString::fromStdString(path);
   notes_->setNotes(QString::fromStdString(project.notes));
-  for (const auto& name : project.views) showTab(QString::fromStdString(name));
+  if (project.figures) {
+    const bool isRun = project.current >= 0;
+    const std::string run = isRun ? project.entries.at(static_cast<std::size_t>(project.current)).path : std::string();
+    signals_->setChoices(*project.figures, QString::fromStdString(run));
+  }
+  showRecords(project.records);
+  for (const auto& name : project.views)
+    if (!showTab(QString::fromStdString(name)) && name == recordsTool) showTool(recordsTool);
   messages_->hide();
   showProjectProblems();
   addRecentFile(keeper_->path());
@@ -226,6 +326,58 @@ bool MainWindow::saveProjectTo(const QString& path) {
   return true;
 }
 
+bool MainWindow::copyProject() {
+  takeWhatIsTyped();
+  const QString path =
+      locationToSave(this, tr("Save a copy with its data"), keeper_->name() + "-copy.squat-project", projectKinds());
+  return !path.isEmpty() && copyProjectTo(path);
+}
+
+bool MainWindow::copyProjectTo(const QString& path) {
+  if (!keeper_->isOpen() || keeper_->isCopying()) {
+    messages_->warn(keeper_->isOpen() ? tr("A copy of the project is being written. Wait for it, or cancel it.")
+                                      : tr("Save the project first: its files are copied."));
+    return false;
+  }
+  try {
+    keepResults();
+    keeper_->copyTo(path);
+  } catch (const FileError& error) {
+    messages_->warn(QString::fromStdString(error.what()));
+    return false;
+  }
+  constexpr int patience = 1000;  // [ms] before it is shown
+  auto* progress = new QProgressDialog(tr("Copying the project with its data"), tr("Cancel"), 0, 1000, this);
+  progress->setMinimumDuration(patience);
+  progress->setAutoReset(false);
+  progress->setValue(0);
+  connect(progress, &QProgressDialog::canceled, keeper_, &ProjectKeeper::cancelCopy);
+  connect(keeper_, &ProjectKeeper::copyProgressed, progress,
+          [progress](double fraction) { progress->setValue(static_cast<int>(1000 * fraction)); });
+  connect(keeper_, &ProjectKeeper::copyEnded, progress, &QObject::deleteLater);
+  return true;
+}
+
+void MainWindow::showCopy(const QString& said, const QStringList& problems) {
+  const QString missing = problems.size() == 1 ? tr("1 file is missing from the copy.")
+                                               : tr("%1 files are missing from the copy.").arg(problems.size());
+  if (!problems.isEmpty())
+    messages_->warn(said + ' ' + missing, problems.join('\n'));
+  else if (!said.isEmpty())
+    messages_->say(said);
+}
+
+// The window closes: a copy that is being written is stopped, or the user stays.
+bool MainWindow::mayLeaveCopy() {
+  if (!keeper_->isCopying()) return true;
+  if (services_.asker(this, tr("A copy of the project is being written."), tr("Stop it and close")) == Answer::cancel)
+    return false;
+  constexpr int patience = 20000;  // [ms]: it asks whether it is cancelled after every few megabytes
+  keeper_->cancelCopy();
+  keeper_->waitForCopy(patience);
+  return true;
+}
+
 bool MainWindow::saveReport() {
   const QString path = locationToSave(this, tr("Save report"), reportTitle() + ".pdf", tr("PDF (*.pdf)"));
   return !path.isEmpty() && saveReportTo(path);
@@ -285,11 +437,12 @@ bool MainWindow::keepProject() {
 }
 
 bool MainWindow::closeProject() {
-  if (!mayLeaveWork()) return false;
+  if (recordsAreBusy() || !mayLeaveWork()) return false;
   keeper_->release();
   QSettings().remove(lastProject);
   reader_->open({});
   document_.startNew();
+  showRecords({});
   profile_->plot()->fit();
   cases_.clear();
   notes_->setNotes({});
@@ -302,6 +455,7 @@ bool MainWindow::closeProject() {
 
 // A run may end while the question stands: what it adds is asked for as well.
 bool MainWindow::mayLeaveWork() {
+  if (closing_ && !mayLeaveCopy()) return false;
   std::vector<ResultPointer> asked;
   bool caseAsked = false, notesAsked = false;
   for (;;) {

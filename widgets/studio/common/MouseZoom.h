@@ -1,20 +1,19 @@
-// widgets/studio/signals/ZoomAndPan.h - the mouse on a figure: the left button draws a box that is enlarged, the middle
+// widgets/studio/common/MouseZoom.h - the mouse on a figure: the left button draws a box that is enlarged, the middle
 // button moves the view, the wheel zooms.
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 #include "plots/Figure.h"
 
 namespace squat::studio {
 
-class CursorPair;
-
-class ZoomAndPan : public QObject {
+class MouseZoom : public QObject {
   Q_OBJECT
  public:
-  // A cursor that is dragged has the left button for itself. Belongs to the figure.
-  ZoomAndPan(plots::Figure& figure, const CursorPair& cursors);
+  // While `leftIsTaken` says so, the left button draws no box: it drags a cursor, say. Belongs to the figure.
+  explicit MouseZoom(plots::Figure& figure, std::function<bool()> leftIsTaken = {});
 
   // [pixels] A flat box zooms along its long side alone; a tiny one does nothing.
   void zoomTo(const QRect& box);
@@ -24,7 +23,7 @@ class ZoomAndPan : public QObject {
   void move(QMouseEvent* event);
 
   plots::Figure& figure_;
-  const CursorPair& cursors_;
+  std::function<bool()> leftIsTaken_;
   QPoint last_;
   bool panning_ = false;
 };

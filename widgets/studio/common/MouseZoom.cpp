@@ -1,8 +1,7 @@
-#include "studio/signals/ZoomAndPan.h"
+#include "studio/common/MouseZoom.h"
 
 #include <QMouseEvent>
-
-#include "studio/signals/CursorPair.h"
+#include <utility>
 
 namespace squat::studio {
 namespace {
@@ -18,30 +17,30 @@ void shift(QCPAxis& axis, double from, double to) {
 
 }  // namespace
 
-ZoomAndPan::ZoomAndPan(plots::Figure& figure, const CursorPair& cursors)
-    : QObject(&figure), figure_(figure), cursors_(cursors) {
+MouseZoom::MouseZoom(plots::Figure& figure, std::function<bool()> leftIsTaken)
+    : QObject(&figure), figure_(figure), leftIsTaken_(std::move(leftIsTaken)) {
   figure_.setInteractions(QCP::iRangeZoom);
   QCPSelectionRect* box = figure_.selectionRect();
   QColor colour = figure_.style().curve(0);
   box->setPen(QPen(colour, 1));
   colour.setAlpha(40);
   box->setBrush(colour);
-  connect(&figure_, &QCustomPlot::mousePress, this, &ZoomAndPan::press);  // after the cursors' own
-  connect(&figure_, &QCustomPlot::mouseMove, this, &ZoomAndPan::move);
+  connect(&figure_, &QCustomPlot::mousePress, this, &MouseZoom::press);  // after those who take the left button
+  connect(&figure_, &QCustomPlot::mouseMove, this, &MouseZoom::move);
   connect(&figure_, &QCustomPlot::mouseRelease, this, [this] { panning_ = false; });
   connect(box, &QCPSelectionRect::accepted, this, [this](const QRect& rect) { zoomTo(rect.normalized()); });
 }
 
 // The plot begins a box after this, where it is in the mode for it.
-void ZoomAndPan::press(QMouseEvent* event) {
+void MouseZoom::press(QMouseEvent* event) {
   const bool within = figure_.axisRect()->rect().contains(event->pos());
-  const bool boxes = within && event->button() == Qt::LeftButton && !cursors_.isDragged();
+  const bool boxes = within && event->button() == Qt::LeftButton && !(leftIsTaken_ && leftIsTaken_());
   figure_.setSelectionRectMode(boxes ? QCP::srmCustom : QCP::srmNone);
   panning_ = within && event->button() == Qt::MiddleButton;
   last_ = event->pos();
 }
 
-void ZoomAndPan::move(QMouseEvent* event) {
+void MouseZoom::move(QMouseEvent* event) {
   if (!panning_) return;
   shift(*figure_.xAxis, last_.x(), event->pos().x());
   shift(*figure_.yAxis, last_.y(), event->pos().y());
@@ -49,7 +48,7 @@ void ZoomAndPan::move(QMouseEvent* event) {
   figure_.replot(QCustomPlot::rpQueuedReplot);
 }
 
-void ZoomAndPan::zoomTo(const QRect& drawn) {
+void MouseZoom::zoomTo(const QRect& drawn) {
   constexpr int thin = 8;  // [pixels]
   const QRect box = drawn & figure_.axisRect()->rect();
   if (box.width() < thin && box.height() < thin) return;

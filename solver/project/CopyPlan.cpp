@@ -1,0 +1,172 @@
+#include "project/CopyPlan.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+
+#include "case/CaseFile.h"
+#include "core/DurableFile.h"
+
+namespace squat::project {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isReadable(const fs::path& file) {
+  std::error_code none;
+  return fs::is_regular_file(file, none) && ::access(file.c_str(), R_OK) == 0;
+}
+
+// A copy may go to a file system that takes "Dip.h5" and "dip.h5" for one name.
+std::string folded(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char each) { return std::tolower(each); });
+  return name;
+}
+
+// The numbered folders of a kind: "runs", "runs/2", ...
+fs::path numbered(const std::string& kind, int number) {
+  return number == 1 ? fs::path(kind) : fs::path(kind) / std::to_string(number);
+}
+
+// The text of a case with `profile`, which it names by a full path, named `name` instead; empty where that path is not
+// written plainly.
+std::string renamedProfile(const std::string& path, const std::string& profile, const std::string& name) {
+  constexpr std::size_t largestCase = 4U << 20U;  // [bytes], as its reader has it
+  std::string text = readWholeFile(path, largestCase);
+  const auto before = cases::parseCase(text, path, fs::path(path).parent_path());
+  for (const char quote : {'"', '\''}) {
+    const std::string written = quote + profile + quote;
+    const auto at = text.find(written);
+    if (at == std::string::npos) continue;
+    text.replace(at, written.size(), quote + name + quote);
+    const auto after = cases::parseCase(text, path, fs::path(profile).parent_path());
+    return after.defect.file == name && cases::caseHash(after) == cases::caseHash(before) ? text : std::string();
+  }
+  return {};
+}
+
+class Planner {
+ public:
+  Planner(const Project& project, std::string folder) : folder_(std::move(folder)) { plan_.project = project; }
+
+  CopyPlan plan() {
+    Project& project = plan_.project;
+    // Passages of the list may be measured signals as well: they stay with the list.
+    project.records.events = placeEvents(project.records.events);
+    for (auto& entry : project.entries) entry.path = place(entry.path, entry.kind == Kind::run ? "runs" : "signals");
+    for (auto& file : project.records.files) file = place(file, "records");
+    project.records.labels = place(project.records.labels, "records");
+    project.open.path = placeCase(project.open.path);
+    for (auto& path : project.cases) path = placeCase(path);
+    return std::move(plan_);
+  }
+
+ private:
+  // The path in the copy; the path as it is where there is no such file.
+  std::string place(const std::string& path, const std::string& kind) {
+    if (path.empty()) return {};
+    if (const auto known = placed_.find(path); known != placed_.end()) return known->second;
+    if (!isReadable(path)) return missing(path);
+    for (int number = 1;; ++number) {
+      const fs::path to = numbered(kind, number) / fs::path(path).filename();
+      if (isFree(to, path)) return add(path, to);
+    }
+  }
+
+  std::string placeEvents(const std::string& list) {
+    if (list.empty()) return {};
+    if (!isReadable(list)) return missing(list);
+    const fs::path from = fs::path(list).parent_path(), to = "events";
+    const std::string placed = add(list, to / fs::path(list).filename());
+    for (const char* name : {"squats.csv", "squats.geojson"})
+      if (isReadable(from / name) && isFree(to / name, from / name)) add(from / name, to / name);
+    for (const char* name : {"passages", "other-events"}) {
+      std::error_code none;
+      for (const auto& each : fs::directory_iterator(from / name, none))
+        if (each.path().extension() == ".csv" && isReadable(each.path()))
+          add(each.path(), to / name / each.path().filename());
+    }
+    return placed;
+  }
+
+  std::string placeCase(const std::string& path) {
+    if (path.empty()) return {};
+    if (const auto known = placed_.find(path); known != placed_.end()) return known->second;
+    if (!isReadable(path)) return missing(path);
+    std::string profile;
+    try {
+      profile = cases::readCase(path).defect.file;
+    } catch (const std::exception& error) {
+      plan_.problems.push_back(path + " is copied without the profile that it may name: " + error.what());
+    }
+    const fs::path folder = fs::path(path).parent_path();
+    const fs::path beside = (folder / profile).lexically_normal();
+    if (profile.empty() || !isReadable(beside)) return place(path, "cases");  // it has the points of the profile itself
+    return fs::path(profile).is_absolute() ? placeRewritten(path, profile) : placeTogether(path, beside);
+  }
+
+  // As many folders above the case come along as the profile is away from it.
+  std::string placeTogether(const fs::path& path, const fs::path& profile) {
+    fs::path root = path.parent_path();
+    while (root.has_relative_path() && *profile.lexically_relative(root).begin() == "..") root = root.parent_path();
+    for (int number = 1;; ++number) {
+      const fs::path to = numbered("cases", number);
+      const fs::path caseTo = to / path.lexically_relative(root), profileTo = to / profile.lexically_relative(root);
+      if (!isFree(caseTo, path) || !isFree(profileTo, profile)) continue;
+      add(profile, profileTo);
+      return add(path, caseTo);
+    }
+  }
+
+  std::string placeRewritten(const fs::path& path, const std::string& profile) {
+    const std::string name = fs::path(profile).filename();
+    const std::string text = renamedProfile(path, profile, name);
+    if (text.empty()) {
+      plan_.problems.push_back(path.string() + " still names its profile by its full path, " + profile);
+      return place(path, "cases");
+    }
+    if (path == plan_.project.open.path) {
+      auto open = cases::parseUnfinishedCase(plan_.project.open.toml, plan_.project.open.name);
+      if (open.defect.file == profile) {
+        open.defect.file = name;
+        plan_.project.open.toml = cases::writeCase(open);
+      }
+    }
+    for (int number = 1;; ++number) {
+      const fs::path to = numbered("cases", number);
+      if (!isFree(to / path.filename(), path) || !isFree(to / name, profile)) continue;
+      add(profile, to / name);
+      return add(path, to / path.filename(), text);
+    }
+  }
+
+  bool isFree(const fs::path& to, const fs::path& from) const {
+    const auto found = taken_.find(folded(to));
+    return found == taken_.end() || found->second == from;
+  }
+
+  // A profile may belong to several cases: it may be there already.
+  std::string add(const fs::path& from, const fs::path& to, const std::string& text = {}) {
+    if (taken_.emplace(folded(to), from).second) plan_.files.push_back({from, to, text});
+    return placed_[from] = folder_ + "/" + to.string();
+  }
+
+  std::string missing(const std::string& path) {
+    plan_.problems.push_back(path + " is missing or cannot be read; the copy keeps the link to it");
+    return placed_[path] = path;
+  }
+
+  std::string folder_;
+  CopyPlan plan_;
+  std::map<fs::path, std::string> placed_;  // of a file, its path in the copy
+  std::map<std::string, fs::path> taken_;   // of a name in the copy, the file
+};
+
+}  // namespace
+
+CopyPlan planCopy(const Project& project, const std::string& folder) { return Planner(project, folder).plan(); }
+
+}  // namespace squat::project

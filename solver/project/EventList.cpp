@@ -1,0 +1,61 @@
+#include "project/EventList.h"
+
+#include <algorithm>
+
+#include "core/DurableFile.h"
+#include "project/JsonNode.h"
+
+namespace squat::project {
+namespace {
+
+constexpr std::size_t largestFile = 64U << 20U;  // [bytes]
+constexpr std::size_t maximumEvents = 1000000;
+constexpr int newestSchema = 1;
+constexpr double highest = 1e12;
+
+ListedEvent eventIn(const JsonNode& node, const std::vector<std::string>& records) {
+  ListedEvent event;
+  event.position = node.at("position_m").number(-highest, highest);
+  event.time = node.at("time_s").number(-highest, highest);
+  event.record = node.at("record").text();
+  if (std::find(records.begin(), records.end(), event.record) == records.end())
+    node.at("record").fail("is none of the records of the list");
+  event.channel = node.at("channel").text();
+  event.kind = node.at("kind").text();
+  if (node.has("reason")) event.reason = node.at("reason").text();
+  event.sureness = node.at("sureness").number(0, 1);
+  event.peak = node.at("peak_m_s2").number(0, highest);
+  event.speed = node.at("speed_m_s").number(0, highest);
+  constexpr int maximumPasses = 1000000;
+  event.passes = node.at("passes").whole(0, maximumPasses);
+  event.passesThere = node.at("passes_there").whole(0, maximumPasses);
+  if (!node.has("severity")) return event;
+  event.severity = node.at("severity").text();
+  const auto first = [&](const char* key) {  // the estimate; its limits follow
+    const auto values = node.at(key).list();
+    if (values.empty()) node.at(key).fail("is empty");
+    return 1e-3 * values.front().number(0, highest);
+  };
+  event.length = first("length_mm");
+  event.depth = first("depth_mm");
+  return event;
+}
+
+}  // namespace
+
+EventList parseEventList(const std::string& text, const std::string& origin) {
+  const std::string advice = "Start the search again";
+  const auto json = parsedJson(text, origin, advice);
+  const JsonNode root(json, origin, advice);
+  if (root.at("schema").text() != "squat-detection") root.at("schema").fail("is not a list of events");
+  const JsonNode version = root.at("schema_version");
+  if (version.whole(1, 1 << 30) > newestSchema) version.fail("is newer than this version of the program reads");
+  EventList list;
+  for (const auto& record : root.at("records").list()) list.records.push_back(record.at("path").text());
+  for (const auto& event : root.at("events").list(maximumEvents)) list.events.push_back(eventIn(event, list.records));
+  return list;
+}
+
+EventList readEventList(const std::string& path) { return parseEventList(readWholeFile(path, largestFile), path); }
+
+}  // namespace squat::project

@@ -1,0 +1,250 @@
+#include "project/ProjectCopy.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "core/FileLock.h"
+#include "project/CopyPlan.h"
+#include "project/ProjectFile.h"
+
+namespace squat::project {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannotRead(const std::string& path, int error) {
+  throw FileError(path, "", "cannot be read: " + std::generic_category().message(error),
+                  "Nothing was copied; remove it from the project, or try again");
+}
+
+[[noreturn]] void cannotWrite(const std::string& path, int error) {
+  throw FileError(path, "", "cannot be written: " + std::generic_category().message(error),
+                  "Nothing is left of the copy; free some space or choose another folder");
+}
+
+class Descriptor {
+ public:
+  Descriptor(const std::string& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return number_; }
+  int closeNow() {  // 0 or the error: some file systems report a full disk only here
+    const int result = ::close(number_);
+    number_ = -1;
+    return result == 0 ? 0 : errno;
+  }
+
+ private:
+  int number_;
+};
+
+// A file beyond the limit of size is an error of writing, not the end of the program.
+class FileSizeSignalHeld {
+ public:
+  FileSizeSignalHeld() {
+    sigemptyset(&set_);
+    sigaddset(&set_, SIGXFSZ);
+    ::pthread_sigmask(SIG_BLOCK, &set_, &before_);
+  }
+  ~FileSizeSignalHeld() {
+    const timespec now{};
+    if (sigismember(&before_, SIGXFSZ)) return;
+    while (::sigtimedwait(&set_, nullptr, &now) > 0) {
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  FileSizeSignalHeld(const FileSizeSignalHeld&) = delete;
+  FileSizeSignalHeld& operator=(const FileSizeSignalHeld&) = delete;
+
+ private:
+  sigset_t set_{}, before_{};
+};
+
+void flushFolder(const fs::path& folder) {
+  const Descriptor opened(folder, O_RDONLY | O_DIRECTORY);
+  if (opened.get() >= 0) ::fsync(opened.get());  // some file systems refuse, no harm
+}
+
+// FOLDER.part-PID, which takes the name FOLDER when all is in it; else it goes.
+class PartFolder {
+ public:
+  explicit PartFolder(const fs::path& folder)
+      : folder_(folder), part_(folder.string() + suffix + std::to_string(::getpid())) {
+    sweep();
+    fs::remove_all(part_);
+  }
+  ~PartFolder() {
+    std::error_code none;
+    if (!kept_) fs::remove_all(renamed_ ? folder_ : part_, none);
+  }
+  PartFolder(const PartFolder&) = delete;
+  PartFolder& operator=(const PartFolder&) = delete;
+
+  // Of a file in it, whose folder is made.
+  std::string pathOf(const std::string& name) const {
+    std::error_code error;
+    fs::path path = part_ / name;
+    fs::create_directories(path.parent_path(), error);
+    if (error) cannotWrite((folder_ / name).string(), error.value());
+    return path;
+  }
+  void takeName() {
+    std::error_code error;
+    if (!fs::exists(part_, error)) return;  // no file goes with the project
+    for (const auto& each : fs::recursive_directory_iterator(part_))
+      if (each.is_directory()) flushFolder(each.path());
+    flushFolder(part_);
+    fs::rename(part_, folder_, error);
+    if (error) cannotWrite(folder_.string(), error.value());
+    renamed_ = true;
+    flushFolder(folder_.parent_path());
+  }
+  void keep() { kept_ = true; }
+
+ private:
+  // What processes left that no longer run.
+  void sweep() const {
+    const std::string prefix = folder_.filename().string() + suffix;
+    std::error_code none;
+    std::vector<fs::path> left;
+    for (const auto& each : fs::directory_iterator(folder_.parent_path(), none)) {
+      const std::string name = each.path().filename().string();
+      if (!name.starts_with(prefix)) continue;
+      long process = 0;
+      const auto* last = name.data() + name.size();
+      const auto [end, error] = std::from_chars(name.data() + prefix.size(), last, process);
+      if (error == std::errc() && end == last && process > 0 && ::kill(static_cast<pid_t>(process), 0) != 0 &&
+          errno == ESRCH)
+        left.push_back(each.path());
+    }
+    for (const auto& each : left) fs::remove_all(each, none);
+  }
+
+  static constexpr const char* suffix = ".part-";
+  fs::path folder_, part_;
+  bool renamed_ = false, kept_ = false;
+};
+
+// Reports how much is copied, and asks whether to go on.
+class Watch {
+ public:
+  Watch(Monitor& monitor, const std::vector<PlannedFile>& files) : monitor_(monitor) {
+    for (const auto& file : files) {
+      std::error_code error;
+      const auto size = fs::file_size(file.from, error);
+      if (!error) all_ += static_cast<double>(size);
+    }
+  }
+  double all() const { return all_; }  // [bytes]
+  bool goesOn(const std::string& name, std::size_t bytes) {
+    copied_ += static_cast<double>(bytes);
+    Progress progress;
+    progress.phase = name;
+    progress.fraction = all_ > 0 ? std::min(copied_ / all_, 1.0) : 1;
+    monitor_.report(progress);
+    return !monitor_.cancelled();
+  }
+
+ private:
+  Monitor& monitor_;
+  double all_ = 0, copied_ = 0;
+};
+
+void writeAll(int file, const char* bytes, std::size_t count, const std::string& shown) {
+  while (count > 0) {
+    const auto written = ::write(file, bytes, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) cannotWrite(shown, written < 0 ? errno : ENOSPC);
+    bytes += written, count -= static_cast<std::size_t>(written);
+  }
+}
+
+// False: cancelled. `shown`: the name that the copy will have, for messages.
+bool copyFile(const PlannedFile& file, const std::string& to, const std::string& shown, Watch& watch) {
+  const Descriptor source(file.from, O_RDONLY | O_NONBLOCK);  // a named pipe must not hold the program
+  if (source.get() < 0) cannotRead(file.from, errno);
+  Descriptor target(to, O_WRONLY | O_CREAT | O_TRUNC);
+  if (target.get() < 0) cannotWrite(shown, errno);
+  std::vector<char> buffer(std::size_t{4} << 20U);
+  for (;;) {
+    const auto count = ::read(source.get(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) cannotRead(file.from, errno);
+    if (count == 0) break;
+    writeAll(target.get(), buffer.data(), static_cast<std::size_t>(count), shown);
+    if (!watch.goesOn(file.to, static_cast<std::size_t>(count))) return false;
+  }
+  const int flushing = ::fsync(target.get()) == 0 ? 0 : errno;
+  const int closing = target.closeNow();
+  if (flushing != 0 || closing != 0) cannotWrite(shown, flushing != 0 ? flushing : closing);
+  return true;
+}
+
+void requireRoom(const std::string& folder, double bytes) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw FileError(folder, "", "is not a folder", "Choose another folder for the copy");
+  const auto room = fs::space(folder, error);
+  if (error || static_cast<double>(room.available) >= bytes) return;
+  const auto megabytes = [](double count) { return std::to_string(static_cast<long>(count / 1e6)) + " MB"; };
+  throw FileError(folder, "",
+                  "has " + megabytes(static_cast<double>(room.available)) + " free; the copy needs " + megabytes(bytes),
+                  "Free some space or choose another folder");
+}
+
+bool copyAll(const CopyPlan& plan, const PartFolder& part, const std::string& folder, Watch& watch) {
+  for (const auto& file : plan.files) {
+    const std::string to = part.pathOf(file.to);
+    if (!watch.goesOn(file.to, 0)) return false;
+    if (!file.text.empty())
+      writeDurably(to, file.text);
+    else if (!copyFile(file, to, folder + "/" + file.to, watch))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string dataFolder(const std::string& path) {
+  const fs::path file(path);
+  return (file.parent_path() / file.stem()).string() + ".data";
+}
+
+ProjectCopy copyWithData(const Project& project, const std::string& path, Monitor& monitor) {
+  const std::string folder = dataFolder(path), beside = fs::path(path).parent_path().string();
+  FileLock owner(beside + "/." + fs::path(path).filename().string() + ".lock");  // as the studio has it
+  if (owner.isTaken())
+    throw FileError(path, "", "is open in a window: " + owner.other(), "Choose another name for the copy");
+  owner.write(processName("a copy of a project"));
+  std::error_code none;
+  if (fs::exists(fs::symlink_status(folder, none)))
+    throw FileError(folder, "", "exists", "Choose another name for the copy, or move this folder away");
+  const CopyPlan plan = planCopy(project, folder);
+  ProjectCopy copy{false, 0, plan.problems};
+  Watch watch(monitor, plan.files);
+  requireRoom(beside, watch.all());
+  const FileSizeSignalHeld held;
+  PartFolder part(folder);
+  if (!copyAll(plan, part, folder, watch)) return copy;
+  part.takeName();
+  writeProject(path, plan.project);
+  part.keep();
+  copy.complete = true, copy.files = plan.files.size();
+  return copy;
+}
+
+}  // namespace squat::project

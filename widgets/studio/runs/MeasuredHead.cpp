@@ -1,0 +1,232 @@
+#include "studio/runs/MeasuredHead.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <system_error>
+
+#include "core/Errors.h"
+#include "readers/ArrayFile.h"
+#include "readers/ArraySignals.h"
+#include "text/Lines.h"
+#include "text/Numbers.h"
+#include "text/Text.h"
+#include "text/Units.h"
+#include "text/Utf8Text.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr std::size_t headBytes = std::size_t{4} << 20;  // the lines that tell the layout, however long they are
+constexpr std::size_t valueRows = 100;                   // a column that rises evenly shows it in these
+constexpr std::size_t shownRows = 20;
+
+// Whole lines alone.
+std::string beginningOf(const std::string& path) {
+  std::error_code ignored;
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(path, ignored)) in.open(path, std::ios::binary);  // a named pipe would wait
+  if (!in.is_open()) throw FileError(path, "", "cannot be read", "Check its path and its permissions");
+  std::string beginning(headBytes, '\0');
+  in.read(beginning.data(), static_cast<std::streamsize>(headBytes));
+  beginning.resize(static_cast<std::size_t>(in.gcount()));
+  if (beginning.size() == headBytes) beginning.resize(beginning.rfind('\n') + 1);
+  return beginning;
+}
+
+void addValue(text::TableColumn& column, std::string_view field, char decimal) {
+  const auto metres = text::kilometresAndMetresIn(field, decimal);
+  column.kilometresAndMetres = column.kilometresAndMetres || metres;
+  column.values.push_back(text::numberIn(field, decimal).value_or(metres.value_or(NAN)));
+}
+
+void readText(MeasuredHead& head, const readers::SignalFileOptions& options) {
+  const std::string beginning = beginningOf(head.path);
+  const auto layout = text::layoutOf(beginning, head.path, options.delimiter, options.decimal);
+  head.table = text::emptyTable(layout, head.path);
+  head.numeric = layout.numeric;
+  head.numeric.resize(layout.fields, false);
+  text::Lines lines(beginning, head.path, "");
+  std::string_view line;
+  while (lines.number() < layout.firstLine && lines.next(line)) continue;
+  std::vector<std::string_view> fields;
+  for (std::size_t row = 0; row < valueRows && lines.nextRow(line); ++row) {
+    text::splitRow(line, layout, fields);
+    if (row < shownRows) {
+      auto& cells = head.rows.emplace_back();
+      for (const auto field : fields) cells.push_back(text::asUtf8(text::trimmed(field)));
+    }
+    if (fields.size() != layout.fields) continue;  // the reader says what is wrong with it
+    for (std::size_t c = 0; c < fields.size(); ++c) addValue(head.table.columns[c], fields[c], layout.decimal);
+    head.table.lines.push_back(lines.number());
+  }
+}
+
+std::string groupOf(const std::string& object) { return object.substr(0, object.rfind('/')); }
+
+bool isAba(const results::Array& array) {
+  return text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == "aba";
+}
+
+// Arrays of numbers of one or two dimensions; a single number is no signal.
+bool isSignal(const results::Array& array) {
+  const auto extents = std::count_if(array.shape.begin(), array.shape.end(), [](auto extent) { return extent > 1; });
+  return !std::holds_alternative<std::vector<std::string>>(array.values) && extents >= 1 && extents <= 2;
+}
+
+std::vector<ArrayPart> partsOf(const results::ArrayTree& tree) {
+  std::vector<ArrayPart> parts;
+  for (const auto& array : tree.arrays) {
+    if (!isSignal(array)) continue;
+    const std::string group = groupOf(array.path);
+    const std::size_t samples = *std::max_element(array.shape.begin(), array.shape.end());
+    const auto same = std::find_if(parts.begin(), parts.end(),
+                                   [&](const auto& part) { return part.group == group && part.samples == samples; });
+    if (same == parts.end())
+      parts.push_back({group, samples, array.path});
+    else if (isAba(array))
+      same->object = array.path;
+  }
+  return parts;
+}
+
+// Groups with a signal called aba; where there is none, all groups with signals.
+std::size_t groupsMeant(const results::ArrayTree& tree) {
+  std::set<std::string> all, withAba;
+  for (const auto& array : tree.arrays) {
+    if (!isSignal(array)) continue;
+    all.insert(groupOf(array.path));
+    if (isAba(array)) withAba.insert(groupOf(array.path));
+  }
+  return withAba.empty() ? all.size() : withAba.size();
+}
+
+void readArrays(MeasuredHead& head, readers::SignalFileOptions options) {
+  const auto tree = readers::listArrays(head.path);
+  head.parts = partsOf(tree);
+  head.severalParts = options.object.empty() && groupsMeant(tree) > 1;
+  options.rate = options.speed = 0;
+  readers::ArrayColumns found;
+  try {
+    found = readers::columnsOf(head.path, tree, options);
+  } catch (const FileError&) {
+    if (head.parts.empty() || !options.object.empty()) throw;
+    options.object = head.parts.front().object;
+    found = readers::columnsOf(head.path, tree, options);
+  }
+  head.table = std::move(found.table);
+  head.places = std::move(found.places);
+  head.samples = found.samples;
+  head.rate = found.options.rate, head.speed = found.options.speed;
+  head.numeric.assign(head.table.columns.size(), true);
+  for (std::size_t i = 0; i < head.parts.size(); ++i)
+    if (!head.places.empty() && head.parts[i].group == groupOf(head.places[0].path) &&
+        head.parts[i].samples == head.samples)
+      head.part = i;
+}
+
+bool isOfRun(const MeasuredHead& head, std::size_t column, const std::string& run) {
+  std::string name = head.table.columns[column].name;
+  if (name.empty()) name = "column " + std::to_string(column + 1);  // as the reader calls it
+  return run == name || run.starts_with(name + ", run ");
+}
+
+}  // namespace
+
+MeasuredHead headOf(const std::string& path, const readers::SignalFileOptions& options) {
+  MeasuredHead head;
+  head.path = path;
+  try {
+    if (readers::isArrayFile(path))
+      readArrays(head, options);
+    else
+      readText(head, options);
+  } catch (const std::exception& error) {
+    head.problem = error.what();
+  }
+  return head;
+}
+
+std::vector<std::vector<std::string>> firstRows(const MeasuredHead& head) {
+  std::vector<std::vector<double>> columns;
+  readers::streamArrays(head.path, head.places, head.samples)->next(columns);
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t row = 0; row < std::min(head.samples, shownRows); ++row) {
+    auto& cells = rows.emplace_back();
+    for (const auto& column : columns) cells.push_back(row < column.size() ? text::roundedText(column[row]) : "");
+  }
+  return rows;
+}
+
+readers::TableRoles rolesIn(const MeasuredHead& head, const readers::SignalFileOptions& options) {
+  try {
+    return readers::rolesOf(head.table, options);
+  } catch (const FileError&) {
+    return {};
+  }
+}
+
+std::size_t clearSignal(const MeasuredHead& head, const readers::TableRoles& roles) {
+  if (roles.rest.size() == 1) return roles.rest.front();
+  try {
+    const std::size_t aba = readers::columnNamed(head.table, "aba");
+    if (std::find(roles.rest.begin(), roles.rest.end(), aba) != roles.rest.end()) return aba;
+  } catch (const FileError&) {
+    // Two of that name.
+  }
+  return readers::noColumn;
+}
+
+std::size_t likelySignal(const MeasuredHead& head, const readers::SignalFileOptions& options, const std::string& run) {
+  const auto roles = rolesIn(head, options);
+  try {
+    const auto named = readers::signalsNamed(head.table, roles, options);
+    for (const std::size_t column : named)
+      if (isOfRun(head, column, run)) return column;
+    if (!named.empty()) return named.front();
+  } catch (const FileError&) {
+    // No longer in the file.
+  }
+  for (const std::size_t column : roles.rest)
+    if (isOfRun(head, column, run)) return column;
+  if (const std::size_t clear = clearSignal(head, roles); clear != readers::noColumn) return clear;
+  const auto find = [&](bool acceleration) {
+    for (const std::size_t column : roles.rest) {
+      const auto* unit = text::findUnit(text::bareUnit(head.table.columns[column].unit));
+      if (head.numeric[column] && (!acceleration || (unit && unit->si == "m/s2"))) return column;
+    }
+    return readers::noColumn;
+  };
+  const std::size_t acceleration = find(true);
+  return acceleration != readers::noColumn ? acceleration : find(false);
+}
+
+std::string optionOf(const MeasuredHead& head, std::size_t column) {
+  const std::string& name = head.table.columns[column].name;
+  const std::string lower = text::lowerCase(name);
+  const auto same = std::count_if(head.table.columns.begin(), head.table.columns.end(),
+                                  [&](const auto& other) { return text::lowerCase(other.name) == lower; });
+  const bool plain = !name.empty() && same == 1 && lower != "all" && name.find(',') == std::string::npos &&
+                     text::trimmed(name) == name;
+  return plain ? name : std::to_string(column + 1);
+}
+
+QString columnText(const MeasuredHead& head, std::size_t column) {
+  const auto& described = head.table.columns[column];
+  QString words = QString::number(column + 1);
+  if (!described.name.empty()) words += ": " + QString::fromStdString(described.name);
+  if (!described.unit.empty()) words += " [" + QString::fromStdString(text::printedUnit(described.unit)) + "]";
+  return words;
+}
+
+bool needsChoice(const MeasuredHead& head) {
+  if (!head.problem.empty()) return false;  // nothing that could be chosen
+  if (head.severalParts) return true;
+  const auto roles = rolesIn(head, {});
+  return roles.rest.size() > 1 && clearSignal(head, roles) == readers::noColumn;
+}
+
+}  // namespace squat::studio
