@@ -1,18 +1,17 @@
 #include "core/DurableFile.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 
 #include "core/Errors.h"
+#include "core/FileDescriptor.h"
 
 namespace squat {
 
@@ -39,48 +38,6 @@ std::string reasonText(int error) { return std::generic_category().message(error
                        : "Check that the folder exists and may be written, or choose another one");
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return number_; }
-  int closeNow() {  // 0 or the error: some file systems report a full disk only here
-    const int result = ::close(number_);
-    number_ = -1;
-    return result == 0 ? 0 : errno;
-  }
-
- private:
-  int number_;
-};
-
-// Going beyond the limit of file size raises SIGXFSZ, which would end the process: held back here, taken away after.
-class FileSizeSignalHeld {
- public:
-  FileSizeSignalHeld() {
-    sigemptyset(&set_);
-    sigaddset(&set_, SIGXFSZ);
-    ::pthread_sigmask(SIG_BLOCK, &set_, &before_);
-  }
-  ~FileSizeSignalHeld() {
-    if (!sigismember(&before_, SIGXFSZ)) {
-      const timespec now{};
-      while (::sigtimedwait(&set_, nullptr, &now) > 0) {
-      }
-    }
-    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  FileSizeSignalHeld(const FileSizeSignalHeld&) = delete;
-  FileSizeSignalHeld& operator=(const FileSizeSignalHeld&) = delete;
-
- private:
-  sigset_t set_{}, before_{};
-};
-
 int writeAll(int descriptor, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const auto written = ::write(descriptor, bytes.data(), bytes.size());
@@ -91,26 +48,11 @@ int writeAll(int descriptor, std::span<const std::byte> bytes) {
   return 0;
 }
 
-// Files PATH.part-PID of processes that no longer run.
-void sweepLeftOvers(const std::string& path) {
-  const auto prefix = fs::path(path).filename().string() + ".part-";
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folderOf(path), ignored)) {
-    const auto name = entry.path().filename().string();
-    if (name.compare(0, prefix.size(), prefix) != 0) continue;
-    long process = 0;
-    const auto* last = name.data() + name.size();
-    const auto [end, error] = std::from_chars(name.data() + prefix.size(), last, process);
-    if (error != std::errc() || end != last || process <= 0) continue;
-    if (::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
-  }
-}
-
 // The earlier file gets a second name before the new one takes the first: there is a file under `path` at all times.
 void keepPrevious(const std::string& path) {
   const auto previous = path + ".previous";
-  sweepLeftOvers(previous);
-  const auto link = previous + ".part-" + std::to_string(::getpid());
+  removeLeftOvers(previous);
+  const auto link = partName(previous);
   ::unlink(link.c_str());
   if (::link(path.c_str(), link.c_str()) == 0)
     ::rename(link.c_str(), previous.c_str());
@@ -124,8 +66,8 @@ void keepPrevious(const std::string& path) {
 
 void writeDurably(const std::string& path, std::span<const std::byte> bytes,
                   const std::function<void(const std::string&)>& verify, Previous previous) {
-  sweepLeftOvers(path);
-  const auto part = path + ".part-" + std::to_string(::getpid());
+  removeLeftOvers(path);
+  const auto part = partName(path);
   struct Remover {
     const std::string& file;
     bool armed = true;
@@ -135,8 +77,8 @@ void writeDurably(const std::string& path, std::span<const std::byte> bytes,
   } remover{part};
 
   {
-    const FileSizeSignalHeld held;
-    Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    const FileSizeSignalBlocked blocked;
+    FileDescriptor file(part, O_WRONLY | O_CREAT | O_TRUNC);
     if (file.get() < 0) {
       remover.armed = false;
       cannotWrite(path, errno, bytes.size());
@@ -150,7 +92,7 @@ void writeDurably(const std::string& path, std::span<const std::byte> bytes,
   if (previous == Previous::kept) keepPrevious(path);
   if (::rename(part.c_str(), path.c_str()) != 0) cannotWrite(path, errno, bytes.size());
   remover.armed = false;
-  const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor folder(folderOf(path), O_RDONLY | O_DIRECTORY);
   if (folder.get() >= 0) ::fsync(folder.get());  // makes the rename itself durable; some file systems refuse, no harm
 }
 
@@ -178,7 +120,7 @@ void makeFolder(const std::string& folder) {
 
 std::string readWholeFile(const std::string& path, std::size_t largest) {
   // Not blocking: a named pipe must not hold the program.
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  const FileDescriptor file(path, O_RDONLY | O_NONBLOCK);
   struct stat status {};
   if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
     throw FileError(path, "", "cannot be read: " + reasonText(errno), "Check the path");

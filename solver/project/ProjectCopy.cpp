@@ -1,18 +1,17 @@
 #include "project/ProjectCopy.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <filesystem>
 #include <system_error>
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "core/FileDescriptor.h"
 #include "core/FileLock.h"
 #include "project/CopyPlan.h"
 #include "project/ProjectFile.h"
@@ -32,58 +31,16 @@ namespace fs = std::filesystem;
                   "Nothing is left of the copy; free some space or choose another folder");
 }
 
-class Descriptor {
- public:
-  Descriptor(const std::string& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return number_; }
-  int closeNow() {  // 0 or the error: some file systems report a full disk only here
-    const int result = ::close(number_);
-    number_ = -1;
-    return result == 0 ? 0 : errno;
-  }
-
- private:
-  int number_;
-};
-
-// A file beyond the limit of size is an error of writing, not the end of the program.
-class FileSizeSignalHeld {
- public:
-  FileSizeSignalHeld() {
-    sigemptyset(&set_);
-    sigaddset(&set_, SIGXFSZ);
-    ::pthread_sigmask(SIG_BLOCK, &set_, &before_);
-  }
-  ~FileSizeSignalHeld() {
-    const timespec now{};
-    if (sigismember(&before_, SIGXFSZ)) return;
-    while (::sigtimedwait(&set_, nullptr, &now) > 0) {
-    }
-    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  FileSizeSignalHeld(const FileSizeSignalHeld&) = delete;
-  FileSizeSignalHeld& operator=(const FileSizeSignalHeld&) = delete;
-
- private:
-  sigset_t set_{}, before_{};
-};
-
 void flushFolder(const fs::path& folder) {
-  const Descriptor opened(folder, O_RDONLY | O_DIRECTORY);
+  const FileDescriptor opened(folder, O_RDONLY | O_DIRECTORY);
   if (opened.get() >= 0) ::fsync(opened.get());  // some file systems refuse, no harm
 }
 
 // FOLDER.part-PID, which takes the name FOLDER when all is in it; else it goes.
 class PartFolder {
  public:
-  explicit PartFolder(const fs::path& folder)
-      : folder_(folder), part_(folder.string() + suffix + std::to_string(::getpid())) {
-    sweep();
+  explicit PartFolder(const fs::path& folder) : folder_(folder), part_(partName(folder.string())) {
+    removeLeftOvers(folder.string());
     fs::remove_all(part_);
   }
   ~PartFolder() {
@@ -115,25 +72,6 @@ class PartFolder {
   void keep() { kept_ = true; }
 
  private:
-  // What processes left that no longer run.
-  void sweep() const {
-    const std::string prefix = folder_.filename().string() + suffix;
-    std::error_code none;
-    std::vector<fs::path> left;
-    for (const auto& each : fs::directory_iterator(folder_.parent_path(), none)) {
-      const std::string name = each.path().filename().string();
-      if (!name.starts_with(prefix)) continue;
-      long process = 0;
-      const auto* last = name.data() + name.size();
-      const auto [end, error] = std::from_chars(name.data() + prefix.size(), last, process);
-      if (error == std::errc() && end == last && process > 0 && ::kill(static_cast<pid_t>(process), 0) != 0 &&
-          errno == ESRCH)
-        left.push_back(each.path());
-    }
-    for (const auto& each : left) fs::remove_all(each, none);
-  }
-
-  static constexpr const char* suffix = ".part-";
   fs::path folder_, part_;
   bool renamed_ = false, kept_ = false;
 };
@@ -174,9 +112,9 @@ void writeAll(int file, const char* bytes, std::size_t count, const std::string&
 
 // False: cancelled. `shown`: the name that the copy will have, for messages.
 bool copyFile(const PlannedFile& file, const std::string& to, const std::string& shown, Watch& watch) {
-  const Descriptor source(file.from, O_RDONLY | O_NONBLOCK);  // a named pipe must not hold the program
+  const FileDescriptor source(file.from, O_RDONLY | O_NONBLOCK);  // a named pipe must not hold the program
   if (source.get() < 0) cannotRead(file.from, errno);
-  Descriptor target(to, O_WRONLY | O_CREAT | O_TRUNC);
+  FileDescriptor target(to, O_WRONLY | O_CREAT | O_TRUNC);
   if (target.get() < 0) cannotWrite(shown, errno);
   std::vector<char> buffer(std::size_t{4} << 20U);
   for (;;) {
@@ -237,7 +175,7 @@ ProjectCopy copyWithData(const Project& project, const std::string& path, Monito
   ProjectCopy copy{false, 0, plan.problems};
   Watch watch(monitor, plan.files);
   requireRoom(beside, watch.all());
-  const FileSizeSignalHeld held;
+  const FileSizeSignalBlocked blocked;
   PartFolder part(folder);
   if (!copyAll(plan, part, folder, watch)) return copy;
   part.takeName();

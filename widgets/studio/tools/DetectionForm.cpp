@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -139,6 +140,38 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   connect(view_, &RecordView::estimateRequested, this, &DetectionForm::estimateRequested);
   connect(view_, &RecordView::labelsSaved, labels_, &QLineEdit::setText);
   connect(view_, &RecordView::failed, this, &ToolForm::failed);
+  for (const QLineEdit* each : {channels_, chainage_, labels_})
+    connect(each, &QLineEdit::textChanged, this, &DetectionForm::choicesChanged);
+  connect(speed_, &QDoubleSpinBox::valueChanged, this, &DetectionForm::choicesChanged);
+  connect(own_, &QCheckBox::toggled, this, &DetectionForm::choicesChanged);
+  connect(files_->list()->model(), &QAbstractItemModel::rowsInserted, this, &DetectionForm::choicesChanged);
+  connect(files_->list()->model(), &QAbstractItemModel::rowsRemoved, this, &DetectionForm::choicesChanged);
+  connect(view_, &RecordView::changed, this, &DetectionForm::choicesChanged);
+}
+
+project::LongRecords DetectionForm::choices() const {
+  project::LongRecords kept;
+  for (int i = 0; i < files_->list()->count(); ++i) kept.files.push_back(files_->list()->item(i)->text().toStdString());
+  if (kept.files.empty()) return kept;
+  kept.channels = channels_->text().trimmed().toStdString(), kept.chainage = chainage_->text().trimmed().toStdString();
+  kept.speed = speed_->value();
+  kept.ownVehicle = own_->isChecked();
+  if (const QString labels = labels_->text().trimmed(); !labels.isEmpty())
+    kept.labels = QFileInfo(labels).absoluteFilePath().toStdString();
+  view_->keep(kept);
+  return kept;
+}
+
+void DetectionForm::setChoices(const project::LongRecords& choices) {
+  files_->list()->clear();
+  for (const auto& file : choices.files) addRecord(QString::fromStdString(file));
+  view_->open(choices);
+  if (choices.files.empty()) return;
+  channels_->setText(QString::fromStdString(choices.channels));
+  chainage_->setText(QString::fromStdString(choices.chainage));
+  labels_->setText(QString::fromStdString(choices.labels));
+  speed_->setValue(choices.speed);
+  own_->setChecked(choices.ownVehicle);
 }
 
 QString DetectionForm::explanation() const {

@@ -1,6 +1,7 @@
 // widgets/studio/tools/DetectionForm.h - options of a search for squats in long records, and the view of what is found.
 #pragma once
 
+#include "project/Project.h"
 #include "studio/tools/ToolForm.h"
 
 class QCheckBox;
@@ -34,7 +35,12 @@ class DetectionForm : public ToolForm {
   void addRecord(const QString& path);
   RecordView* records() const { return view_; }
 
+  // What is chosen here and seen in the view, as a project keeps it; no files: nothing is open.
+  project::LongRecords choices() const;
+  void setChoices(const project::LongRecords& choices);
+
  Q_SIGNALS:
+  void choicesChanged();
   void passageRequested(const QString& file);
   void estimateRequested(const QString& file);
 

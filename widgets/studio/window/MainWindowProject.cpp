@@ -1,13 +1,9 @@
 // The project in the main window: what it holds, opening, saving, copying, and what is asked before work is left.
 #include <QAction>
-#include <QCheckBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QLocale>
 #include <QMenu>
 #include <QProgressDialog>
@@ -135,34 +131,15 @@ ToolWindow* MainWindow::recordsWindow() const {
 }
 
 project::LongRecords MainWindow::longRecords() const {
-  project::LongRecords kept;
   const ToolWindow* window = recordsWindow();
   const auto* form = window ? qobject_cast<DetectionForm*>(window->form()) : nullptr;
-  if (!form) return kept;
-  const auto* files = form->findChild<QListWidget*>();
-  for (int i = 0; i < files->count(); ++i) kept.files.push_back(files->item(i)->text().toStdString());
-  if (kept.files.empty()) return kept;
-  const auto line = [&](const char* name) { return form->findChild<QLineEdit*>(name)->text().trimmed(); };
-  kept.channels = line("channels").toStdString(), kept.chainage = line("chainage").toStdString();
-  kept.speed = form->findChild<QDoubleSpinBox*>("recordSpeed")->value();
-  kept.ownVehicle = form->findChild<QCheckBox*>("ownVehicle")->isChecked();
-  if (const QString labels = line("labels"); !labels.isEmpty())
-    kept.labels = QFileInfo(labels).absoluteFilePath().toStdString();
-  form->records()->keep(kept);
-  return kept;
+  return form ? form->choices() : project::LongRecords();
 }
 
 // What is typed and found in the window of long records is a part of the project.
 void MainWindow::watchRecords() {
-  const auto* form = qobject_cast<DetectionForm*>(tool(recordsTool)->form());
-  const auto watch = [this](const auto* sender, auto signal) {
-    connect(sender, signal, this, &MainWindow::keepSoon, Qt::UniqueConnection);
-  };
-  for (const QLineEdit* each : form->findChildren<QLineEdit*>()) watch(each, &QLineEdit::textChanged);
-  watch(form->findChild<QCheckBox*>("ownVehicle"), &QCheckBox::toggled);
-  watch(form->findChild<QListWidget*>()->model(), &QAbstractItemModel::rowsInserted);
-  watch(form->findChild<QListWidget*>()->model(), &QAbstractItemModel::rowsRemoved);
-  watch(form->records(), &RecordView::changed);
+  connect(qobject_cast<DetectionForm*>(tool(recordsTool)->form()), &DetectionForm::choicesChanged, this,
+          &MainWindow::keepSoon, Qt::UniqueConnection);
 }
 
 // In place of what the window of long records holds; its files are read when it is first seen. The next search writes
@@ -170,21 +147,12 @@ void MainWindow::watchRecords() {
 void MainWindow::showRecords(const project::LongRecords& kept) {
   if (kept.files.empty() && !recordsWindow()) return;
   watchRecords();
-  auto* form = qobject_cast<DetectionForm*>(recordsWindow()->form());
-  form->findChild<QListWidget*>()->clear();
-  for (const auto& file : kept.files) form->addRecord(QString::fromStdString(file));
-  form->records()->open(kept);
+  qobject_cast<DetectionForm*>(recordsWindow()->form())->setChoices(kept);
   const QString own = keeper_->isOpen() ? keeper_->path() : document_.path();
   const QDir beside = own.isEmpty() ? QDir::home() : QFileInfo(own).dir();
   const QString usual = beside.filePath((keeper_->isOpen() ? keeper_->name() : document_.name()) + "-squats");
   recordsWindow()->setFolder(kept.events.empty() ? usual : QFileInfo(QString::fromStdString(kept.events)).path());
   if (kept.files.empty()) return;
-  const auto fill = [&](const char* name, const std::string& text) {
-    form->findChild<QLineEdit*>(name)->setText(QString::fromStdString(text));
-  };
-  fill("channels", kept.channels), fill("chainage", kept.chainage), fill("labels", kept.labels);
-  form->findChild<QDoubleSpinBox*>("recordSpeed")->setValue(kept.speed);
-  form->findChild<QCheckBox*>("ownVehicle")->setChecked(kept.ownVehicle);
   auto files = kept.files;
   files.insert(files.end(), {kept.labels, kept.events});
   for (const auto& file : files)
