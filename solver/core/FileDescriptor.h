@@ -1,5 +1,5 @@
-// solver/core/FileDescriptor.h - what the writers of whole files share (DurableFile.h): descriptors, the signal of a limit
-// of size, and what processes that were killed have left.
+// solver/core/FileDescriptor.h - what the writers of whole files share (DurableFile.h): descriptors, the signal of a
+// limit of size, and what processes that were killed have left.
 #pragma once
 
 #include <signal.h>

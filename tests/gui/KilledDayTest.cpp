@@ -1,5 +1,6 @@
-// A day's work (DayOfWork.cpp: ten runs, a measured overlay, a calibration of two keys, a report, notes) whose program
-// is killed during an eleventh run: everything is there again, byte for byte.
+// A day's work (DayOfWork.cpp: an imported profile, ten runs, a rename, a window closed and opened again, a measured
+// overlay, a calibration of two keys, a report, notes) whose program is killed during an eleventh run: everything is
+// there again, byte for byte.
 #include <gtest/gtest.h>
 
 #include <QCryptographicHash>
@@ -66,7 +67,7 @@ TEST(KilledDay, comesBackByteForByte) {
   ASSERT_EQ(store.rowCount(), 11);
   for (int row = 0; row < 10; ++row) EXPECT_TRUE(store.at(row).result && store.at(row).result->complete) << row;
   EXPECT_EQ(store.at(2).label, "the third one");
-  EXPECT_EQ(store.at(9).label, "depth 0.15");
+  EXPECT_EQ(store.at(9).label, "height scale 1.5");
   EXPECT_TRUE(store.at(10).isMeasured());
   EXPECT_TRUE(store.at(10).overlaid);
   EXPECT_EQ(window.notes()->toPlainText(), "Pads of the second bogie?\n");

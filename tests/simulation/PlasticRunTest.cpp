@@ -134,7 +134,8 @@ TEST(PlasticRun, IsTheSameInAnotherUnitOfForce) {
 }
 
 // The surface that was pressed is left in compression along the rail: it wants to spread and the rail below holds it
-// (K. L. Johnson, Contact Mechanics, 9.2).
+// (K. L. Johnson, Contact Mechanics, 9.2), by a share of the yield strength of 400 MPa that round-off or the elastic
+// stresses under the wheel, which has gone, would not leave: a twentieth.
 TEST(PlasticRun, LeavesTheSurfaceInCompression) {
   const auto& r = yielded();
   EXPECT_LT(scalar(r.plasticity, "largest_residual_compression"), -20e6);
@@ -145,15 +146,21 @@ TEST(PlasticRun, LeavesTheSurfaceInCompression) {
 }
 
 TEST(PlasticRun, EnergyIsAccountedFor) {
-  // 0.1 % of the strain energy at the start plus all dissipation, as for the elastic rail; what flow dissipates is far
-  // above that, so that a term left out would show.
+  // 0.1 % of the strain energy at the start plus all dissipation, as for the elastic rail. What flow dissipates is ten
+  // times the residual at least, so that a balance without it would not close.
   const auto& r = yielded();
   EXPECT_LT(scalar(r.performance, "energy_residual"), 1e-3);
-  for (const auto& channel : r.energy)
-    if (channel.name == "plastic") {
-      EXPECT_GT(channel.values.back(), 0.1);
-      EXPECT_TRUE(std::is_sorted(channel.values.begin(), channel.values.end()));
-    }
+  const auto valuesOf = [&](const char* name) {
+    const auto found =
+        std::find_if(r.energy.begin(), r.energy.end(), [&](const auto& one) { return one.name == name; });
+    return found == r.energy.end() ? std::vector<double>() : found->values;
+  };
+  const auto plastic = valuesOf("plastic"), residual = valuesOf("residual");
+  ASSERT_FALSE(plastic.empty() || residual.empty());
+  EXPECT_TRUE(std::is_sorted(plastic.begin(), plastic.end()));
+  double largest = 0;
+  for (const double value : residual) largest = std::max(largest, std::abs(value));
+  EXPECT_GT(plastic.back(), 10 * largest);
 }
 
 // Also on another number of threads.
