@@ -1,17 +1,20 @@
 // Two signals as maps side by side.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "gui/MadeUpRun.h"
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
+#include "studio/common/FigureSizeDialog.h"
 #include "studio/comparison/ComparisonWindow.h"
 #include "studio/comparison/MapWindow.h"
 #include "studio/signals/FigureView.h"
@@ -89,6 +92,19 @@ TEST_F(Maps, areWholeAndExported) {
   EXPECT_NEAR(picture.width(), 2 * 85 / 25.4 * 300, 8);  // two columns
   maps_->writeFile(folder.filePath("both.pdf"));
   EXPECT_GT(QFileInfo(folder.filePath("both.pdf")).size(), 10000);
+}
+
+// Chosen in the main window while the maps stand open.
+TEST_F(Maps, takeTheSizeOfFiguresThatIsChosen) {
+  const auto restored = qScopeGuard([] { storeFigureSize({}); });
+  storeFigureSize({120, 80, 100});
+  QEvent activation(QEvent::ActivationChange);  // the user comes back
+  QApplication::sendEvent(maps_, &activation);
+  const QTemporaryDir folder;
+  maps_->view(0)->writeFile(folder.filePath("map.png"));
+  const QImage picture(folder.filePath("map.png"));
+  EXPECT_NEAR(picture.width(), 120 / 25.4 * 100, 1);
+  EXPECT_NEAR(picture.height(), 80 / 25.4 * 100, 1);
 }
 
 // Aligned in time, as by squat compare: runs of two speeds have the same milliseconds, not the same millimetres.

@@ -204,6 +204,8 @@ void MapWindow::askForFile() {
 void MapWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) draw();
+  if (event->type() == QEvent::ActivationChange)  // another size may have been chosen in the main window
+    for (FigureView* view : views_) view->setPrintedSize(storedFigureSize());
 }
 
 void MapWindow::showEvent(QShowEvent* event) {

@@ -1,0 +1,59 @@
+// Long records as text: any bytes give blocks of finite numbers with as many rows as channels, or an error of ours. Array
+// files go through the guarded reader, which fuzz_result covers.
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "core/Errors.h"
+#include "readers/ArrayFile.h"
+#include "records/RecordStream.h"
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void judge(const squat::records::RecordBlock& block, std::size_t channels, std::size_t maximum) {
+  require(block.size() > 0 && block.size() <= maximum);
+  require(block.values.size() == channels && block.speed.size() == block.size());
+  require(block.latitude.size() == block.longitude.size());
+  for (const auto& row : block.values) {
+    require(row.size() == block.size());
+    for (const double value : row) require(std::isfinite(value));
+  }
+  for (const double position : block.position) require(std::isfinite(position));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace squat;
+  static const int file = ::memfd_create("fuzz.csv", 0);
+  require(file >= 0 && ::ftruncate(file, 0) == 0);
+  require(::pwrite(file, data, size, 0) == static_cast<ssize_t>(size));
+  const std::string path = "/proc/self/fd/" + std::to_string(file);
+  records::RecordOptions options;
+  options.columns.column = "all";
+  options.columns.speed = 30;
+  options.blockLength = 64;  // so that short inputs have seams between blocks
+  try {
+    if (readers::isArrayFile(path)) return 0;
+    const auto stream = records::openRecord(path, options);
+    records::RecordBlock block;
+    std::size_t samples = 0;
+    while (stream->next(block)) {
+      judge(block, stream->layout().channels.size(), options.blockLength);
+      samples += block.size();
+      require(samples <= size);  // a row takes a byte at least
+    }
+    for (const auto& fault : stream->faults()) require(fault.first <= fault.end && !fault.text.empty());
+  } catch (const FileError&) {
+  } catch (const CaseError&) {
+  }
+  return 0;
+}
