@@ -25,6 +25,8 @@ nlohmann::ordered_json parsedJson(const std::string& text, const std::string& or
     return nlohmann::ordered_json::parse(text);
   } catch (const nlohmann::ordered_json::parse_error& error) {
     throw FileError(origin, locationOf(text, error.byte), "is not JSON, or was cut off here", advice);
+  } catch (const nlohmann::ordered_json::out_of_range&) {  // 1e999; the library does not say where
+    throw FileError(origin, "", "holds a number beyond 1.8e308", advice);
   }
 }
 

@@ -1,5 +1,5 @@
-// Long records as text: any bytes give blocks of finite numbers with as many rows as channels, or an error of ours. Array
-// files go through the guarded reader, which fuzz_result covers.
+// Long records as text: any bytes give blocks of finite numbers with as many rows as channels, or an error of ours.
+// Array files go through the guarded reader, which fuzz_result covers.
 #include <sys/mman.h>
 #include <unistd.h>
 

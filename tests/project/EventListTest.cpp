@@ -93,6 +93,7 @@ TEST(EventList, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(location("\"depth_mm\": [", "\"depth_mm\": [[],"), "/events/0/depth_mm/0");
   EXPECT_THAT(refusalOf("").location(), HasSubstr("line 1"));
   EXPECT_THAT(refusalOf("[1]").what(), HasSubstr("not a table"));
+  EXPECT_THAT(refusalOf("[1e999]").what(), HasSubstr("beyond 1.8e308"));
   EXPECT_THAT(refusalOf(good.substr(0, good.size() / 2)).what(), HasSubstr("cut off"));
   const Folder folder;
   EXPECT_THROW(readEventList(folder.path("squats.json")), FileError);

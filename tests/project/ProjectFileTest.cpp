@@ -211,6 +211,7 @@ TEST(ProjectFile, damageIsNamedOrHarmless) {
 TEST(ProjectFile, strangersAreRefused) {
   EXPECT_THAT(refusalOf("").location(), HasSubstr("line 1"));
   EXPECT_THAT(refusalOf("[]").what(), HasSubstr("not a table"));
+  EXPECT_THAT(refusalOf("[1e999]").what(), HasSubstr("beyond 1.8e308"));  // the largest double; found by the fuzzer
   EXPECT_THAT(refusalOf(std::string(1U << 20U, '[')).location(), HasSubstr("line 1"));
   const Folder folder;
   EXPECT_THROW(readProject(folder.path("none.squat-project")), FileError);
