@@ -80,7 +80,7 @@ class Planner {
     if (list.empty()) return {};
     if (!isReadable(list)) return missing(list);
     const fs::path from = fs::path(list).parent_path(), to = "events";
-    const std::string placed = add(list, to / fs::path(list).filename());
+    std::string placed = add(list, to / fs::path(list).filename());
     for (const char* name : {"squats.csv", "squats.geojson"})
       if (isReadable(from / name) && isFree(to / name, from / name)) add(from / name, to / name);
     for (const char* name : {"passages", "other-events"}) {

@@ -338,7 +338,7 @@ TEST_F(MeasuredColumns, aUnitIsChosenWhereTheFileHasNone) {
 }
 
 TEST_F(MeasuredColumns, ofOneRunOfSeveralAreChanged) {
-  const auto run = [](int row) { return static_cast<double>(row / 1000); };
+  const auto run = [](int row) { return row < 1000 ? 0.0 : 1.0; };
   const auto since = [](int row) { return timeAt(row % 1000); };
   const auto scaled = [&](double peak) {
     return [=](int row) { return (1 + run(row)) * strike(peak, since(row) - 0.1); };

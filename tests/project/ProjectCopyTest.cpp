@@ -57,7 +57,7 @@ class CopiedProject : public testing::Test {
   // Two runs, a measured signal and a label file of one name each, a passage that is laid over a run, two cases with
   // profiles in other places, records with their list of events. What is in results and records does not matter here.
   Project everything() const {
-    write("here/a/dip.h5", std::string(9000000, 'a'));  // more than is copied at once
+    write("here/a/dip.h5", std::string(8000000, 'a'));  // more than is copied at once
     write("here/b/dip.h5", std::string("b\0\xff", 3));
     write("here/signals/table.csv", "a signal");
     write("here/records/table.csv", "a record");
@@ -159,7 +159,7 @@ TEST_F(CopiedProject, saysWhatIsMissingAndKeepsItsLink) {
   const auto read = readProject(target());
   EXPECT_EQ(read.entries[1].path, project.entries[1].path);
   EXPECT_EQ(read.records.files, project.records.files);
-  EXPECT_EQ(contentOf(read.entries[0].path), std::string(9000000, 'a'));
+  EXPECT_EQ(contentOf(read.entries[0].path), std::string(8000000, 'a'));
 }
 
 TEST_F(CopiedProject, withoutFilesIsAFile) {

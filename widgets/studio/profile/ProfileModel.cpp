@@ -1,5 +1,7 @@
 #include "studio/profile/ProfileModel.h"
 
+#include <QObject>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 
