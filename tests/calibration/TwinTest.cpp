@@ -140,6 +140,7 @@ TEST(TwinExperiment, ThePadIsFoundAgainFromANoisyReceptance) {
   const std::vector<std::string> free{"pad.stiffness=500:2600", "pad.damping=15:120"};
   const Values truth{940, 63};
   cases::CaseOverrides track;
+  track.preset = "tiny";  // three metres of track: seconds a point
   track.values = {{"pad.stiffness", valueText(truth[0])}, {"pad.damping", valueText(truth[1])}};
   writeHammerTest(folder / "sleeper.csv", track, "over a sleeper");
   writeHammerTest(folder / "midspan.csv", track, "midspan");
@@ -148,6 +149,8 @@ TEST(TwinExperiment, ThePadIsFoundAgainFromANoisyReceptance) {
       << R"( {"file": "midspan.csv", "point": "midspan"}]})";
   CalibrationDefinition definition;
   definition.caseName = "smooth-rail";
+  definition.overrides.preset = "tiny";
+  definition.evaluations = 40;
   definition.inputs = freeInputsFromText(free);
   definition.targets = readTargets({folder / "targets.json"}, definition.caseName);
   definition.confirmMesh = "tiny";
