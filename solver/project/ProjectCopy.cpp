@@ -76,7 +76,7 @@ class PartFolder {
   bool renamed_ = false, kept_ = false;
 };
 
-// Reports how much is copied, and asks whether to go on.
+// Reports how much is copied, and asks whether to continue.
 class Watch {
  public:
   Watch(Monitor& monitor, const std::vector<PlannedFile>& files) : monitor_(monitor) {

@@ -240,7 +240,7 @@ void MeasuredDialog::listColumns(const std::string& run) {
   choose(*position_, options_.positionColumn.empty() ? byHeader : static_cast<int>(named.position));
 }
 
-// A unit that was chosen here is a gain: it is told again where nothing else is in it.
+// A unit that was chosen here is a gain: it is recognised again where nothing else is in it.
 void MeasuredDialog::recogniseUnit() {
   const int column = signal_->currentData().toInt();
   if (column < 0 || head_.table.columns.empty()) return;

@@ -20,7 +20,7 @@
 namespace squat::studio {
 namespace {
 
-constexpr std::size_t headBytes = std::size_t{4} << 20;  // the lines that tell the layout, however long they are
+constexpr std::size_t headBytes = std::size_t{4} << 20;  // the lines that show the layout, however long they are
 constexpr std::size_t valueRows = 100;                   // a column that rises evenly shows it in these
 constexpr std::size_t shownRows = 20;
 

@@ -84,7 +84,7 @@ class MainWindow : public QMainWindow {
   void openLastProject();  // the one that was open when the program ended, unless there is work already
   bool saveProjectAs();    // asks for a place
   bool saveProjectTo(const QString& path);
-  bool copyProject();  // with its data; asks for a place
+  bool copyProject();  // with its data; asks for a location
   bool copyProjectTo(const QString& path);
   bool closeProject();  // saves it; a new case and an empty list follow
   bool saveReport();    // asks for a place
