@@ -20,12 +20,12 @@ class Pipeline {
   Pipeline(RecordDetection& result, const DetectOptions& options)
       : result_(result),
         threshold_(options.threshold),
-        most_(options.threads > 0 ? static_cast<std::size_t>(options.threads)
-                                  : std::max<std::size_t>(1, std::thread::hardware_concurrency())) {}
+        maximum_(options.threads > 0 ? static_cast<std::size_t>(options.threads)
+                                     : std::max<std::size_t>(1, std::thread::hardware_concurrency())) {}
 
   void add(std::vector<Segment> segments) {
     for (auto& segment : segments) {
-      while (underWay_.size() >= most_) takeFirst();
+      while (underWay_.size() >= maximum_) takeFirst();
       underWay_.push_back(std::async(std::launch::async, [threshold = threshold_, segment = std::move(segment)] {
         std::vector<SegmentEvents> found;
         for (std::size_t c = 0; c < segment.channels.size(); ++c) found.push_back(segmentEvents(segment, c, threshold));
@@ -50,7 +50,7 @@ class Pipeline {
 
   RecordDetection& result_;
   double threshold_;
-  std::size_t most_;
+  std::size_t maximum_;
   std::deque<std::future<std::vector<SegmentEvents>>> underWay_;
 };
 
@@ -122,8 +122,8 @@ std::vector<Example> labelled(const RecordDetection& detection, const std::vecto
       continue;
     }
     const auto& features = nearest->features;
-    Example example{label.kind, "labels", label.length, label.depth,     features.speed,
-                    0,          weight,   {},           features.before, features.reach};
+    Example example{label.kind, "labels",        label.length,   label.depth, features.speed, 0, weight,
+                    {},         features.before, features.reach, {}};
     for (std::size_t b = 0; b < bandCount; ++b)
       example.energy[b] = std::max(0.0, features.energy[b] - features.noise[b]);
     examples.push_back(std::move(example));

@@ -6,8 +6,16 @@
 
 #include "detection/EventFeatures.h"
 #include "detection/Severity.h"
+#include "scenario/Defect.h"
 
 namespace squat::detection {
+
+// What a squat has beside length and depth, DefectSurface.h. Labels and older tables do not know it: `none`.
+struct SquatForm {
+  scenario::DefectShape shape = scenario::DefectShape::none;
+  double middleHeight = 0;                              // [-]
+  double waveLength = 0, waveDepth = 0, waveCount = 0;  // [m], [m], [-]
+};
 
 // One passage without noise, computed by the solver or labelled by the user.
 struct Example {
@@ -19,6 +27,7 @@ struct Example {
   double weight = 1;
   std::array<double, bandCount> energy{};  // [m2/s3] in the event's window
   double before = 0, reach = 0;            // as in EventFeatures
+  SquatForm form;                          // of a squat
 };
 
 }  // namespace squat::detection

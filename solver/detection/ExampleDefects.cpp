@@ -75,6 +75,11 @@ ExampleDefect weldWith(Shares& shares) {
 
 }  // namespace
 
+SquatForm ExampleDefect::form() const {
+  if (kind != Kind::squat) return {};
+  return {defect.shape, defect.middleHeight, defect.waveLength, defect.waveDepth, defect.waveCount};
+}
+
 std::vector<ExampleDefect> exampleSquats(std::size_t count, std::uint32_t seed) {
   using enum scenario::DefectShape;
   constexpr scenario::DefectShape shapes[] = {cosine, wshape, dipWithWave};

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "detection/Severity.h"
+#include "detection/Example.h"
 #include "scenario/Defect.h"
 
 namespace squat::detection {
@@ -15,6 +15,8 @@ struct ExampleDefect {
   double length = 0, depth = 0;  // [m]
   scenario::Defect defect;
   double before = 0, behind = 0;  // [m] that it reaches from its deepest point
+
+  SquatForm form() const;
 };
 
 // Squats: cosine, W shape and dips with trailing waves, 12 to 95 mm long and 0.03 to 0.5 mm deep, spread evenly over

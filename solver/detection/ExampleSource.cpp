@@ -31,6 +31,11 @@ double typicalSpeed(const std::vector<RecordDetection>& records) {
   return std::round(*middle);  // so that the next record of this train finds them again
 }
 
+bool isOfOneVehicle(const std::vector<Example>& examples) {
+  return std::all_of(examples.begin(), examples.end(),
+                     [&](const Example& each) { return each.vehicle == examples.front().vehicle; });
+}
+
 std::optional<std::vector<Example>> ownExamples(const SourceOptions& options, double speed, Monitor& monitor) {
   auto description = *options.vehicle;
   if (speed > 0) description.motion.speed = speed, description.motion.angularVelocity = 0;
@@ -63,11 +68,17 @@ std::optional<ExampleSource> exampleSource(const SourceOptions& options, const s
                        ? "passages of other vehicles and tracks: severities are uncertain, --case narrows them"
                        : options.examplesFile;
   }
+  source.sizes = SizeModel(source.examples);
+  if (isOfOneVehicle(source.examples)) source.own = source.examples;
+  if (!source.sizes.isKnown()) source.sizes = SizeModel(readExamples(generalExamples()));
   if (options.labelsFile.empty()) return source;
   const auto labels = readLabels(options.labelsFile);
   std::size_t missed = 0;
   for (const auto& record : records)
-    for (auto& example : labelled(record, labels, kLabelWeight, missed)) source.examples.push_back(example);
+    for (auto& example : labelled(record, labels, kLabelWeight, missed)) {
+      source.own.push_back(example);
+      source.examples.push_back(std::move(example));
+    }
   source.words += ", and " + std::to_string(labels.size()) + (labels.size() == 1 ? " label of " : " labels of ") +
                   options.labelsFile;
   return source;
@@ -78,7 +89,7 @@ DetectionReport judged(std::vector<RecordDetection> records, const ExampleSource
   DetectionReport report;
   report.records = std::move(records);
   report.examples = source.words;
-  const Judge judge(source.examples, source.judgement);
+  const Judge judge(source.examples, source.judgement, source.sizes, source.own);
   for (auto& record : report.records) judgeCandidates(record, judge, options);
   report.events = combine(report.records);
   return report;

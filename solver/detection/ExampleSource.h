@@ -26,6 +26,8 @@ struct SourceOptions {
 struct ExampleSource {
   std::vector<Example> examples;
   JudgementOptions judgement;  // narrower for the vehicle at hand
+  SizeModel sizes;             // of many vehicles
+  std::vector<Example> own;    // passages of the records' own vehicle: of its case, of a table of one vehicle, labels
   std::string words;           // where they come from
 };
 

@@ -1,6 +1,8 @@
 #include "detection/Examples.h"
 
+#include <array>
 #include <string_view>
+#include <utility>
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -11,12 +13,16 @@ namespace squat::detection {
 namespace {
 
 constexpr std::size_t fixedColumns = 7;
-constexpr std::size_t columns = fixedColumns + bandCount + 2;
+constexpr std::size_t formColumn = fixedColumns + bandCount + 2;  // tables of before 0.3 end here
+constexpr std::size_t columns = formColumn + 5;
+constexpr std::array shapeNames{std::pair{scenario::DefectShape::cosine, "cosine"},
+                                std::pair{scenario::DefectShape::wshape, "w-shape"},
+                                std::pair{scenario::DefectShape::dipWithWave, "dip-with-wave"}};
 
 std::string headLine() {
   std::string head = "kind,vehicle,length [mm],depth [mm],speed [m/s],offset [mm],weight";
   for (const auto& band : detectionBands()) head += ",energy " + band.name + " [m2/s3]";
-  return head + ",before,reach [m]\n";
+  return head + ",before,reach [m],shape,middle height,wave length [mm],wave depth [mm],waves\n";
 }
 
 double numberAt(const std::vector<std::string>& row, std::size_t column, const std::string& path, std::size_t line) {
@@ -25,6 +31,29 @@ double numberAt(const std::vector<std::string>& row, std::size_t column, const s
     throw FileError(path, "line " + std::to_string(line), "'" + row[column] + "' is not a number",
                     "Make the table again with squat examples");
   return *value;
+}
+
+std::string formText(const SquatForm& form) {
+  std::string text;
+  for (const auto& [shape, name] : shapeNames)
+    if (form.shape == shape) text = name;
+  for (const double value : {form.middleHeight, 1e3 * form.waveLength, 1e3 * form.waveDepth, form.waveCount})
+    text += ',' + text::numberText(value);
+  return text;
+}
+
+SquatForm formFrom(const std::vector<std::string>& row, const std::string& path, std::size_t line) {
+  SquatForm form;
+  if (row.size() == formColumn || row[formColumn].empty()) return form;
+  for (const auto& [shape, name] : shapeNames)
+    if (row[formColumn] == name) form.shape = shape;
+  if (form.shape == scenario::DefectShape::none)
+    throw FileError(path, "line " + std::to_string(line), "'" + row[formColumn] + "' is no shape",
+                    "Write cosine, w-shape, dip-with-wave or nothing");
+  const auto number = [&](std::size_t column) { return numberAt(row, formColumn + column, path, line); };
+  form.middleHeight = number(1), form.waveLength = 1e-3 * number(2), form.waveDepth = 1e-3 * number(3);
+  form.waveCount = number(4);
+  return form;
 }
 
 Example exampleFrom(const std::vector<std::string>& row, const std::string& path, std::size_t line) {
@@ -44,6 +73,7 @@ Example exampleFrom(const std::vector<std::string>& row, const std::string& path
   for (std::size_t b = 0; b < bandCount; ++b) example.energy[b] = number(fixedColumns + b);
   example.before = number(fixedColumns + bandCount);
   example.reach = number(fixedColumns + bandCount + 1);
+  example.form = formFrom(row, path, line);
   if (!(example.speed > 0) || !(example.weight >= 0))
     throw FileError(path, "line " + std::to_string(line), "the speed must be above zero and the weight not below it");
   return example;
@@ -59,7 +89,8 @@ std::string examplesText(const std::vector<Example>& examples) {
          {1e3 * example.length, 1e3 * example.depth, example.speed, 1e3 * example.offset, example.weight})
       text += ',' + text::numberText(value);
     for (const double value : example.energy) text += ',' + text::numberText(value);
-    text += ',' + text::numberText(example.before) + ',' + text::numberText(example.reach) + '\n';
+    text += ',' + text::numberText(example.before) + ',' + text::numberText(example.reach) + ',' +
+            formText(example.form) + '\n';
   }
   return text;
 }
@@ -70,7 +101,7 @@ std::vector<Example> readExamples(const std::string& path) {
   std::vector<Example> examples;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].size() == 1 && rows[i][0].empty()) continue;
-    if (rows[i].size() != columns)
+    if (rows[i].size() != columns && rows[i].size() != formColumn)
       throw FileError(path, "line " + std::to_string(i + 1),
                       "has " + std::to_string(rows[i].size()) + " fields, must be " + std::to_string(columns),
                       "Make the table again with squat examples");

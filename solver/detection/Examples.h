@@ -7,7 +7,7 @@
 #include "detection/EventFeatures.h"
 #include "detection/Example.h"
 #include "detection/Severity.h"
-#include "detection/SizeTrend.h"
+#include "detection/SizePosterior.h"
 
 namespace squat::detection {
 
@@ -43,7 +43,9 @@ struct JudgementOptions {
 // freedom brings. An example counts at the speed of the event: energies go with the square of the speed.
 class Judge {
  public:
-  Judge(std::vector<Example> examples, JudgementOptions options);
+  // Where `sizes` is known, length, depth and severity of squats come from it, with `own`, passages of the records' own
+  // vehicle; else from the examples as kind and sureness do.
+  Judge(std::vector<Example> examples, JudgementOptions options, SizeModel sizes = {}, std::vector<Example> own = {});
 
   // The events of one record share vehicle and track: examples of vehicles that explain all of them well count more.
   std::vector<Judgement> judge(const std::vector<EventFeatures>& events) const;
@@ -55,12 +57,16 @@ class Judge {
   std::vector<double> logLikelihoods(const EventFeatures& event) const;
   double logNothing(const EventFeatures& event) const;
   std::vector<double> vehicleWeights(const std::vector<std::vector<double>>& likelihoods) const;
+  double logDensityOf(Kind kind, const EventFeatures& event, const Vehicle& vehicle) const;
+  void takeKind(const EventFeatures& event, const SquatSizes& sizes, double asSquat, Judgement& judgement) const;
+  void takeSizes(const std::vector<EventFeatures>& events, std::vector<Judgement>& judgements) const;
   Judgement weigh(const EventFeatures& event, const std::vector<double>& likelihoods,
                   const std::vector<double>& vehicles) const;
 
   std::vector<Example> examples_;
   JudgementOptions options_;
-  SizeTrend trend_;
+  SizeModel sizes_;
+  std::vector<Example> own_;
   std::vector<std::string> vehicles_;
   std::vector<std::size_t> vehicleOf_;  // of each example
   std::vector<double>

@@ -99,8 +99,8 @@ double quantile(std::vector<Weighted> values, double share) {
 
 }  // namespace
 
-Judge::Judge(std::vector<Example> examples, JudgementOptions options)
-    : examples_(std::move(examples)), options_(options), trend_(examples_) {
+Judge::Judge(std::vector<Example> examples, JudgementOptions options, SizeModel sizes, std::vector<Example> own)
+    : examples_(std::move(examples)), options_(options), sizes_(std::move(sizes)), own_(std::move(own)) {
   std::vector<std::vector<std::size_t>> count(groups);  // of examples, a group and vehicle
   for (const auto& example : examples_) {
     const auto found = std::find(vehicles_.begin(), vehicles_.end(), example.vehicle);
@@ -172,11 +172,9 @@ Judgement Judge::weigh(const EventFeatures& event, const std::vector<double>& li
     const auto& example = examples_[i];
     ofKind[static_cast<std::size_t>(example.kind)] += weight;
     if (example.kind != Kind::squat) continue;
-    const auto factors = trend_.factors(example, event);
-    const double length = example.length * factors.length, depth = example.depth * factors.depth;
-    addSeverities(ofSeverity, length, depth, weight, options_);
-    addSizes(lengths, length, weight, options_.sizeSpread);
-    addSizes(depths, depth, weight, options_.sizeSpread);
+    addSeverities(ofSeverity, example.length, example.depth, weight, options_);
+    addSizes(lengths, example.length, weight, options_.sizeSpread);
+    addSizes(depths, example.depth, weight, options_.sizeSpread);
     offset += weight * example.offset;
   }
   const auto best = std::max_element(ofKind.begin(), ofKind.end());
@@ -195,12 +193,66 @@ Judgement Judge::weigh(const EventFeatures& event, const std::vector<double>& li
   return judgement;
 }
 
+// Log density of an event if it has the cause of one of `kind`'s examples, each freed of its own vehicle and taken to
+// that of the record.
+double Judge::logDensityOf(Kind kind, const EventFeatures& event, const Vehicle& vehicle) const {
+  const BandMatrix scatter = sizes_.betweenPassages() + vehicle.covariance;
+  std::vector<double> logs;
+  double weights = 0;
+  for (const auto& example : examples_) {
+    if (example.kind != kind) continue;
+    const auto* deviation = sizes_.deviation(example.vehicle);
+    const BandValues expected = measuredEnergies(example) - (deviation ? *deviation : vehicle.mean);
+    const double apart = std::log(event.speed / example.speed) / speedSpread;
+    logs.push_back(std::log(std::max(example.weight, 1e-9)) - 0.5 * apart * apart +
+                   matchOf(event, expected, vehicle, scatter).logDensity);
+    weights += example.weight * std::exp(-0.5 * apart * apart);
+  }
+  return logSum(logs) - std::log(std::max(weights, 1e-9));
+}
+
+void Judge::takeKind(const EventFeatures& event, const SquatSizes& sizes, double asSquat, Judgement& judgement) const {
+  std::vector<double> logs(kinds, -std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < kinds; ++k) {
+    const auto kind = static_cast<Kind>(k);
+    logs[k] = kind == Kind::squat ? asSquat : logDensityOf(kind, event, sizes.vehicle);
+  }
+  const double all = logSum(logs);
+  const auto best = std::max_element(logs.begin(), logs.end());
+  judgement.kind = static_cast<Kind>(best - logs.begin());
+  judgement.sureness = std::exp(*best - all);
+  judgement.squatProbability = std::exp(logs[static_cast<std::size_t>(Kind::squat)] - all);
+}
+
+void Judge::takeSizes(const std::vector<EventFeatures>& events, std::vector<Judgement>& judgements) const {
+  constexpr std::size_t possible = 700;  // 2000 give the same severities but for one in a hundred
+  const PossibleSquats squats(possible, options_.limits);
+  SquatSizes sizes;
+  for (int pass = 0; pass < 3; ++pass) {
+    std::vector<double> probabilities;
+    for (const auto& judgement : judgements)
+      probabilities.push_back(judgement.squatProbability * (1 - judgement.nothing));
+    sizes = squatSizes(sizes_, squats, events, probabilities, own_);
+    for (std::size_t i = 0; i < events.size(); ++i) takeKind(events[i], sizes, sizes.each[i].logDensity, judgements[i]);
+  }
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const auto& size = sizes.each[i];
+    auto& judgement = judgements[i];
+    const auto likeliest = std::max_element(size.severity.begin(), size.severity.end());
+    judgement.severity = static_cast<Severity>(likeliest - size.severity.begin());
+    judgement.severitySureness = *likeliest;
+    judgement.length = size.length, judgement.lengthLow = size.lengthLow, judgement.lengthHigh = size.lengthHigh;
+    judgement.depth = size.depth, judgement.depthLow = size.depthLow, judgement.depthHigh = size.depthHigh;
+  }
+}
+
 std::vector<Judgement> Judge::judge(const std::vector<EventFeatures>& events) const {
   std::vector<std::vector<double>> likelihoods;
   for (const auto& event : events) likelihoods.push_back(logLikelihoods(event));
   const auto vehicles = vehicleWeights(likelihoods);
   std::vector<Judgement> judgements;
   for (std::size_t i = 0; i < events.size(); ++i) judgements.push_back(weigh(events[i], likelihoods[i], vehicles));
+  if (sizes_.isKnown() && !events.empty()) takeSizes(events, judgements);
   return judgements;
 }
 

@@ -102,7 +102,10 @@ class Runs {
     std::optional<Example> example;
     try {
       auto result = resultOf(description, run, quiet);
-      if (result.complete) example = exampleOf(result, defect.kind, defect.length, defect.depth);
+      if (result.complete) {
+        example = exampleOf(result, defect.kind, defect.length, defect.depth);
+        example->form = defect.form();
+      }
     } catch (const std::exception& error) {
       const std::lock_guard lock(mutex_);
       failure = error.what();

@@ -13,7 +13,7 @@ std::size_t FaultList::add(RecordFault fault) {
       last.end = fault.end;
       return kind.last;
     }
-    if (kind.count >= mostOfAKind) {
+    if (kind.count >= maximumOfAKind) {
       last.end = std::max(last.end, fault.end);
       last.channel = last.channel == fault.channel ? last.channel : -1;
       last.text = kind.text + "; " + std::to_string(++kind.more) + " more of this kind up to here are not listed";

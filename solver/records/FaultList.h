@@ -10,11 +10,10 @@ namespace squat::records {
 
 class FaultList {
  public:
-  static constexpr std::size_t mostOfAKind = 1000;
+  static constexpr std::size_t maximumOfAKind = 1000;
 
-  // A fault that begins where the last one of its kind and channel ends continues it. Beyond `mostOfAKind` the last one
-  // grows and counts, so that a broken record takes no more memory than a good one.
-  // Returns its index.
+  // A fault that begins where the last one of its kind and channel ends continues it. Beyond `maximumOfAKind` the last
+  // one grows and counts, so that a broken record takes no more memory than a good one. Returns its index.
   std::size_t add(RecordFault fault);
   void extend(std::size_t index, std::size_t end) { list_[index].end = end; }
   const std::vector<RecordFault>& list() const { return list_; }

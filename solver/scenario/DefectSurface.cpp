@@ -197,6 +197,14 @@ std::vector<ProfilePoint> DefectSurface::samples() const {
 
 double defectHeight(const Defect& defect, double x, double y) { return DefectSurface(defect).height(x, y); }
 
+std::vector<double> defectHeights(const Defect& defect, double margin, double step) {
+  const DefectSurface surface(defect);
+  std::vector<double> heights;
+  for (double x = surface.first() - margin; x <= surface.last() + margin; x += step)
+    heights.push_back(surface.height(x));
+  return heights;
+}
+
 std::vector<ProfilePoint> rigidWheelPath(const DefectSurface& surface, double radius, double from, double to,
                                          double step, double y) {
   std::vector<ProfilePoint> path;

@@ -60,6 +60,8 @@ class DefectSurface {
 
 // Height of one point; builds the surface anew, so for many points use DefectSurface.
 double defectHeight(const Defect& defect, double x, double y = 0);
+// Along y = 0, `step` apart, from `margin` ahead of the first point that is not plane to as far behind the last.
+std::vector<double> defectHeights(const Defect& defect, double margin, double step);
 
 // Path of the centre of a rigid wheel that rolls over the line at y, relative to the path on a smooth rail:
 // w(x) = max over s of h(x + s) - (radius - sqrt(radius^2 - s^2)), at x = from, from + step, ... up to `to`.

@@ -89,25 +89,6 @@ TEST(Judge, EventsOfOneRecordShareTheirVehicle) {
   EXPECT_GT(together.severitySureness, 0.9);
 }
 
-// Squats whose energies go exactly with length^2 depth^2 in all bands, with a fixed ratio of the two: between two of
-// the examples the size follows the trend. Ridge and kernel pull by some per cent.
-TEST(SizeTrend, CarriesSizesOverToTheEvent) {
-  std::vector<Example> many;
-  for (int i = 0; i < 12; ++i) {
-    const double length = 0.02 * std::pow(1.15, i);
-    many.push_back(example(Kind::squat, "a", 1e8 * std::pow(length, 4), length, length / 200));
-  }
-  const double between = many[5].length * std::sqrt(1.15);
-  const auto event = eventLike(example(Kind::squat, "a", 1e8 * std::pow(between, 4), between, between / 200), 30, 1e-6);
-  const SizeTrend trend(many);
-  for (const std::size_t i : {4U, 5U, 6U, 7U}) {
-    const auto factors = trend.factors(many[i], event);
-    EXPECT_NEAR(many[i].length * factors.length / between, 1, 0.02) << i;
-    EXPECT_NEAR(many[i].depth * factors.depth / (between / 200), 1, 0.02) << i;
-  }
-  EXPECT_DOUBLE_EQ(SizeTrend({many[0], many[1]}).factors(many[0], event).length, 1) << "two examples are no trend";
-}
-
 TEST(Examples, AreReadAsTheyWereWritten) {
   const auto path = (std::filesystem::temp_directory_path() / "examples-test.csv").string();
   auto some = known();

@@ -1,0 +1,48 @@
+// solver/detection/SizePosterior.h - how large the squats of one record are, and how severe.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "detection/EventMatch.h"
+#include "detection/ExampleDefects.h"
+
+namespace squat::detection {
+
+struct SquatSize {
+  std::array<double, 3> severity{};                  // probability of each
+  double length = 0, lengthLow = 0, lengthHigh = 0;  // [m] median and 90 % range
+  double depth = 0, depthLow = 0, depthHigh = 0;     // [m]
+  double logDensity = 0;                             // of the event's energies, if it is a squat
+};
+
+struct SquatSizes {
+  std::vector<SquatSize> each;  // of the events
+  Vehicle vehicle;
+};
+
+// Squats of all sizes and forms, each severity the same number of times in sum, with the spectra of their paths.
+class PossibleSquats {
+ public:
+  PossibleSquats(std::size_t count, const SeverityLimits& limits);
+
+  struct Squat {
+    double length = 0, depth = 0;  // [m]
+    Severity severity = Severity::light;
+    double weight = 0;  // sum 1
+    PathSpectrum path;
+  };
+  const std::vector<Squat>& all() const { return squats_; }
+
+ private:
+  std::vector<Squat> squats_;
+};
+
+// Bayes' rule over the possible squats. The events share their vehicle u, which is estimated with their sizes: sizes
+// given the vehicle, and the vehicle given the sizes, in turn until it rests. `squat`: probability of each event to be
+// one; what is none says nothing of the vehicle. `own`: passages of the same vehicle over squats of known sizes, such
+// as labels. The noise of an event adds to the energy of a squat, with the scatter that its degrees of freedom bring.
+SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
+                      const std::vector<double>& squat, const std::vector<Example>& own);
+
+}  // namespace squat::detection
