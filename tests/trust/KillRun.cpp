@@ -42,10 +42,11 @@ void killAndResume(int kills) {
     Program program(shortRun(folder.path(), {"--checkpoint-every", "0.01"}));
     if (kill % 4 != 0) program.waitForOutput("rolling");
     random = random * 1664525U + 1013904223U;
-    std::this_thread::sleep_for(std::chrono::milliseconds((random >> 8) % 1500));
-    // On a busy machine a run may not come to its first checkpoint by then: the last kill waits for it.
-    for (int wait = 0; kill == kills - 1 && !std::filesystem::exists(checkpoint) && wait < 600; ++wait)
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    // The last kill comes with the first checkpoint: by the random moment a busy machine may not have written one, and
+    // a fast one may be done and have removed it.
+    if (kill < kills - 1) std::this_thread::sleep_for(std::chrono::milliseconds((random >> 8) % 1500));
+    for (int wait = 0; kill == kills - 1 && !std::filesystem::exists(checkpoint) && wait < 6000; ++wait)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     program.signal(SIGKILL);
     program.wait();
     ASSERT_TRUE(results::readResult(result).complete) << "after kill " << kill;
