@@ -29,8 +29,8 @@ Value* member(CaseDescription& description, const Parameter& parameter) {
 }
 
 std::string shown(std::string_view text) {
-  constexpr std::size_t most = 60;
-  return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";
+  constexpr std::size_t maximum = 60;
+  return text.size() <= maximum ? std::string(text) : std::string(text.substr(0, maximum)) + "...";
 }
 
 CaseProblem problem(const Parameter& parameter, std::string_view value, std::string advice) {

@@ -21,7 +21,7 @@ ProfileSearch::ProfileSearch(const SmoothProfile& profile, const std::vector<Com
       smallest_(0.05 / radius),
       largest_(2 / radius),
       followed_(1 / radius),
-      mostRuns_(maximumRuns) {
+      maximumRuns_(maximumRuns) {
   const auto shifts = static_cast<Eigen::Index>(passages.size()) - 1;
   const auto& curvature = profile.curvature();
   penalty_ = Eigen::MatrixXd::Zero(curvature.rows(), curvature.cols() + shifts);
@@ -152,7 +152,7 @@ bool ProfileSearch::from(const Start& start) {
   slope_ = Eigen::MatrixXd::Zero(best_.residuals.size(), unknowns.size());  // nothing is known yet
   if (!best_.isRun || !findSlope()) return false;
   bool isFresh = true;
-  while (runs_.done() < mostRuns_) {
+  while (runs_.done() < maximumRuns_) {
     bool improvedMuch = false;
     const bool isBetter = step(improvedMuch);
     if (runs_.isCancelled()) return false;

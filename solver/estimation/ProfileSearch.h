@@ -54,7 +54,7 @@ class ProfileSearch {
   ProfileRuns& runs_;
   double smallest_, largest_;  // [1/m] limits of the scale of curvature
   double followed_;            // [1/m] curvature that the wheel can follow
-  int mostRuns_;
+  int maximumRuns_;
   double firstShift_ = 0;
   SearchState best_;
   Eigen::MatrixXd slope_, penalty_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
 #include "core/Errors.h"
 #include "text/Numbers.h"
@@ -18,6 +19,16 @@ std::string locationOf(const std::string& text, std::size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(1 + (end - start));
 }
 
+// Byte, counted from 1. The library quotes the number, and does not say where it stands: "... parsing '1e999'".
+std::size_t placeOf(const std::string& message, const std::string& text) {
+  const auto end = message.rfind('\'');
+  if (end == std::string::npos || end == 0) return 0;
+  const auto start = message.rfind('\'', end - 1);
+  if (start == std::string::npos) return 0;
+  const auto found = text.find(std::string_view(message).substr(start + 1, end - start - 1));
+  return found == std::string::npos ? 0 : found + 1;
+}
+
 }  // namespace
 
 nlohmann::ordered_json parsedJson(const std::string& text, const std::string& origin, const std::string& advice) {
@@ -25,8 +36,8 @@ nlohmann::ordered_json parsedJson(const std::string& text, const std::string& or
     return nlohmann::ordered_json::parse(text);
   } catch (const nlohmann::ordered_json::parse_error& error) {
     throw FileError(origin, locationOf(text, error.byte), "is not JSON, or was cut off here", advice);
-  } catch (const nlohmann::ordered_json::out_of_range&) {  // 1e999; the library does not say where
-    throw FileError(origin, "", "holds a number beyond 1.8e308", advice);
+  } catch (const nlohmann::ordered_json::out_of_range& error) {  // 1e999
+    throw FileError(origin, locationOf(text, placeOf(error.what(), text)), "is a number beyond 1.8e308", advice);
   }
 }
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "project/FileDigest.h"
+
 namespace squat::project {
 
 std::string changeOf(const Entry& entry, const signals::Record& record) {
-  if (entry.digest.empty() || entry.digest == recordDigest(record)) return {};
-  return entry.path + " holds other values than when the project was saved";
+  return entry.digest.empty() ? std::string() : changeOf(entry.path, entry.digest, recordDigest(record));
 }
 
 LinkedRun openRun(const Entry& entry, results::ResultContent content) {

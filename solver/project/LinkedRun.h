@@ -26,7 +26,7 @@ struct LinkedSignal {
 // Throws nothing.
 LinkedSignal openSignal(const Entry& entry);
 
-// "PATH holds other values than when the project was saved"; empty where the digests agree or one is not known.
+// As of a file (FileDigest.h): by all values of the record.
 std::string changeOf(const Entry& entry, const signals::Record& record);
 
 }  // namespace squat::project

@@ -11,7 +11,7 @@ namespace squat::project {
 
 using RecordPointer = std::shared_ptr<const signals::Record>;
 
-inline constexpr double leastGain = 0.001, mostGain = 1000;
+inline constexpr double minimumGain = 0.001, maximumGain = 1000;
 
 // How a measured signal is read again, and laid where it was.
 struct MeasuredReading {

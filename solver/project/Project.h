@@ -45,15 +45,38 @@ struct SeenEvent {
   std::string seenAs;  // "severe squat", "weld"
 };
 
+// How the rows of a table stand.
+struct TableOrder {
+  std::string sort;         // name of the column; empty: as they were made
+  bool descending = false;  // of that column
+  std::string group;        // name of the column whose values make groups; empty: none
+  std::string filter;       // as typed
+  bool operator==(const TableOrder&) const = default;
+};
+
 // Long records, the options of the search for events in them, and what came out.
 struct LongRecords {
-  std::vector<std::string> files;  // empty: none are open
-  std::string channels, chainage;  // as typed; empty: all accelerations, from the file
-  double speed = 0;                // [m/s]; 0: from the file
-  bool ownVehicle = false;         // judged by the vehicle and track of the open case
-  std::string labels;              // file of the user's labels; empty: none
-  std::string events;              // file of the list of events, squats.json; empty: not written yet
-  std::vector<SeenEvent> seen;     // saved as labels or not
+  std::vector<std::string> files;    // empty: none are open
+  std::vector<std::string> digests;  // fileDigest() of each; empty: not known
+  std::string channels, chainage;    // as typed; empty: all accelerations, from the file
+  double speed = 0;                  // [m/s]; 0: from the file
+  bool ownVehicle = false;           // judged by the vehicle and track of the open case
+  std::string labels;                // file of the user's labels; empty: none
+  std::string events;                // file of the list of events, squats.json; empty: not written yet
+  std::vector<SeenEvent> seen;       // saved as labels or not
+  TableOrder order;                  // of the list of events
+};
+
+// The part of an axis that is seen, low < high.
+struct AxisRange {
+  double low = 0, high = 0;  // in `unit`
+  std::string unit;          // "m", "s", "Hz", "N", "Pa", "m/s²": SI; of decibels, with what they refer to
+};
+
+// What is enlarged of a figure.
+struct FigureRange {
+  std::string figure;             // name of its tab
+  std::optional<AxisRange> x, y;  // none: the whole axis
 };
 
 // How the figures of the signals are computed and drawn.
@@ -61,8 +84,9 @@ struct FigureChoices {
   double cutoff = 0;        // [Hz] of the low-pass filter
   double from = 0, to = 0;  // [m] section of the spectrum
   std::string window, scale, colours;
-  int moment = -1;                   // of the contact patch, index; -1: the impact
-  std::size_t segment = 1, hop = 1;  // [samples] of the short-time Fourier transform
+  int moment = -1;                       // of the contact patch, index; -1: the impact
+  std::size_t segment = 1, hop = 1;      // [samples] of the short-time Fourier transform
+  std::vector<FigureRange> ranges = {};  // of the figures that are not seen whole
 };
 
 // All paths are absolute here; in the file they are relative to it where they can be (ProjectFile.h).
@@ -75,6 +99,7 @@ struct Project {
   std::vector<std::string> views;        // names of the tabs in front
   std::optional<FigureChoices> figures;  // none: as the program starts
   LongRecords records;
+  TableOrder runOrder;  // of the list of runs
 };
 
 // Eight hexadecimal digits that stand for times, positions and values of a record: whether a file still holds what it

@@ -11,6 +11,7 @@
 #include "core/ProgramVersion.h"
 #include "project/JsonNode.h"
 #include "project/MeasuredRecords.h"
+#include "project/ViewsInFile.h"
 
 namespace squat::project {
 namespace {
@@ -65,25 +66,23 @@ Json jsonOf(const Entry& entry, const std::string& folder) {
   return json;
 }
 
-Json jsonOf(const FigureChoices& figures) {
-  return {{"cutoff", figures.cutoff}, {"from", figures.from},       {"to", figures.to},
-          {"window", figures.window}, {"scale", figures.scale},     {"colours", figures.colours},
-          {"moment", figures.moment}, {"segment", figures.segment}, {"hop", figures.hop}};
-}
-
 Json jsonOf(const LongRecords& records, const std::string& folder) {
   Json files = Json::array(), seen = Json::array();
   for (const auto& file : records.files) files.push_back(linkOf(file, folder));
   for (const auto& each : records.seen)
     seen.push_back({{"position", each.position}, {"channel", each.channel}, {"seen_as", each.seenAs}});
-  return {{"files", files},
-          {"channels", records.channels},
-          {"chainage", records.chainage},
-          {"speed", records.speed},
-          {"own_vehicle", records.ownVehicle},
-          {"labels", linkOf(records.labels, folder)},
-          {"events", linkOf(records.events, folder)},
-          {"seen", seen}};
+  Json json{{"files", files},
+            {"channels", records.channels},
+            {"chainage", records.chainage},
+            {"speed", records.speed},
+            {"own_vehicle", records.ownVehicle},
+            {"labels", linkOf(records.labels, folder)},
+            {"events", linkOf(records.events, folder)},
+            {"seen", seen}};
+  const auto isKnown = [](const std::string& digest) { return !digest.empty(); };
+  if (std::any_of(records.digests.begin(), records.digests.end(), isKnown)) json["digests"] = records.digests;
+  if (records.order != TableOrder()) json["order"] = jsonOf(records.order);
+  return json;
 }
 
 bool isHexadecimal(const std::string& text, std::size_t from) {
@@ -145,25 +144,18 @@ Entry entryIn(const JsonNode& node, const std::string& folder) {
   if (entry.kind == Kind::run) return entry;
   entry.signal = node.at("signal").text();
   entry.impact = node.at("impact").number(-farthest, farthest);
-  if (node.has("gain")) entry.gain = node.at("gain").number(leastGain, mostGain);
+  if (node.has("gain")) entry.gain = node.at("gain").number(minimumGain, maximumGain);
   entry.reading = readingIn(node.at("reading"));
   return entry;
 }
 
-FigureChoices figuresIn(const JsonNode& node) {
-  constexpr double highest = 1e12;
-  constexpr int largest = 1 << 30;
-  FigureChoices figures;
-  figures.cutoff = node.at("cutoff").number(0, highest);
-  figures.from = node.at("from").number(-farthest, farthest);
-  figures.to = node.at("to").number(-farthest, farthest);
-  figures.window = node.at("window").text();
-  figures.scale = node.at("scale").text();
-  figures.colours = node.at("colours").text();
-  figures.moment = node.at("moment").whole(-1, largest);
-  figures.segment = static_cast<std::size_t>(node.at("segment").whole(1, largest));
-  figures.hop = static_cast<std::size_t>(node.at("hop").whole(1, largest));
-  return figures;
+std::vector<std::string> digestsIn(const JsonNode& node, std::size_t count) {
+  std::vector<std::string> digests;
+  for (const auto& digest : node.list()) digests.push_back(digestIn(digest));
+  if (digests.size() != count)
+    node.fail("has " + std::to_string(digests.size()) + " entries, not one for each of " + std::to_string(count) +
+              " files");
+  return digests;
 }
 
 LongRecords recordsIn(const JsonNode& node, const std::string& folder) {
@@ -180,6 +172,8 @@ LongRecords recordsIn(const JsonNode& node, const std::string& folder) {
   for (const auto& seen : node.at("seen").list(maximumSeen))
     records.seen.push_back(
         {seen.at("position").number(-farthest, farthest), seen.at("channel").text(), seen.at("seen_as").text()});
+  if (node.has("digests")) records.digests = digestsIn(node.at("digests"), records.files.size());
+  if (node.has("order")) records.order = orderIn(node.at("order"));
   return records;
 }
 
@@ -235,6 +229,7 @@ std::string projectText(const Project& project, const std::string& folder) {
       {"views", project.views}};
   if (project.figures) json["figures"] = jsonOf(*project.figures);
   if (!project.records.files.empty()) json["records"] = jsonOf(project.records, folder);
+  if (project.runOrder != TableOrder()) json["run_order"] = jsonOf(project.runOrder);
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -256,6 +251,7 @@ Project parseProject(const std::string& text, const std::string& origin, const s
   for (const auto& node : root.at("views").list()) project.views.push_back(node.text());
   if (root.has("figures")) project.figures = figuresIn(root.at("figures"));
   if (root.has("records")) project.records = recordsIn(root.at("records"), folder);
+  if (root.has("run_order")) project.runOrder = orderIn(root.at("run_order"));
   return project;
 }
 

@@ -94,8 +94,8 @@ Machine thisMachine() {
 
 RunDemand demandOnMesh(const std::string& preset) {
   const bool small = preset == "tiny" || preset == "draft";
-  constexpr double gibibyte = 1ULL << 30, maximum = 80000, mostOfLarge = 400000;  // elements
-  return {(small ? 0.5 : 2.0) * gibibyte, kTrafficOfAThread, kStateOfAnElement * (small ? maximum : mostOfLarge)};
+  constexpr double gibibyte = 1ULL << 30, maximum = 80000, maximumOfLarge = 400000;  // elements
+  return {(small ? 0.5 : 2.0) * gibibyte, kTrafficOfAThread, kStateOfAnElement * (small ? maximum : maximumOfLarge)};
 }
 
 Sharing shareMachine(const Machine& machine, const RunDemand& demand, Sharing wanted) {

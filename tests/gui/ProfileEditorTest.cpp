@@ -257,6 +257,57 @@ TEST_F(Editor, doubleClickInsertsAndDeleteRemoves) {
   EXPECT_EQ(points().size(), 5u);
 }
 
+// Halfway between both, in position and in height; the point behind the last one would be beyond the profile.
+TEST_F(Editor, insertAddsAPointHalfwayToTheNext) {
+  ProfilePlot& plot = *editor_.plot();
+  plot.choose(1);
+  QTest::keyClick(&plot, Qt::Key_Insert);
+  QTest::qWait(20);  // the table lays out its rows first
+  ASSERT_EQ(points().size(), 6u);
+  EXPECT_NEAR(points()[2].position, -0.01, 1e-12);
+  EXPECT_NEAR(points()[2].height, -1e-4, 1e-12);
+  EXPECT_EQ(chosen(), 2);
+  QTest::keyClick(&plot, Qt::Key_Insert);
+  EXPECT_NEAR(points()[3].position, -0.005, 1e-12);
+  plot.choose(6);
+  QTest::keyClick(&plot, Qt::Key_Insert);
+  ASSERT_EQ(points().size(), 8u);
+  EXPECT_NEAR(points()[6].position, 0.03, 1e-12);
+  EXPECT_NEAR(points()[6].height, -2.5e-5, 1e-12);
+  document_.undoStack().undo();
+  EXPECT_EQ(points().size(), 7u);
+}
+
+TEST_F(Editor, insertAndDeleteInTheTable) {
+  QTableView& table = *editor_.table();
+  table.setFocus();
+  table.setCurrentIndex(table.model()->index(1, 1));
+  QTest::keyClick(&table, Qt::Key_Insert);
+  QTest::qWait(20);
+  ASSERT_EQ(points().size(), 6u);
+  EXPECT_NEAR(points()[2].position, -0.01, 1e-12);
+  EXPECT_EQ(table.currentIndex().row(), 2);
+  QTest::keyClick(&table, Qt::Key_Delete);
+  EXPECT_EQ(points().size(), 5u);
+  EXPECT_NEAR(points()[2].position, 0, 1e-12);
+}
+
+// Arrows move a point that is chosen, else the view, by a tenth of its range.
+TEST_F(Editor, escapeGivesTheArrowsBackToTheView) {
+  ProfilePlot& plot = *editor_.plot();
+  const QCPRange x = plot.xAxis->range();
+  plot.choose(2);
+  QTest::keyClick(&plot, Qt::Key_Up);
+  EXPECT_NEAR(points()[2].height, -1.49e-4, 1e-12);  // a micrometre without snapping
+  EXPECT_EQ(plot.xAxis->range(), x);
+  QTest::keyClick(&plot, Qt::Key_Escape);
+  EXPECT_EQ(chosen(), -1);
+  QTest::keyClick(&plot, Qt::Key_Left);
+  EXPECT_NEAR(plot.xAxis->range().lower, x.lower - 0.1 * x.size(), 1e-9);
+  QTest::keyClick(&plot, Qt::Key_Home);
+  EXPECT_NEAR(plot.xAxis->range().lower, x.lower, 1e-9);
+}
+
 TEST_F(Editor, snappingAndArrowKeys) {
   editor_.plot()->setSnap(1e-3, 5e-6);
   editor_.plot()->choose(2);

@@ -27,6 +27,7 @@
 #include "studio/project/ProjectKeeper.h"
 #include "studio/project/RunReader.h"
 #include "studio/runs/RunsPanel.h"
+#include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
 
 namespace squat::studio {
@@ -348,13 +349,19 @@ TEST_F(ProjectOfRuns, keepsHowItsFiguresAreDrawn) {
 TEST_F(ProjectOfRuns, drawsNoFigureInAWayThatThereIsNot) {
   const auto window = open();
   SignalsPanel* panel = window->signalsPanel();
-  panel->setChoices({1e12, -1e12, 1e12, "triangle", "cubic", "plaid", 1 << 30, 1U << 30U, 1U << 30U}, {});
+  project::FigureChoices choices{1e12, -1e12, 1e12, "triangle", "cubic", "plaid", 1 << 30, 1U << 30U, 1U << 30U};
+  const project::AxisRange range{1, 2, "furlong"};
+  choices.ranges = {{"portrait", range, range}, {"psd", range, range}};
+  panel->setChoices(choices, path("one.h5"));
   EXPECT_EQ(panel->settings().cutoff, panel->findChild<QDoubleSpinBox*>("cutoff")->maximum());
   EXPECT_EQ(panel->settings().from, 1e-3 * panel->findChild<QDoubleSpinBox*>("psdFrom")->minimum());
   EXPECT_EQ(panel->settings().window, "hann");
   EXPECT_EQ(panel->settings().spectrum, plots::SpectrumScale::linear);
   EXPECT_EQ(panel->colourMap(), "viridis");
   EXPECT_LE(panel->settings().segment, 8192U);
+  window->store().add({std::make_shared<results::RunResult>(tests::syntheticResult()), "run", path("one.h5"), false});
+  panel->showTab("psd");
+  EXPECT_FALSE(panel->view("psd")->isZoomed());
 }
 
 // On a memory stick, which another machine reads: there is no other file left.

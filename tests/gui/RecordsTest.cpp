@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -22,6 +23,7 @@
 #include "case/ShippedCases.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
+#include "project/FileDigest.h"
 #include "project/ProjectFile.h"
 #include "studio/common/MessageBar.h"
 #include "studio/project/ProjectKeeper.h"
@@ -336,6 +338,62 @@ TEST_F(RecordsOfAProject, thatAreMissingAreNamedAndStay) {
   ASSERT_EQ(kept.records.seen.size(), 1U);
   EXPECT_EQ(kept.records.seen[0].seenAs, "light squat");
   EXPECT_EQ(kept.notes, "a note\n");
+}
+
+// Size and both ends are compared, in a thread; said once, as of runs.
+TEST_F(RecordsOfAProject, thatHaveChangedAreNamed) {
+  QFile record(path("record.csv"));
+  ASSERT_TRUE(QFile::copy(record_, record.fileName()));
+  ASSERT_TRUE(record.setPermissions(QFile::ReadOwner | QFile::WriteOwner));
+  auto project = madeUp();
+  project.records.files = {record.fileName().toStdString()};
+  write(project);
+  const auto digest = [this] {
+    const auto digests = project::readProject(path("day.squat-project").toStdString()).records.digests;
+    return digests.empty() ? std::string() : digests.at(0);
+  };
+  const auto isKept = [&] { return digest() == project::fileDigest(record.fileName().toStdString()); };
+  ASSERT_TRUE(window_.openProject(path("day.squat-project"))) << window_.messages()->text().toStdString();
+  EXPECT_TRUE(tests::passes(isKept, 20000));  // of a project that had none
+  ASSERT_TRUE(window_.closeProject());
+  ASSERT_TRUE(window_.openProject(path("day.squat-project")));
+  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, patience));
+  EXPECT_TRUE(window_.messages()->isHidden()) << window_.messages()->text().toStdString();  // it is as it was
+  ASSERT_TRUE(window_.closeProject());
+  ASSERT_TRUE(record.open(QIODevice::Append));
+  record.write("999,0,0\n");
+  record.close();
+  ASSERT_TRUE(window_.openProject(path("day.squat-project")));
+  EXPECT_TRUE(tests::passes([this] { return window_.messages()->text().contains("1 file"); }, 20000));
+  EXPECT_TRUE(detailsOf(*window_.messages()).contains(record.fileName() + " holds other values"))
+      << detailsOf(*window_.messages()).toStdString();
+  EXPECT_TRUE(tests::passes(isKept, 20000));
+  ASSERT_TRUE(window_.closeProject());
+  // Missing for a day, it is known again.
+  const std::string before = digest();
+  ASSERT_TRUE(record.rename(path("elsewhere.csv")));
+  ASSERT_TRUE(window_.openProject(path("day.squat-project")));
+  ASSERT_TRUE(window_.closeProject());
+  EXPECT_EQ(digest(), before);
+}
+
+TEST_F(RecordsOfAProject, areListedInItsOrder) {
+  auto project = madeUp();
+  project.records.order = {"peak", true, "", "squat"};
+  write(project);
+  ASSERT_TRUE(window_.openProject(path("day.squat-project"))) << window_.messages()->text().toStdString();
+  const QHeaderView* heading = view_->table()->horizontalHeader();
+  const auto* filter = view_->findChild<QLineEdit*>("eventFilter");
+  EXPECT_EQ(heading->sortIndicatorSection(), EventModel::peak);
+  EXPECT_EQ(heading->sortIndicatorOrder(), Qt::DescendingOrder);
+  EXPECT_EQ(filter->text(), "squat");
+  view_->table()->sortByColumn(EventModel::seen, Qt::AscendingOrder);
+  window_.keeper()->saveNow();
+  EXPECT_EQ(project::readProject(path("day.squat-project").toStdString()).records.order,
+            (project::TableOrder{"seen_as", false, "", "squat"}));
+  ASSERT_TRUE(window_.closeProject());  // the next work begins without
+  EXPECT_EQ(heading->sortIndicatorSection(), -1);
+  EXPECT_EQ(filter->text(), "");
 }
 
 // A search writes its list into the project that is open when it ends: that must not be another one.

@@ -133,6 +133,41 @@ TEST_F(Runs, sortAsNumbersAndComeBackInTheirOrder) {
   EXPECT_EQ(column("Depth [mm]"), (QStringList{"0.15", "0.3", "0.2"}));
 }
 
+// As a project keeps it: by what a column is called, wherever it stands, and whether or not it is there yet.
+TEST_F(Runs, standInTheOrderOfAProject) {
+  store_.add(computed(runOf({{"defect.depth", "0.15"}}, 1)));
+  panel_.setOrder({"defect.depth", true, "", ""});  // of one run there is no such column
+  EXPECT_EQ(panel_.table()->horizontalHeader()->sortIndicatorSection(), -1);
+  store_.add(computed(runOf({{"defect.depth", "0.3"}, {"mesh.preset", "tiny"}}, 3)));
+  store_.add(computed(runOf({{"defect.depth", "0.2"}}, 2)));
+  EXPECT_EQ(column("Depth [mm]"), (QStringList{"0.3", "0.2", "0.15"}));
+  EXPECT_EQ(panel_.order(), (project::TableOrder{"defect.depth", true, "", ""}));
+  // The last column goes on being the one after another one has come before it.
+  panel_.setOrder({"computing_time", true, "", ""});
+  store_.add(computed(runOf({{"defect.depth", "0.2"}, {"motion.speed", "31"}}, 4)));
+  EXPECT_EQ(column("Computed in"), (QStringList{"6 min 40 s", "5 min 0 s", "3 min 20 s", "1 min 40 s"}));
+  panel_.setOrder({"no.such", true, "no.such", "depth 0.2"});
+  EXPECT_EQ(column("Computed in"), (QStringList{"3 min 20 s", "6 min 40 s"}));  // as they were made
+  EXPECT_EQ(panel_.findChild<QLineEdit*>("runFilter")->text(), "depth 0.2");
+  panel_.setOrder({});
+  EXPECT_EQ(column("Depth [mm]"), (QStringList{"0.15", "0.3", "0.2", "0.2"}));
+}
+
+TEST_F(Runs, sayInWhichOrderTheyStand) {
+  addThree();
+  int changes = 0;
+  QObject::connect(&panel_, &RunsPanel::orderChanged, [&] { ++changes; });
+  clickHeading(1);
+  EXPECT_EQ(panel_.order(), (project::TableOrder{"peak", false, "", ""}));
+  clickHeading(1);
+  EXPECT_EQ(panel_.order(), (project::TableOrder{"peak", true, "", ""}));
+  clickHeading(1);
+  EXPECT_EQ(panel_.order(), project::TableOrder());
+  panel_.findChild<QLineEdit*>("runFilter")->setText("tiny");
+  EXPECT_EQ(panel_.order().filter, "tiny");
+  EXPECT_EQ(changes, 4);
+}
+
 TEST_F(Runs, areFilteredByNameAndValue) {
   addThree();
   store_.rename(2, "the good one");
@@ -181,6 +216,7 @@ TEST_F(GroupedRuns, standUnderHeadingsInTheOrderOfTheTable) {
   clickHeading(1);  // from the largest
   EXPECT_EQ(rows().mid(0, 3), (QStringList{"▾ Depth [mm]: 0.3 (2)", "depth 0.3, draft *", "depth 0.3, tiny *"}));
   EXPECT_EQ(panel_.table()->columnSpan(0, 0), panel_.table()->model()->columnCount());
+  EXPECT_EQ(panel_.order(), (project::TableOrder{"peak", true, "defect.depth", ""}));
   groupBy("Groups: Mesh");
   EXPECT_EQ(rows()[0], "▾ Mesh: draft (3)");
   EXPECT_EQ(rows()[4], "▾ Mesh: tiny (1)");

@@ -37,6 +37,12 @@ void expectTheWork(const Project& project) {
   EXPECT_EQ(project.notes, "First line\n");
   EXPECT_EQ(project.views, (std::vector<std::string>{"profile", "psd"}));
   // What came later has the values of a new project.
+  EXPECT_EQ(project.runOrder, TableOrder());
+  EXPECT_TRUE(project.records.digests.empty());
+  EXPECT_EQ(project.records.order, TableOrder());
+}
+
+void expectNeitherFiguresNorRecords(const Project& project) {
   EXPECT_FALSE(project.figures);
   EXPECT_TRUE(project.records.files.empty());
 }
@@ -44,6 +50,7 @@ void expectTheWork(const Project& project) {
 TEST(ProjectCompatibility, Schema1) {
   const auto project = readProject(frozen + "/squat-project-1.squat-project");
   ASSERT_NO_FATAL_FAILURE(expectTheWork(project));
+  expectNeitherFiguresNorRecords(project);
   EXPECT_EQ(project.entries[1].gain, 1);
   // Written again, the program of its day reads it.
   EXPECT_THAT(projectText(project, frozen), HasSubstr("\"schema_version\": 1,"));
@@ -52,8 +59,24 @@ TEST(ProjectCompatibility, Schema1) {
 TEST(ProjectCompatibility, Schema2) {
   const auto project = readProject(frozen + "/squat-project-2.squat-project");
   ASSERT_NO_FATAL_FAILURE(expectTheWork(project));
+  expectNeitherFiguresNorRecords(project);
   EXPECT_EQ(project.entries[1].gain, 1.25);
   EXPECT_THAT(projectText(project, frozen), HasSubstr("\"schema_version\": 2,"));
+}
+
+TEST(ProjectCompatibility, Schema3) {
+  const std::string path = frozen + "/squat-project-3.squat-project";
+  const auto project = readProject(path);
+  ASSERT_NO_FATAL_FAILURE(expectTheWork(project));
+  ASSERT_TRUE(project.figures);
+  EXPECT_EQ(project.figures->cutoff, 1250);
+  EXPECT_TRUE(project.figures->ranges.empty());
+  EXPECT_EQ(project.records.files, (std::vector<std::string>{frozen + "/records/day 1.csv", "/elsewhere/day 2.h5"}));
+  EXPECT_EQ(project.records.seen.at(1).seenAs, "weld");
+  // Written again, all of it is as the program of its day wrote it.
+  const auto fromCaseOn = [](const std::string& text) { return text.substr(text.find("\"open_case\"")); };
+  EXPECT_THAT(projectText(project, frozen), HasSubstr("\"schema_version\": 3,"));
+  EXPECT_EQ(fromCaseOn(projectText(project, frozen)), fromCaseOn(readWholeFile(path, 100000)));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "case/ParameterTable.h"
 #include "core/Errors.h"
 #include "core/FileLock.h"
+#include "project/FileDigest.h"
 #include "project/ProjectFile.h"
 
 namespace squat::project {
@@ -82,6 +83,7 @@ class CopiedProject : public testing::Test {
       if (i >= 2) project.entries[i].kind = Kind::measured;
     }
     project.records.files = {folder_.path("here/records/table.csv")};
+    project.records.digests = {fileDigest(project.records.files[0])};
     project.records.labels = folder_.path("here/found/squats.csv");  // corrected by hand
     project.records.events = folder_.path("here/found/squats.json");
     project.current = 0;
@@ -134,6 +136,7 @@ TEST_F(CopiedProject, isWholeOnAnotherMachine) {
   EXPECT_EQ(moved.entries[1].path, data + "/runs/2/dip.h5");
   EXPECT_EQ(moved.entries[3].path, data + "/events/passages/squat-0001.csv");
   EXPECT_EQ(contentOf(moved.records.files.at(0)), "a record");
+  EXPECT_EQ(moved.records.digests.at(0), fileDigest(moved.records.files.at(0)));  // it has not changed
   EXPECT_EQ(contentOf(moved.records.events), "events");
   EXPECT_EQ(contentOf(moved.records.labels), "the same");
   EXPECT_EQ(contentOf(data + "/events/passages/squat-0002.csv"), "another");
@@ -159,6 +162,7 @@ TEST_F(CopiedProject, saysWhatIsMissingAndKeepsItsLink) {
   const auto read = readProject(target());
   EXPECT_EQ(read.entries[1].path, project.entries[1].path);
   EXPECT_EQ(read.records.files, project.records.files);
+  EXPECT_EQ(read.records.digests, project.records.digests);
   EXPECT_EQ(contentOf(read.entries[0].path), std::string(8000000, 'a'));
 }
 

@@ -46,6 +46,9 @@ Project everything(const std::string& folder) {
   project.notes = "First line\n\tsecond: µm, \\, \"quoted\"\n";
   project.views = {"profile", "psd"};
   project.figures = {1250, -0.15, 0.3, "hamming", "third-octaves", "magma", 2, 256, 8};
+  project.figures->ranges = {{"aba_position", {}, AxisRange{-50.5, 80, "m/s²"}},
+                             {"psd", AxisRange{100, 2500, "Hz"}, AxisRange{1e-6, 0.25, "(m/s²)²/Hz"}}};
+  project.runOrder = {"defect.depth", false, "mesh.preset", "Tiefe"};
   auto& records = project.records;
   records.files = {folder + "/records/day 1.csv", "/elsewhere/day 2.h5"};
   records.channels = "left, right", records.chainage = "12+300";
@@ -53,6 +56,8 @@ Project everything(const std::string& folder) {
   records.ownVehicle = true;
   records.labels = folder + "/labels.csv", records.events = folder + "/found/squats.json";
   records.seen = {{12345.678, "left", "severe squat"}, {-3, "right", "weld"}};
+  records.digests = {"89abcdef", ""};  // the second one could not be read
+  records.order = {"peak", true, "", "squat"};
   return project;
 }
 
@@ -90,6 +95,15 @@ TEST(ProjectFile, whatIsWrittenIsRead) {
   EXPECT_EQ(read.figures->from, -0.15);
   EXPECT_EQ(read.figures->scale, "third-octaves");
   EXPECT_EQ(read.figures->moment, 2);
+  ASSERT_EQ(read.figures->ranges.size(), 2U);
+  EXPECT_FALSE(read.figures->ranges[0].x);
+  EXPECT_EQ(read.figures->ranges[0].y->low, -50.5);
+  EXPECT_EQ(read.figures->ranges[1].figure, "psd");
+  EXPECT_EQ(read.figures->ranges[1].x->high, 2500);
+  EXPECT_EQ(read.figures->ranges[1].y->unit, "(m/s²)²/Hz");
+  EXPECT_EQ(read.runOrder, project.runOrder);
+  EXPECT_EQ(read.records.order, project.records.order);
+  EXPECT_EQ(read.records.digests, project.records.digests);
   EXPECT_EQ(read.records.files, project.records.files);
   EXPECT_EQ(read.records.speed, project.records.speed);
   EXPECT_EQ(read.records.events, project.records.events);
@@ -146,6 +160,18 @@ TEST(ProjectFile, saysWhatIsWrongAndWhere) {
   EXPECT_EQ(place("\"moment\": 2", "\"moment\": -2"), "/figures/moment");
   EXPECT_EQ(place("\"segment\": 256", "\"segment\": 0"), "/figures/segment");
   EXPECT_EQ(place("\"hop\": 8", "\"hop\": 0.5"), "/figures/hop");
+  EXPECT_EQ(place("\"low\": 100.0", "\"low\": \"some\""), "/figures/ranges/1/x/low");
+  EXPECT_EQ(place("\"high\": 2500.0", "\"high\": null"), "/figures/ranges/1/x/high");  // as not-a-number is written
+  EXPECT_EQ(place("\"high\": 2500.0", "\"high\": 100"), "/figures/ranges/1/x");
+  EXPECT_THAT(refusalOf(with(good, "\"high\": 80.0", "\"high\": -60")).what(),
+              AllOf(HasSubstr("/figures/ranges/0/y"), HasSubstr("low end that is not below the high one")));
+  EXPECT_EQ(place("\"unit\": \"Hz\"", "\"unit\": 1"), "/figures/ranges/1/x/unit");
+  EXPECT_EQ(place("\"figure\": \"psd\"", "\"tab\": \"psd\""), "/figures/ranges/1");
+  EXPECT_EQ(place("\"sort\": \"defect.depth\"", "\"sort\": []"), "/run_order/sort");
+  EXPECT_EQ(place("\"descending\": false", "\"descending\": 0"), "/run_order/descending");
+  EXPECT_EQ(place("\"filter\": \"squat\"", "\"filter\": 1"), "/records/order/filter");
+  EXPECT_EQ(place("\"89abcdef\"", "\"89abcdeg\""), "/records/digests/0");
+  EXPECT_EQ(place("\"89abcdef\",", ""), "/records/digests");  // one for two files
   EXPECT_EQ(place("\"/elsewhere/day 2.h5\"", "\"\""), "/records/files/1");
   EXPECT_EQ(place("\"own_vehicle\": true", "\"own_vehicle\": 1"), "/records/own_vehicle");
   EXPECT_EQ(place("\"speed\": 33.3333333333333", "\"speed\": -1"), "/records/speed");
@@ -171,11 +197,13 @@ TEST(ProjectFile, theVersionIsThatOfWhatItHolds) {
   };
   auto project = everything("/home/somebody");
   EXPECT_EQ(version(project), "3");
-  project.records = {};  // figures raise nothing
+  project.records = {};  // figures and the order of tables raise nothing
   EXPECT_EQ(version(project), "2");
   project.entries[1].gain = 1;
   EXPECT_EQ(version(project), "1");
-  EXPECT_EQ(written(project).find("\"records\""), std::string::npos);
+  project.figures->ranges.clear(), project.runOrder = {};
+  for (const char* key : {"\"records\"", "\"ranges\"", "\"run_order\""})
+    EXPECT_EQ(written(project).find(key), std::string::npos) << key;
 }
 
 TEST(ProjectFile, whatIsCutOffIsRefused) {
@@ -212,6 +240,7 @@ TEST(ProjectFile, strangersAreRefused) {
   EXPECT_THAT(refusalOf("").location(), HasSubstr("line 1"));
   EXPECT_THAT(refusalOf("[]").what(), HasSubstr("not a table"));
   EXPECT_THAT(refusalOf("[1e999]").what(), HasSubstr("beyond 1.8e308"));  // the largest double; found by the fuzzer
+  EXPECT_EQ(refusalOf("[1,\n 1e999]").location(), "line 2, column 2");
   EXPECT_THAT(refusalOf(std::string(1U << 20U, '[')).location(), HasSubstr("line 1"));
   const Folder folder;
   EXPECT_THROW(readProject(folder.path("none.squat-project")), FileError);

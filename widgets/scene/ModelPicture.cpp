@@ -83,7 +83,7 @@ void addOverview(SurfacelessWindow& window, const results::RunResult& result, co
       springActor(springLines(result.surface, snapshot ? snapshot->wheelTravel : 0), 2.5 * pixels.line);
   for (const auto& plane : look.cuts) springs->GetMapper()->AddClippingPlane(plane);
   renderer->AddActor(springs);
-  aim(*renderer, {contactAt, -0.12, 0.24}, {0.55, -0.75, 0.42}, 0.95);
+  aim(*renderer, {contactAt, -0.12, 0.24}, overviewFrom, 0.95);
 }
 
 // With inner faces at y = 0 both bodies are cut there and the stress below the surface is seen; without them the wheel

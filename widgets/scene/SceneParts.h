@@ -47,6 +47,11 @@ double largestNear(const std::vector<PartData>& parts, double centre, double rea
 // Upper end of a scale with five even stretches of a round length.
 double roundUp(double value);
 
+// From the model to the eye that sees it as a whole: from the side of the track's middle, so that rolling is to the
+// right. The axle box is on the other side of the wheel. An eye that sees both stands nearly in front of the wheel and
+// 39 degrees above it, and shows neither rail nor wheel well.
+inline constexpr std::array<double, 3> overviewFrom{0.55, -0.75, 0.42};
+
 // Looks at `target` from `direction` (from target to eye), with `reach` metres from the middle to the upper edge.
 void aim(vtkRenderer& renderer, const std::array<double, 3>& target, const std::array<double, 3>& direction,
          double reach);

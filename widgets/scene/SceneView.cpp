@@ -200,6 +200,18 @@ double SceneView::heading() const {
   return parts_->renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetElement(0, 0);
 }
 
+Eye SceneView::eye() const {
+  constexpr double degrees = 180 / M_PI;
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  const double* direction = camera->GetDirectionOfProjection();
+  Eye eye;
+  eye.azimuth = degrees * std::atan2(-direction[1], -direction[0]);
+  eye.elevation = degrees * -std::asin(std::clamp(direction[2], -1.0, 1.0));
+  eye.reach = camera->GetParallelScale();
+  camera->GetFocalPoint(eye.target.data());
+  return eye;
+}
+
 Picture SceneView::render(int width, int height, bool moving, double pixelRatio) {
   const bool otherLetters = std::exchange(parts_->pixelRatio, pixelRatio) != pixelRatio;
   if (parts_->stale)
@@ -251,13 +263,13 @@ void SceneView::zoom(double factor) {
   camera->SetParallelScale(std::clamp(camera->GetParallelScale() / factor, 1e-3, 50.0));
 }
 
-// From the middle of the track, so that the wheel rolls to the right, as the axes of all figures run.
+// From the side of the track's middle, so that the wheel rolls to the right, as the axes of all figures run.
 void SceneView::lookFrom(StandardView view) {
   if (parts_->stale && parts_->placed) rebuild();
   const double x = parts_->contactAt;
   switch (view) {
     case StandardView::overview:
-      return aim(*parts_->renderer, {x, -0.1, 0.22}, {0.55, -0.75, 0.42}, 0.75);
+      return aim(*parts_->renderer, {x, -0.1, 0.22}, overviewFrom, 0.75);
     case StandardView::contact:
       if (isOfPatch(parts_->choices.field)) return aim(*parts_->renderer, {x, 0, 0}, {0.3, -0.5, 0.8}, 0.014);
       return parts_->choices.cut ? aim(*parts_->renderer, {x, 0, 0}, {0.25, -0.95, 0.16}, 0.06)

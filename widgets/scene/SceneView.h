@@ -1,6 +1,7 @@
 // widgets/scene/SceneView.h - the model as a picture that can be turned, for a window that paints it. No VTK in here.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -19,6 +20,13 @@ struct SceneChoices {
   double displacementScale = 1;
   bool edges = true, springs = true, dark = false;
   bool cut = false;  // at y = 0; inner faces are shown there
+};
+
+// Where the eye stands as seen from what it looks at, and how much it sees.
+struct Eye {
+  double azimuth = 0, elevation = 0;  // [degrees] in the plane of the rail, from x towards y; above that plane
+  double reach = 0;                   // [m] from the middle of the picture to its upper edge
+  std::array<double, 3> target{};     // [m]
 };
 
 // Belongs to the thread that made it.
@@ -43,6 +51,7 @@ class SceneView {
   void lookFrom(StandardView view);
   // Of the rolling direction along the picture: 1 to the right, -1 to the left, 0 towards or away from the eye.
   double heading() const;
+  Eye eye() const;
   // Largest value of the field over all snapshots of the result, in the unit of fieldName(): the colours stand for the
   // same values in every frame of an animation.
   double highest() const;

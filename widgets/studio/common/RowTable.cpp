@@ -23,4 +23,28 @@ void makeRowTable(QTableView& table) {
   table.setSortingEnabled(true);
 }
 
+namespace {
+
+QString nameOf(const QTableView& table, int column) {
+  return table.model()->headerData(column, Qt::Horizontal, columnNameRole).toString();
+}
+
+}  // namespace
+
+QString sortedColumn(const QTableView& table) {
+  const int column = table.horizontalHeader()->sortIndicatorSection();
+  return column < 0 ? QString() : nameOf(table, column);
+}
+
+bool isDescending(const QTableView& table) {
+  return table.horizontalHeader()->sortIndicatorOrder() == Qt::DescendingOrder;
+}
+
+void sortBy(QTableView& table, const QString& column, bool descending) {
+  int found = column.isEmpty() ? -1 : table.model()->columnCount() - 1;
+  while (found >= 0 && nameOf(table, found) != column) --found;
+  const bool isDown = found >= 0 && descending;
+  table.horizontalHeader()->setSortIndicator(found, isDown ? Qt::DescendingOrder : Qt::AscendingOrder);
+}
+
 }  // namespace squat::studio

@@ -1,12 +1,18 @@
 #include "studio/model/SceneWidget.h"
 
 #include <QElapsedTimer>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
 
+#include "studio/common/FocusFrame.h"
+#include "studio/common/KeyboardZoom.h"
+
 namespace squat::studio {
 namespace {
+
+constexpr double zoomNotch = 1.15;  // of the wheel, and of + and -
 
 QImage asImage(const scene::Picture& picture) {
   if (picture.empty()) return {};
@@ -19,6 +25,9 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   setMinimumSize(240, 180);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Model in 3-D"));
+  setAccessibleDescription(
+      tr("Arrow keys turn the model, with Shift they move it; plus and minus zoom, Home shows all."));
+  new FocusFrame(*this);
   setObjectName("scene");
   rest_.setSingleShot(true);
   rest_.setInterval(180);
@@ -115,14 +124,32 @@ void SceneWidget::mouseReleaseEvent(QMouseEvent*) { refresh(false); }
 
 void SceneWidget::wheelEvent(QWheelEvent* event) {
   if (!view_) return;
-  view_->zoom(std::pow(1.15, event->angleDelta().y() / 120.0));
+  view_->zoom(std::pow(zoomNotch, event->angleDelta().y() / 120.0));
   refresh(true);
   event->accept();
 }
 
 void SceneWidget::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_R) return lookFrom(scene::StandardView::overview);
-  QWidget::keyPressEvent(event);
+  if (event->key() == Qt::Key_R || event->key() == Qt::Key_Home) return lookFrom(scene::StandardView::overview);
+  if (!view_ || !take(*event)) return QWidget::keyPressEvent(event);
+  refresh(true);
+}
+
+// The model follows the arrow, as it follows the mouse.
+bool SceneWidget::take(const QKeyEvent& event) {
+  constexpr double degrees = 5, share = 0.1;  // of the height
+  const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
+  if (modifiers & ~Qt::ShiftModifier) return false;
+  const QPoint arrow = arrowOf(event);
+  if (const int nearer = zoomOf(event); nearer != 0)
+    view_->zoom(nearer > 0 ? zoomNotch : 1 / zoomNotch);
+  else if (arrow.isNull())
+    return false;
+  else if (modifiers)
+    view_->pan(share * height() * arrow.x(), share * height() * arrow.y(), height());
+  else
+    view_->rotate(-degrees * arrow.x(), -degrees * arrow.y());
+  return true;
 }
 
 void SceneWidget::resizeEvent(QResizeEvent*) { refresh(false); }

@@ -10,8 +10,9 @@
 
 namespace squat::studio {
 
-// Left button turns, middle button or Shift moves, the wheel zooms; R shows all again. The same path with and without a
-// display, on X11 and Wayland. While it moves it draws coarser, the fine picture follows when it rests.
+// Left button turns, middle button or Shift moves, the wheel zooms; R shows all again. By keys, arrows turn by five
+// degrees, with Shift they move; + and - zoom, Home shows all again. The same path with and without a display, on X11
+// and Wayland. While it moves it draws coarser, the fine picture follows when it rests.
 class SceneWidget : public QWidget {
   Q_OBJECT
  public:
@@ -26,6 +27,7 @@ class SceneWidget : public QWidget {
   QString reason() const { return reason_; }
   // Fine; `pixelRatio` as that of SceneView::render.
   QImage picture(int width, int height, double pixelRatio = 2);
+  scene::Eye eye() const { return view_ ? view_->eye() : scene::Eye(); }
   double millisecondsPerFrame() const { return lastFrame_; }
 
  protected:
@@ -38,6 +40,7 @@ class SceneWidget : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  bool take(const QKeyEvent& event);
   bool ensureView();  // made when first shown: starting OpenGL takes a moment
   void refresh(bool moving);
 

@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSplitter>
 #include <QTableView>
@@ -37,6 +38,8 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   table_->setAccessibleName(tr("Points of the profile"));
   table_->setObjectName("profileTable");
   table_->setTabKeyNavigation(false);  // Tab leaves the table
+  table_->setAccessibleDescription(tr("Insert adds a point halfway to the next one, Delete removes a point."));
+  table_->installEventFilter(this);
   location_ = new QLabel(this);
   location_->setObjectName("placeInProfile");
   hint_ = new QLabel(this);
@@ -155,10 +158,22 @@ void ProfileEditor::showEvent(QShowEvent* event) {
   QTimer::singleShot(0, this, &ProfileEditor::showPoints);
 }
 
+// Insert and Delete as on the curve; Delete would begin to type in the table.
+bool ProfileEditor::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const auto& key = static_cast<const QKeyEvent&>(*event);
+  const bool inserts = key.key() == Qt::Key_Insert;
+  if ((!inserts && key.key() != Qt::Key_Delete) || key.modifiers() & ~Qt::KeypadModifier) return false;
+  if (const QModelIndex cell = table_->currentIndex(); cell.isValid() && !plot_->chosen())
+    plot_->choose(static_cast<std::size_t>(cell.row()));
+  inserts ? plot_->insertPoint() : plot_->removePoint();
+  return true;
+}
+
 // The table begins where the defect is deepest, not with the smooth rail before it.
 void ProfileEditor::showPoints() {
   const bool any = points_->rowCount() > 0;
-  hint_->setText(any ? tr("Drag points; double-click adds, Delete removes; a box or the wheel zooms, F fits")
+  hint_->setText(any ? tr("Drag points; double-click or Insert adds, Delete removes; a box or the wheel zooms, F fits")
                      : tr("The sliders shape the curve; “To points” or a double-click turns it into points"));
   if (!any) return;
   const auto& points = document_.description().defect.points;

@@ -32,6 +32,7 @@ class ProfileEditor : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;  // of the table
 
  private:
   void makePlot(const plots::Style& style);

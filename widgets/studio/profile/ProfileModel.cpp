@@ -107,9 +107,9 @@ cases::CaseDescription asPoints(const cases::CaseDescription& description) {
   const auto surface = cases::surfaceOf(description);
   std::vector<cases::ProfilePoint> points;
   if (surface.last() > surface.first()) {
-    constexpr int most = 199;
+    constexpr int maximum = 199;
     const double length = surface.last() - surface.first();
-    const int count = std::clamp(static_cast<int>(std::ceil(length / 1e-3)), 8, most);
+    const int count = std::clamp(static_cast<int>(std::ceil(length / 1e-3)), 8, maximum);
     const double y = surface.deepestLateral();
     for (int i = 0; i <= count; ++i) {
       const double x = surface.first() + length * i / count;

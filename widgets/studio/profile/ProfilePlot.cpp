@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <cmath>
 
+#include "studio/common/KeyboardZoom.h"
 #include "studio/common/MouseZoom.h"
 #include "studio/document/CaseDocument.h"
 
@@ -32,7 +33,6 @@ QVector<double> heights(const std::vector<cases::ProfilePoint>& points, double p
 ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWidget* parent)
     : Figure("profile_editor", style, parent), document_(document) {
   setAccessibleName(tr("Profile of the defect"));
-  setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(250, 180);
   yAxis->setLabel(tr("Height [%1]").arg(unit_.name));
   path_ = addGraph();
@@ -57,6 +57,10 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
   mark_->removeFromLegend();
   showLegend(true);
   new MouseZoom(*this);  // sees no press that drags a point
+  new KeyboardZoom(*this, {.showAll = [this] { fit(); },
+                           .arrowsAreTaken = [this] { return isChosen(); },
+                           .more = tr("A point that is chosen in the table is moved by the arrow keys and removed by "
+                                      "Delete; Insert adds one behind it, Escape releases it.")});
   connect(&document_, &CaseDocument::changed, this, &ProfilePlot::update);
   connect(&document_, &CaseDocument::replaced, this, [this] { choose(std::nullopt); });
   update();
@@ -240,37 +244,50 @@ void ProfilePlot::wheelEvent(QWheelEvent* event) {
   Figure::wheelEvent(event);
 }
 
+void ProfilePlot::insertPoint() {
+  cases::CaseDescription after = document_.description();
+  auto& points = after.defect.points;
+  if (!isChosen() || points.size() < 2) return;
+  const std::size_t from = std::min(*chosen_, points.size() - 2), before = points.size();
+  const cases::ProfilePoint &first = points[from], &second = points[from + 1];
+  points = withPoint(points, {(first.position + second.position) / 2, (first.height + second.height) / 2});
+  if (points.size() == before) return;  // they are too near for one between them
+  after.defect.file.clear();
+  document_.edit(tr("Insert point"), after);
+  choose(from + 1);
+}
+
+// Delete after Delete removes one after the other.
+void ProfilePlot::removePoint() {
+  if (!isChosen()) return;
+  const std::size_t next = *chosen_;
+  cases::CaseDescription after = document_.description();
+  after.defect.points = withoutPoint(after.defect.points, next);
+  after.defect.file.clear();
+  document_.edit(tr("Delete point"), after);
+  if (next < view_.handles.size()) choose(next);
+}
+
 void ProfilePlot::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_F) return fit();
-  if (!chosen_ || *chosen_ >= view_.handles.size()) return Figure::keyPressEvent(event);
+  if (!isChosen()) return Figure::keyPressEvent(event);
   const double across = snapPosition_ > 0 ? snapPosition_ : 1e-4, up = snapHeight_ > 0 ? snapHeight_ : 1e-6;
-  cases::ProfilePoint to = view_.handles[*chosen_];
+  const QPoint arrow = arrowOf(*event);
   switch (event->key()) {
+    case Qt::Key_Insert:
+      return insertPoint();
     case Qt::Key_Delete:
-    case Qt::Key_Backspace: {
-      const std::size_t next = *chosen_;  // so that Delete removes one after the other
-      cases::CaseDescription after = document_.description();
-      after.defect.points = withoutPoint(after.defect.points, next);
-      after.defect.file.clear();
-      document_.edit(tr("Delete point"), after);
-      if (next < view_.handles.size()) choose(next);
-      return;
-    }
-    case Qt::Key_Left:
-      to.position -= across;
-      break;
-    case Qt::Key_Right:
-      to.position += across;
-      break;
-    case Qt::Key_Up:
-      to.height += up;
-      break;
-    case Qt::Key_Down:
-      to.height -= up;
-      break;
+    case Qt::Key_Backspace:
+      return removePoint();
+    case Qt::Key_Escape:
+      return choose(std::nullopt);
     default:
-      return Figure::keyPressEvent(event);
+      break;
   }
+  if (arrow.isNull()) return Figure::keyPressEvent(event);
+  cases::ProfilePoint to = view_.handles[*chosen_];
+  to.position += across * arrow.x();
+  to.height += up * arrow.y();
   putPoint(*chosen_, to, 0);
 }
 

@@ -13,9 +13,10 @@ namespace squat::studio {
 
 class CaseDocument;
 
-// Drag a point; double-click inserts one; Delete removes the chosen one; arrow keys move it by a snap step; wheel zooms
-// (with Ctrl the heights only), a box drawn beside the points is enlarged, the middle button moves the view, F fits.
-// Positions in mm, heights in um or mm. A point stays chosen while single points change, and in no other profile.
+// Drag a point; double-click inserts one, Insert one halfway to the next; Delete removes the chosen one; arrow keys
+// move it by a snap step, Escape releases it; wheel zooms (with Ctrl the heights only), a box drawn beside the points
+// is enlarged, the middle button moves the view, F fits. Positions in mm, heights in um or mm. A point stays chosen
+// while single points change, and in no other profile.
 class ProfilePlot : public plots::Figure {
   Q_OBJECT
  public:
@@ -26,6 +27,8 @@ class ProfilePlot : public plots::Figure {
   void fit();
   std::optional<std::size_t> chosen() const { return chosen_; }
   void choose(std::optional<std::size_t> index);
+  void insertPoint();  // halfway from the chosen one to the next, from the last one to that before; it is chosen then
+  void removePoint();  // the chosen one; the next one is chosen then
   QPointF locationOf(std::size_t index) const;  // [pixels] of a point, for tests and for the table
 
  Q_SIGNALS:
@@ -46,6 +49,7 @@ class ProfilePlot : public plots::Figure {
   void drawFrame();
   std::optional<std::size_t> pointAt(const QPointF& location) const;
   cases::ProfilePoint profileAt(const QPointF& location) const;
+  bool isChosen() const { return chosen_ && *chosen_ < view_.handles.size(); }
   void putPoint(std::size_t index, cases::ProfilePoint to, int gesture);
 
   CaseDocument& document_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/Errors.h"
+#include "studio/common/RowTable.h"
 #include "text/Numbers.h"
 
 namespace squat::studio {
@@ -194,6 +195,9 @@ QVariant EventModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant EventModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  static const QStringList names{"position", "kind",    "severity", "length",   "depth",  "peak",
+                                 "speed",    "channel", "passes",   "sureness", "seen_as"};
+  if (orientation == Qt::Horizontal && role == columnNameRole) return names.value(section);
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   static const QStringList heads{tr("Position\n[m]"), tr("Kind"),         tr("Severity"),     tr("Length\n[mm]"),
                                  tr("Depth\n[mm]"),   tr("Peak\n[m/s²]"), tr("Speed\n[m/s]"), tr("Channel"),

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "plots/UnitText.h"
+#include "studio/common/KeyboardZoom.h"
 
 namespace squat::studio {
 namespace {
@@ -47,7 +48,6 @@ void RecordStrip::makeFigure() {
   layout()->addWidget(figure_);
   figure_->setObjectName("recordStrip");
   figure_->setAccessibleName(tr("The record along the track"));
-  figure_->setFocusPolicy(Qt::StrongFocus);
   figure_->xAxis->setLabel(tr("Chainage [m]"));
   figure_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   figure_->axisRect()->setRangeDrag(Qt::Horizontal);
@@ -61,6 +61,9 @@ void RecordStrip::makeFigure() {
   connect(figure_, &QCustomPlot::mouseDoubleClick, this, &RecordStrip::showWhole);
   connect(figure_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) { pick(event->pos()); });
   connect(figure_, &QCustomPlot::mouseWheel, this, [this] { whole_ = false; });
+  const auto* keys = new KeyboardZoom(
+      *figure_, {.showAll = [this] { showWhole(); }, .fixed = [this] { return position_; }, .alongOnly = true});
+  connect(keys, &KeyboardZoom::moved, this, [this] { whole_ = false; });
   connect(figure_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
     if (event->buttons() & Qt::LeftButton) whole_ = false;
   });

@@ -14,7 +14,8 @@ class QTimer;
 
 namespace squat::studio {
 
-// The wheel of the mouse zooms, dragging scrolls; a double click shows the whole. It grows while the record is read.
+// The wheel of the mouse or + and - zoom, dragging or arrows scroll; a double click or Home shows the whole. It grows
+// while the record is read.
 class RecordStrip : public QWidget {
   Q_OBJECT
  public:

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -59,6 +60,7 @@ RecordView::RecordView(const plots::Style& style, QWidget* parent)
       seen_(new QSortFilterProxyModel(this)),
       table_(new QTableView(this)),
       channel_(new QComboBox(this)),
+      filter_(new QLineEdit(this)),
       show_(new QPushButton(tr("Show in the fi&gures"), this)),
       estimate_(new QPushButton(tr("&Estimate its profile…"), this)),
       labels_(new QPushButton(tr("Save &labels…"), this)) {
@@ -108,6 +110,7 @@ void RecordView::makeTable() {
     if (index.column() != EventModel::seen) show_->click();
   });
   connect(model_, &QAbstractItemModel::dataChanged, this, &RecordView::enableButtons);
+  connect(table_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &RecordView::changed);
 }
 
 QWidget* RecordView::makeBar() {
@@ -119,12 +122,12 @@ QWidget* RecordView::makeBar() {
   channel_->setObjectName("recordChannel");
   channel_->setAccessibleName(tr("Channel that is drawn"));
   channel_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  auto* filter = new QLineEdit(bar);
-  filter->setObjectName("eventFilter");
-  filter->setPlaceholderText(tr("Filter events"));
-  filter->setAccessibleName(tr("Filter events by kind, severity or value"));
-  filter->setClearButtonEnabled(true);
-  connect(filter, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
+  filter_->setObjectName("eventFilter");
+  filter_->setPlaceholderText(tr("Filter events"));
+  filter_->setAccessibleName(tr("Filter events by kind, severity or value"));
+  filter_->setClearButtonEnabled(true);
+  connect(filter_, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
+  connect(filter_, &QLineEdit::textChanged, this, &RecordView::changed);
   show_->setObjectName("showEvent");
   show_->setToolTip(tr("Overlay the signal around the chosen event on the runs"));
   estimate_->setObjectName("estimateEvent");
@@ -133,7 +136,7 @@ QWidget* RecordView::makeBar() {
   labels_->setToolTip(tr("Save what you have seen (column “Seen as”): the next search takes it as examples"));
   row->addWidget(label);
   row->addWidget(channel_);
-  row->addWidget(filter, 1);
+  row->addWidget(filter_, 1);
   row->addWidget(show_);
   row->addWidget(estimate_);
   row->addWidget(labels_);
@@ -180,12 +183,17 @@ void RecordView::open(const project::LongRecords& kept) {
   model_->setReport(nullptr);
   waiting_.reset();
   if (!kept.files.empty()) waiting_ = kept;
+  sortBy(*table_, QString::fromStdString(kept.order.sort), kept.order.descending);
+  filter_->setText(QString::fromStdString(kept.order.filter));
   if (isVisible()) openWaiting();
   enableButtons();
 }
 
 void RecordView::keep(project::LongRecords& into) const {
   into.events = list_.toStdString();
+  into.order.sort = sortedColumn(*table_).toStdString();
+  into.order.descending = !into.order.sort.empty() && isDescending(*table_);
+  into.order.filter = filter_->text().toStdString();
   into.seen = unplaced_;
   for (auto& seen : model_->seenForProject()) into.seen.push_back(std::move(seen));
 }

@@ -13,6 +13,7 @@
 #include "studio/records/RecordStrip.h"
 
 class QComboBox;
+class QLineEdit;
 class QPushButton;
 class QSortFilterProxyModel;
 class QTableView;
@@ -32,7 +33,7 @@ class RecordView : public QWidget {
   // What a project kept, in place of what is shown. Files are read when the view is first seen: the list of events at
   // once, the first record in a thread of its own.
   void open(const project::LongRecords& kept);
-  void keep(project::LongRecords& into) const;  // the list, and what the user has seen
+  void keep(project::LongRecords& into) const;  // the list, its order, what the user has seen
   bool isReading() const { return reading_; }
   void setStyle(const plots::Style& style) { strip_->setStyle(style); }
   RecordStrip* strip() const { return strip_; }
@@ -68,6 +69,7 @@ class RecordView : public QWidget {
   QSortFilterProxyModel* seen_;
   QTableView* table_;
   QComboBox* channel_;
+  QLineEdit* filter_;
   QPushButton *show_, *estimate_, *labels_;
   QString folder_;
   QString list_;                                 // squats.json of the events; empty: none

@@ -38,7 +38,7 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
   auto* words = new QLabel(tr("Type the values, or drag the\nsignal along the track in the figure."), this);
   position_ = numberOf("alignPosition", tr("Position of the largest value"), tr("mm"), -farthest, farthest, 1);
   speed_ = numberOf("alignSpeed", tr("Speed"), tr("m/s"), slowest, fastest, 3);
-  gain_ = numberOf("alignGain", tr("Gain"), QString(), project::leastGain, project::mostGain, 3);
+  gain_ = numberOf("alignGain", tr("Gain"), QString(), project::minimumGain, project::maximumGain, 3);
   gain_->setSingleStep(0.05);
   speed_->setSingleStep(0.1);
   auto* form = new QFormLayout;

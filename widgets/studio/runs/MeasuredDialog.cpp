@@ -28,10 +28,10 @@
 namespace squat::studio {
 namespace {
 
-constexpr int allColumns = -2, byHeader = -1;      // data of entries that are no column
-constexpr int mostHeadings = 200;                  // columns of the table; the lists have all of them
-constexpr int mostLines = 4;                       // of what is said below the curve
-constexpr double fastest = 1e8, mostSpeed = 1000;  // [Hz], [m/s]
+constexpr int allColumns = -2, byHeader = -1;         // data of entries that are no column
+constexpr int maximumHeadings = 200;                  // columns of the table; the lists have all of them
+constexpr int maximumLines = 4;                       // of what is said below the curve
+constexpr double fastest = 1e8, maximumSpeed = 1000;  // [Hz], [m/s]
 
 // For files that give none; the first one is what the reader takes then.
 constexpr std::array<const char*, 3> units{"m/s2", "g", "mm/s2"};
@@ -128,11 +128,12 @@ QComboBox* MeasuredDialog::listIn(const QString& label, const QString& name) {
 }
 
 // Zero stands for the value in the file.
-QDoubleSpinBox* MeasuredDialog::numberIn(const QString& label, const QString& name, const QString& unit, double most) {
+QDoubleSpinBox* MeasuredDialog::numberIn(const QString& label, const QString& name, const QString& unit,
+                                         double maximum) {
   auto* number = new NumberBox(this);
   number->setObjectName(name);
   number->setAccessibleName(QString(label).remove('&'));
-  number->setRange(0, most);
+  number->setRange(0, maximum);
   number->setDecimals(3);
   number->setSuffix(" " + unit);
   number->setSpecialValueText(tr("from file"));
@@ -147,7 +148,7 @@ void MeasuredDialog::makeForm() {
   time_ = listIn(tr("&Time"), "measuredTime");
   position_ = listIn(tr("&Position"), "measuredPosition");
   rate_ = numberIn(tr("Sampling &rate"), "measuredRate", tr("Hz"), fastest);
-  speed_ = numberIn(tr("Sp&eed"), "measuredSpeed", tr("m/s"), mostSpeed);
+  speed_ = numberIn(tr("Sp&eed"), "measuredSpeed", tr("m/s"), maximumSpeed);
   rate_->setValue(first_.reading.options.rate);
   speed_->setValue(first_.reading.options.speed);
   connect(part_, &QComboBox::currentIndexChanged, this, &MeasuredDialog::takePart);
@@ -171,7 +172,7 @@ void MeasuredDialog::makeLayout() {
   reason_->setObjectName("measuredReason");
   message_->setWordWrap(true);
   message_->setObjectName("measuredMessage");
-  message_->setMinimumHeight(mostLines * message_->fontMetrics().lineSpacing());  // the curve stays where it is
+  message_->setMinimumHeight(maximumLines * message_->fontMetrics().lineSpacing());  // the curve stays where it is
   message_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   makeForm();
@@ -199,7 +200,7 @@ void MeasuredDialog::takeHead(const readers::SignalFileOptions& options, const s
   options_ = options;
   head_ = headOf(first_.path, options);
   const int columns = static_cast<int>(head_.table.columns.size());
-  showHead(*table_, head_.rows, std::min(columns, mostHeadings));
+  showHead(*table_, head_.rows, std::min(columns, maximumHeadings));
   listColumns(run);
   if (gain_ != 1) recogniseUnit();
   change();

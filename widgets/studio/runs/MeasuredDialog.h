@@ -36,7 +36,7 @@ class MeasuredDialog : public QDialog {
 
  private:
   QComboBox* listIn(const QString& label, const QString& name);
-  QDoubleSpinBox* numberIn(const QString& label, const QString& name, const QString& unit, double most);
+  QDoubleSpinBox* numberIn(const QString& label, const QString& name, const QString& unit, double maximum);
   void makeForm();
   void makeLayout();
   void takeHead(const readers::SignalFileOptions& options, const std::string& run);

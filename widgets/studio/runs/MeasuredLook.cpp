@@ -11,7 +11,7 @@
 namespace squat::studio {
 namespace {
 
-constexpr std::size_t mostCurves = 8;
+constexpr std::size_t maximumCurves = 8;
 constexpr std::size_t stretchesOfACurve = 600;  // about one a pixel
 
 // ", run 2" of "left box, run 2".
@@ -32,7 +32,7 @@ project::MeasuredRecord sameRun(std::vector<project::MeasuredRecord> records, co
 
 std::vector<project::MeasuredRecord> recordsOf(const MeasuredChoice& choice) {
   const double gain = choice.reading.gain;
-  if (gain < project::leastGain || gain > project::mostGain)
+  if (gain < project::minimumGain || gain > project::maximumGain)
     throw FileError(choice.path, "",
                     "would have a gain of " + text::roundedText(gain) + ", that of the alignment and the unit together",
                     "Values from 0.001 to 1000 are taken: choose another unit, or change the gain first");
@@ -74,7 +74,7 @@ MeasuredLook lookAt(const MeasuredChoice& choice, const MeasuredHead& head) {
   }
   try {
     look.records = recordsOf(choice);
-    for (std::size_t i = 0; i < std::min(look.records.size(), mostCurves); ++i) {
+    for (std::size_t i = 0; i < std::min(look.records.size(), maximumCurves); ++i) {
       const auto& record = *look.records[i].record;
       look.curves.push_back(thinned(record.position, *record.signal("aba"), stretchesOfACurve));
     }

@@ -6,6 +6,7 @@
 
 #include "case/DecimalNumber.h"
 #include "plots/Style.h"
+#include "studio/common/RowTable.h"
 #include "studio/common/Words.h"
 #include "studio/runs/GroupedRows.h"
 #include "studio/runs/ProgressText.h"
@@ -152,9 +153,14 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
   const auto& parameter = cases::parameterTable()[column.row];
   if (role == Qt::ToolTipRole && (column.kind == Kind::parameter || column.kind == Kind::mesh))
     return QString::fromStdString(parameter.key + ": " + parameter.doc);
-  if (role == GroupedRows::columnKeyRole)
-    return column.kind == Kind::parameter || column.kind == Kind::mesh ? QString::fromStdString(parameter.key)
-                                                                       : QString();
+  const bool isKey = column.kind == Kind::parameter || column.kind == Kind::mesh;
+  if (role == GroupedRows::columnKeyRole || (role == columnNameRole && isKey))
+    return isKey ? QString::fromStdString(parameter.key) : QString();
+  if (role == columnNameRole)
+    return column.kind == Kind::name    ? "name"
+           : column.kind == Kind::peak  ? "peak"
+           : column.kind == Kind::lines ? "lines"
+                                        : "computing_time";
   if (role != Qt::DisplayRole) return {};  // two lines: a column is hardly wider than its values
   switch (column.kind) {
     case Kind::name:

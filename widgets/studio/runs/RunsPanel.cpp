@@ -30,6 +30,7 @@ RunsPanel::RunsPanel(RunStore& store, QWidget* parent)
       store_(store),
       seen_(new QSortFilterProxyModel(this)),
       groups_(nullptr),
+      filter_(new QLineEdit(this)),
       groupBy_(new QComboBox(this)),
       table_(new QTableView(this)) {
   makeTable();
@@ -64,20 +65,23 @@ QWidget* RunsPanel::makeChoices() {
   auto* bar = new QWidget(this);
   auto* choices = new QHBoxLayout(bar);
   choices->setContentsMargins(0, 0, 0, 0);
-  auto* filter = new QLineEdit(bar);
-  filter->setObjectName("runFilter");
-  filter->setPlaceholderText(tr("Filter runs"));
-  filter->setAccessibleName(tr("Filter runs by name or value"));
-  filter->setClearButtonEnabled(true);
-  connect(filter, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
+  filter_->setObjectName("runFilter");
+  filter_->setPlaceholderText(tr("Filter runs"));
+  filter_->setAccessibleName(tr("Filter runs by name or value"));
+  filter_->setClearButtonEnabled(true);
+  connect(filter_, &QLineEdit::textChanged, seen_, &QSortFilterProxyModel::setFilterFixedString);
+  connect(filter_, &QLineEdit::textChanged, this, &RunsPanel::orderChanged);
   groupBy_->setObjectName("runGroups");
   groupBy_->setToolTip(tr("Group runs by what differs between them"));
   groupBy_->setAccessibleName(groupBy_->toolTip());
   groupBy_->view()->setAccessibleName(groupBy_->toolTip());
   groupBy_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   listGroupings();
-  connect(groupBy_, &QComboBox::activated, this, [this] { groups_->groupBy(groupBy_->currentData().toString()); });
-  choices->addWidget(filter, 1);
+  connect(groupBy_, &QComboBox::activated, this, [this] {
+    groups_->groupBy(groupBy_->currentData().toString());
+    Q_EMIT orderChanged();
+  });
+  choices->addWidget(filter_, 1);
   choices->addWidget(groupBy_);
   return bar;
 }
@@ -93,6 +97,25 @@ void RunsPanel::listGroupings() {
     groupBy_->addItem(tr("Groups: %1").arg(heading.section('\n', 0, 0)), key);
     if (key == groups_->key()) groupBy_->setCurrentIndex(groupBy_->count() - 1);
   }
+}
+
+// While the files of a project are read, what differs between its runs, and so a column, may still have to come.
+void RunsPanel::sortAsChosen() {
+  arranging_ = true;
+  sortBy(*table_, sortedBy_, descending_);
+  arranging_ = false;
+}
+
+project::TableOrder RunsPanel::order() const {
+  return {sortedBy_.toStdString(), descending_, groups_->key().toStdString(), filter_->text().toStdString()};
+}
+
+void RunsPanel::setOrder(const project::TableOrder& order) {
+  sortedBy_ = QString::fromStdString(order.sort), descending_ = order.descending;
+  sortAsChosen();
+  groups_->groupBy(QString::fromStdString(order.group));
+  listGroupings();
+  filter_->setText(QString::fromStdString(order.filter));
 }
 
 // The heading of a group is as wide as the table.
@@ -160,6 +183,12 @@ void RunsPanel::connectTable() {
     groups_->reveal(seenIndexOf(store_.current()));
     mark();
   });
+  connect(groups_, &GroupedRows::modelReset, this, &RunsPanel::sortAsChosen);
+  connect(table_->horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, [this] {
+    if (arranging_) return;
+    sortedBy_ = sortedColumn(*table_), descending_ = !sortedBy_.isEmpty() && isDescending(*table_);
+    Q_EMIT orderChanged();
+  });
   connect(groups_, &GroupedRows::modelReset, this, mark);
   connect(groups_, &GroupedRows::modelReset, this, &RunsPanel::listGroupings);
   connect(groups_, &GroupedRows::modelReset, this, &RunsPanel::spanHeadings);
@@ -172,8 +201,8 @@ void RunsPanel::connectTable() {
 void RunsPanel::fitNames() {
   QHeaderView* heading = table_->horizontalHeader();
   if (heading->count() == 0) return;
-  constexpr int leastLetters = 10;
-  const int least = table_->fontMetrics().averageCharWidth() * leastLetters + 2 * table_->iconSize().width();
+  constexpr int minimumLetters = 10;
+  const int least = table_->fontMetrics().averageCharWidth() * minimumLetters + 2 * table_->iconSize().width();
   int others = 0;
   for (int column = 1; column < heading->count(); ++column) others += heading->sectionSize(column);
   heading->setSectionResizeMode(0, QHeaderView::Fixed);

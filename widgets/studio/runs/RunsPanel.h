@@ -3,7 +3,10 @@
 
 #include <QWidget>
 
+#include "project/Project.h"
+
 class QComboBox;
+class QLineEdit;
 class QMenu;
 class QSortFilterProxyModel;
 class QTableView;
@@ -14,7 +17,8 @@ class GroupedRows;
 class RunStore;
 
 // Sorted by a click on a heading (a third one: in the order they were made), filtered by what is typed above, grouped
-// by the column that is chosen there.
+// by the column that is chosen there. Columns come and go with the runs: the rows are sorted and grouped by the one
+// that was chosen whenever it is there.
 class RunsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -23,8 +27,11 @@ class RunsPanel : public QWidget {
   QModelIndex indexOf(int row) const;         // of a run; not valid where the filter or a closed group hides it
   int rowOf(const QModelIndex& index) const;  // of the store; -1: none, as for the heading of a group
   void fillMenu(QMenu& menu, int row);        // what can be done with this run
+  project::TableOrder order() const;          // as a project keeps it
+  void setOrder(const project::TableOrder& order);
 
  Q_SIGNALS:
+  void orderChanged();
   void openRequested();
   void saveRequested();
   void saveRunRequested(int row);
@@ -41,6 +48,7 @@ class RunsPanel : public QWidget {
   QWidget* makeChoices();
   void listGroupings();
   void spanHeadings();
+  void sortAsChosen();
   bool takesKey(const QModelIndex& heading, int key);
   QWidget* makeButtons();
   void connectTable();
@@ -53,9 +61,13 @@ class RunsPanel : public QWidget {
   RunStore& store_;
   QSortFilterProxyModel* seen_;
   GroupedRows* groups_;
+  QLineEdit* filter_;
   QComboBox* groupBy_;
   QTableView* table_;
-  bool ticked_ = false;  // by the mouse button that is down
+  QString sortedBy_;  // name of the column, which may not be there now; empty: none
+  bool descending_ = false;
+  bool arranging_ = false;  // not the user
+  bool ticked_ = false;     // by the mouse button that is down
 };
 
 }  // namespace squat::studio

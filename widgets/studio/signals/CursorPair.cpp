@@ -1,15 +1,25 @@
 #include "studio/signals/CursorPair.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
+#include <algorithm>
 #include <cmath>
+
+#include "studio/common/KeyboardZoom.h"
 
 namespace squat::studio {
 namespace {
 
-// Not-a-number outside the first curve, and where the first one is no curve but single points.
+// Nothing where the first one is no curve but single points.
+QSharedPointer<QCPGraphDataContainer> firstCurve(const plots::Figure& figure) {
+  if (figure.graphCount() == 0 || figure.graph(0)->lineStyle() == QCPGraph::lsNone) return {};
+  return figure.graph(0)->data();
+}
+
+// Not-a-number outside the first curve.
 double valueOn(const plots::Figure& figure, double location) {
-  if (figure.graphCount() == 0 || figure.graph(0)->lineStyle() == QCPGraph::lsNone) return NAN;
-  const auto data = figure.graph(0)->data();
+  const auto data = firstCurve(figure);
+  if (!data) return NAN;
   const auto after = data->findBegin(location, false);
   if (after == data->constEnd() || after == data->constBegin()) return NAN;
   const auto before = after - 1;
@@ -43,6 +53,7 @@ CursorPair::CursorPair(plots::Figure& figure, double secondsPerUnit, const QStri
   connect(&figure_, &QCustomPlot::mousePress, this, &CursorPair::press);
   connect(&figure_, &QCustomPlot::mouseMove, this, &CursorPair::move);
   connect(&figure_, &QCustomPlot::mouseRelease, this, &CursorPair::release);
+  figure_.installEventFilter(this);
 }
 
 void CursorPair::setVisible(bool visible) {
@@ -92,13 +103,64 @@ void CursorPair::show() {
   label_->setText(text());
   label_->setVisible(visible_);
   figure_.replot(QCustomPlot::rpQueuedReplot);
+  Q_EMIT changed();
+}
+
+// Escape would close some of the windows around the figure.
+bool CursorPair::eventFilter(QObject*, QEvent* event) {
+  const bool asked = event->type() == QEvent::ShortcutOverride;
+  if (!asked && event->type() != QEvent::KeyPress) return false;
+  const auto& key = static_cast<QKeyEvent&>(*event);
+  if (asked ? !visible_ || key.key() != Qt::Key_Escape : !take(key)) return false;
+  event->accept();
+  return true;
+}
+
+bool CursorPair::take(const QKeyEvent& event) {
+  const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
+  const bool plain = !modifiers, tenfold = modifiers & Qt::ShiftModifier;
+  const int side = arrowOf(event).x();
+  if (plain && (event.key() == Qt::Key_A || event.key() == Qt::Key_B)) {
+    bring(event.key() == Qt::Key_A ? 0 : 1);
+  } else if (visible_ && plain && event.key() == Qt::Key_Escape) {
+    setVisible(false);
+    Q_EMIT toggled(false);
+  } else if (visible_ && side != 0 && (modifiers & ~Qt::ShiftModifier) == Qt::ControlModifier) {
+    step(tenfold ? 10 * side : side);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void CursorPair::bring(int cursor) {
+  const bool seen = visible_;
+  if (!seen) setVisible(true);
+  if (!seen || !figure_.xAxis->range().contains(locations_[cursor])) locations_[cursor] = middleOf(*figure_.xAxis);
+  lastMoved_ = cursor;
+  show();
+  if (!seen) Q_EMIT toggled(true);
+}
+
+void CursorPair::step(int count) {
+  double& location = locations_[lastMoved_];
+  const auto data = firstCurve(figure_);
+  if (data && !data->isEmpty()) {
+    const auto next = data->findBegin(location, false);  // the sample at the cursor, else the one behind it
+    const bool between = next == data->constEnd() || next->key > location;
+    const auto index = static_cast<int>(next - data->constBegin()) + count - (between && count > 0 ? 1 : 0);
+    location = data->at(std::clamp(index, 0, data->size() - 1))->key;
+  } else {
+    location = figure_.xAxis->pixelToCoord(figure_.xAxis->coordToPixel(location) + count);
+  }
+  show();
 }
 
 void CursorPair::press(QMouseEvent* event) {
   if (!visible_ || event->button() != Qt::LeftButton) return;
   constexpr double reach = 6;  // pixels
   for (int i = 0; i < 2; ++i)
-    if (std::abs(figure_.xAxis->coordToPixel(locations_[i]) - event->position().x()) < reach) dragged_ = i;
+    if (std::abs(figure_.xAxis->coordToPixel(locations_[i]) - event->position().x()) < reach) dragged_ = lastMoved_ = i;
 }
 
 void CursorPair::move(QMouseEvent* event) {

@@ -9,6 +9,7 @@
 
 #include "core/Errors.h"
 #include "plots/FigureFiles.h"
+#include "studio/common/KeyboardZoom.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/MouseZoom.h"
 #include "studio/signals/CursorPair.h"
@@ -33,6 +34,9 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   const QCPRange keptUp = keepUp ? figure_->yAxis->range() : QCPRange();
   const bool keepCursors = sameAxis && cursors_->isPlaced();
   const double locations[] = {keepCursors ? cursors_->location(0) : 0, keepCursors ? cursors_->location(1) : 0};
+  const int lastMoved = cursors_ ? cursors_->lastMoved() : 0;
+  const bool focused = figure_ && figure_->hasFocus();
+  if (focused) setFocus();  // so that it does not go to the next widget
   table_ = table;
   delete figure_;
   figure_ = figure.release();
@@ -42,23 +46,48 @@ void FigureView::show(std::unique_ptr<plots::Figure> figure, double secondsPerUn
   fullY_ = figure_->yAxis->range();
   figure_->setContextMenuPolicy(Qt::CustomContextMenu);
   figure_->setAccessibleName(tr("Figure %1").arg(name_));
-  figure_->setFocusPolicy(Qt::StrongFocus);
   // Opposite axes follow, so that zooming moves all four.
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), figure_->xAxis2,
           qOverload<const QCPRange&>(&QCPAxis::setRange));
   connect(figure_->yAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), figure_->yAxis2,
           qOverload<const QCPRange&>(&QCPAxis::setRange));
   cursors_ = new CursorPair(*figure_, secondsPerUnit, unit);
+  cursors_->setLastMoved(lastMoved);
+  takeKeys();
   if (keepCursors) cursors_->setLocations(locations[0], locations[1]);
   cursors_->setVisible(cursorsVisible_);
   new MouseZoom(*figure_, [cursors = cursors_] { return cursors->isDragged(); });  // after the cursors' own
   if (keep) figure_->xAxis->setRange(kept);
   if (keepUp) figure_->yAxis->setRange(keptUp);
   connect(figure_->xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::rangeChanged);
+  for (const QCPAxis* axis : {figure_->xAxis, figure_->yAxis})
+    connect(axis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this, &FigureView::zoomed);
   connect(figure_, &QWidget::customContextMenuRequested, this, &FigureView::openMenu);
   connect(figure_, &QCustomPlot::mouseDoubleClick, this, &FigureView::resetZoom);
   figure_->setAttribute(Qt::WA_TransparentForMouseEvents, shifting_);
   figure_->show();
+  if (focused) figure_->setFocus();
+}
+
+void FigureView::takeKeys() {
+  const auto cursor = [cursors = cursors_] {
+    return cursors->isVisible() ? std::optional(cursors->location(cursors->lastMoved())) : std::nullopt;
+  };
+  auto* keys = new KeyboardZoom(*figure_, {.showAll = [this] { resetZoom(); },
+                                           .fixed = cursor,
+                                           .more = tr("A and B set two cursors, Control with left and right moves the "
+                                                      "one set last, Escape removes them.")});
+  // What the cursors say is read out in place of the keys.
+  connect(cursors_, &CursorPair::changed, figure_, [figure = figure_, cursors = cursors_, keys] {
+    figure->setAccessibleDescription(cursors->isVisible() ? cursors->text() : keys->description());
+  });
+  connect(cursors_, &CursorPair::toggled, this, [this](bool visible) {
+    cursorsVisible_ = visible;
+    Q_EMIT cursorsToggled(visible);
+  });
+  setFocusPolicy(Qt::TabFocus);  // for a moment: without it this has no place in the order of Tab to hand on
+  setTabOrder(this, figure_);
+  setFocusPolicy(Qt::NoFocus);
 }
 
 // The figure is made anew with every step of a drag: the view around it takes the mouse.

@@ -31,6 +31,8 @@ class FigureView : public QWidget {
   void setShifting(bool on);
   void forgetZoom();  // the next figure is of another run: it is shown whole
   bool isZoomed() const;
+  const QCPRange& wholeX() const { return fullX_; }  // what is seen without zoom
+  const QCPRange& wholeY() const { return fullY_; }
   // Of what is copied and exported, whatever the size of the window.
   void setPrintedSize(const plots::PrintedSize& size) { size_ = size; }
   void copy();        // picture and numbers
@@ -41,6 +43,8 @@ class FigureView : public QWidget {
 
  Q_SIGNALS:
   void rangeChanged(const QCPRange& range);
+  void zoomed();                             // along x or y
+  void cursorsToggled(bool visible);         // by a key
   void shifted(double distance, bool done);  // along x since the button went down; in units of the axis
   void failed(const QString& message);
 
@@ -51,6 +55,7 @@ class FigureView : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
+  void takeKeys();
   double distance(const QMouseEvent& event) const;
   void openMenu(const QPoint& location);
   QSize printedUnits() const;

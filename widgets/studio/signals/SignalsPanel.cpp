@@ -57,10 +57,6 @@ bool isInMilliseconds(const QString& name) { return rowOf(name).axis == plots::F
 
 constexpr const char* alongTrack = "aba_position";  // where signals are aligned by hand; its axis is in mm
 
-bool isLinked(const QString& name) {
-  return rowOf(name).axis == plots::FigureAxis::wheelPosition || isInMilliseconds(name);
-}
-
 ResultPointer noRun(const QString& title) {
   auto none = std::make_shared<results::RunResult>();
   none->title = title.toStdString();
@@ -69,6 +65,10 @@ ResultPointer noRun(const QString& title) {
 }
 
 }  // namespace
+
+bool SignalsPanel::isLinked(const QString& name) {
+  return rowOf(name).axis == plots::FigureAxis::wheelPosition || isInMilliseconds(name);
+}
 
 SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* parent)
     : QWidget(parent), store_(store), style_(style) {
@@ -87,8 +87,12 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     views_[name] = view;
     tabs_->addTab(makePage(*row, view), QString::fromStdString(row->tab));
     connect(view, &FigureView::failed, this, &SignalsPanel::failed);
+    connect(view, &FigureView::cursorsToggled, cursors_, &QCheckBox::setChecked);
     connect(view, &FigureView::shifted, this,
             [this](double millimetres, bool done) { Q_EMIT shifted(millimetres * 1e-3, done); });
+    connect(view, &FigureView::zoomed, this, [this] {
+      if (!linking_) Q_EMIT choicesChanged();
+    });
     if (!isLinked(name)) continue;
     connect(view, &FigureView::rangeChanged, this, [this, name](const QCPRange& range) { link(name, range); });
   }
@@ -104,8 +108,6 @@ SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* 
     Q_EMIT tabChanged();
   });
   connect(&store_, &RunStore::currentChanged, this, [this] {
-    linked_.reset();
-    for (const auto& [name, view] : views_) view->forgetZoom();
     takeWindow();
     takeMoments();
     update();
@@ -131,9 +133,9 @@ QDoubleSpinBox* number(const QString& label, const QString& unit, double low, do
   return box;
 }
 
-QSpinBox* samples(const QString& label, std::size_t value, int most) {
+QSpinBox* samples(const QString& label, std::size_t value, int maximum) {
   auto* box = new QSpinBox;
-  box->setRange(1, most);
+  box->setRange(1, maximum);
   box->setValue(static_cast<int>(value));
   box->setSuffix(QObject::tr(" samples"));
   box->setKeyboardTracking(false);
@@ -262,12 +264,13 @@ void SignalsPanel::showTab(const QString& name) {
   if (index >= 0) tabs_->setCurrentIndex(index);
 }
 
-// A new run is first seen through the low-pass of its case and the section that its own spectrum has.
+// A new run is first seen whole, through the low-pass of its case and the section that its own spectrum has.
 void SignalsPanel::takeWindow() {
   const ResultPointer current = store_.currentResult();
   const int row = std::max(store_.current(), store_.waitingCurrent());
   const QString file = row < 0 ? QString() : store_.at(row).path;
   if (!file.isEmpty() && file == windowOf_) return;
+  forgetRanges();
   waitingMoment_ = -1;
   windowOf_ = current ? file : QString();
   if (current && current->resolvedCase) {  // one whose case cannot be read is seen as it was last chosen
@@ -308,27 +311,6 @@ void SignalsPanel::showMoment() {
                            .arg(patch.time * 1e3, 0, 'f', 2));
 }
 
-project::FigureChoices SignalsPanel::choices() const {
-  SignalSettings settings = settings_;
-  if (waitingMoment_ >= 0) settings.moment = waitingMoment_;
-  return choicesOf(settings, style_.colourMap);
-}
-
-void SignalsPanel::setChoices(const project::FigureChoices& choices, const QString& run) {
-  const SignalSettings settings = settingsOf(choices);
-  const std::initializer_list<QWidget*> controls{cutoff_, map_, window_, from_, to_, spectrum_, segment_, hop_};
-  for (QWidget* each : controls) each->blockSignals(true);
-  cutoff_->setValue(settings.cutoff);
-  map_->setCurrentText(QString::fromStdString(choices.colours));
-  window_->setCurrentText(QString::fromStdString(settings.window));
-  from_->setValue(settings.from * 1e3), to_->setValue(settings.to * 1e3);
-  spectrum_->setCurrentIndex(static_cast<int>(settings.spectrum));
-  segment_->setValue(static_cast<int>(settings.segment)), hop_->setValue(static_cast<int>(settings.hop));
-  for (QWidget* each : controls) each->blockSignals(false);
-  windowOf_ = run, waitingMoment_ = settings.moment;
-  update();
-}
-
 void SignalsPanel::update() {
   settings_.segment = static_cast<std::size_t>(segment_->value());
   settings_.hop = static_cast<std::size_t>(hop_->value());
@@ -349,6 +331,7 @@ void SignalsPanel::update() {
   for (const auto& name : names()) stale_[name] = true;
   hideWhatDoesNotApply();
   rebuild(currentTab());
+  takeRanges();
   Q_EMIT choicesChanged();
 }
 
@@ -396,6 +379,7 @@ void SignalsPanel::setAligning(bool on) {
 void SignalsPanel::link(const QString& from, const QCPRange& range) {
   if (linking_ || !shown_ || !(shown_->speed > 0)) return;
   const double passage = 1e3 * plots::passageTime(*shown_);
+  linkedFrom_ = from;
   linked_ = isInMilliseconds(from)
                 ? QCPRange((range.lower - passage) * shown_->speed, (range.upper - passage) * shown_->speed)
                 : range;

@@ -41,7 +41,8 @@ class SignalsPanel : public QWidget {
   FigureView* view(const QString& name) const { return views_.contains(name) ? views_.at(name) : nullptr; }
   FigureView* currentView() const { return view(currentTab()); }
   const SignalSettings& settings() const { return settings_; }
-  // As a project keeps them. `run`: the file of the run that they were chosen for, which may still have to be read.
+  // As a project keeps them, with what is enlarged. `run`: the file of the run that they were chosen for, which may
+  // still have to be read.
   project::FigureChoices choices() const;
   void setChoices(const project::FigureChoices& choices, const QString& run);
   // Every figure of the run as it is zoomed, in every format, and the curves as CSV; the 3-D picture as PNG. Returns
@@ -71,6 +72,9 @@ class SignalsPanel : public QWidget {
   void rebuild(const QString& name);
   bool applies(const plots::FigureRow& row) const;
   void hideWhatDoesNotApply();
+  static bool isLinked(const QString& name);  // views along the track are
+  void forgetRanges();
+  void takeRanges();
   bool exportModel(const QString& path);
   void link(const QString& from, const QCPRange& range);
   void applyLink(const QString& name);
@@ -81,12 +85,14 @@ class SignalsPanel : public QWidget {
   plots::PrintedSize size_;
   ResultPointer shown_;
   std::weak_ptr<const results::RunResult> momentsOf_;  // whose patches the slider shows
-  QString windowOf_;        // file of the run that low-pass and section were set for: read again, it keeps them
+  QString windowOf_;        // file of the run that low-pass, section and zoom were set for: read again, it keeps them
   int waitingMoment_ = -1;  // of that run, until its patches are read
+  std::map<QString, project::FigureRange> waitingRanges_;  // of a project, until there is something to see
   QTabWidget* tabs_;
   std::map<QString, FigureView*> views_;
   std::map<QString, bool> stale_;
   std::optional<QCPRange> linked_;  // [mm] what all views along the track show, once the user has zoomed
+  QString linkedFrom_;              // in this one
   bool linking_ = false;
   QDoubleSpinBox *cutoff_, *from_, *to_;
   QSpinBox *segment_, *hop_;

@@ -24,7 +24,7 @@
 namespace squat::studio {
 namespace {
 
-constexpr int fewest = 10, most = 100000;  // points, as the command allows
+constexpr int minimum = 10, maximum = 100000;  // points, as the command allows
 
 bool mayVary(const cases::Parameter& parameter) {
   return parameter.kind == cases::Kind::number && parameter.group != "mesh" && parameter.group != "output";
@@ -84,9 +84,9 @@ CalibrationForm::CalibrationForm(const RunStore& store, QWidget* parent)
       evaluations_(new QSpinBox(this)) {
   evaluations_->setObjectName("evaluations");
   evaluations_->setAccessibleName(tr("Approximate number of points to compute"));
-  evaluations_->setRange(fewest - 1, most);
+  evaluations_->setRange(minimum - 1, maximum);
   evaluations_->setSpecialValueText(tr("20 + 40 per key"));
-  evaluations_->setValue(fewest - 1);
+  evaluations_->setValue(minimum - 1);
   auto* search = new QHBoxLayout;
   search->addWidget(search_);
   search->addWidget(new QLabel(tr("confirmed on"), this));
@@ -117,7 +117,7 @@ ToolWork CalibrationForm::work() {
   calibration::CalibrationDefinition definition;
   definition.searchMesh = search_->currentText().toStdString();
   definition.confirmMesh = confirm_->currentText().toStdString();
-  definition.evaluations = evaluations_->value() < fewest ? 0 : evaluations_->value();
+  definition.evaluations = evaluations_->value() < minimum ? 0 : evaluations_->value();
   return [definition, free = rows_->texts(), chosen = targets_->chosen()](const ToolInput& input, Monitor& monitor) {
     return compute(definition, free, chosen, input, monitor);
   };

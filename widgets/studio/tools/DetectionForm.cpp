@@ -79,7 +79,8 @@ ToolResult compute(const Search& wanted, const ToolInput& input, Monitor& monito
   result.complete = true;
   result.files = detection::writeDetection(*report, input.folder);
   for (const auto& record : report->records) result.text += detection::faultText(record);
-  result.text += (result.text.empty() ? "" : "\n") + detection::detectionSummary(*report);
+  if (!result.text.empty()) result.text += '\n';
+  result.text += detection::detectionSummary(*report);
   result.show = [report, view = wanted.view, folder = QString::fromStdString(input.folder)] {
     if (view) view->setReport(report, folder);
   };
@@ -219,6 +220,7 @@ ToolWork DetectionForm::work() {
   wanted.overview = std::make_shared<records::Overview>();
   wanted.view = view_;
   view_->follow(wanted.overview);
+  Q_EMIT searchStarted();
   return [wanted](const ToolInput& input, Monitor& monitor) { return compute(wanted, input, monitor); };
 }
 

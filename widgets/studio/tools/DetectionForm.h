@@ -41,6 +41,7 @@ class DetectionForm : public ToolForm {
 
  Q_SIGNALS:
   void choicesChanged();
+  void searchStarted();
   void passageRequested(const QString& file);
   void estimateRequested(const QString& file);
 

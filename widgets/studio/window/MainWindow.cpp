@@ -28,6 +28,7 @@
 #include "studio/profile/ProfileEditor.h"
 #include "studio/project/NotesPanel.h"
 #include "studio/project/ProjectKeeper.h"
+#include "studio/project/RecordWatch.h"
 #include "studio/project/RunReader.h"
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
@@ -91,6 +92,7 @@ void MainWindow::makeParts() {
   const plots::Style style = figureStyle(dark);
   keeper_ = new ProjectKeeper([this] { return work(); }, this);
   reader_ = new RunReader(store_, this);
+  recordWatch_ = new RecordWatch(this);
   auto* centre = new QWidget(this);
   messages_ = new MessageBar(centre);
   middle_ = new QTabWidget(centre);

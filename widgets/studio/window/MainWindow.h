@@ -32,6 +32,7 @@ class PreviewPanel;
 class ProfileEditor;
 class ProjectKeeper;
 class QuickTour;
+class RecordWatch;
 class RunReader;
 class Recovery;
 class RunPanel;
@@ -166,7 +167,7 @@ class MainWindow : public QMainWindow {
   void watchRecords();
   ToolWindow* recordsWindow() const;
   bool recordsAreBusy();  // which is said
-  void keepSoon();        // an open project, once nothing has changed for a moment
+  void keepRecords();     // in an open project, once nothing has changed for a moment
   void showCopy(const QString& said, const QStringList& problems);
   bool mayLeaveCopy();
   void listCase(const QString& path);
@@ -213,6 +214,7 @@ class MainWindow : public QMainWindow {
   NotesPanel* notes_;
   ProjectKeeper* keeper_;
   RunReader* reader_;
+  RecordWatch* recordWatch_;
   QStringList projectProblems_;
   QStringList cases_;  // files of the cases of this work, the last one first
   QTabWidget *middle_, *right_;

@@ -29,6 +29,7 @@
 #include "studio/project/NotesPanel.h"
 #include "studio/project/ProjectKeeper.h"
 #include "studio/project/ProjectRuns.h"
+#include "studio/project/RecordWatch.h"
 #include "studio/project/RunReader.h"
 #include "studio/project/StoreReport.h"
 #include "studio/records/RecordView.h"
@@ -70,6 +71,12 @@ void MainWindow::makeProject() {
     if (!problems.isEmpty()) showProjectProblems();
   });
   connect(reader_, &RunReader::failed, messages_, [this](const QString& text) { messages_->warn(text); });
+  connect(recordWatch_, &RecordWatch::looked, this, soon);
+  connect(recordWatch_, &RecordWatch::changed, this, [this](const QString& problem) {
+    projectProblems_ << problem;
+    showProjectProblems();
+  });
+  connect(runs_, &RunsPanel::orderChanged, this, soon);
   connect(runs_, &RunsPanel::findRequested, this, &MainWindow::findMissing);
   connect(notes_, &QPlainTextEdit::textChanged, this, soon);
   connect(middle_, &QTabWidget::currentChanged, this, soon);
@@ -81,7 +88,10 @@ void MainWindow::makeProject() {
   connect(keeper_, &ProjectKeeper::copyEnded, this, &MainWindow::showCopy);
 }
 
-void MainWindow::keepSoon() { keeper_->saveSoon(); }
+void MainWindow::keepRecords() {
+  recordWatch_->follow(longRecords().files);
+  keeper_->saveSoon();
+}
 
 void MainWindow::makeProjectActions(QMenu& menu) {
   const auto add = [&](const QString& text, const QKeySequence& keys, const char* name, auto action) {
@@ -121,6 +131,8 @@ project::Project MainWindow::work() const {
   for (const QString& name : shownTabs()) project.views.push_back(name.toStdString());
   project.figures = signals_->choices();
   project.records = longRecords();
+  project.records.digests = recordWatch_->digestsOf(project.records.files);
+  project.runOrder = runs_->order();
   return project;
 }
 
@@ -138,8 +150,9 @@ project::LongRecords MainWindow::longRecords() const {
 
 // What is typed and found in the window of long records is a part of the project.
 void MainWindow::watchRecords() {
-  connect(qobject_cast<DetectionForm*>(tool(recordsTool)->form()), &DetectionForm::choicesChanged, this,
-          &MainWindow::keepSoon, Qt::UniqueConnection);
+  const auto* form = qobject_cast<DetectionForm*>(tool(recordsTool)->form());
+  connect(form, &DetectionForm::choicesChanged, this, &MainWindow::keepRecords, Qt::UniqueConnection);
+  connect(form, &DetectionForm::searchStarted, recordWatch_, &RecordWatch::lookAgain, Qt::UniqueConnection);
 }
 
 // In place of what the window of long records holds; its files are read when it is first seen. The next search writes
@@ -148,6 +161,7 @@ void MainWindow::showRecords(const project::LongRecords& kept) {
   if (kept.files.empty() && !recordsWindow()) return;
   watchRecords();
   qobject_cast<DetectionForm*>(recordsWindow()->form())->setChoices(kept);
+  recordWatch_->open(kept);
   const QString own = keeper_->isOpen() ? keeper_->path() : document_.path();
   const QDir beside = own.isEmpty() ? QDir::home() : QFileInfo(own).dir();
   const QString usual = beside.filePath((keeper_->isOpen() ? keeper_->name() : document_.name()) + "-squats");
@@ -218,6 +232,7 @@ void MainWindow::showProject(const project::Project& project) {
     signals_->setChoices(*project.figures, QString::fromStdString(run));
   }
   showRecords(project.records);
+  runs_->setOrder(project.runOrder);
   for (const auto& name : project.views)
     if (!showTab(QString::fromStdString(name)) && name == recordsTool) showTool(recordsTool);
   messages_->hide();
@@ -411,6 +426,7 @@ bool MainWindow::closeProject() {
   reader_->open({});
   document_.startNew();
   showRecords({});
+  runs_->setOrder({});
   profile_->plot()->fit();
   cases_.clear();
   notes_->setNotes({});

@@ -13,12 +13,12 @@ QStringList recentFiles() {
 }
 
 void addRecentFile(const QString& path) {
-  constexpr int most = 10;
+  constexpr int maximum = 10;
   QStringList paths = recentFiles();
   const QString whole = QFileInfo(path).absoluteFilePath();
   paths.removeAll(whole);
   paths.prepend(whole);
-  QSettings().setValue("recent", QStringList(paths.mid(0, most)));
+  QSettings().setValue("recent", QStringList(paths.mid(0, maximum)));
 }
 
 }  // namespace squat::studio

@@ -1,0 +1,67 @@
+#include "project/ViewsInFile.h"
+
+#include <limits>
+
+namespace squat::project {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const AxisRange& range) { return {{"low", range.low}, {"high", range.high}, {"unit", range.unit}}; }
+
+Json jsonOf(const FigureRange& range) {
+  Json json;
+  json["figure"] = range.figure;
+  if (range.x) json["x"] = jsonOf(*range.x);
+  if (range.y) json["y"] = jsonOf(*range.y);
+  return json;
+}
+
+std::optional<AxisRange> rangeIn(const JsonNode& node, const char* axis) {
+  if (!node.has(axis)) return std::nullopt;
+  constexpr double maximum = std::numeric_limits<double>::max();
+  const JsonNode range = node.at(axis);
+  const AxisRange read{range.at("low").number(-maximum, maximum), range.at("high").number(-maximum, maximum),
+                       range.at("unit").text()};
+  if (!(read.low < read.high)) range.fail("has a low end that is not below the high one");
+  return read;
+}
+
+}  // namespace
+
+Json jsonOf(const FigureChoices& figures) {
+  Json json{{"cutoff", figures.cutoff}, {"from", figures.from},       {"to", figures.to},
+            {"window", figures.window}, {"scale", figures.scale},     {"colours", figures.colours},
+            {"moment", figures.moment}, {"segment", figures.segment}, {"hop", figures.hop}};
+  for (const auto& range : figures.ranges) json["ranges"].push_back(jsonOf(range));
+  return json;
+}
+
+Json jsonOf(const TableOrder& order) {
+  return {{"sort", order.sort}, {"descending", order.descending}, {"group", order.group}, {"filter", order.filter}};
+}
+
+FigureChoices figuresIn(const JsonNode& node) {
+  constexpr double highest = 1e12, farthest = 1e12;  // [Hz], [m]
+  constexpr int largest = 1 << 30;
+  FigureChoices figures;
+  figures.cutoff = node.at("cutoff").number(0, highest);
+  figures.from = node.at("from").number(-farthest, farthest);
+  figures.to = node.at("to").number(-farthest, farthest);
+  figures.window = node.at("window").text();
+  figures.scale = node.at("scale").text();
+  figures.colours = node.at("colours").text();
+  figures.moment = node.at("moment").whole(-1, largest);
+  figures.segment = static_cast<std::size_t>(node.at("segment").whole(1, largest));
+  figures.hop = static_cast<std::size_t>(node.at("hop").whole(1, largest));
+  if (!node.has("ranges")) return figures;
+  for (const auto& range : node.at("ranges").list())
+    figures.ranges.push_back({range.at("figure").text(), rangeIn(range, "x"), rangeIn(range, "y")});
+  return figures;
+}
+
+TableOrder orderIn(const JsonNode& node) {
+  return {node.at("sort").text(), node.at("descending").flag(), node.at("group").text(), node.at("filter").text()};
+}
+
+}  // namespace squat::project
