@@ -38,13 +38,6 @@ struct ValidateOptions {
 
 using Results = std::map<std::string, results::RunResult>;
 
-cases::CaseDescription caseOf(const ValidateOptions& options, const statements::ReferenceRun& run) {
-  cases::CaseOverrides overrides;
-  overrides.preset = options.mesh;
-  overrides.values = run.sets;
-  return cases::loadCase(run.caseName, overrides);
-}
-
 // The finished result of this very case by this version of the program, where it stands already. Throws CaseError for a
 // result of another case, which is not to be lost.
 std::optional<results::RunResult> finished(const RunFiles& files, const std::string& hash) {
@@ -57,7 +50,7 @@ std::optional<results::RunResult> finished(const RunFiles& files, const std::str
 
 std::optional<results::RunResult> make(const ValidateOptions& options, const statements::ReferenceRun& run,
                                        TerminalMonitor& monitor) {
-  const auto description = caseOf(options, run);
+  const auto description = run.caseOn(options.mesh);
   const RunFiles files{options.folder, run.name};
   if (auto result = finished(files, cases::caseHash(description))) {
     monitor.message("using existing " + files.result());
@@ -77,7 +70,7 @@ bool makeAll(const ValidateOptions& options, const statements::Reference& refere
   bool well = true;
   // Hours later would be the wrong moment to find a foreign result, or the checkpoint of another case.
   for (const auto& run : reference.runs) {
-    const auto description = caseOf(options, run);
+    const auto description = run.caseOn(options.mesh);
     const RunFiles files{options.folder, run.name};
     keepInputs(files, run.caseName, description);
     if (!finished(files, cases::caseHash(description))) keepOtherCases(files, cases::caseHash(description));
@@ -113,10 +106,8 @@ std::string readAll(const ValidateOptions& options, const statements::Reference&
     }
     const auto own = statements::meshPresetOf(result);
     if (mesh.empty()) mesh = own;
-    auto asked = options;
-    asked.mesh = own;
     if (own != mesh) monitor.message(files.result() + " uses the mesh " + own + ", the others " + mesh);
-    if (cases::caseHash(caseOf(asked, run)) != result.caseHash)
+    if (cases::caseHash(run.caseOn(own)) != result.caseHash)
       monitor.message(files.result() + " differs from the reference case: judged as it is");
     results.emplace(run.name, std::move(result));
   }

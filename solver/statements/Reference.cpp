@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "case/ShippedCases.h"
 #include "core/DurableFile.h"
@@ -19,14 +20,19 @@ using nlohmann::json;
 
 constexpr int kVersion = 2;  // 2: expected with tolerance, trends, parameters, numbers, sensitivity
 
-ReferenceRun runFrom(const json& entry) {
-  ReferenceRun run{entry.at("name"), entry.at("case"), {}};
-  for (const std::string set : entry.at("set")) {
+std::vector<std::pair<std::string, std::string>> setsFrom(const json& list) {
+  std::vector<std::pair<std::string, std::string>> sets;
+  for (const std::string set : list) {
     const auto split = set.find('=');
     if (split == std::string::npos) throw std::invalid_argument("'" + set + "' is not KEY=VALUE");
-    run.sets.emplace_back(set.substr(0, split), set.substr(split + 1));
+    sets.emplace_back(set.substr(0, split), set.substr(split + 1));
   }
-  return run;
+  return sets;
+}
+
+ReferenceRun runFrom(const json& entry) {
+  return {entry.at("name"), entry.at("case"), setsFrom(entry.at("set")),
+          setsFrom(entry.value("set_on_paper", json::array()))};
 }
 
 void readRange(const json& entry, Statement& s) {
@@ -112,6 +118,12 @@ std::string wordsOf(const json::exception& error) {
 }
 
 }  // namespace
+
+cases::CaseDescription ReferenceRun::caseOn(const std::string& mesh) const {
+  cases::CaseOverrides overrides{mesh, sets};
+  if (mesh == "paper") overrides.values.insert(overrides.values.end(), paperSets.begin(), paperSets.end());
+  return cases::loadCase(caseName, overrides);
+}
 
 const ReferenceRun* Reference::run(const std::string& name) const {
   const auto found = std::find_if(runs.begin(), runs.end(), [&](const auto& run) { return run.name == name; });

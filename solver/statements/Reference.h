@@ -9,11 +9,18 @@
 #include <utility>
 #include <vector>
 
+#include "case/CaseDescription.h"
+
 namespace squat::statements {
 
 struct ReferenceRun {
   std::string name, caseName;
   std::vector<std::pair<std::string, std::string>> sets;  // keys changed, in the unit of the case file
+  // Further ones on the mesh preset "paper", where the model is the paper's to the last stated parameter.
+  std::vector<std::pair<std::string, std::string>> paperSets = {};
+
+  // The case of the run on a mesh preset. Throws as cases::loadCase().
+  cases::CaseDescription caseOn(const std::string& mesh) const;
 };
 
 // Where on the vehicle a signal is judged: the paper's accelerometer is on the axle box.

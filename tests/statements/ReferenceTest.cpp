@@ -8,6 +8,7 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "results/SampleResult.h"
+#include "statements/Judge.h"
 
 namespace squat::statements {
 namespace {
@@ -45,6 +46,17 @@ TEST(Reference, EveryRunOfThePapersStatementsIsACaseThatCanBeRead) {
       EXPECT_NO_THROW(cases::loadCase(run.caseName, overrides)) << run.name << " " << preset;
     }
   for (const auto& statement : reference.statements) EXPECT_FALSE(statement.reason.empty()) << statement.text;
+}
+
+// What the paper states of its model, on the mesh preset of that name: all 29 parameters, yielding layer and 1 m of
+// run-up among them.
+TEST(Reference, TheModelOnThePapersMeshIsThePapers) {
+  const auto reference = readReference(SQUAT_SOURCE_DIR "/resources/reference/paper.json");
+  EXPECT_EQ(reference.parameters.size(), 29U);
+  results::RunResult result;
+  results::setCase(result, reference.run("light-defect")->caseOn("paper"));
+  for (const auto& each : compareParameters(reference, result))
+    EXPECT_TRUE(each.same) << each.parameter.key << " is " << each.ours;
 }
 
 TEST(Reference, MeasuresNeedWhatTheyMeasure) {
