@@ -54,6 +54,17 @@ class Pipeline {
   std::deque<std::future<std::vector<SegmentEvents>>> underWay_;
 };
 
+void takeLabel(Event& event, const SeverityLimits& limits) {
+  const auto& label = *event.label;
+  event.kind = event.judgement.kind = label.kind;
+  event.sureness = event.judgement.sureness = 1;
+  event.reason = "as labelled";
+  const bool hasSize = label.length > 0 && label.depth > 0;
+  if (label.kind != Kind::squat || (!label.severity && !hasSize)) return;
+  event.judgement.severity = label.severity ? *label.severity : severityOf(label.length, label.depth, limits);
+  event.judgement.severitySureness = 1;
+}
+
 void judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOptions& options, bool falling) {
   std::vector<EventFeatures> features;
   for (const auto& event : channel.events) features.push_back(event.features);
@@ -61,6 +72,7 @@ void judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOpt
   for (std::size_t i = 0; i < channel.events.size(); ++i) {
     auto& event = channel.events[i];
     event.judgement = judgements[i];
+    if (event.label) event.judgement.nothing = 0;
     event.kind = judgements[i].kind, event.sureness = judgements[i].sureness;
     event.position += (falling ? 1 : -1) * judgements[i].offset;
     event.travelled = falling ? -event.position : event.position;
@@ -68,6 +80,8 @@ void judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOpt
   std::erase_if(channel.events, [](const Event& event) { return event.judgement.nothing > noiseProbability; });
   markCorrugation(channel.events);
   channel.circumference = markFlats(channel.events, options.surroundings);
+  for (auto& event : channel.events)
+    if (event.label) takeLabel(event, judge.limits());
 }
 
 }  // namespace
@@ -104,30 +118,39 @@ void judgeCandidates(RecordDetection& detection, const Judge& judge, const Detec
   for (auto& channel : detection.channels) judgeChannel(channel, judge, options, detection.layout.falling);
 }
 
-std::vector<Example> labelled(const RecordDetection& detection, const std::vector<Label>& labels, double weight,
-                              std::size_t& missed) {
+std::size_t attachLabels(RecordDetection& detection, const std::vector<Label>& labels) {
   constexpr double reach = 0.5;  // [m]
-  std::vector<Example> examples;
+  std::size_t missed = 0;
   for (const auto& label : labels) {
-    const Event* nearest = nullptr;
+    Event* nearest = nullptr;
     double distance = reach;
-    for (const auto& channel : detection.channels) {
+    for (auto& channel : detection.channels) {
       if (!label.channel.empty() && label.channel != channel.name) continue;
-      for (const auto& event : channel.events)
+      for (auto& event : channel.events)
         if (const double apart = std::abs(event.position - label.position); apart < distance)
           distance = apart, nearest = &event;
     }
-    if (!nearest) {
+    if (nearest)
+      nearest->label = label;
+    else
       ++missed;
-      continue;
-    }
-    const auto& features = nearest->features;
-    Example example{label.kind, "labels",        label.length,   label.depth, features.speed, 0, weight,
-                    {},         features.before, features.reach, {}};
-    for (std::size_t b = 0; b < bandCount; ++b)
-      example.energy[b] = std::max(0.0, features.energy[b] - features.noise[b]);
-    examples.push_back(std::move(example));
   }
+  return missed;
+}
+
+std::vector<Example> labelledExamples(const RecordDetection& detection, double weight) {
+  std::vector<Example> examples;
+  for (const auto& channel : detection.channels)
+    for (const auto& event : channel.events) {
+      if (!event.label) continue;
+      const auto& features = event.features;
+      const auto& label = *event.label;
+      Example example{label.kind, "labels",        label.length,   label.depth, features.speed, 0, weight,
+                      {},         features.before, features.reach, {}};
+      for (std::size_t b = 0; b < bandCount; ++b)
+        example.energy[b] = std::max(0.0, features.energy[b] - features.noise[b]);
+      examples.push_back(std::move(example));
+    }
   return examples;
 }
 

@@ -38,18 +38,14 @@ struct RecordDetection {
 // yet. Reports progress; cancelled: what was found so far. Throws what the stream throws.
 RecordDetection findCandidates(records::RecordStream& stream, const DetectOptions& options, Monitor& monitor);
 
-// Judges the candidates by the examples and their surroundings; drops those that are noise.
-void judgeCandidates(RecordDetection& detection, const Judge& judge, const DetectOptions& options);
+// Gives each label to the nearest candidate within half a metre; returns how many labels found none.
+std::size_t attachLabels(RecordDetection& detection, const std::vector<Label>& labels);
 
-// Candidates that the user has seen himself: examples of their own vehicle, each as heavy as `weight` others. Labels
-// that match no candidate within half a metre are counted in `missed`.
-struct Label {
-  double position = 0;  // [m]
-  std::string channel;  // empty: any
-  Kind kind = Kind::squat;
-  double length = 0, depth = 0;  // [m] of a squat
-};
-std::vector<Example> labelled(const RecordDetection& detection, const std::vector<Label>& labels, double weight,
-                              std::size_t& missed);
+// The labelled candidates as examples of their own vehicle, each as heavy as `weight` others.
+std::vector<Example> labelledExamples(const RecordDetection& detection, double weight);
+
+// Judges the candidates by the examples and their surroundings; drops those that are noise. What is labelled stays,
+// with kind and severity as the label has them.
+void judgeCandidates(RecordDetection& detection, const Judge& judge, const DetectOptions& options);
 
 }  // namespace squat::detection

@@ -1,11 +1,13 @@
 // solver/detection/Event.h - a place of a record that is louder than around, and what it is taken for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "detection/EventFeatures.h"
 #include "detection/Examples.h"
+#include "detection/Label.h"
 #include "signals/TimeSeries.h"
 
 namespace squat::detection {
@@ -21,7 +23,8 @@ struct Event {
   Judgement judgement;
   Kind kind = Kind::other;
   double sureness = 0;
-  std::string reason;           // where the surroundings decided the kind: "repeats every 2.89 m"
+  std::string reason;           // where it was not the signal: "repeats every 2.89 m", "as labelled"
+  std::optional<Label> label;   // decides kind and severity
   signals::TimeSeries passage;  // the signal half a metre ahead of it to a metre behind
   std::size_t passes = 1;       // that have it, of those that passed there
   std::size_t passesThere = 1;

@@ -14,10 +14,9 @@ struct Vehicle {
 };
 
 struct EventMatch {
-  BandValues distance = BandValues::Zero();  // log10 of the energies seen by those expected, noise included
-  BandValues share = BandValues::Zero();     // of the signal in the expected energy; 0 where the record shows no band
-  Eigen::LLT<BandMatrix> covariance;         // of the distance
-  double logDensity = 0;                     // of the distance, but for a constant that all events of a record share
+  BandValues distance = BandValues::Zero();    // log10 of the energies seen by those expected, noise included
+  BandValues share = BandValues::Zero();       // of the signal in the expected energy; 0 where a band is not shown
+  BandMatrix covariance = BandMatrix::Zero();  // of the distance
 };
 
 // `expected`: y of SizeModel.h without u; `scatter`: covariance of y around it. The noise of the event adds to the
@@ -25,5 +24,8 @@ struct EventMatch {
 // freedom, (2 N^2 + 4 S N) / n.
 EventMatch matchOf(const EventFeatures& event, const BandValues& expected, const Vehicle& vehicle,
                    const BandMatrix& scatter);
+
+// Of the distance, but for a constant that all events of a record share.
+double logDensityOf(const EventMatch& match);
 
 }  // namespace squat::detection

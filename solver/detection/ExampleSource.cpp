@@ -50,9 +50,24 @@ std::optional<std::vector<Example>> ownExamples(const SourceOptions& options, do
   return made;
 }
 
+// Several records of one place share their labels: a label is missed where it matches no event of any record.
+void addLabels(const std::vector<Label>& labels, const std::string& file, std::vector<RecordDetection>& records,
+               ExampleSource& source) {
+  std::size_t missed = labels.size();
+  for (auto& record : records) {
+    missed = std::min(missed, attachLabels(record, labels));
+    for (auto& example : labelledExamples(record, kLabelWeight)) {
+      source.own.push_back(example);
+      source.examples.push_back(std::move(example));
+    }
+  }
+  source.words += ", and " + std::to_string(labels.size()) + (labels.size() == 1 ? " label of " : " labels of ") + file;
+  if (missed > 0) source.words += " (" + std::to_string(missed) + " without an event within 0.5 m)";
+}
+
 }  // namespace
 
-std::optional<ExampleSource> exampleSource(const SourceOptions& options, const std::vector<RecordDetection>& records,
+std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::vector<RecordDetection>& records,
                                            Monitor& monitor) {
   ExampleSource source;
   if (options.vehicle) {
@@ -72,15 +87,7 @@ std::optional<ExampleSource> exampleSource(const SourceOptions& options, const s
   if (isOfOneVehicle(source.examples)) source.own = source.examples;
   if (!source.sizes.isKnown()) source.sizes = SizeModel(readExamples(generalExamples()));
   if (options.labelsFile.empty()) return source;
-  const auto labels = readLabels(options.labelsFile);
-  std::size_t missed = 0;
-  for (const auto& record : records)
-    for (auto& example : labelled(record, labels, kLabelWeight, missed)) {
-      source.own.push_back(example);
-      source.examples.push_back(std::move(example));
-    }
-  source.words += ", and " + std::to_string(labels.size()) + (labels.size() == 1 ? " label of " : " labels of ") +
-                  options.labelsFile;
+  addLabels(readLabels(options.labelsFile), options.labelsFile, records, source);
   return source;
 }
 

@@ -28,13 +28,13 @@ struct ExampleSource {
   JudgementOptions judgement;  // narrower for the vehicle at hand
   SizeModel sizes;             // of many vehicles
   std::vector<Example> own;    // passages of the records' own vehicle: of its case, of a table of one vehicle, labels
-  std::string words;           // where they come from
+  std::string words;           // where they come from; labels that match no event
 };
 
 // Passages of a vehicle are computed once for the typical speed of the records and kept as
-// FOLDER/CASE-HASH.examples.csv. Nothing where that was cancelled. Throws as makeExamples(), readExamples() and
-// readLabels().
-std::optional<ExampleSource> exampleSource(const SourceOptions& options, const std::vector<RecordDetection>& records,
+// FOLDER/CASE-HASH.examples.csv. The labels are attached to the records' events. Nothing where that was cancelled.
+// Throws as makeExamples(), readExamples() and readLabels().
+std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::vector<RecordDetection>& records,
                                            Monitor& monitor);
 
 // Judges the candidates of all records and combines their passes.

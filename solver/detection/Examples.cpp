@@ -13,7 +13,7 @@ namespace squat::detection {
 namespace {
 
 constexpr std::size_t fixedColumns = 7;
-constexpr std::size_t formColumn = fixedColumns + bandCount + 2;  // tables of before 0.3 end here
+constexpr std::size_t formColumn = fixedColumns + bandCount + 2;  // tables of version 0.2 and earlier end here
 constexpr std::size_t columns = formColumn + 5;
 constexpr std::array shapeNames{std::pair{scenario::DefectShape::cosine, "cosine"},
                                 std::pair{scenario::DefectShape::wshape, "w-shape"},

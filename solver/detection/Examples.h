@@ -11,6 +11,8 @@
 
 namespace squat::detection {
 
+class KindDensity;
+
 // kind, vehicle, length [mm], depth [mm], speed [m/s], offset [mm], weight, energies, before, reach [m].
 std::string examplesText(const std::vector<Example>& examples);
 // Throws FileError with the line.
@@ -50,6 +52,7 @@ class Judge {
   // The events of one record share vehicle and track: examples of vehicles that explain all of them well count more.
   std::vector<Judgement> judge(const std::vector<EventFeatures>& events) const;
 
+  const SeverityLimits& limits() const { return options_.limits; }
   bool isEmpty() const { return examples_.empty(); }
   std::size_t vehicles() const { return vehicles_.size(); }
 
@@ -57,8 +60,8 @@ class Judge {
   std::vector<double> logLikelihoods(const EventFeatures& event) const;
   double logNothing(const EventFeatures& event) const;
   std::vector<double> vehicleWeights(const std::vector<std::vector<double>>& likelihoods) const;
-  double logDensityOf(Kind kind, const EventFeatures& event, const Vehicle& vehicle) const;
-  void takeKind(const EventFeatures& event, const SquatSizes& sizes, double asSquat, Judgement& judgement) const;
+  void takeKind(const EventFeatures& event, const Vehicle& vehicle, double asSquat, KindDensity& densities,
+                Judgement& judgement) const;
   void takeSizes(const std::vector<EventFeatures>& events, std::vector<Judgement>& judgements) const;
   Judgement weigh(const EventFeatures& event, const std::vector<double>& likelihoods,
                   const std::vector<double>& vehicles) const;

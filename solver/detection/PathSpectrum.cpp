@@ -37,7 +37,8 @@ PathSpectrum::PathSpectrum(const scenario::Defect& defect) : step_(1 / (pathStep
   auto path = pathOver(scenario::defectHeights(defect, margin, pathStep));
   path.resize(pathPoints, 0.0);
   std::vector<signals::Complex> spectrum(pathPoints / 2 + 1);
-  signals::RealTransform(pathPoints).forward(path.data(), spectrum.data());
+  static const signals::RealTransform transform(pathPoints);  // planning costs more than a transform
+  transform.forward(path.data(), spectrum.data());
   sum_.assign(1, 0.0);
   for (std::size_t k = 0; k + 1 < spectrum.size(); ++k) {
     const double angular = 2 * std::numbers::pi * step_ * static_cast<double>(k);

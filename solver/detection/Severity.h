@@ -19,7 +19,8 @@ Severity severityOf(double length, double depth, const SeverityLimits& limits = 
 
 std::string toText(Kind kind);
 std::string toText(Severity severity);
-// Throws CaseError with the known names.
+// Throw CaseError with the known names.
 Kind kindFromText(const std::string& text);
+Severity severityFromText(const std::string& text);
 
 }  // namespace squat::detection

@@ -61,7 +61,7 @@ BandValues pathEnergies(const PathSpectrum& path, double speed) {
   BandValues values;
   for (std::size_t b = 0; b < bandCount; ++b) {
     const auto& band = detectionBands()[b];
-    // A path without short waves still has the corners of its contact: 1e-9 lies a decade below any measured energy.
+    // 1e-9: a floor for paths without waves of this length.
     values[static_cast<Eigen::Index>(b)] = std::log10(path.energy(speed, band.low, band.high) / (speed * speed) + 1e-9);
   }
   return values;

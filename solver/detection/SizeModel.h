@@ -21,8 +21,8 @@ using BandMatrix = Eigen::Matrix<double, static_cast<int>(bandCount), static_cas
 // the path does not say: normal over passages, with the covariance `betweenPassages`. c by ridge regression with an
 // offset for each vehicle; the rest from what these leave.
 //
-// Left out one after the other, 35 vehicles of 15 squats without noise: 86 % of severities are right where the vehicle
-// is not known, 89 % where its other passages are.
+// Left out one after the other, vehicles of 15 squats without noise: 85 % of severities are right where the vehicle is
+// not known, 87 % where its other passages are.
 class SizeModel {
  public:
   // Squats of at least eight vehicles, else it is not known. Where an example does not say its form, the mean of the

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace squat::detection {
@@ -13,90 +12,79 @@ constexpr Eigen::Index bands = static_cast<Eigen::Index>(bandCount);
 constexpr double sharedEvidence = 0.5;  // events of a record are not independent looks at its vehicle
 constexpr int maximumPasses = 30;
 constexpr double atRest = 1e-3;                 // of log10 energy
-constexpr double speedStep = 0.02;              // of the logarithm: squats are computed for speeds this far apart
 constexpr std::size_t maximumForVehicle = 200;  // of events that the vehicle is estimated from, the surest
 constexpr double surelyNone = 1e-3;             // probability below which an event does not count for the vehicle
 
-// y without u of every possible squat.
-using Expected = std::vector<BandValues>;
-
-class ExpectedBySpeed {
- public:
-  ExpectedBySpeed(const SizeModel& model, const PossibleSquats& possible) : model_(model), possible_(possible) {}
-
-  const Expected& at(double speed) {
-    const long step = std::lround(std::log(speed) / speedStep);
-    const auto [found, isNew] = expected_.try_emplace(step);
-    if (isNew) {
-      const double rounded = std::exp(speedStep * static_cast<double>(step));
-      for (const auto& squat : possible_.all())
-        found->second.push_back(model_.expected(pathEnergies(squat.path, rounded), rounded));
-    }
-    return found->second;
-  }
-
- private:
-  const SizeModel& model_;
-  const PossibleSquats& possible_;
-  std::map<long, Expected> expected_;
-};
-
-// Probability of each possible squat; adds to the normal equations of the vehicle what the event says, weighted.
+// Equations of the vehicle, Gauss-Newton.
 struct Normal {
   BandMatrix matrix = BandMatrix::Zero();
   BandValues right = BandValues::Zero();
 };
 
 struct Fit {
-  std::vector<double> probability;
-  double logDensity = 0;  // of the event, if it is a squat
+  std::vector<double> probability;  // of each possible squat
+  double logDensity = 0;            // of the event, if it is a squat
 };
 
-Fit fitOf(const EventFeatures& event, const Expected& expected, const PossibleSquats& possible, const Vehicle& vehicle,
-          const BandMatrix& scatter, double weight, Normal* normal) {
-  std::vector<EventMatch> matches;
+Fit fitOf(const EventFeatures& event, const std::vector<BandValues>& expected, const PossibleSquats& possible,
+          const Vehicle& vehicle, const BandMatrix& scatter) {
+  Fit fit;
   double largest = -std::numeric_limits<double>::infinity();
   for (const auto& each : expected) {
-    matches.push_back(matchOf(event, each, vehicle, scatter));
-    largest = std::max(largest, matches.back().logDensity);
+    fit.probability.push_back(logDensityOf(matchOf(event, each, vehicle, scatter)));
+    largest = std::max(largest, fit.probability.back());
   }
-  Fit fit;
-  auto& result = fit.probability;
   double sum = 0;
-  for (std::size_t g = 0; g < matches.size(); ++g) {
-    result.push_back(possible.all()[g].weight * std::exp(matches[g].logDensity - largest));
-    sum += result.back();
+  for (std::size_t g = 0; g < expected.size(); ++g) {
+    fit.probability[g] = possible.all()[g].weight * std::exp(fit.probability[g] - largest);
+    sum += fit.probability[g];
   }
+  for (double& probability : fit.probability) probability /= sum;
   fit.logDensity = largest + std::log(sum);
-  for (std::size_t g = 0; g < matches.size(); ++g) {
-    result[g] /= sum;
-    if (!normal || result[g] < 1e-6) continue;
-    const BandMatrix shares = matches[g].share.asDiagonal();
-    normal->matrix += weight * result[g] * shares * matches[g].covariance.solve(shares);
-    normal->right += weight * result[g] * (shares * matches[g].covariance.solve(matches[g].distance));
-  }
   return fit;
 }
 
-double quantile(std::vector<std::pair<double, double>> values, double share) {
-  std::sort(values.begin(), values.end());
-  double sum = 0;
-  for (const auto& [value, weight] : values)
-    if ((sum += weight) >= share) return value;
-  return values.back().first;
+// What one event says of the vehicle, `weight` times.
+void addTo(Normal& normal, const EventFeatures& event, const std::vector<BandValues>& expected, const Fit& fit,
+           const Vehicle& vehicle, const BandMatrix& scatter, double weight) {
+  constexpr double negligible = 1e-6;
+  for (std::size_t g = 0; g < expected.size(); ++g) {
+    if (fit.probability[g] < negligible) continue;
+    const auto match = matchOf(event, expected[g], vehicle, scatter);
+    const Eigen::LLT<BandMatrix> covariance(match.covariance);
+    const BandMatrix shares = match.share.asDiagonal();
+    normal.matrix += weight * fit.probability[g] * shares * covariance.solve(shares);
+    normal.right += weight * fit.probability[g] * (shares * covariance.solve(match.distance));
+  }
 }
 
-SquatSize sizeFrom(const std::vector<double>& probability, const PossibleSquats& possible) {
+// The values below which 5 %, half and 95 % of the weight lie.
+std::array<double, 3> quantiles(std::vector<std::pair<double, double>> values) {
+  std::sort(values.begin(), values.end());
+  std::array<double, 3> found{};
+  found.fill(values.back().first);
+  double sum = 0;
+  std::size_t next = 0;
+  for (const auto& [value, weight] : values) {
+    sum += weight;
+    for (constexpr std::array shares{0.05, 0.5, 0.95}; next < shares.size() && sum >= shares[next]; ++next)
+      found[next] = value;
+  }
+  return found;
+}
+
+SquatSize sizeFrom(const Fit& fit, const PossibleSquats& possible) {
   SquatSize size;
   std::vector<std::pair<double, double>> lengths, depths;
-  for (std::size_t g = 0; g < probability.size(); ++g) {
+  for (std::size_t g = 0; g < fit.probability.size(); ++g) {
     const auto& squat = possible.all()[g];
-    size.severity[static_cast<std::size_t>(squat.severity)] += probability[g];
-    lengths.emplace_back(squat.length, probability[g]), depths.emplace_back(squat.depth, probability[g]);
+    size.severity[static_cast<std::size_t>(squat.severity)] += fit.probability[g];
+    lengths.emplace_back(squat.length, fit.probability[g]), depths.emplace_back(squat.depth, fit.probability[g]);
   }
-  size.length = quantile(lengths, 0.5), size.lengthLow = quantile(lengths, 0.05);
-  size.lengthHigh = quantile(lengths, 0.95);
-  size.depth = quantile(depths, 0.5), size.depthLow = quantile(depths, 0.05), size.depthHigh = quantile(depths, 0.95);
+  const auto length = quantiles(std::move(lengths)), depth = quantiles(std::move(depths));
+  size.lengthLow = length[0], size.length = length[1], size.lengthHigh = length[2];
+  size.depthLow = depth[0], size.depth = depth[1], size.depthHigh = depth[2];
+  size.logDensity = fit.logDensity;
   return size;
 }
 
@@ -128,31 +116,23 @@ std::vector<std::size_t> surest(const std::vector<double>& squat) {
 
 }  // namespace
 
-PossibleSquats::PossibleSquats(std::size_t count, const SeverityLimits& limits) {
-  constexpr std::uint32_t seed = 999;
-  std::array<double, 3> members{};
-  for (const auto& example : exampleSquats(count, seed)) {
-    const auto severity = severityOf(example.length, example.depth, limits);
-    squats_.push_back({example.length, example.depth, severity, 0, PathSpectrum(example.defect)});
-    members[static_cast<std::size_t>(severity)] += 1;
-  }
-  const auto classes =
-      static_cast<double>(std::count_if(members.begin(), members.end(), [](double n) { return n > 0; }));
-  for (auto& squat : squats_) squat.weight = 1 / (classes * members[static_cast<std::size_t>(squat.severity)]);
-}
-
 SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
-                      const std::vector<double>& squat, const std::vector<Example>& own) {
-  ExpectedBySpeed expected(model, possible);
+                      const std::vector<double>& squat, const std::vector<Example>& own,
+                      const std::optional<BandValues>& start) {
+  ExpectedBySpeed expected(model, possible.paths());
   const Vehicle known = knownFrom(model, own);
   const BandMatrix precision = known.covariance.inverse();
   const auto forVehicle = surest(squat);
   Vehicle vehicle = known;
+  if (start) vehicle.mean = *start;
   for (int pass = 0; pass < maximumPasses; ++pass) {
     Normal normal;
     const BandMatrix scatter = model.betweenPassages() + vehicle.covariance;
-    for (const auto i : forVehicle)
-      fitOf(events[i], expected.at(events[i].speed), possible, vehicle, scatter, sharedEvidence * squat[i], &normal);
+    for (const auto i : forVehicle) {
+      const auto& squats = expected.at(events[i].speed);
+      const auto fit = fitOf(events[i], squats, possible, vehicle, scatter);
+      addTo(normal, events[i], squats, fit, vehicle, scatter, sharedEvidence * squat[i]);
+    }
     const BandMatrix all = precision + normal.matrix;
     const BandValues step = all.ldlt().solve(precision * (known.mean - vehicle.mean) + normal.right);
     vehicle.mean += step;
@@ -163,9 +143,8 @@ SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, co
   SquatSizes sizes;
   sizes.vehicle = vehicle;
   for (const auto& event : events) {
-    const auto fit = fitOf(event, expected.at(event.speed), possible, vehicle, scatter, 0, nullptr);
-    sizes.each.push_back(sizeFrom(fit.probability, possible));
-    sizes.each.back().logDensity = fit.logDensity;
+    const auto fit = fitOf(event, expected.at(event.speed), possible, vehicle, scatter);
+    sizes.each.push_back(sizeFrom(fit, possible));
   }
   return sizes;
 }

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "detection/EventMatch.h"
-#include "detection/ExampleDefects.h"
+#include "detection/PossibleDefects.h"
 
 namespace squat::detection {
 
@@ -21,28 +22,13 @@ struct SquatSizes {
   Vehicle vehicle;
 };
 
-// Squats of all sizes and forms, each severity the same number of times in sum, with the spectra of their paths.
-class PossibleSquats {
- public:
-  PossibleSquats(std::size_t count, const SeverityLimits& limits);
-
-  struct Squat {
-    double length = 0, depth = 0;  // [m]
-    Severity severity = Severity::light;
-    double weight = 0;  // sum 1
-    PathSpectrum path;
-  };
-  const std::vector<Squat>& all() const { return squats_; }
-
- private:
-  std::vector<Squat> squats_;
-};
-
 // Bayes' rule over the possible squats. The events share their vehicle u, which is estimated with their sizes: sizes
 // given the vehicle, and the vehicle given the sizes, in turn until it rests. `squat`: probability of each event to be
 // one; what is none says nothing of the vehicle. `own`: passages of the same vehicle over squats of known sizes, such
-// as labels. The noise of an event adds to the energy of a squat, with the scatter that its degrees of freedom bring.
+// as labels. `start`: u that the estimate sets out from. The noise of an event adds to the energy of a squat, with the
+// scatter that its degrees of freedom bring.
 SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
-                      const std::vector<double>& squat, const std::vector<Example>& own);
+                      const std::vector<double>& squat, const std::vector<Example>& own,
+                      const std::optional<BandValues>& start = {});
 
 }  // namespace squat::detection

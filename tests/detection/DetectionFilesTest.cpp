@@ -115,6 +115,15 @@ TEST(DetectionFiles, TheTableServesAsLabels) {
   EXPECT_DOUBLE_EQ(labels[0].position, 12345.678);
   EXPECT_EQ(severityOf(labels[0].length, labels[0].depth), Severity::severe) << "what the user says counts";
   EXPECT_EQ(labels[1].kind, Kind::weld);
+  EXPECT_EQ(labels[0].severity, Severity::severe);
+  std::ofstream(path) << "position [m],kind,severity\n12,squat,heavy\n";
+  try {
+    readLabels(path);
+    FAIL();
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("line 2"));
+    EXPECT_THAT(error.what(), HasSubstr("light, moderate, severe"));
+  }
   std::ofstream(path) << "position [m],kind\n12,crossing\n";
   try {
     readLabels(path);

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "case/ShippedCases.h"
+#include "detection/ExampleDefects.h"
 #include "detection/Examples.h"
 #include "detection/SizePosterior.h"
 
@@ -80,6 +81,8 @@ TEST(PathSpectrum, DoesNotGrowWithADepthThatNoWheelReaches) {
   };
   // On its flanks the wheel touches R d/2 (2 pi / L) ahead of its middle: 0.3 mm of 20 at 4 um.
   EXPECT_NEAR(energyAt(4e-6) / energyAt(2e-6), 4, 0.1) << "a shallow one is followed";
+  // Each is deeper than it reaches; at the edges, that it does touch, twice the depth has twice the slope: the chord
+  // that it spans grows by some hundredths of its length, and the energy by less than a third (16, were it followed).
   EXPECT_LT(energyAt(1.0e-3) / energyAt(0.5e-3), 1.3);
 }
 
@@ -121,8 +124,9 @@ TEST(SizeModel, FindsSizesOfPassagesThatFollowItsFormula) {
     length.right += std::abs(std::log(sizes[i].length / squats[i].length)) < 0.15, ++length.all;
     depth.right += std::abs(std::log(sizes[i].depth / squats[i].depth)) < 0.25, ++depth.all;
   }
-  EXPECT_GE(length.right, 15) << "of 18: few forms look alike to the last hundredth";
-  EXPECT_GE(depth.right, 15);
+  // Three of 18 may be of a form that another of the three imitates with another size.
+  EXPECT_GE(length.right, 15) << "of 18";
+  EXPECT_GE(depth.right, 15) << "of 18";
 }
 
 // The same table judged by a separate program (least squares and grid of possible squats in another language): 85.5 %
@@ -149,10 +153,11 @@ TEST(SizeModel, SeveritiesOfVehiclesThatItHasNotSeen) {
     }
   }
   EXPECT_GE(severity.share(), 0.79) << severity.right << " of " << severity.all;
-  EXPECT_LE(twoOff, 5);
-  // Ranges of 90 %; the scatter is not normal.
-  EXPECT_GE(length.share(), 0.75);
-  EXPECT_GE(depth.share(), 0.80);
+  EXPECT_LE(twoOff, 5) << "1 %, of the separate program, and two standard deviations of three in 300";
+  // Ranges of 90 %. What the model leaves over is not normal: without noise some 85 % lie inside (in records with noise
+  // 91 %). Three standard deviations of a share of 0.85 in 300 are 6 %.
+  EXPECT_GE(length.share(), 0.79);
+  EXPECT_GE(depth.share(), 0.79);
 }
 
 // At most 3 % of squats are missed and 5 % of joints and welds called squats; two standard deviations of the latter in

@@ -202,11 +202,11 @@ void RunsPanel::fitNames() {
   QHeaderView* heading = table_->horizontalHeader();
   if (heading->count() == 0) return;
   constexpr int minimumLetters = 10;
-  const int least = table_->fontMetrics().averageCharWidth() * minimumLetters + 2 * table_->iconSize().width();
+  const int minimum = table_->fontMetrics().averageCharWidth() * minimumLetters + 2 * table_->iconSize().width();
   int others = 0;
   for (int column = 1; column < heading->count(); ++column) others += heading->sectionSize(column);
   heading->setSectionResizeMode(0, QHeaderView::Fixed);
-  heading->resizeSection(0, std::max(least, table_->viewport()->width() - others));
+  heading->resizeSection(0, std::max(minimum, table_->viewport()->width() - others));
 }
 
 bool RunsPanel::eventFilter(QObject* watched, QEvent* event) {

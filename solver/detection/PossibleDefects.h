@@ -1,0 +1,48 @@
+// solver/detection/PossibleDefects.h - what an event may be: squats, joints and welds of all sizes, and their paths.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "detection/PathSpectrum.h"
+#include "detection/Severity.h"
+#include "detection/SizeModel.h"
+
+namespace squat::detection {
+
+// Squats of all sizes and forms, each severity the same number of times in sum, with the spectra of their paths.
+class PossibleSquats {
+ public:
+  PossibleSquats(std::size_t count, const SeverityLimits& limits);
+
+  struct Squat {
+    double length = 0, depth = 0;  // [m]
+    Severity severity = Severity::light;
+    double weight = 0;  // sum 1
+    PathSpectrum path;
+  };
+  const std::vector<Squat>& all() const { return squats_; }
+  std::vector<PathSpectrum> paths() const;
+
+ private:
+  std::vector<Squat> squats_;
+};
+
+// Paths of joints or of welds as exampleJointsAndWelds() draws them.
+std::vector<PathSpectrum> possiblePaths(Kind kind, std::size_t count);
+
+// y of SizeModel.h without u, of many paths at one speed, kept for the next event of this speed.
+class ExpectedBySpeed {
+ public:
+  // The model must outlive it.
+  ExpectedBySpeed(const SizeModel& model, std::vector<PathSpectrum> paths);
+  const std::vector<BandValues>& at(double speed);
+
+ private:
+  const SizeModel& model_;
+  std::vector<PathSpectrum> paths_;
+  std::map<long, std::vector<BandValues>> expected_;
+};
+
+}  // namespace squat::detection

@@ -1,0 +1,83 @@
+// What the user has seen decides, whatever the signal says.
+#include <gtest/gtest.h>
+
+#include "detection/Detect.h"
+
+namespace squat::detection {
+namespace {
+
+Example exampleOf(Kind kind, double energy) {
+  Example example;
+  example.kind = kind, example.vehicle = "a", example.speed = 30, example.energy.fill(energy);
+  if (kind == Kind::squat) example.length = 0.02, example.depth = 0.05e-3;
+  return example;
+}
+
+Judge lightSquatOrLoudWeld() {
+  JudgementOptions options;
+  options.commonSpread = 0.05, options.sizeSpread = 0.05;
+  return {{exampleOf(Kind::squat, 1), exampleOf(Kind::weld, 100)}, options};
+}
+
+Event eventAt(double position, double energy) {
+  Event event;
+  event.channel = "left", event.position = event.travelled = position;
+  event.features.speed = 30, event.features.reach = 0.5;
+  event.features.energy.fill(energy + 0.01), event.features.noise.fill(0.01), event.features.freedom.fill(20);
+  return event;
+}
+
+// Light squat, weld, noise.
+RecordDetection detection() {
+  RecordDetection found;
+  found.channels.push_back({"left", {eventAt(10, 1), eventAt(20, 100), eventAt(30, 0)}, {}, 0});
+  return found;
+}
+
+Label labelAt(double position, Kind kind) {
+  Label label;
+  label.position = position, label.kind = kind;
+  return label;
+}
+
+TEST(Labels, DecideKindAndSeverity) {
+  auto found = detection();
+  judgeCandidates(found, lightSquatOrLoudWeld(), {});
+  ASSERT_EQ(found.channels[0].events.size(), 2U) << "the third is noise";
+  EXPECT_EQ(found.channels[0].events[0].judgement.severity, Severity::light);
+  EXPECT_EQ(found.channels[0].events[1].kind, Kind::weld);
+
+  found = detection();
+  auto severe = labelAt(10.2, Kind::squat), sized = labelAt(20.1, Kind::squat);
+  severe.severity = Severity::severe;
+  sized.length = 0.05, sized.depth = 0.1e-3;
+  EXPECT_EQ(attachLabels(found, {severe, sized, labelAt(30.3, Kind::joint)}), 0U);
+  judgeCandidates(found, lightSquatOrLoudWeld(), {});
+  const auto& events = found.channels[0].events;
+  ASSERT_EQ(events.size(), 3U) << "what was seen is not noise";
+  EXPECT_EQ(events[0].kind, Kind::squat);
+  EXPECT_EQ(events[0].judgement.severity, Severity::severe);
+  EXPECT_EQ(events[1].kind, Kind::squat);
+  EXPECT_EQ(events[1].judgement.severity, Severity::moderate) << "50 mm, 0.1 mm";
+  EXPECT_EQ(events[2].kind, Kind::joint);
+  for (const auto& event : events) {
+    EXPECT_EQ(event.sureness, 1);
+    EXPECT_EQ(event.reason, "as labelled");
+  }
+}
+
+TEST(Labels, BelongToTheNearestEventOfTheirChannel) {
+  auto found = detection();
+  auto elsewhere = labelAt(10, Kind::joint);
+  elsewhere.channel = "right";
+  EXPECT_EQ(attachLabels(found, {labelAt(10.6, Kind::joint), elsewhere, labelAt(19.6, Kind::joint)}), 2U)
+      << "beyond half a metre; of another channel";
+  const auto examples = labelledExamples(found, 5);
+  ASSERT_EQ(examples.size(), 1U);
+  EXPECT_EQ(examples[0].kind, Kind::joint);
+  EXPECT_EQ(examples[0].weight, 5);
+  EXPECT_NEAR(examples[0].energy[0], 100, 1e-9) << "of the event at 20 m, freed of its noise";
+}
+
+}  // namespace
+}  // namespace squat::detection
