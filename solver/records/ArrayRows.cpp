@@ -9,6 +9,7 @@
 #include "readers/ArrayFile.h"
 #include "readers/ArraySignals.h"
 #include "records/PandasFrames.h"
+#include "results/Hdf5.h"
 #include "results/ResultTree.h"
 #include "text/Text.h"
 
@@ -55,6 +56,7 @@ ArrayRows::ArrayRows(std::string path, const readers::SignalFileOptions& options
   head_ = std::move(found.table);
   places_ = std::move(found.places);
   samples_ = found.samples;
+  truncation_ = results::textAttribute(tree.attributes, results::truncationAttribute);
   rate = found.options.rate;
   speed = found.options.speed;
   column_ = found.options.column;

@@ -23,12 +23,13 @@ class ArrayRows : public RowSource {
   bool next(std::size_t maximum, Rows& rows) override;
   double fraction() const override;
   std::size_t rows() const override { return samples_; }
+  std::string truncation() const override { return truncation_; }
   const std::string& column() const { return column_; }  // what the object named chooses; empty: nothing
 
  private:
   void readHead();
 
-  std::string path_, column_;
+  std::string path_, column_, truncation_;
   text::DelimitedTable head_;
   std::vector<results::ArrayColumn> places_;
   std::size_t samples_ = 0, read_ = 0;

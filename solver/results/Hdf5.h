@@ -31,6 +31,9 @@ struct Hdf5Limits {
 // FileError(path, object, ...) where the library refuses.
 std::vector<std::byte> encodeHdf5(const ArrayTree& tree, const std::string& path);
 
+// Attribute of the root of a listed tree (Hdf5Stream.h) whose file is cut off: what is missing, in words.
+inline constexpr const char* truncationAttribute = "file cut off";
+
 // Reads a file that may come from a stranger. Refused with FileError naming the object: external storage, links other
 // than hard ones, virtual layouts, filters other than shuffle, deflate and checksum, extents beyond the limits or
 // beyond what the file can hold, types other than numbers and text. The library itself is old and not proof against

@@ -1,11 +1,13 @@
 #include "results/Hdf5Reader.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
 #include "results/Hdf5Handle.h"
+#include "results/Hdf5Truncation.h"
 
 namespace squat::results::hdf5 {
 
@@ -50,13 +52,19 @@ class Walker {
   }
 
   ArrayTree walk() {
-    const Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    const bool listed = limits_.valuesUpTo < limits_.bytes;
+    const Handle file =
+        listed ? openTruncated(path_) : Handle(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (!file.valid()) refuse("", "is not an HDF5 file, or a damaged one (" + lastError() + ")");
+    missing_ = missingBytes(file.get(), fileBytes_);
     ArrayTree tree;
     const Handle root(H5Gopen2(file.get(), "/", H5P_DEFAULT), H5Gclose);
     check(root.get(), path_, "/", "cannot be opened");
     tree.attributes = attributes(root.get(), "/");
     walkGroup(root.get(), "", tree, 0);
+    if (missing_ > 0)
+      setAttribute(tree.attributes, truncationAttribute,
+                   "its last " + std::to_string(missing_) + " bytes are missing" + lost_);
     return tree;
   }
 
@@ -78,6 +86,10 @@ class Walker {
       if (link.type == H5L_TYPE_EXTERNAL) refuse(path, "is a link into another file, which is not followed");
       if (link.type != H5L_TYPE_HARD) refuse(path, "is a link of unknown kind");
       const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
+      if (missing_ > 0 && !object.valid()) {
+        noteLost(path);
+        continue;
+      }
       check(object.get(), path_, path, "cannot be opened");
       switch (H5Iget_type(object.get())) {
         case H5I_GROUP:
@@ -85,7 +97,10 @@ class Walker {
           break;
         case H5I_DATASET:
           if (limits_.skipForeign && !isPlain(object.get())) break;
-          tree.arrays.push_back(array(object.get(), path));
+          if (isLost(object.get()))
+            noteLost(path);
+          else
+            tree.arrays.push_back(array(object.get(), path));
           break;
         default:
           if (!limits_.skipForeign) refuse(path, "is neither a group nor a dataset");
@@ -99,6 +114,21 @@ class Walker {
     return (kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_STRING) &&
            H5Tget_size(type.get()) <= kLongestFixedText;
   }
+
+  // In a file that is cut off: what has no value left, and short arrays that are not whole.
+  bool isLost(hid_t dataset) const {
+    if (missing_ == 0) return false;
+    const Handle space(H5Dget_space(dataset), H5Sclose);
+    const auto count = H5Sget_simple_extent_npoints(space.get());
+    std::array<hsize_t, H5S_MAX_RANK> extents{};
+    const int rank = H5Sget_simple_extent_dims(space.get(), extents.data(), nullptr);
+    if (count <= 0 || rank <= 0) return false;
+    const auto longest = std::max_element(extents.begin(), extents.begin() + rank);
+    const auto present = presentAlong(dataset, static_cast<std::size_t>(longest - extents.begin()), fileBytes_);
+    return present == 0 || (static_cast<std::size_t>(count) <= limits_.valuesUpTo && present < *longest);
+  }
+
+  void noteLost(const std::string& path) { lost_ += (lost_.empty() ? ", with all of " : ", ") + path; }
 
   void addGroup(hid_t group, const std::string& path, ArrayTree& tree, int depth) {
     Group entry{path, attributes(group, path)};
@@ -265,6 +295,8 @@ class Walker {
   std::string path_;
   Hdf5Limits limits_;
   std::size_t fileBytes_ = 0, objects_ = 0, used_ = 0;
+  std::size_t missing_ = 0;  // [bytes] at the end of the file
+  std::string lost_;         // arrays that are
 };
 
 }  // namespace

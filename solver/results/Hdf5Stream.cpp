@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "results/Hdf5.h"
 #include "results/Hdf5Handle.h"
 #include "results/Hdf5Reader.h"
+#include "results/Hdf5Truncation.h"
 
 namespace squat::results {
 namespace {
@@ -30,7 +33,9 @@ Hdf5Limits foreign() {
 // One dataset, read in hyperslabs over all of its runs.
 class Dataset {
  public:
-  Dataset(hid_t file, const std::string& path, const ArrayColumn& column, std::size_t samples)
+  // `bytes`: of the file, where it is cut off.
+  Dataset(hid_t file, const std::string& path, const ArrayColumn& column, std::size_t samples,
+          std::optional<std::size_t> bytes)
       : path_(path), name_(column.path), runs_(column.runs), samplesFirst_(column.samplesFirst) {
     const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
     // A chunk is unpacked once, whatever its size: the largest that is read is 32 MB.
@@ -50,10 +55,27 @@ class Dataset {
     }
     if (samplesAxis_ == none || count != samples * runs_)
       throw FileError(path_, name_, "has changed while it was read");
+    present_ = bytes ? hdf5::presentAlong(dataset_.get(), samplesAxis_, *bytes) : samples;
   }
 
-  // Sends run after run of samples [from, from + count).
+  // Run after run of samples [from, from + count); not-a-number where the file is cut off.
   void read(std::size_t from, std::size_t count) {
+    const std::size_t whole = present_ > from ? std::min(count, present_ - from) : 0;
+    if (whole > 0) readWhole(from, whole);
+    if (whole == count) return;
+    sorted_.assign(count * runs_, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t run = 0; whole > 0 && run < runs_; ++run)
+      std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(run * whole), whole,
+                  sorted_.begin() + static_cast<std::ptrdiff_t>(run * count));
+    values_.swap(sorted_);
+  }
+  std::span<const double> run(std::size_t run, std::size_t count) const {
+    return std::span(values_).subspan(run * count, count);
+  }
+  std::size_t runs() const { return runs_; }
+
+ private:
+  void readWhole(std::size_t from, std::size_t count) {
     std::vector<hsize_t> start(extents_.size(), 0), size = extents_;
     start[samplesAxis_] = from;
     size[samplesAxis_] = count;
@@ -70,15 +92,10 @@ class Dataset {
       for (std::size_t run = 0; run < runs_; ++run) sorted_[run * count + i] = values_[i * runs_ + run];
     values_.swap(sorted_);
   }
-  std::span<const double> run(std::size_t run, std::size_t count) const {
-    return std::span(values_).subspan(run * count, count);
-  }
-  std::size_t runs() const { return runs_; }
 
- private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::string path_, name_;
-  std::size_t runs_, samplesAxis_ = none;
+  std::size_t runs_, samplesAxis_ = none, present_ = 0;
   bool samplesFirst_;
   Handle dataset_, space_;
   std::vector<hsize_t> extents_;
@@ -88,12 +105,15 @@ class Dataset {
 // In the child.
 void sendColumns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
                  const ByteSink& send) {
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Handle file = hdf5::openTruncated(path);
   check(file.get(), path, "", "is not an HDF5 file, or a damaged one");
+  std::error_code ignored;
+  std::optional<std::size_t> bytes = std::filesystem::file_size(path, ignored);
+  if (hdf5::missingBytes(file.get(), *bytes) == 0) bytes.reset();
   std::map<std::string, Dataset> datasets;
   std::size_t step = pieceSamples;
   for (const auto& column : columns) {
-    datasets.try_emplace(column.path, file.get(), path, column, samples);
+    datasets.try_emplace(column.path, file.get(), path, column, samples, bytes);
     step = std::min(step, std::max<std::size_t>(1, pieceValues / column.runs));
   }
   for (std::size_t from = 0; from < samples; from += step) {
