@@ -59,16 +59,17 @@ void takeLabel(Event& event, const SeverityLimits& limits) {
   event.kind = event.judgement.kind = label.kind;
   event.sureness = event.judgement.sureness = 1;
   event.reason = "as labelled";
-  const bool hasSize = label.length > 0 && label.depth > 0;
-  if (label.kind != Kind::squat || (!label.severity && !hasSize)) return;
-  event.judgement.severity = label.severity ? *label.severity : severityOf(label.length, label.depth, limits);
+  const auto severity = label.severityBy(limits);
+  if (!severity) return;
+  event.judgement.severity = *severity;
   event.judgement.severitySureness = 1;
 }
 
 void judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOptions& options, bool falling) {
   std::vector<EventFeatures> features;
-  for (const auto& event : channel.events) features.push_back(event.features);
-  const auto judgements = judge.judge(features);
+  std::vector<std::optional<Label>> labels;
+  for (const auto& event : channel.events) features.push_back(event.features), labels.push_back(event.label);
+  const auto judgements = judge.judge(features, labels);
   for (std::size_t i = 0; i < channel.events.size(); ++i) {
     auto& event = channel.events[i];
     event.judgement = judgements[i];

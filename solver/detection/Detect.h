@@ -41,7 +41,8 @@ RecordDetection findCandidates(records::RecordStream& stream, const DetectOption
 // Gives each label to the nearest candidate within half a metre; returns how many labels found none.
 std::size_t attachLabels(RecordDetection& detection, const std::vector<Label>& labels);
 
-// The labelled candidates as examples of their own vehicle, each as heavy as `weight` others.
+// The labelled candidates as examples of their own vehicle, each as heavy as `weight` others. A squat whose size the
+// label does not say has length and depth 0.
 std::vector<Example> labelledExamples(const RecordDetection& detection, double weight);
 
 // Judges the candidates by the examples and their surroundings; drops those that are noise. What is labelled stays,

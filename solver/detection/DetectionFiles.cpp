@@ -153,15 +153,6 @@ std::size_t columnOf(const std::vector<std::string>& names, std::string_view wan
   return names.size();
 }
 
-// A severity corrected by hand counts more than the size estimated beside it: a size in the middle of the class then.
-void setSeverity(Severity severity, Label& label) {
-  label.severity = severity;
-  const bool hasSize = label.length > 0 && label.depth > 0;
-  if (hasSize && severityOf(label.length, label.depth) == severity) return;
-  constexpr double lengths[] = {0.025, 0.05, 0.08}, depths[] = {0.06e-3, 0.17e-3, 0.35e-3};
-  label.length = lengths[static_cast<std::size_t>(severity)], label.depth = depths[static_cast<std::size_t>(severity)];
-}
-
 }  // namespace
 
 std::string passageName(const CombinedEvent& event, std::size_t index) {
@@ -240,6 +231,8 @@ std::vector<Label> readLabels(const std::string& path) {
   if (position == names.size() || kind == names.size())
     throw FileError(path, "line 1", "must have the columns 'position [m]' and 'kind'",
                     "Correct the kinds in squats.csv and give that file");
+  const bool areEstimates =
+      columnOf(names, "length low") < names.size();  // squats.csv: only kind and severity are seen
   std::vector<Label> labels;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].size() < names.size()) continue;
@@ -253,12 +246,13 @@ std::vector<Label> readLabels(const std::string& path) {
     Label label;
     label.position = *where;
     if (const auto at = columnOf(names, "channel"); at < names.size()) label.channel = rows[i][at];
-    label.length = 1e-3 * number("length").value_or(0), label.depth = 1e-3 * number("depth").value_or(0);
+    if (!areEstimates)
+      label.length = 1e-3 * number("length").value_or(0), label.depth = 1e-3 * number("depth").value_or(0);
     try {
       label.kind = kindFromText(rows[i][kind]);
       if (const auto at = columnOf(names, "severity");
           label.kind == Kind::squat && at < names.size() && !rows[i][at].empty())
-        setSeverity(severityFromText(rows[i][at]), label);
+        label.severity = severityFromText(rows[i][at]);
     } catch (const CaseError& error) {
       throw FileError(path, place, error.what());
     }

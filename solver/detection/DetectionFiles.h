@@ -40,8 +40,8 @@ struct SeenEvent {
 };
 std::string labelsCsv(const std::vector<SeenEvent>& seen);
 
-// position [m] and kind, optionally channel, severity, length [mm], depth [mm]; squats.csv as corrected by hand will
-// do. Throws FileError with the line.
+// position [m] and kind, optionally channel, severity, length [mm], depth [mm] as measured on site; squats.csv as
+// corrected by hand will do, whose lengths and depths are estimates and not read. Throws FileError with the line.
 std::vector<Label> readLabels(const std::string& path);
 
 }  // namespace squat::detection

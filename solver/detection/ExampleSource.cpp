@@ -57,8 +57,9 @@ void addLabels(const std::vector<Label>& labels, const std::string& file, std::v
   for (auto& record : records) {
     missed = std::min(missed, attachLabels(record, labels));
     for (auto& example : labelledExamples(record, kLabelWeight)) {
-      source.own.push_back(example);
-      source.examples.push_back(std::move(example));
+      const bool isSquat = example.kind == Kind::squat;
+      if (hasSize(example)) source.own.push_back(example);
+      if (!isSquat || hasSize(example)) source.examples.push_back(std::move(example));
     }
   }
   source.words += ", and " + std::to_string(labels.size()) + (labels.size() == 1 ? " label of " : " labels of ") + file;

@@ -1,11 +1,13 @@
 // solver/detection/Examples.h - passages whose cause is known: what an event is taken for is what they were.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "detection/EventFeatures.h"
 #include "detection/Example.h"
+#include "detection/Label.h"
 #include "detection/Severity.h"
 #include "detection/SizePosterior.h"
 
@@ -50,7 +52,10 @@ class Judge {
   Judge(std::vector<Example> examples, JudgementOptions options, SizeModel sizes = {}, std::vector<Example> own = {});
 
   // The events of one record share vehicle and track: examples of vehicles that explain all of them well count more.
-  std::vector<Judgement> judge(const std::vector<EventFeatures>& events) const;
+  // `labels`: of each event, or empty. What is labelled tells of the vehicle; its own judgement is not that of the
+  // label.
+  std::vector<Judgement> judge(const std::vector<EventFeatures>& events,
+                               const std::vector<std::optional<Label>>& labels = {}) const;
 
   const SeverityLimits& limits() const { return options_.limits; }
   bool isEmpty() const { return examples_.empty(); }
@@ -62,7 +67,9 @@ class Judge {
   std::vector<double> vehicleWeights(const std::vector<std::vector<double>>& likelihoods) const;
   void takeKind(const EventFeatures& event, const Vehicle& vehicle, double asSquat, KindDensity& densities,
                 Judgement& judgement) const;
-  void takeSizes(const std::vector<EventFeatures>& events, std::vector<Judgement>& judgements) const;
+  void takeSizes(const std::vector<EventFeatures>& events, const std::vector<std::optional<Label>>& labels,
+                 std::vector<Judgement>& judgements) const;
+  Belief beliefOf(const Judgement& judgement, const std::optional<Label>& label) const;
   Judgement weigh(const EventFeatures& event, const std::vector<double>& likelihoods,
                   const std::vector<double>& vehicles) const;
 

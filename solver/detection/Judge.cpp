@@ -15,9 +15,9 @@ constexpr double speedSpread = 0.15;    // of the logarithm of the speed: what t
 constexpr double sharedEvidence = 0.5;  // events of a record are not independent looks at its vehicle
 constexpr double minimumVehicleWeight = 0.02;
 constexpr std::size_t kinds = 6;
-// Ahead of any event, to one of each other kind: a squat that is missed breaks the rail, a joint called a squat is looked
-// at once. With 10 to 40, all of 600 squats of twenty vehicles were called so, with 2 or 3 of their 80 joints and welds;
-// with 3, four severe squats were called joints or welds.
+// Ahead of any event, to one of each other kind: a squat that is missed breaks the rail, a joint called a squat is
+// looked at once. With 10 to 40, all of 600 squats of twenty vehicles were called so, with 2 or 3 of their 80 joints
+// and welds; with 3, four severe squats were called joints or welds.
 constexpr double squatOdds = 10;
 
 // Logarithm of a normal density of log10 energies, band by band added: each band has a variance of its own, and all
@@ -206,7 +206,15 @@ void Judge::takeKind(const EventFeatures& event, const Vehicle& vehicle, double 
   judgement.squatProbability = std::exp(logs[static_cast<std::size_t>(Kind::squat)] - all);
 }
 
-void Judge::takeSizes(const std::vector<EventFeatures>& events, std::vector<Judgement>& judgements) const {
+// A squat of known size is among the passages of the own vehicle: it does not count twice.
+Belief Judge::beliefOf(const Judgement& judgement, const std::optional<Label>& label) const {
+  if (!label) return {judgement.squatProbability * (1 - judgement.nothing), {}};
+  const bool counts = label->kind == Kind::squat && !label->hasSize();
+  return {counts ? 1.0 : 0.0, label->severityBy(options_.limits)};
+}
+
+void Judge::takeSizes(const std::vector<EventFeatures>& events, const std::vector<std::optional<Label>>& labels,
+                      std::vector<Judgement>& judgements) const {
   // With 700 the rarer sizes lie so far apart that some severe squats look more like joints.
   constexpr std::size_t possible = 2000;
   constexpr int passes = 3;        // the vehicle follows from what is a squat, and that from the vehicle
@@ -215,16 +223,16 @@ void Judge::takeSizes(const std::vector<EventFeatures>& events, std::vector<Judg
   KindDensity densities(sizes_, examples_);
   SquatSizes sizes;
   std::optional<BandValues> start;
-  std::vector<double> probabilities(events.size(), 0.0);
+  std::vector<Belief> beliefs(events.size(), Belief{0, {}});
   for (int pass = 0; pass < passes; ++pass) {
     double change = 0;
     for (std::size_t i = 0; i < events.size(); ++i) {
-      const double probability = judgements[i].squatProbability * (1 - judgements[i].nothing);
-      change = std::max(change, std::abs(probability - probabilities[i]));
-      probabilities[i] = probability;
+      const auto belief = beliefOf(judgements[i], labels.empty() ? std::nullopt : labels[i]);
+      change = std::max(change, std::abs(belief.squat - beliefs[i].squat));
+      beliefs[i] = belief;
     }
     if (pass > 0 && change < atRest) break;
-    sizes = squatSizes(sizes_, squats, events, probabilities, own_, start);
+    sizes = squatSizes(sizes_, squats, events, beliefs, own_, start);
     start = sizes.vehicle.mean;
     for (std::size_t i = 0; i < events.size(); ++i)
       takeKind(events[i], sizes.vehicle, sizes.each[i].logDensity, densities, judgements[i]);
@@ -240,13 +248,14 @@ void Judge::takeSizes(const std::vector<EventFeatures>& events, std::vector<Judg
   }
 }
 
-std::vector<Judgement> Judge::judge(const std::vector<EventFeatures>& events) const {
+std::vector<Judgement> Judge::judge(const std::vector<EventFeatures>& events,
+                                    const std::vector<std::optional<Label>>& labels) const {
   std::vector<std::vector<double>> likelihoods;
   for (const auto& event : events) likelihoods.push_back(logLikelihoods(event));
   const auto vehicles = vehicleWeights(likelihoods);
   std::vector<Judgement> judgements;
   for (std::size_t i = 0; i < events.size(); ++i) judgements.push_back(weigh(events[i], likelihoods[i], vehicles));
-  if (sizes_.isKnown() && !events.empty()) takeSizes(events, judgements);
+  if (sizes_.isKnown() && !events.empty()) takeSizes(events, labels, judgements);
   return judgements;
 }
 

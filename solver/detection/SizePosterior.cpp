@@ -27,11 +27,13 @@ struct Fit {
 };
 
 Fit fitOf(const EventFeatures& event, const std::vector<BandValues>& expected, const PossibleSquats& possible,
-          const Vehicle& vehicle, const BandMatrix& scatter) {
+          const Vehicle& vehicle, const BandMatrix& scatter, std::optional<Severity> severity) {
   Fit fit;
   double largest = -std::numeric_limits<double>::infinity();
-  for (const auto& each : expected) {
-    fit.probability.push_back(logDensityOf(matchOf(event, each, vehicle, scatter)));
+  for (std::size_t g = 0; g < expected.size(); ++g) {
+    const bool isPossible = !severity || possible.all()[g].severity == *severity;
+    fit.probability.push_back(isPossible ? logDensityOf(matchOf(event, expected[g], vehicle, scatter))
+                                         : -std::numeric_limits<double>::infinity());
     largest = std::max(largest, fit.probability.back());
   }
   double sum = 0;
@@ -105,11 +107,12 @@ Vehicle knownFrom(const SizeModel& model, const std::vector<Example>& own) {
 }
 
 // The events whose squats the vehicle is estimated from.
-std::vector<std::size_t> surest(const std::vector<double>& squat) {
+std::vector<std::size_t> surest(const std::vector<Belief>& beliefs) {
   std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < squat.size(); ++i)
-    if (squat[i] > surelyNone) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return squat[a] > squat[b]; });
+  for (std::size_t i = 0; i < beliefs.size(); ++i)
+    if (beliefs[i].squat > surelyNone) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return beliefs[a].squat > beliefs[b].squat; });
   order.resize(std::min(order.size(), maximumForVehicle));
   return order;
 }
@@ -117,12 +120,12 @@ std::vector<std::size_t> surest(const std::vector<double>& squat) {
 }  // namespace
 
 SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
-                      const std::vector<double>& squat, const std::vector<Example>& own,
+                      const std::vector<Belief>& beliefs, const std::vector<Example>& own,
                       const std::optional<BandValues>& start) {
   ExpectedBySpeed expected(model, possible.paths());
   const Vehicle known = knownFrom(model, own);
   const BandMatrix precision = known.covariance.inverse();
-  const auto forVehicle = surest(squat);
+  const auto forVehicle = surest(beliefs);
   Vehicle vehicle = known;
   if (start) vehicle.mean = *start;
   for (int pass = 0; pass < maximumPasses; ++pass) {
@@ -130,8 +133,8 @@ SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, co
     const BandMatrix scatter = model.betweenPassages() + vehicle.covariance;
     for (const auto i : forVehicle) {
       const auto& squats = expected.at(events[i].speed);
-      const auto fit = fitOf(events[i], squats, possible, vehicle, scatter);
-      addTo(normal, events[i], squats, fit, vehicle, scatter, sharedEvidence * squat[i]);
+      const auto fit = fitOf(events[i], squats, possible, vehicle, scatter, beliefs[i].severity);
+      addTo(normal, events[i], squats, fit, vehicle, scatter, sharedEvidence * beliefs[i].squat);
     }
     const BandMatrix all = precision + normal.matrix;
     const BandValues step = all.ldlt().solve(precision * (known.mean - vehicle.mean) + normal.right);
@@ -142,8 +145,9 @@ SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, co
   const BandMatrix scatter = model.betweenPassages() + vehicle.covariance;
   SquatSizes sizes;
   sizes.vehicle = vehicle;
-  for (const auto& event : events) {
-    const auto fit = fitOf(event, expected.at(event.speed), possible, vehicle, scatter);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const auto& squats = expected.at(events[i].speed);
+    const auto fit = fitOf(events[i], squats, possible, vehicle, scatter, beliefs[i].severity);
     sizes.each.push_back(sizeFrom(fit, possible));
   }
   return sizes;

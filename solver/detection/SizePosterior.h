@@ -22,13 +22,19 @@ struct SquatSizes {
   Vehicle vehicle;
 };
 
+// What is known of one event before its energies are looked at.
+struct Belief {
+  double squat = 1;                  // probability to be one
+  std::optional<Severity> severity;  // where it is known
+};
+
 // Bayes' rule over the possible squats. The events share their vehicle u, which is estimated with their sizes: sizes
-// given the vehicle, and the vehicle given the sizes, in turn until it rests. `squat`: probability of each event to be
-// one; what is none says nothing of the vehicle. `own`: passages of the same vehicle over squats of known sizes, such
-// as labels. `start`: u that the estimate sets out from. The noise of an event adds to the energy of a squat, with the
-// scatter that its degrees of freedom bring.
+// given the vehicle, and the vehicle given the sizes, in turn until it rests. `beliefs`: one for each event; what is no
+// squat says nothing of the vehicle. `own`: passages of the same vehicle over squats of known sizes. `start`: u that
+// the estimate sets out from. The noise of an event adds to the energy of a squat, with the scatter that its degrees of
+// freedom bring.
 SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
-                      const std::vector<double>& squat, const std::vector<Example>& own,
+                      const std::vector<Belief>& beliefs, const std::vector<Example>& own,
                       const std::optional<BandValues>& start = {});
 
 }  // namespace squat::detection

@@ -113,9 +113,12 @@ TEST(DetectionFiles, TheTableServesAsLabels) {
   const auto labels = readLabels(path);
   ASSERT_EQ(labels.size(), 2U);
   EXPECT_DOUBLE_EQ(labels[0].position, 12345.678);
-  EXPECT_EQ(severityOf(labels[0].length, labels[0].depth), Severity::severe) << "what the user says counts";
+  EXPECT_FALSE(labels[0].hasSize()) << "the table's sizes are estimates";
   EXPECT_EQ(labels[1].kind, Kind::weld);
   EXPECT_EQ(labels[0].severity, Severity::severe);
+  std::ofstream(path) << "position [m],kind,length [mm],depth [mm]\n12,squat,50,0.12\n";
+  EXPECT_NEAR(readLabels(path).at(0).length, 0.05, 1e-12) << "measured on site";
+  EXPECT_EQ(readLabels(path).at(0).severityBy({}), Severity::moderate);
   std::ofstream(path) << "position [m],kind,severity\n12,squat,heavy\n";
   try {
     readLabels(path);

@@ -116,7 +116,7 @@ TEST(SizeModel, FindsSizesOfPassagesThatFollowItsFormula) {
     events.push_back(eventOf(example));
   }
   const PossibleSquats possible(2000, {});
-  const auto sizes = squatSizes(model, possible, events, std::vector<double>(events.size(), 1.0), own).each;
+  const auto sizes = squatSizes(model, possible, events, std::vector<Belief>(events.size()), own).each;
   const auto squats = exampleSquats(18, 78);
   Count length, depth;
   for (std::size_t i = 0; i < squats.size(); ++i) {
@@ -127,6 +127,34 @@ TEST(SizeModel, FindsSizesOfPassagesThatFollowItsFormula) {
   // Three of 18 may be of a form that another of the three imitates with another size.
   EXPECT_GE(length.right, 15) << "of 18";
   EXPECT_GE(depth.right, 15) << "of 18";
+}
+
+// What has been seen on site counts: of a squat that is known to be light, no other size is possible, and the vehicle
+// is no worse known for it.
+TEST(SizeModel, KeepsSeveritiesThatAreKnown) {
+  const auto& vehicle = shipped().front().vehicle;
+  const SizeModel model(without(vehicle));
+  std::vector<EventFeatures> events;
+  std::vector<Severity> seen;
+  std::vector<Belief> beliefs;
+  for (const auto& example : shipped()) {
+    if (example.vehicle != vehicle || !hasSize(example)) continue;
+    events.push_back(eventOf(example));
+    seen.push_back(severityOf(example.length, example.depth));
+    beliefs.push_back({1, seen.back()});
+  }
+  const PossibleSquats possible(700, {});
+  const auto free = squatSizes(model, possible, events, std::vector<Belief>(events.size()), {});
+  const auto bound = squatSizes(model, possible, events, beliefs, {});
+  for (std::size_t i = 0; i < events.size(); ++i)
+    EXPECT_NEAR(bound.each[i].severity[static_cast<std::size_t>(seen[i])], 1, 1e-12) << i;
+  // The same passages, with more known of them: u moves by less than it is uncertain by.
+  const BandValues moved = bound.vehicle.mean - free.vehicle.mean;
+  for (Eigen::Index b = 0; b < moved.size(); ++b)
+    EXPECT_LT(std::abs(moved[b]), 2 * std::sqrt(free.vehicle.covariance(b, b))) << b;
+  std::fill(beliefs.begin(), beliefs.end(), Belief{1, Severity::light});
+  const auto allLight = squatSizes(model, possible, events, beliefs, {}).each;
+  for (const auto& size : allLight) EXPECT_LE(size.lengthHigh, 0.035) << "the limit of a light squat";
 }
 
 // The same table judged by a separate program (least squares and grid of possible squats in another language): 85.5 %
@@ -142,7 +170,7 @@ TEST(SizeModel, SeveritiesOfVehiclesThatItHasNotSeen) {
     std::vector<Example> squats;
     std::copy_if(all.begin(), all.end(), std::back_inserter(squats), hasSize);
     for (const auto& squat : squats) events.push_back(eventOf(squat));
-    const auto sizes = squatSizes(model, possible, events, std::vector<double>(events.size(), 1.0), {}).each;
+    const auto sizes = squatSizes(model, possible, events, std::vector<Belief>(events.size()), {}).each;
     for (std::size_t i = 0; i < squats.size(); ++i) {
       const auto& size = sizes[i];
       const auto likeliest = std::max_element(size.severity.begin(), size.severity.end()) - size.severity.begin();
