@@ -16,7 +16,12 @@ namespace squat::testing {
 
 namespace {
 constexpr auto kPoll = std::chrono::milliseconds(5);
-}
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kPatience = 4;  // a sanitizer makes the program as much slower
+#else
+constexpr int kPatience = 1;
+#endif
+}  // namespace
 
 Program::Program(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
   int ends[2];
@@ -69,7 +74,7 @@ bool Program::running() {
 }
 
 bool Program::waitForOutput(const std::string& text, std::chrono::seconds atMost) {
-  const auto end = std::chrono::steady_clock::now() + atMost;
+  const auto end = std::chrono::steady_clock::now() + kPatience * atMost;
   while (output_.find(text) == std::string::npos) {
     const bool alive = running();
     if (output_.find(text) != std::string::npos) return true;
@@ -97,7 +102,7 @@ double Program::processorSeconds() const {
 void Program::signal(int number) const { ::kill(process_, number); }
 
 int Program::wait(std::chrono::seconds atMost) {
-  const auto end = std::chrono::steady_clock::now() + atMost;
+  const auto end = std::chrono::steady_clock::now() + kPatience * atMost;
   while (running()) {
     if (std::chrono::steady_clock::now() > end) {
       ::kill(process_, SIGKILL);
