@@ -76,6 +76,7 @@ class Judge {
   std::vector<Example> examples_;
   JudgementOptions options_;
   SizeModel sizes_;
+  std::optional<PossibleDefects> possible_;  // where sizes_ is known
   std::vector<Example> own_;
   std::vector<std::string> vehicles_;
   std::vector<std::size_t> vehicleOf_;  // of each example

@@ -98,6 +98,7 @@ double quantile(std::vector<Weighted> values, double share) {
 
 Judge::Judge(std::vector<Example> examples, JudgementOptions options, SizeModel sizes, std::vector<Example> own)
     : examples_(std::move(examples)), options_(options), sizes_(std::move(sizes)), own_(std::move(own)) {
+  if (sizes_.isKnown()) possible_.emplace(options_.limits);
   std::vector<std::vector<std::size_t>> count(groups);  // of examples, a group and vehicle
   for (const auto& example : examples_) {
     const auto found = std::find(vehicles_.begin(), vehicles_.end(), example.vehicle);
@@ -215,12 +216,9 @@ Belief Judge::beliefOf(const Judgement& judgement, const std::optional<Label>& l
 
 void Judge::takeSizes(const std::vector<EventFeatures>& events, const std::vector<std::optional<Label>>& labels,
                       std::vector<Judgement>& judgements) const {
-  // With 700 the rarer sizes lie so far apart that some severe squats look more like joints.
-  constexpr std::size_t possible = 2000;
   constexpr int passes = 3;        // the vehicle follows from what is a squat, and that from the vehicle
   constexpr double atRest = 0.01;  // of the probabilities
-  const PossibleSquats squats(possible, options_.limits);
-  KindDensity densities(sizes_, examples_);
+  KindDensity densities(sizes_, examples_, *possible_);
   SquatSizes sizes;
   std::optional<BandValues> start;
   std::vector<Belief> beliefs(events.size(), Belief{0, {}});
@@ -232,7 +230,7 @@ void Judge::takeSizes(const std::vector<EventFeatures>& events, const std::vecto
       beliefs[i] = belief;
     }
     if (pass > 0 && change < atRest) break;
-    sizes = squatSizes(sizes_, squats, events, beliefs, own_, start);
+    sizes = squatSizes(sizes_, possible_->squats, events, beliefs, own_, start);
     start = sizes.vehicle.mean;
     for (std::size_t i = 0; i < events.size(); ++i)
       takeKind(events[i], sizes.vehicle, sizes.each[i].logDensity, densities, judgements[i]);

@@ -10,16 +10,21 @@ namespace squat::detection {
 namespace {
 
 constexpr double speedSpread = 0.15;  // of the logarithm of the speed: what two speeds have in common
-constexpr std::size_t possibleOfKind = 500;
 constexpr double minimumWeight = 1e-9;
+
+std::vector<const PathSpectrum*> pointersTo(const std::vector<PathSpectrum>& paths) {
+  std::vector<const PathSpectrum*> pointers;
+  for (const auto& path : paths) pointers.push_back(&path);
+  return pointers;
+}
 
 }  // namespace
 
-KindDensity::KindDensity(const SizeModel& model, const std::vector<Example>& examples)
+KindDensity::KindDensity(const SizeModel& model, const std::vector<Example>& examples, const PossibleDefects& possible)
     : model_(model),
       examples_(examples),
-      joints_(model, possiblePaths(Kind::joint, possibleOfKind)),
-      welds_(model, possiblePaths(Kind::weld, possibleOfKind)) {}
+      joints_(model, pointersTo(possible.joints)),
+      welds_(model, pointersTo(possible.welds)) {}
 
 double KindDensity::of(Kind kind, const EventFeatures& event, const Vehicle& vehicle) {
   const double examples = ofExamples(kind, event, vehicle);

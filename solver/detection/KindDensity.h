@@ -14,8 +14,8 @@ namespace squat::detection {
 // the paths of many possible ones, since the examples have few of each form.
 class KindDensity {
  public:
-  // `model` and `examples` must outlive it.
-  KindDensity(const SizeModel& model, const std::vector<Example>& examples);
+  // All that it is given must outlive it.
+  KindDensity(const SizeModel& model, const std::vector<Example>& examples, const PossibleDefects& possible);
 
   // Logarithm; minus infinity for a kind without examples and paths.
   double of(Kind kind, const EventFeatures& event, const Vehicle& vehicle);

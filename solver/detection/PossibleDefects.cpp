@@ -11,6 +11,8 @@ namespace squat::detection {
 namespace {
 
 constexpr double speedStep = 0.02;  // of the logarithm: energies are computed for speeds this far apart
+// With 700 squats the rarer sizes lie so far apart that some severe ones look more like joints.
+constexpr std::size_t possibleSquats = 2000, possibleJointsAndWelds = 1000;
 
 }  // namespace
 
@@ -27,21 +29,19 @@ PossibleSquats::PossibleSquats(std::size_t count, const SeverityLimits& limits) 
   for (auto& squat : squats_) squat.weight = 1 / (classes * members[static_cast<std::size_t>(squat.severity)]);
 }
 
-std::vector<PathSpectrum> PossibleSquats::paths() const {
-  std::vector<PathSpectrum> paths;
-  for (const auto& squat : squats_) paths.push_back(squat.path);
+std::vector<const PathSpectrum*> PossibleSquats::paths() const {
+  std::vector<const PathSpectrum*> paths;
+  for (const auto& squat : squats_) paths.push_back(&squat.path);
   return paths;
 }
 
-std::vector<PathSpectrum> possiblePaths(Kind kind, std::size_t count) {
+PossibleDefects::PossibleDefects(const SeverityLimits& limits) : squats(possibleSquats, limits) {
   constexpr std::uint32_t seed = 998;
-  std::vector<PathSpectrum> paths;
-  for (const auto& example : exampleJointsAndWelds(2 * count, seed))
-    if (example.kind == kind) paths.emplace_back(example.defect);
-  return paths;
+  for (const auto& example : exampleJointsAndWelds(possibleJointsAndWelds, seed))
+    (example.kind == Kind::joint ? joints : welds).emplace_back(example.defect);
 }
 
-ExpectedBySpeed::ExpectedBySpeed(const SizeModel& model, std::vector<PathSpectrum> paths)
+ExpectedBySpeed::ExpectedBySpeed(const SizeModel& model, std::vector<const PathSpectrum*> paths)
     : model_(model), paths_(std::move(paths)) {}
 
 const std::vector<BandValues>& ExpectedBySpeed::at(double speed) {
@@ -49,7 +49,7 @@ const std::vector<BandValues>& ExpectedBySpeed::at(double speed) {
   const auto [found, isNew] = expected_.try_emplace(step);
   if (isNew) {
     const double rounded = std::exp(speedStep * static_cast<double>(step));
-    for (const auto& path : paths_) found->second.push_back(model_.expected(pathEnergies(path, rounded), rounded));
+    for (const auto* path : paths_) found->second.push_back(model_.expected(pathEnergies(*path, rounded), rounded));
   }
   return found->second;
 }

@@ -23,25 +23,30 @@ class PossibleSquats {
     PathSpectrum path;
   };
   const std::vector<Squat>& all() const { return squats_; }
-  std::vector<PathSpectrum> paths() const;
+  std::vector<const PathSpectrum*> paths() const;
 
  private:
   std::vector<Squat> squats_;
 };
 
-// Paths of joints or of welds as exampleJointsAndWelds() draws them.
-std::vector<PathSpectrum> possiblePaths(Kind kind, std::size_t count);
+// Joints and welds are those that exampleJointsAndWelds() draws.
+struct PossibleDefects {
+  explicit PossibleDefects(const SeverityLimits& limits);
+
+  PossibleSquats squats;
+  std::vector<PathSpectrum> joints, welds;
+};
 
 // y of SizeModel.h without u, of many paths at one speed, kept for the next event of this speed.
 class ExpectedBySpeed {
  public:
-  // The model must outlive it.
-  ExpectedBySpeed(const SizeModel& model, std::vector<PathSpectrum> paths);
+  // Model and paths must outlive it.
+  ExpectedBySpeed(const SizeModel& model, std::vector<const PathSpectrum*> paths);
   const std::vector<BandValues>& at(double speed);
 
  private:
   const SizeModel& model_;
-  std::vector<PathSpectrum> paths_;
+  std::vector<const PathSpectrum*> paths_;
   std::map<long, std::vector<BandValues>> expected_;
 };
 
