@@ -11,7 +11,6 @@
 namespace squat::detection {
 namespace {
 
-constexpr double speedSpread = 0.15;    // of the logarithm of the speed: what two speeds have in common
 constexpr double sharedEvidence = 0.5;  // events of a record are not independent looks at its vehicle
 constexpr double minimumVehicleWeight = 0.02;
 constexpr std::size_t kinds = 6;

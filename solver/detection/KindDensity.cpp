@@ -9,7 +9,6 @@
 namespace squat::detection {
 namespace {
 
-constexpr double speedSpread = 0.15;  // of the logarithm of the speed: what two speeds have in common
 constexpr double minimumWeight = 1e-9;
 
 std::vector<const PathSpectrum*> pointersTo(const std::vector<PathSpectrum>& paths) {

@@ -9,6 +9,9 @@
 
 namespace squat::detection {
 
+// Of the logarithm of the speed: what two speeds have in common.
+inline constexpr double speedSpread = 0.15;
+
 // Density of an event's energies, on one scale with SquatSize::logDensity. Half of it comes from the examples of the
 // kind, each freed of its own vehicle and taken to that of the record; for joints and welds the other half comes from
 // the paths of many possible ones, since the examples have few of each form.
