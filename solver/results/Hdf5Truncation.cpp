@@ -41,7 +41,7 @@ std::size_t presentInChunks(hid_t dataset, hid_t space, std::size_t extent, std:
 Handle openTruncated(const std::string& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   // The library's own tools open damaged files with this property. A library without it refuses them as before.
-  const hbool_t skip = 1;
+  const hbool_t skip = true;
   H5Pset(access.get(), "skip_eof_check", &skip);
   return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
 }
