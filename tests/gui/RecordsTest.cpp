@@ -190,17 +190,17 @@ TEST_F(Records, whatWasSeenIsSavedAsLabels) {
   ASSERT_EQ(labels.size(), 2U);
   EXPECT_NEAR(labels[0].position, list.index(first, EventModel::position).data().toDouble(), 0.0051);
   EXPECT_EQ(labels[0].kind, detection::Kind::squat);
-  EXPECT_EQ(detection::severityOf(labels[0].length, labels[0].depth), detection::Severity::severe);
-  // A light one has a size as well.
-  EXPECT_GT(labels[1].length, 0.01);
-  EXPECT_EQ(detection::severityOf(labels[1].length, labels[1].depth), detection::Severity::light);
-  // The next search takes it.
+  EXPECT_EQ(labels[0].severity, detection::Severity::severe);
+  EXPECT_EQ(labels[1].severity, detection::Severity::light);
+  EXPECT_FALSE(labels[1].hasSize()) << "a severity says no size";
+  // The next search takes it, and lists it so.
   EXPECT_EQ(form_->findChild<QLineEdit*>("labels")->text(), path("labels.csv"));
   tool_->start();
   ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
   EXPECT_TRUE(tool_->text().contains("2 labels of")) << tool_->text().toStdString();
   ASSERT_EQ(view_->model()->seenEvents().size(), 2U);  // they are still there
   EXPECT_EQ(view_->model()->seenEvents()[0].severity, detection::Severity::severe);
+  EXPECT_EQ(read("studio/squats.csv").count("as labelled"), 2);
 }
 
 // Record, options, list and labels: the same after a night, whatever the window of records was used for meanwhile.
