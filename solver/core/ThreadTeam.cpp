@@ -113,6 +113,13 @@ void ThreadTeam::work(int index) {
   }
 }
 
+void ThreadTeam::forEach(std::size_t count, const std::function<void(std::size_t)>& body) {
+  std::atomic<std::size_t> next{0};
+  run([&](int) {
+    for (std::size_t i = next++; i < count; i = next++) body(i);
+  });
+}
+
 int threadCount(int requested) {
   if (requested > 0) return requested;
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -45,6 +46,8 @@ class ThreadTeam {
 
   int size() const { return size_; }
   void run(const std::function<void(int)>& task);
+  // body(0) to body(count - 1), each once, in any order: a thread takes the next when it has done one.
+  void forEach(std::size_t count, const std::function<void(std::size_t)>& body);
   // For use inside a task: all threads of the team must come.
   void barrier() { barrier_.wait(); }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "results/ArrayStream.h"
@@ -24,8 +25,8 @@ void sendEnd(const ByteSink& send);
 // In the parent: what comes, as an array stream.
 class ColumnPieces : public ArrayStream {
  public:
-  ColumnPieces(const std::string& path, std::size_t columns, const ChildLimits& limits, const GuardedChild::Work& work)
-      : columns_(columns), child_(std::make_unique<GuardedChild>(path, limits, work)) {}
+  ColumnPieces(const std::string& path, std::size_t columns, const ChildLimits& limits, GuardedChild::Work work)
+      : columns_(columns), child_(std::make_unique<GuardedChild>(path, limits, std::move(work))) {}
   bool next(std::vector<std::vector<double>>& columns) override;
 
  private:

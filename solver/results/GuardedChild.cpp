@@ -1,9 +1,11 @@
 #include "results/GuardedChild.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -88,28 +90,59 @@ std::size_t receive(int descriptor, std::span<std::byte> wanted) {
   return have;
 }
 
+double secondsComputed(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 }  // namespace
 
-GuardedChild::GuardedChild(std::string path, const ChildLimits& limits, const Work& work) : path_(std::move(path)) {
+GuardedChild::GuardedChild(std::string path, const ChildLimits& limits, Work work)
+    : path_(std::move(path)), limits_(limits), work_(std::move(work)) {
+  start();
+}
+
+void GuardedChild::start() {
   int ends[2] = {-1, -1};
   if (::pipe2(ends, O_CLOEXEC) != 0) throw FileError(path_, "", std::string("cannot be read: ") + std::strerror(errno));
   {
     const auto lock = hdf5::lockLibrary();  // so that the child finds the library at rest
     process_ = ::fork();
-    if (process_ == 0) child(ends[1], limits, work);
+    if (process_ == 0) child(ends[1], limits_, work_);
   }
   ::close(ends[1]);
   source_ = ends[0];
+  waited_ = false;
   if (process_ >= 0) return;
   const int reason = errno;
   ::close(source_);
+  source_ = -1, waited_ = true;
   throw FileError(path_, "", std::string("cannot be read: ") + std::strerror(reason));
 }
 
-GuardedChild::~GuardedChild() {
-  ::close(source_);
+void GuardedChild::end() {
+  if (source_ >= 0) ::close(source_);
   if (!waited_) ::kill(process_, SIGKILL);
   wait();
+}
+
+GuardedChild::~GuardedChild() { end(); }
+
+void GuardedChild::awaitFirstByte() {
+  constexpr int replacements = 2;
+  for (int replaced = 0; !hasBegun_ && replaced < replacements;) {
+    const double before = secondsComputed(process_);
+    pollfd wanted{source_, POLLIN, 0};
+    const int ready = ::poll(&wanted, 1, limits_.patience);
+    if (ready > 0) break;  // a byte, or its end
+    if (ready < 0 || secondsComputed(process_) > before) continue;
+    end();
+    start();
+    ++replaced;
+  }
+  hasBegun_ = true;
 }
 
 void GuardedChild::wait() {
@@ -118,7 +151,10 @@ void GuardedChild::wait() {
   waited_ = true;
 }
 
-std::size_t GuardedChild::receive(std::span<std::byte> wanted) { return results::receive(source_, wanted); }
+std::size_t GuardedChild::receive(std::span<std::byte> wanted) {
+  awaitFirstByte();
+  return results::receive(source_, wanted);
+}
 
 char GuardedChild::receiveKind() {
   char kind = 0;

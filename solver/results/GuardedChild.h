@@ -16,14 +16,17 @@ namespace squat::results {
 struct ChildLimits {
   std::size_t memory = 0;   // [bytes] beyond what this process has
   std::size_t seconds = 1;  // of computing
+  int patience = 5000;      // [ms] without computing and without a byte: it is taken for stuck
 };
 
 class GuardedChild {
  public:
   // `work` runs in the child and sends bytes. A FileError that it throws is thrown here by receiveKind; anything else,
-  // its death and its end, as well.
+  // its death and its end, as well. A child that is stuck before its first byte is replaced, twice at most: a thread
+  // that does not exist in it may have held a lock when it was forked. So `work` must be callable until the first byte
+  // is received.
   using Work = std::function<void(const ByteSink&)>;
-  GuardedChild(std::string path, const ChildLimits& limits, const Work& work);
+  GuardedChild(std::string path, const ChildLimits& limits, Work work);
   ~GuardedChild();  // ends the child
   GuardedChild(const GuardedChild&) = delete;
   GuardedChild& operator=(const GuardedChild&) = delete;
@@ -38,7 +41,13 @@ class GuardedChild {
   static constexpr char refused = 'E';
 
  private:
+  void start();
+  void end();
+  void awaitFirstByte();
   std::string path_;
+  ChildLimits limits_;
+  Work work_;
+  bool hasBegun_ = false;
   int source_ = -1;
   pid_t process_ = -1;
   int status_ = 0;

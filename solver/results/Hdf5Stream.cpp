@@ -141,7 +141,7 @@ std::unique_ptr<ArrayStream> streamHdf5(const std::string& path, const std::vect
     limits.seconds += samples / 2000000 * count;
   }
   return std::make_unique<ColumnPieces>(path, columns.size(), limits,
-                                        [&](const ByteSink& send) { sendColumns(path, columns, samples, send); });
+                                        [=](const ByteSink& send) { sendColumns(path, columns, samples, send); });
 }
 
 }  // namespace squat::results

@@ -244,7 +244,7 @@ std::unique_ptr<ArrayStream> streamMatlabFile(const std::string& path, const std
     limits.seconds += bytes / 16000000;
   }
   return std::make_unique<ColumnPieces>(path, columns.size(), limits,
-                                        [&](const ByteSink& send) { sendColumns(path, columns, samples, send); });
+                                        [=](const ByteSink& send) { sendColumns(path, columns, samples, send); });
 }
 
 }  // namespace squat::results

@@ -1,0 +1,79 @@
+// A child process that reads files: what it sends, how it ends, and what happens where it never begins.
+#include "results/GuardedChild.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "core/Errors.h"
+
+namespace squat::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Children : public ::testing::Test {
+ protected:
+  Children() { fs::remove(begun_); }
+  ~Children() override { fs::remove(begun_); }
+
+  // The first child sleeps without a byte, as one does that waits for a lock which nobody will give back.
+  GuardedChild::Work stuckOnce() const {
+    return [begun = begun_](const ByteSink& send) {
+      if (!fs::exists(begun)) {
+        std::ofstream(begun).flush();  // its size stays zero: children may not write
+        while (true) ::pause();
+      }
+      const std::byte kind{'k'};
+      send(std::span(&kind, 1));
+    };
+  }
+  static ChildLimits impatient() {
+    ChildLimits limits;
+    limits.memory = std::size_t{64} << 20, limits.patience = 200;
+    return limits;
+  }
+  const fs::path begun_ = fs::path(testing::TempDir()) / ("begun-" + std::to_string(::getpid()));
+};
+
+TEST_F(Children, AreReplacedWhereTheyAreStuckBeforeTheFirstByte) {
+  GuardedChild child("a.h5", impatient(), stuckOnce());
+  EXPECT_EQ(child.receiveKind(), 'k');
+  EXPECT_TRUE(fs::exists(begun_)) << "the first one had begun";
+}
+
+// One that computes is not stuck, however long it takes to its first byte: it has sent its kind before it is replaced.
+TEST_F(Children, MayComputeForLongerThanTheyMaySleep) {
+  auto limits = impatient();
+  limits.seconds = 20, limits.patience = 50;
+  GuardedChild child("a.h5", limits, [](const ByteSink& send) {
+    const auto start = std::chrono::steady_clock::now();
+    volatile double sum = 0;
+    while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(500)) sum = sum + 1;
+    const auto kind = static_cast<std::byte>(sum > 0 ? 'k' : '0');
+    send(std::span(&kind, 1));
+  });
+  EXPECT_EQ(child.receiveKind(), 'k');
+}
+
+TEST_F(Children, PassOnTheErrorOfTheirWork) {
+  GuardedChild child("a.h5", impatient(), [](const ByteSink&) { throw FileError("a.h5", "/signals", "is cut off"); });
+  try {
+    child.receiveKind();
+    FAIL() << "no error";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.location(), "/signals");
+  }
+}
+
+TEST_F(Children, ThatDieAreAnError) {
+  GuardedChild child("a.h5", impatient(), [](const ByteSink&) { ::raise(SIGSEGV); });
+  EXPECT_THROW(child.receiveKind(), FileError);
+}
+
+}  // namespace
+}  // namespace squat::results
