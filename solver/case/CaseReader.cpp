@@ -88,7 +88,7 @@ std::string nameOf(const std::vector<Stated>& stated, std::string_view key) {
 std::string askedName(const CaseOverrides& overrides, std::string_view key, const std::string& otherwise,
                       Problems& problems) {
   const std::string* set = overrideOf(overrides, key);
-  const std::string name = set ? *set : key == "mesh.preset" ? overrides.preset : "";
+  std::string name = set ? *set : key == "mesh.preset" ? overrides.preset : "";
   const auto& names = findParameter(key)->choices;
   if (name.empty()) return otherwise;
   if (std::find(names.begin(), names.end(), name) != names.end()) return name;

@@ -77,7 +77,7 @@ std::string sourceText(const CaseDescription& description, const Parameter& para
   const auto own = defaultOf(description, parameter);
   const bool setHere = std::find(set.begin(), set.end(), parameter.key) != set.end();
   if (!setHere && valueText(description, parameter) == own.text) return own.source;
-  const std::string who = setHere ? "set here" : "set in the case";
+  std::string who = setHere ? "set here" : "set in the case";
   if (own.text.empty() || isList(parameter)) return who;
   return who + "; default " + shortText(parameter, own.text) + ": " + own.source;
 }

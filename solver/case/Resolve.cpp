@@ -12,7 +12,8 @@ DefectZone defectZone(const CaseDescription& description) {
 
 scenario::Scenario resolve(const CaseDescription& d) {
   scenario::Scenario resolved{
-      d, surfaceOf(d), d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction};
+      static_cast<const scenario::Inputs&>(d), surfaceOf(d),
+      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction};
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
   return resolved;
 }

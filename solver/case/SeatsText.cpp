@@ -81,7 +81,7 @@ std::string setEntry(Seat& seat, bool& hasSleeper, std::string_view entry) {
 }  // namespace
 
 ParsedSeats parseSeats(std::string_view text) {
-  const ParsedSeats notSeats{{}, "Write tables like [{ sleeper = 0, pad_stiffness = 300 }, { sleeper = 1 }]"};
+  ParsedSeats notSeats{{}, "Write tables like [{ sleeper = 0, pad_stiffness = 300 }, { sleeper = 1 }]"};
   const auto list = inside(text, '[', ']');
   if (!list) return notSeats;
   ParsedSeats parsed;

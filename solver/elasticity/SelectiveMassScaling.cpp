@@ -238,10 +238,11 @@ void scaleMassAcross(const SweptBlock& block, double* acceleration) {
           amplitude[k] +=
               inertia.weights[2 * keptAcross * member + k] * acceleration[3 * block.order.members[member] + c];
       for (int member = cluster.first; member < cluster.end; ++member) {
-        double& value = acceleration[3 * block.order.members[member] + c];
-        value *= inertia.share;
+        const auto at = 3 * block.order.members[member] + c;
+        double value = acceleration[at] * inertia.share;
         for (int k = 0; k < keptAcross; ++k)
           value += inertia.weights[2 * keptAcross * member + keptAcross + k] * amplitude[k];
+        acceleration[at] = value;
       }
     }
 }

@@ -204,7 +204,7 @@ Matrix24 localToMiddle(const SweptBlock& block, double length) {
 }
 
 Matrix24 elementStiffness(const SweptBlock& block, int quad, double length) {
-  const Matrix24 k = hexahedronStiffness(elementCorners(block, quad, length), block.material);
+  Matrix24 k = hexahedronStiffness(elementCorners(block, quad, length), block.material);
   if (block.kind != SweepKind::aroundAxis) return k;
   const Matrix24 rotation = localToMiddle(block, length);
   return rotation.transpose() * k * rotation;

@@ -6,13 +6,13 @@
 namespace squat::estimation {
 
 LinearSolution solve(const LinearProblem& problem, double scale, double noise, double damping) {
-  const auto& J = problem.slope;
-  const auto& C = problem.penalty;
+  const auto& slope = problem.slope;
+  const auto& penalty = problem.penalty;
   const double data = 1 / (noise * noise), prior = 1 / (scale * scale);
-  const Eigen::MatrixXd fromData = data * J.transpose() * J;
-  Eigen::MatrixXd normal = fromData + prior * C.transpose() * C;
+  const Eigen::MatrixXd fromData = data * slope.transpose() * slope;
+  Eigen::MatrixXd normal = fromData + prior * penalty.transpose() * penalty;
   Eigen::VectorXd downhill =
-      -(data * J.transpose() * problem.residuals + prior * C.transpose() * (C * problem.unknowns));
+      -(data * slope.transpose() * problem.residuals + prior * penalty.transpose() * (penalty * problem.unknowns));
   if (problem.limits.rows() > 0) {
     normal += problem.limits.transpose() * problem.limits;
     downhill -= problem.limits.transpose() * problem.excess;
@@ -25,7 +25,7 @@ LinearSolution solve(const LinearProblem& problem, double scale, double noise, d
   damped.diagonal() *= 1 + damping;
   const Eigen::VectorXd step = damped.ldlt().solve(downhill);
   solution.unknowns = problem.unknowns + step;
-  solution.misfit = (problem.residuals + J * step).squaredNorm();
+  solution.misfit = (problem.residuals + slope * step).squaredNorm();
   return solution;
 }
 

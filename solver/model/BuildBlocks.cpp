@@ -177,7 +177,7 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   const int each = (sleepers.last - sleepers.first) / 2;
   for (int i = -each; i <= each; ++i) model.sleeperPositions.push_back(centre + i * spacing);
 
-  const RollingStretch stretch = rollingStretch(d, railStart, railEnd);
+  RollingStretch stretch = rollingStretch(d, railStart, railEnd);
   elasticity::SweptBlock rail;
   rail.name = "rail";
   rail.section = geometry::railSectionMesh(

@@ -1,7 +1,9 @@
 #include "results/ArrayTree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 
@@ -33,7 +35,7 @@ bool sameBits(const std::vector<T>& left, const std::vector<T>& right) {
 bool sameBits(const AttributeValue& left, const AttributeValue& right) {
   if (left.index() != right.index()) return false;
   if (const double* number = std::get_if<double>(&left))
-    return std::memcmp(number, std::get_if<double>(&right), sizeof(double)) == 0;
+    return std::bit_cast<std::uint64_t>(*number) == std::bit_cast<std::uint64_t>(std::get<double>(right));
   return left == right;
 }
 
@@ -87,7 +89,8 @@ void setAttribute(std::vector<Attribute>& attributes, std::string name, Attribut
   attributes.push_back({std::move(name), std::move(value)});
 }
 
-std::string textAttribute(const std::vector<Attribute>& attributes, std::string_view name, std::string fallback) {
+std::string textAttribute(const std::vector<Attribute>& attributes, std::string_view name,
+                          const std::string& fallback) {
   const auto* attribute = findAttribute(attributes, name);
   const auto* text = attribute ? std::get_if<std::string>(&attribute->value) : nullptr;
   return text ? *text : fallback;

@@ -56,7 +56,8 @@ struct ArrayTree {
 
 void setAttribute(std::vector<Attribute>& attributes, std::string name, AttributeValue value);
 // Text or number of an attribute; the fallback where it is missing or of another kind.
-std::string textAttribute(const std::vector<Attribute>& attributes, std::string_view name, std::string fallback = {});
+std::string textAttribute(const std::vector<Attribute>& attributes, std::string_view name,
+                          const std::string& fallback = {});
 double numberAttribute(const std::vector<Attribute>& attributes, std::string_view name, double fallback = 0);
 
 // The values of an array. Throws FileError(file, path) where it is missing or holds another type.

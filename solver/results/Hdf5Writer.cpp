@@ -36,7 +36,7 @@ class Image {
  public:
   explicit Image(const std::string& path) : path_(path) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    check(H5Pset_fapl_core(access.get(), std::size_t{4} << 20, 0), path_, "/", "cannot be prepared");
+    check(H5Pset_fapl_core(access.get(), std::size_t{4} << 20, false), path_, "/", "cannot be prepared");
     const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     check(H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), path_, "/",
           "cannot be prepared");

@@ -70,7 +70,7 @@ std::vector<std::string> testNames(const std::string& top) {
   static const std::regex added(R"(\badd_test\(\s*NAME\s+([^\s)]+))"), call(R"(\bsquat_add_call\(\s*(\w+))");
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(top + "/tests")) {
-    const auto path = entry.path();
+    const auto& path = entry.path();
     if (path.extension() == ".cpp") addNames(contentsOf(path.string()), googleTest, "$1.$2", names);
     if (path.filename() != "CMakeLists.txt") continue;
     addNames(contentsOf(path.string()), added, "$1", names);

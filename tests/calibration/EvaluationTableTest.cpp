@@ -70,7 +70,7 @@ TEST(EvaluationTable, AnotherCalibrationIsRefused) {
   withSignal.targets.signals.push_back({});
   withSignal.targets.signals[0].files = {folder / "a.csv"};
   const TemporaryFolder other;
-  EvaluationTable(withSignal, other.path());
+  EXPECT_NO_THROW(const EvaluationTable begun(withSignal, other.path()));
   withSignal.targets.signals[0].noise = 0.02;
   EXPECT_THROW(EvaluationTable(withSignal, other.path()), CaseError);
 }

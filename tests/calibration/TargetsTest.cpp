@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 class TargetFiles : public ::testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& text) const {
-    const auto path = folder_ / name;
+    auto path = folder_ / name;
     std::ofstream(path) << text;
     return path;
   }

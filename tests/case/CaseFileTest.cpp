@@ -42,17 +42,17 @@ std::string fileErrorOf(const std::string& text) {
 class CaseFolder : public testing::Test {
  protected:
   void SetUp() override {
-    folder = fs::path(testing::TempDir()) / ("case-" + std::to_string(::getpid()) + "-" +
-                                             testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder);
+    folder_ = fs::path(testing::TempDir()) / ("case-" + std::to_string(::getpid()) + "-" +
+                                              testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_);
   }
-  void TearDown() override { fs::remove_all(folder); }
+  void TearDown() override { fs::remove_all(folder_); }
   fs::path write(const std::string& name, const std::string& text) const {
-    fs::create_directories((folder / name).parent_path());
-    std::ofstream(folder / name, std::ios::binary) << text;
-    return folder / name;
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
   }
-  fs::path folder;
+  fs::path folder_;
 };
 
 TEST(CaseFile, EmptyFileIsTheDefaultCase) { EXPECT_EQ(writeCase(parseCase("", "x.toml")), writeCase(defaultCase())); }
@@ -199,8 +199,8 @@ TEST_F(CaseFolder, FindsProfilesBesideTheCase) {
   EXPECT_EQ(c.defect.points.size(), 3u);
   EXPECT_EQ(c.defect.file, "../data/dip.csv");
   // A written case holds the points and reads back without the file.
-  fs::remove(folder / "data" / "dip.csv");
-  EXPECT_EQ(caseHash(parseCase(writeCase(c), "x", folder / "elsewhere")), caseHash(c));
+  fs::remove(folder_ / "data" / "dip.csv");
+  EXPECT_EQ(caseHash(parseCase(writeCase(c), "x", folder_ / "elsewhere")), caseHash(c));
 }
 
 TEST_F(CaseFolder, ProfileOfTheCommandLineReplacesPoints) {
@@ -210,15 +210,15 @@ TEST_F(CaseFolder, ProfileOfTheCommandLineReplacesPoints) {
 }
 
 TEST_F(CaseFolder, MissingFilesAreFileErrors) {
-  EXPECT_THROW(readCase(folder / "none.toml"), FileError);
-  EXPECT_THROW(readCase(folder), FileError);
+  EXPECT_THROW(readCase(folder_ / "none.toml"), FileError);
+  EXPECT_THROW(readCase(folder_), FileError);
   EXPECT_THROW(loadCase("no-such-case"), FileError);
   const auto path = write("one.toml", "[defect]\nshape = 'profile'\nfile = 'none.csv'\n");
   try {
     readCase(path);
     FAIL();
   } catch (const FileError& error) {
-    EXPECT_EQ(error.path(), (folder / "none.csv").string());
+    EXPECT_EQ(error.path(), (folder_ / "none.csv").string());
   }
 }
 
@@ -248,15 +248,16 @@ TEST_F(CaseFolder, MistakesOfTheCaseComeBeforeThoseOfItsProfile) {
 }
 
 TEST_F(CaseFolder, SavesWholeFilesOnly) {
-  const fs::path path = folder / "saved.toml";
+  const fs::path path = folder_ / "saved.toml";
   saveCase(defaultCase(), path);
   EXPECT_EQ(writeCase(readCase(path)), writeCase(defaultCase()));
   CaseDescription broken = defaultCase();
   broken.motion.speed = -1;
   EXPECT_THROW(saveCase(broken, path), CaseError);
   EXPECT_EQ(writeCase(readCase(path)), writeCase(defaultCase())) << "the earlier file must stay";
-  EXPECT_THROW(saveCase(defaultCase(), folder / "nowhere" / "saved.toml"), FileError);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "nothing may be left beside";
+  EXPECT_THROW(saveCase(defaultCase(), folder_ / "nowhere" / "saved.toml"), FileError);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1)
+      << "nothing may be left beside";
 }
 
 TEST(CaseFile, StemIsTheNameWithoutEnding) {
@@ -275,7 +276,7 @@ TEST_F(CaseFolder, ProfilesSideBySide) {
   EXPECT_EQ(read.defect.lines[1].lateral, 0.008);
   EXPECT_EQ(read.defect.lines[1].points[1].height, -0.0002);
   const std::string text = writeCase(read);
-  const auto again = parseCase(text, "again.toml", folder / "elsewhere");
+  const auto again = parseCase(text, "again.toml", folder_ / "elsewhere");
   EXPECT_EQ(writeCase(again), text);
   EXPECT_EQ(caseHash(again), caseHash(read));
   ASSERT_EQ(again.defect.lines.size(), 2u);

@@ -180,7 +180,7 @@ TEST(HostileProfile, Bombs) {
   for (int i = 0; i < 100'001; ++i) rows += std::to_string(i) + ",0\n";
   EXPECT_EQ(readAsProfile(rows), Outcome::refused);
   EXPECT_EQ(readAsProfile(std::string(1000, '\0')), Outcome::refused);
-  EXPECT_EQ(readAsProfile("\xFF\xFEx\0"), Outcome::refused);
+  EXPECT_EQ(readAsProfile(std::string("\xFF\xFEx\0", 4)), Outcome::refused);
 }
 
 }  // namespace

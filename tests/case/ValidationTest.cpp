@@ -335,8 +335,8 @@ TEST(Validation, AProfileInTheWrongUnitIsRecognised) {
     ASSERT_NE(problem, problems.end()) << key;
     EXPECT_THAT(problem->advice, HasSubstr("40 m long: check the unit"));
   }
-  const auto long_ = validate(caseWith({{"track.length", "3"}, {"motion.run_up", "1"}})).problems;
-  for (const auto& problem : long_) EXPECT_THAT(problem.advice, testing::Not(HasSubstr("unit"))) << toText(problem);
+  const auto inRange = validate(caseWith({{"track.length", "3"}, {"motion.run_up", "1"}})).problems;
+  for (const auto& problem : inRange) EXPECT_THAT(problem.advice, testing::Not(HasSubstr("unit"))) << toText(problem);
 }
 
 }  // namespace
