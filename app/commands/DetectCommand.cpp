@@ -75,12 +75,13 @@ RecordSearch searchOf(const DetectCommandOptions& options) {
 int conclude(const DetectCommandOptions& options, std::vector<detection::RecordDetection> records,
              TerminalMonitor& monitor) {
   const auto source = detection::exampleSource(sourceOf(options), records, monitor);
+  const auto judged = source ? detection::judged(std::move(records), *source, options.detect, monitor) : std::nullopt;
   monitor.clearLine();
-  if (!source) {
+  if (!judged) {
     std::fprintf(stderr, "cancelled: no file written\n");
     return kCancelled;
   }
-  const auto report = detection::judged(std::move(records), *source, options.detect);
+  const auto& report = *judged;
   for (const auto& record : report.records) std::fprintf(stderr, "%s", detection::faultText(record).c_str());
   if (options.json)
     std::printf("%s", detection::detectionJson(report).c_str());

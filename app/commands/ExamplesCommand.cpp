@@ -1,12 +1,14 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <optional>
 
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
+#include "commands/OutputFolder.h"
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
 #include "detection/MakeExamples.h"
@@ -28,6 +30,8 @@ int examples(const ExamplesOptions& options) {
   auto examples = options.examples;
   examples.jobs = options.jobs > 0 ? options.jobs : studies::coresHere();
   squat::keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), {options.file});
+  std::optional<OutputFolder> folder;
+  if (!examples.passages.empty()) folder.emplace(examples.passages);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   const auto made = detection::makeExamples(description, examples, monitor);
@@ -59,6 +63,8 @@ void addExamplesCommand(CLI::App& program, Action& action) {
   command->add_option("--jobs", options->jobs, "Parallel runs (default: all cores)")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
+  command->add_option("--passages", options->examples.passages, "Keep the signal of each passage in this folder")
+      ->type_name("DIR");
   addInstructionSet(*command, options->examples.isa);
   command->callback([options, &action] { action = [options] { return examples(*options); }; });
 }

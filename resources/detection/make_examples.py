@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Computes the table of examples that squat detect ships: passages over known squats, joints and welds.
 
-    make_examples.py FOLDER [--vehicles N] [--first K] [--squat PROGRAM] [--seed S]
+    make_examples.py FOLDER [--vehicles N] [--first K] [--squat PROGRAM] [--seed S] [--passages]
 
 For each of N vehicles and tracks (presets of the program, their inputs varied within plausible ranges, any speed and any
 distance from the sleeper) one call of squat examples on the mesh tiny writes FOLDER/vehicle-NNN.csv; a vehicle whose
-table stands there already is not computed again. FOLDER/examples.csv is all of them. Ranges are assumed; none comes
+table stands there already is not computed again. FOLDER/examples.csv is all of them. With --passages the signals are
+kept in FOLDER/vehicle-NNN, for evaluate_detection.py. Ranges are assumed; none comes
 from a measurement. Needs Python 3 and squat; a vehicle takes a minute on two cores.
 """
 import argparse
@@ -40,6 +41,8 @@ def vehicle(rng):
 def compute(arguments, index, path):
     call = [arguments.squat, "examples", "light-defect", "--mesh", "tiny", "--squats", str(arguments.squats),
             "--others", str(arguments.others), "--seed", str(1000 * arguments.seed + index), "-o", str(path)]
+    if arguments.passages:
+        call += ["--passages", str(path.with_suffix(""))]
     for key, value in vehicle(random.Random(1000 * arguments.seed + index)).items():
         call += ["--set", f"{key}={value if isinstance(value, str) else format(value, '.5g')}"]
     ended = subprocess.run(call, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
@@ -56,6 +59,7 @@ def main():
     parser.add_argument("--others", type=int, default=6, help="passages over joints and welds")
     parser.add_argument("--squat", default="squat", help="the program")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--passages", action="store_true", help="keep the signals")
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     for index in range(arguments.first, arguments.first + arguments.vehicles):

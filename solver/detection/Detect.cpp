@@ -65,17 +65,20 @@ void takeLabel(Event& event, const SeverityLimits& limits) {
   event.judgement.severitySureness = 1;
 }
 
-void judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOptions& options, bool falling) {
+bool judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOptions& options, bool falling,
+                  ThreadTeam& team, Monitor& monitor) {
   std::vector<EventFeatures> features;
   std::vector<std::optional<Label>> labels;
   for (const auto& event : channel.events) features.push_back(event.features), labels.push_back(event.label);
-  const auto judgements = judge.judge(features, labels);
+  const auto judged = judge.judge(features, labels, team, monitor);
+  if (!judged) return false;
   for (std::size_t i = 0; i < channel.events.size(); ++i) {
     auto& event = channel.events[i];
-    event.judgement = judgements[i];
+    const auto& judgement = (*judged)[i];
+    event.judgement = judgement;
     if (event.label) event.judgement.nothing = 0;
-    event.kind = judgements[i].kind, event.sureness = judgements[i].sureness;
-    event.position += (falling ? 1 : -1) * judgements[i].offset;
+    event.kind = judgement.kind, event.sureness = judgement.sureness;
+    event.position += (falling ? 1 : -1) * judgement.offset;
     event.travelled = falling ? -event.position : event.position;
   }
   std::erase_if(channel.events, [](const Event& event) { return event.judgement.nothing > noiseProbability; });
@@ -83,6 +86,7 @@ void judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOpt
   channel.circumference = markFlats(channel.events, options.surroundings);
   for (auto& event : channel.events)
     if (event.label) takeLabel(event, judge.limits());
+  return true;
 }
 
 }  // namespace
@@ -115,13 +119,16 @@ RecordDetection findCandidates(records::RecordStream& stream, const DetectOption
   return result;
 }
 
-void judgeCandidates(RecordDetection& detection, const Judge& judge, const DetectOptions& options) {
-  for (auto& channel : detection.channels) judgeChannel(channel, judge, options, detection.layout.falling);
+bool judgeCandidates(RecordDetection& detection, const Judge& judge, const DetectOptions& options, Monitor& monitor) {
+  ThreadTeam team(threadCount(options.threads));
+  return std::all_of(detection.channels.begin(), detection.channels.end(), [&](ChannelDetection& channel) {
+    return judgeChannel(channel, judge, options, detection.layout.falling, team, monitor);
+  });
 }
 
-std::size_t attachLabels(RecordDetection& detection, const std::vector<Label>& labels) {
+std::vector<bool> attachLabels(RecordDetection& detection, const std::vector<Label>& labels) {
   constexpr double reach = 0.5;  // [m]
-  std::size_t missed = 0;
+  std::vector<bool> isAttached;
   for (const auto& label : labels) {
     Event* nearest = nullptr;
     double distance = reach;
@@ -131,12 +138,10 @@ std::size_t attachLabels(RecordDetection& detection, const std::vector<Label>& l
         if (const double apart = std::abs(event.position - label.position); apart < distance)
           distance = apart, nearest = &event;
     }
-    if (nearest)
-      nearest->label = label;
-    else
-      ++missed;
+    if (nearest) nearest->label = label;
+    isAttached.push_back(nearest != nullptr);
   }
-  return missed;
+  return isAttached;
 }
 
 std::vector<Example> labelledExamples(const RecordDetection& detection, double weight) {

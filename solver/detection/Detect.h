@@ -38,15 +38,16 @@ struct RecordDetection {
 // yet. Reports progress; cancelled: what was found so far. Throws what the stream throws.
 RecordDetection findCandidates(records::RecordStream& stream, const DetectOptions& options, Monitor& monitor);
 
-// Gives each label to the nearest candidate within half a metre; returns how many labels found none.
-std::size_t attachLabels(RecordDetection& detection, const std::vector<Label>& labels);
+// Gives each label to the nearest candidate within half a metre; returns for each whether there is one.
+std::vector<bool> attachLabels(RecordDetection& detection, const std::vector<Label>& labels);
 
 // The labelled candidates as examples of their own vehicle, each as heavy as `weight` others. A squat whose size the
 // label does not say has length and depth 0.
 std::vector<Example> labelledExamples(const RecordDetection& detection, double weight);
 
 // Judges the candidates by the examples and their surroundings; drops those that are noise. What is labelled stays,
-// with kind and severity as the label has them.
-void judgeCandidates(RecordDetection& detection, const Judge& judge, const DetectOptions& options);
+// with kind and severity as the label has them. Reports progress; cancelled: false, and nothing is judged that can be
+// used.
+bool judgeCandidates(RecordDetection& detection, const Judge& judge, const DetectOptions& options, Monitor& monitor);
 
 }  // namespace squat::detection

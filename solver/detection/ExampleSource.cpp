@@ -50,12 +50,14 @@ std::optional<std::vector<Example>> ownExamples(const SourceOptions& options, do
   return made;
 }
 
-// Several records of one place share their labels: a label is missed where it matches no event of any record.
+// Records of one place share their labels, records of other places do not: a label is missed where no record has its
+// event.
 void addLabels(const std::vector<Label>& labels, const std::string& file, std::vector<RecordDetection>& records,
                ExampleSource& source) {
-  std::size_t missed = labels.size();
+  std::vector<bool> isFound(labels.size(), false);
   for (auto& record : records) {
-    missed = std::min(missed, attachLabels(record, labels));
+    const auto isHere = attachLabels(record, labels);
+    for (std::size_t i = 0; i < labels.size(); ++i) isFound[i] = isFound[i] || isHere[i];
     for (auto& example : labelledExamples(record, kLabelWeight)) {
       const bool isSquat = example.kind == Kind::squat;
       if (hasSize(example)) source.own.push_back(example);
@@ -63,6 +65,7 @@ void addLabels(const std::vector<Label>& labels, const std::string& file, std::v
     }
   }
   source.words += ", and " + std::to_string(labels.size()) + (labels.size() == 1 ? " label of " : " labels of ") + file;
+  const auto missed = std::count(isFound.begin(), isFound.end(), false);
   if (missed > 0) source.words += " (" + std::to_string(missed) + " without an event within 0.5 m)";
 }
 
@@ -92,13 +95,14 @@ std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::ve
   return source;
 }
 
-DetectionReport judged(std::vector<RecordDetection> records, const ExampleSource& source,
-                       const DetectOptions& options) {
+std::optional<DetectionReport> judged(std::vector<RecordDetection> records, const ExampleSource& source,
+                                      const DetectOptions& options, Monitor& monitor) {
   DetectionReport report;
   report.records = std::move(records);
   report.examples = source.words;
   const Judge judge(source.examples, source.judgement, source.sizes, source.own);
-  for (auto& record : report.records) judgeCandidates(record, judge, options);
+  for (auto& record : report.records)
+    if (!judgeCandidates(record, judge, options, monitor)) return std::nullopt;
   report.events = combine(report.records);
   return report;
 }

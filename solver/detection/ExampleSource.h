@@ -28,7 +28,7 @@ struct ExampleSource {
   JudgementOptions judgement;  // narrower for the vehicle at hand
   SizeModel sizes;             // of many vehicles
   std::vector<Example> own;    // passages of the records' own vehicle: of its case, of a table of one vehicle, labels
-  std::string words;           // where they come from; labels that match no event
+  std::string words;           // where they come from, and how many labels match no event
 };
 
 // Passages of a vehicle are computed once for the typical speed of the records and kept as
@@ -37,7 +37,8 @@ struct ExampleSource {
 std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::vector<RecordDetection>& records,
                                            Monitor& monitor);
 
-// Judges the candidates of all records and combines their passes.
-DetectionReport judged(std::vector<RecordDetection> records, const ExampleSource& source, const DetectOptions& options);
+// Judges the candidates of all records and combines their passes. Nothing where it was cancelled.
+std::optional<DetectionReport> judged(std::vector<RecordDetection> records, const ExampleSource& source,
+                                      const DetectOptions& options, Monitor& monitor);
 
 }  // namespace squat::detection

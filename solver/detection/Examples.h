@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/Monitor.h"
+#include "core/ThreadTeam.h"
 #include "detection/EventFeatures.h"
 #include "detection/Example.h"
 #include "detection/Label.h"
@@ -53,9 +55,12 @@ class Judge {
 
   // The events of one record share vehicle and track: examples of vehicles that explain all of them well count more.
   // `labels`: of each event, or empty. What is labelled tells of the vehicle; its own judgement is not that of the
-  // label.
-  std::vector<Judgement> judge(const std::vector<EventFeatures>& events,
-                               const std::vector<std::optional<Label>>& labels = {}) const;
+  // label. Nothing where it was cancelled; not influenced by the number of threads.
+  std::optional<std::vector<Judgement>> judge(const std::vector<EventFeatures>& events,
+                                              const std::vector<std::optional<Label>>& labels, ThreadTeam& team,
+                                              Monitor& monitor) const;
+  // The same on one thread, unwatched.
+  std::vector<Judgement> judge(const std::vector<EventFeatures>& events) const;
 
   const SeverityLimits& limits() const { return options_.limits; }
   bool isEmpty() const { return examples_.empty(); }
@@ -64,14 +69,16 @@ class Judge {
  private:
   std::vector<double> logLikelihoods(const EventFeatures& event) const;
   double logNothing(const EventFeatures& event) const;
-  std::vector<double> vehicleWeights(const std::vector<std::vector<double>>& likelihoods) const;
-  void takeKind(const EventFeatures& event, const Vehicle& vehicle, double asSquat, KindDensity& densities,
+  // What an event adds to the logarithm of each vehicle's weight.
+  std::vector<double> forVehicles(const EventFeatures& event) const;
+  std::vector<double> vehicleWeights(const std::vector<EventFeatures>& events, ThreadTeam& team) const;
+  void takeKind(const EventFeatures& event, const Vehicle& vehicle, double asSquat, const KindDensity& densities,
                 Judgement& judgement) const;
-  void takeSizes(const std::vector<EventFeatures>& events, const std::vector<std::optional<Label>>& labels,
-                 std::vector<Judgement>& judgements) const;
+  Vehicle vehicleOf(const std::vector<EventFeatures>& events, const std::vector<std::optional<Label>>& labels,
+                    std::vector<Judgement> judgements, const SizePosterior& posterior, const KindDensity& densities,
+                    ThreadTeam& team) const;
   Belief beliefOf(const Judgement& judgement, const std::optional<Label>& label) const;
-  Judgement weigh(const EventFeatures& event, const std::vector<double>& likelihoods,
-                  const std::vector<double>& vehicles) const;
+  Judgement weigh(const EventFeatures& event, const std::vector<double>& vehicles) const;
 
   std::vector<Example> examples_;
   JudgementOptions options_;

@@ -8,11 +8,14 @@
 
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
+#include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "detection/ExampleDefects.h"
 #include "detection/SegmentEvents.h"
 #include "signals/Record.h"
 #include "simulation/WarmState.h"
+#include "text/Csv.h"
+#include "text/Numbers.h"
 
 namespace squat::detection {
 namespace {
@@ -80,7 +83,7 @@ class Runs {
     std::atomic<std::size_t> next{0};
     std::vector<std::optional<Example>> found(group.size());
     const auto work = [&] {
-      for (std::size_t i = next++; i < group.size(); i = next++) found[i] = passage(base, group[i], run);
+      for (std::size_t i = next++; i < group.size(); i = next++) found[i] = passage(base, group[i], i, run);
     };
     {
       std::vector<std::jthread> workers;
@@ -95,7 +98,7 @@ class Runs {
   std::string failure;  // of the run that failed last
 
  private:
-  std::optional<Example> passage(cases::CaseDescription description, const ExampleDefect& defect,
+  std::optional<Example> passage(cases::CaseDescription description, const ExampleDefect& defect, std::size_t index,
                                  const simulation::RunOptions& run) {
     description.defect = defectOf(defect);
     QuietMonitor quiet(monitor_);
@@ -105,6 +108,7 @@ class Runs {
       if (result.complete) {
         example = exampleOf(result, defect.kind, defect.length, defect.depth);
         example->form = defect.form();
+        if (!options_.passages.empty()) keepPassage(result, *example, index);
       }
     } catch (const std::exception& error) {
       const std::lock_guard lock(mutex_);
@@ -112,6 +116,19 @@ class Runs {
     }
     report();
     return example;
+  }
+
+  void keepPassage(const results::RunResult& result, const Example& example, std::size_t index) const {
+    const auto passage = signals::passageOf(result, "aba");
+    std::vector<double> time;
+    for (std::size_t i = 0; i < passage.series.values.size(); ++i) time.push_back(passage.series.timeAt(i));
+    const std::string kind = toText(example.kind), number = std::to_string(index + 1);
+    writeDurably(options_.passages + "/" + kind + "-" + std::string(3 - std::min<std::size_t>(3, number.size()), '0') +
+                     number + ".csv",
+                 "# " + kind + ", " + text::fixedText(example.length * 1e3, 2) + " mm x " +
+                     text::fixedText(example.depth * 1e3, 4) + " mm, " + text::fixedText(example.speed, 3) + " m/s\n" +
+                     text::csvColumns({"time [s]", "position [m]", "aba [m/s2]"},
+                                      {&time, &passage.position, &passage.series.values}));
   }
 
   // A hump may be felt ahead of the warm state: such a case runs whole.

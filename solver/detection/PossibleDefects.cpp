@@ -14,6 +14,8 @@ constexpr double speedStep = 0.02;  // of the logarithm: energies are computed f
 // With 700 squats the rarer sizes lie so far apart that some severe ones look more like joints.
 constexpr std::size_t possibleSquats = 2000, possibleJointsAndWelds = 1000;
 
+long stepOf(double speed) { return std::lround(std::log(speed) / speedStep); }
+
 }  // namespace
 
 PossibleSquats::PossibleSquats(std::size_t count, const SeverityLimits& limits) {
@@ -41,17 +43,17 @@ PossibleDefects::PossibleDefects(const SeverityLimits& limits) : squats(possible
     (example.kind == Kind::joint ? joints : welds).emplace_back(example.defect);
 }
 
-ExpectedBySpeed::ExpectedBySpeed(const SizeModel& model, std::vector<const PathSpectrum*> paths)
-    : model_(model), paths_(std::move(paths)) {}
-
-const std::vector<BandValues>& ExpectedBySpeed::at(double speed) {
-  const long step = std::lround(std::log(speed) / speedStep);
-  const auto [found, isNew] = expected_.try_emplace(step);
-  if (isNew) {
-    const double rounded = std::exp(speedStep * static_cast<double>(step));
-    for (const auto* path : paths_) found->second.push_back(model_.expected(pathEnergies(*path, rounded), rounded));
+ExpectedBySpeed::ExpectedBySpeed(const SizeModel& model, const std::vector<const PathSpectrum*>& paths,
+                                 const std::vector<EventFeatures>& events, ThreadTeam& team) {
+  for (const auto& event : events) expected_.try_emplace(stepOf(event.speed), paths.size());
+  for (auto& [step, expected] : expected_) {
+    const double speed = std::exp(speedStep * static_cast<double>(step));
+    team.forEach(paths.size(), [&, &values = expected](std::size_t i) {
+      values[i] = model.expected(pathEnergies(*paths[i], speed), speed);
+    });
   }
-  return found->second;
 }
+
+const std::vector<BandValues>& ExpectedBySpeed::at(double speed) const { return expected_.at(stepOf(speed)); }
 
 }  // namespace squat::detection

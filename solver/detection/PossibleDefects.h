@@ -5,6 +5,8 @@
 #include <map>
 #include <vector>
 
+#include "core/ThreadTeam.h"
+#include "detection/EventFeatures.h"
 #include "detection/PathSpectrum.h"
 #include "detection/Severity.h"
 #include "detection/SizeModel.h"
@@ -37,16 +39,15 @@ struct PossibleDefects {
   std::vector<PathSpectrum> joints, welds;
 };
 
-// y of SizeModel.h without u, of many paths at one speed, kept for the next event of this speed.
+// y of SizeModel.h without u, of many paths, for the speeds of some events.
 class ExpectedBySpeed {
  public:
-  // Model and paths must outlive it.
-  ExpectedBySpeed(const SizeModel& model, std::vector<const PathSpectrum*> paths);
-  const std::vector<BandValues>& at(double speed);
+  ExpectedBySpeed(const SizeModel& model, const std::vector<const PathSpectrum*>& paths,
+                  const std::vector<EventFeatures>& events, ThreadTeam& team);
+  // Of each path; `speed` [m/s]: that of one of the events.
+  const std::vector<BandValues>& at(double speed) const;
 
  private:
-  const SizeModel& model_;
-  std::vector<const PathSpectrum*> paths_;
   std::map<long, std::vector<BandValues>> expected_;
 };
 

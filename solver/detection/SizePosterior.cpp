@@ -9,7 +9,6 @@ namespace squat::detection {
 namespace {
 
 constexpr Eigen::Index bands = static_cast<Eigen::Index>(bandCount);
-constexpr double sharedEvidence = 0.5;  // events of a record are not independent looks at its vehicle
 constexpr int maximumPasses = 30;
 constexpr double atRest = 1e-3;                 // of log10 energy
 constexpr std::size_t maximumForVehicle = 200;  // of events that the vehicle is estimated from, the surest
@@ -119,37 +118,53 @@ std::vector<std::size_t> surest(const std::vector<Belief>& beliefs) {
 
 }  // namespace
 
-SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
-                      const std::vector<Belief>& beliefs, const std::vector<Example>& own,
-                      const std::optional<BandValues>& start) {
-  ExpectedBySpeed expected(model, possible.paths());
-  const Vehicle known = knownFrom(model, own);
+SizePosterior::SizePosterior(const SizeModel& model, const PossibleSquats& possible,
+                             const std::vector<EventFeatures>& events, ThreadTeam& team)
+    : model_(model), possible_(possible), expected_(model, possible.paths(), events, team) {}
+
+Vehicle SizePosterior::vehicleOf(const std::vector<EventFeatures>& events, const std::vector<Belief>& beliefs,
+                                 const std::vector<Example>& own, const std::optional<BandValues>& start,
+                                 ThreadTeam& team) const {
+  const Vehicle known = knownFrom(model_, own);
   const BandMatrix precision = known.covariance.inverse();
   const auto forVehicle = surest(beliefs);
   Vehicle vehicle = known;
   if (start) vehicle.mean = *start;
   for (int pass = 0; pass < maximumPasses; ++pass) {
+    const BandMatrix scatter = model_.betweenPassages() + vehicle.covariance;
+    std::vector<Normal> parts(forVehicle.size());
+    team.forEach(forVehicle.size(), [&](std::size_t i) {
+      const auto& event = events[forVehicle[i]];
+      const auto& belief = beliefs[forVehicle[i]];
+      const auto& squats = expected_.at(event.speed);
+      const auto fit = fitOf(event, squats, possible_, vehicle, scatter, belief.severity);
+      addTo(parts[i], event, squats, fit, vehicle, scatter, sharedEvidence * belief.squat);
+    });
     Normal normal;
-    const BandMatrix scatter = model.betweenPassages() + vehicle.covariance;
-    for (const auto i : forVehicle) {
-      const auto& squats = expected.at(events[i].speed);
-      const auto fit = fitOf(events[i], squats, possible, vehicle, scatter, beliefs[i].severity);
-      addTo(normal, events[i], squats, fit, vehicle, scatter, sharedEvidence * beliefs[i].squat);
-    }
+    for (const auto& part : parts) normal.matrix += part.matrix, normal.right += part.right;
     const BandMatrix all = precision + normal.matrix;
     const BandValues step = all.ldlt().solve(precision * (known.mean - vehicle.mean) + normal.right);
     vehicle.mean += step;
     vehicle.covariance = all.inverse();
     if (step.cwiseAbs().maxCoeff() < atRest) break;
   }
-  const BandMatrix scatter = model.betweenPassages() + vehicle.covariance;
+  return vehicle;
+}
+
+SquatSize SizePosterior::sizeOf(const EventFeatures& event, std::optional<Severity> severity,
+                                const Vehicle& vehicle) const {
+  const BandMatrix scatter = model_.betweenPassages() + vehicle.covariance;
+  return sizeFrom(fitOf(event, expected_.at(event.speed), possible_, vehicle, scatter, severity), possible_);
+}
+
+SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
+                      const std::vector<Belief>& beliefs, const std::vector<Example>& own) {
+  ThreadTeam team(1);
+  const SizePosterior posterior(model, possible, events, team);
   SquatSizes sizes;
-  sizes.vehicle = vehicle;
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const auto& squats = expected.at(events[i].speed);
-    const auto fit = fitOf(events[i], squats, possible, vehicle, scatter, beliefs[i].severity);
-    sizes.each.push_back(sizeFrom(fit, possible));
-  }
+  sizes.vehicle = posterior.vehicleOf(events, beliefs, own, {}, team);
+  for (std::size_t i = 0; i < events.size(); ++i)
+    sizes.each.push_back(posterior.sizeOf(events[i], beliefs[i].severity, sizes.vehicle));
   return sizes;
 }
 

@@ -22,19 +22,41 @@ struct SquatSizes {
   Vehicle vehicle;
 };
 
+// Weight of an event's evidence about its vehicle: the events of a record are not independent looks at it.
+inline constexpr double sharedEvidence = 0.5;
+
 // What is known of one event before its energies are looked at.
 struct Belief {
   double squat = 1;                  // probability to be one
   std::optional<Severity> severity;  // where it is known
 };
 
-// Bayes' rule over the possible squats. The events share their vehicle u, which is estimated with their sizes: sizes
-// given the vehicle, and the vehicle given the sizes, in turn until it rests. `beliefs`: one for each event; what is no
-// squat says nothing of the vehicle. `own`: passages of the same vehicle over squats of known sizes. `start`: u that
-// the estimate sets out from. The noise of an event adds to the energy of a squat, with the scatter that its degrees of
-// freedom bring.
+// Bayes' rule over the possible squats. The noise of an event adds to the energy of a squat, with the scatter that its
+// degrees of freedom bring.
+class SizePosterior {
+ public:
+  // Model and squats must outlive it. `events`: those that it will be asked of.
+  SizePosterior(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
+                ThreadTeam& team);
+
+  // The events share their vehicle u, which is estimated with their sizes: sizes given the vehicle, and the vehicle
+  // given the sizes, in turn until it rests; from the 200 events that are squats most surely. `beliefs`: one for each
+  // event; what is no squat says nothing of the vehicle. `own`: passages of the same vehicle over squats of known
+  // sizes. `start`: u that the estimate sets out from. Not influenced by the number of threads.
+  Vehicle vehicleOf(const std::vector<EventFeatures>& events, const std::vector<Belief>& beliefs,
+                    const std::vector<Example>& own, const std::optional<BandValues>& start, ThreadTeam& team) const;
+
+  // Of one event. `severity`: where it is known.
+  SquatSize sizeOf(const EventFeatures& event, std::optional<Severity> severity, const Vehicle& vehicle) const;
+
+ private:
+  const SizeModel& model_;
+  const PossibleSquats& possible_;
+  ExpectedBySpeed expected_;
+};
+
+// Vehicle, and sizes of all events, on one thread.
 SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
-                      const std::vector<Belief>& beliefs, const std::vector<Example>& own,
-                      const std::optional<BandValues>& start = {});
+                      const std::vector<Belief>& beliefs, const std::vector<Example>& own);
 
 }  // namespace squat::detection

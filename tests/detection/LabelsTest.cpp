@@ -41,8 +41,9 @@ Label labelAt(double position, Kind kind) {
 }
 
 TEST(Labels, DecideKindAndSeverity) {
+  Monitor unwatched;
   auto found = detection();
-  judgeCandidates(found, lightSquatOrLoudWeld(), {});
+  ASSERT_TRUE(judgeCandidates(found, lightSquatOrLoudWeld(), {}, unwatched));
   ASSERT_EQ(found.channels[0].events.size(), 2U) << "the third is noise";
   EXPECT_EQ(found.channels[0].events[0].judgement.severity, Severity::light);
   EXPECT_EQ(found.channels[0].events[1].kind, Kind::weld);
@@ -51,8 +52,8 @@ TEST(Labels, DecideKindAndSeverity) {
   auto severe = labelAt(10.2, Kind::squat), sized = labelAt(20.1, Kind::squat);
   severe.severity = Severity::severe;
   sized.length = 0.05, sized.depth = 0.1e-3;
-  EXPECT_EQ(attachLabels(found, {severe, sized, labelAt(30.3, Kind::joint)}), 0U);
-  judgeCandidates(found, lightSquatOrLoudWeld(), {});
+  EXPECT_EQ(attachLabels(found, {severe, sized, labelAt(30.3, Kind::joint)}), std::vector<bool>(3, true));
+  ASSERT_TRUE(judgeCandidates(found, lightSquatOrLoudWeld(), {}, unwatched));
   const auto& events = found.channels[0].events;
   ASSERT_EQ(events.size(), 3U) << "what was seen is not noise";
   EXPECT_EQ(events[0].kind, Kind::squat);
@@ -70,8 +71,9 @@ TEST(Labels, BelongToTheNearestEventOfTheirChannel) {
   auto found = detection();
   auto elsewhere = labelAt(10, Kind::joint);
   elsewhere.channel = "right";
-  EXPECT_EQ(attachLabels(found, {labelAt(10.6, Kind::joint), elsewhere, labelAt(19.6, Kind::joint)}), 2U)
-      << "beyond half a metre; of another channel";
+  EXPECT_EQ(attachLabels(found, {labelAt(10.6, Kind::joint), elsewhere, labelAt(19.6, Kind::joint)}),
+            (std::vector<bool>{false, false, true}))
+      << "beyond half a metre; of another channel; 0.4 m away";
   const auto examples = labelledExamples(found, 5);
   ASSERT_EQ(examples.size(), 1U);
   EXPECT_EQ(examples[0].kind, Kind::joint);

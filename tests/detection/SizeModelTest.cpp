@@ -207,5 +207,61 @@ TEST(Judge, TellsSquatsFromJointsAndWeldsOfVehiclesThatItHasNotSeen) {
   EXPECT_GE(others.share(), 0.90) << others.right << " of " << others.all;
 }
 
+std::vector<EventFeatures> eventsOf(const std::vector<Example>& examples) {
+  std::vector<EventFeatures> events;
+  for (const auto& example : examples) events.push_back(eventOf(example));
+  return events;
+}
+
+void expectSame(const Judgement& left, const Judgement& right) {
+  EXPECT_EQ(left.kind, right.kind);
+  EXPECT_EQ(left.sureness, right.sureness);
+  EXPECT_EQ(left.length, right.length);
+  EXPECT_EQ(left.depthHigh, right.depthHigh);
+  EXPECT_EQ(left.severitySureness, right.severitySureness);
+}
+
+TEST(Judge, SaysTheSameOnAnyNumberOfThreads) {
+  const auto [vehicle, all] = *leftOut().begin();
+  const auto rest = without(vehicle);
+  const Judge judge(rest, {}, SizeModel(rest));
+  const auto events = eventsOf(all);
+  const auto onOne = judge.judge(events);
+  ThreadTeam three(3);
+  Monitor unwatched;
+  const auto onThree = judge.judge(events, {}, three, unwatched);
+  ASSERT_TRUE(onThree);
+  for (std::size_t i = 0; i < events.size(); ++i) expectSame((*onThree)[i], onOne[i]);
+}
+
+// The vehicle is settled among the 400 likeliest squats; with it, each event is judged by itself.
+TEST(Judge, GivesEqualEventsOfALongRecordOneJudgement) {
+  const auto [vehicle, all] = *leftOut().begin();
+  const auto rest = without(vehicle);
+  const Judge judge(rest, {}, SizeModel(rest));
+  const auto once = eventsOf(all);
+  std::vector<EventFeatures> events;
+  while (events.size() < 800) events.insert(events.end(), once.begin(), once.end());
+  const auto judged = judge.judge(events);
+  for (std::size_t i = once.size(); i < events.size(); ++i) expectSame(judged[i], judged[i % once.size()]);
+  Count kinds;
+  for (std::size_t i = 0; i < once.size(); ++i)
+    kinds.right += (judged[i].kind == Kind::squat) == (all[i].kind == Kind::squat), ++kinds.all;
+  EXPECT_GE(kinds.share(), 0.9) << "as a record of each event once (test above): two of some 20 may be wrong";
+}
+
+TEST(Judge, StopsWhenItIsCancelled) {
+  struct Impatient : Monitor {
+    void report(const Progress& progress) override { reports += progress.phase == "judgement"; }
+    bool cancelled() override { return reports > 0; }
+    int reports = 0;
+  } monitor;
+  const auto [vehicle, all] = *leftOut().begin();
+  const Judge judge(shipped(), {}, SizeModel(shipped()));
+  ThreadTeam alone(1);
+  EXPECT_FALSE(judge.judge(eventsOf(all), {}, alone, monitor));
+  EXPECT_EQ(monitor.reports, 1) << "of one event, no more";
+}
+
 }  // namespace
 }  // namespace squat::detection

@@ -74,8 +74,9 @@ ToolResult compute(const Search& wanted, const ToolInput& input, Monitor& monito
   if (found.back().cancelled) return result;
   const auto source = detection::exampleSource(sourceOf(wanted, input), found, monitor);
   if (!source) return result;
-  const auto report =
-      std::make_shared<const detection::DetectionReport>(detection::judged(std::move(found), *source, options));
+  auto judged = detection::judged(std::move(found), *source, options, monitor);
+  if (!judged) return result;
+  const auto report = std::make_shared<const detection::DetectionReport>(*std::move(judged));
   result.complete = true;
   result.files = detection::writeDetection(*report, input.folder);
   for (const auto& record : report->records) result.text += detection::faultText(record);

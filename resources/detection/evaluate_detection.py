@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""Judges squat detect by records whose squats are known: the table "How good it is" of the manual.
+
+    evaluate_detection.py FOLDER [--examples FILE] [--noise 1.5,5] [--squat PROGRAM] [--jobs N]
+
+FOLDER holds vehicle-NNN folders as make_examples.py --passages makes them. For each vehicle and each level of noise the
+passages are laid into a record of their own, some 15 m apart, with coloured noise; the program searches it, and what it
+finds is compared with what was laid. Records that stand in FOLDER/records already are not made again. FILE must not hold these vehicles: without --examples, the shipped ones count. Needs
+Python 3, NumPy and squat.
+"""
+import argparse
+import concurrent.futures
+import csv
+import json
+import pathlib
+import re
+import subprocess
+
+import numpy
+
+RATE = 25000
+LIMITS = ((35, 0.10), (60, 0.25))  # mm, of light and moderate squats
+NAMES = ("light", "moderate", "severe")
+
+
+def severity(length, depth):
+    return next((i for i, (long, deep) in enumerate(LIMITS) if length <= long and depth <= deep), 2)
+
+
+def passages(folder):
+    """Kind, length [mm], depth [mm], speed [m/s], positions, accelerations."""
+    for path in sorted(folder.glob("*.csv")):
+        with path.open() as file:
+            head = re.match(r"# (\S+), (\S+) mm x (\S+) mm, (\S+) m/s", file.readline())
+            values = numpy.loadtxt(file, delimiter=",", skiprows=1)
+        yield head[1], float(head[2]), float(head[3]), float(head[4]), values[:, 1], values[:, 2]
+
+
+def noise(rng, count, sigma):
+    """Gaussian up to 2.5 kHz, a third of its power below 200 Hz."""
+    frequency = numpy.fft.rfftfreq(count, 1 / RATE)
+    density = (frequency < 2500) * (2 / 3 / 2500 + (frequency < 200) / 3 / 200)
+    waves = numpy.fft.irfft(numpy.sqrt(density) * numpy.exp(2j * numpy.pi * rng.random(frequency.size)), count)
+    return sigma * waves / waves.std()
+
+
+def record(folder, sigma, path, rng):
+    """Writes the record; what is in it, and its speed."""
+    known = path.with_suffix(".json")
+    if known.exists():
+        return json.loads(known.read_text())
+    defects = list(passages(folder))
+    speed = defects[0][3]
+    signal = numpy.zeros(int((30 + 15.7 * len(defects)) / speed * RATE))
+    truth = []
+    for number, index in enumerate(rng.permutation(len(defects))):
+        kind, length, depth, _, position, values = defects[index]
+        place = 20 + 15.7 * number + rng.uniform(-2, 2)
+        first = int(round((place + position[0]) / speed * RATE))
+        fade = max(1, values.size // 20)
+        window = numpy.minimum(1, numpy.arange(values.size)[::-1] / fade)
+        signal[first:first + values.size] += window * values
+        truth.append((first * speed / RATE - position[0], kind, length, depth))
+    signal += noise(rng, signal.size, sigma)
+    with path.open("w") as file:
+        file.write("time [s],aba [m/s2]\n")
+        file.writelines(f"{i / RATE:.5f},{value:.3f}\n" for i, value in enumerate(signal))
+    known.write_text(json.dumps([truth, speed]))
+    return truth, speed
+
+
+def found(arguments, path, speed):
+    folder = path.with_suffix("")
+    call = [arguments.squat, "detect", str(path), "--speed", f"{speed:.4f}", "--threads", "1", "-o", str(folder)]
+    if arguments.examples:
+        call += ["--examples", arguments.examples]
+    subprocess.run(call, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    with (folder / "squats.csv").open() as file:
+        return list(csv.DictReader(file))
+
+
+def compare(truth, events):
+    """Rows: kind, true severity, found kind, found severity, metres apart, true length and depth inside their ranges."""
+    rows, taken = [], set()
+    for place, kind, length, depth in truth:
+        apart, index = min(((abs(float(e["position [m]"]) - place), i) for i, e in enumerate(events)), default=(9, -1))
+        row = {"kind": kind, "severity": severity(length, depth), "found": "", "name": f"{length:.0f} mm x {depth:.3f} mm"}
+        if apart < 0.5:
+            taken.add(index)
+            event = events[index]
+            row |= {"found": event["kind"], "apart": apart}
+            if event["kind"] == "squat":
+                inside = [float(event[f"{name} low [mm]"]) - 1e-9 <= true <= float(event[f"{name} high [mm]"]) + 1e-9
+                          for name, true in (("length", length), ("depth", depth))]
+                row |= {"called": NAMES.index(event["severity"]), "inside": inside}
+        rows.append(row)
+    false = [e["kind"] for i, e in enumerate(events)
+             if i not in taken and e["kind"] == "squat" and not any(abs(float(e["position [m]"]) - t[0]) < 1.5 for t in truth)]
+    return rows, false
+
+
+def report(rows, false):
+    squats = [row for row in rows if row["kind"] == "squat"]
+    others = [row for row in rows if row["kind"] != "squat"]
+    for i, name in enumerate(NAMES):
+        own = [row for row in squats if row["severity"] == i]
+        print(f"{name}: {sum(row['found'] == 'squat' for row in own)} of {len(own)} as squats")
+    print(f"joints and welds called squats: {sum(row['found'] == 'squat' for row in others)} of {len(others)}")
+    print(f"false alarms: {len(false)}")
+    called = [row for row in squats if "called" in row]
+    off = [abs(row["called"] - row["severity"]) for row in called]
+    print(f"severity right: {100 * off.count(0) / len(off):.1f} % of {len(off)}; two classes off: {off.count(2)}")
+    print(f"position: {1e3 * numpy.mean([row['apart'] for row in called]):.0f} mm on the average, "
+          f"beyond 0.1 m: {sum(row['apart'] > 0.1 for row in called)}")
+    inside = numpy.mean([row["inside"] for row in called], axis=0)
+    print(f"true length, depth in the range given: {100 * inside[0]:.0f} %, {100 * inside[1]:.0f} %")
+    for row in rows:
+        if (row["kind"] == "squat") != (row["found"] == "squat"):
+            print(f"  {row['kind']} {row['name']} ({row['vehicle']}): {row['found'] or 'not found'}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--examples", default="", help="table of the program's examples")
+    parser.add_argument("--noise", default="1.5,5", help="m/s2, one or several")
+    parser.add_argument("--squat", default="squat", help="the program")
+    parser.add_argument("--jobs", type=int, default=2)
+    arguments = parser.parse_args()
+    work = arguments.folder / "records"
+    work.mkdir(exist_ok=True)
+
+    def one(folder, sigma):
+        rng = numpy.random.default_rng([int(folder.name[-3:]), int(10 * sigma)])
+        path = work / f"{folder.name}-{sigma:g}.csv"
+        truth, speed = record(folder, sigma, path, rng)
+        rows, false = compare(truth, found(arguments, path, speed))
+        return [row | {"vehicle": path.stem} for row in rows], false
+
+    folders = sorted(path for path in arguments.folder.glob("vehicle-???") if path.with_suffix(".csv").exists())
+    tasks = [(folder, float(sigma)) for folder in folders for sigma in arguments.noise.split(",")]
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        results = list(pool.map(lambda task: one(*task), tasks))
+    report([row for rows, _ in results for row in rows], [each for _, false in results for each in false])
+
+
+if __name__ == "__main__":
+    main()
