@@ -32,6 +32,7 @@ const cases::CaseDescription& truth() {
     auto overrides = overridesWith("defect.shape", "cosine");
     overrides.values.emplace_back("defect.length", "50");
     overrides.values.emplace_back("defect.depth", "0.15");
+    overrides.values.emplace_back("motion.beyond", "0.3");
     return cases::loadCase("light-defect", overrides);
   }();
   return description;
