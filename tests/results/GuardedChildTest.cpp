@@ -5,7 +5,6 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -44,20 +43,6 @@ TEST_F(Children, AreReplacedWhereTheyAreStuckBeforeTheFirstByte) {
   GuardedChild child("a.h5", impatient(), stuckOnce());
   EXPECT_EQ(child.receiveKind(), 'k');
   EXPECT_TRUE(fs::exists(begun_)) << "the first one had begun";
-}
-
-// One that computes is not stuck, however long it takes to its first byte: it has sent its kind before it is replaced.
-TEST_F(Children, MayComputeForLongerThanTheyMaySleep) {
-  auto limits = impatient();
-  limits.seconds = 20, limits.patience = 50;
-  GuardedChild child("a.h5", limits, [](const ByteSink& send) {
-    const auto start = std::chrono::steady_clock::now();
-    volatile double sum = 0;
-    while (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(500)) sum = sum + 1;
-    const auto kind = static_cast<std::byte>(sum > 0 ? 'k' : '0');
-    send(std::span(&kind, 1));
-  });
-  EXPECT_EQ(child.receiveKind(), 'k');
 }
 
 TEST_F(Children, PassOnTheErrorOfTheirWork) {
