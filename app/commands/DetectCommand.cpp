@@ -29,11 +29,12 @@ namespace {
 
 struct DetectCommandOptions {
   std::vector<std::string> files;
-  std::string folder, chainage, examples, labels, partition;
+  std::string folder, chainage, examples, labels, partition, light, moderate;
   CaseOptions caseOptions;
   SignalOptions signal;
   FigureChoice figures;
   detection::DetectOptions detect;
+  detection::SeverityLimits limits;
   double diameter = 0;  // [m] of the wheel
   bool json = false, collect = false;
 };
@@ -56,6 +57,7 @@ detection::SourceOptions sourceOf(const DetectCommandOptions& options) {
   source.vehicleName = options.caseOptions.name;
   source.folder = options.folder;
   source.examplesFile = options.examples, source.labelsFile = options.labels;
+  source.limits = options.limits;
   source.jobs = studies::coresHere();
   return source;
 }
@@ -98,6 +100,7 @@ int conclude(const DetectCommandOptions& options, std::vector<detection::RecordD
 int detect(DetectCommandOptions options) {
   if (options.diameter > 0) options.detect.surroundings.circumference = M_PI * options.diameter;
   if (options.folder.empty()) options.folder = ".";
+  options.limits = detection::severityLimitsFromText(options.light, options.moderate);
   const auto search = searchOf(options);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
@@ -125,26 +128,35 @@ void addDetectCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("detect", "Find squats in long records of axle box acceleration");
   auto options = std::make_shared<DetectCommandOptions>();
   command
-      ->add_option("records", options->files, "Files, or the shipped example-record; several of one place are combined")
+      ->add_option("records", options->files,
+                   "Files, or the shipped example-record; several of one location are combined")
       ->required()
       ->type_name("RECORD...");
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
   addSignalOptions(*command, options->signal);
   command->add_option("--chainage", options->chainage, "Of the first sample: metres, \"12.3 km\" or 12+300")
-      ->type_name("PLACE");
-  command
-      ->add_option("--case", options->caseOptions.name,
-                   "Judge kinds and severities by passages of this vehicle and track (default: general thresholds)")
-      ->type_name("CASE");
+      ->type_name("CHAINAGE");
+  auto* vehicle =
+      command
+          ->add_option("--case", options->caseOptions.name,
+                       "Judge kinds and severities by passages of this vehicle and track (default: general thresholds)")
+          ->type_name("CASE");
   command->add_option("--mesh", options->caseOptions.mesh, "Mesh of the passages of --case (default: tiny)")
-      ->type_name("PRESET");
+      ->type_name("PRESET")
+      ->needs(vehicle);
   command->add_option("--set", options->caseOptions.sets, "Set one key of --case, as in squat run; repeatable")
       ->allow_extra_args(false)
-      ->type_name("KEY=VALUE");
+      ->type_name("KEY=VALUE")
+      ->needs(vehicle);
   command->add_option("--examples", options->examples, "Table of squat examples (default: the shipped one)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes(vehicle);
   command->add_option("--labels", options->labels, "Events that you know: position, kind, severity or length and depth")
       ->type_name("FILE");
+  command->add_option("--light", options->light, "Longest and deepest light squat in mm (default: 35x0.10)")
+      ->type_name("LENGTHxDEPTH");
+  command->add_option("--moderate", options->moderate, "The same of a moderate one (default: 60x0.25)")
+      ->type_name("LENGTHxDEPTH");
   command
       ->add_option("--wheel-diameter", options->diameter,
                    "Diameter of the wheel in metres, for wheel flats (default: found from the record)")

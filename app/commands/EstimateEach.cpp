@@ -34,7 +34,7 @@ estimation::EstimateDefinition definitionOf(const EachEstimate& each, const std:
   return definition;
 }
 
-// Of one passage; a folder's `estimate.json` comes last, so that what has one is whole.
+// Of one passage; the row in a folder's `estimate.json` comes last, so that what has one is whole.
 FileOutcome estimateFile(const EachEstimate& each, const std::string& file, const std::function<void()>& requireOwn,
                          Monitor& monitor) {
   std::string key;

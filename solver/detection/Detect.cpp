@@ -89,6 +89,24 @@ bool judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOpt
   return true;
 }
 
+// Of each label the candidate, if there is one.
+std::vector<Event*> nearestTo(const std::vector<Label>& labels, RecordDetection& detection, double shift) {
+  constexpr double reach = 0.5;  // [m]
+  std::vector<Event*> events;
+  for (const auto& label : labels) {
+    Event* nearest = nullptr;
+    double distance = reach;
+    for (auto& channel : detection.channels) {
+      if (!label.channel.empty() && label.channel != channel.name) continue;
+      for (auto& event : channel.events)
+        if (const double apart = std::abs(event.position + shift - label.position); apart < distance)
+          distance = apart, nearest = &event;
+    }
+    events.push_back(nearest);
+  }
+  return events;
+}
+
 }  // namespace
 
 RecordDetection findCandidates(records::RecordStream& stream, const DetectOptions& options, Monitor& monitor) {
@@ -126,20 +144,19 @@ bool judgeCandidates(RecordDetection& detection, const Judge& judge, const Detec
   });
 }
 
-std::vector<bool> attachLabels(RecordDetection& detection, const std::vector<Label>& labels) {
-  constexpr double reach = 0.5;  // [m]
+std::vector<bool> attachLabels(RecordDetection& detection, const std::vector<Label>& labels, double shift) {
+  auto nearest = nearestTo(labels, detection, 0);
+  if (shift != 0) {
+    auto shifted = nearestTo(labels, detection, shift);
+    const auto missed = [](const std::vector<Event*>& events) {
+      return std::count(events.begin(), events.end(), nullptr);
+    };
+    if (missed(shifted) < missed(nearest)) nearest = std::move(shifted);
+  }
   std::vector<bool> isAttached;
-  for (const auto& label : labels) {
-    Event* nearest = nullptr;
-    double distance = reach;
-    for (auto& channel : detection.channels) {
-      if (!label.channel.empty() && label.channel != channel.name) continue;
-      for (auto& event : channel.events)
-        if (const double apart = std::abs(event.position - label.position); apart < distance)
-          distance = apart, nearest = &event;
-    }
-    if (nearest) nearest->label = label;
-    isAttached.push_back(nearest != nullptr);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (nearest[i]) nearest[i]->label = labels[i];
+    isAttached.push_back(nearest[i] != nullptr);
   }
   return isAttached;
 }

@@ -38,8 +38,9 @@ struct RecordDetection {
 // yet. Reports progress; cancelled: what was found so far. Throws what the stream throws.
 RecordDetection findCandidates(records::RecordStream& stream, const DetectOptions& options, Monitor& monitor);
 
-// Gives each label to the nearest candidate within half a metre; returns for each whether there is one.
-std::vector<bool> attachLabels(RecordDetection& detection, const std::vector<Label>& labels);
+// Gives each label to the nearest candidate within half a metre; returns for each whether there is one. `shift` [m]: to
+// add to the record's positions for those of the labels, where more of them meet an event with it than without.
+std::vector<bool> attachLabels(RecordDetection& detection, const std::vector<Label>& labels, double shift = 0);
 
 // The labelled candidates as examples of their own vehicle, each as heavy as `weight` others. A squat whose size the
 // label does not say has length and depth 0.

@@ -144,6 +144,14 @@ Json jsonOf(const RecordDetection& record) {
           {"notes", record.notes}};
 }
 
+Json jsonOf(const SeverityLimits& limits) {
+  const auto inMillimetres = [](double length, double depth) {
+    return Json{rounded(1e3 * length, 1e-3), rounded(1e3 * depth, 1e-3)};
+  };
+  return {{"light", inMillimetres(limits.lightLength, limits.lightDepth)},
+          {"moderate", inMillimetres(limits.moderateLength, limits.moderateDepth)}};
+}
+
 // Names of files and channels need not be UTF-8.
 std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
@@ -191,6 +199,7 @@ std::string detectionJson(const DetectionReport& report) {
   return textOf({{"schema", "squat-detection"},
                  {"schema_version", 1},
                  {"examples", report.examples},
+                 {"severity_limits_mm", jsonOf(report.limits)},
                  {"records", records},
                  {"events", events},
                  {"notes", report.notes}});

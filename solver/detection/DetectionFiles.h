@@ -11,7 +11,8 @@ namespace squat::detection {
 struct DetectionReport {
   std::vector<RecordDetection> records;
   std::vector<CombinedEvent> events;
-  std::string examples;  // where kinds and severities come from, as text
+  std::string examples;   // where kinds and severities come from, as text
+  SeverityLimits limits;  // of the severities
   std::vector<std::string> notes;
 };
 

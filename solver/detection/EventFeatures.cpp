@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "detection/LocalLevel.h"
 
@@ -39,23 +40,33 @@ double meanLevel(const Evidence& evidence, std::size_t from, std::size_t to) {
   return to > from ? sum / static_cast<double>(to - from) : 0;
 }
 
-// Length of the neighbourhood in quarter metres that are at least a tenth as loud as the event's own, and as loud again
-// as their surroundings.
+// Length of the stretch around the event in quarter metres that are at least a tenth as loud as the event's own, and as
+// loud again as their surroundings; it ends where two in a row are not. Squats that follow each other are not one
+// stretch.
 double reachOf(const BandPower& power, const Evidence& evidence, const std::vector<double>& travelled,
                std::size_t anchor) {
   constexpr double piece = 0.25;
   const double here = travelled[anchor];
   double own = 0;
   std::vector<double> pieces;
+  std::size_t centre = 0;
   for (double from = here - neighbourhood; from < here + neighbourhood - 0.5 * piece; from += piece) {
     if (from + piece < travelled.front() || from > travelled.back()) continue;
     const auto first = cellAt(travelled, from), end = cellAt(travelled, from + piece);
     const double loud = meanLoudness(power, evidence, first, end);
     pieces.push_back(loud > meanLevel(evidence, first, end) ? loud : 0.0);
-    if (std::abs(from + 0.5 * piece - here) <= piece) own = std::max(own, pieces.back());
+    if (std::abs(from + 0.5 * piece - here) > piece || pieces.back() <= own) continue;
+    own = pieces.back(), centre = pieces.size() - 1;
   }
-  const auto loud =
-      std::count_if(pieces.begin(), pieces.end(), [&](double p) { return own > 0 && p >= loudShare * own; });
+  if (!(own > 0)) return 0;
+  const auto isLoud = [&](double p) { return p >= loudShare * own; };
+  const auto loudFrom = [&](auto from, auto end) {
+    std::ptrdiff_t loud = 0;
+    for (int quiet = 0; from != end && quiet < 2; ++from) quiet = isLoud(*from) ? 0 : quiet + 1, loud += isLoud(*from);
+    return loud;
+  };
+  const auto middle = pieces.begin() + static_cast<std::ptrdiff_t>(centre);
+  const auto loud = loudFrom(middle, pieces.end()) + loudFrom(std::make_reverse_iterator(middle), pieces.rend());
   return piece * static_cast<double>(loud);
 }
 

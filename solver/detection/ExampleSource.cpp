@@ -50,13 +50,15 @@ std::optional<std::vector<Example>> ownExamples(const SourceOptions& options, do
   return made;
 }
 
-// Records of one place share their labels, records of other places do not: a label is missed where no record has its
-// event.
+// Records of one location share their labels, whose positions are those of the first; records of other places do not: a
+// label is missed where no record has its event.
 void addLabels(const std::vector<Label>& labels, const std::string& file, std::vector<RecordDetection>& records,
                ExampleSource& source) {
   std::vector<bool> isFound(labels.size(), false);
-  for (auto& record : records) {
-    const auto isHere = attachLabels(record, labels);
+  const auto shifts = shiftsOntoFirst(records);
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    auto& record = records[r];
+    const auto isHere = attachLabels(record, labels, shifts[r]);
     for (std::size_t i = 0; i < labels.size(); ++i) isFound[i] = isFound[i] || isHere[i];
     for (auto& example : labelledExamples(record, kLabelWeight)) {
       const bool isSquat = example.kind == Kind::squat;
@@ -74,6 +76,7 @@ void addLabels(const std::vector<Label>& labels, const std::string& file, std::v
 std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::vector<RecordDetection>& records,
                                            Monitor& monitor) {
   ExampleSource source;
+  source.judgement.limits = options.limits;
   if (options.vehicle) {
     auto own = ownExamples(options, typicalSpeed(records), monitor);
     if (!own) return std::nullopt;
@@ -100,6 +103,7 @@ std::optional<DetectionReport> judged(std::vector<RecordDetection> records, cons
   DetectionReport report;
   report.records = std::move(records);
   report.examples = source.words;
+  report.limits = source.judgement.limits;
   const Judge judge(source.examples, source.judgement, source.sizes, source.own);
   for (auto& record : report.records)
     if (!judgeCandidates(record, judge, options, monitor)) return std::nullopt;

@@ -20,7 +20,8 @@ struct SourceOptions {
   std::string folder;                             // where its examples are kept
   std::string examplesFile;                       // in place of the shipped ones; empty: those
   std::string labelsFile;                         // empty: none
-  int jobs = 1;                                   // runs at once, of passages that are computed
+  SeverityLimits limits;
+  int jobs = 1;  // runs at once, of passages that are computed
 };
 
 struct ExampleSource {

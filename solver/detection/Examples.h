@@ -71,12 +71,15 @@ class Judge {
   double logNothing(const EventFeatures& event) const;
   // What an event adds to the logarithm of each vehicle's weight.
   std::vector<double> forVehicles(const EventFeatures& event) const;
-  std::vector<double> vehicleWeights(const std::vector<EventFeatures>& events, ThreadTeam& team) const;
+  // Weights and vehicle: nothing where it was cancelled.
+  std::optional<std::vector<double>> vehicleWeights(const std::vector<EventFeatures>& events, ThreadTeam& team,
+                                                    Monitor& monitor) const;
   void takeKind(const EventFeatures& event, const Vehicle& vehicle, double asSquat, const KindDensity& densities,
                 Judgement& judgement) const;
-  Vehicle vehicleOf(const std::vector<EventFeatures>& events, const std::vector<std::optional<Label>>& labels,
-                    std::vector<Judgement> judgements, const SizePosterior& posterior, const KindDensity& densities,
-                    ThreadTeam& team) const;
+  std::optional<Vehicle> vehicleOf(const std::vector<EventFeatures>& events,
+                                   const std::vector<std::optional<Label>>& labels, std::vector<Judgement> judgements,
+                                   const SizePosterior& posterior, const KindDensity& densities, ThreadTeam& team,
+                                   Monitor& monitor) const;
   Belief beliefOf(const Judgement& judgement, const std::optional<Label>& label) const;
   Judgement weigh(const EventFeatures& event, const std::vector<double>& vehicles) const;
 

@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
-#include <thread>
 #include <utility>
 
+#include "detection/CancellableLoop.h"
 #include "detection/Examples.h"
 #include "detection/KindDensity.h"
 #include "detection/LogSum.h"
@@ -107,39 +106,28 @@ void takeSize(const SquatSize& size, Judgement& judgement) {
 
 // In their own order.
 std::vector<std::size_t> likeliestSquats(std::size_t count, const std::function<double(std::size_t)>& probability) {
-  constexpr std::size_t atMost = 400;
+  constexpr std::size_t maximum = 400;
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t i = 0; i < count; ++i) order.emplace_back(-probability(i), i);
   std::sort(order.begin(), order.end());
-  order.resize(std::min(count, atMost));
+  order.resize(std::min(count, maximum));
   std::vector<std::size_t> likeliest;
   for (const auto& [negative, i] : order) likeliest.push_back(i);
   std::sort(likeliest.begin(), likeliest.end());
   return likeliest;
 }
 
-// body(0) to body(count - 1) on all threads, reported; false where it was cancelled.
-bool forEachWatched(ThreadTeam& team, Monitor& monitor, std::size_t count,
-                    const std::function<void(std::size_t)>& body) {
+// Reports how many of `count` events are judged.
+std::function<void(std::size_t)> reportingTo(Monitor& monitor, std::size_t count) {
   using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  const auto caller = std::this_thread::get_id();
-  std::atomic<std::size_t> done{0};
-  std::atomic<bool> isCancelled{false};
-  team.forEach(count, [&](std::size_t i) {
-    if (isCancelled) return;
-    body(i);
-    ++done;
-    if (std::this_thread::get_id() != caller) return;  // monitors belong to the thread that computes
+  return [&monitor, count, start = Clock::now()](std::size_t done) {
     Progress progress;
     progress.phase = "judgement";
     progress.fraction = static_cast<double>(done) / static_cast<double>(count);
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (progress.fraction > 0.02) progress.remainingSeconds = seconds * (1 / progress.fraction - 1);
     monitor.report(progress);
-    if (monitor.cancelled()) isCancelled = true;
-  });
-  return !isCancelled;
+  };
 }
 
 }  // namespace
@@ -198,9 +186,12 @@ std::vector<double> Judge::forVehicles(const EventFeatures& event) const {
   return logs;
 }
 
-std::vector<double> Judge::vehicleWeights(const std::vector<EventFeatures>& events, ThreadTeam& team) const {
+std::optional<std::vector<double>> Judge::vehicleWeights(const std::vector<EventFeatures>& events, ThreadTeam& team,
+                                                         Monitor& monitor) const {
   std::vector<std::vector<double>> parts(events.size());
-  team.forEach(events.size(), [&](std::size_t i) { parts[i] = forVehicles(events[i]); });
+  const bool isDone =
+      forEachUnlessCancelled(team, monitor, events.size(), [&](std::size_t i) { parts[i] = forVehicles(events[i]); });
+  if (!isDone) return std::nullopt;
   std::vector<double> logs(vehicles_.size(), 0.0);
   for (const auto& part : parts)
     for (std::size_t v = 0; v < logs.size(); ++v) logs[v] += part[v];
@@ -273,9 +264,10 @@ Belief Judge::beliefOf(const Judgement& judgement, const std::optional<Label>& l
 
 // The vehicle follows from what is a squat, and that from the vehicle: in turn, over the events that are squats most
 // surely, more of them than the vehicle is then estimated from.
-Vehicle Judge::vehicleOf(const std::vector<EventFeatures>& events, const std::vector<std::optional<Label>>& labels,
-                         std::vector<Judgement> judgements, const SizePosterior& posterior,
-                         const KindDensity& densities, ThreadTeam& team) const {
+std::optional<Vehicle> Judge::vehicleOf(const std::vector<EventFeatures>& events,
+                                        const std::vector<std::optional<Label>>& labels,
+                                        std::vector<Judgement> judgements, const SizePosterior& posterior,
+                                        const KindDensity& densities, ThreadTeam& team, Monitor& monitor) const {
   constexpr int passes = 3;
   constexpr double atRest = 0.01;  // of the probabilities
   const auto beliefAt = [&](std::size_t i) {
@@ -285,7 +277,7 @@ Vehicle Judge::vehicleOf(const std::vector<EventFeatures>& events, const std::ve
   std::vector<EventFeatures> likely;
   for (const auto i : few) likely.push_back(events[i]);
   std::vector<Belief> beliefs(few.size(), Belief{0, {}});
-  Vehicle vehicle;
+  std::optional<Vehicle> vehicle;
   std::optional<BandValues> start;
   for (int pass = 0; pass < passes; ++pass) {
     double change = 0;
@@ -295,13 +287,15 @@ Vehicle Judge::vehicleOf(const std::vector<EventFeatures>& events, const std::ve
       beliefs[k] = belief;
     }
     if (pass > 0 && change < atRest) break;
-    vehicle = posterior.vehicleOf(likely, beliefs, own_, start, team);
-    start = vehicle.mean;
+    vehicle = posterior.vehicleOf(likely, beliefs, own_, start, team, monitor);
+    if (!vehicle) return std::nullopt;
+    start = vehicle->mean;
     if (pass + 1 == passes) break;
-    team.forEach(few.size(), [&](std::size_t k) {
-      const auto size = posterior.sizeOf(likely[k], beliefs[k].severity, vehicle);
-      takeKind(likely[k], vehicle, size.logDensity, densities, judgements[few[k]]);
+    const bool isDone = forEachUnlessCancelled(team, monitor, few.size(), [&](std::size_t k) {
+      const auto size = posterior.sizeOf(likely[k], beliefs[k].severity, *vehicle);
+      takeKind(likely[k], *vehicle, size.logDensity, densities, judgements[few[k]]);
     });
+    if (!isDone) return std::nullopt;
   }
   return vehicle;
 }
@@ -315,21 +309,26 @@ std::vector<Judgement> Judge::judge(const std::vector<EventFeatures>& events) co
 std::optional<std::vector<Judgement>> Judge::judge(const std::vector<EventFeatures>& events,
                                                    const std::vector<std::optional<Label>>& labels, ThreadTeam& team,
                                                    Monitor& monitor) const {
-  const auto vehicles = vehicleWeights(events, team);
+  const auto vehicles = vehicleWeights(events, team, monitor);
+  if (!vehicles) return std::nullopt;
   std::vector<Judgement> judgements(events.size());
-  team.forEach(events.size(), [&](std::size_t i) { judgements[i] = weigh(events[i], vehicles); });
+  const bool isWeighed = forEachUnlessCancelled(team, monitor, events.size(),
+                                                [&](std::size_t i) { judgements[i] = weigh(events[i], *vehicles); });
+  if (!isWeighed) return std::nullopt;
   if (!sizes_.isKnown() || events.empty()) return judgements;
-  const SizePosterior posterior(sizes_, possible_->squats, events, team);
-  const KindDensity densities(sizes_, examples_, *possible_, events, team);
+  const SizePosterior posterior(sizes_, possible_->squats, events, team, monitor);
+  const KindDensity densities(sizes_, examples_, *possible_, events, team, monitor);
   if (monitor.cancelled()) return std::nullopt;
-  const auto vehicle = vehicleOf(events, labels, judgements, posterior, densities, team);
-  const bool isDone = forEachWatched(team, monitor, events.size(), [&](std::size_t i) {
+  const auto vehicle = vehicleOf(events, labels, judgements, posterior, densities, team, monitor);
+  if (!vehicle) return std::nullopt;
+  const auto judgeOne = [&](std::size_t i) {
     const auto belief = beliefOf(judgements[i], labels.empty() ? std::nullopt : labels[i]);
-    const auto size = posterior.sizeOf(events[i], belief.severity, vehicle);
-    takeKind(events[i], vehicle, size.logDensity, densities, judgements[i]);
+    const auto size = posterior.sizeOf(events[i], belief.severity, *vehicle);
+    takeKind(events[i], *vehicle, size.logDensity, densities, judgements[i]);
     takeSize(size, judgements[i]);
-  });
-  if (!isDone) return std::nullopt;
+  };
+  const auto report = reportingTo(monitor, events.size());
+  if (!forEachUnlessCancelled(team, monitor, events.size(), judgeOne, report)) return std::nullopt;
   return judgements;
 }
 

@@ -20,10 +20,10 @@ std::vector<const PathSpectrum*> pointersTo(const std::vector<PathSpectrum>& pat
 }  // namespace
 
 KindDensity::KindDensity(const SizeModel& model, const std::vector<Example>& examples, const PossibleDefects& possible,
-                         const std::vector<EventFeatures>& events, ThreadTeam& team)
+                         const std::vector<EventFeatures>& events, ThreadTeam& team, Monitor& monitor)
     : betweenPassages_(model.betweenPassages()),
-      joints_(model, pointersTo(possible.joints), events, team),
-      welds_(model, pointersTo(possible.welds), events, team) {
+      joints_(model, pointersTo(possible.joints), events, team, monitor),
+      welds_(model, pointersTo(possible.welds), events, team, monitor) {
   for (const auto& example : examples) {
     const auto* deviation = model.deviation(example.vehicle);
     Passage passage{measuredEnergies(example), deviation != nullptr, example.speed, example.weight};

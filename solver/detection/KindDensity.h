@@ -18,9 +18,9 @@ inline constexpr double speedSpread = 0.15;
 // ones, since the examples have few of each form.
 class KindDensity {
  public:
-  // `events`: those that it will be asked of.
+  // `events`: those that it will be asked of. Not to be used once it was cancelled.
   KindDensity(const SizeModel& model, const std::vector<Example>& examples, const PossibleDefects& possible,
-              const std::vector<EventFeatures>& events, ThreadTeam& team);
+              const std::vector<EventFeatures>& events, ThreadTeam& team, Monitor& monitor);
 
   // Logarithm; minus infinity for a kind without examples and paths.
   double of(Kind kind, const EventFeatures& event, const Vehicle& vehicle) const;

@@ -34,7 +34,8 @@ bool covers(const Extent& extent, double position) {
 std::vector<double> positionsOf(const RecordDetection& detection) {
   std::vector<double> positions;
   for (const auto& channel : detection.channels)
-    for (const auto& event : channel.events) positions.push_back(event.position);
+    for (const auto& event : channel.events)
+      if (event.kind != Kind::flat) positions.push_back(event.position);
   return positions;
 }
 
@@ -103,9 +104,19 @@ CombinedEvent combined(std::vector<Found> group, std::size_t there) {
   const double mean = std::accumulate(positions.begin(), positions.end(), 0.0) / n;
   for (const double position : positions) result.scatter = std::max(result.scatter, std::abs(position - mean));
   result.event.position = mean;
-  result.event.kind = largest(kinds)->first;
-  result.event.sureness = largest(kinds)->second / n;
-  result.event.judgement.severity = largest(severities)->first;
+  const auto labelled = std::find_if(group.begin(), group.end(), [](const Found& f) { return f.event->label; });
+  if (labelled != group.end()) {  // it decides
+    result.event.label = labelled->event->label, result.event.reason = labelled->event->reason;
+    result.event.kind = labelled->event->kind, result.event.sureness = labelled->event->sureness;
+    result.event.judgement = labelled->event->judgement;
+  } else {
+    result.event.kind = largest(kinds)->first;
+    result.event.sureness = largest(kinds)->second / n;
+    const auto severity = largest(severities)->first;
+    const auto judged = std::find_if(group.begin(), group.end(),
+                                     [severity](const Found& f) { return f.event->judgement.severity == severity; });
+    result.event.judgement = judged->event->judgement;  // so that length and depth agree with the severity
+  }
   result.event.passes = result.records.size();
   result.event.passesThere = std::max(there, result.records.size());
   return result;
@@ -113,11 +124,20 @@ CombinedEvent combined(std::vector<Found> group, std::size_t there) {
 
 }  // namespace
 
+std::vector<double> shiftsOntoFirst(const std::vector<RecordDetection>& detections) {
+  std::vector<double> shifts(detections.size(), 0.0);
+  if (detections.empty()) return shifts;
+  const auto fixed = positionsOf(detections.front());
+  for (std::size_t r = 1; r < detections.size(); ++r) shifts[r] = shiftOnto(fixed, positionsOf(detections[r]));
+  return shifts;
+}
+
 std::vector<CombinedEvent> combine(const std::vector<RecordDetection>& detections) {
+  const auto shifts = shiftsOntoFirst(detections);
   std::vector<Found> all;
   std::vector<Extent> extents;
   for (std::size_t r = 0; r < detections.size(); ++r) {
-    const double shift = r == 0 ? 0 : shiftOnto(positionsOf(detections[0]), positionsOf(detections[r]));
+    const double shift = shifts[r];
     auto extent = extentOf(detections[r]);
     extents.push_back({extent.first + shift, extent.last + shift});
     for (const auto& channel : detections[r].channels)

@@ -1,4 +1,4 @@
-// solver/detection/Passes.h - several passes over one place: their events, as one list.
+// solver/detection/Passes.h - several passes over one location: their events, as one list.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,15 @@ struct CombinedEvent {
   double scatter = 0;                // [m] largest distance of a pass's own position from the mean, once aligned
 };
 
-// Records that cover common chainage are passes of one place: each is moved as a whole to where its events meet those
-// of the first (the counters of two trains differ by metres), then event by event to where the signals match. Kind and
-// severity go by the sum of the passes' probabilities. Records without common chainage are listed one behind the other.
+// [m] to add to the positions of each record, so that as many of its events as possible meet those of the first (the
+// counters of two trains differ by metres, up to ten); zero where fewer than two meet. Strikes of a wheel flat, which
+// are elsewhere in each pass, do not count where they are known.
+std::vector<double> shiftsOntoFirst(const std::vector<RecordDetection>& detections);
+
+// Records that cover common chainage are passes of one location: each is moved as a whole onto the first, then event by
+// event to where the signals match. Kind and severity go by the sum of the passes' probabilities, or by the label of
+// one of them; length and depth are those of the strongest event with that severity. Records without common chainage
+// are listed one behind the other.
 std::vector<CombinedEvent> combine(const std::vector<RecordDetection>& detections);
 
 }  // namespace squat::detection

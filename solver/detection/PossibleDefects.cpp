@@ -44,10 +44,11 @@ PossibleDefects::PossibleDefects(const SeverityLimits& limits) : squats(possible
 }
 
 ExpectedBySpeed::ExpectedBySpeed(const SizeModel& model, const std::vector<const PathSpectrum*>& paths,
-                                 const std::vector<EventFeatures>& events, ThreadTeam& team) {
+                                 const std::vector<EventFeatures>& events, ThreadTeam& team, Monitor& monitor) {
   for (const auto& event : events) expected_.try_emplace(stepOf(event.speed), paths.size());
   for (auto& [step, expected] : expected_) {
     const double speed = std::exp(speedStep * static_cast<double>(step));
+    if (monitor.cancelled()) return;
     team.forEach(paths.size(), [&, &values = expected](std::size_t i) {
       values[i] = model.expected(pathEnergies(*paths[i], speed), speed);
     });

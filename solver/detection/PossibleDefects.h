@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "core/Monitor.h"
 #include "core/ThreadTeam.h"
 #include "detection/EventFeatures.h"
 #include "detection/PathSpectrum.h"
@@ -42,8 +43,9 @@ struct PossibleDefects {
 // y of SizeModel.h without u, of many paths, for the speeds of some events.
 class ExpectedBySpeed {
  public:
+  // Ends early where it is cancelled; then it is not to be used.
   ExpectedBySpeed(const SizeModel& model, const std::vector<const PathSpectrum*>& paths,
-                  const std::vector<EventFeatures>& events, ThreadTeam& team);
+                  const std::vector<EventFeatures>& events, ThreadTeam& team, Monitor& monitor);
   // Of each path; `speed` [m/s]: that of one of the events.
   const std::vector<BandValues>& at(double speed) const;
 

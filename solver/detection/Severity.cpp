@@ -1,8 +1,10 @@
 #include "detection/Severity.h"
 
 #include <array>
+#include <optional>
 
 #include "core/Errors.h"
+#include "text/Numbers.h"
 
 namespace squat::detection {
 namespace {
@@ -19,7 +21,27 @@ std::size_t indexOf(const std::array<const char*, n>& known, const char* what, c
   throw CaseError({{what, text, "one of " + names, ""}});
 }
 
+void takeLimit(const char* what, const std::string& text, double& length, double& depth) {
+  if (text.empty()) return;
+  const auto cross = text.find('x');
+  const auto first = text::numberIn(text.substr(0, cross), '.');
+  const auto second = cross == std::string::npos ? std::nullopt : text::numberIn(text.substr(cross + 1), '.');
+  if (!first || !second || !(*first > 0) || !(*second > 0))
+    throw CaseError({{what, text, "LENGTHxDEPTH in mm, both above 0, as in 35x0.10", ""}});
+  length = 1e-3 * *first, depth = 1e-3 * *second;
+}
+
 }  // namespace
+
+SeverityLimits severityLimitsFromText(const std::string& light, const std::string& moderate) {
+  SeverityLimits limits;
+  takeLimit("--light", light, limits.lightLength, limits.lightDepth);
+  takeLimit("--moderate", moderate, limits.moderateLength, limits.moderateDepth);
+  if (limits.moderateLength < limits.lightLength || limits.moderateDepth < limits.lightDepth)
+    throw CaseError(
+        {{"--moderate", moderate.empty() ? "60x0.25" : moderate, "at least as long and as deep as --light", ""}});
+  return limits;
+}
 
 Severity severityOf(double length, double depth, const SeverityLimits& limits) {
   if (length <= limits.lightLength && depth <= limits.lightDepth) return Severity::light;

@@ -15,6 +15,9 @@ struct SeverityLimits {
   double moderateLength = 0.060, moderateDepth = 0.25e-3;
 };
 
+// "LENGTHxDEPTH" of each in mm, as in 35x0.10; empty: by convention. Throws CaseError.
+SeverityLimits severityLimitsFromText(const std::string& light, const std::string& moderate);
+
 Severity severityOf(double length, double depth, const SeverityLimits& limits = {});
 
 std::string toText(Kind kind);

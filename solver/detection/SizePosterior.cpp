@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "detection/CancellableLoop.h"
+
 namespace squat::detection {
 namespace {
 
@@ -28,9 +30,12 @@ struct Fit {
 Fit fitOf(const EventFeatures& event, const std::vector<BandValues>& expected, const PossibleSquats& possible,
           const Vehicle& vehicle, const BandMatrix& scatter, std::optional<Severity> severity) {
   Fit fit;
+  const auto isOfSeverity = [severity](const PossibleSquats::Squat& squat) { return squat.severity == *severity; };
+  // With other limits of the severities there may be none of one: then it says nothing of the size.
+  if (severity && std::none_of(possible.all().begin(), possible.all().end(), isOfSeverity)) severity.reset();
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t g = 0; g < expected.size(); ++g) {
-    const bool isPossible = !severity || possible.all()[g].severity == *severity;
+    const bool isPossible = !severity || isOfSeverity(possible.all()[g]);
     fit.probability.push_back(isPossible ? logDensityOf(matchOf(event, expected[g], vehicle, scatter))
                                          : -std::numeric_limits<double>::infinity());
     largest = std::max(largest, fit.probability.back());
@@ -119,12 +124,13 @@ std::vector<std::size_t> surest(const std::vector<Belief>& beliefs) {
 }  // namespace
 
 SizePosterior::SizePosterior(const SizeModel& model, const PossibleSquats& possible,
-                             const std::vector<EventFeatures>& events, ThreadTeam& team)
-    : model_(model), possible_(possible), expected_(model, possible.paths(), events, team) {}
+                             const std::vector<EventFeatures>& events, ThreadTeam& team, Monitor& monitor)
+    : model_(model), possible_(possible), expected_(model, possible.paths(), events, team, monitor) {}
 
-Vehicle SizePosterior::vehicleOf(const std::vector<EventFeatures>& events, const std::vector<Belief>& beliefs,
-                                 const std::vector<Example>& own, const std::optional<BandValues>& start,
-                                 ThreadTeam& team) const {
+std::optional<Vehicle> SizePosterior::vehicleOf(const std::vector<EventFeatures>& events,
+                                                const std::vector<Belief>& beliefs, const std::vector<Example>& own,
+                                                const std::optional<BandValues>& start, ThreadTeam& team,
+                                                Monitor& monitor) const {
   const Vehicle known = knownFrom(model_, own);
   const BandMatrix precision = known.covariance.inverse();
   const auto forVehicle = surest(beliefs);
@@ -133,13 +139,14 @@ Vehicle SizePosterior::vehicleOf(const std::vector<EventFeatures>& events, const
   for (int pass = 0; pass < maximumPasses; ++pass) {
     const BandMatrix scatter = model_.betweenPassages() + vehicle.covariance;
     std::vector<Normal> parts(forVehicle.size());
-    team.forEach(forVehicle.size(), [&](std::size_t i) {
+    const bool isDone = forEachUnlessCancelled(team, monitor, forVehicle.size(), [&](std::size_t i) {
       const auto& event = events[forVehicle[i]];
       const auto& belief = beliefs[forVehicle[i]];
       const auto& squats = expected_.at(event.speed);
       const auto fit = fitOf(event, squats, possible_, vehicle, scatter, belief.severity);
       addTo(parts[i], event, squats, fit, vehicle, scatter, sharedEvidence * belief.squat);
     });
+    if (!isDone) return std::nullopt;
     Normal normal;
     for (const auto& part : parts) normal.matrix += part.matrix, normal.right += part.right;
     const BandMatrix all = precision + normal.matrix;
@@ -160,9 +167,10 @@ SquatSize SizePosterior::sizeOf(const EventFeatures& event, std::optional<Severi
 SquatSizes squatSizes(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
                       const std::vector<Belief>& beliefs, const std::vector<Example>& own) {
   ThreadTeam team(1);
-  const SizePosterior posterior(model, possible, events, team);
+  Monitor unwatched;
+  const SizePosterior posterior(model, possible, events, team, unwatched);
   SquatSizes sizes;
-  sizes.vehicle = posterior.vehicleOf(events, beliefs, own, {}, team);
+  sizes.vehicle = *posterior.vehicleOf(events, beliefs, own, {}, team, unwatched);
   for (std::size_t i = 0; i < events.size(); ++i)
     sizes.each.push_back(posterior.sizeOf(events[i], beliefs[i].severity, sizes.vehicle));
   return sizes;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/Monitor.h"
 #include "detection/EventMatch.h"
 #include "detection/PossibleDefects.h"
 
@@ -35,16 +36,18 @@ struct Belief {
 // degrees of freedom bring.
 class SizePosterior {
  public:
-  // Model and squats must outlive it. `events`: those that it will be asked of.
+  // Model and squats must outlive it. `events`: those that it will be asked of. Not to be used once it was cancelled.
   SizePosterior(const SizeModel& model, const PossibleSquats& possible, const std::vector<EventFeatures>& events,
-                ThreadTeam& team);
+                ThreadTeam& team, Monitor& monitor);
 
   // The events share their vehicle u, which is estimated with their sizes: sizes given the vehicle, and the vehicle
   // given the sizes, in turn until it rests; from the 200 events that are squats most surely. `beliefs`: one for each
   // event; what is no squat says nothing of the vehicle. `own`: passages of the same vehicle over squats of known
-  // sizes. `start`: u that the estimate sets out from. Not influenced by the number of threads.
-  Vehicle vehicleOf(const std::vector<EventFeatures>& events, const std::vector<Belief>& beliefs,
-                    const std::vector<Example>& own, const std::optional<BandValues>& start, ThreadTeam& team) const;
+  // sizes. `start`: u that the estimate sets out from. Nothing where it was cancelled; not influenced by the number of
+  // threads.
+  std::optional<Vehicle> vehicleOf(const std::vector<EventFeatures>& events, const std::vector<Belief>& beliefs,
+                                   const std::vector<Example>& own, const std::optional<BandValues>& start,
+                                   ThreadTeam& team, Monitor& monitor) const;
 
   // Of one event. `severity`: where it is known.
   SquatSize sizeOf(const EventFeatures& event, std::optional<Severity> severity, const Vehicle& vehicle) const;

@@ -58,7 +58,7 @@ class Estimation {
       for (const auto& note : measured_[i].notes) estimate_.notes.push_back(measured_[i].name + ": " + note);
     }
     radius_ = contact::seatOf(cases::resolve(case_)).radius;
-    tellSpeeds();
+    reportSpeeds();
   }
 
   Estimate run() {
@@ -95,7 +95,7 @@ class Estimation {
     return std::clamp(0.4 * slowest / definition_.cutoff, 0.004, 0.008);
   }
 
-  void tellSpeeds() {
+  void reportSpeeds() {
     for (const double speed : speeds_)
       if (speed != case_.motion.speed)
         estimate_.notes.push_back("the record's speed of " + text::roundedText(speed) +
@@ -131,13 +131,13 @@ class Estimation {
       const auto& computed = search.best().computed[compared.model];
       ExplainedPassage passage;
       passage.name = measured_[i].name, passage.speed = measured_[i].speed;
-      passage.place = shifts[i] + deepest->position;
+      passage.location = shifts[i] + deepest->position;
       passage.noise = measured_[i].noise, passage.peak = measured_[i].peak;
-      std::vector<double> places;
-      for (double x = window_.first; x <= window_.end; x += computed.step) places.push_back(x);
-      passage.measured = valuesAt(compared.measured, places, shifts[i]);
-      passage.computed = valuesAt(computed, places, 0);
-      for (const double x : places) passage.position.push_back(x - deepest->position);
+      std::vector<double> locations;
+      for (double x = window_.first; x <= window_.end; x += computed.step) locations.push_back(x);
+      passage.measured = valuesAt(compared.measured, locations, shifts[i]);
+      passage.computed = valuesAt(computed, locations, 0);
+      for (const double x : locations) passage.position.push_back(x - deepest->position);
       const auto residuals = residualsOf(compared, computed, shifts[i]);
       passage.difference = passage.noise * std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
       estimate_.passages.push_back(std::move(passage));
@@ -149,7 +149,7 @@ class Estimation {
   void spread(const SmoothProfile& profile, const ProfileSearch& search) {
     if (!definition_.isSpreadWanted || search.regularisation().noise < unexplained) return;
     estimate_.notes.push_back("what is left is " + text::roundedText(search.regularisation().noise) +
-                              " times the noise: vehicle, track or place differ from the case's, or the profile "
+                              " times the noise: vehicle, track or location differ from the case's, or the profile "
                               "has edges that a smooth curve cannot make");
     const auto points = profile.points(search.best().unknowns.head(profile.unknowns()));
     const SpreadQuestion question{definition_, options_, window_, speeds_, compared_};

@@ -39,7 +39,7 @@ std::string profileTable(const Estimate& estimate) {
 }  // namespace
 
 std::vector<std::string> estimateFiles(const std::string& folder) {
-  return {folder + "/estimate.csv", folder + "/estimate.toml", folder + "/" + kProfileFile};
+  return {folder + "/estimate.csv", folder + "/estimate.toml", folder + "/" + kProfileFile, folder + "/estimate.json"};
 }
 
 void writeEstimate(const Estimate& estimate, const std::string& folder) {
@@ -51,6 +51,7 @@ void writeEstimate(const Estimate& estimate, const std::string& folder) {
   description.defect.points.clear();
   description.defect.file = kProfileFile;
   writeDurably(paths[1], std::string_view(cases::writeCase(description)));
+  writeDurably(paths[3], std::string_view(estimateJson(estimate)));
 }
 
 std::string estimateJson(const Estimate& estimate) {
@@ -70,7 +71,7 @@ std::string estimateJson(const Estimate& estimate) {
   for (const auto& passage : estimate.passages)
     all["passages"].push_back({{"name", passage.name},
                                {"speed", passage.speed},
-                               {"position", passage.place},
+                               {"position", passage.location},
                                {"peak", passage.peak},
                                {"noise", passage.noise},
                                {"difference", passage.difference}});

@@ -8,8 +8,8 @@
 
 namespace squat::estimation {
 
-// estimate.csv (position, height, bounds, whether the wheel feels it), estimate.toml (the case with the profile) and
-// the profile that it names, in this order.
+// estimate.csv (position, height, bounds, whether the wheel feels it), estimate.toml (the case with the profile), the
+// profile that it names, and estimate.json, in this order.
 std::vector<std::string> estimateFiles(const std::string& folder);
 
 // Writes them, each whole or not at all. Throws FileError.

@@ -70,7 +70,9 @@ std::optional<EstimateRow> readRow(const std::string& folder, const std::string&
   const auto path = rowFile(folder, file);
   if (!std::filesystem::exists(path)) return std::nullopt;
   try {
-    const auto json = Json::parse(readWholeFile(path, kLargestFile)).at("list");
+    const auto whole = Json::parse(readWholeFile(path, kLargestFile));
+    if (whole.contains("schema") && !whole.contains("list")) return std::nullopt;  // not of a list, or not yet
+    const auto& json = whole.at("list");
     if (json.at("version") != programVersion() || json.at("key") != key) return std::nullopt;
     const auto interval = [&](const char* name) {
       const auto& list = json.at(name);

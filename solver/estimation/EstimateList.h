@@ -27,7 +27,7 @@ std::string estimateFolder(const std::string& folder, const std::string& file);
 // passage cannot be read.
 std::string estimateKey(const EstimateDefinition& definition, const EstimateOptions& options);
 
-// FOLDER/STEM/estimate.json, durable, with the key; writeEstimate() writes the other files.
+// FOLDER/STEM/estimate.json, durable, with the key; after writeEstimate(), which writes it without one.
 void writeRow(const std::string& folder, const EstimateRow& row, const std::string& key, const Estimate* estimate);
 
 // Nothing where there is none, or one of another key or version. Throws FileError where it is damaged.

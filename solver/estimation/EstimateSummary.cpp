@@ -42,7 +42,7 @@ std::string estimateSummary(const Estimate& estimate) {
   text += "misfit  " + roundedText(estimate.misfit) + " times the noise\n\n";
   TextTable table({"passage", "speed", "deepest point at", "peak", "noise", "difference, rms"});
   for (const auto& passage : estimate.passages)
-    table.add({passage.name, formatted("%.2f m/s", passage.speed), formatted("%.3f m", passage.place),
+    table.add({passage.name, formatted("%.2f m/s", passage.speed), formatted("%.3f m", passage.location),
                formatted("%.1f m/s2", passage.peak), formatted("%.2f m/s2", passage.noise),
                formatted("%.2f m/s2", passage.difference)});
   text += table.text(kTerminalWidth);

@@ -18,9 +18,9 @@
 namespace squat::estimation {
 
 struct EstimateDefinition {
-  std::string caseName;            // as the user named it: vehicle, track and place; its own defect does not count
+  std::string caseName;            // as the user named it: vehicle, track and location; its own defect does not count
   cases::CaseOverrides overrides;  // with the mesh
-  std::vector<std::string> files;  // of measured passages over one place
+  std::vector<std::string> files;  // of measured passages over one location
   readers::SignalFileOptions reading;
   double cutoff = 2000;        // [Hz] low-pass of both signals
   double longest = 0.07;       // [m] longest dip that is looked for
@@ -48,7 +48,7 @@ struct ProfileSample {
 struct ExplainedPassage {
   std::string name;                        // file and run
   double speed = 0;                        // [m/s]
-  double place = 0;                        // [m] of the deepest sample, on the record's own axis
+  double location = 0;                     // [m] of the deepest sample, on the record's own axis
   double noise = 0;                        // [m/s2] of the record before the event
   double difference = 0;                   // [m/s2] root mean square between both
   double peak = 0;                         // [m/s2] largest absolute value of the record

@@ -37,8 +37,8 @@ double ratioOf(const std::vector<PositionSeries>& response, const std::vector<Co
   double both = 0, own = 0;
   for (const auto& passage : passages) {
     const auto& computed = response[passage.model];
-    const auto ours = valuesAt(computed, passage.places, 0);
-    const auto theirs = valuesAt(passage.measured, passage.places, shiftOf(passage, computed));
+    const auto ours = valuesAt(computed, passage.locations, 0);
+    const auto theirs = valuesAt(passage.measured, passage.locations, shiftOf(passage, computed));
     for (const double value : theirs) both += value * value / (passage.noise * passage.noise);
     for (const double value : ours) own += value * value / (passage.noise * passage.noise);
   }

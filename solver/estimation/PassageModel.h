@@ -12,8 +12,8 @@
 
 namespace squat::estimation {
 
-// What a profile is looked for in: positions [m] in the frame of the search, whose zero is the place of the defect in
-// the case.
+// What a profile is looked for in: positions [m] in the frame of the search, whose zero is the location of the defect
+// in the case.
 struct SearchWindow {
   double first = 0, last = 0;  // of the profile
   double end = 0;              // of what is compared
@@ -29,7 +29,7 @@ double positionStep(double speed, double cutoff);
 cases::CaseDescription caseForSearch(const cases::CaseDescription& description, const SearchWindow& window,
                                      double speed, double cutoff);
 
-// The case with a profile, its nodes not moved. The deepest point comes to stand at the place of the defect: the
+// The case with a profile, its nodes not moved. The deepest point comes to stand at the location of the defect: the
 // profile as a whole is shifted by some millimetres, which neither the track nor the mesh notices.
 cases::CaseDescription withProfile(cases::CaseDescription description, const ProfilePoints& points);
 

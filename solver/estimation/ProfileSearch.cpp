@@ -108,8 +108,8 @@ LinearProblem ProfileSearch::problem(const Eigen::VectorXd& about) const {
   return problem;
 }
 
-// Which hollows the limit holds is known when the step is: a few rounds settle both.
-LinearSolution ProfileSearch::solveHeld(double damping) const {
+// Which hollows the limit fixes is known when the step is: a few rounds settle both.
+LinearSolution ProfileSearch::solveFixed(double damping) const {
   auto solution = solve(problem(best_.unknowns), chosen_.scale, chosen_.noise, damping);
   for (int round = 0; round < 8; ++round)
     solution = solve(problem(solution.unknowns), chosen_.scale, chosen_.noise, damping);
@@ -124,8 +124,8 @@ double ProfileSearch::objective(const SearchState& state) const {
 
 // One step from the best; several lengths of it are tried at once. False where none is better.
 bool ProfileSearch::step(bool& improvedMuch) {
-  chosen_ = chooseScale(problem(solveHeld(damping_).unknowns), smallest_, largest_);
-  const auto whole = solveHeld(damping_), damped = solveHeld(std::max(1.0, 10 * damping_));
+  chosen_ = chooseScale(problem(solveFixed(damping_).unknowns), smallest_, largest_);
+  const auto whole = solveFixed(damping_), damped = solveFixed(std::max(1.0, 10 * damping_));
   const auto states = statesAt({whole.unknowns, damped.unknowns});
   const double before = objective(best_);
   const SearchState* found = nullptr;

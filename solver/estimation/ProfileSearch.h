@@ -44,7 +44,7 @@ class ProfileSearch {
   std::vector<SearchState> statesAt(const std::vector<Eigen::VectorXd>& unknowns);
   bool findSlope();
   LinearProblem problem(const Eigen::VectorXd& about) const;
-  LinearSolution solveHeld(double damping) const;
+  LinearSolution solveFixed(double damping) const;
   double objective(const SearchState& state) const;
   Eigen::VectorXd excessOf(const Eigen::VectorXd& unknowns) const;
   bool step(bool& improvedMuch);

@@ -21,20 +21,20 @@ ComparedPassage comparedPassage(const MeasuredPassage& measured, std::size_t mod
   const double last = std::min(x.back(), measured.impact + after);
   series.start = first;
   const signals::Interpolator at(measured.passage.series);
-  for (double place = first; place <= last; place = series.timeAt(series.values.size()))
-    series.values.push_back(at(signals::timeAtPosition(measured.passage, place)));
+  for (double location = first; location <= last; location = series.timeAt(series.values.size()))
+    series.values.push_back(at(signals::timeAtPosition(measured.passage, location)));
   const double step = modelSpeed / (2 * cutoff);
   const auto count = static_cast<long>(std::floor((window.end - window.first) / step + 1e-9));
-  for (long i = 0; i <= count; ++i) compared.places.push_back(window.first + static_cast<double>(i) * step);
+  for (long i = 0; i <= count; ++i) compared.locations.push_back(window.first + static_cast<double>(i) * step);
   return compared;
 }
 
 double shiftOf(const ComparedPassage& passage, const PositionSeries& computed) {
   PositionSeries piece = computed;  // what is compared, and nothing of the run-up
   const auto skipped =
-      static_cast<std::size_t>(std::max(0.0, std::ceil((passage.places.front() - computed.start) / computed.step)));
+      static_cast<std::size_t>(std::max(0.0, std::ceil((passage.locations.front() - computed.start) / computed.step)));
   const auto kept =
-      static_cast<std::size_t>(std::max(0.0, std::floor((passage.places.back() - computed.start) / computed.step)));
+      static_cast<std::size_t>(std::max(0.0, std::floor((passage.locations.back() - computed.start) / computed.step)));
   const auto end = std::min(piece.values.size(), kept + 1);
   if (skipped + 3 > end) return 0;
   piece.values.assign(computed.values.begin() + static_cast<std::ptrdiff_t>(skipped),
@@ -43,10 +43,10 @@ double shiftOf(const ComparedPassage& passage, const PositionSeries& computed) {
   return signals::shiftBetween(piece, passage.measured, 0);
 }
 
-std::vector<double> valuesAt(const PositionSeries& series, const std::vector<double>& places, double shift) {
+std::vector<double> valuesAt(const PositionSeries& series, const std::vector<double>& locations, double shift) {
   const signals::Interpolator at(series);
   std::vector<double> values;
-  for (const double place : places) values.push_back(at(place + shift));
+  for (const double location : locations) values.push_back(at(location + shift));
   return values;
 }
 
@@ -61,21 +61,22 @@ bool holds(const ComparedPassage& passage, double position) {
 }  // namespace
 
 Eigen::VectorXd residualsOf(const ComparedPassage& passage, const PositionSeries& computed, double shift) {
-  const auto ours = valuesAt(computed, passage.places, 0), theirs = valuesAt(passage.measured, passage.places, shift);
+  const auto ours = valuesAt(computed, passage.locations, 0);
+  const auto theirs = valuesAt(passage.measured, passage.locations, shift);
   Eigen::VectorXd residuals(static_cast<Eigen::Index>(ours.size()));
   for (std::size_t i = 0; i < ours.size(); ++i)
     residuals[static_cast<Eigen::Index>(i)] =
-        holds(passage, passage.places[i] + shift) ? (ours[i] - theirs[i]) / passage.noise : 0;
+        holds(passage, passage.locations[i] + shift) ? (ours[i] - theirs[i]) / passage.noise : 0;
   return residuals;
 }
 
 Eigen::VectorXd slopeOfShift(const ComparedPassage& passage, double shift) {
   const double half = 0.25 * passage.measured.step;
-  const auto ahead = valuesAt(passage.measured, passage.places, shift + half);
-  const auto behind = valuesAt(passage.measured, passage.places, shift - half);
+  const auto ahead = valuesAt(passage.measured, passage.locations, shift + half);
+  const auto behind = valuesAt(passage.measured, passage.locations, shift - half);
   Eigen::VectorXd slope = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(ahead.size()));
   for (std::size_t i = 0; i < ahead.size(); ++i)
-    if (holds(passage, passage.places[i] + shift))
+    if (holds(passage, passage.locations[i] + shift))
       slope[static_cast<Eigen::Index>(i)] = -(ahead[i] - behind[i]) / (2 * half) / passage.noise;
   return slope;
 }

@@ -11,9 +11,9 @@ namespace squat::estimation {
 
 namespace {
 
-constexpr double firstDepth = 1e-4;                                      // [m]
-constexpr double shallowest = 2e-6, deepest = 2e-3;                      // [m]
-constexpr double lengths[] = {0.016, 0.023, 0.032, 0.045, 0.064, 0.09};  // [m] a factor of 1.4 apart
+constexpr double firstDepth = 1e-4;                                                   // [m]
+constexpr double shallowest = 2e-6, deepest = 2e-3;                                   // [m]
+constexpr double lengths[] = {0.016, 0.023, 0.032, 0.045, 0.064, 0.09, 0.127, 0.18};  // [m] a factor of 1.4 apart
 
 struct Tried {
   Start start;
@@ -32,7 +32,8 @@ Tried judge(const Dip& dip, const Response& response, const std::vector<Compared
     const double shift = shiftOf(passage, computed);
     tried.start.shifts.push_back(shift);
     tried.start.misfit += residualsOf(passage, computed, shift).squaredNorm();
-    const auto ours = valuesAt(computed, passage.places, 0), theirs = valuesAt(passage.measured, passage.places, shift);
+    const auto ours = valuesAt(computed, passage.locations, 0);
+    const auto theirs = valuesAt(passage.measured, passage.locations, shift);
     for (std::size_t i = 0; i < ours.size(); ++i) both += ours[i] * theirs[i], own += ours[i] * ours[i];
   }
   if (own > 0) tried.factor = std::clamp(both / own, 0.25, 4.0);

@@ -119,5 +119,18 @@ TEST(Severity, GoesByTheWorseOfLengthAndDepth) {
   EXPECT_EQ(severityOf(0.030, 0.26e-3), Severity::severe);
 }
 
+// A railway that grinds earlier: what is moderate by convention is severe there.
+TEST(Severity, LimitsAreTheUsers) {
+  const auto limits = severityLimitsFromText("20x0.05", "40x0.1");
+  EXPECT_EQ(severityOf(0.020, 0.05e-3, limits), Severity::light);
+  EXPECT_EQ(severityOf(0.035, 0.10e-3, limits), Severity::moderate);
+  EXPECT_EQ(severityOf(0.060, 0.25e-3, limits), Severity::severe);
+  EXPECT_EQ(severityLimitsFromText("", "").lightLength, 0.035) << "by convention";
+  EXPECT_EQ(severityLimitsFromText("", "80x0.3").lightDepth, 0.10e-3);
+  for (const char* text : {"35", "35x", "x0.1", "35x0", "-1x0.1", "35 mm x 0.1 mm", "35x0.1x2"})
+    EXPECT_THROW(severityLimitsFromText(text, ""), CaseError) << text;
+  EXPECT_THROW(severityLimitsFromText("70x0.1", ""), CaseError) << "longer than what is moderate";
+}
+
 }  // namespace
 }  // namespace squat::detection

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "detection/Detect.h"
+#include "detection/Passes.h"
 
 namespace squat::detection {
 namespace {
@@ -79,6 +80,21 @@ TEST(Labels, BelongToTheNearestEventOfTheirChannel) {
   EXPECT_EQ(examples[0].kind, Kind::joint);
   EXPECT_EQ(examples[0].weight, 5);
   EXPECT_NEAR(examples[0].energy[0], 100, 1e-9) << "of the event at 20 m, freed of its noise";
+}
+
+// The counter of a second pass stands 3.7 m ahead: the labels are in the chainage of the first.
+TEST(Labels, BelongToTheSameEventsOfAPassWithAnotherCounter) {
+  std::vector<RecordDetection> passes{detection(), detection()};
+  for (auto& event : passes[1].channels[0].events) event.position += 3.7;
+  const auto shifts = shiftsOntoFirst(passes);
+  ASSERT_EQ(shifts.size(), 2U);
+  EXPECT_EQ(shifts[0], 0);
+  EXPECT_NEAR(shifts[1], -3.7, 1e-9);
+  EXPECT_TRUE(attachLabels(passes[1], {labelAt(20.1, Kind::joint)}, shifts[1])[0]);
+  EXPECT_TRUE(passes[1].channels[0].events[1].label);
+  // Where the shift was found from what is elsewhere in each pass, the labels show it.
+  EXPECT_TRUE(attachLabels(passes[0], {labelAt(20.1, Kind::joint)}, -3.7)[0]);
+  EXPECT_TRUE(passes[0].channels[0].events[1].label);
 }
 
 }  // namespace

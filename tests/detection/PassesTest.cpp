@@ -57,6 +57,35 @@ TEST(Passes, EventsAreMovedToWhereTheirSignalsMatch) {
   for (const auto& event : combine({one, other})) EXPECT_LT(event.scatter, 0.02) << event.event.position;
 }
 
+// Two of three passes say moderate, the loudest says severe: length and depth are those of a moderate one.
+TEST(Passes, SizesAgreeWithTheSeverityThatMostHave) {
+  std::vector<RecordDetection> passes(3, passWith({10, 33.3, 61}, 0, 30));
+  for (auto& pass : passes)
+    for (auto& event : pass.channels[0].events)
+      event.judgement.severity = Severity::moderate, event.judgement.length = 0.05, event.judgement.depth = 0.2e-3;
+  auto& loudest = passes[1].channels[0].events[1];
+  loudest.score = 200;
+  loudest.judgement.severity = Severity::severe, loudest.judgement.length = 0.08, loudest.judgement.depth = 0.3e-3;
+  const auto events = combine(passes);
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[1].event.judgement.severity, Severity::moderate);
+  EXPECT_EQ(events[1].event.judgement.length, 0.05);
+  EXPECT_EQ(events[1].event.judgement.depth, 0.2e-3);
+}
+
+// What was seen on site is not outvoted.
+TEST(Passes, ALabelDecides) {
+  std::vector<RecordDetection> passes(3, passWith({10, 33.3, 61}, 0, 30));
+  auto& seen = passes[2].channels[0].events[1];
+  seen.label.emplace();
+  seen.label->kind = seen.kind = Kind::weld, seen.sureness = 1, seen.score = 50, seen.reason = "as labelled";
+  const auto events = combine(passes);
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[1].event.kind, Kind::weld);
+  EXPECT_EQ(events[1].event.reason, "as labelled");
+  EXPECT_EQ(events[0].event.kind, Kind::squat);
+}
+
 TEST(Passes, RecordsOfOtherPlacesAreListedOneBehindTheOther) {
   const auto events = combine({passWith({10, 33.3}, 0, 30), passWith({10, 33.3}, 5000, 30)});
   ASSERT_EQ(events.size(), 4U);

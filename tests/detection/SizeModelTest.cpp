@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -157,6 +158,25 @@ TEST(SizeModel, KeepsSeveritiesThatAreKnown) {
   for (const auto& size : allLight) EXPECT_LE(size.lengthHigh, 0.035) << "the limit of a light squat";
 }
 
+// With limits of the user's own no squat of the model may be light. What is labelled light there is judged as if it had
+// no label, and so is the vehicle.
+TEST(SizeModel, ASeverityThatNoSquatHasSaysNothing) {
+  const auto& vehicle = shipped().front().vehicle;
+  const SizeModel model(without(vehicle));
+  std::vector<EventFeatures> events;
+  for (const auto& example : shipped())
+    if (example.vehicle == vehicle && hasSize(example)) events.push_back(eventOf(example));
+  const PossibleSquats possible(700, severityLimitsFromText("5x0.01", ""));
+  const auto free = squatSizes(model, possible, events, std::vector<Belief>(events.size()), {});
+  const auto light = squatSizes(model, possible, events, std::vector<Belief>(events.size(), {1, Severity::light}), {});
+  ASSERT_FALSE(events.empty());
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    EXPECT_GT(light.each[i].length, 0) << i;
+    EXPECT_EQ(light.each[i].length, free.each[i].length) << i;
+  }
+  EXPECT_EQ(light.vehicle.mean, free.vehicle.mean);
+}
+
 // The same table judged by a separate program (least squares and grid of possible squats in another language): 85.5 %
 // of 511 severities right where the vehicle is not known, 86.5 % where its other passages are; three and five of them
 // two classes off. Three standard deviations of a share of 0.85 in the 300 squats here are 6 %.
@@ -250,17 +270,34 @@ TEST(Judge, GivesEqualEventsOfALongRecordOneJudgement) {
   EXPECT_GE(kinds.share(), 0.9) << "as a record of each event once (test above): two of some 20 may be wrong";
 }
 
-TEST(Judge, StopsWhenItIsCancelled) {
-  struct Impatient : Monitor {
-    void report(const Progress& progress) override { reports += progress.phase == "judgement"; }
-    bool cancelled() override { return reports > 0; }
-    int reports = 0;
-  } monitor;
+// Cancels when it is asked for the given time.
+struct Impatient : Monitor {
+  explicit Impatient(int times) : patience(times) {}
+  void report(const Progress& progress) override { reports += progress.phase == "judgement"; }
+  bool cancelled() override { return ++asked >= patience; }
+  int patience;
+  int asked = 0, reports = 0;
+};
+
+// Weights of the vehicles, kinds by examples, the estimate of the vehicle, each event: all of them ask and stop.
+TEST(Judge, StopsWheneverItIsCancelled) {
   const auto [vehicle, all] = *leftOut().begin();
+  const auto events = eventsOf(all);
   const Judge judge(shipped(), {}, SizeModel(shipped()));
   ThreadTeam alone(1);
-  EXPECT_FALSE(judge.judge(eventsOf(all), {}, alone, monitor));
-  EXPECT_EQ(monitor.reports, 1) << "of one event, no more";
+  Impatient patient(std::numeric_limits<int>::max());
+  ASSERT_TRUE(judge.judge(events, {}, alone, patient));
+  const int count = static_cast<int>(events.size());
+  ASSERT_GE(patient.asked, 4 * count) << "each of the four stages asks for each event at least once";
+  for (const int patience : {1, count, count + 1, 2 * count, 2 * count + 1, 2 * count + 2, patient.asked / 2,
+                             patient.asked - count, patient.asked}) {
+    Impatient monitor(patience);
+    EXPECT_FALSE(judge.judge(events, {}, alone, monitor)) << "cancelled when asked for time " << patience;
+    EXPECT_LE(monitor.asked, patience + 3) << "paths of joints, paths of welds, and who made them ask once more";
+  }
+  Impatient late(patient.asked - count + 1);
+  EXPECT_FALSE(judge.judge(events, {}, alone, late));
+  EXPECT_EQ(late.reports, 1) << "of one event, no more";
 }
 
 }  // namespace

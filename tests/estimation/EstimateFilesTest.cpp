@@ -46,6 +46,12 @@ TEST(EstimateFiles, TheCaseReadsItsProfile) {
   EXPECT_NEAR(read.defect.points[1].height, -1e-4, 1e-12);  // rounding
 }
 
+TEST(EstimateFiles, TheJsonIsWrittenAsItIsPrinted) {
+  const TemporaryFolder folder;
+  writeEstimate(sample(), folder.path());
+  EXPECT_EQ(readWholeFile(folder / "estimate.json", 1000000), estimateJson(sample()));
+}
+
 TEST(EstimateFiles, TheJsonSaysTheSame) {
   const auto json = nlohmann::json::parse(estimateJson(sample()));
   EXPECT_EQ(json["schema"], "squat-estimate");

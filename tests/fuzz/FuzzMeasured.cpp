@@ -1,5 +1,5 @@
-// Measured signals (tables of any layout): any text gives signals with positions that rise, or an error of ours. HDF5
-// goes through the guarded reader, which fuzz_result covers.
+// Measured signals (tables of any layout, HDF5, MATLAB): any bytes give signals with positions that rise, or an error
+// of ours. Array files are read in a child process, whose death is an error too.
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -163,6 +163,7 @@ TEST_F(Records, anEventLeadsToTheFiguresAndToItsProfile) {
   view_->findChild<QPushButton*>("estimateEvent")->click();
   const auto* estimate = qobject_cast<EstimateForm*>(window_.tool("estimate")->form());
   ASSERT_EQ(estimate->passages()->files().size(), 1);
+  EXPECT_EQ(window_.store().rowCount(), 2) << "the passage of this squat is overlaid already";
   const QString first = estimate->passages()->files()[0];
   EXPECT_TRUE(first.contains("passages/squat-")) << first.toStdString();
   // Another event takes its place: it is another defect.
@@ -170,6 +171,7 @@ TEST_F(Records, anEventLeadsToTheFiguresAndToItsProfile) {
   view_->findChild<QPushButton*>("estimateEvent")->click();
   ASSERT_EQ(estimate->passages()->files().size(), 1);
   EXPECT_NE(estimate->passages()->files()[0], first);
+  EXPECT_EQ(window_.store().rowCount(), 3) << "its signal stands beside the runs, the estimated one among them";
 }
 
 TEST_F(Records, whatWasSeenIsSavedAsLabels) {

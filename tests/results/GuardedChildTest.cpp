@@ -5,8 +5,10 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "core/Errors.h"
 
@@ -43,6 +45,24 @@ TEST_F(Children, AreReplacedWhereTheyAreStuckBeforeTheFirstByte) {
   GuardedChild child("a.h5", impatient(), stuckOnce());
   EXPECT_EQ(child.receiveKind(), 'k');
   EXPECT_TRUE(fs::exists(begun_)) << "the first one had begun";
+}
+
+// A file that takes long: the one child that was started sends its byte after four times the patience.
+TEST_F(Children, AreNotReplacedWhileTheyCompute) {
+  auto limits = impatient();
+  limits.patience = 1000, limits.seconds = 30;
+  const fs::path folder = begun_.string() + "-each";
+  fs::create_directory(folder);
+  GuardedChild child("a.h5", limits, [&](const ByteSink& send) {
+    std::ofstream(folder / std::to_string(::getpid())).flush();
+    while (std::clock() < 4 * CLOCKS_PER_SEC) {
+    }
+    const std::byte kind{'k'};
+    send(std::span(&kind, 1));
+  });
+  EXPECT_EQ(child.receiveKind(), 'k');
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "children that began";
+  fs::remove_all(folder);
 }
 
 TEST_F(Children, PassOnTheErrorOfTheirWork) {

@@ -95,7 +95,7 @@ ToolResult compute(const Search& wanted, const ToolInput& input, Monitor& monito
 
 DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
     : ToolForm(parent),
-      files_(new ButtonedList("Record", tr("&Add…"), tr("Records, one or several of one place"), 3, this)),
+      files_(new ButtonedList("Record", tr("&Add…"), tr("Records, one or several of one location"), 3, this)),
       channels_(new QLineEdit(this)),
       chainage_(new QLineEdit(this)),
       labels_(new QLineEdit(this)),
@@ -179,7 +179,7 @@ void DetectionForm::setChoices(const project::LongRecords& choices) {
 QString DetectionForm::explanation() const {
   return tr(
       "Finds squats in long records of axle box acceleration, and tells them from joints, welds, corrugation and "
-      "wheel flats. Several passes of one place are combined.");
+      "wheel flats. Several passes of one location are combined.");
 }
 
 QString DetectionForm::missing() const {

@@ -66,6 +66,7 @@ ToolWindow* MainWindow::tool(const QString& name) {
       if (openMeasured(file)) showTab("aba_position"), activateWindow(), raise();
     });
     connect(records, &DetectionForm::estimateRequested, this, [this](const QString& file) {
+      openMeasured(file);  // beside the run of the estimate
       qobject_cast<EstimateForm*>(tool("estimate")->form())->passages()->setFile(file);
       showTool("estimate");
     });
