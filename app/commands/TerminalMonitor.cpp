@@ -32,13 +32,13 @@ std::size_t columnsOf(std::FILE* stream) {
 
 }  // namespace
 
-std::string progressText(const Progress& progress, std::size_t atMost) {
+std::string progressText(const Progress& progress, std::size_t maximumLength) {
   std::string text = progress.phase;
   if (text.size() < 12) text.resize(12, ' ');
   text += formatted(" %3.0f %%", 100 * progress.fraction);
   const std::string remaining = remainingText(progress.remainingSeconds);
   const auto add = [&](const std::string& field) {
-    if (text.size() + field.size() + remaining.size() <= atMost) text += field;
+    if (text.size() + field.size() + remaining.size() <= maximumLength) text += field;
   };
   if (progress.simulatedTime > 0) add(formatted("  t %.2f ms", 1e3 * progress.simulatedTime));
   if (progress.simulatedTime > 0) add(formatted("  x %.3f m", progress.position));

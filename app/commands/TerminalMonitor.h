@@ -12,8 +12,8 @@
 namespace squat::commands {
 
 // "rolling  42 %  t 12.30 ms  x -0.123 m  N 86.1 kN  ABA -3.2 m/s²  about 2 min left"; fields not known are left out.
-// The phase is never cut; values in the middle that would make the line longer than `atMost` are left out.
-std::string progressText(const Progress& progress, std::size_t atMost = 1000);
+// The phase is never cut; values in the middle that would make the line longer than `maximumLength` are left out.
+std::string progressText(const Progress& progress, std::size_t maximumLength = 1000);
 
 // One line that is written over on a terminal; else plain lines, at most one every two seconds and one for each phase.
 class TerminalMonitor : public Monitor {

@@ -426,8 +426,8 @@ void checkTraction(const Case& c, std::vector<Finding>& findings) {
           "The torque exceeds the adhesion limit: the wheel slips");
     return;
   }
-  // Part of the torque spins up the wheelset itself: F = T/R / (1 + I/(m R^2)). I of the solid parts, and of discs and
-  // box at the radii of axle and journal.
+  // Part of the torque accelerates the wheelset's own rotation: F = T/R / (1 + I/(m R^2)). I of the solid parts, and of
+  // discs and box at the radii of axle and journal.
   const auto& w = c.wheelset;
   const double mass = total + c.suspension.sprungMass, radius = w.radius;
   const auto solid = scenario::wheelsetSolid(w);

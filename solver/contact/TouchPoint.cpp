@@ -133,8 +133,8 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   const double distance = std::sqrt(dx * dx + dz * dz);
   t.sine = dx / distance, t.cosine = -dz / distance;
 
-  // The tread's material: first that whose reference place this is, then that whose displaced place it is. Stations of
-  // rail and rim roll on each other, so the search starts next to its end.
+  // The tread's material: first that whose reference position this is, then that whose displaced position it is.
+  // Stations of rail and rim roll on each other, so the search starts next to its end.
   double angle = std::asin(t.sine) + wheel.rotation;
   const int start = interval - s.rolledInterval;
   int k = intervalAt(rim, start < 0 || start >= rim.intervals ? 0 : start, angle);

@@ -22,13 +22,13 @@ struct WheelPlacement {
 //   delta = R cos lead - |d - u_hub| + (u_wheel - u_hub) . e_r,   d: rail point, displaced, seen from the reference of
 // the axis, R the tread's radius there; along the normal n = cos e_r + sin e_y of a conical tread
 //   delta_n = cos delta + sin (u_wheel - u_rail) . e_y.
-// u_wheel is that of the material whose displaced place the rail's point is. Its reference place lies behind that by
+// u_wheel is that of the material whose displaced position is the rail's point. Its reference position lies behind by
 //   lead = (u_wheel - u_hub) . e_alpha / R:
 // some micrometres of tread, but times load and speed a hundred watts. Seen in the bases of the wheel's rotation, which
 // are those of `turnAhead` before, it lies so much less behind: TouchPoint::lead. The pressure acts along n: the slope
 // that the displaced tread has against its circle is left out, whose power with the slip is some 15 W of a driven
-// wheel's 800 kW (seen). Neither a spin of the wheel's displacement field nor a translation is felt but for where it
-// takes the material.
+// wheel's 800 kW (seen). Neither a rotation of the wheel's displacement field about the axle nor a translation is felt
+// but for where it takes the material.
 struct TouchPoint {
   std::size_t point = 0;
   double penetration = 0;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "model/BuildForceElements.h"
 #include "model/ContactPenalty.h"
 
 namespace squat::dynamics {
@@ -150,7 +151,7 @@ contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {
   const auto& d = model_.scenario;
   const auto hub = ringMean(model_, model_.centre, turned_, displaced);
   contact::WheelRolling wheel;
-  // Displacements u + beta v are those of a moment later: so must be the wheel's place.
+  // Displacements u + beta v are those of a moment later: so must be the wheel's location.
   wheel.placement = {model_.startX + d.motion.speed * (state_.time + beta_),
                      model_.wheelset.centreHeight,
                      state_.rotation,
@@ -254,7 +255,7 @@ void Rolling::pushForceElements(int index) {
   forces::addForces(forceShares_[static_cast<std::size_t>(index)], state_.displaced.data(), state_.velocity.data(),
                     forces_.data(), groupDamperPowers_.data());
   if (index > 0) return;
-  double* auxiliary = forces_.data() + model_.forceSize - 8;
+  double* auxiliary = forces_.data() + model_.forceSize - model::auxiliaryUnknowns;
   const model::PlaneVector force{std::exchange(auxiliary[model_.journalX - model_.firstAuxiliary], 0.0),
                                  std::exchange(auxiliary[model_.journalZ - model_.firstAuxiliary], 0.0)};
   addRingForce(model_, model_.bearing, turned_, force, forces_.data());
@@ -336,7 +337,7 @@ void Rolling::finishStep() {
   double* displaced = state_.displaced.data();
   const auto& d = model_.scenario;
   double* v = state_.velocity.data();
-  double* auxiliary = forces_.data() + model_.forceSize - 8;
+  double* auxiliary = forces_.data() + model_.forceSize - model::auxiliaryUnknowns;
   const auto advance = [&](std::size_t index, double mass, double gravity) {
     const double acceleration = auxiliary[index - model_.firstAuxiliary] / mass - gravity;
     const double old = v[index];

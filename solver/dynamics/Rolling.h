@@ -1,10 +1,10 @@
 // solver/dynamics/Rolling.h - central difference of the rolling wheel on the track.
 //
 // One step, everything local in memory, four meetings of the threads: contact, force elements and torque collect forces
-// on surface nodes, and tied nodes take their places; every thread reads what it needs beyond its stretches of
-// stations; then each stretch computes its inner forces and is advanced at once, in place. The rim's tied nodes pass
-// their inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any number of
-// threads.
+// on surface nodes, and tied nodes take the displacements of their masters; every thread reads what it needs beyond its
+// stretches of stations; then each stretch computes its inner forces and is advanced at once, in place. The rim's tied
+// nodes pass their inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any
+// number of threads.
 //
 // Plastic flow of the rail's surface layer (plasticity/): elements around the patch are returned to yield while contact
 // and force elements collect forces; each thread adds the forces of plastic strain to the stations that it advances.
@@ -14,7 +14,7 @@
 //   I a' = torque + moment of the outer forces with undisplaced arms + what the contact's added inertia resists,
 // so that no mean rotation gathers in the displacements; the reference turns about its centre of mass, which lumped
 // masses leave some micrometres beside the axis. It turns with rate w, I w' = I a' - S, S the moment of the inner
-// forces about the displaced places, sum of (e x u) . f: the power w S is what the stored energy, which knows the
+// forces about the displaced positions, sum of (e x u) . f: the power w S is what the stored energy, which knows the
 // displacements in the turning basis, misses of the inner forces' work. S and the added inertia's moment are taken from
 // the step before.
 #pragma once

@@ -21,7 +21,7 @@ struct RollingState {
   contact::FrictionHistory friction;
   plasticity::LayerState plastic;  // empty where nothing may yield
   EnergySums sums;
-  // Of the last step (Rolling.h), [N m]: -S, inner forces about displaced places; what the contact's inertia resists.
+  // Of the last step (Rolling.h), [N m]: -S, inner forces about displaced positions; what contact inertia resists.
   double turningMoment = 0, addedMoment = 0;
 };
 

@@ -40,8 +40,8 @@ geometry::SectionMesh rectangleMesh(const std::vector<double>& b, const std::vec
 }
 
 // Short waves of rail and rim get more inertia, but those of tied nodes, which have none of their own.
-void slowShortWaves(const scenario::Scenario& d, elasticity::SweptBlock& block, double shortLength,
-                    const std::function<bool(int)>& mayJoin) {
+void scaleMassesOfShortWaves(const scenario::Scenario& d, elasticity::SweptBlock& block, double shortLength,
+                             const std::function<bool(int)>& mayJoin) {
   if (!d.mesh.selectiveMassScaling) return;
   elasticity::prepareBlock(block);
   block.clusters = elasticity::sectionClusters(block, mayJoin);
@@ -188,7 +188,7 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   rail.lean = seat.lean;
   model.rail = 0;
   const double rolled = 1.02 * std::max(d.mesh.rollingSize, 2 * d.mesh.contactSize);  // rolled over, or next to it
-  slowShortWaves(d, rail, rolled, [](int) { return true; });
+  scaleMassesOfShortWaves(d, rail, rolled, [](int) { return true; });
   append(model, std::move(rail));
 
   const geometry::WheelSectionSizes sizes{d.mesh.contactSize,   d.mesh.bandHalfWidth, d.mesh.sectionSize,
@@ -202,7 +202,8 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   rim.origin = {model.startX, seat.wheelY, seat.centreHeight};
   model.rim = 1;
   const double tied = d.wheelset.radius - d.mesh.rimDepth + 1e-9;
-  slowShortWaves(d, rim, rolled / d.wheelset.radius, [&](int node) { return rim.section.nodes[node][0] > tied; });
+  scaleMassesOfShortWaves(d, rim, rolled / d.wheelset.radius,
+                          [&](int node) { return rim.section.nodes[node][0] > tied; });
   append(model, std::move(rim));
 
   elasticity::SweptBlock body;

@@ -167,6 +167,7 @@ void addVehicle(Model& model) {
   const auto& d = model.scenario;
   std::size_t x = model.journalX, z = model.journalZ;
   if (model.boxOnSpring()) {
+    // WheelsetModes.cpp has the same spring for one harmonic around the axis, where there is no state to add it to.
     auto bearing = emptySet(forces::Kind::axleBearing, "axle bearing");
     bearing.add({{x, 1.0}, {model.boxX, -1.0}}, d.wheelset.bearingStiffness, d.wheelset.bearingDamping);
     bearing.add({{z, 1.0}, {model.boxZ, -1.0}}, d.wheelset.bearingStiffness, d.wheelset.bearingDamping);
@@ -225,11 +226,11 @@ void layOutForces(Model& model) {
     model.forceSize += static_cast<std::size_t>(loaded.count) * 3 * model.blocks[b].stride;
     model.loaded.push_back(std::move(loaded));
   }
-  model.forceSize += 8;  // auxiliary degrees of freedom
+  model.forceSize += auxiliaryUnknowns;
 }
 
 std::size_t forceSlot(const Model& model, std::size_t index) {
-  if (index >= model.firstAuxiliary) return model.forceSize - 8 + (index - model.firstAuxiliary);
+  if (index >= model.firstAuxiliary) return model.forceSize - auxiliaryUnknowns + (index - model.firstAuxiliary);
   std::size_t b = 0;
   while (b + 1 < model.blocks.size() && model.blocks[b + 1].offset <= index) ++b;
   const auto& block = model.blocks[b];

@@ -1,10 +1,14 @@
-// solver/model/BuildForceElements.h - rail pads, ballast and absorbing rail ends as force elements spread over their
-// footprint, axle bearing and primary suspension.
+// solver/model/BuildForceElements.h - the force elements of the track, spread over their footprint (rail pads, ballast,
+// absorbing rail ends), and of the vehicle (axle bearing, primary suspension).
 #pragma once
 
 #include "model/Model.h"
 
 namespace squat::model {
+
+// Auxiliary degrees of freedom at the end of state and force buffer (Model.h): six, and two unused ones that fill a
+// vector.
+constexpr std::size_t auxiliaryUnknowns = 8;
 
 // Marks the nodes on which outer forces act and lays out the force buffer. Needs blocks, ties and surfaces.
 void layOutForces(Model& model);

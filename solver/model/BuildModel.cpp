@@ -228,7 +228,7 @@ Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals) {
   model.sprungX = model.stateSize, model.sprungZ = model.stateSize + 1;
   model.boxX = model.stateSize + 2, model.boxZ = model.stateSize + 3;
   model.journalX = model.stateSize + 4, model.journalZ = model.stateSize + 5;
-  model.stateSize += 8;
+  model.stateSize += auxiliaryUnknowns;
   const auto shift = defectShift(model);
   if (shift) model.movedElements = elasticity::irregularElements(model.blocks[model.rail], shift);
   addLayer(model, shift);

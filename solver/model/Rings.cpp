@@ -65,8 +65,8 @@ Ring sectionRing(const elasticity::SweptBlock& body, int block, double radius, d
 
 std::vector<Ring> discRings(const scenario::Wheelset& w, const elasticity::SweptBlock& body, int block) {
   std::vector<Ring> rings;
-  for (const double place : scenario::brakeDiscPlaces(w))
-    rings.push_back(sectionRing(body, block, w.axleRadius, -place));
+  for (const double position : scenario::brakeDiscPositions(w))
+    rings.push_back(sectionRing(body, block, w.axleRadius, -position));
   return rings;
 }
 

@@ -82,7 +82,7 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
   }
   const AlignedVector atRest(tangents_.empty() ? 0 : model.stateSize, 0.0);
   linearise(atRest.data());
-  if (rotationStiffness > 0) spin_.add(hubTurn(model), rotationStiffness, 0);
+  if (rotationStiffness > 0) rotationStiffness_.add(hubTurn(model), rotationStiffness, 0);
   std::size_t maximum = 0;
   for (const auto& tie : model.ties) maximum = std::max(maximum, elasticity::tieWorkspace(tie));
   for (int i = 0; i < team.size(); ++i) tieWorkspaces_.emplace_back(maximum, 0.0);
@@ -184,7 +184,7 @@ void StaticOperator::apply(double* u, double* result) {
       for (const auto& tangents : tangents_) forces::addStiffness(tangents.set, u, result);
     }
     if (index == team_.size() - 1) {
-      forces::addStiffness(spin_, u, result);
+      forces::addStiffness(rotationStiffness_, u, result);
       passTieForces(result);
     }
     team_.barrier();
@@ -206,7 +206,7 @@ AlignedVector StaticOperator::diagonal() const {
   for (const auto& tie : model_.ties) addTiedDiagonal(tie, model_.blocks, diagonal.data());
   for (const auto* set : linear_) forces::addDiagonal(*set, diagonal.data());
   for (const auto& tangents : tangents_) forces::addDiagonal(tangents.set, diagonal.data());
-  for (const auto* set : {&spin_, &contact_}) forces::addDiagonal(*set, diagonal.data());
+  for (const auto* set : {&rotationStiffness_, &contact_}) forces::addDiagonal(*set, diagonal.data());
   for (const auto& [dependent, terms] : journal_)
     for (const auto& [unknown, weight] : terms) diagonal[unknown] += diagonal[dependent] * weight * weight;
   for (std::size_t i = 0; i < diagonal.size(); ++i)

@@ -16,7 +16,7 @@ namespace squat::model {
 // written by apply() (slaves and ghosts from their masters).
 class StaticOperator {
  public:
-  // `rotationStiffness` [N m/rad] holds the wheelset's mean rotation, which nothing else does without friction; zero
+  // `rotationStiffness` [N m/rad] fixes the wheelset's mean rotation, which nothing else does without friction; zero
   // leaves it free.
   StaticOperator(const Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double rotation,
                  double rotationStiffness, bool fixSprungMassAlong);
@@ -63,7 +63,7 @@ class StaticOperator {
     std::vector<double> forceBeside, energyBeside;  // per element [N], [J]
   };
   std::vector<Tangents> tangents_;
-  forces::ForceElements spin_, contact_;
+  forces::ForceElements rotationStiffness_, contact_;
   std::vector<unsigned char> free_;
   std::vector<std::array<std::size_t, 2>> notFree_;  // stretches of the state: first and one past the last
   std::vector<AlignedVector> tieWorkspaces_;         // per thread

@@ -41,7 +41,8 @@ double ringShare(const Ring& ring, const Shape& shape) {
   return sum;
 }
 
-// A spring between the ring's mean motion and the box, as a share of each sector.
+// A spring between the ring's mean motion and the box, as a share of each sector: as in BuildForceElements.cpp, in the
+// amplitudes of one harmonic and undamped.
 void addBearing(Eigen::MatrixXd& matrix, const Ring& bearing, int box, double stiffness) {
   std::vector<std::pair<int, double>> terms{{box, -1.0}};
   for (std::size_t i = 0; i < bearing.nodes.size(); ++i) {

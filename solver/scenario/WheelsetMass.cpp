@@ -32,11 +32,11 @@ double partsMass(const Wheelset& w) {
 
 double wheelsetMass(const Wheelset& w) { return w.totalMass > 0 ? w.totalMass : partsMass(w); }
 
-std::vector<double> brakeDiscPlaces(const Wheelset& w) {
-  std::vector<double> places;
+std::vector<double> brakeDiscPositions(const Wheelset& w) {
+  std::vector<double> positions;
   for (int i = 0; i < w.brakeDiscs; ++i)
-    places.push_back(w.brakeDiscPosition + i * (w.trackCentre - w.brakeDiscPosition) / (w.brakeDiscs - 0.5));
-  return places;
+    positions.push_back(w.brakeDiscPosition + i * (w.trackCentre - w.brakeDiscPosition) / (w.brakeDiscs - 0.5));
+  return positions;
 }
 
 }  // namespace squat::scenario

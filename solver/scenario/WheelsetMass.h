@@ -23,6 +23,6 @@ double wheelsetMass(const Wheelset& wheelset);
 
 // Distances of the discs from the wheel plane towards the track centre [m], ascending. Several are as far from each
 // other as the last one is from its mirror image beyond the track centre: evenly along the whole axle.
-std::vector<double> brakeDiscPlaces(const Wheelset& wheelset);
+std::vector<double> brakeDiscPositions(const Wheelset& wheelset);
 
 }  // namespace squat::scenario

@@ -12,7 +12,7 @@ namespace squat::signals {
 struct BandDecay {
   double duration = 0;   // [s] from the envelope's largest value until it stays below the level for half of `own`
   double own = 0;        // [s] the same of the filter's answer to a kick of no length
-  bool ended = true;     // false: the record ends before the vibration does, `duration` is the least it can be
+  bool ended = true;     // false: the record ends before the vibration does, `duration` is its minimum
   double frequency = 0;  // [Hz] of what rings, mean by power from one `own` after the top on: a strong line beside the
                          // band passes its flanks
   double ratio() const {

@@ -39,7 +39,7 @@ struct FeatureOptions {
   double waveSpan = 0.15;                   // [m] after the impact over which the mean wavelength is taken
   double rmsLength = 0.25;                  // [m] of the moving root mean square
   double decayLevel = 0.1;  // free vibration ends where the band's envelope stays below this share of its peak
-  double lowestPeak = 50;   // [Hz] range and least share of the peaks of the spectrum
+  double lowestPeak = 50;   // [Hz] range and minimum share of the peaks of the spectrum
   double highestPeak = 2000;
   double peakShare = 0.02;
 };

@@ -93,7 +93,7 @@ void OpenRun::warn(const std::string& text) {
   monitor.message("warning: " + text);
 }
 
-void OpenRun::tellPhase(const char* name) {
+void OpenRun::reportPhase(const char* name) {
   Progress progress;
   progress.phase = name;
   std::replace(progress.phase.begin(), progress.phase.end(), '_', ' ');

@@ -65,7 +65,7 @@ class OpenRun {
   template <typename Phase>
   auto timed(const char* name, const Phase& phase) {
     const auto begun = Clock::now();
-    tellPhase(name);
+    reportPhase(name);
     auto value = phase();
     phases.push_back({std::string("seconds_") + name, "s", "wall time", secondsSince(begun)});
     return value;
@@ -93,7 +93,7 @@ class OpenRun {
  private:
   void refuseOrWarn();
   void identify();
-  void tellPhase(const char* name);
+  void reportPhase(const char* name);
   bool begin();
   void restore(const StoredState& stored);
   double startStrain_ = 0;  // [J]

@@ -10,8 +10,6 @@ namespace {
 constexpr double stressReach = 0.2;  // [m] from the contact
 constexpr double cutReach = 0.25;    // [m] beyond the rolled stretch
 
-enum Part { railPart, sleeperPart, rimPart, bodyPart, railCut, wheelCut };
-
 bool onPlane(const elasticity::SweptBlock& block, int node) {
   const int axis = block.kind == elasticity::SweepKind::alongX ? 0 : 1;
   return std::abs(block.section.nodes[node][axis]) < 1e-9;
@@ -28,10 +26,10 @@ SurfaceFields::SurfaceFields(const model::Model& model) : model_(model) {
   mesh_.partNames = {"rail", "sleepers", "wheel rim", "wheel body and axle", "rail cut", "wheel cut"};
   for (const auto& block : model.blocks)
     pointOf_.emplace_back(static_cast<std::size_t>(block.nodes) * (block.intervals + 1), -1);
-  addBlock(model.rail, railPart, railCut);
-  addBlock(model.rim, rimPart, wheelCut);
-  addBlock(model.body, bodyPart, wheelCut);
-  for (int i = 0; i < model.sleepers; ++i) addBlock(model.firstSleeper + i, sleeperPart, -1);
+  addBlock(model.rail, Part::rail, Part::railCut);
+  addBlock(model.rim, Part::rim, Part::wheelCut);
+  addBlock(model.body, Part::body, Part::wheelCut);
+  for (int i = 0; i < model.sleepers; ++i) addBlock(model.firstSleeper + i, Part::sleepers, std::nullopt);
   addSprings();
 }
 
@@ -48,12 +46,12 @@ int SurfaceFields::point(int b, int node, int station) {
   return index;
 }
 
-void SurfaceFields::addFace(int part, const int (&points)[4]) {
+void SurfaceFields::addFace(Part part, const int (&points)[4]) {
   for (const int p : points) mesh_.quads.push_back(p);
   mesh_.part.push_back(static_cast<std::uint8_t>(part));
 }
 
-void SurfaceFields::addBlock(int b, int part, int cutPart) {
+void SurfaceFields::addBlock(int b, Part part, std::optional<Part> cutPart) {
   const auto& block = model_.blocks[b];
   std::map<std::pair<int, int>, int> edges;  // how many quads share an edge
   for (const auto& quad : block.section.quads)
@@ -62,14 +60,14 @@ void SurfaceFields::addBlock(int b, int part, int cutPart) {
     for (int i = 0; i < 4; ++i) {
       const int p = quad[i], q = quad[(i + 1) % 4];
       const bool outer = edges[std::minmax(p, q)] == 1 && !(model_.slave[b][p] && model_.slave[b][q]);
-      const bool cut = cutPart >= 0 && !outer && p < q && onPlane(block, p) && onPlane(block, q);
+      const bool cut = cutPart && !outer && p < q && onPlane(block, p) && onPlane(block, q);
       if (!outer && !cut) continue;
       for (int s = 0; s < block.intervals; ++s) {
         if (cut && b == model_.rail) {
           const double x = block.positions[s];
           if (x < model_.startX - cutReach || x > model_.scenario.motion.beyond + cutReach) continue;
         }
-        addFace(cut ? cutPart : part, {point(b, p, s), point(b, q, s), point(b, q, s + 1), point(b, p, s + 1)});
+        addFace(cut ? *cutPart : part, {point(b, p, s), point(b, q, s), point(b, q, s + 1), point(b, p, s + 1)});
       }
     }
   if (block.closed) return;

@@ -1,6 +1,8 @@
 // solver/simulation/SurfaceFields.h - the outer surface of the model and what is seen on it at an instant.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +26,13 @@ class SurfaceFields {
                                     bool stressEverywhere = false) const;
 
  private:
+  enum class Part : std::uint8_t { rail, sleepers, rim, body, railCut, wheelCut };  // order of partNames
   struct Location {
     int block, node, station;
   };
   int point(int block, int node, int station);
-  void addFace(int part, const int (&points)[4]);
-  void addBlock(int block, int part, int cutPart);
+  void addFace(Part part, const int (&points)[4]);
+  void addBlock(int block, Part part, std::optional<Part> cutPart);
   void addSprings();
   void addPlasticStrain(const plasticity::LayerState& flow, results::SurfaceSnapshot& shot) const;
 

@@ -45,7 +45,7 @@ std::size_t totalOf(const std::vector<std::size_t>& widths) {
 
 // The columns' widths: those of the widest cells; where that is too much, the widest columns give way, at most down to
 // their longest word.
-std::vector<std::size_t> columnWidths(const std::vector<Row>& rows, std::size_t atMost) {
+std::vector<std::size_t> columnWidths(const std::vector<Row>& rows, std::size_t maximumWidth) {
   std::vector<std::size_t> widths, words;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
@@ -55,7 +55,7 @@ std::vector<std::size_t> columnWidths(const std::vector<Row>& rows, std::size_t 
       for (const auto& word : wordsOf(row[i])) words[i] = std::max(words[i], widthOf(word));
     }
   }
-  while (atMost > 0 && totalOf(widths) > atMost) {
+  while (maximumWidth > 0 && totalOf(widths) > maximumWidth) {
     std::size_t widest = widths.size();
     for (std::size_t i = 0; i < widths.size(); ++i)
       if (widths[i] > words[i] && (widest == widths.size() || widths[i] > widths[widest])) widest = i;
@@ -94,8 +94,8 @@ std::string rowText(const Row& row, const std::vector<std::size_t>& widths) {
 
 }  // namespace
 
-std::string TextTable::text(std::size_t atMost) const {
-  const auto widths = columnWidths(rows_, atMost);
+std::string TextTable::text(std::size_t maximumWidth) const {
+  const auto widths = columnWidths(rows_, maximumWidth);
   std::string all;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     all += rowText(rows_[r], widths);

@@ -15,9 +15,9 @@ class TextTable {
   explicit TextTable(std::vector<std::string> head) : rows_{std::move(head)} {}
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
   bool empty() const { return rows_.size() < 2; }
-  // The first row, a line, the rest; every row ends with a line break. `atMost` characters wide (0: as wide as it
+  // The first row, a line, the rest; every row ends with a line break. `maximumWidth` characters wide (0: as wide as it
   // gets): cells of the widest columns are wrapped between words.
-  std::string text(std::size_t atMost = 0) const;
+  std::string text(std::size_t maximumWidth = 0) const;
 
  private:
   std::vector<std::vector<std::string>> rows_;

@@ -98,18 +98,18 @@ std::pair<int, std::string> threadsOf(const std::string& words) {
   return {threads, ::testing::internal::GetCapturedStderr()};
 }
 
-TEST(Threads, AreLimitedByTheMachineAndThatIsTold) {
+TEST(Threads, AreLimitedByTheMachineAndThatIsReported) {
   EXPECT_EQ(threadsOf("").first, 0);
   EXPECT_EQ(threadsOf("--threads 3"), std::pair(3, std::string()));
   for (const auto& [cores, maximum] : {std::pair(1, 8), std::pair(2, 8), std::pair(16, 64), std::pair(200, 800)})
     EXPECT_EQ(usefulThreads(cores), maximum);
-  const auto [threads, told] = threadsOf("--threads 1024");
+  const auto [threads, reported] = threadsOf("--threads 1024");
   const int maximum = usefulThreads(static_cast<int>(std::thread::hardware_concurrency()));
   EXPECT_EQ(threads, std::min(1024, maximum));
   if (maximum < 1024)
-    EXPECT_THAT(told, HasSubstr("instead of 1024"));
+    EXPECT_THAT(reported, HasSubstr("instead of 1024"));
   else
-    EXPECT_EQ(told, "");  // nothing was taken off, nothing is said
+    EXPECT_EQ(reported, "");  // nothing was taken off, nothing is said
   EXPECT_THROW(threadsOf("--threads 0"), CLI::ValidationError);
   ::testing::internal::GetCapturedStderr();
   EXPECT_THROW(threadsOf("--threads 5000"), CLI::ValidationError);

@@ -26,7 +26,7 @@ PaperRow row(const results::RunResult& result, const std::string& what) {
 }
 
 // The rail is no longer smooth where a long defect begins: what the wheel feels there is not noise of the start.
-TEST(PaperTable, QuietIsJudgedWhereTheRailIsSmooth) {
+TEST(PaperTable, ResidualVibrationIsJudgedWhereTheRailIsSmooth) {
   auto result = made(310, 1000);
   result.signals[0].values[166] = 50;  // at x = -0.1 m
   EXPECT_EQ(row(result, kVibration).verdict, "failed");

@@ -53,7 +53,7 @@ TEST(RunFiles, AForeignFileUnderTheFinalNameIsLeftAlone) {
   EXPECT_EQ(readWholeFile(files.result(), 100), "someone's notes");
 }
 
-TEST(RunFiles, AFolderThatCannotBeIsToldBeforeTheRun) {
+TEST(RunFiles, AFolderThatCannotBeIsReportedBeforeTheRun) {
   const TemporaryFolder folder;
   writeDurably(folder / "file", "text");
   EXPECT_THROW(prepareFolder({folder / "file", "case"}), FileError);
@@ -89,10 +89,10 @@ TEST(RunFiles, TheCheckpointOfAnotherCaseIsNotLost) {
                                                ::testing::HasSubstr("--resume")));
   }
   writeDurably(files.checkpoint(), "half writ");
-  EXPECT_THAT(keepOtherCases(files, "87654321"), ElementsAre()) << "nothing goes on from a damaged one";
+  EXPECT_THAT(keepOtherCases(files, "87654321"), ElementsAre()) << "no run resumes from a damaged one";
 }
 
-TEST(RunFiles, AResultOfAnotherCaseIsReplacedAndThatIsTold) {
+TEST(RunFiles, AResultOfAnotherCaseIsReplacedAndThatIsReported) {
   const TemporaryFolder folder;
   const RunFiles files{folder.path(), "case"};
   writeRunFiles(files, sampleResult());
@@ -108,13 +108,13 @@ TEST(RunFiles, ACheckpointOfAnotherCaseGivesWay) {
   results::setAttribute(foreign.attributes, "case_hash", std::string("12345678"));
   results::writeCheckpoint(files.checkpoint(), foreign);
   struct Impatient : Monitor {
-    std::vector<std::string> told;
-    void message(const std::string& text) override { told.push_back(text); }
+    std::vector<std::string> reported;
+    void message(const std::string& text) override { reported.push_back(text); }
     bool cancelled() override { return true; }
   } monitor;
   const auto description = cases::loadCase("light-defect", {"tiny", {}});
   EXPECT_FALSE(runOrResume(description, {}, files, monitor).complete);
-  EXPECT_THAT(monitor.told, ::testing::Contains(::testing::HasSubstr("starts from the beginning")));
+  EXPECT_THAT(monitor.reported, ::testing::Contains(::testing::HasSubstr("starts from the beginning")));
   EXPECT_FALSE(std::filesystem::exists(files.checkpoint()));
 }
 

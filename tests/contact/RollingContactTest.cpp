@@ -234,7 +234,7 @@ TEST_F(RollingContactTest, MeetsTheMaterialThatHasMovedThere) {
 // The moment about the axis is that of the rim's forces with the arms of its reference, also where the tread has moved
 // along: then the normal force has an arm of just that (1e-3: tread is coned, forces stand off the vertical by 1e-2 at
 // the patch's ends). 1e-5: tread between stations lies on their chord.
-TEST_F(RollingContactTest, TheSpinFeelsTheForcesOnTheRim) {
+TEST_F(RollingContactTest, TheRotationFeelsTheForcesOnTheRim) {
   const auto& rim = tiny().blocks[tiny().rim];
   const auto moment = [&] {
     double sum = 0;

@@ -76,7 +76,7 @@ TEST(Rolling, SameBitsForAnyNumberOfThreads) {
 
 TEST(Rolling, SameBitsFromRunToRun) { expectSame(rolled(1, 25), rolled(1, 25)); }
 
-TEST(Rolling, GoesOnFromARestoredStateWithTheSameBits) {
+TEST(Rolling, ResumesFromARestoredStateWithTheSameBits) {
   const RollingState whole = rolled(1, 60);
   ThreadTeam team(1);
   Rolling rolling(smooth().model, elasticity::kernelsFor(""), team, smooth().stable.step, smooth().stable.beta);
@@ -88,7 +88,7 @@ TEST(Rolling, GoesOnFromARestoredStateWithTheSameBits) {
 // From the equilibrium with the velocities of rolling, nothing happens at first: the force stays the weight. Over 1 ms
 // the torque is still below 7 % of its value. Tolerance 5 % of the weight: elements of 5 mm pass every 0.17 ms, and
 // each lets the force swing.
-TEST(Rolling, StartsQuietly) {
+TEST(Rolling, StartsRollingSteadily) {
   ThreadTeam team(1);
   Rolling rolling(smooth().model, elasticity::kernelsFor(""), team, smooth().stable.step, smooth().stable.beta);
   rolling.start(smooth().start.equilibrium.displacement, smooth().start.velocity, rollingAngularVelocity());

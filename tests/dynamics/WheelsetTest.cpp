@@ -127,7 +127,8 @@ double rayleighFrequency(const scenario::Wheelset& w) {
   addRing(w.shoulderRadius, w.boreRadius, hub, w.shoulderEnd);
   addRing(w.journalRadius, w.boreRadius, w.shoulderEnd, w.journalEnd);
   add(w.axleBoxMass, w.bearingCentre, 0);
-  for (const double place : scenario::brakeDiscPlaces(w)) add(w.brakeDiscMass, -place, 2 * w.axleRadius * w.axleRadius);
+  for (const double position : scenario::brakeDiscPositions(w))
+    add(w.brakeDiscMass, -position, 2 * w.axleRadius * w.axleRadius);
   const double bending = w.material.young * pi / 4 * (std::pow(w.axleRadius, 4) - std::pow(w.boreRadius, 4));
   return std::sqrt(bending / length / (energy - momentum * momentum / mass)) / (2 * pi);
 }

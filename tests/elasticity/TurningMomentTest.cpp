@@ -1,4 +1,4 @@
-// The moment of inner forces about displaced places, as the step of the central difference takes it.
+// The moment of inner forces about displaced positions, as the step of the central difference takes it.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -41,7 +41,7 @@ class RealRun : public testing::Test {
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAliveAndAStoppedOneGoesOnToTheSameBits) {
+TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAliveAndAStoppedOneResumesToTheSameBits) {
   std::vector<double> gaps;  // [ms] between turns of a timer of 5 ms
   QElapsedTimer clock;
   QTimer pulse;
@@ -82,10 +82,10 @@ TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAliveAndAStoppedOneGoesOnToTheSam
   EXPECT_EQ(std::count(phases.begin(), phases.end(), "equilibrium"), 0);  // is in the checkpoint
   // What there was of it is replaced by the whole.
   ASSERT_EQ(window_->store().rowCount(), 2) << window_->messages()->text().toStdString();
-  const ResultPointer goneOn = window_->store().currentResult();
-  ASSERT_TRUE(goneOn->complete && goneOn->signal("aba") && result->signal("aba"));
-  EXPECT_EQ(*goneOn->signal("aba"), *result->signal("aba"));
-  EXPECT_EQ(goneOn->snapshots.size(), result->snapshots.size());
+  const ResultPointer resumed = window_->store().currentResult();
+  ASSERT_TRUE(resumed->complete && resumed->signal("aba") && result->signal("aba"));
+  EXPECT_EQ(*resumed->signal("aba"), *result->signal("aba"));
+  EXPECT_EQ(resumed->snapshots.size(), result->snapshots.size());
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ TEST_F(UnsavedResult, isSpokenOfUntilItIsSavedOrLetGo) {
   }
 }
 
-// A full disk, or here a file where the folder should be: the run can go on from its checkpoint, and the user is told.
+// A full disk, or here a file where the folder should be: the run can resume from its checkpoint; a message says so.
 TEST_F(UnsavedResult, keepsItsCheckpointWhereItCannotBeWritten) {
   QFile inTheWay(folder_.filePath("recovery"));
   ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
@@ -226,7 +226,7 @@ TEST_F(UnsavedResult, keepsItsCheckpointWhereItCannotBeWritten) {
   EXPECT_TRUE(StoppedRuns::exists(checkpoint));
   EXPECT_TRUE(window->messages()->text().contains("could not be written")) << window->messages()->text().toStdString();
   ASSERT_TRUE(window->saveResultTo(0, folder_.filePath("saved.h5")));
-  EXPECT_FALSE(StoppedRuns::exists(checkpoint));  // nothing is left to go on with
+  EXPECT_FALSE(StoppedRuns::exists(checkpoint));  // nothing is left to resume
 }
 
 // From a newer version, say: it is told once, and stays.

@@ -1,4 +1,4 @@
-// A run that was stopped, or that ended with the program, goes on when its case is open again.
+// A run that was stopped, or that ended with the program, is resumed when its case is open again.
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -104,7 +104,7 @@ TEST_F(StoppedRun, isNotLetGoUnasked) {
   EXPECT_TRUE(window.controller().isRunning());
 }
 
-TEST_F(StoppedRun, goesOnAndTakesThePlaceOfItsFirstPart) {
+TEST_F(StoppedRun, isResumedAndTakesThePlaceOfItsFirstPart) {
   const auto window = open();
   runAndCancel(*window);
   ASSERT_EQ(window->store().rowCount(), 1);
@@ -212,7 +212,7 @@ TEST_F(StoppedRun, ofAnotherWindowIsNotOfferedWhileItIsUnderWay) {
   EXPECT_TRUE(resume(*second).isVisible());
 }
 
-TEST_F(StoppedRun, aCheckpointThatIsNoneIsTold) {
+TEST_F(StoppedRun, aCheckpointThatIsNoneIsReported) {
   StudioServices services = tests::services();
   services.runner = simulation::runCase;
   services.runsFolder = folder_.path();

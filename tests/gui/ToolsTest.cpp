@@ -111,7 +111,7 @@ TEST_F(Tools, aStudyIsThatOfTheCommand) {
   EXPECT_EQ(window_.store().rowCount(), 2);
 }
 
-TEST_F(Tools, aStudyThatWasStoppedGoesOn) {
+TEST_F(Tools, aStudyThatWasStoppedIsResumed) {
   ToolWindow* study = open("study");
   const int points = 3 * studies::coresHere() + 3;  // more than run at once
   study->form()->findChild<KeyRows*>()->setTexts({QString("defect.depth=0.05:0.2:%1").arg(points)});

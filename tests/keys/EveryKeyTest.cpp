@@ -1,6 +1,6 @@
 // Every key of the parameter table is named in a test that shows what it does: in the folders whose tests compute.
 // Tests that read, write, check or show keys (case, gui, app, studies, fuzz) do not count, nor do those that hold the
-// paper's numbers (validation).
+// paper's numbers (statements).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,11 +1,14 @@
-// Meshes: sizes and counts that the keys of the mesh promise, and the layer that may yield.
+// Meshes: sizes and counts that the keys of the mesh promise, where the sleepers are, and the layer that may yield.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "dynamics/StableStep.h"
 #include "geometry/RailSection.h"
+#include "geometry/Stations.h"
 #include "keys/Keys.h"
 
 namespace squat {
@@ -13,6 +16,101 @@ namespace {
 
 using tests::modelWith;
 using tests::scenarioWith;
+
+// A run with room for elements of every length: the wheel starts at -0.5 m.
+model::Model longerRun(const tests::Values& values) {
+  tests::Values all{{"motion.run_up", "0.5"}, {"motion.beyond", "0.3"}};
+  all.insert(all.end(), values.begin(), values.end());
+  return modelWith(all);
+}
+
+// Rail elements of the contact size reach from `from` to `to` [m] at least. Their number is rounded up to a multiple of
+// eight, so that they reach less than eight elements further in all. Tolerances: round-off of positions.
+void expectFine(const model::Model& model, double from, double to) {
+  const auto& x = model.blocks[model.rail].positions;
+  const double size = model.scenario.mesh.contactSize;
+  const auto isFine = [&](std::size_t i) { return i + 1 < x.size() && x[i + 1] - x[i] < size * (1 + 1e-6); };
+  auto first = static_cast<std::size_t>(geometry::intervalOf(x, 0.5 * (from + to)).first);
+  ASSERT_TRUE(isFine(first)) << from << " to " << to;
+  auto behind = first;
+  while (first > 0 && isFine(first - 1)) --first;
+  while (isFine(behind)) ++behind;
+  EXPECT_LE(x[first], from + 1e-9);
+  EXPECT_GE(x[behind], to - 1e-9);
+  EXPECT_LT(x[behind] - x[first], to - from + 8 * size);
+}
+
+TEST(MeshKeys, TheStartIsFineOnBothSides) {
+  for (const double side : {25.0, 65.0})
+    expectFine(longerRun({{"mesh.fine_start", std::to_string(side)}}), -0.5 - 1e-3 * side, -0.5 + 1e-3 * side);
+}
+
+// A dip of 60 mm reaches 30 mm to both sides of its deepest point.
+TEST(MeshKeys, TheDefectIsFineBeyondItsEnds) {
+  for (const double beyond : {25.0, 65.0})
+    expectFine(longerRun({{"defect.shape", "cosine"},
+                          {"defect.length", "60"},
+                          {"defect.depth", "0.1"},
+                          {"mesh.fine_before", std::to_string(beyond)}}),
+               -0.030 - 1e-3 * beyond, 0.030 + 1e-3 * beyond);
+}
+
+// A dip that ends 30 mm behind its deepest point gets the mesh of those that end up to 150 mm behind; in front of it
+// nothing changes.
+TEST(MeshKeys, TheZoneReachesBehindTheDefect) {
+  for (const auto& [zone, behind] : {std::pair{"0", 0.030}, std::pair{"20", 0.030}, std::pair{"150", 0.150}})
+    expectFine(longerRun({{"defect.shape", "cosine"},
+                          {"defect.length", "60"},
+                          {"defect.depth", "0.1"},
+                          {"mesh.fine_before", "10"},
+                          {"mesh.zone_behind", zone}}),
+               -0.040, behind + 0.010);
+}
+
+// Between the fine elements of start and defect, which end 55 mm from -0.5 m and 46 mm from 0 at most, all are as long
+// as may be: the fewest multiple of eight that the size allows. At 0.39 m and more, and 10 mm or less, these are five
+// eights: with one eight fewer they would be longer than the size, so they are longer than four fifths of it.
+TEST(MeshKeys, RolledElementsHaveTheirSize) {
+  for (const double size : {0.006, 0.010}) {
+    const auto model = longerRun({{"mesh.rolling_size", std::to_string(1e3 * size)}});
+    const auto& x = model.blocks[model.rail].positions;
+    int between = 0;
+    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+      if (x[i] < -0.445 || x[i + 1] > -0.046) continue;
+      EXPECT_LE(x[i + 1] - x[i], size * (1 + 1e-9)) << x[i];
+      EXPECT_GT(x[i + 1] - x[i], 0.8 * size) << x[i];
+      ++between;
+    }
+    EXPECT_GT(between, 0);
+  }
+}
+
+// Half a band of three columns has one left below the upper head, down to the base: four nodes fewer there in all, and
+// none fewer on the running surface. Four columns have no three to merge. The base is 159 mm below (EN 13674-1).
+TEST(MeshKeys, TheWebIsCoarse) {
+  const auto nodesOf = [](const char* halfWidth, const char* coarse) {
+    const auto model =
+        modelWith({{"mesh.contact_size", "2"}, {"mesh.band_half_width", halfWidth}, {"mesh.coarse_web", coarse}});
+    const auto& nodes = model.blocks[model.rail].section.nodes;
+    const auto base = std::count_if(nodes.begin(), nodes.end(), [](const auto& p) { return p[1] < -0.159 + 1e-9; });
+    return std::pair{model.surfaces.railY.size(), base};
+  };
+  const auto three = nodesOf("6", "false"), merged = nodesOf("6", "true");
+  EXPECT_EQ(merged.first, three.first);
+  EXPECT_EQ(merged.second, three.second - 2 * (3 - 1));
+  EXPECT_EQ(nodesOf("8", "true"), nodesOf("8", "false"));
+}
+
+// One sleeper is below the defect; a rail of 4 m has room for two more on each side, a third would be beyond its ends.
+// 1e-12 m: round-off of positions of some metres.
+TEST(TrackKeys, SleepersStandTheirSpacingApart) {
+  const auto model = modelWith({{"track.length", "4"}, {"track.sleeper_spacing", "0.7"}});
+  ASSERT_EQ(model.sleepers, 5);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_NEAR(model.sleeperPositions[static_cast<std::size_t>(i)], 0.7 * (i - 2), 1e-12);
+    EXPECT_NEAR(model.blocks[static_cast<std::size_t>(model.firstSleeper + i)].origin[0], 0.7 * (i - 2), 1e-12);
+  }
+}
 
 // Across the running surface faces are of the contact size within the band, and larger beyond it. They are equal along
 // the outline, y is across: 15 mm from the middle it leans by 10/300 + 5/80 rad, so that a face is up to 0.25 %

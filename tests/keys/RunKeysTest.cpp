@@ -1,9 +1,11 @@
-// What a run records, and how it starts: one short run with all these keys changed.
+// What a run records, how it starts and how it goes on: one short run with all these keys changed, and a shorter one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "case/ParameterValue.h"
 #include "elasticity/SweptSamples.h"
@@ -32,15 +34,42 @@ cases::CaseDescription changedCase() {
                                                               {"output.rail_accelerometer", "0.35"}}});
 }
 
+results::RunResult rolled(const cases::CaseDescription& description) {
+  simulation::RunOptions options;
+  options.threads = 1;
+  options.wheelsetModes = options.snapshots = false;
+  Monitor silent;
+  return simulation::runCase(description, options, silent);
+}
+
 const results::RunResult& changed() {
+  static const results::RunResult result = rolled(changedCase());
+  return result;
+}
+
+constexpr double speed = 25, timeStep = 0.8e-6;
+
+// With friction, without torque, from free rolling: 60 mm at another speed, in steps shorter than the stable one.
+const results::RunResult& rolledFreely() {
   static const results::RunResult result = [] {
-    simulation::RunOptions options;
-    options.threads = 1;
-    options.wheelsetModes = options.snapshots = false;
-    Monitor silent;
-    return simulation::runCase(changedCase(), options, silent);
+    auto description = changedCase();
+    for (const auto& [key, text] : tests::Values{{"motion.speed", "25"},
+                                                 {"motion.angular_velocity", "0"},
+                                                 {"contact.friction", "0.3"},
+                                                 {"motion.run_up", "0.04"},
+                                                 {"motion.beyond", "0.02"},
+                                                 {"output.time_step", "0.8"}})
+      cases::setValue(description, key, text);
+    return rolled(description);
   }();
   return result;
+}
+
+double figureOf(const std::vector<results::Scalar>& list, const std::string& name) {
+  for (const auto& figure : list)
+    if (figure.name == name) return figure.value;
+  ADD_FAILURE() << "no " << name;
+  return 0;
 }
 
 TEST(RunKeys, TitleAndNoteGoWithTheCaseAndChangeNothing) {
@@ -67,16 +96,40 @@ TEST(RunKeys, TheTorqueRisesAlongItsRamp) {
     auto description = changedCase();
     cases::setValue(description, "motion.torque", "12000");
     cases::setValue(description, "motion.torque_ramp", ramps[i]);
-    simulation::RunOptions options;
-    options.threads = 1;
-    options.wheelsetModes = options.snapshots = false;
-    Monitor silent;
-    const auto result = simulation::runCase(description, options, silent);
-    const auto& speed = *result.signal("wheel_speed");
-    gained[i] = speed[static_cast<std::size_t>(std::lround(3.5e-3 * rate))] - speed.front();
+    const auto result = rolled(description);
+    const auto& turning = *result.signal("wheel_speed");
+    gained[i] = turning[static_cast<std::size_t>(std::lround(3.5e-3 * rate))] - turning.front();
   }
   EXPECT_GT(gained[1], 0.1);  // [rad/s]: 12 kN m on some 50 kg m2
   EXPECT_NEAR(gained[0] / gained[1], 3.0 / 2.0, 1e-3 * 1.5);
+}
+
+// From 1 ms on: earlier samples see the standstill that their filter, 0.7 ms to each side, assumes before the start.
+// 0.1 mm: friction at its limit, F = 26 kN, moves the half wheelset of m = 950 kg by no more than F t^2 / (2 m) = 0.08
+// mm in the 2.4 ms of the run.
+TEST(RunKeys, TheWheelTravelsAtTheSpeed) {
+  const auto &time = rolledFreely().time, &position = rolledFreely().position;
+  const auto first = static_cast<std::size_t>(std::lround(1e-3 * rate));
+  ASSERT_GT(time.size(), first + 20);
+  EXPECT_NEAR(position.back() - position[first], speed * (time.back() - time[first]), 1e-4);
+}
+
+// It rolls: angular velocity times radius is the speed. What creepage remains without a torque is what the rail under
+// the wheel is longer or shorter than the tread. Pressing strains both alike, bending the rail by less than 1e-3 (200
+// MPa); twice that, since elements of 5 mm let the creep force swing as they pass.
+TEST(RunKeys, TheWheelRollsAtTheSpeed) {
+  const double radius = cases::resolve(changedCase()).wheelset.radius;
+  for (const double w : *rolledFreely().signal("wheel_speed")) ASSERT_NEAR(w * radius, speed, 2e-3 * speed);
+}
+
+// A sample has the fewest whole steps of at most the size asked for: 50 us take 63 of 0.8 us. The whole run is done in
+// steps of that size: what the filter waits for at the end only adds to them.
+TEST(RunKeys, StepsAreNoLongerThanAsked) {
+  const auto& run = rolledFreely();
+  ASSERT_GT(figureOf(run.meshFigures, "stable_step"), 1.1 * timeStep) << "the stable step would do as well";
+  EXPECT_NEAR(figureOf(run.meshFigures, "step"), 1 / rate / 63, 1e-15);
+  EXPECT_GE(figureOf(run.performance, "steps"), run.time.back() / timeStep);
+  for (std::size_t i = 1; i < run.time.size(); ++i) ASSERT_NEAR(run.time[i] - run.time[i - 1], 1 / rate, 1e-12);
 }
 
 TEST(RunKeys, SamplesComeAtTheRate) {

@@ -52,7 +52,7 @@ struct Row {
 const Eigen::Vector3d along(1, 0, 0), across(0, 1, 0), up(0, 0, 1);
 
 // Per rail seat: all pads together resist the rail.
-TEST(PadKeys, HoldTheRail) {
+TEST(PadKeys, SupportTheRail) {
   const Row rows[] = {{"pad.stiffness", "650", 650e6, Met::stiffness, up},
                       {"pad.damping", "30", 30e3, Met::damping, up},
                       {"pad.longitudinal_stiffness", "70", 70e6, Met::stiffness, along},
@@ -68,7 +68,7 @@ TEST(PadKeys, HoldTheRail) {
 }
 
 // Per half sleeper.
-TEST(BallastKeys, HoldTheSleeper) {
+TEST(BallastKeys, SupportTheSleeper) {
   const Row rows[] = {{"ballast.stiffness", "60", 60e6, Met::stiffness, up},
                       {"ballast.damping", "50", 50e3, Met::damping, up},
                       {"ballast.longitudinal_stiffness", "30", 30e6, Met::stiffness, along},
@@ -104,7 +104,7 @@ TEST(PadKeys, LengthResistsTheRailsPitch) {
   EXPECT_NEAR(met(model, turned, forces::Kind::railPad, Met::stiffness), expected, 1e-9 * expected);
 }
 
-TEST(SuspensionKeys, HoldTheSprungMass) {
+TEST(SuspensionKeys, SupportTheSprungMass) {
   struct {
     const char *key, *text;
     double value;

@@ -213,7 +213,7 @@ std::string inChild(const std::function<void()>& work) {
 }
 
 // Files of a megabyte at most: the first result does not fit.
-TEST_F(CopiedProject, onAFullDiskIsToldAndLeavesNothing) {
+TEST_F(CopiedProject, onAFullDiskIsReportedAndLeavesNothing) {
   const auto project = everything();
   folder_.write("stick/copy.squat-project", "an earlier one");
   const auto text = inChild([&] {

@@ -108,7 +108,7 @@ TEST(BadRecord, oneChannelWithoutNumbersLeavesTheOtherAlone) {
   for (const double value : whole.stretches[0].values[1]) ASSERT_TRUE(std::isfinite(value));
 }
 
-TEST(BadRecord, aLineWithOtherFieldsIsToldAndLeftOut) {
+TEST(BadRecord, aLineWithOtherFieldsIsReportedAndLeftOut) {
   auto content = spoilt([](std::size_t, Row&) {});
   const auto at = content.find("0.2000,");
   content.insert(at, "restarted by the operator\n");

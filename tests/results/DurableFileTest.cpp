@@ -89,7 +89,7 @@ TEST(DurableFile, AFailedVerificationKeepsTheEarlierFile) {
   EXPECT_EQ(filesIn(folder.path()), 1);
 }
 
-TEST(DurableFile, AFullDiskIsToldWithPathAndBytesAndHarmsNothing) {
+TEST(DurableFile, AFullDiskIsReportedWithPathAndBytesAndHarmsNothing) {
   const TemporaryFolder folder;
   const auto path = folder / "sample.h5";
   writeResult(path, testing::sampleResult());
@@ -135,7 +135,7 @@ TEST(DurableFile, AFullDiskKeepsTheEarlierCase) {
   EXPECT_EQ(filesIn(folder.path()), 1);
 }
 
-TEST(DurableFile, AReadOnlyFolderIsTold) {
+TEST(DurableFile, AReadOnlyFolderIsReported) {
   const TemporaryFolder folder;
   writeDurably(folder / "a.txt", "first");
   ASSERT_EQ(::chmod(folder.path().c_str(), 0555), 0);
@@ -148,7 +148,7 @@ TEST(DurableFile, AReadOnlyFolderIsTold) {
   EXPECT_EQ(contents(folder / "a.txt"), "first");
 }
 
-TEST(DurableFile, AVanishedFolderIsTold) {
+TEST(DurableFile, AVanishedFolderIsReported) {
   const TemporaryFolder folder;
   const auto text = errorOf([&] { writeDurably(folder / "gone/a.txt", "text"); });
   EXPECT_THAT(text, HasSubstr("gone/a.txt: cannot be written: No such file or directory"));
@@ -176,7 +176,7 @@ TEST(DurableFile, WholeFileReadsRefusePipesAndGiants) {
   EXPECT_EQ(readWholeFile(folder / "a.txt", 101).size(), 101U);
 }
 
-TEST(DurableFile, FolderThatIsAFileIsTold) {
+TEST(DurableFile, FolderThatIsAFileIsReported) {
   const TemporaryFolder folder;
   writeDurably(folder / "a.txt", "text");
   EXPECT_THAT(errorOf([&] { makeFolder(folder / "a.txt"); }), HasSubstr("a.txt"));

@@ -1,4 +1,4 @@
-// A wheelset of any shape rolls quietly on smooth rail before it comes to the defect.
+// A wheelset of any shape rolls steadily on smooth rail before it comes to the defect: little residual vibration.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -60,7 +60,7 @@ std::optional<double> vibrationOf(const tests::KeyValues& values) {
 // 95 % of the drawings whose axle bends to less than half of the yield strength, as those of real ones do. Slender
 // axles tilt the wheel by milliradians; the linear kinematics of the model leave out what that does at speed
 // (centrifugal stiffening), and these vibrate or lose the energy balance, which the run then reports.
-TEST(RandomWheelsetRun, IsQuietBeforeTheDefect) {
+TEST(RandomWheelsetRun, HasLittleResidualVibrationBeforeTheDefect) {
   constexpr double limit = 5;  // [m/s2]
   tests::RandomWheelsets wheelsets(20261123);
   int loud = 0, loudAndStout = 0, stout = 0, rolled = 0;

@@ -85,7 +85,7 @@ TEST(RunCase, EnergyIsAccountedFor) {
 
 // A run is judged by its residual vibration, 5 m/s2 at most. Nearer to the sleeper at 0 the wheel passes over its
 // stiffness: v2 d2z/dx2 of the deflected rail is -9 m/s2 there, which no start takes away.
-TEST(RunCase, SmoothRailIsQuiet) {
+TEST(RunCase, SmoothRailHasLittleResidualVibration) {
   const auto r = run(tinyCase("smooth-rail", {{"motion.beyond", "0.05"}}));
   const auto vibration = statements::residualVibration(r);
   ASSERT_TRUE(vibration);

@@ -144,7 +144,7 @@ TEST(WarmStateFile, ArraysThatDoNotFitAreRefused) {
       AllOf(HasSubstr("/rolling/displaced"), advice));
 }
 
-TEST(WarmStateFile, AStateOfAnotherProcessorIsTold) {
+TEST(WarmStateFile, AStateOfAnotherProcessorIsReported) {
   auto foreign = sample();
   setAttribute(foreign.state.attributes, "isa", std::string("abacus"));
   auto options = oneThread();

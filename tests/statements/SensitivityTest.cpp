@@ -1,4 +1,4 @@
-// One input at a time, on a run that is made up: the table, which row is the base, and that a stopped call goes on.
+// One input at a time, on a run that is made up: the table, which row is the base, and that a stopped call is resumed.
 #include "FixtureCase.h"
 #include "statements/Sensitivity.h"
 

@@ -29,7 +29,7 @@ class FolderLockTest : public testing::Test {
       (std::filesystem::temp_directory_path() / ("squat-lock-" + std::to_string(::getpid()))).string();
 };
 
-TEST_F(FolderLockTest, theSecondIsToldWhoOwnsTheFolder) {
+TEST_F(FolderLockTest, theOwnerOfTheFolderIsReportedToTheSecond) {
   {
     const FolderLock lock(folder_, "squat study light-defect");
     EXPECT_TRUE(lock.held());

@@ -40,7 +40,7 @@ class PartLockTest : public ::testing::Test {
   } monitor_;
 };
 
-TEST_F(PartLockTest, theSecondIsToldWhoComputesThePart) {
+TEST_F(PartLockTest, theOwnerOfThePartIsReportedToTheSecond) {
   {
     const PartLock lock("study", partitionFromText("slice:1/2"), folder_.path(), kBeat, monitor_);
     EXPECT_THAT(refusal(), AllOf(HasSubstr("slice:1/2"), HasSubstr("process " + std::to_string(::getpid()))));

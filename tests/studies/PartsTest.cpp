@@ -191,7 +191,7 @@ TEST_F(Parts, aKilledPartResumes) {
 }
 
 // Sixteen processes and six more on parts that have one already. Each run leaves a file that must be new; runs wait
-// until the six have been told.
+// until the six have been refused.
 TEST_F(Parts, sixteenAtOnceSomeOfThemTwice) {
   const auto study = stubStudy(20, 8);
   makeFolder(folder_ / "ran");
@@ -206,8 +206,8 @@ TEST_F(Parts, sixteenAtOnceSomeOfThemTwice) {
   for (int i = 0; i < 22; ++i) {
     if (::fork() != 0) continue;
     const auto outcome = refusal([&] { runPart(study, "slice:" + std::to_string(i % 16 + 1) + "/16", marked); });
-    const bool isTold = outcome.find("computed by squat study --partition") != std::string::npos;
-    ::_exit(outcome == "accepted" ? 0 : isTold ? 2 : 1);
+    const bool isReported = outcome.find("computed by squat study --partition") != std::string::npos;
+    ::_exit(outcome == "accepted" ? 0 : isReported ? 2 : 1);
   }
   int refused = 0, looks = 0;
   for (int ended = 0; ended < 22;) {

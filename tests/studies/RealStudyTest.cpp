@@ -1,4 +1,4 @@
-// Nine real runs, as short as features allow, killed in the fifth and gone on with: the table of an undisturbed study.
+// Nine real runs, as short as features allow, killed in the fifth and resumed: the table of an undisturbed study.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>

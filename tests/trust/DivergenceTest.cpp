@@ -65,7 +65,7 @@ struct Outcome {
   RunResult partial;
 };
 
-// Goes on from a checkpoint that `change` has spoilt.
+// Resumes from a checkpoint that `change` has spoilt.
 Outcome resume(const TemporaryFolder& folder, const std::function<void(ArrayTree&)>& change) {
   auto state = goodState();
   change(state);

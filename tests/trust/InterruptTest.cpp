@@ -47,7 +47,7 @@ TEST_P(Interrupt, OneSignalStopsCleanlyAndTheRunCanBeResumed) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM));
 
-// Nothing was recorded, nothing can go on: no file and no empty folder is left, and no way on is promised.
+// Nothing was recorded, so nothing can be resumed: no file and no empty folder is left, and the output says so.
 TEST(InterruptEarly, LeavesNothingAndPromisesNothing) {
   const TemporaryFolder folder;
   Program program(shortRun(folder / "new/out"));

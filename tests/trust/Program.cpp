@@ -73,8 +73,8 @@ bool Program::running() {
   return !ended_;
 }
 
-bool Program::waitForOutput(const std::string& text, std::chrono::seconds atMost) {
-  const auto end = std::chrono::steady_clock::now() + kPatience * atMost;
+bool Program::waitForOutput(const std::string& text, std::chrono::seconds maximumWait) {
+  const auto end = std::chrono::steady_clock::now() + kPatience * maximumWait;
   while (output_.find(text) == std::string::npos) {
     const bool alive = running();
     if (output_.find(text) != std::string::npos) return true;
@@ -101,8 +101,8 @@ double Program::processorSeconds() const {
 
 void Program::signal(int number) const { ::kill(process_, number); }
 
-int Program::wait(std::chrono::seconds atMost) {
-  const auto end = std::chrono::steady_clock::now() + kPatience * atMost;
+int Program::wait(std::chrono::seconds maximumWait) {
+  const auto end = std::chrono::steady_clock::now() + kPatience * maximumWait;
   while (running()) {
     if (std::chrono::steady_clock::now() > end) {
       ::kill(process_, SIGKILL);

@@ -19,10 +19,10 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   // True as soon as the output holds `text`; false when the program ended or the time is up before that.
-  bool waitForOutput(const std::string& text, std::chrono::seconds atMost = std::chrono::seconds(120));
+  bool waitForOutput(const std::string& text, std::chrono::seconds maximumWait = std::chrono::seconds(120));
   void signal(int number) const;
   // Exit code; minus the signal where one ended it; -1000 where it had to be ended because the time was up.
-  int wait(std::chrono::seconds atMost = std::chrono::seconds(300));
+  int wait(std::chrono::seconds maximumWait = std::chrono::seconds(300));
   const std::string& output() const { return output_; }
   pid_t process() const { return process_; }
   double processorSeconds() const;  // used so far, also after the end

@@ -82,9 +82,9 @@ class Listener : public CancelAt {
 };
 
 // The first checkpoint is written before the first step. The run is stopped early, its newest checkpoint damaged, the
-// one before taken for one of another instruction set: all of it is told, the equilibrium is not computed again, and
-// the numbers are the same.
-TEST(Resume, GoesOnFromTheCheckpointAfterEquilibrium) {
+// one before taken for one of another instruction set: all of it is reported, the equilibrium is not computed again,
+// and the numbers are the same.
+TEST(Resume, StartsFromTheCheckpointAfterEquilibrium) {
   const TemporaryFolder folder;
   simulation::RunOptions options;
   options.threads = 1;

@@ -59,21 +59,21 @@ TEST(Starved, AFullDiskCostsNeitherTheEarlierResultNorTheProgramsLife) {
 }
 
 // /dev/full is a disk without room. A shell as users have it: the program cannot see where its output goes.
-TEST(Starved, OutputThatIsLostIsTold) {
+TEST(Starved, OutputThatIsLostIsReported) {
   const TemporaryFolder folder;
   const auto call = [&](const std::string& words) {
-    const int status = std::system((std::string(SQUAT_PROGRAM) + " " + words + " 2> " + (folder / "told")).c_str());
+    const int status = std::system((std::string(SQUAT_PROGRAM) + " " + words + " 2> " + (folder / "reported")).c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   };
   for (const char* words : {"describe light-defect", "describe light-defect --json", "--version", "--help"}) {
     EXPECT_EQ(call(std::string(words) + " > /dev/full"), 4) << words;
-    EXPECT_THAT(readWholeFile(folder / "told", kMaximum), HasSubstr("cannot write the complete output")) << words;
+    EXPECT_THAT(readWholeFile(folder / "reported", kMaximum), HasSubstr("cannot write the complete output")) << words;
     EXPECT_EQ(call(std::string(words) + " >&-"), 0) << "nobody wants to see it: " << words;
   }
   EXPECT_EQ(call("describe no-such-case > /dev/full"), 4);
   EXPECT_EQ(call("describe --bogus > /dev/full"), 2);
   EXPECT_EQ(call("describe light-defect | head -c 1 > " + (folder / "head")), 0);
-  EXPECT_EQ(readWholeFile(folder / "told", kMaximum), "") << "who reads the beginning only wants no more";
+  EXPECT_EQ(readWholeFile(folder / "reported", kMaximum), "") << "who reads the beginning only wants no more";
 }
 
 // Whoever was to read the numbers has gone: the run stands in its files all the same.
@@ -105,7 +105,7 @@ TEST(Starved, ARunOutlivesTheFolderOfItsCheckpoints) {
   EXPECT_TRUE(result.complete);
   EXPECT_THAT(monitor.all, HasSubstr(options.checkpointPath + ": cannot be written: No such file or directory"));
   EXPECT_EQ(std::count(monitor.all.begin(), monitor.all.end(), '\n'), static_cast<long>(result.warnings.size()))
-      << "told once, and kept with the result";
+      << "reported once, and kept with the result";
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ TEST(WarmProgram, KeepsAStateAndStartsFromIt) {
   EXPECT_THAT(output, HasSubstr("defect.move_nodes is true, must be false for a warm state"));
 }
 
-// A shorter defect runs on the mesh of the state, says so, and goes on from its own checkpoint.
-TEST(WarmProgram, AStoppedRunGoesOn) {
+// A shorter defect runs on the mesh of the state, says so, and resumes from its own checkpoint.
+TEST(WarmProgram, AStoppedRunIsResumed) {
   const TemporaryFolder folder;
   const auto file = folder / "light-defect.warm";
   const Words zone{"--set", "mesh.zone_before=36", "--set", "mesh.zone_behind=60"};

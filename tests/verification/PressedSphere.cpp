@@ -72,8 +72,8 @@ PressedSphere::PressedSphere(const PressedCase& with)
   collectPoints();
 }
 
-// Frees and holds unknowns: far faces at a field, symmetry at x = 0 and y = 0 (odd about x = 0 when shifted along x).
-void PressedSphere::holdFor(bool shifted, const Field& far) {
+// Frees and fixes unknowns: far faces at a field, symmetry at x = 0 and y = 0 (odd about x = 0 when shifted along x).
+void PressedSphere::fixUnknowns(bool shifted, const Field& far) {
   const auto& block = blocks_[0];
   u_.assign(size_, 0.0), free_.assign(size_, 0);
   const auto &first = block.section.nodes.front(), &last = block.section.nodes.back();
@@ -188,7 +188,7 @@ AlignedVector PressedSphere::solve(const Product& matrix, AlignedVector r, doubl
 // Newton on the closed points, damped: the energy of block, penalty and loaded sphere is convex, and each step goes as
 // far as it falls.
 PressedSphere::Pressed PressedSphere::press() {
-  holdFor(false, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+  fixUnknowns(false, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     return with_.load() * boussinesq(p, with_.shearModulus());
   });
   AlignedVector r = residual();
@@ -236,7 +236,7 @@ PressedSphere::Shifted PressedSphere::shift(double distance, double farForce, in
     const double now = distance * step / steps;
     std::vector<double> next(active_.size());
     const AlignedVector last = u_;
-    holdFor(true, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+    fixUnknowns(true, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
       return farForce * step / steps * cerruti(p, with_.shearModulus());
     });
     if (step > 1)

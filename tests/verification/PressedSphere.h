@@ -54,7 +54,7 @@ class PressedSphere {
   };
   using Product = std::function<AlignedVector(const AlignedVector&)>;
 
-  void holdFor(bool shifted, const Field& far);
+  void fixUnknowns(bool shifted, const Field& far);
   void collectPoints();
   double value(const Point& p, int direction, const AlignedVector& u) const;
   double penetration(const Point& p) const;

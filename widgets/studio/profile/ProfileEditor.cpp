@@ -41,7 +41,7 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   table_->setAccessibleDescription(tr("Insert adds a point halfway to the next one, Delete removes a point."));
   table_->installEventFilter(this);
   location_ = new QLabel(this);
-  location_->setObjectName("placeInProfile");
+  location_->setObjectName("locationInProfile");
   hint_ = new QLabel(this);
   hint_->setWordWrap(true);
   hint_->setForegroundRole(QPalette::PlaceholderText);
