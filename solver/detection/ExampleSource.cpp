@@ -50,8 +50,8 @@ std::optional<std::vector<Example>> ownExamples(const SourceOptions& options, do
   return made;
 }
 
-// Records of one location share their labels, whose positions are those of the first; records of other places do not: a
-// label is missed where no record has its event.
+// Records of one location share their labels, whose positions are those of the first; records of other locations do
+// not: a label is missed where no record has its event.
 void addLabels(const std::vector<Label>& labels, const std::string& file, std::vector<RecordDetection>& records,
                ExampleSource& source) {
   std::vector<bool> isFound(labels.size(), false);

@@ -34,7 +34,7 @@ UnloadedShape findUnloadedShape(const model::Model& model, const elasticity::Ker
     return shape;
   }
   // No contact carries the vehicle: one spring fixes the sprung mass, and with it the wheelset. Nothing pushes them:
-  // the spring stays as long as it is, and any stiffness will do.
+  // the spring keeps its length, and any stiffness will do.
   op.contactSprings().add({{model.sprungZ, 1.0}}, model.scenario.suspension.stiffness, 0);
   coarse.factorise(op.contactSprings());
   op.reduceForces(force.data());

@@ -7,6 +7,7 @@
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "estimation/EstimateFiles.h"
 #include "results/SampleResult.h"
 
 namespace squat::estimation {
@@ -34,6 +35,15 @@ TEST(EstimateList, ARowComesBackUnderItsKeyAlone) {
   EXPECT_FALSE(readRow(folder.path(), "in/a.csv", "other"));
   writeDurably(folder / "a/estimate.json", std::string_view("{}"));
   EXPECT_THROW(readRow(folder.path(), "in/a.csv", "key"), FileError);
+}
+
+// Stopped between the estimate and its row, or estimated without --each: it is computed again, which is no error.
+TEST(EstimateList, AnEstimateWithoutARowIsNotKnown) {
+  const TemporaryFolder folder;
+  makeFolder(folder / "a");
+  Estimate estimate;
+  writeDurably(folder / "a/estimate.json", std::string_view(estimateJson(estimate)));
+  EXPECT_FALSE(readRow(folder.path(), "in/a.csv", "key"));
 }
 
 TEST(EstimateList, NamesAndMessagesNeedNotBeUtf8) {

@@ -171,7 +171,7 @@ TEST_F(Records, anEventLeadsToTheFiguresAndToItsProfile) {
   view_->findChild<QPushButton*>("estimateEvent")->click();
   ASSERT_EQ(estimate->passages()->files().size(), 1);
   EXPECT_NE(estimate->passages()->files()[0], first);
-  EXPECT_EQ(window_.store().rowCount(), 3) << "its signal stands beside the runs, the estimated one among them";
+  EXPECT_EQ(window_.store().rowCount(), 3) << "its signal is overlaid on the runs as well";
 }
 
 TEST_F(Records, whatWasSeenIsSavedAsLabels) {

@@ -1,4 +1,4 @@
-// What a run records, how it starts and how it goes on: one short run with all these keys changed, and a shorter one.
+// What a run records, how it starts and how it rolls: one short run with all these keys changed, and a shorter one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
