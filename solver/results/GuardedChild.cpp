@@ -110,7 +110,11 @@ void GuardedChild::start() {
   {
     const auto lock = hdf5::lockLibrary();  // so that the child finds the library at rest
     process_ = ::fork();
-    if (process_ == 0) child(ends[1], limits_, work_);
+    if (process_ == 0) {
+      // Its own reading end would keep the pipe open where this process is killed: it would wait to write for ever.
+      ::close(ends[0]);
+      child(ends[1], limits_, work_);
+    }
   }
   ::close(ends[1]);
   source_ = ends[0];

@@ -3,14 +3,17 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "core/Errors.h"
+#include "core/FileLock.h"
 
 namespace squat::results {
 namespace {
@@ -73,6 +76,31 @@ TEST_F(Children, PassOnTheErrorOfTheirWork) {
   } catch (const FileError& error) {
     EXPECT_EQ(error.location(), "/signals");
   }
+}
+
+// The reader is killed while its child has more to send than a pipe holds (64 KiB, pipe(7)). A child that lived on
+// would hold the lock that it was forked with, and no other process could use the folder.
+TEST_F(Children, EndWhereTheirReaderIsKilled) {
+  const std::string path = begun_.string() + "-lock";
+  const pid_t reader = ::fork();
+  if (reader == 0) {
+    const FileLock lock(path);
+    GuardedChild child("a.h5", impatient(), [](const ByteSink& send) { send(std::vector<std::byte>(1 << 20)); });
+    std::byte first{};
+    child.receive(std::span(&first, 1));
+    std::ofstream(begun_).flush();
+    while (true) ::pause();
+  }
+  const auto within = [](const auto& holds) {
+    for (int wait = 0; wait < 2000 && !holds(); ++wait) ::usleep(10000);  // 20 s: the machine may be busy
+    return holds();
+  };
+  EXPECT_TRUE(within([&] { return fs::exists(begun_); }));
+  EXPECT_TRUE(FileLock(path).isTaken());
+  ::kill(reader, SIGKILL);
+  ::waitpid(reader, nullptr, 0);
+  EXPECT_TRUE(within([&] { return FileLock(path).held(); }));
+  fs::remove(path);
 }
 
 TEST_F(Children, ThatDieAreAnError) {
