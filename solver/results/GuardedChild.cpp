@@ -111,7 +111,7 @@ void GuardedChild::start() {
     const auto lock = hdf5::lockLibrary();  // so that the child finds the library at rest
     process_ = ::fork();
     if (process_ == 0) {
-      // Its own reading end would keep the pipe open where this process is killed: it would wait to write for ever.
+      // Else the child holds its own pipe open: if its parent is killed, it waits for ever to write.
       ::close(ends[0]);
       child(ends[1], limits_, work_);
     }
