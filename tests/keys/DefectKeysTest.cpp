@@ -17,7 +17,7 @@ using tests::Values;
 
 constexpr double roundOff = 1e-17;  // [m]
 
-scenario::DefectSurface surfaceOf(Values values) { return scenarioWith(values).defectSurface; }
+scenario::DefectSurface surfaceOf(const Values& values) { return scenarioWith(values).defectSurface; }
 
 double cosineDip(double x, double length, double depth) {
   return -depth / 2 * (1 + std::cos(2 * std::numbers::pi * x / length));

@@ -13,7 +13,7 @@ namespace squat::readers {
 namespace {
 
 std::string randomDamage(std::string text, std::mt19937& random) {
-  static const std::string letters = "0123456789.,;\t |\"\r\n#%+-eE[]()nNaA\xFF\xEF\0xyz";
+  static const std::string letters = std::string("0123456789.,;\t |\"\r\n#%+-eE[]()nNaA\xFF\xEFxyz") + '\0';
   const auto pick = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   for (std::size_t changes = pick(6); changes-- > 0 && !text.empty();) {
     const std::size_t at = pick(text.size());
@@ -35,11 +35,12 @@ std::string randomDamage(std::string text, std::mt19937& random) {
 }
 
 TEST(HostileTable, neverCrashes) {
-  const std::string seeds[] = {
-      "time [s];aba [m/s2];speed [km/h]\n0,0;1,5;100\n0,1;2,5;101\n0,2;3,5;101\n0,3;3,5;101\n",
-      "Train 7\nt,km,\"aba, "
-      "left\",run\n[s],[km],[g],\n0,12+000.0,1,1\n1,12+030.0,2,1\n2,12+060.0,4,1\n0,3,4,2\n1,4,5,2\n",
-      "# c\n0.001 1.5\n0.002 2.5\n0.003 -1e-3\n0.004 nan\n", "1\n2\n3\n4\n", "1|2|\n3|4|\n5|6|\n"};
+  const std::string train =
+      "Train 7\nt,km,\"aba, left\",run\n[s],[km],[g],\n"
+      "0,12+000.0,1,1\n1,12+030.0,2,1\n2,12+060.0,4,1\n0,3,4,2\n1,4,5,2\n";
+  const std::string seeds[] = {"time [s];aba [m/s2];speed [km/h]\n0,0;1,5;100\n0,1;2,5;101\n0,2;3,5;101\n0,3;3,5;101\n",
+                               train, "# c\n0.001 1.5\n0.002 2.5\n0.003 -1e-3\n0.004 nan\n", "1\n2\n3\n4\n",
+                               "1|2|\n3|4|\n5|6|\n"};
   std::mt19937 random(2014);
   SignalFileOptions options;
   options.column = "all";

@@ -122,7 +122,7 @@ TEST(SignalFile, sampledByTheWayWithASpeedColumn) {
 
 TEST(SignalFile, coarsePositionsAreSpread) {
   const auto signal = only(table("time,position,aba\n", 100, [](std::size_t i) {
-    return text(1e-3 * static_cast<double>(i)) + "," + text(static_cast<double>(i / 10)) + "," +
+    return text(1e-3 * static_cast<double>(i)) + "," + text(std::floor(static_cast<double>(i) / 10)) + "," +
            text(static_cast<double>(i % 7));
   }));
   EXPECT_NEAR(signal.position[15], 1.5, 1e-12);
@@ -200,7 +200,7 @@ TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint(""), HasSubstr("no table of numbers"));
   EXPECT_THAT(complaint("hello\nworld\n"), HasSubstr("no table of numbers"));
   EXPECT_THAT(complaint(std::string("PK\0\3 binary", 11)), HasSubstr("not a text file"));
-  EXPECT_THAT(complaint("\xFF\xFEt\0"), HasSubstr("UTF-16"));
+  EXPECT_THAT(complaint(std::string("\xFF\xFEt\0", 4)), HasSubstr("UTF-16"));
   EXPECT_THAT(complaint("position,speed,aba\n0,30,1\n1,0,2\n2,30,3\n"), HasSubstr("line 3: the speed is 0 m/s"));
   EXPECT_THAT(complaint("t,position,aba\n0,1,1\n1,3,2\n2,2,3\n3,5,1\n"), HasSubstr("line 4: the position goes back"));
   EXPECT_THAT(complaint("t,position,aba\n0,1,1\n1,1,2\n2,1,3\n"), HasSubstr("does not change"));

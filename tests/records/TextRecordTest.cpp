@@ -11,7 +11,6 @@
 namespace squat::records {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using tests::TemporaryFile;

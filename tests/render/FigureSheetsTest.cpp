@@ -23,9 +23,9 @@ class FigureSheets : public tests::WithoutDisplay {
  protected:
   static void SetUpTestSuite() {
     WithoutDisplay::SetUpTestSuite();
-    sheets_ = new std::vector<plots::FigureSheet>(tests::syntheticSheets());
+    everySheet = new std::vector<plots::FigureSheet>(tests::syntheticSheets());
   }
-  static void TearDownTestSuite() { delete sheets_; }
+  static void TearDownTestSuite() { delete everySheet; }
   static void expectEmptyBorder(const QImage& image, const std::string& name) {
     const QRgb background = image.pixel(0, 0);
     for (int x = 0; x < image.width(); ++x) {
@@ -37,12 +37,12 @@ class FigureSheets : public tests::WithoutDisplay {
       ASSERT_EQ(image.pixel(image.width() - 1, y), background) << name << " right, line " << y;
     }
   }
-  static inline std::vector<plots::FigureSheet>* sheets_ = nullptr;
+  static inline std::vector<plots::FigureSheet>* everySheet = nullptr;
 };
 
 TEST_F(FigureSheets, allKindsAreThere) {
   std::vector<std::string> names;
-  for (const auto& sheet : *sheets_) names.push_back(sheet.name);
+  for (const auto& sheet : *everySheet) names.push_back(sheet.name);
   EXPECT_THAT(names,
               testing::ElementsAre("run_1_history", "run_1_psd", "run_1_stft", "run_1_scalogram", "run_2_history",
                                    "run_2_psd", "run_2_stft", "run_2_scalogram", "scatter_time", "scatter_position",
@@ -55,7 +55,7 @@ TEST_F(FigureSheets, allKindsAreThere) {
 
 TEST_F(FigureSheets, eachInEveryFormatWithTextAsText) {
   const std::string folder = tests::freshFolder("sheets");
-  for (const auto& sheet : *sheets_) {
+  for (const auto& sheet : *everySheet) {
     const auto paths = plots::writeSheet(sheet, folder, {});
     ASSERT_EQ(paths.size(), 3u) << sheet.name;
     for (const auto& path : paths) EXPECT_GT(std::filesystem::file_size(path), 5000u) << path;
@@ -71,7 +71,7 @@ TEST_F(FigureSheets, eachInEveryFormatWithTextAsText) {
 }
 
 TEST_F(FigureSheets, everyAxisHasALabelAndSquaresAreRaised) {
-  for (const auto& sheet : *sheets_)
+  for (const auto& sheet : *everySheet)
     for (const auto& panel : sheet.panels)
       for (const QCPAxis* axis : {panel->xAxis, panel->yAxis}) {
         EXPECT_FALSE(axis->label().isEmpty()) << sheet.name << " " << panel->name().toStdString();
@@ -114,7 +114,7 @@ TEST_F(FigureSheets, mapsTellTheUnitOfTheirSignal) {
 
 // One frequency axis below the other: a resonance and its phase stand in one vertical line.
 TEST_F(FigureSheets, receptancePanelsAreAligned) {
-  for (const auto& sheet : *sheets_)
+  for (const auto& sheet : *everySheet)
     if (sheet.name == "track_receptance") {
       ASSERT_GT(sheet.panels.size(), 1u);
       for (const auto& panel : sheet.panels) {
@@ -128,7 +128,7 @@ TEST_F(FigureSheets, receptancePanelsAreAligned) {
 // The paper prints its measurements as pictures only: the empty panel says what belongs there.
 TEST_F(FigureSheets, emptyPanelsOfThePaperSayWhatBelongsThere) {
   int seen = 0;
-  for (const auto& sheet : *sheets_) {
+  for (const auto& sheet : *everySheet) {
     if (sheet.name != "paper_figure_04" && sheet.name != "paper_figure_05" && sheet.name != "paper_figure_11") continue;
     const auto& panel = *sheet.panels.front();
     for (int i = 0; i < panel.itemCount(); ++i)
@@ -141,7 +141,7 @@ TEST_F(FigureSheets, emptyPanelsOfThePaperSayWhatBelongsThere) {
 // Passages of twice the computed size fill the panels: they stand there, twice as large, and no panel is left empty.
 TEST_F(FigureSheets, measuredPassagesFillThePanelsOfThePaper) {
   const auto run = tests::syntheticResult();
-  results::AnalysedRecord passage = run;
+  results::AnalysedRecord passage = static_cast<const results::AnalysedRecord&>(run);
   passage.title = "pass";
   for (double& value : passage.channel("aba_filtered")->values) value *= 2;
   for (double& value : passage.psd) value *= 4;
@@ -177,7 +177,7 @@ TEST_F(FigureSheets, measuredPassagesFillThePanelsOfThePaper) {
 
 // Panels one by one: a label that a panel cuts would not show at the border of the sheet.
 TEST_F(FigureSheets, nothingIsCut) {
-  for (const auto& sheet : *sheets_)
+  for (const auto& sheet : *everySheet)
     for (const auto& panel : sheet.panels) {
       const std::string name = sheet.name + " " + panel->name().toStdString();
       expectEmptyBorder(plots::toImage(*panel, 150), name);
@@ -195,7 +195,7 @@ TEST_F(FigureSheets, nothingIsCut) {
 TEST_F(FigureSheets, lookAsTheyDid) {
   const std::string folder = tests::freshFolder("sheets-baseline");
   const QString kept = QStringLiteral(SQUAT_SOURCE_DIR "/tests/render/baselines/%1.png");
-  for (const auto& sheet : *sheets_) {
+  for (const auto& sheet : *everySheet) {
     const QString name = QString::fromStdString(sheet.name), now = QString::fromStdString(folder) + "/" + name + ".png";
     const QImage small = tests::thumbnail(plots::toImage(sheet, 200), sheet.panels.size() > 1 ? 420 : 251);
     small.save(now);

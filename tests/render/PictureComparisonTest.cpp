@@ -69,8 +69,8 @@ long long clearlyChanged(const QImage& before, const QImage& after) {
 
 class EveryFigure : public testing::Test {
  protected:
-  static void SetUpTestSuite() { sheets_ = new std::vector<plots::FigureSheet>(allSheets()); }
-  static void TearDownTestSuite() { delete sheets_; }
+  static void SetUpTestSuite() { everySheet = new std::vector<plots::FigureSheet>(allSheets()); }
+  static void TearDownTestSuite() { delete everySheet; }
 
   // Makes a change, looks, and takes it back: the thumbnail must differ where a reader would see the change in the
   // printed figure. Whether they would: curves may lie under others or beyond the axes.
@@ -86,11 +86,11 @@ class EveryFigure : public testing::Test {
     }
     return isReadable;
   }
-  static inline std::vector<plots::FigureSheet>* sheets_ = nullptr;
+  static inline std::vector<plots::FigureSheet>* everySheet = nullptr;
 };
 
 TEST_F(EveryFigure, IsTheSameWhenDrawnAgain) {
-  for (const auto& sheet : *sheets_) {
+  for (const auto& sheet : *everySheet) {
     const QImage first = pictureOf(sheet);
     EXPECT_EQ(tests::difference(first, pictureOf(sheet)).largest, 0) << sheet.name;
   }
@@ -98,7 +98,7 @@ TEST_F(EveryFigure, IsTheSameWhenDrawnAgain) {
 
 TEST_F(EveryFigure, MissesAnErasedCurve) {
   int erased = 0;
-  for (const auto& sheet : *sheets_) {
+  for (const auto& sheet : *everySheet) {
     const QImage before = pictureOf(sheet);
     for (const auto& panel : sheet.panels)
       for (auto* curve : drawn(*panel)) {
@@ -112,7 +112,7 @@ TEST_F(EveryFigure, MissesAnErasedCurve) {
 
 TEST_F(EveryFigure, MissesTheColoursOfTwoCurves) {
   int swapped = 0;
-  for (const auto& sheet : *sheets_) {
+  for (const auto& sheet : *everySheet) {
     const QImage before = pictureOf(sheet);
     for (const auto& panel : sheet.panels) {
       const auto curves = drawn(*panel);
@@ -142,7 +142,7 @@ TEST_F(EveryFigure, MissesTheColoursOfTwoCurves) {
 TEST_F(EveryFigure, MissesAShiftedLabel) {
   constexpr double millimetre = 96 / 25.4;
   int shifted = 0;
-  for (const auto& sheet : *sheets_) {
+  for (const auto& sheet : *everySheet) {
     const QImage before = pictureOf(sheet);
     for (const auto& panel : sheet.panels) {
       auto* axis = panel->xAxis;

@@ -25,7 +25,7 @@ using testing::TemporaryFolder;
 // A good result in which `change` may do what it likes with the C API.
 template <typename Change>
 std::string spoilt(const TemporaryFolder& folder, const Change& change) {
-  const auto path = folder / "spoilt.h5";
+  auto path = folder / "spoilt.h5";
   writeResult(path, sampleResult());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   EXPECT_GE(file, 0);

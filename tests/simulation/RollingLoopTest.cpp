@@ -38,25 +38,25 @@ struct StopAt : Monitor {
 
 class RollingLoopTest : public testing::Test {
  protected:
-  RollingLoopTest() { rolling.start(AlignedVector(model.stateSize, 0.0), AlignedVector(model.stateSize, 0.0), 65); }
-  model::Model model =
+  RollingLoopTest() { rolling_.start(AlignedVector(model_.stateSize, 0.0), AlignedVector(model_.stateSize, 0.0), 65); }
+  model::Model model_ =
       model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {{"motion.torque", "0"}}}));
-  ThreadTeam team{1};
-  dynamics::Rolling rolling{model, elasticity::kernelsFor(""), team, 1e-7, 0};
-  RunClock clock;
+  ThreadTeam team_{1};
+  dynamics::Rolling rolling_{model_, elasticity::kernelsFor(""), team_, 1e-7, 0};
+  RunClock clock_;
 };
 
 TEST_F(RollingLoopTest, ObserversSeeTheStepsOfAllInTheirOrder) {
   std::vector<std::string> calls;
   Every third(3, calls, "third"), fifth(5, calls, "fifth");
   Monitor quiet;
-  EXPECT_EQ(roll(rolling, 7, {&third, &fifth}, quiet, clock), LoopEnd::done);
+  EXPECT_EQ(roll(rolling_, 7, {&third, &fifth}, quiet, clock_), LoopEnd::done);
   EXPECT_THAT(calls, ElementsAre("third start", "fifth start", "third 3", "fifth 3", "third 5", "fifth 5", "third 6",
                                  "fifth 6", "third 7", "fifth 7"));
   EXPECT_EQ(third.steps, 7);
   // Resumed: no second start.
   calls.clear();
-  EXPECT_EQ(roll(rolling, 9, {&fifth}, quiet, clock), LoopEnd::done);
+  EXPECT_EQ(roll(rolling_, 9, {&fifth}, quiet, clock_), LoopEnd::done);
   EXPECT_THAT(calls, ElementsAre("fifth 9"));
 }
 
@@ -64,8 +64,8 @@ TEST_F(RollingLoopTest, CancelsBetweenSteps) {
   std::vector<std::string> calls;
   Every third(3, calls, "third");
   StopAt monitor(1);
-  EXPECT_EQ(roll(rolling, 100, {&third}, monitor, clock), LoopEnd::cancelled);
-  EXPECT_EQ(rolling.state().step, 6);
+  EXPECT_EQ(roll(rolling_, 100, {&third}, monitor, clock_), LoopEnd::cancelled);
+  EXPECT_EQ(rolling_.state().step, 6);
 }
 
 }  // namespace

@@ -94,8 +94,8 @@ TEST(Equilibrium, BesideTheMiddleOfTheCrown) {
 
 // Vertical balance of the parts: ballast carries everything, pads carry all but the sleepers.
 TEST(Equilibrium, SupportsCarryTheWholeWeight) {
-  const auto& [model, e] = tiny();
-  const auto& u = e.displacement;
+  const auto& model = tiny().model;
+  const auto& u = tiny().equilibrium.displacement;
   const auto liftOf = [&](const forces::ForceElements& set, bool onRail) {
     double sum = 0;
     for (std::size_t i = 0; i < set.size(); ++i) {

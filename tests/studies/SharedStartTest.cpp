@@ -112,7 +112,8 @@ TEST(SharedStart, PartsShareTheMeshOfTheWholeStudy) {
 }
 
 TEST(SharedStart, OnlyWhereNothingButTheDefectVaries) {
-  const auto isShared = [](const std::vector<std::string>& variations, cases::CaseOverrides overrides = coarse()) {
+  const auto isShared = [](const std::vector<std::string>& variations,
+                           const cases::CaseOverrides& overrides = coarse()) {
     const auto definition = studyOf(tests::fixtureCase("light-defect"), overrides, variations);
     return SharedStart(definition, overrides, bare(), 1).isShared();
   };

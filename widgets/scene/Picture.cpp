@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -33,7 +34,7 @@ void putBigEndian(std::uint8_t* to, std::uint32_t value) {
 // The chunk pHYs (pixels per metre), which the writer does not offer. PNG specification, section 11.3.5.3.
 std::array<std::uint8_t, 21> resolutionChunk(double resolution) {
   std::array<std::uint8_t, 21> chunk{0, 0, 0, 9, 'p', 'H', 'Y', 's'};
-  const auto perMetre = static_cast<std::uint32_t>(resolution / 0.0254 + 0.5);
+  const auto perMetre = static_cast<std::uint32_t>(std::lround(resolution / 0.0254));
   putBigEndian(&chunk[8], perMetre);
   putBigEndian(&chunk[12], perMetre);
   chunk[16] = 1;

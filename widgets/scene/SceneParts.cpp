@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> withBlendedColours(const PartData& part, const Look
     const double mixed[3] = {own[0] + weight * (map.red - own[0]), own[1] + weight * (map.green - own[1]),
                              own[2] + weight * (map.blue - own[2])};
     for (int channel = 0; channel < 3; ++channel)
-      shades->SetTypedComponent(i, channel, static_cast<unsigned char>(255 * mixed[channel] + 0.5));
+      shades->SetTypedComponent(i, channel, static_cast<unsigned char>(std::lround(255 * mixed[channel])));
   }
   auto painted = vtkSmartPointer<vtkPolyData>::New();
   painted->ShallowCopy(part.faces);

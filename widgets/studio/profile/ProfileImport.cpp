@@ -123,7 +123,7 @@ ImportChoices suggestedChoices(const std::string& text) try {
       if (hasWord(cell, name)) return metres;
     return standard;
   };
-  if (header.size() > 0) choices.positionUnit = unitOf(header[0], 1e-3);
+  if (!header.empty()) choices.positionUnit = unitOf(header[0], 1e-3);
   if (header.size() > 1) choices.heightUnit = unitOf(header[1], 1e-3);
   return choices;
 } catch (const FileError&) {  // importProfile says what is wrong
