@@ -40,7 +40,7 @@ void printSpectrum(const char* name, const signals::PowerSpectrum& spectrum) {
               roundedText(spectrum.meanSquare).c_str(), unit.c_str(), spectrum.window.c_str());
 }
 
-void printTable(const analysis::Analysis& analysis) {
+void printAnalysis(const analysis::Analysis& analysis) {
   if (analysis.signals.empty()) return;
   std::vector<std::string> head{"feature"};
   for (const auto& signal : analysis.signals) head.push_back(signal.run);
@@ -96,7 +96,7 @@ int analyse(const AnalyseOptions& given) {
   if (given.json)
     std::printf("%s\n", analysis::featureJson(analysis).c_str());
   else
-    printTable(analysis);
+    printAnalysis(analysis);
   if (InterruptGuard::asked()) return kCancelled;
   if (given.folder.empty()) return kDone;
   const auto tables = analysis::writeAnalysis(analysis, given.folder);

@@ -29,7 +29,7 @@ struct CalibrateCommandOptions {
   int jobs = 0, threads = 0, evaluations = 0;
 };
 
-calibration::CalibrationDefinition definitionOf(const CalibrateCommandOptions& options) {
+calibration::CalibrationDefinition calibrationOf(const CalibrateCommandOptions& options) {
   calibration::CalibrationDefinition definition;
   definition.caseName = options.caseOptions.name;
   definition.overrides = caseOverrides(options.caseOptions);
@@ -55,7 +55,7 @@ int calibratePart(const CalibrateCommandOptions& options, const calibration::Cal
 int calibrate(CalibrateCommandOptions options) {
   if (!options.partition.empty()) options.calibration.part = studies::partitionFromText(options.partition);
   readCase(options.caseOptions);  // what is wrong with it is said before what is wrong with the targets
-  const auto definition = definitionOf(options);
+  const auto definition = calibrationOf(options);
   const auto& folder = options.calibration.folder;
   const auto stem = stemOf(options.caseOptions);
   calibration::keepInputsOf(definition, options.targets, folder, stem);

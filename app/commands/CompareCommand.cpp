@@ -31,7 +31,7 @@ struct CompareOptions {
   FigureChoice figures;
 };
 
-void printTable(const analysis::FileComparison& pair) {
+void printComparison(const analysis::FileComparison& pair) {
   const auto& comparison = pair.comparison;
   std::printf("%s against %s (%s)\n", comparison.firstName.c_str(), comparison.secondName.c_str(),
               pair.secondFile.c_str());
@@ -57,7 +57,7 @@ int compare(const CompareOptions& given) {
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   const auto pairs = analysis::compareFiles(given.result, given.measured, options, monitor);
   monitor.clearLine();
-  for (const auto& pair : pairs) printTable(pair);
+  for (const auto& pair : pairs) printComparison(pair);
   if (InterruptGuard::asked()) return kCancelled;
   if (given.folder.empty()) return kDone;
   const auto tables = analysis::writeComparisons(pairs, given.folder);

@@ -108,7 +108,7 @@ int detect(DetectCommandOptions options) {
 
   const OutputFolder folder(options.folder);
   const FolderLock owner(options.folder, "squat detect");
-  squat::keepInputs(search.records, {options.folder + "/squats.csv", options.folder + "/squats.json"});
+  keepInputs(search.records, {options.folder + "/squats.csv", options.folder + "/squats.json"});
   if (options.collect) return conclude(options, collectRecords(search), monitor);
   std::vector<detection::RecordDetection> records;
   for (const auto& file : search.records) {

@@ -28,7 +28,7 @@ void requireOwnFolders(const EachEstimate& each) {
                         "The results of " + known->second + " would go into " + known->first + " as well"}});
 }
 
-estimation::EstimateDefinition definitionOf(const EachEstimate& each, const std::string& file) {
+estimation::EstimateDefinition definitionFor(const EachEstimate& each, const std::string& file) {
   auto definition = each.definition;
   definition.files = {file};
   return definition;
@@ -44,7 +44,7 @@ FileOutcome estimateFile(const EachEstimate& each, const std::string& file, cons
     return FileOutcome::failed;
   };
   try {
-    const auto definition = definitionOf(each, file);
+    const auto definition = definitionFor(each, file);
     key = estimation::estimateKey(definition, each.options);
     if (const auto known = estimation::readRow(each.folder, file, key); known && !known->hasFailed)
       return FileOutcome::known;
@@ -69,12 +69,12 @@ FileOutcome estimateFile(const EachEstimate& each, const std::string& file, cons
   }
 }
 
-int collect(const EachEstimate& each) {
+int collectEstimates(const EachEstimate& each) {
   std::vector<EstimateRow> rows;
   std::vector<std::string> missing;
   std::size_t failed = 0;
   for (const auto& file : each.definition.files) {
-    const auto key = estimation::estimateKey(definitionOf(each, file), each.options);
+    const auto key = estimation::estimateKey(definitionFor(each, file), each.options);
     if (auto row = estimation::readRow(each.folder, file, key))
       rows.push_back(*std::move(row)), failed += rows.back().hasFailed;
     else
@@ -105,7 +105,7 @@ int collect(const EachEstimate& each) {
 
 int estimateEach(const EachEstimate& each, Monitor& monitor) {
   requireOwnFolders(each);
-  if (each.collect) return collect(each);
+  if (each.collect) return collectEstimates(each);
   if (!each.partition.empty())
     return workOnPart(
         "estimate", each.definition.files, each.folder, studies::partitionFromText(each.partition),
@@ -123,7 +123,7 @@ int estimateEach(const EachEstimate& each, Monitor& monitor) {
     std::fprintf(stderr, "cancelled: repeat the command to resume\n");
     return kCancelled;
   }
-  return collect(each);
+  return collectEstimates(each);
 }
 
 }  // namespace squat::commands

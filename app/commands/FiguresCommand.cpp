@@ -45,7 +45,7 @@ std::string hashOn(const std::string& name, const std::string& mesh) {
 
 // The finished result in the folder. With --mesh it must be this very case on that mesh; without, whatever mesh stands
 // there will do. Throws CaseError for a result of another case, which is not to be overwritten.
-std::optional<results::RunResult> finished(const RunFiles& files, const std::string& mesh) {
+std::optional<results::RunResult> finishedOnMesh(const RunFiles& files, const std::string& mesh) {
   auto result = completeResult(files);
   if (!result) return std::nullopt;
   // A result of an earlier version had fewer keys: its case counts as this version reads it.
@@ -64,7 +64,7 @@ std::optional<results::RunResult> resultOf(const std::string& name, const PaperF
   overrides.preset = options.mesh;
   const auto description = cases::loadCase(name, overrides);
   const RunFiles files{options.folder, name};
-  if (auto result = finished(files, options.mesh)) {
+  if (auto result = finishedOnMesh(files, options.mesh)) {
     std::printf("using existing %s\n", files.result().c_str());
     return result;
   }

@@ -26,7 +26,7 @@ struct ReceptanceCommandOptions {
   FigureChoice figures;
 };
 
-int run(const ReceptanceCommandOptions& options) {
+int computeReceptance(const ReceptanceCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const auto name = stemOf(options.caseOptions), stem = options.folder + "/" + name;
   const auto tables = receptance::receptanceFiles(stem);
@@ -61,7 +61,7 @@ void addReceptanceCommand(CLI::App& program, Action& action) {
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
   addThreads(*command, options->receptance.threads);
   addFigureOptions(*command, options->figures);
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command->callback([options, &action] { action = [options] { return computeReceptance(*options); }; });
 }
 
 }  // namespace squat::commands

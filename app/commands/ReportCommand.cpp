@@ -64,7 +64,7 @@ void addMeasured(const ReportOptions& options, project::Report& report, std::vec
   }
 }
 
-int report(const ReportOptions& options) {
+int makeReport(const ReportOptions& options) {
   const auto& first = options.files.front();
   const bool isProject = first.ends_with(kProjectEnding);
   if (isProject && options.files.size() > 1)
@@ -115,7 +115,7 @@ void addReportCommand(CLI::App& program, Action& action) {
       ->type_name("SIZE");
   addSignalOptions(*command, options->signal);
   if (const auto list = figureList(); !list.empty()) command->footer("Figures:\n" + list);
-  command->callback([options, &action] { action = [options] { return report(*options); }; });
+  command->callback([options, &action] { action = [options] { return makeReport(*options); }; });
 }
 
 }  // namespace squat::commands

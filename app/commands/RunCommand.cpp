@@ -156,13 +156,13 @@ cases::CaseDescription onMeshOfWarmState(const std::string& file, const cases::C
   return meshed;
 }
 
-int run(const RunCommandOptions& options) {
+int runOneCase(const RunCommandOptions& options) {
   if (options.driven.isAsked()) return driveRun(options.driven, options.caseOptions, options.run);
   auto runOptions = options.run;
   auto description = readCase(options.caseOptions);
   if (!options.warmFile.empty()) description = onMeshOfWarmState(options.warmFile, description, runOptions);
   const RunFiles files{options.folder, stemOf(options.caseOptions)};
-  keepInputs(files, options.caseOptions.name, description);
+  keepInputsOfRun(files, options.caseOptions.name, description);
   if (!options.noFigures) checkFigureNames(options.figures, &description);
   const OutputFolder folder(options.folder);
   prepareFolder(files);
@@ -227,7 +227,7 @@ void addRunCommand(CLI::App& program, Action& action) {
   command->add_flag("--json", options->json, "Print one JSON object instead of the tables: features, energies, files");
   command->add_flag("--verbose", options->verbose,
                     "Also print the natural modes of the half wheelset and the time of each phase");
-  command->callback([options, &action] { action = [options] { return run(*options); }; });
+  command->callback([options, &action] { action = [options] { return runOneCase(*options); }; });
 }
 
 }  // namespace squat::commands

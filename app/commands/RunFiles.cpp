@@ -34,8 +34,8 @@ bool concerns(const FileError& error, const std::string& checkpoint) {
 
 }  // namespace
 
-void keepInputs(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description) {
-  squat::keepInputs(cases::filesOfCase(caseName, description.defect.file),
+void keepInputsOfRun(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description) {
+  keepInputs(cases::filesOfCase(caseName, description.defect.file),
                     {files.result(), files.signals(), files.partialResult(), files.partialSignals(), files.checkpoint(),
                      files.checkpoint() + ".previous"});
 }

@@ -27,7 +27,7 @@ void prepareFolder(const RunFiles& files);
 
 // Throws CaseError where a file of the run would take the place of what the case is read from: the case file, or the
 // profile that it names.
-void keepInputs(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description);
+void keepInputsOfRun(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description);
 
 // For a run that begins anew. Throws CaseError where the checkpoint of another case's stopped run stands: hours that
 // somebody may want to resume from. Returns one line for each result of another case that will be replaced.

@@ -35,7 +35,7 @@ struct StudyCommandOptions {
   bool resume = false, collect = false, yes = false;
 };
 
-int report(const studies::StudyTable& table, const std::string& path) {
+int printSummary(const studies::StudyTable& table, const std::string& path) {
   std::printf("%s\n", studies::studySummary(table).c_str());
   std::printf("%s: %zu of %zu runs done\n", path.c_str(), table.count(studies::RowState::done), table.rows.size());
   for (const auto& row : table.rows)
@@ -45,21 +45,21 @@ int report(const studies::StudyTable& table, const std::string& path) {
   return table.count(studies::RowState::failed) > 0 ? kRunFailed : kDone;
 }
 
-void drawFigures(const StudyCommandOptions& options, const studies::StudyTable& table) {
+void drawStudyFigures(const StudyCommandOptions& options, const studies::StudyTable& table) {
   for (const auto& path : writeStudyFigures(table, options.job.study.folder, options.figures))
     std::printf("%s\n", path.c_str());
 }
 
-int collect(const StudyCommandOptions& options) {
+int collectParts(const StudyCommandOptions& options) {
   const auto& folder = options.job.study.folder;
   const FolderLock owner(folder, "squat study --collect");
   const auto table = studies::writeCollected(options.job.definition, folder);
-  const int code = report(table, studies::studyFiles(folder).front());
-  drawFigures(options, table);
+  const int code = printSummary(table, studies::studyFiles(folder).front());
+  drawStudyFigures(options, table);
   return code;
 }
 
-void print(const studies::StudyCost& cost) { std::fprintf(stderr, "estimate: %s\n", studies::toText(cost).c_str()); }
+void printCost(const studies::StudyCost& cost) { std::fprintf(stderr, "estimate: %s\n", studies::toText(cost).c_str()); }
 
 // False where it takes above an hour on so many cores and whoever sits at the terminal says no.
 bool isWanted(const StudyCommandOptions& options, double coreHours) {
@@ -73,7 +73,7 @@ bool isWanted(const StudyCommandOptions& options, double coreHours) {
 int compute(StudyCommandOptions options) {
   auto& job = options.job;
   const auto cost = studies::costAhead(job);
-  if (cost.runs > 0) print(cost);
+  if (cost.runs > 0) printCost(cost);
   studies::shareCores(job, options.jobs, options.threads, cost);
   if (!isWanted(options, cost.coreHours())) {
     std::fprintf(stderr, "not started\n");
@@ -86,17 +86,17 @@ int compute(StudyCommandOptions options) {
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   const auto table = studies::computeStudy(job, monitor);
   monitor.clearLine();
-  const int code = report(table, studies::studyFiles(job.study.folder, job.study.part).front());
+  const int code = printSummary(table, studies::studyFiles(job.study.folder, job.study.part).front());
   if (InterruptGuard::asked()) {
     std::fprintf(stderr, "cancelled: repeat the command to resume\n");
     return kCancelled;
   }
-  if (!job.study.part) drawFigures(options, table);
+  if (!job.study.part) drawStudyFigures(options, table);
   return code;
 }
 
 // The study as a call without what concerns its parts.
-std::vector<std::string> wordsOf(const StudyCommandOptions& options) {
+std::vector<std::string> commandWords(const StudyCommandOptions& options) {
   std::vector<std::string> words{options.caseOptions.name};
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {name, value});
@@ -126,11 +126,11 @@ int study(StudyCommandOptions options) {
   job.overrides = caseOverrides(options.caseOptions);
   job.definition = studies::studyOf(options.caseOptions.name, job.overrides, options.request);
   if (options.cluster.parts > 0)
-    print({studies::costOfARun(job.definition, job.overrides), studies::gridOf(job.definition).size()});
+    printCost({studies::costOfARun(job.definition, job.overrides), studies::gridOf(job.definition).size()});
   if (options.cluster.isAsked())
-    return prepareForCluster(options.cluster, job.definition, job.study.folder, wordsOf(options));
+    return prepareForCluster(options.cluster, job.definition, job.study.folder, commandWords(options));
   if (options.cluster.submit) throw CaseError({{"--submit", "given alone", "given with --slurm N or --resubmit", ""}});
-  return options.collect ? collect(options) : compute(std::move(options));
+  return options.collect ? collectParts(options) : compute(std::move(options));
 }
 
 void addPoints(CLI::App& command, studies::StudyRequest& request) {

@@ -40,7 +40,7 @@ using Results = std::map<std::string, results::RunResult>;
 
 // The finished result of this very case by this version of the program, where it stands already. Throws CaseError for a
 // result of another case, which is not to be lost.
-std::optional<results::RunResult> finished(const RunFiles& files, const std::string& hash) {
+std::optional<results::RunResult> finishedOfCase(const RunFiles& files, const std::string& hash) {
   auto result = completeResult(files);
   if (result && result->caseHash != hash)
     throw CaseError({{"-o", files.result() + " (case " + result->caseHash + ")", "the same case (" + hash + ")",
@@ -52,7 +52,7 @@ std::optional<results::RunResult> make(const ValidateOptions& options, const sta
                                        TerminalMonitor& monitor) {
   const auto description = run.caseOn(options.mesh);
   const RunFiles files{options.folder, run.name};
-  if (auto result = finished(files, cases::caseHash(description))) {
+  if (auto result = finishedOfCase(files, cases::caseHash(description))) {
     monitor.message("using existing " + files.result());
     return result;
   }
@@ -72,8 +72,8 @@ bool makeAll(const ValidateOptions& options, const statements::Reference& refere
   for (const auto& run : reference.runs) {
     const auto description = run.caseOn(options.mesh);
     const RunFiles files{options.folder, run.name};
-    keepInputs(files, run.caseName, description);
-    if (!finished(files, cases::caseHash(description))) keepOtherCases(files, cases::caseHash(description));
+    keepInputsOfRun(files, run.caseName, description);
+    if (!finishedOfCase(files, cases::caseHash(description))) keepOtherCases(files, cases::caseHash(description));
   }
   for (const auto& run : reference.runs) {
     try {

@@ -25,7 +25,7 @@ struct WarmCommandOptions {
   simulation::RunOptions run;
 };
 
-void print(const std::string& path, const simulation::WarmState& warm) {
+void printWarmState(const std::string& path, const simulation::WarmState& warm) {
   const auto zone = [&](const char* key) { return cases::valueText(warm.description, *cases::findParameter(key)); };
   std::printf("The wheel stands %.1f mm before the deepest point of the defect.\n", -1e3 * warm.position);
   std::printf("Serves defects from -%s to %s mm (mesh.zone_before, mesh.zone_behind).\n",
@@ -36,7 +36,7 @@ void print(const std::string& path, const simulation::WarmState& warm) {
 int warm(const WarmCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const RunFiles files{options.folder, stemOf(options.caseOptions)};
-  squat::keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), {files.warmState()});
+  keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), {files.warmState()});
   const OutputFolder folder(options.folder);
   prepareFolder(files);
   const FolderLock owner(options.folder, "squat warm " + options.caseOptions.name);
@@ -49,7 +49,7 @@ int warm(const WarmCommandOptions& options) {
     return kCancelled;
   }
   simulation::writeWarmState(files.warmState(), *made);
-  print(files.warmState(), *made);
+  printWarmState(files.warmState(), *made);
   return kDone;
 }
 

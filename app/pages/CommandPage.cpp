@@ -7,7 +7,7 @@ namespace squat::pages {
 
 namespace {
 
-constexpr const char* kBeginning = R"(# Commands and options
+constexpr const char* kCommandsIntroduction = R"(# Commands and options
 
 What the programs print for `--help`; this page is written from that when they are built. `squat help run` prints one
 section, `man squat-run` shows it where the program is installed.
@@ -48,7 +48,7 @@ std::string sectionOf(const std::string& call, const HelpText& help) {
 }  // namespace
 
 std::string commandPage(const std::vector<std::pair<std::string, HelpText>>& calls) {
-  std::string text = kBeginning;
+  std::string text = kCommandsIntroduction;
   for (const auto& [call, help] : calls) text += sectionOf(call, help);
   return text;
 }

@@ -7,7 +7,7 @@ namespace squat::pages {
 namespace {
 
 // The frame around the tables. $path is the call so far ("squat run"); a list is completed behind its last comma.
-constexpr const char* kBeginning = R"(# Written from the programs' own help when they were built.
+constexpr const char* kCompletionScript = R"(# Written from the programs' own help when they were built.
 _@() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
   local path="PROGRAM" options="" words="" files=yes list="" i
@@ -69,7 +69,7 @@ std::string valueRow(const std::string& call, const HelpText& help, const HelpEn
 
 std::string completion(const std::vector<std::pair<std::string, HelpText>>& calls) {
   const auto& program = calls.front().first;
-  std::string text = replaced(kBeginning, program);
+  std::string text = replaced(kCompletionScript, program);
   for (std::size_t i = 1; i < calls.size(); ++i)
     text += "      \"" + calls[i].first + "\") path=\"" + calls[i].first + "\" ;;\n";
   text += "      *) ;;\n    esac\n  done\n  case $path in\n";

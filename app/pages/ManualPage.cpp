@@ -28,7 +28,7 @@ std::string termOf(const HelpEntry& entry) {
   return joined(names, ", ") + (entry.value.empty() ? "" : " \\fI" + escaped(entry.value) + "\\fR");
 }
 
-std::string titleOf(const std::string& section) {
+std::string capitalisedTitle(const std::string& section) {
   if (section == "Positionals") return "ARGUMENTS";
   if (section == "Subcommands") return "COMMANDS";
   std::string title = section;
@@ -54,11 +54,11 @@ std::string pageName(const std::string& call) {
 
 std::string manualPage(const PageOf& page, const std::string& version) {
   const auto name = pageName(page.call);
-  std::string text = ".TH \"" + titleOf(name) + "\" 1 \"\" \"" + version + "\" \"User commands\"\n.nh\n.ad l\n";
+  std::string text = ".TH \"" + capitalisedTitle(name) + "\" 1 \"\" \"" + version + "\" \"User commands\"\n.nh\n.ad l\n";
   text += ".SH NAME\n" + escaped(name) + " \\- " + escaped(lowered(page.help.summary)) + "\n";
   text += ".SH SYNOPSIS\n\\fB" + escaped(page.call) + "\\fR " + escaped(argumentsOf(page.help)) + "\n";
   for (const auto& section : page.help.sections) {
-    text += ".SH " + titleOf(section.title) + "\n";
+    text += ".SH " + capitalisedTitle(section.title) + "\n";
     for (const auto& entry : section.entries)
       text += ".TP\n" + termOf(entry) + "\n" + escaped(sentenceOf(entry)) + "\n";
   }

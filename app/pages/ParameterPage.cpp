@@ -12,7 +12,7 @@ namespace {
 using cases::Kind;
 using cases::Parameter;
 
-constexpr const char* kBeginning = R"(# Parameters
+constexpr const char* kParametersIntroduction = R"(# Parameters
 
 Every key of a case, as it stands in the case file: a key `pad.stiffness` is the line `stiffness = ...` in the table
 `[pad]`. `squat describe CASE` prints the same for the values of a case. This page is written when the program is built,
@@ -56,7 +56,7 @@ std::string meshPresets() {
 }  // namespace
 
 std::string parameterPage() {
-  std::string text = kBeginning, group;
+  std::string text = kParametersIntroduction, group;
   for (const auto& parameter : cases::parameterTable()) {
     if (parameter.group != group) {
       group = parameter.group;

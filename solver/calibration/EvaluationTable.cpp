@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 constexpr std::size_t kColumnsBefore = 4;  // stage, mesh, state, misfit
-constexpr const char* kAdvice = "Restore the folder, or choose another one with -o";
+constexpr const char* kFolderAdvice = "Restore the folder, or choose another one with -o";
 
 std::string tablePath(const std::string& folder) { return folder + "/calibration.csv"; }
 std::string residualPath(const std::string& folder) { return folder + "/calibration-residuals.csv"; }
@@ -78,7 +78,7 @@ std::string fieldOf(const std::optional<double>& value) { return value ? text::n
 
 double numberIn(const std::string& field, const std::string& path, std::size_t line) {
   if (const auto value = text::numberFromText(field)) return *value;
-  throw FileError(path, "line " + std::to_string(line), "'" + field + "' is not a number", kAdvice);
+  throw FileError(path, "line " + std::to_string(line), "'" + field + "' is not a number", kFolderAdvice);
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ void EvaluationTable::requireSame(const std::string& folder) const {
   try {
     identity = Json::parse(readWholeFile(identityPath(folder), kLargestFile));
   } catch (const Json::exception&) {
-    throw FileError(identityPath(folder), "", "is damaged", kAdvice);
+    throw FileError(identityPath(folder), "", "is damaged", kFolderAdvice);
   }
   if (identity != identityOf(definition_))
     throw CaseError({{"-o", folder, "a new folder, or that of the same case, targets and limits",
@@ -200,11 +200,11 @@ std::vector<Evaluation> EvaluationTable::read(const std::string& folder) const {
   const std::size_t inputs = definition_.inputs.size(), targets = definition_.targets.count();
   // A stop between the two files leaves the residuals of one point more.
   if (table.empty() || residuals.size() < 1 + (table.size() - 1) * targets)
-    throw FileError(residualTable, "", "is shorter than calibration.csv", kAdvice);
+    throw FileError(residualTable, "", "is shorter than calibration.csv", kFolderAdvice);
   for (std::size_t r = 1; r < table.size(); ++r) {
     const auto& record = table[r];
     if (record.size() != kColumnsBefore + inputs + 2 * targets + 1)
-      throw FileError(path, "line " + std::to_string(r + 1), "is not a row of this calibration", kAdvice);
+      throw FileError(path, "line " + std::to_string(r + 1), "is not a row of this calibration", kFolderAdvice);
     Evaluation row;
     row.stage = stageFrom(record[0]), row.mesh = record[1], row.hasFailed = record[2] == "failed";
     row.message = record.back();

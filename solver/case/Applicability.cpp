@@ -9,8 +9,6 @@ namespace squat::cases {
 
 namespace {
 
-std::string defaultText(const Parameter& parameter) { return isList(parameter) ? "[]" : parameter.defaultText; }
-
 // Value as text; lists, which may have thousands of points, only as empty or not.
 std::string briefText(const CaseDescription& description, const Parameter& parameter) {
   if (!isList(parameter)) return valueText(description, parameter);
@@ -22,7 +20,7 @@ bool sameValue(const Parameter& parameter, const std::string& a, const std::stri
 }
 
 std::string effectiveText(const CaseDescription& description, const Parameter& parameter) {
-  return applies(description, parameter) ? briefText(description, parameter) : defaultText(parameter);
+  return applies(description, parameter) ? briefText(description, parameter) : defaultTextOf(parameter);
 }
 
 bool holds(const CaseDescription& description, const Requirement& requirement) {
@@ -88,7 +86,7 @@ std::string reasonWithoutEffect(const CaseDescription& description, const Parame
 std::optional<CaseProblem> valueWithoutEffect(const CaseDescription& description, const Parameter& parameter) {
   if (parameter.condition.empty() || applies(description, parameter)) return std::nullopt;
   const auto value = briefText(description, parameter);
-  if (sameValue(parameter, value, defaultText(parameter))) return std::nullopt;
+  if (sameValue(parameter, value, defaultTextOf(parameter))) return std::nullopt;
   const bool pure = parameter.unit.empty() || parameter.unit == "-" || isList(parameter);
   return CaseProblem{parameter.key, isList(parameter) ? "given" : value + (pure ? "" : " " + parameter.unit), "",
                      reasonWithoutEffect(description, parameter)};

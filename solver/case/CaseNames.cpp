@@ -34,7 +34,7 @@ bool isOfPreset(const CaseDescription& description, const Parameter& parameter, 
 }
 
 // Three digits: what a name can hold of a drawn shape.
-std::string rounded(double millimetres) {
+std::string threeDigits(double millimetres) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", millimetres);
   return text;
@@ -54,7 +54,7 @@ std::string extentOf(const Defect& defect) {
       last = any ? std::max(last, point.position) : point.position;
       any = true;
     }
-  return rounded(-1e3 * deepest) + " deep, " + rounded(1e3 * (last - first)) + " long";
+  return threeDigits(-1e3 * deepest) + " deep, " + threeDigits(1e3 * (last - first)) + " long";
 }
 
 ComparedValue comparedValue(const CaseDescription& description, const Parameter& parameter) {
@@ -78,7 +78,7 @@ std::string named(const Parameter& parameter, const std::string& shown) {
   return shortLabel(parameter) + " " + shown;
 }
 
-std::string nameOf(const CaseToName& one, const std::vector<std::size_t>& rows, bool withStem) {
+std::string suggestedName(const CaseToName& one, const std::vector<std::size_t>& rows, bool withStem) {
   std::string name = withStem ? one.stem : std::string();
   std::size_t count = 0;
   for (const std::size_t row : rows) {
@@ -147,7 +147,7 @@ std::vector<std::string> caseNames(const std::vector<CaseToName>& cases) {
   std::map<std::string, std::vector<std::size_t>> rows;
   for (const auto& [stem, values] : groups) rows[stem] = differingRows(values);
   std::vector<std::string> names;
-  for (const auto& one : cases) names.push_back(nameOf(one, rows[one.stem], groups.size() > 1));
+  for (const auto& one : cases) names.push_back(suggestedName(one, rows[one.stem], groups.size() > 1));
   makeUnique(names);
   return names;
 }

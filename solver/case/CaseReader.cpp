@@ -17,7 +17,7 @@ namespace squat::cases {
 
 namespace {
 
-constexpr std::size_t largestFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
+constexpr std::size_t largestCaseFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
 constexpr std::size_t maximumProblems = 50;
 
 std::string lineNote(std::size_t line) { return line == 0 ? "" : " (line " + std::to_string(line) + ")"; }
@@ -78,7 +78,7 @@ struct Presets {
   std::vector<ReplacedPreset> replaced;
 };
 
-std::string nameOf(const std::vector<Stated>& stated, std::string_view key) {
+std::string statedChoice(const std::vector<Stated>& stated, std::string_view key) {
   const Stated* one = find(stated, key);
   const auto& names = findParameter(key)->choices;
   const bool known = one && std::find(names.begin(), names.end(), one->text) != names.end();
@@ -111,7 +111,7 @@ Presets presetsOf(const std::vector<Stated>& stated, const CaseOverrides& overri
                   Problems& problems) {
   Presets presets{defaultCase(), defaultCase(), {}};
   const auto apply = [&](const std::string& key, const auto& set) {
-    const auto own = nameOf(stated, key), asked = askedName(overrides, key, own, problems);
+    const auto own = statedChoice(stated, key), asked = askedName(overrides, key, own, problems);
     set(presets.ofFile, own), set(presets.asked, asked);
     if (own != asked) presets.replaced.push_back({key, keysOf(key, {own, asked})});
   };
@@ -226,7 +226,7 @@ struct Reading {
 
 CaseDescription parse(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
                       const CaseOverrides& overrides, const Reading& reading) {
-  if (text.size() > largestFile)
+  if (text.size() > largestCaseFile)
     throw FileError(origin, "", "larger than 4 MB", "Put long profiles into a CSV file and give it as defect.file");
   const toml::table table = parsedToml(text, origin);
   Problems problems;
@@ -263,7 +263,7 @@ CaseDescription parseCaseOfResult(std::string_view text, const std::string& orig
 }
 
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides) {
-  return parseCase(readWholeFile(path.string(), largestFile), path.string(), path.parent_path(), overrides);
+  return parseCase(readWholeFile(path.string(), largestCaseFile), path.string(), path.parent_path(), overrides);
 }
 
 CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& overrides) {

@@ -24,8 +24,6 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-std::string defaultText(const Parameter& parameter) { return isList(parameter) ? "[]" : parameter.defaultText; }
-
 // A value as text in the unit of the case file, short enough for a table.
 std::string shortText(const Parameter& parameter, std::string text) {
   if (parameter.kind == Kind::points || parameter.kind == Kind::forceCurve) {
@@ -70,7 +68,7 @@ Default defaultOf(const CaseDescription& description, const Parameter& parameter
     for (const auto& [own, text] : readablePreset(key, name))
       if (own == parameter.key) return {text, "preset " + name + ": its file in resources/presets names the source"};
   }
-  return {defaultText(parameter), parameter.source};
+  return {defaultTextOf(parameter), parameter.source};
 }
 
 std::string sourceText(const CaseDescription& description, const Parameter& parameter, const SetKeys& set) {
@@ -155,7 +153,7 @@ std::string describeTable(const CaseDescription& description, const SetKeys& set
       text += "[" + group + "]\n";
     }
     const std::string value = valueText(description, parameter);
-    const char* star = value == defaultText(parameter) ? "  " : "* ";
+    const char* star = value == defaultTextOf(parameter) ? "  " : "* ";
     const char* effect = applies(description, parameter) ? "" : "no effect here; ";
     text += star + padded(parameter.key, 34) + " " + padded(shortText(parameter, value), 18) + " " +
             padded(rangeText(parameter), 18) + " " + parameter.doc + " [" + effect +
@@ -173,7 +171,7 @@ std::string describeJson(const CaseDescription& description, const SetKeys& set)
     row["key"] = parameter.key;
     row["value"] = valueJson(parameter, valueText(description, parameter));
     row["unit"] = parameter.unit;
-    row["default"] = valueJson(parameter, defaultText(parameter));
+    row["default"] = valueJson(parameter, defaultTextOf(parameter));
     row["min"] = isNumber ? Json(parameter.minimum) : Json(nullptr);
     row["max"] = isNumber ? Json(parameter.maximum) : Json(nullptr);
     row["doc"] = parameter.doc;

@@ -93,8 +93,6 @@ bool countsInHash(const CaseDescription& description, const Parameter& parameter
   return true;
 }
 
-std::string lastPart(const std::string& key) { return key.substr(key.rfind('.') + 1); }
-
 }  // namespace
 
 std::string writeCase(const CaseDescription& description) {
@@ -106,7 +104,7 @@ std::string writeCase(const CaseDescription& description) {
       group = parameter.group;
       text += "\n[" + group + "]\n";
     }
-    text += lastPart(parameter.key) + " = " + tomlValue(description, parameter) + comment(parameter) + "\n";
+    text += std::string(lastPart(parameter.key)) + " = " + tomlValue(description, parameter) + comment(parameter) + "\n";
   }
   return text;
 }

@@ -19,6 +19,9 @@ inline constexpr Unit none{"-", 0}, metre{"m", 0}, millimetre{"mm", -3}, kilogra
     angularSpeed{"rad/s", 0}, torque{"N m", 0}, second{"s", 0}, millisecond{"ms", -3}, microsecond{"\u00B5s", -6},
     acceleration{"m/s\u00B2", 0}, hertz{"Hz", 0}, kilohertz{"kHz", 3};
 
+// Sources that many rows name.
+inline constexpr const char *table1 = "paper, Table 1", *section2 = "paper, section 2";
+
 struct Range {
   double minimum, maximum;
 };

@@ -167,8 +167,6 @@ std::vector<Parameter> makeTable() {
   return table;
 }
 
-std::string_view lastPart(std::string_view key) { return key.substr(key.rfind('.') + 1); }
-
 }  // namespace
 
 const std::vector<Parameter>& parameterTable() {

@@ -65,6 +65,14 @@ inline bool isList(const Parameter& parameter) {
   return parameter.kind == Kind::points || parameter.kind == Kind::lines;
 }
 
+// The default of a parameter as text; of a list, an empty list.
+inline std::string defaultTextOf(const Parameter& parameter) {
+  return isList(parameter) ? "[]" : parameter.defaultText;
+}
+
+// The key without its group: "stiffness" of "pad.stiffness".
+inline std::string_view lastPart(std::string_view key) { return key.substr(key.rfind('.') + 1); }
+
 // Every parameter, in the order of the case file: parameters of one group stand together.
 const std::vector<Parameter>& parameterTable();
 

@@ -28,13 +28,13 @@ Value* member(CaseDescription& description, const Parameter& parameter) {
   return access ? &(*access)(description) : nullptr;
 }
 
-std::string shown(std::string_view text) {
+std::string shortened(std::string_view text) {
   constexpr std::size_t maximum = 60;
   return text.size() <= maximum ? std::string(text) : std::string(text.substr(0, maximum)) + "...";
 }
 
 CaseProblem problem(const Parameter& parameter, std::string_view value, std::string advice) {
-  return {parameter.key, shown(value), allowedText(parameter), std::move(advice)};
+  return {parameter.key, shortened(value), allowedText(parameter), std::move(advice)};
 }
 
 std::string numberAdvice(const Parameter& parameter, std::string_view text) {
@@ -266,7 +266,7 @@ std::optional<CaseProblem> checkRange(const CaseDescription& description, const 
 
 CaseProblem unknownKey(std::string_view key) {
   const std::string near = nearestKey(key);
-  return {shown(key), "", "",
+  return {shortened(key), "", "",
           "unknown key; " + (near.empty() ? "squat describe lists all keys" : "did you mean " + near + "?")};
 }
 

@@ -8,7 +8,6 @@ using Case = CaseDescription;
 
 namespace {
 
-constexpr const char* section2 = "paper, section 2";
 constexpr const char* notStated = "the paper does not say";
 
 // A ramp needs a torque, given as one or as a coefficient.

@@ -7,8 +7,6 @@ using Case = CaseDescription;
 
 namespace {
 
-constexpr const char* table1 = "paper, Table 1";
-constexpr const char* section2 = "paper, section 2";
 
 void addTrack(Rows& rows) {
   rows.push_back(inputPreset(

@@ -7,7 +7,6 @@ using Case = CaseDescription;
 
 namespace {
 
-constexpr const char* table1 = "paper, Table 1";
 constexpr const char* steps = "assumed: common passenger wheelset; no drawing of the paper's wheelset is public";
 
 void addWheel(Rows& rows) {

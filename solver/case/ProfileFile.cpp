@@ -17,7 +17,7 @@ namespace squat::cases {
 
 namespace {
 
-constexpr std::size_t largestFile = 200'000'000;  // bytes
+constexpr std::size_t largestProfileFile = 200'000'000;  // bytes
 constexpr double highest = 0.05;                  // [m]
 constexpr double farthest = 1e6;                  // [m] chainages are welcome
 
@@ -207,7 +207,7 @@ std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::str
 }
 
 std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path) {
-  return parseProfileLines(readWholeFile(path.string(), largestFile), path.string());
+  return parseProfileLines(readWholeFile(path.string(), largestProfileFile), path.string());
 }
 
 std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin) {
@@ -219,7 +219,7 @@ std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string&
 }
 
 std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path) {
-  return parseProfile(readWholeFile(path.string(), largestFile), path.string());
+  return parseProfile(readWholeFile(path.string(), largestProfileFile), path.string());
 }
 
 }  // namespace squat::cases

@@ -18,7 +18,7 @@ namespace squat::detection {
 namespace {
 
 // CBOR (RFC 8949) behind a line with name, version of the layout, and checksum: small, and exact for every number.
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 constexpr const char* kMagic = "squat-candidates 1 ";
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 constexpr const char* kAdvice = "Delete the file and compute its record again";
@@ -121,10 +121,10 @@ concept IsList = requires {
 &&!std::same_as<Value, std::string>;
 
 template <typename Value>
-Json saved(const Value& value);
+PlainJson saved(const Value& value);
 
 struct Saver {
-  Json json = Json::object();
+  PlainJson json = PlainJson::object();
   template <typename Value>
   void operator()(const char* name, const Value& value) {
     json[name] = saved(value);
@@ -132,13 +132,13 @@ struct Saver {
 };
 
 template <typename Value>
-Json saved(const Value& value) {
+PlainJson saved(const Value& value) {
   if constexpr (HasFields<const Value>) {
     Saver saver;
     fields(saver, value);
     return std::move(saver.json);
   } else if constexpr (IsList<Value>) {
-    Json list = Json::array();
+    PlainJson list = PlainJson::array();
     for (const auto& each : value) list.push_back(saved(each));
     return list;
   } else if constexpr (std::is_enum_v<Value>) {
@@ -149,10 +149,10 @@ Json saved(const Value& value) {
 }
 
 template <typename Value>
-void load(const Json& json, Value& value);
+void load(const PlainJson& json, Value& value);
 
 struct Loader {
-  const Json& json;
+  const PlainJson& json;
   template <typename Value>
   void operator()(const char* name, Value& value) {
     load(json.at(name), value);
@@ -160,7 +160,7 @@ struct Loader {
 };
 
 template <typename Value>
-void load(const Json& json, Value& value) {
+void load(const PlainJson& json, Value& value) {
   if constexpr (HasFields<Value>) {
     Loader loader{json};
     fields(loader, value);
@@ -231,9 +231,9 @@ std::string candidateFile(const std::string& folder, const std::string& record) 
 
 void writeCandidates(const std::string& folder, const CandidateKey& key, const RecordDetection& detection) {
   makeFolder(folder + "/candidates");
-  const Json json{{"version", programVersion()}, {"key", saved(key)}, {"detection", saved(detection)}};
+  const PlainJson json{{"version", programVersion()}, {"key", saved(key)}, {"detection", saved(detection)}};
   std::string bytes;
-  Json::to_cbor(json, bytes);
+  PlainJson::to_cbor(json, bytes);
   writeDurably(candidateFile(folder, key.record), kMagic + checksumOf(bytes) + "\n" + bytes);
 }
 
@@ -245,7 +245,7 @@ std::optional<RecordDetection> readCandidates(const std::string& folder, const C
   const std::string bytes = line == std::string::npos ? "" : content.substr(line + 1);
   if (content.substr(0, line) != kMagic + checksumOf(bytes)) throw FileError(path, "", "is damaged", kAdvice);
   try {
-    const auto json = Json::from_cbor(bytes);
+    const auto json = PlainJson::from_cbor(bytes);
     CandidateKey found;
     load(json.at("key"), found);
     const auto version = json.at("version").get<std::string>();
@@ -255,7 +255,7 @@ std::optional<RecordDetection> readCandidates(const std::string& folder, const C
     RecordDetection detection;
     load(json.at("detection"), detection);
     return detection;
-  } catch (const Json::exception&) {
+  } catch (const PlainJson::exception&) {
     throw FileError(path, "", "is damaged", kAdvice);
   }
 }

@@ -17,7 +17,7 @@ std::string rangeText(double value, double low, double high, double factor, cons
          formatted(format, factor * high) + ")";
 }
 
-std::vector<std::string> cellsOf(const Event& event) {
+std::vector<std::string> summaryCells(const Event& event) {
   const bool isSquat = event.kind == Kind::squat;
   const auto& judged = event.judgement;
   return {formatted("%.2f", event.position),
@@ -60,7 +60,7 @@ std::string detectionSummary(const DetectionReport& report) {
   if (report.events.empty()) return text + "nothing that stands out of its surroundings\n";
   text::TextTable table(
       {"position [m]", "channel", "kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});
-  for (const auto& combined : report.events) table.add(cellsOf(combined.event));
+  for (const auto& combined : report.events) table.add(summaryCells(combined.event));
   return text + table.text();
 }
 

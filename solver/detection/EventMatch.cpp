@@ -3,15 +3,10 @@
 #include <cmath>
 
 namespace squat::detection {
-namespace {
-
-constexpr Eigen::Index bands = static_cast<Eigen::Index>(bandCount);
-
-}  // namespace
 
 EventMatch matchOf(const EventFeatures& event, const BandValues& expected, const Vehicle& vehicle,
                    const BandMatrix& scatter) {
-  using Values = Eigen::Array<double, bands, 1>;
+  using Values = Eigen::Array<double, eigenBands, 1>;
   EventMatch match;
   const Values energy = Eigen::Map<const Values>(event.energy.data());
   const Values noise = Eigen::Map<const Values>(event.noise.data());
@@ -32,9 +27,9 @@ EventMatch matchOf(const EventFeatures& event, const BandValues& expected, const
 // square of the product of L's diagonal. Of this size, plain loops take a third of the time of a general solver; tens
 // of millions of them are needed for a record of 100 km.
 double logDensityOf(const EventMatch& match) {
-  double factor[bands][bands], solution[bands];
+  double factor[eigenBands][eigenBands], solution[eigenBands];
   double squares = 0, determinant = 1;
-  for (Eigen::Index i = 0; i < bands; ++i) {
+  for (Eigen::Index i = 0; i < eigenBands; ++i) {
     double left = match.distance[i], diagonal = match.covariance(i, i);
     for (Eigen::Index j = 0; j < i; ++j) {
       double sum = match.covariance(i, j);

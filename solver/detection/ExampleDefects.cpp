@@ -24,8 +24,8 @@ struct Range {
   double low, high;
 };
 // Light, moderate, severe: a squat belongs to the class of the worse of its two measures.
-constexpr Range lengths[] = {{0.012, 0.035}, {0.035, 0.060}, {0.060, 0.095}};
-constexpr Range depths[] = {{0.03e-3, 0.10e-3}, {0.10e-3, 0.25e-3}, {0.25e-3, 0.50e-3}};
+constexpr Range severityLengths[] = {{0.012, 0.035}, {0.035, 0.060}, {0.060, 0.095}};
+constexpr Range severityDepths[] = {{0.03e-3, 0.10e-3}, {0.10e-3, 0.25e-3}, {0.25e-3, 0.50e-3}};
 
 double within(const Range& range, Shares& shares) { return range.low * std::pow(range.high / range.low, shares()); }
 
@@ -89,8 +89,8 @@ std::vector<ExampleDefect> exampleSquats(std::size_t count, std::uint32_t seed) 
     const std::size_t severity = i % 3;
     const auto other = static_cast<std::size_t>(shares() * static_cast<double>(severity + 1));
     const bool byLength = shares() < 0.5;
-    const double length = within(lengths[byLength ? severity : other], shares);
-    const double depth = within(depths[byLength ? other : severity], shares);
+    const double length = within(severityLengths[byLength ? severity : other], shares);
+    const double depth = within(severityDepths[byLength ? other : severity], shares);
     if (depth > 1.5 * felt(length)) continue;
     ExampleDefect example{Kind::squat, length, depth, {}, 0, 0};
     auto& defect = example.defect;

@@ -15,8 +15,10 @@
 namespace squat::detection {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr double minimumVehicleWeight = 0.02;
-constexpr std::size_t kinds = 6;
+constexpr std::size_t kindCount = 6;
 // Prior odds of a squat to each other kind: a squat that is missed may grow until the rail breaks, a joint called a
 // squat costs a look at it. Chosen on twenty vehicles: from 10 to 40 all of their 600 squats were called squats, with 2
 // or 3 of their 80 joints and welds; with 3, four severe squats were not.
@@ -56,7 +58,7 @@ class LogDensity {
 };
 
 // Squats of each severity are a group, and so is each other kind: all of a kind's groups count the same.
-constexpr std::size_t groups = 3 + kinds;
+constexpr std::size_t groups = 3 + kindCount;
 std::size_t groupOf(const Example& example, const SeverityLimits& limits) {
   return example.kind == Kind::squat ? static_cast<std::size_t>(severityOf(example.length, example.depth, limits))
                                      : 3 + static_cast<std::size_t>(example.kind);
@@ -119,7 +121,6 @@ std::vector<std::size_t> likeliestSquats(std::size_t count, const std::function<
 
 // Reports how many of `count` events are judged.
 std::function<void(std::size_t)> reportingTo(Monitor& monitor, std::size_t count) {
-  using Clock = std::chrono::steady_clock;
   return [&monitor, count, start = Clock::now()](std::size_t done) {
     Progress progress;
     progress.phase = "judgement";
@@ -208,7 +209,7 @@ Judgement Judge::weigh(const EventFeatures& event, const std::vector<double>& ve
   const double nothing = logNothing(event), some = logSum(logs);
   Judgement judgement;
   judgement.nothing = 1 / (1 + std::exp(some - nothing));
-  std::array<double, kinds> ofKind{};
+  std::array<double, kindCount> ofKind{};
   std::array<double, 3> ofSeverity{};
   std::vector<Weighted> lengths, depths;
   double offset = 0;
@@ -243,7 +244,7 @@ Judgement Judge::weigh(const EventFeatures& event, const std::vector<double>& ve
 void Judge::takeKind(const EventFeatures& event, const Vehicle& vehicle, double asSquat, const KindDensity& densities,
                      Judgement& judgement) const {
   std::vector<double> logs;
-  for (std::size_t k = 0; k < kinds; ++k) logs.push_back(densities.of(static_cast<Kind>(k), event, vehicle));
+  for (std::size_t k = 0; k < kindCount; ++k) logs.push_back(densities.of(static_cast<Kind>(k), event, vehicle));
   // As for joints and welds, half by examples, whose wheels may lose the rail, and half by paths, which do not show
   // that. By paths alone, two of 146 severe squats of 16 vehicles were called joints.
   auto& ofSquat = logs[static_cast<std::size_t>(Kind::squat)];

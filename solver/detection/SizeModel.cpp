@@ -10,7 +10,6 @@ constexpr std::ptrdiff_t minimumVehicles = 8;
 constexpr double ridge = 0.3;      // of the sum of squares: from 0.03 to 3 the answers differ by less than a hundredth
 constexpr double usualSpeed = 28;  // [m/s]
 constexpr double minimumVariance = 1e-3;  // of log10 energy between vehicles, so that the covariance has an inverse
-constexpr Eigen::Index bands = static_cast<Eigen::Index>(bandCount);
 
 double logEnergy(double energy) { return std::log10(std::max(energy, 1e-12)); }
 
@@ -31,7 +30,7 @@ struct Table {
 Table tableOf(const std::vector<Example>& examples) {
   Table table;
   const auto count = std::count_if(examples.begin(), examples.end(), hasSize);
-  table.path.resize(count, bands), table.measured.resize(count, bands);
+  table.path.resize(count, eigenBands), table.measured.resize(count, eigenBands);
   std::vector<double> speeds, squats;
   Eigen::Index row = 0;
   for (const auto& example : examples) {
@@ -91,9 +90,9 @@ SizeModel::SizeModel(const std::vector<Example>& examples) {
   const Table table = tableOf(examples);
   const Eigen::Index rows = table.path.rows(), vehicles = table.speed.size();
   if (vehicles < minimumVehicles) return;
-  Eigen::MatrixXd offsets(vehicles, bands), left(rows, bands);
-  for (Eigen::Index b = 0; b < bands; ++b) {
-    const Eigen::Index first = std::max<Eigen::Index>(0, b - 1), inputs = std::min(bands, b + 2) - first;
+  Eigen::MatrixXd offsets(vehicles, eigenBands), left(rows, eigenBands);
+  for (Eigen::Index b = 0; b < eigenBands; ++b) {
+    const Eigen::Index first = std::max<Eigen::Index>(0, b - 1), inputs = std::min(eigenBands, b + 2) - first;
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(rows, inputs + vehicles);
     x.leftCols(inputs) = table.path.middleCols(first, inputs);
     for (Eigen::Index i = 0; i < rows; ++i) x(i, inputs + table.vehicle[static_cast<std::size_t>(i)]) = 1;

@@ -11,8 +11,9 @@
 
 namespace squat::detection {
 
-using BandValues = Eigen::Matrix<double, static_cast<int>(bandCount), 1>;
-using BandMatrix = Eigen::Matrix<double, static_cast<int>(bandCount), static_cast<int>(bandCount)>;
+inline constexpr auto eigenBands = static_cast<Eigen::Index>(bandCount);
+using BandValues = Eigen::Matrix<double, eigenBands, 1>;
+using BandMatrix = Eigen::Matrix<double, eigenBands, eigenBands>;
 
 // log10 of an event's energies by the square of its speed, y_b, is taken to be
 //   y_b = sum_j c_bj p_j + m_b + t_b ln(v / 28 m/s) + u_b + e_b

@@ -10,7 +10,6 @@
 namespace squat::detection {
 namespace {
 
-constexpr Eigen::Index bands = static_cast<Eigen::Index>(bandCount);
 constexpr int maximumPasses = 30;
 constexpr double atRest = 1e-3;                 // of log10 energy
 constexpr std::size_t maximumForVehicle = 200;  // of events that the vehicle is estimated from, the surest

@@ -12,7 +12,7 @@ namespace squat::elasticity {
 namespace {
 
 using Clusters = std::vector<std::vector<int>>;
-using Vector = Eigen::VectorXd;
+using DynamicVector = Eigen::VectorXd;
 
 double distance(const geometry::Point2& a, const geometry::Point2& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
@@ -85,8 +85,8 @@ class PlaneSection {
   }
 
   // 4 (S_bb S_bc; S_cb S_cc) and 4 T_aa: both neighbouring intervals, sums 2 u, no differences.
-  Vector stiffness(const Vector& u) const {
-    Vector f = Vector::Zero(u.size());
+  DynamicVector stiffness(const DynamicVector& u) const {
+    DynamicVector f = DynamicVector::Zero(u.size());
     for (int n = 0; n < block_.nodes; ++n)
       for (int p = block_.rowStart[n]; p < block_.rowStart[n + 1]; ++p) {
         const double* s = coefficients_->data() + 18 * static_cast<std::size_t>(p);
@@ -99,8 +99,8 @@ class PlaneSection {
   }
 
   // F M^-1 f.
-  Vector accelerations(const Vector& f, const Clusters& clusters, const std::vector<Eigen::MatrixXd>& kept) const {
-    Vector a(f.size());
+  DynamicVector accelerations(const DynamicVector& f, const Clusters& clusters, const std::vector<Eigen::MatrixXd>& kept) const {
+    DynamicVector a(f.size());
     for (int n = 0; n < block_.nodes; ++n) a.segment<3>(3 * n) = moves_[n] * f.segment<3>(3 * n) / mass_[n];
     for (std::size_t i = 0; i < clusters.size(); ++i) {
       const auto count = static_cast<Eigen::Index>(clusters[i].size());
@@ -120,22 +120,22 @@ class PlaneSection {
     std::vector<Eigen::MatrixXd> kept;
     for (const auto& cluster : clusters) kept.push_back(keptFields(block_, cluster, mass_));
     const Eigen::Index size = 3 * static_cast<Eigen::Index>(block_.nodes);
-    Vector momentum(size), before = Vector::Zero(size);
+    DynamicVector momentum(size), before = DynamicVector::Zero(size);
     unsigned seed = 12345;
     for (Eigen::Index i = 0; i < size; ++i) {
       seed = seed * 1664525u + 1013904223u;
       momentum[i] = moves_[i / 3] * (static_cast<double>(seed >> 8) / (1u << 24) - 0.5) * std::sqrt(mass_[i / 3]);
     }
-    Vector shape = accelerations(momentum, clusters, kept);
+    DynamicVector shape = accelerations(momentum, clusters, kept);
     double norm = std::sqrt(shape.dot(momentum)), last = 0;
     momentum /= norm, shape /= norm;
     constexpr int iterations = 40;
-    Vector diagonal(iterations), side(iterations);
+    DynamicVector diagonal(iterations), side(iterations);
     for (int k = 0; k < iterations; ++k) {
-      Vector rest = stiffness(shape);
+      DynamicVector rest = stiffness(shape);
       diagonal[k] = shape.dot(rest);
       rest -= diagonal[k] * momentum + last * before;
-      const Vector next = accelerations(rest, clusters, kept);
+      const DynamicVector next = accelerations(rest, clusters, kept);
       last = side[k] = std::sqrt(std::max(0.0, next.dot(rest)));
       before = momentum, momentum = rest / last, shape = next / last;
     }

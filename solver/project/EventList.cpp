@@ -8,15 +8,15 @@
 namespace squat::project {
 namespace {
 
-constexpr std::size_t largestFile = 64U << 20U;  // [bytes]
+constexpr std::size_t largestEventFile = 64U << 20U;  // [bytes]
 constexpr std::size_t maximumEvents = 1000000;
 constexpr int newestSchema = 1;
-constexpr double highest = 1e12;
+constexpr double largestNumber = 1e12;
 
 ListedEvent eventIn(const JsonNode& node, const std::vector<std::string>& records) {
   ListedEvent event;
-  event.position = node.at("position_m").number(-highest, highest);
-  event.time = node.at("time_s").number(-highest, highest);
+  event.position = node.at("position_m").number(-largestNumber, largestNumber);
+  event.time = node.at("time_s").number(-largestNumber, largestNumber);
   event.record = node.at("record").text();
   if (std::find(records.begin(), records.end(), event.record) == records.end())
     node.at("record").fail("is none of the records of the list");
@@ -24,8 +24,8 @@ ListedEvent eventIn(const JsonNode& node, const std::vector<std::string>& record
   event.kind = node.at("kind").text();
   if (node.has("reason")) event.reason = node.at("reason").text();
   event.sureness = node.at("sureness").number(0, 1);
-  event.peak = node.at("peak_m_s2").number(0, highest);
-  event.speed = node.at("speed_m_s").number(0, highest);
+  event.peak = node.at("peak_m_s2").number(0, largestNumber);
+  event.speed = node.at("speed_m_s").number(0, largestNumber);
   constexpr int maximumPasses = 1000000;
   event.passes = node.at("passes").whole(0, maximumPasses);
   event.passesThere = node.at("passes_there").whole(0, maximumPasses);
@@ -34,7 +34,7 @@ ListedEvent eventIn(const JsonNode& node, const std::vector<std::string>& record
   const auto first = [&](const char* key) {  // the estimate; its limits follow
     const auto values = node.at(key).list();
     if (values.empty()) node.at(key).fail("is empty");
-    return 1e-3 * values.front().number(0, highest);
+    return 1e-3 * values.front().number(0, largestNumber);
   };
   event.length = first("length_mm");
   event.depth = first("depth_mm");
@@ -56,6 +56,6 @@ EventList parseEventList(const std::string& text, const std::string& origin) {
   return list;
 }
 
-EventList readEventList(const std::string& path) { return parseEventList(readWholeFile(path, largestFile), path); }
+EventList readEventList(const std::string& path) { return parseEventList(readWholeFile(path, largestEventFile), path); }
 
 }  // namespace squat::project

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* schemaName = "squat-project";
-constexpr std::size_t largestFile = 64U << 20U;  // [bytes]
+constexpr std::size_t largestProjectFile = 64U << 20U;  // [bytes]
 constexpr double farthest = 1e12;                // [m]
 
 std::string linkOf(const std::string& path, const std::string& folder) {
@@ -258,12 +258,12 @@ Project parseProject(const std::string& text, const std::string& origin, const s
 void writeProject(const std::string& path, const Project& project) {
   const std::string text = projectText(project, folderOf(path));
   writeDurably(path, std::as_bytes(std::span(text)), [&](const std::string& written) {
-    parseProject(readWholeFile(written, largestFile), path, folderOf(path));
+    parseProject(readWholeFile(written, largestProjectFile), path, folderOf(path));
   });
 }
 
 Project readProject(const std::string& path) {
-  return parseProject(readWholeFile(path, largestFile), path, folderOf(path));
+  return parseProject(readWholeFile(path, largestProjectFile), path, folderOf(path));
 }
 
 }  // namespace squat::project

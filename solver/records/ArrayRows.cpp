@@ -16,8 +16,6 @@
 namespace squat::records {
 namespace {
 
-constexpr std::size_t headRows = 200;
-
 std::string parentOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
 
 // The group whose longest dataset is the longest of all; empty where the file has an aba, or two are equally long.

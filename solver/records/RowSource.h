@@ -14,6 +14,8 @@
 
 namespace squat::records {
 
+inline constexpr std::size_t headRows = 200;  // rows that are read to see what a file holds
+
 struct Rows {
   std::vector<std::vector<double>> columns;  // those chosen, in that order; not-a-number where the file has no number
   std::vector<std::uint64_t> lines;          // of the rows in the file, from 1; empty where a row is its sample

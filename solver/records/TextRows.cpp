@@ -18,7 +18,6 @@ namespace {
 
 constexpr std::size_t bufferBytes = std::size_t{4} << 20;
 constexpr std::size_t longestLine = std::size_t{1} << 20;
-constexpr std::size_t headRows = 200;
 constexpr std::size_t maximumMistakes = 100;  // reported of one block
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 

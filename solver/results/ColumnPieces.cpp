@@ -5,7 +5,7 @@
 namespace squat::results {
 namespace {
 
-constexpr char kPiece = 'P', kEnd = 'Z', kTree = 'T';
+constexpr char kPiece = 'P', kEndOfPieces = 'Z', kTree = 'T';
 
 void sendKind(const ByteSink& send, char kind) { send(std::as_bytes(std::span(&kind, 1))); }
 
@@ -18,12 +18,12 @@ void sendPiece(const ByteSink& send, std::size_t count, std::size_t columns, con
   for (std::size_t c = 0; c < columns; ++c) send(std::as_bytes(values(c)));
 }
 
-void sendEnd(const ByteSink& send) { sendKind(send, kEnd); }
+void sendEnd(const ByteSink& send) { sendKind(send, kEndOfPieces); }
 
 bool ColumnPieces::next(std::vector<std::vector<double>>& columns) {
   if (!child_) return false;
   const char kind = child_->receiveKind();
-  if (kind == kEnd) {
+  if (kind == kEndOfPieces) {
     child_.reset();
     return false;
   }

@@ -17,7 +17,7 @@ constexpr int kDeepest = 8;
 constexpr std::size_t kLongestFixedText = 4096;
 constexpr std::size_t kMaximumTexts = 100000;
 constexpr std::size_t kMaximumPacked = 1100;  // deflate packs at most 1032 to one
-constexpr const char* kAdvice = "Use a file that this program has written";
+constexpr const char* kHdf5Advice = "Use a file that this program has written";
 constexpr const char* kForeignAdvice = "Export the signals alone, as plain numbers";
 
 struct Names {
@@ -40,9 +40,9 @@ herr_t collectName(hid_t, const char* name, const Info*, void* names) {
 
 bool isUnsigned(hid_t type) { return H5Tget_sign(type) == H5T_SGN_NONE; }
 
-class Walker {
+class Hdf5Walker {
  public:
-  Walker(const std::string& path, const Hdf5Limits& limits) : path_(path), limits_(limits) {
+  Hdf5Walker(const std::string& path, const Hdf5Limits& limits) : path_(path), limits_(limits) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (error) throw FileError(path_, "", "cannot be read: " + error.message(), "Check the path");
@@ -70,7 +70,7 @@ class Walker {
 
  private:
   [[noreturn]] void refuse(const std::string& object, const std::string& what) const {
-    throw FileError(path_, object, what, limits_.skipForeign ? kForeignAdvice : kAdvice);
+    throw FileError(path_, object, what, limits_.skipForeign ? kForeignAdvice : kHdf5Advice);
   }
 
   void walkGroup(hid_t group, const std::string& groupPath, ArrayTree& tree, int depth) {
@@ -303,7 +303,7 @@ class Walker {
 
 void checkLayout(hid_t dataset, const std::string& file, const std::string& path, const Hdf5Limits& limits) {
   const auto refuse = [&](const std::string& object, const std::string& what) {
-    throw FileError(file, object, what, limits.skipForeign ? kForeignAdvice : kAdvice);
+    throw FileError(file, object, what, limits.skipForeign ? kForeignAdvice : kHdf5Advice);
   };
   const Handle creation(H5Dget_create_plist(dataset), H5Pclose);
   check(creation.get(), file, path, "its layout cannot be read");
@@ -331,6 +331,6 @@ void checkLayout(hid_t dataset, const std::string& file, const std::string& path
   }
 }
 
-ArrayTree readTree(const std::string& path, const Hdf5Limits& limits) { return Walker(path, limits).walk(); }
+ArrayTree readTree(const std::string& path, const Hdf5Limits& limits) { return Hdf5Walker(path, limits).walk(); }
 
 }  // namespace squat::results::hdf5

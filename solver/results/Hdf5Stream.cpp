@@ -103,7 +103,7 @@ class Dataset {
 };
 
 // In the child.
-void sendColumns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
+void sendHdf5Columns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
                  const ByteSink& send) {
   const Handle file = hdf5::openTruncated(path);
   check(file.get(), path, "", "is not an HDF5 file, or a damaged one");
@@ -141,7 +141,7 @@ std::unique_ptr<ArrayStream> streamHdf5(const std::string& path, const std::vect
     limits.seconds += samples / 2000000 * count;
   }
   return std::make_unique<ColumnPieces>(path, columns.size(), limits,
-                                        [=](const ByteSink& send) { sendColumns(path, columns, samples, send); });
+                                        [=](const ByteSink& send) { sendHdf5Columns(path, columns, samples, send); });
 }
 
 }  // namespace squat::results

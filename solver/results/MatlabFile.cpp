@@ -24,7 +24,7 @@ constexpr std::size_t kLargest = std::size_t{4} << 30;   // [bytes] of values in
 constexpr std::size_t kWhole = std::size_t{384} << 20;   // [bytes] of a file that is read whole
 constexpr std::size_t kLibrary = std::size_t{64} << 20;  // [bytes] that the library itself needs
 constexpr std::size_t kObjects = 20000, kDepth = 8, kRank = 4;
-constexpr const char* kAdvice = "Save it again, with the option -v7.3 if it is large";
+constexpr const char* kMatlabAdvice = "Save it again, with the option -v7.3 if it is large";
 
 using Handler = std::function<void(const std::string& path, mat_t* file, matvar_t* array)>;
 
@@ -64,13 +64,13 @@ void requireWhole(const std::string& path) {
 }
 
 // Calls `handle` for every array of numbers in the file.
-class Walker {
+class MatlabWalker {
  public:
-  Walker(const std::string& path, const Handler& handle) : path_(path), handle_(handle) {
+  MatlabWalker(const std::string& path, const Handler& handle) : path_(path), handle_(handle) {
     requireWhole(path);
     Mat_LogInitFunc("squat", ignoreMessage);
     file_.reset(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
-    if (!file_) throw FileError(path, "", "is not a MATLAB file, or a damaged one", kAdvice);
+    if (!file_) throw FileError(path, "", "is not a MATLAB file, or a damaged one", kMatlabAdvice);
   }
   void walk() {
     while (const Variable variable{Mat_VarReadNextInfo(file_.get())})
@@ -85,7 +85,7 @@ class Walker {
   using Variable = std::unique_ptr<matvar_t, Close>;
 
   void visit(const std::string& name, matvar_t* variable, std::size_t depth) {
-    if (++objects_ > kObjects || depth > kDepth) throw FileError(path_, name, "is one of too many objects", kAdvice);
+    if (++objects_ > kObjects || depth > kDepth) throw FileError(path_, name, "is one of too many objects", kMatlabAdvice);
     if (isNumeric(*variable)) return handle_(name, file_.get(), variable);
     if (variable->class_type != MAT_C_STRUCT || countOf(*variable) != 1) return;
     const unsigned fields = Mat_VarGetNumberOfFields(variable);
@@ -110,13 +110,13 @@ void append(std::vector<double>& to, const matvar_t& array, std::size_t count) {
 // The values of an array, first index fastest.
 std::vector<double> valuesOf(const std::string& path, const std::string& name, mat_t* file, matvar_t* array) {
   const std::size_t count = countOf(*array);
-  if (count > kLargest / sizeof(double)) throw FileError(path, name, "is larger than 4 GB", kAdvice);
+  if (count > kLargest / sizeof(double)) throw FileError(path, name, "is larger than 4 GB", kMatlabAdvice);
   if (count == 0) return {};
   if (Mat_VarReadDataAll(file, array) != 0 || !array->data)
-    throw FileError(path, name, "cannot be read: the file is damaged or cut off", kAdvice);
+    throw FileError(path, name, "cannot be read: the file is damaged or cut off", kMatlabAdvice);
   std::vector<double> values;
   const auto take = [&]<typename T>(T) {
-    if (array->nbytes < count * sizeof(T)) throw FileError(path, name, "is damaged", kAdvice);
+    if (array->nbytes < count * sizeof(T)) throw FileError(path, name, "is damaged", kMatlabAdvice);
     append<T>(values, *array, count);
   };
   switch (array->class_type) {
@@ -151,7 +151,7 @@ std::vector<double> valuesOf(const std::string& path, const std::string& name, m
       take(std::uint64_t{});
       break;
     default:
-      throw FileError(path, name, "is no array of numbers", kAdvice);
+      throw FileError(path, name, "is no array of numbers", kMatlabAdvice);
   }
   return values;
 }
@@ -175,7 +175,7 @@ ArrayTree treeOf(const std::string& path, std::size_t valuesUpTo) {
     }
     tree.arrays.push_back(std::move(found));
   };
-  Walker(path, handle).walk();
+  MatlabWalker(path, handle).walk();
   return tree;
 }
 
@@ -189,7 +189,7 @@ ArrayTree guardedTree(const std::string& path, std::size_t valuesUpTo) {
 }
 
 // In the child.
-void sendColumns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
+void sendMatlabColumns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
                  const ByteSink& send) {
   std::map<std::string, std::vector<double>> arrays;
   for (const auto& column : columns) arrays[column.path];
@@ -197,7 +197,7 @@ void sendColumns(const std::string& path, const std::vector<ArrayColumn>& column
     if (const auto wanted = arrays.find(name); wanted != arrays.end())
       wanted->second = valuesOf(path, name, file, array);
   };
-  Walker(path, handle).walk();
+  MatlabWalker(path, handle).walk();
   std::vector<std::vector<double>> pieces(columns.size());
   for (std::size_t from = 0; from < samples; from += pieceSamples) {
     const std::size_t count = std::min(pieceSamples, samples - from);
@@ -244,7 +244,7 @@ std::unique_ptr<ArrayStream> streamMatlabFile(const std::string& path, const std
     limits.seconds += bytes / 16000000;
   }
   return std::make_unique<ColumnPieces>(path, columns.size(), limits,
-                                        [=](const ByteSink& send) { sendColumns(path, columns, samples, send); });
+                                        [=](const ByteSink& send) { sendMatlabColumns(path, columns, samples, send); });
 }
 
 }  // namespace squat::results

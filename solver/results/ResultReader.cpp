@@ -11,14 +11,14 @@ namespace squat::results {
 
 namespace {
 
-constexpr const char* kAdvice = "Use a result file that this program has written";
+constexpr const char* kResultAdvice = "Use a result file that this program has written";
 
 class Mapper {
  public:
   Mapper(ArrayTree& tree, const std::string& path) : tree_(tree), path_(path) {}
 
   [[noreturn]] void refuse(const std::string& object, const std::string& what) const {
-    throw FileError(path_, object, what, kAdvice);
+    throw FileError(path_, object, what, kResultAdvice);
   }
 
   // The values of a dataset, empty where there is none; the dataset is used up.
@@ -114,9 +114,9 @@ class Mapper {
 
 void checkSchema(const ArrayTree& tree, const std::string& path) {
   if (textAttribute(tree.attributes, "schema") != kResultSchema)
-    throw FileError(path, "/@schema", "is not a result of this program", kAdvice);
+    throw FileError(path, "/@schema", "is not a result of this program", kResultAdvice);
   const double version = numberAttribute(tree.attributes, "schema_version", -1);
-  if (!(version >= 1)) throw FileError(path, "/@schema_version", "is missing or wrong", kAdvice);
+  if (!(version >= 1)) throw FileError(path, "/@schema_version", "is missing or wrong", kResultAdvice);
   if (version > kResultVersion)
     throw FileError(path, "/@schema_version",
                     "is " + std::to_string(static_cast<long>(std::min(version, 1e9))) + ", newer than the " +

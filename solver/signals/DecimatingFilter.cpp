@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "signals/BesselI0.h"
 #include "signals/SignalError.h"
 
 namespace squat::signals {
@@ -13,15 +14,6 @@ namespace {
 // Kaiser, Nonrecursive digital filter design, 1974: shape and length from the attenuation A [dB] and the width of the
 // transition [rad/sample]: beta = 0.1102 (A - 8.7) for A > 50, length - 1 = (A - 7.95)/(2.285 width).
 double kaiserBeta(double attenuation) { return 0.1102 * (attenuation - 8.7); }
-
-double besselI0(double x) {
-  double term = 1, sum = 1;
-  for (int k = 1; term > 1e-18 * sum; ++k) {
-    term *= (x / (2 * k)) * (x / (2 * k));
-    sum += term;
-  }
-  return sum;
-}
 
 }  // namespace
 

@@ -20,6 +20,8 @@ void requireMemory(const void* memory) {
   if (!memory) throw std::bad_alloc();
 }
 
+}  // namespace
+
 // Plans are made on FFTW's own memory and executed on the caller's. A plan without FFTW_UNALIGNED wants the alignment
 // it was made with (16 bytes); vectors of Complex have it, an odd offset in a vector of double has not.
 struct Plans {
@@ -31,8 +33,6 @@ struct Plans {
     if (unaligned) fftw_destroy_plan(unaligned);
   }
 };
-
-}  // namespace
 
 struct RealTransform::Plan : Plans {};
 

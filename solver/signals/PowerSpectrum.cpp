@@ -11,13 +11,13 @@
 namespace squat::signals {
 namespace {
 
-struct Layout {
+struct SegmentLayout {
   std::size_t segment, hop, segments, transform;
 };
 
-Layout layoutOf(const TimeSeries& series, const PowerSpectrumOptions& options) {
+SegmentLayout segmentLayout(const TimeSeries& series, const PowerSpectrumOptions& options) {
   const std::size_t n = series.values.size();
-  Layout layout{options.segment ? options.segment : n, 0, 0, 0};
+  SegmentLayout layout{options.segment ? options.segment : n, 0, 0, 0};
   if (layout.segment < 2) throw SignalError("a segment of a power spectrum needs at least 2 samples");
   if (layout.segment > n)
     throw SignalError("a segment of " + std::to_string(layout.segment) + " samples does not fit into the " +
@@ -35,7 +35,7 @@ Layout layoutOf(const TimeSeries& series, const PowerSpectrumOptions& options) {
   return layout;
 }
 
-std::string describe(const PowerSpectrumOptions& options, const Layout& layout) {
+std::string describe(const PowerSpectrumOptions& options, const SegmentLayout& layout) {
   std::ostringstream text;
   text << toText(options.window) << ", " << layout.segment << " samples";
   if (layout.segments > 1) text << ", " << layout.segments << " segments, overlap " << options.overlap;
@@ -49,7 +49,7 @@ std::string describe(const PowerSpectrumOptions& options, const Layout& layout) 
 PowerSpectrum powerSpectrum(const TimeSeries& series, const PowerSpectrumOptions& options) {
   requireUsable(series, 2, "a power spectrum");
   requireVarying(series, "a power spectrum");
-  const Layout layout = layoutOf(series, options);
+  const SegmentLayout layout = segmentLayout(series, options);
   const auto weights = windowWeights(options.window, layout.segment);
   const double weightSquares = std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "signals/BesselI0.h"
 #include "signals/SignalError.h"
 
 namespace squat::signals {
@@ -14,15 +15,6 @@ constexpr double beta = 8.0;     // Kaiser: side lobes 80 dB down
 constexpr int tableSteps = 512;  // per lobe; linear between: error (pi/512)^2/8 = 5e-6
 // Longer records are a wrong unit of time, and outgrow the memory.
 constexpr double maximumSamples = 2e7;
-
-double besselI0(double x) {
-  double term = 1, sum = 1;
-  for (int k = 1; term > 1e-17 * sum; ++k) {
-    term *= (x / (2 * k)) * (x / (2 * k));
-    sum += term;
-  }
-  return sum;
-}
 
 // The windowed sinc at 0 .. lobes in steps of 1/tableSteps.
 const std::vector<double>& kernelTable() {

@@ -34,7 +34,7 @@ struct Voice {
   std::size_t plan;             // index of the inverse transform
 };
 
-struct Layout {
+struct BlockLayout {
   std::size_t block;   // samples of a transform, a power of two
   std::size_t margin;  // samples at each end that the neighbours of the block spoil
   std::size_t inner;   // samples that a block yields
@@ -50,7 +50,7 @@ void requireFrequencies(const std::vector<double>& frequencies, double rate) {
   }
 }
 
-Layout layoutOf(std::size_t samples, double largestScale, double step) {
+BlockLayout blockLayout(std::size_t samples, double largestScale, double step) {
   const auto margin = static_cast<std::size_t>(std::ceil(halfWidth * largestScale / step)) + 1;
   // One block where the record is short; else blocks of at least eight margins, so that at most a quarter is waste.
   const std::size_t whole = std::bit_ceil(samples + 2 * margin);
@@ -58,7 +58,7 @@ Layout layoutOf(std::size_t samples, double largestScale, double step) {
   return {block, margin, block - 2 * margin};
 }
 
-Voice makeVoice(double scale, double step, WaveletNormalisation normalisation, const Layout& layout,
+Voice makeVoice(double scale, double step, WaveletNormalisation normalisation, const BlockLayout& layout,
                 std::size_t largestStride) {
   const double block = static_cast<double>(layout.block);
   const double binWidth = 2 * std::numbers::pi / (block * step);  // [rad/s]
@@ -127,7 +127,7 @@ class BlockTransform {
   BlockTransform(const TimeSeries& series, const std::vector<double>& frequencies, WaveletNormalisation normalisation,
                  std::size_t largestStride)
       : series_(series),
-        layout_(layoutOf(series.values.size(),
+        layout_(blockLayout(series.values.size(),
                          waveletScale(*std::min_element(frequencies.begin(), frequencies.end()), normalisation),
                          series.step)),
         forward_(layout_.block) {
@@ -187,7 +187,7 @@ class BlockTransform {
   }
 
   const TimeSeries& series_;
-  Layout layout_;
+  BlockLayout layout_;
   RealTransform forward_;
   std::vector<ComplexTransform> backward_;
   std::vector<Voice> voices_;

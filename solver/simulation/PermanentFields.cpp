@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simulation/Describe.h"
+#include "simulation/VonMises.h"
 
 namespace squat::simulation {
 
@@ -54,11 +55,6 @@ std::vector<NodeMean> nodeMeans(const model::Model& model, const plasticity::Lay
     }
   }
   return means;
-}
-
-double vonMises(const Stress& s) {
-  const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "simulation/SurfaceFields.h"
+#include "simulation/VonMises.h"
 
 #include <cmath>
 #include <map>
@@ -13,11 +14,6 @@ constexpr double cutReach = 0.25;    // [m] beyond the rolled stretch
 bool onPlane(const elasticity::SweptBlock& block, int node) {
   const int axis = block.kind == elasticity::SweepKind::alongX ? 0 : 1;
   return std::abs(block.section.nodes[node][axis]) < 1e-9;
-}
-
-double vonMises(const Eigen::Matrix<double, 6, 1>& s) {
-  const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
 }  // namespace

@@ -16,8 +16,8 @@
 namespace squat::studies {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{16} << 20;
-constexpr const char* kAdvice = "A parameters file of Dakota is expected, standard or for APREPRO";
+constexpr std::size_t kLargestParameters = std::size_t{16} << 20;
+constexpr const char* kParametersAdvice = "A parameters file of Dakota is expected, standard or for APREPRO";
 
 struct Entry {
   std::string value, name;
@@ -45,7 +45,7 @@ std::optional<Entry> standardEntry(const std::string& line) {
 }
 
 std::vector<Entry> entriesOf(const std::string& path) {
-  const auto text = readWholeFile(path, kLargestFile);
+  const auto text = readWholeFile(path, kLargestParameters);
   const bool aprepro = isAprepro(text);
   std::vector<Entry> entries;
   std::istringstream lines(text);
@@ -54,7 +54,7 @@ std::vector<Entry> entriesOf(const std::string& path) {
     ++number;
     if (text::trimmed(line).empty()) continue;
     auto entry = aprepro ? apreproEntry(line) : standardEntry(line);
-    if (!entry) throw FileError(path, "line " + std::to_string(number), "is no value with a name", kAdvice);
+    if (!entry) throw FileError(path, "line " + std::to_string(number), "is no value with a name", kParametersAdvice);
     entry->line = number;
     entries.push_back(*entry);
   }
@@ -71,7 +71,7 @@ std::string keyOf(std::string name) {
 std::size_t countIn(const Entry& entry, const std::string& path) {
   const auto count = text::numberFromText(entry.value);
   if (!count || *count < 0 || *count > 1e6 || *count != std::floor(*count))
-    throw FileError(path, "line " + std::to_string(entry.line), "'" + entry.value + "' is no count", kAdvice);
+    throw FileError(path, "line " + std::to_string(entry.line), "'" + entry.value + "' is no count", kParametersAdvice);
   return static_cast<std::size_t>(*count);
 }
 
@@ -80,13 +80,13 @@ std::size_t countIn(const Entry& entry, const std::string& path) {
 EvaluationRequest readRequest(const std::string& path) {
   const auto entries = entriesOf(path);
   if (entries.empty() || (entries[0].name != "variables" && entries[0].name != "DAKOTA_VARS"))
-    throw FileError(path, "line 1", "does not say how many variables there are", kAdvice);
+    throw FileError(path, "line 1", "does not say how many variables there are", kParametersAdvice);
   const auto variables = countIn(entries[0], path);
-  if (entries.size() <= variables + 1) throw FileError(path, "", "is cut off", kAdvice);
+  if (entries.size() <= variables + 1) throw FileError(path, "", "is cut off", kParametersAdvice);
   EvaluationRequest request;
   for (std::size_t i = 1; i <= variables; ++i) request.values.emplace_back(keyOf(entries[i].name), entries[i].value);
   const auto functions = countIn(entries[variables + 1], path);
-  if (entries.size() < variables + 2 + functions) throw FileError(path, "", "is cut off", kAdvice);
+  if (entries.size() < variables + 2 + functions) throw FileError(path, "", "is cut off", kParametersAdvice);
   for (std::size_t i = 0; i < functions; ++i) {
     const auto& entry = entries[variables + 2 + i];  // "1 ASV_1:name", "{ ASV_1:name = 1 }"
     const auto colon = entry.name.find(':');

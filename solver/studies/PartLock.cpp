@@ -9,12 +9,12 @@ namespace squat::studies {
 namespace {
 
 constexpr int kBeatsToWait = 3;
-constexpr std::size_t kLargestFile = 1000;
+constexpr std::size_t kLargestLock = 1000;
 
 // Opened anew: shared file systems look at the server's copy then.
 std::string textAt(const std::string& path) {
   try {
-    return readWholeFile(path, kLargestFile);
+    return readWholeFile(path, kLargestLock);
   } catch (const FileError&) {
     return {};
   }

@@ -17,7 +17,7 @@
 namespace squat::studies {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{64} << 20;
+constexpr std::size_t kLargestPoints = std::size_t{64} << 20;
 constexpr double kTwoTo32 = 4294967296.0;
 
 // From 0 up to, not including, `limit`; the standard library's distributions differ from one to the next.
@@ -102,7 +102,7 @@ std::vector<Variation> sampledVariations(const std::vector<std::string>& ranges,
 }
 
 std::vector<Variation> variationsFromFile(const std::string& path) {
-  auto records = text::csvRecords(readWholeFile(path, kLargestFile));
+  auto records = text::csvRecords(readWholeFile(path, kLargestPoints));
   for (auto& record : records)
     for (auto& field : record) field = std::string(text::trimmed(field));
   if (records.size() < 2)

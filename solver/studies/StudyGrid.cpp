@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t maximumValues = 1000;
 
-[[noreturn]] void refuse(const std::string& text, const std::string& allowed) {
+[[noreturn]] void refuseVariation(const std::string& text, const std::string& allowed) {
   throw CaseError({{"--vary", "'" + text + "'", allowed, "Example: defect.length=20:60:5"}});
 }
 
@@ -41,23 +41,23 @@ std::string withoutRounding(double value) {
 
 Variation variationFromText(const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) refuse(text, "key=first:last:count or key=value,value,...");
+  if (equals == std::string::npos) refuseVariation(text, "key=first:last:count or key=value,value,...");
   Variation variation{std::string(text::trimmed(text.substr(0, equals))), {}};
   const std::string right(text::trimmed(text.substr(equals + 1)));
-  if (variation.key.empty() || right.empty()) refuse(text, "a key, = and its values");
+  if (variation.key.empty() || right.empty()) refuseVariation(text, "a key, = and its values");
   if (right.find(':') == std::string::npos) {
     variation.values = text::split(right, ',');
     for (const auto& value : variation.values)
-      if (value.empty()) refuse(text, "values without empty entries between commas");
-    if (variation.values.size() > maximumValues) refuse(text, "at most 1000 values");
+      if (value.empty()) refuseVariation(text, "values without empty entries between commas");
+    if (variation.values.size() > maximumValues) refuseVariation(text, "at most 1000 values");
   } else {
     const auto range = text::split(right, ':');
-    if (range.size() != 3) refuse(text, "first:last:count");
+    if (range.size() != 3) refuseVariation(text, "first:last:count");
     const auto first = number(range[0]), last = number(range[1]), count = number(range[2]);
-    if (!first || !last || !count) refuse(text, "three numbers first:last:count");
+    if (!first || !last || !count) refuseVariation(text, "three numbers first:last:count");
     if (*count != std::floor(*count) || *count < 1 || *count > static_cast<double>(maximumValues))
-      refuse(text, "a whole count from 1 to 1000");
-    if (*count == 1 && *first != *last) refuse(text, "a count of at least 2 where first and last differ");
+      refuseVariation(text, "a whole count from 1 to 1000");
+    if (*count == 1 && *first != *last) refuseVariation(text, "a count of at least 2 where first and last differ");
     const auto n = static_cast<std::size_t>(*count);
     for (std::size_t i = 0; i < n; ++i) {
       const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.0;
@@ -65,7 +65,7 @@ Variation variationFromText(const std::string& text) {
     }
   }
   const std::set<std::string> distinct(variation.values.begin(), variation.values.end());
-  if (distinct.size() != variation.values.size()) refuse(text, "values that differ from each other");
+  if (distinct.size() != variation.values.size()) refuseVariation(text, "values that differ from each other");
   return variation;
 }
 

@@ -17,7 +17,7 @@ namespace squat::studies {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::size_t kLargestFile = std::size_t{64} << 20;
+constexpr std::size_t kLargestIdentity = std::size_t{64} << 20;
 
 std::string partsPath(const std::string& folder) { return folder + "/study-parts.json"; }
 
@@ -45,7 +45,7 @@ std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::err
 
 Json read(const std::string& path) {
   try {
-    return Json::parse(readWholeFile(path, kLargestFile));
+    return Json::parse(readWholeFile(path, kLargestIdentity));
   } catch (const Json::exception&) {
     throw FileError(path, "", "is damaged", "Remove the folder, or choose another one with -o");
   }
@@ -57,7 +57,7 @@ std::string versionIn(const Json& json) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-[[noreturn]] void refuse(const std::string& found, const std::string& allowed, const std::string& advice) {
+[[noreturn]] void refuseFolder(const std::string& found, const std::string& allowed, const std::string& advice) {
   throw CaseError({{"-o", found, allowed, advice}});
 }
 
@@ -71,9 +71,9 @@ void requireSameStudy(const Json& found, const Json& own, const std::string& pat
   if (!found.is_object() || !found.contains("case_hash") || !found.contains("vary"))
     throw FileError(path, "", "is not the file of a study", "Restore it, or choose another folder with -o");
   if (found["case_hash"] != own["case_hash"])
-    refuse(path, "the file of the same case and values", "The folder holds another study: choose another one");
+    refuseFolder(path, "the file of the same case and values", "The folder holds another study: choose another one");
   if (const auto version = versionIn(found); !version.empty() && version != versionIn(own))
-    refuse(
+    refuseFolder(
         path + " of version " + version, "the file of this version of the program (" + versionIn(own) + ")",
         "Numbers of two versions do not belong into one table: use version " + version + ", or choose another folder");
 }
@@ -101,7 +101,7 @@ bool hasGrown(const Json& earlier, const Json& later, const std::string& path) {
 bool hasGrownByHash(const Json& found, const Json& own, const Partition& parts, const std::string& path) {
   if (parts.kind != Partition::Kind::hash || !hasGrown(found, own, path)) return false;
   if (found.contains("start") && own.contains("start") && found["start"] != own["start"])
-    refuse(path, "the file of a study on the same mesh",
+    refuseFolder(path, "the file of a study on the same mesh",
            "The added points have a longer defect than the others, so that all runs get another mesh: choose another "
            "folder");
   return true;
@@ -126,7 +126,7 @@ std::string identityPath(const std::string& folder) { return folder + "/study.js
 
 void writeIdentity(const StudyDefinition& definition, const std::string& folder) {
   const auto path = identityPath(folder), text = textOf(identityOf(definition));
-  if (!std::filesystem::exists(path) || readWholeFile(path, kLargestFile) != text)
+  if (!std::filesystem::exists(path) || readWholeFile(path, kLargestIdentity) != text)
     writeDurably(path, std::string_view(text));
 }
 
@@ -136,7 +136,7 @@ bool hasIdentity(const StudyDefinition& definition, const std::string& folder) {
   const auto found = read(path), own = identityOf(definition);
   requireSameStudy(found, own, path);
   if (!samePoints(found, own))
-    refuse(path, "the file of the same case and values", "The folder holds another study: choose another one");
+    refuseFolder(path, "the file of the same case and values", "The folder holds another study: choose another one");
   return true;
 }
 
@@ -144,13 +144,13 @@ void requireOwnTable(const StudyDefinition& definition, const Partition& parts, 
   const auto path = identityPath(folder);
   if (!std::filesystem::exists(path)) {
     if (std::filesystem::exists(folder + "/study.csv"))
-      refuse(folder + "/study.csv", "a file with its study.json", "Move it away: nothing says which study it is");
+      refuseFolder(folder + "/study.csv", "a file with its study.json", "Move it away: nothing says which study it is");
     return;
   }
   const auto found = read(path), own = identityOf(definition);
   requireSameStudy(found, own, path);
   if (!samePoints(found, own) && !hasGrownByHash(found, own, parts, path))
-    refuse(path, "the file of the same case and values", "The folder holds another study: choose another one");
+    refuseFolder(path, "the file of the same case and values", "The folder holds another study: choose another one");
 }
 
 std::optional<Partition> partsIn(const StudyDefinition& definition, const std::string& folder) {
@@ -163,7 +163,7 @@ std::optional<Partition> partsIn(const StudyDefinition& definition, const std::s
     throw FileError(path, "partition", "is missing", "Restore it, or choose another folder with -o");
   const auto parts = familyFromText(family->get<std::string>());
   if (!samePoints(found, own) && !hasGrownByHash(found, own, parts, path))
-    refuse(path,
+    refuseFolder(path,
            "the file of the same values" + std::string(parts.kind == Partition::Kind::hash ? ", or of fewer" : ""),
            "The folder holds parts of another study: choose another one");
   return parts;
@@ -175,14 +175,14 @@ void claimParts(const StudyDefinition& definition, const Partition& partition, c
   const auto path = partsPath(folder);
   if (!std::filesystem::exists(path)) {
     if (std::filesystem::exists(identityPath(folder)))
-      refuse(identityPath(folder), "a folder without the study of one process",
+      refuseFolder(identityPath(folder), "a folder without the study of one process",
              "Resume it without --partition, or choose another folder");
     if (writeFirst(path, textOf(own))) return;
   }
   const auto there = partsIn(definition, folder);
-  if (!there) refuse(path, "left in place while parts are computed", "It was removed meanwhile: start the part again");
+  if (!there) refuseFolder(path, "left in place while parts are computed", "It was removed meanwhile: start the part again");
   if (familyOf(*there) != familyOf(partition))
-    refuse(path + " (parts " + familyOf(*there) + ")", "the file of parts " + familyOf(partition),
+    refuseFolder(path + " (parts " + familyOf(*there) + ")", "the file of parts " + familyOf(partition),
            "Some points would be computed twice: divide the study in the same way, or choose another folder");
   if (!samePoints(read(path), own)) writeDurably(path, std::string_view(textOf(own)));  // it has grown
 }

@@ -67,9 +67,9 @@ TEST(RunFiles, WhatTheCaseIsReadFromIsNeverReplaced) {
   writeDurably(folder / "dip.toml", "[defect]\nshape = \"profile\"\nfile = \"dip.csv\"\n");
   writeDurably(folder / "dip.csv", "position [mm],height [um]\n0,0\n10,-100\n20,0\n");
   const auto description = cases::loadCase(folder / "dip.toml");
-  EXPECT_THROW(keepInputs({folder.path(), "dip"}, folder / "dip.toml", description), CaseError);
-  EXPECT_NO_THROW(keepInputs({folder / "out", "dip"}, folder / "dip.toml", description));
-  EXPECT_NO_THROW(keepInputs({folder.path(), "other"}, folder / "dip.toml", description));
+  EXPECT_THROW(keepInputsOfRun({folder.path(), "dip"}, folder / "dip.toml", description), CaseError);
+  EXPECT_NO_THROW(keepInputsOfRun({folder / "out", "dip"}, folder / "dip.toml", description));
+  EXPECT_NO_THROW(keepInputsOfRun({folder.path(), "other"}, folder / "dip.toml", description));
 }
 
 // Hours of another case's stopped run, against a folder name typed once more.

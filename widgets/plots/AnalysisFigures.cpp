@@ -8,13 +8,13 @@
 #include "analysis/AnalysisFiles.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "plots/ShownStretch.h"
 #include "plots/UnitText.h"
 #include "signals/Resample.h"
 
 namespace squat::plots {
 namespace {
 
-constexpr double shownBefore = 0.1, shownAfter = 0.28;  // [m] around the impact, as runs are judged
 constexpr double windowSeconds = 0.01;                  // of the short-time transform, as the analysis takes it
 
 QString titleOf(const analysis::SignalAnalysis& signal) {

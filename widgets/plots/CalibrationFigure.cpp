@@ -18,7 +18,7 @@ void addPoints(Figure& figure, const Curve& curve, QCPScatterStyle::ScatterShape
   graph->setScatterStyle(QCPScatterStyle(shape, style.curve(curve.colour), style.curve(curve.colour), size));
 }
 
-std::unique_ptr<Figure> panel(const calibration::Calibration& found, std::size_t input, const Style& style) {
+std::unique_ptr<Figure> inputPanel(const calibration::Calibration& found, std::size_t input, const Style& style) {
   const auto& free = found.definition.inputs[input];
   const auto& range = found.ranges[input];
   auto figure = std::make_unique<Figure>(QString::fromStdString(free.key()), style);
@@ -54,7 +54,7 @@ std::unique_ptr<Figure> panel(const calibration::Calibration& found, std::size_t
 FigureSheet calibrationFigure(const calibration::Calibration& found, const Style& style) {
   FigureSheet sheet{"calibration", {}, columns};
   for (std::size_t input = 0; input < found.ranges.size(); ++input) {
-    auto figure = panel(found, input, style);
+    auto figure = inputPanel(found, input, style);
     figure->setCaption(input == 0 ? QString::fromStdString(found.definition.caseName) : QString(),
                        input == 1 ? QString::fromStdString("mesh " + found.definition.searchMesh) : QString());
     sheet.panels.push_back(std::move(figure));

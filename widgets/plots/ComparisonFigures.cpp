@@ -8,13 +8,13 @@
 #include "plots/AxisTicker.h"
 #include "plots/LineFigure.h"
 #include "plots/MapComparison.h"
+#include "plots/ShownStretch.h"
 #include "plots/UnitText.h"
 
 namespace squat::plots {
 namespace {
 
-constexpr double shownBefore = 0.1, shownAfter = 0.28;  // [m]
-constexpr double shownUpTo = 2500;                      // [Hz]
+constexpr double comparedUpTo = 2500;                      // [Hz]
 constexpr double minimumShare = 1e-3;                   // of the second's largest density, for a ratio
 
 void setPlaceAxis(Figure& figure, const signals::Comparison& c) {
@@ -62,7 +62,7 @@ std::unique_ptr<Figure> densities(const signals::Comparison& c, bool smooth, con
   auto figure = std::make_unique<Figure>("densities", style);
   figure->xAxis->setLabel("Frequency [Hz]");
   figure->yAxis->setLabel(QStringLiteral("PSD [(%1)²/Hz]").arg(unitText(c.unit)));
-  figure->xAxis->setRange(0, shownUpTo);
+  figure->xAxis->setRange(0, comparedUpTo);
   addCurve(*figure,
            {c.secondSpectrum.frequency, c.secondSpectrum.density, QString::fromStdString(c.secondName), 1, 0.9});
   addCurve(*figure, {c.firstSpectrum.frequency, c.firstSpectrum.density, QString::fromStdString(c.firstName), 0, 1.2,
@@ -83,14 +83,14 @@ std::unique_ptr<Figure> ratio(const signals::Comparison& c, bool smooth, const S
   auto figure = std::make_unique<Figure>("ratio", style);
   figure->xAxis->setLabel("Frequency [Hz]");
   figure->yAxis->setLabel(smooth ? "PSD with defect / PSD smooth" : "PSD of first / PSD of second");
-  figure->xAxis->setRange(0, shownUpTo);
+  figure->xAxis->setRange(0, comparedUpTo);
   figure->setCaption("(d) ratio of the PSDs", QString());
   const auto& second = c.secondSpectrum.density;
   const double largest = second.empty() ? 0 : *std::max_element(second.begin(), second.end());
   std::vector<double> value(c.densityRatio.size(), NAN);
   double low = INFINITY, high = 0;
   for (std::size_t k = 0; k < std::min(value.size(), second.size()); ++k) {
-    if (c.firstSpectrum.frequency[k] > shownUpTo) break;
+    if (c.firstSpectrum.frequency[k] > comparedUpTo) break;
     if (!(second[k] > minimumShare * largest) || !(c.densityRatio[k] > 0)) continue;
     value[k] = c.densityRatio[k];
     low = std::min(low, value[k]);
@@ -104,7 +104,7 @@ std::unique_ptr<Figure> ratio(const signals::Comparison& c, bool smooth, const S
   const double span = std::max(1.0, std::log10(high / low));
   figure->yAxis->setRange(low * std::pow(10, -0.06 * span), high * std::pow(10, 0.06 * span));
   figure->yAxis2->setRange(figure->yAxis->range());
-  addCurve(*figure, {{0, shownUpTo}, {1, 1}, QString(), 6, 0.6, Qt::DashLine});
+  addCurve(*figure, {{0, comparedUpTo}, {1, 1}, QString(), 6, 0.6, Qt::DashLine});
   addCurve(*figure, {c.firstSpectrum.frequency, value, QString(), 3, 1.1, Qt::SolidLine, true});
   return figure;
 }

@@ -57,7 +57,7 @@ Curve spectrum(const OverlaidRun& other, const RunResult&, const FigureSettings&
 void fitSpectra(Figure& figure, const FigureSettings& settings) { fitSpectrum(figure, settings.spectrum); }
 void fitForce(Figure& figure, const FigureSettings&) { fitWithZero(figure); }
 
-std::unique_ptr<Figure> density(const RunResult& result, const Style& style, const FigureSettings& settings) {
+std::unique_ptr<Figure> spectrumFigure(const RunResult& result, const Style& style, const FigureSettings& settings) {
   return psdFigure(result, style, settings.spectrum, settings.section);
 }
 std::unique_ptr<Figure> patch(const RunResult& result, const Style& style, const FigureSettings& settings) {
@@ -93,7 +93,7 @@ std::vector<FigureRow> accelerationRows() {
            .title = "Power spectral density of the axle box acceleration",
            .needs = "Needs a spectrum of the axle box acceleration.",
            .applies = hasSpectrum,
-           .build = density,
+           .build = spectrumFigure,
            .overlay = spectrum,
            .fit = fitSpectra,
            .axis = FigureAxis::frequency,

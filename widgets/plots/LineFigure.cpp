@@ -1,4 +1,5 @@
 #include "plots/LineFigure.h"
+#include "plots/ShownStretch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,7 +130,7 @@ Window judgedWindow(const results::AnalysedRecord& result) {
   if (result.psdTo > result.psdFrom) return {result.psdFrom, result.psdTo};
   if (result.position.size() > 1 && result.position.back() > result.position.front())
     return {result.position.front(), result.position.back()};
-  return {-0.1, 0.28};
+  return {-shownBefore, shownAfter};
 }
 
 }  // namespace squat::plots

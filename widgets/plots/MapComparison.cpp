@@ -6,16 +6,16 @@
 #include "analysis/Maps.h"
 #include "plots/MapFigure.h"
 #include "plots/ScalogramGrid.h"
+#include "plots/ShownStretch.h"
 #include "plots/UnitText.h"
 
 namespace squat::plots {
 namespace {
 
-constexpr double shownBefore = 0.1, shownAfter = 0.28;  // [m]
-constexpr double lowest = 50, highest = 3000;           // [Hz] that maps show
+constexpr double lowestFrequency = 50, highestFrequency = 3000;           // [Hz] that maps show
 constexpr double around = 1;                            // [m] beyond what is shown, for waves of 50 Hz
 constexpr double faint = 1e-3;                          // of the largest power
-constexpr double shownDecibels = 20;                    // to each side
+constexpr double ratioDecibels = 20;                    // to each side
 
 // The stretch that is shown and what its transforms need around it.
 signals::TimeSeries seriesOf(const signals::Comparison& c, const std::vector<double>& values, double speed) {
@@ -63,14 +63,14 @@ results::AnalysedRecord mapOf(const signals::Comparison& c, const std::vector<do
 
 // Of what is seen: a strike beside it neither dims the colours nor hides what is faint.
 double largestSeen(const results::AnalysedRecord& map) {
-  return scalogramGrid(map, map.psdFrom, map.psdTo, lowest, highest).largestPower;
+  return scalogramGrid(map, map.psdFrom, map.psdTo, lowestFrequency, highestFrequency).largestPower;
 }
 
 // [Hz] up to which both signals can have power: half the lower rate.
 double commonFrequency(const signals::Comparison& c) {
   const auto& ratio = c.densityRatio;
   const auto beyond = std::find_if(ratio.begin(), ratio.end(), [](double value) { return std::isnan(value); });
-  return beyond == ratio.end() ? highest : c.firstSpectrum.frequency[static_cast<std::size_t>(beyond - ratio.begin())];
+  return beyond == ratio.end() ? highestFrequency : c.firstSpectrum.frequency[static_cast<std::size_t>(beyond - ratio.begin())];
 }
 
 results::AnalysedRecord ratioOf(const results::AnalysedRecord& first, const results::AnalysedRecord& second,
@@ -106,7 +106,7 @@ FigureSheet mapComparison(const signals::Comparison& c, MapKind kind, const std:
   add(first, both, "(a) " + QString::fromStdString(c.firstName), QString());
   add(second, both, "(b) " + QString::fromStdString(c.secondName), QString());
   add(ratioOf(first, second, faint * largest, commonFrequency(c)),
-      {map, "(a) / (b) [dB]", -shownDecibels, shownDecibels, true}, "(c) ratio of (a) and (b)",
+      {map, "(a) / (b) [dB]", -ratioDecibels, ratioDecibels, true}, "(c) ratio of (a) and (b)",
       "white: alike, or faint in both");
   return sheet;
 }

@@ -199,7 +199,7 @@ struct StatedBand {
   double from, to;
 };
 
-std::unique_ptr<Figure> density(const results::RunResult* run, const char* caseName, const QString& caption,
+std::unique_ptr<Figure> paperSpectrum(const results::RunResult* run, const char* caseName, const QString& caption,
                                 const std::vector<StatedBand>& bands, const Measured& passages, const Style& style) {
   if (!run) {
     auto empty = std::make_unique<Figure>("psd", style);
@@ -224,7 +224,7 @@ std::unique_ptr<Figure> density(const results::RunResult* run, const char* caseN
 FigureSheet figure6(const PaperRuns& runs, const Style& style) {
   // "About 300 Hz" and "about 1000 Hz" as bands of a tenth to each side.
   auto figure =
-      density(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}}, runs.lightMeasured, style);
+      paperSpectrum(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}}, runs.lightMeasured, style);
   QString note = "shaded: the paper's two main peaks, about 300 and 1000 Hz";
   if (runs.lightMeasured.empty()) note += "\nmeasured curves: published as a picture only";
   addNote(*figure, note, 0.02);
@@ -251,7 +251,7 @@ FigureSheet squatFigure(const std::string& name, const QString& title, const res
   } else {
     leaveEmpty(*history, caseName);
   }
-  auto spectrum = density(run, caseName, "(b) PSD", {{130, 320}, {1030, 1130}}, passages, style);
+  auto spectrum = paperSpectrum(run, caseName, "(b) PSD", {{130, 320}, {1030, 1130}}, passages, style);
   if (run) {
     addNote(*spectrum, "shaded: the two main frequencies measured,\n130–320 and 1030–1130 Hz", 0.02);
     spectrum->yAxis->setRangeUpper(1.2 * spectrum->yAxis->range().upper);

@@ -24,7 +24,7 @@ std::vector<double> column(const std::vector<double>& field, std::size_t width, 
 }
 
 // Smallest value of each row.
-std::vector<double> lowest(const std::vector<double>& field, std::size_t width) {
+std::vector<double> lowestAcross(const std::vector<double>& field, std::size_t width) {
   std::vector<double> values;
   for (std::size_t i = 0; i < field.size(); i += width)
     values.push_back(*std::min_element(field.begin() + static_cast<std::ptrdiff_t>(i),
@@ -50,7 +50,7 @@ std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, 
   const auto middle = std::min_element(change.lateral.begin(), change.lateral.end(),
                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
   const auto centre = static_cast<std::size_t>(middle - change.lateral.begin());
-  addCurve(*figure, {x, scaled(lowest(change.height, change.lateral.size()), 1e6), "minimum across the rail", 1, 0.9,
+  addCurve(*figure, {x, scaled(lowestAcross(change.height, change.lateral.size()), 1e6), "minimum across the rail", 1, 0.9,
                      Qt::DashLine});
   addCurve(*figure, {x, scaled(column(change.height, change.lateral.size(), centre), 1e6), "centre line", 0, 1.2});
   fitValues(*figure, 0.08);

@@ -9,7 +9,7 @@
 namespace squat::plots {
 namespace {
 
-constexpr double shownUpTo = 2500;    // [Hz] a little beyond the filter's cut-off
+constexpr double highestShownFrequency = 2500;    // [Hz] a little beyond the filter's cut-off
 constexpr double octavesFrom = 88;    // [Hz] edge below the band of 100 Hz
 constexpr double octavesTo = 2900;    // [Hz] beyond the upper edge of the band of 2500 Hz
 constexpr double reference = 1e-6;    // [m/s2] of levels, ISO 1683
@@ -85,7 +85,7 @@ Curve octaveCurve(const std::vector<double>& frequency, const std::vector<double
   return curve;
 }
 
-void setDecades(QCPAxis& axis, QCPAxis& opposite, const QSharedPointer<QCPAxisTicker>& ticker) {
+void setDecadeTicks(QCPAxis& axis, QCPAxis& opposite, const QSharedPointer<QCPAxisTicker>& ticker) {
   for (QCPAxis* each : {&axis, &opposite}) {
     each->setScaleType(QCPAxis::stLogarithmic);
     each->setTicker(ticker);
@@ -122,7 +122,7 @@ void setOctaveAxis(Figure& figure, const results::AnalysedRecord& result, double
   auto ticker = QSharedPointer<QCPAxisTickerText>::create();
   for (std::size_t i = 0; i < bands.size(); ++i)
     ticker->addTick(bands[i].middle, i % 2 == 0 ? QString::number(bands[i].nominal) : QString());
-  setDecades(*figure.xAxis, *figure.xAxis2, ticker);
+  setDecadeTicks(*figure.xAxis, *figure.xAxis2, ticker);
   figure.xAxis->setRange(bands.front().lowest, bands.back().highest);
   figure.xAxis2->setRange(figure.xAxis->range());
   shadeUnresolved(figure, result, bands, section);
@@ -148,7 +148,7 @@ void fitSpectrum(Figure& figure, SpectrumScale scale) {
   const double top = figure.yAxis->range().upper;
   if (scale == SpectrumScale::logarithmic) {
     const double highest = top > 0 ? top : 1;
-    setDecades(*figure.yAxis, *figure.yAxis2, QSharedPointer<QCPAxisTickerLog>::create());
+    setDecadeTicks(*figure.yAxis, *figure.yAxis2, QSharedPointer<QCPAxisTickerLog>::create());
     figure.yAxis->setNumberFormat("eb");  // powers of ten
     figure.yAxis->setNumberPrecision(0);
     figure.yAxis->setRange(highest * std::pow(10, -0.1 * shownDecibels), 3 * highest);
@@ -178,7 +178,7 @@ std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const S
   add(result.psd, result.psdWheel.empty() ? QString() : QString("axle box"), 0, 1.2);
   if (result.psdWheel.size() == result.frequency.size() && !result.psdWheel.empty())
     add(result.psdWheel, "wheel centre", 1, 0.8);
-  const double top = result.frequency.empty() ? shownUpTo : std::min(shownUpTo, result.frequency.back());
+  const double top = result.frequency.empty() ? highestShownFrequency : std::min(highestShownFrequency, result.frequency.back());
   figure->xAxis->setRange(0, std::max(top, 1.0));
   const bool octaves = scale == SpectrumScale::thirdOctaves;
   if (octaves && isThere) setOctaveAxis(*figure, result, section);

@@ -20,7 +20,7 @@ namespace squat::plots {
 namespace {
 
 constexpr int resolution = 1200;                // [dpi] of coordinates; curves and text are vectors
-constexpr double sideMargin = 19, margin = 18;  // [mm]: two figures of a journal column stand side by side on A4
+constexpr double sideMargin = 19, verticalMargin = 18;  // [mm]: two figures of a journal column stand side by side on A4
 constexpr double textSize = 9, tableSize = 7, footerSize = 7;  // [pt]
 
 double dots(double millimetres) { return millimetres / 25.4 * resolution; }
@@ -159,7 +159,7 @@ void drawPages(QPdfWriter& pdf, QTextDocument& document, ReportFigures& figures,
   for (int page = 0; page < pages; ++page) {
     if (page > 0) pdf.newPage();
     painter.save();
-    painter.translate(dots(sideMargin), dots(margin) - page * text.height());
+    painter.translate(dots(sideMargin), dots(verticalMargin) - page * text.height());
     const QRectF part(0, page * text.height(), text.width(), text.height());
     figures.setPage(part);
     document.drawContents(&painter, part);
@@ -168,7 +168,7 @@ void drawPages(QPdfWriter& pdf, QTextDocument& document, ReportFigures& figures,
     small.setPointSizeF(footerSize);
     painter.setFont(small);
     painter.setPen(QColor(110, 110, 110));
-    const QRectF foot(dots(sideMargin), dots(margin) + text.height() + dots(3), text.width(), dots(6));
+    const QRectF foot(dots(sideMargin), dots(verticalMargin) + text.height() + dots(3), text.width(), dots(6));
     painter.drawText(foot, Qt::AlignLeft | Qt::AlignTop, title + " · " + drawnBy());
     painter.drawText(foot, Qt::AlignRight | Qt::AlignTop, QObject::tr("page %1 of %2").arg(page + 1).arg(pages));
   }
@@ -198,7 +198,7 @@ QByteArray reportPdf(const project::Report& report, const ReportOptions& options
   font.setStyleStrategy(QFont::PreferNoShaping);  // no ligatures: a search for "filtered" finds it
   document.setDefaultFont(font);
   const QSizeF whole = page.size(QPageSize::Millimeter);
-  const QSizeF text(dots(whole.width() - 2 * sideMargin), dots(whole.height() - 2 * margin));
+  const QSizeF text(dots(whole.width() - 2 * sideMargin), dots(whole.height() - 2 * verticalMargin));
   document.setPageSize(text);
   fillDocument(document, figures, report, options, problems);
   drawPages(pdf, document, figures, text, title);

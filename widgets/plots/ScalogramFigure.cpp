@@ -13,7 +13,7 @@
 namespace squat::plots {
 namespace {
 
-constexpr double lowest = 50, highest = 3000;  // [Hz] shown at most
+constexpr double lowestShown = 50, highestShown = 3000;  // [Hz] shown at most
 constexpr std::size_t maximumColumns = 2000;   // of a short-time transform: more than a figure has pixels
 
 QCPColorGradient gradientOf(const std::string& map) {
@@ -101,7 +101,7 @@ std::unique_ptr<Figure> mapFigure(const results::AnalysedRecord& result, const S
   figure->yAxis->setLabel("Frequency [Hz]");
   setCaption(*figure, result);
   const Window window = judgedWindow(result);
-  const ScalogramGrid grid = scalogramGrid(result, window.from, window.to, lowest, highest);
+  const ScalogramGrid grid = scalogramGrid(result, window.from, window.to, lowestShown, highestShown);
   if (grid.power.empty()) {
     addNotice(*figure, QStringLiteral("no %1 in this result").arg(look.name));
     return figure;

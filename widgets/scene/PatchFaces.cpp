@@ -14,7 +14,7 @@
 namespace squat::scene {
 namespace {
 
-constexpr double reach = 0.03;   // [m] of the rail's points that are looked at
+constexpr double patchReach = 0.03;   // [m] of the rail's points that are looked at
 constexpr double topOf = -0.01;  // [m] below the top of the rail they count no more
 
 // Points of the rail's running surface near the contact.
@@ -24,7 +24,7 @@ std::vector<std::array<double, 3>> runningSurface(const std::vector<PartData>& p
     if (part.name != "rail") continue;
     for (vtkIdType i = 0; i < part.faces->GetNumberOfPoints(); ++i) {
       const double* p = part.faces->GetPoint(i);
-      if (std::abs(p[0] - contactAt) < reach && std::abs(p[1]) < reach && p[2] > topOf)
+      if (std::abs(p[0] - contactAt) < patchReach && std::abs(p[1]) < patchReach && p[2] > topOf)
         near.push_back({p[0], p[1], p[2]});
     }
   }

@@ -27,7 +27,7 @@
 namespace squat::studio {
 namespace {
 
-constexpr QSize usualSize(1080, 380);
+constexpr QSize usualWindowSize(1080, 380);
 
 }  // namespace
 
@@ -50,7 +50,7 @@ ComparisonWindow::ComparisonWindow(RunStore& store, QWidget* parent)
   layout->addWidget(makeBar());
   layout->addWidget(problem_);
   layout->addWidget(table_, 1);
-  resize(usualSize);
+  resize(usualWindowSize);
   restoreGeometry(QSettings().value("comparison").toByteArray());
   connect(new QShortcut(QKeySequence::Copy, this), &QShortcut::activated, this, &ComparisonWindow::copy);
   connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QWidget::hide);

@@ -20,7 +20,7 @@
 namespace squat::studio {
 namespace {
 
-QString sentence(const ParameterRow& row) {
+QString asSentence(const ParameterRow& row) {
   return QStringLiteral("%1: %2").arg(QString::fromStdString(row.parameter().key), row.reason());
 }
 
@@ -209,14 +209,14 @@ void ParameterForm::filter() {
 QStringList ParameterForm::blockers() const {
   QStringList reasons = unplaced_;
   for (const ParameterRow* each : rows_)
-    if (!each->reason().isEmpty()) reasons << sentence(*each);
+    if (!each->reason().isEmpty()) reasons << asSentence(*each);
   return reasons;
 }
 
 QStringList ParameterForm::refusals() const {
   QStringList reasons;
   for (const ParameterRow* each : rows_)
-    if (each->isRefused()) reasons << sentence(*each);
+    if (each->isRefused()) reasons << asSentence(*each);
   return reasons;
 }
 

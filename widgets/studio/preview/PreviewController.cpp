@@ -9,7 +9,7 @@ namespace squat::studio {
 
 namespace {
 
-constexpr int betweenPictures = 16;  // [ms]
+constexpr int pictureInterval = 16;  // [ms]
 // The mesh has some 14,000 elements: more threads would wait for each other longer than they compute.
 constexpr int maximumThreads = 4;
 
@@ -53,8 +53,8 @@ void PreviewController::ask() {
 // One event is under way at a time, and the next waits until the one before has been looked at for a while.
 void PreviewController::takeNews() {
   if (pause_.isActive()) return;
-  const qint64 passed = sinceLast_.isValid() ? sinceLast_.elapsed() : betweenPictures;
-  if (passed < betweenPictures) return pause_.start(static_cast<int>(betweenPictures - passed));
+  const qint64 passed = sinceLast_.isValid() ? sinceLast_.elapsed() : pictureInterval;
+  if (passed < pictureInterval) return pause_.start(static_cast<int>(pictureInterval - passed));
   isPosted_ = false;
   if (!on_ || held_) return;
   sinceLast_.start();

@@ -31,7 +31,7 @@ namespace {
 constexpr int allColumns = -2, byHeader = -1;         // data of entries that are no column
 constexpr int maximumHeadings = 200;                  // columns of the table; the lists have all of them
 constexpr int maximumLines = 4;                       // of what is said below the curve
-constexpr double fastest = 1e8, maximumSpeed = 1000;  // [Hz], [m/s]
+constexpr double highestRate = 1e8, maximumSpeed = 1000;  // [Hz], [m/s]
 
 // For files that give none; the first one is what the reader takes then.
 constexpr std::array<const char*, 3> units{"m/s2", "g", "mm/s2"};
@@ -51,7 +51,7 @@ QString roleWord(const readers::TableRoles& roles, std::size_t column) {
 }
 
 // Boxes show rounded numbers: what was not changed keeps all its digits.
-double valueOf(const QDoubleSpinBox& box, double before) {
+double chosenValue(const QDoubleSpinBox& box, double before) {
   return std::abs(box.value() - before) <= 0.5 * std::pow(10.0, -box.decimals()) ? before : box.value();
 }
 
@@ -147,7 +147,7 @@ void MeasuredDialog::makeForm() {
   unit_ = listIn(tr("&Unit"), "measuredUnit");
   time_ = listIn(tr("&Time"), "measuredTime");
   position_ = listIn(tr("&Position"), "measuredPosition");
-  rate_ = numberIn(tr("Sampling &rate"), "measuredRate", tr("Hz"), fastest);
+  rate_ = numberIn(tr("Sampling &rate"), "measuredRate", tr("Hz"), highestRate);
   speed_ = numberIn(tr("Sp&eed"), "measuredSpeed", tr("m/s"), maximumSpeed);
   rate_->setValue(first_.reading.options.rate);
   speed_->setValue(first_.reading.options.speed);
@@ -269,8 +269,8 @@ MeasuredChoice MeasuredDialog::choice() const {
     options.timeColumn = nameIn(*time_);
     options.positionColumn = nameIn(*position_);
   }
-  options.rate = valueOf(*rate_, first_.reading.options.rate);
-  options.speed = needsSpeed_ ? valueOf(*speed_, first_.reading.options.speed) : 0;
+  options.rate = chosenValue(*rate_, first_.reading.options.rate);
+  options.speed = needsSpeed_ ? chosenValue(*speed_, first_.reading.options.speed) : 0;
   chosen.reading.gain = gain_ * (unit_->isEnabled() ? factorOf(unitIndex_) : 1);
   return chosen;
 }

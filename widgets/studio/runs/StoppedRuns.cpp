@@ -9,7 +9,7 @@
 namespace squat::studio {
 namespace {
 
-const QString ending = QStringLiteral(".checkpoint"), lockEnding = QStringLiteral(".lock");
+const QString checkpointEnding = QStringLiteral(".checkpoint"), lockEnding = QStringLiteral(".lock");
 constexpr int maximumKept = 4;
 
 }  // namespace
@@ -18,9 +18,9 @@ StoppedRuns::StoppedRuns(const QString& folder) {
   if (folder.isEmpty() || !QDir().mkpath(folder)) return;
   folder_ = folder;
   const QDir kept(folder_);
-  const auto newestFirst = kept.entryInfoList({"*" + ending}, QDir::Files, QDir::Time);
+  const auto newestFirst = kept.entryInfoList({"*" + checkpointEnding}, QDir::Files, QDir::Time);
   for (int i = maximumKept; i < newestFirst.size(); ++i) forget(newestFirst[i].filePath());
-  const auto locks = kept.entryInfoList({"*" + ending + lockEnding}, QDir::Files);
+  const auto locks = kept.entryInfoList({"*" + checkpointEnding + lockEnding}, QDir::Files);
   for (const QFileInfo& lock : locks) owner(lock.filePath().chopped(lockEnding.size()));  // those of the dead go
 }
 
@@ -30,7 +30,7 @@ QString StoppedRuns::file(const cases::CaseDescription& description) const {
 
 QString StoppedRuns::file(const std::string& caseHash) const {
   if (folder_.isEmpty() || caseHash.empty()) return {};
-  return QDir(folder_).filePath(QString::fromStdString(caseHash) + ending);
+  return QDir(folder_).filePath(QString::fromStdString(caseHash) + checkpointEnding);
 }
 
 bool StoppedRuns::has(const cases::CaseDescription& description) const {

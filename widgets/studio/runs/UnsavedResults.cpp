@@ -9,7 +9,7 @@
 namespace squat::studio {
 namespace {
 
-const QLatin1String ending(".h5");
+const QLatin1String resultEnding(".h5");
 
 }  // namespace
 
@@ -25,11 +25,11 @@ QString UnsavedResults::nextFile(const QString& stem) {
   QString name = stem.left(longest);
   if (name.size() > 0 && name.back().isHighSurrogate()) name.chop(1);
   name.replace('/', '_');
-  return QDir(folder_).filePath(QStringLiteral("%1-%2 %3").arg(ownIdentity()).arg(++made_).arg(name) + ending);
+  return QDir(folder_).filePath(QStringLiteral("%1-%2 %3").arg(ownIdentity()).arg(++made_).arg(name) + resultEnding);
 }
 
 QString UnsavedResults::stemOf(const QString& file) {
-  return QFileInfo(file).fileName().section(' ', 1).chopped(ending.size());
+  return QFileInfo(file).fileName().section(' ', 1).chopped(resultEnding.size());
 }
 
 void UnsavedResults::write(const QString& file, const results::RunResult& result) {
@@ -44,7 +44,7 @@ void UnsavedResults::write(const QString& file, const results::RunResult& result
 QStringList UnsavedResults::takeLeft() {
   QStringList taken;
   if (folder_.isEmpty()) return taken;
-  const auto entries = QDir(folder_).entryInfoList({"*" + ending}, QDir::Files, QDir::Time | QDir::Reversed);
+  const auto entries = QDir(folder_).entryInfoList({"*" + resultEnding}, QDir::Files, QDir::Time | QDir::Reversed);
   for (const QFileInfo& entry : entries) {
     if (isAlive(entry.fileName().section(' ', 0, 0).section('-', 0, 2))) continue;
     const QString own = nextFile(stemOf(entry.fileName()));

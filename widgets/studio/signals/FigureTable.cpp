@@ -8,7 +8,7 @@
 namespace squat::studio {
 namespace {
 
-QByteArray number(double value) { return QByteArray::number(value, 'g', 12); }
+QByteArray numberCell(double value) { return QByteArray::number(value, 'g', 12); }
 
 void addCurves(plots::Figure& figure, const QCPRange& seen, bool beside, QByteArray& text) {
   std::set<QString> taken;
@@ -21,7 +21,7 @@ void addCurves(plots::Figure& figure, const QCPRange& seen, bool beside, QByteAr
     for (int copy = 2; !taken.insert(name).second; ++copy) name = wanted + QString("_%1").arg(copy);
     for (const QCPGraphData& point : *graph->data())
       if (seen.contains(point.key))
-        text += name.toUtf8() + ',' + number(point.key) + ',' + number(point.value) + (beside ? ",\n" : "\n");
+        text += name.toUtf8() + ',' + numberCell(point.key) + ',' + numberCell(point.value) + (beside ? ",\n" : "\n");
   }
 }
 
@@ -32,7 +32,7 @@ void addCells(const QCPColorMap& map, const QCPRange& seen, QByteArray& text) {
       const QPointF location = cellLocation(map, column, row);
       if (seen.contains(location.x()))
         text +=
-            "map," + number(location.x()) + ',' + number(location.y()) + ',' + number(cells.cell(column, row)) + '\n';
+            "map," + numberCell(location.x()) + ',' + numberCell(location.y()) + ',' + numberCell(cells.cell(column, row)) + '\n';
     }
 }
 

@@ -18,7 +18,7 @@ struct Unit {
 };
 
 // What is not listed is SI already, or a level in dB.
-Unit unitOf(const QCPAxis& axis) {
+Unit unitOfAxis(const QCPAxis& axis) {
   static const std::array units{Unit{"mm", 1e-3, "m"}, Unit{"µm", 1e-6, "m"}, Unit{"ms", 1e-3, "s"},
                                 Unit{"kN", 1e3, "N"}, Unit{"MPa", 1e6, "Pa"}};
   const QString shown = axis.label().section('[', 1).section(']', 0, 0);
@@ -32,7 +32,7 @@ double rounded(double value) { return QString::number(value, 'g', 9).toDouble();
 
 std::optional<project::AxisRange> keptRange(const QCPAxis& axis, const QCPRange& whole) {
   if (axis.range() == whole) return std::nullopt;
-  const Unit unit = unitOf(axis);
+  const Unit unit = unitOfAxis(axis);
   const project::AxisRange kept{rounded(axis.range().lower * unit.factor), rounded(axis.range().upper * unit.factor),
                                 unit.kept.toStdString()};
   const bool canBeRead = std::isfinite(kept.low) && std::isfinite(kept.high) && kept.low < kept.high;
@@ -61,7 +61,7 @@ QCPRange extentOf(plots::Figure& figure, const QCPAxis* axis, QCPRange extent) {
 // Nothing where the axis has got another unit, or the data have gone elsewhere.
 std::optional<QCPRange> rangeOn(const QCPAxis& axis, const std::optional<project::AxisRange>& kept,
                                 const QCPRange& extent) {
-  const Unit unit = unitOf(axis);
+  const Unit unit = unitOfAxis(axis);
   if (!kept || kept->unit != unit.kept.toStdString()) return std::nullopt;
   const QCPRange range(kept->low / unit.factor, kept->high / unit.factor);
   return range.lower < extent.upper && range.upper > extent.lower ? std::optional(range) : std::nullopt;

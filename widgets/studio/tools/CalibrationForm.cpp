@@ -26,7 +26,7 @@ namespace {
 
 constexpr int minimum = 10, maximum = 100000;  // points, as the command allows
 
-bool mayVary(const cases::Parameter& parameter) {
+bool mayBeFree(const cases::Parameter& parameter) {
   return parameter.kind == cases::Kind::number && parameter.group != "mesh" && parameter.group != "output";
 }
 
@@ -45,7 +45,7 @@ std::vector<std::string> targetFiles(const ChosenTargets& chosen, const std::str
   return files;
 }
 
-ToolResult compute(calibration::CalibrationDefinition definition, const std::vector<std::string>& free,
+ToolResult computeCalibration(calibration::CalibrationDefinition definition, const std::vector<std::string>& free,
                    const ChosenTargets& chosen, const ToolInput& input, Monitor& monitor) {
   const auto& folder = input.folder;
   makeFolder(folder);
@@ -77,7 +77,7 @@ ToolResult compute(calibration::CalibrationDefinition definition, const std::vec
 
 CalibrationForm::CalibrationForm(const RunStore& store, QWidget* parent)
     : ToolForm(parent),
-      rows_(new KeyRows(mayVary, tr("lowest:highest, for example 60:150"), this)),
+      rows_(new KeyRows(mayBeFree, tr("lowest:highest, for example 60:150"), this)),
       targets_(new TargetList(store, TargetList::Offer::targets, this)),
       search_(meshBox(tr("Mesh of the search"), "searchMesh", "tiny", this)),
       confirm_(meshBox(tr("Mesh on which the best points are computed again"), "confirmMesh", "draft", this)),
@@ -119,7 +119,7 @@ ToolWork CalibrationForm::work() {
   definition.confirmMesh = confirm_->currentText().toStdString();
   definition.evaluations = evaluations_->value() < minimum ? 0 : evaluations_->value();
   return [definition, free = rows_->texts(), chosen = targets_->chosen()](const ToolInput& input, Monitor& monitor) {
-    return compute(definition, free, chosen, input, monitor);
+    return computeCalibration(definition, free, chosen, input, monitor);
   };
 }
 

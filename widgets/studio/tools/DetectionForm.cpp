@@ -64,7 +64,7 @@ detection::SourceOptions sourceOf(const Search& wanted, const ToolInput& input) 
   return source;
 }
 
-ToolResult compute(const Search& wanted, const ToolInput& input, Monitor& monitor) {
+ToolResult computeSearch(const Search& wanted, const ToolInput& input, Monitor& monitor) {
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, squats in records");
   keepInputs(wanted.records, {input.folder + "/squats.csv", input.folder + "/squats.json"});
@@ -222,7 +222,7 @@ ToolWork DetectionForm::work() {
   wanted.view = view_;
   view_->follow(wanted.overview);
   Q_EMIT searchStarted();
-  return [wanted](const ToolInput& input, Monitor& monitor) { return compute(wanted, input, monitor); };
+  return [wanted](const ToolInput& input, Monitor& monitor) { return computeSearch(wanted, input, monitor); };
 }
 
 void DetectionForm::save(QSettings& settings) const {

@@ -20,7 +20,7 @@
 namespace squat::studio {
 namespace {
 
-ToolResult compute(estimation::EstimateDefinition definition, const std::string& mesh, const ChosenTargets& chosen,
+ToolResult computeEstimate(estimation::EstimateDefinition definition, const std::string& mesh, const ChosenTargets& chosen,
                    const ToolInput& input, Monitor& monitor) {
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, estimate");
@@ -93,7 +93,7 @@ ToolWork EstimateForm::work() {
   estimation::EstimateDefinition definition;
   definition.longest = 1e-3 * longest_->value();
   return [definition, mesh = mesh_->currentText().toStdString(), chosen = passages_->chosen()](
-             const ToolInput& input, Monitor& monitor) { return compute(definition, mesh, chosen, input, monitor); };
+             const ToolInput& input, Monitor& monitor) { return computeEstimate(definition, mesh, chosen, input, monitor); };
 }
 
 void EstimateForm::save(QSettings& settings) const {

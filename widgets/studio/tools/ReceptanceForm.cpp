@@ -10,7 +10,7 @@
 namespace squat::studio {
 namespace {
 
-ToolResult compute(const ToolInput& input, Monitor& monitor) {
+ToolResult computeReceptance(const ToolInput& input, Monitor& monitor) {
   makeFolder(input.folder);  // whether it can be written is known before it takes time
   const auto found = std::make_shared<receptance::TrackReceptance>(
       receptance::trackReceptance(cases::resolve(input.description), {}, monitor));
@@ -38,6 +38,6 @@ QString ReceptanceForm::explanation() const {
       "the natural modes of the free half wheelset.");
 }
 
-ToolWork ReceptanceForm::work() { return compute; }
+ToolWork ReceptanceForm::work() { return computeReceptance; }
 
 }  // namespace squat::studio

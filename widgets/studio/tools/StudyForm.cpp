@@ -49,7 +49,7 @@ std::string nameOf(const studies::StudyDefinition& definition, const studies::St
   return name;
 }
 
-ToolResult compute(studies::StudyJob job, const studies::StudyRequest& request, const ToolInput& input,
+ToolResult computeStudy(studies::StudyJob job, const studies::StudyRequest& request, const ToolInput& input,
                    Monitor& monitor) {
   job.study.folder = input.folder;
   makeFolder(input.folder);
@@ -118,7 +118,7 @@ ToolWork StudyForm::work() {
     request.sample = std::string(methods[points_->currentIndex()]) + ":" + std::to_string(count_->value());
   studies::StudyJob job;
   job.keepResults = keep_->isChecked();
-  return [job, request](const ToolInput& input, Monitor& monitor) { return compute(job, request, input, monitor); };
+  return [job, request](const ToolInput& input, Monitor& monitor) { return computeStudy(job, request, input, monitor); };
 }
 
 void StudyForm::save(QSettings& settings) const {
