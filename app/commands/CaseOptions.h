@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 #include "case/CaseFile.h"
 
 namespace squat::commands {

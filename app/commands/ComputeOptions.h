@@ -13,7 +13,8 @@ CLI::Option* addMesh(CLI::App& command, std::string& mesh, const std::string& he
 int usefulThreads(int cores);
 
 // --threads; 0 where none are named. Many more than the machine has cores are lowered, and a line says so.
-void addThreads(CLI::App& command, int& threads, const std::string& help = "Threads (default: all cores)");
+void addThreads(CLI::App& command, int& threads,
+                const std::string& help = "Threads (default: SQUAT_THREADS of the environment, else all cores)");
 
 // --isa; empty where none is named: the best that the processor has.
 void addInstructionSet(CLI::App& command, std::string& isa);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 #include "commands/FigureNames.h"
 #include "results/RunResult.h"
 

@@ -9,6 +9,7 @@
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "case/Resolve.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"

@@ -36,8 +36,8 @@ bool concerns(const FileError& error, const std::string& checkpoint) {
 
 void keepInputsOfRun(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description) {
   keepInputs(cases::filesOfCase(caseName, description.defect.file),
-                    {files.result(), files.signals(), files.partialResult(), files.partialSignals(), files.checkpoint(),
-                     files.checkpoint() + ".previous"});
+             {files.result(), files.signals(), files.partialResult(), files.partialSignals(), files.checkpoint(),
+              files.checkpoint() + ".previous"});
 }
 
 std::vector<std::string> keepOtherCases(const RunFiles& files, const std::string& hash) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 #include "core/Monitor.h"
 #include "results/RunResult.h"
 #include "simulation/RunCase.h"

@@ -59,7 +59,9 @@ int collectParts(const StudyCommandOptions& options) {
   return code;
 }
 
-void printCost(const studies::StudyCost& cost) { std::fprintf(stderr, "estimate: %s\n", studies::toText(cost).c_str()); }
+void printCost(const studies::StudyCost& cost) {
+  std::fprintf(stderr, "estimate: %s\n", studies::toText(cost).c_str());
+}
 
 // False where it takes above an hour on so many cores and whoever sits at the terminal says no.
 bool isWanted(const StudyCommandOptions& options, double coreHours) {

@@ -54,7 +54,8 @@ std::string pageName(const std::string& call) {
 
 std::string manualPage(const PageOf& page, const std::string& version) {
   const auto name = pageName(page.call);
-  std::string text = ".TH \"" + capitalisedTitle(name) + "\" 1 \"\" \"" + version + "\" \"User commands\"\n.nh\n.ad l\n";
+  std::string text =
+      ".TH \"" + capitalisedTitle(name) + "\" 1 \"\" \"" + version + "\" \"User commands\"\n.nh\n.ad l\n";
   text += ".SH NAME\n" + escaped(name) + " \\- " + escaped(lowered(page.help.summary)) + "\n";
   text += ".SH SYNOPSIS\n\\fB" + escaped(page.call) + "\\fR " + escaped(argumentsOf(page.help)) + "\n";
   for (const auto& section : page.help.sections) {

@@ -1,5 +1,6 @@
 #include "calibration/CalibratedCase.h"
 
+#include "case/CaseDescription.h"
 #include "case/ParameterValue.h"
 
 namespace squat::calibration {

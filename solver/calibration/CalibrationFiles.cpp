@@ -4,6 +4,7 @@
 
 #include "calibration/CalibratedCase.h"
 #include "calibration/CalibrationSummary.h"
+#include "case/CaseDescription.h"
 #include "core/DurableFile.h"
 #include "studies/Jobs.h"
 

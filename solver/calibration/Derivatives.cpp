@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/DenseAlgebra.h"
+
 namespace squat::calibration {
 
 namespace {
@@ -64,7 +66,7 @@ UnitPoint newtonPoint(const LinearModel& model, const std::vector<double>& weigh
   const double diagonal = std::max(curvature.diagonal().maxCoeff(), 1e-12);
   const Eigen::MatrixXd damped =
       curvature + (damping + 1e-9) * diagonal * Eigen::MatrixXd::Identity(curvature.rows(), curvature.cols());
-  const Eigen::VectorXd step = -damped.ldlt().solve(slope);
+  const Eigen::VectorXd step = -algebra::solveSymmetric(damped, slope);
   UnitPoint point = model.centre;
   for (std::size_t i = 0; i < point.size(); ++i)
     point[i] = std::clamp(point[i] + step[static_cast<Eigen::Index>(i)], 0.0, 1.0);

@@ -1,7 +1,7 @@
 // solver/calibration/Derivatives.h - residuals of all targets about one point, as a linear model.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "calibration/Calibration.h"

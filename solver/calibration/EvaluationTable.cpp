@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "case/CaseDescription.h"
 #include "case/ShortHash.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 
 namespace squat::cases {
 

@@ -104,7 +104,8 @@ std::string writeCase(const CaseDescription& description) {
       group = parameter.group;
       text += "\n[" + group + "]\n";
     }
-    text += std::string(lastPart(parameter.key)) + " = " + tomlValue(description, parameter) + comment(parameter) + "\n";
+    text +=
+        std::string(lastPart(parameter.key)) + " = " + tomlValue(description, parameter) + comment(parameter) + "\n";
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "case/CaseDescription.h"
 #include "case/ParameterTable.h"
 
 namespace squat::cases::rows {

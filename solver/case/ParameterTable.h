@@ -8,7 +8,8 @@
 #include <variant>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
+#include "scenario/ScenarioDeclaration.h"
 
 namespace squat::cases {
 
@@ -29,9 +30,10 @@ struct ChoiceAccess {
 // vector of profile lines, forceCurve -> vector of force points, seats -> vector of seats.
 using Access =
     std::variant<double& (*)(CaseDescription&), int& (*)(CaseDescription&), bool& (*)(CaseDescription&),
-                 std::string& (*)(CaseDescription&), std::vector<ProfilePoint>& (*)(CaseDescription&),
-                 std::vector<ProfileLine>& (*)(CaseDescription&), std::vector<ForcePoint>& (*)(CaseDescription&),
-                 std::vector<Seat>& (*)(CaseDescription&), ChoiceAccess>;
+                 std::string& (*)(CaseDescription&), std::vector<scenario::ProfilePoint>& (*)(CaseDescription&),
+                 std::vector<scenario::ProfileLine>& (*)(CaseDescription&),
+                 std::vector<scenario::ForcePoint>& (*)(CaseDescription&),
+                 std::vector<scenario::Seat>& (*)(CaseDescription&), ChoiceAccess>;
 
 // Another key, and the values of it with which a key has an effect.
 struct Requirement {

@@ -7,7 +7,6 @@ using Case = CaseDescription;
 
 namespace {
 
-
 void addTrack(Rows& rows) {
   rows.push_back(inputPreset(
       "track.preset", [](Case& c) -> std::string& { return c.trackPreset; },

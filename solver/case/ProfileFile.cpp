@@ -18,8 +18,8 @@ namespace squat::cases {
 namespace {
 
 constexpr std::size_t largestProfileFile = 200'000'000;  // bytes
-constexpr double highest = 0.05;                  // [m]
-constexpr double farthest = 1e6;                  // [m] chainages are welcome
+constexpr double highest = 0.05;                         // [m]
+constexpr double farthest = 1e6;                         // [m] chainages are welcome
 
 using text::lowerCase;
 using text::shown;

@@ -7,6 +7,7 @@
 #include "geometry/RailSection.h"
 #include "geometry/SectionMesh.h"
 #include "scenario/DefectSurface.h"
+#include "scenario/Scenario.h"
 
 namespace squat::contact {
 

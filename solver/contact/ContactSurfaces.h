@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "elasticity/SweptBlock.h"
-#include "scenario/Scenario.h"
+#include "scenario/ScenarioDeclaration.h"
 
 namespace squat::contact {
 

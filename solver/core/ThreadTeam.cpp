@@ -1,8 +1,13 @@
 #include "core/ThreadTeam.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
 #include <exception>
+#include <string_view>
 #include <utility>
+
+#include "core/Errors.h"
 
 namespace squat {
 
@@ -122,6 +127,14 @@ void ThreadTeam::forEach(std::size_t count, const std::function<void(std::size_t
 
 int threadCount(int requested) {
   if (requested > 0) return requested;
+  if (const char* given = std::getenv("SQUAT_THREADS")) {
+    int count = 0;
+    const std::string_view text = given;
+    const auto* end = text.data() + text.size();
+    if (std::from_chars(text.data(), end, count).ptr != end || count < 1)
+      throw CaseError({{"SQUAT_THREADS", given, "a whole number of at least 1", "Correct the environment variable"}});
+    return count;
+  }
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 

@@ -67,7 +67,8 @@ class ThreadTeam {
   std::exception_ptr failure_;
 };
 
-// Number of threads for a wish of the user; 0 or less: all cores.
+// Number of threads for a wish of the user; 0 or less: that of the environment variable SQUAT_THREADS, else all cores.
+// Throws CaseError where the variable is not a whole number of at least 1.
 int threadCount(int requested);
 
 }  // namespace squat

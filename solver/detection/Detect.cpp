@@ -5,7 +5,8 @@
 #include <cmath>
 #include <deque>
 #include <future>
-#include <thread>
+
+#include "core/ThreadTeam.h"
 
 namespace squat::detection {
 namespace {
@@ -20,8 +21,7 @@ class Pipeline {
   Pipeline(RecordDetection& result, const DetectOptions& options)
       : result_(result),
         threshold_(options.threshold),
-        maximum_(options.threads > 0 ? static_cast<std::size_t>(options.threads)
-                                     : std::max<std::size_t>(1, std::thread::hardware_concurrency())) {}
+        maximum_(static_cast<std::size_t>(threadCount(options.threads))) {}
 
   void add(std::vector<Segment> segments) {
     for (auto& segment : segments) {

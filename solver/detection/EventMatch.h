@@ -1,7 +1,7 @@
 // solver/detection/EventMatch.h - how well the energies of an event agree with expected ones.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "detection/SizeModel.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 #include "core/Monitor.h"
 #include "detection/Examples.h"
 #include "results/RunResult.h"

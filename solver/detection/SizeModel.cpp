@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/DenseAlgebra.h"
+
 namespace squat::detection {
 namespace {
 
@@ -98,7 +100,8 @@ SizeModel::SizeModel(const std::vector<Example>& examples) {
     for (Eigen::Index i = 0; i < rows; ++i) x(i, inputs + table.vehicle[static_cast<std::size_t>(i)]) = 1;
     Eigen::MatrixXd normal = x.transpose() * x;
     normal.diagonal().head(inputs).array() += ridge;
-    const Eigen::VectorXd weights = normal.ldlt().solve(x.transpose() * table.measured.col(b));
+    const Eigen::VectorXd weights =
+        algebra::solveSymmetric(normal, Eigen::VectorXd(x.transpose() * table.measured.col(b)));
     slopes_.block(b, first, 1, inputs) = weights.head(inputs).transpose();
     offsets.col(b) = weights.tail(vehicles);
     left.col(b) = table.measured.col(b) - x * weights;
@@ -108,7 +111,8 @@ SizeModel::SizeModel(const std::vector<Example>& examples) {
   Eigen::MatrixXd line(vehicles, 2);
   line.col(0).setOnes();
   line.col(1) = table.speed;
-  const Eigen::MatrixXd fitted = (line.transpose() * line).ldlt().solve(line.transpose() * offsets);
+  const Eigen::MatrixXd fitted =
+      algebra::solveSymmetric(line.transpose() * line, Eigen::MatrixXd(line.transpose() * offsets));
   mean_ = fitted.row(0).transpose(), trend_ = fitted.row(1).transpose();
   const Eigen::MatrixXd apart = offsets - line * fitted;
   betweenVehicles_ = apart.transpose() * apart / static_cast<double>(vehicles - 2);

@@ -1,7 +1,7 @@
 // solver/detection/SizeModel.h - how the energies of an event follow from the size of a squat, over many vehicles.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <map>
 #include <string>
 #include <vector>

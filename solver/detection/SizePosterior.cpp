@@ -1,5 +1,7 @@
 #include "detection/SizePosterior.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>

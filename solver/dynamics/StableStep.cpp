@@ -1,11 +1,12 @@
 #include "dynamics/StableStep.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "core/DenseAlgebra.h"
 #include "core/OrderedSum.h"
 #include "dynamics/ContactInertia.h"
 #include "elasticity/SelectiveMassScaling.h"
@@ -63,10 +64,8 @@ class Accelerations {
 
 double largestOf(const std::vector<double>& diagonal, const std::vector<double>& side) {
   using Vector = Eigen::Map<const Eigen::VectorXd>;
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
-  eigen.computeFromTridiagonal(Vector(diagonal.data(), static_cast<Eigen::Index>(diagonal.size())),
-                               Vector(side.data(), static_cast<Eigen::Index>(side.size())), Eigen::EigenvaluesOnly);
-  return eigen.eigenvalues().maxCoeff();
+  return algebra::largestOfTridiagonal(Vector(diagonal.data(), static_cast<Eigen::Index>(diagonal.size())),
+                                       Vector(side.data(), static_cast<Eigen::Index>(side.size())));
 }
 
 struct Highest {

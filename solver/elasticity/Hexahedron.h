@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "scenario/Scenario.h"
+#include "scenario/Material.h"
 
 namespace squat::elasticity {
 

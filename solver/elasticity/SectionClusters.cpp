@@ -1,10 +1,11 @@
 #include "elasticity/SectionClusters.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/DenseAlgebra.h"
 #include "elasticity/SelectiveMassScaling.h"
 
 namespace squat::elasticity {
@@ -99,7 +100,8 @@ class PlaneSection {
   }
 
   // F M^-1 f.
-  DynamicVector accelerations(const DynamicVector& f, const Clusters& clusters, const std::vector<Eigen::MatrixXd>& kept) const {
+  DynamicVector accelerations(const DynamicVector& f, const Clusters& clusters,
+                              const std::vector<Eigen::MatrixXd>& kept) const {
     DynamicVector a(f.size());
     for (int n = 0; n < block_.nodes; ++n) a.segment<3>(3 * n) = moves_[n] * f.segment<3>(3 * n) / mass_[n];
     for (std::size_t i = 0; i < clusters.size(); ++i) {
@@ -139,9 +141,7 @@ class PlaneSection {
       last = side[k] = std::sqrt(std::max(0.0, next.dot(rest)));
       before = momentum, momentum = rest / last, shape = next / last;
     }
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
-    eigen.computeFromTridiagonal(diagonal, side.head(iterations - 1), Eigen::EigenvaluesOnly);
-    return eigen.eigenvalues().maxCoeff();
+    return algebra::largestOfTridiagonal(diagonal, side.head(iterations - 1));
   }
 
  private:

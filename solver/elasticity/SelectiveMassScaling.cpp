@@ -1,10 +1,10 @@
 #include "elasticity/SelectiveMassScaling.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/DenseAlgebra.h"
 #include "elasticity/SweptBlock.h"
 
 namespace squat::elasticity {
@@ -14,11 +14,7 @@ namespace {
 // Fields, one a column, made orthonormal in the masses; columns that say nothing new are zero.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& given, const Eigen::VectorXd& mass) {
   const Eigen::VectorXd root = mass.cwiseSqrt();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * given);
-  qr.setThreshold(1e-3);
-  Eigen::MatrixXd kept = Eigen::MatrixXd::Zero(given.rows(), given.cols());
-  kept.leftCols(qr.rank()) = Eigen::MatrixXd(qr.householderQ()).leftCols(qr.rank());
-  return root.cwiseInverse().asDiagonal() * kept;
+  return root.cwiseInverse().asDiagonal() * algebra::orthonormalSpan(root.asDiagonal() * given, 1e-3);
 }
 
 void addCluster(const SweptBlock& block, const KernelCluster& cluster, const std::vector<double>& mass,

@@ -4,7 +4,7 @@
 // its middle times constants: the block falls apart into problems of the size of one section, one for each wave length.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "elasticity/SweptBlock.h"
 

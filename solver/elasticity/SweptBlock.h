@@ -28,7 +28,7 @@
 #include "elasticity/SweptKernel.h"
 #include "geometry/SectionMesh.h"
 #include "geometry/Stations.h"
-#include "scenario/Scenario.h"
+#include "scenario/Material.h"
 
 namespace squat::elasticity {
 

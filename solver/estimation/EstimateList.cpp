@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "case/CaseDescription.h"
 #include "case/ShortHash.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"

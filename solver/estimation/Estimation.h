@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "core/Monitor.h"
 #include "readers/SignalFile.h"

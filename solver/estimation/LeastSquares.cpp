@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/DenseAlgebra.h"
+
 namespace squat::estimation {
 
 LinearSolution solve(const LinearProblem& problem, double scale, double noise, double damping) {
@@ -18,12 +20,12 @@ LinearSolution solve(const LinearProblem& problem, double scale, double noise, d
     downhill -= problem.limits.transpose() * problem.excess;
   }
   LinearSolution solution;
-  const auto whole = normal.ldlt();
-  solution.covariance = whole.solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
+  solution.covariance =
+      algebra::solveSymmetric(normal, Eigen::MatrixXd(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())));
   solution.freedom = (solution.covariance * fromData).trace();
   Eigen::MatrixXd damped = normal;
   damped.diagonal() *= 1 + damping;
-  const Eigen::VectorXd step = damped.ldlt().solve(downhill);
+  const Eigen::VectorXd step = algebra::solveSymmetric(damped, downhill);
   solution.unknowns = problem.unknowns + step;
   solution.misfit = (problem.residuals + slope * step).squaredNorm();
   return solution;

@@ -5,7 +5,7 @@
 // the unknowns; its mean is the step of Gauss and Newton, its covariance gives the bounds.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace squat::estimation {
 

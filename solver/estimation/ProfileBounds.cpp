@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/DenseAlgebra.h"
 #include "scenario/DefectSurface.h"
 
 namespace squat::estimation {
@@ -77,7 +78,7 @@ Extent extentOf(const SmoothProfile& profile, const LinearSolution& solution) {
   constexpr int draws = 2000;
   constexpr unsigned seed = 1;
   const Eigen::VectorXd mean = heightsIn(profile, solution);
-  const Eigen::MatrixXd root = covarianceIn(profile, solution).llt().matrixL();
+  const Eigen::MatrixXd root = algebra::PositiveFactor(covarianceIn(profile, solution)).lower();
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::vector<double> depths, lengths;

@@ -1,7 +1,7 @@
 // solver/estimation/Residuals.h - computed beside measured acceleration, location by location.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "estimation/PassageFiles.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/DenseAlgebra.h"
+
 namespace squat::estimation {
 
 SmoothProfile::SmoothProfile(double first, double last, double spacing) {
@@ -29,7 +31,7 @@ void SmoothProfile::makeSpline() {
     if (i + 1 < n) left(i, i + 1) = right(i, i + 1) = 1;
   }
   const Eigen::MatrixXd inner = Eigen::MatrixXd::Identity(n, n).middleCols(1, n - 2);
-  curvature_ = left.partialPivLu().solve(6 / (h * h) * right * inner);
+  curvature_ = algebra::solveSquare(left, 6 / (h * h) * right * inner);
   const auto samples = static_cast<Eigen::Index>(positions_.size());
   basis_.resize(samples, n - 2);
   for (Eigen::Index s = 0; s < samples; ++s) {
@@ -53,7 +55,7 @@ ProfilePoints SmoothProfile::points(const Eigen::VectorXd& heights) const {
 Eigen::VectorXd SmoothProfile::fit(const std::function<double(double)>& height) const {
   Eigen::VectorXd wanted(basis_.rows());
   for (std::size_t i = 0; i < positions_.size(); ++i) wanted[static_cast<Eigen::Index>(i)] = height(positions_[i]);
-  return basis_.colPivHouseholderQr().solve(wanted);
+  return algebra::solveLeastSquares(basis_, wanted);
 }
 
 }  // namespace squat::estimation

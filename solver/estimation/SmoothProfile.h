@@ -6,7 +6,7 @@
 // every millimetre, between which it draws the curve of scenario/ProfileCurve.h.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <functional>
 #include <vector>
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "scenario/Vehicle.h"
+
 namespace squat::geometry {
 
 namespace {

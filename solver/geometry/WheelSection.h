@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/SectionMesh.h"
-#include "scenario/Scenario.h"
+#include "scenario/ScenarioDeclaration.h"
 
 namespace squat::geometry {
 

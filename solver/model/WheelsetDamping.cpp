@@ -1,10 +1,10 @@
 #include "model/WheelsetDamping.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/DenseAlgebra.h"
 #include "model/WheelsetModes.h"
 
 namespace squat::model {
@@ -148,9 +148,10 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model
     gram.col(j) = project(field.data(), boxX, boxZ);
   }
   gram = (0.5 * (gram + gram.transpose())).eval();
-  const MatrixXd removal = gram.topLeftCorner(rigid, rigid).ldlt().solve(gram.topRightCorner(rigid, flexible));
+  const MatrixXd removal = algebra::solveSymmetric(MatrixXd(gram.topLeftCorner(rigid, rigid)),
+                                                   MatrixXd(gram.topRightCorner(rigid, flexible)));
   const MatrixXd own = gram.bottomRightCorner(flexible, flexible) - gram.bottomLeftCorner(flexible, rigid) * removal;
-  const MatrixXd root = Eigen::SelfAdjointEigenSolver<MatrixXd>(own).operatorInverseSqrt();
+  const MatrixXd root = algebra::inverseSquareRoot(own);
   MatrixXd freed(all, flexible);  // columns: modes without rigid motion, in vectors
   freed << -removal, MatrixXd::Identity(flexible, flexible);
   toKick_ = freed * root;

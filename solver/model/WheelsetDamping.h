@@ -9,7 +9,7 @@
 // wheel that turns under a steady load is not braked.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "model/Model.h"

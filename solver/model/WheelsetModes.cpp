@@ -1,10 +1,10 @@
 #include "model/WheelsetModes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/DenseAlgebra.h"
 #include "elasticity/StandingWave.h"
 #include "geometry/WheelSection.h"
 #include "model/Rings.h"
@@ -64,7 +64,7 @@ Lowest lowestPairs(const Eigen::MatrixXd& matrix, double limit) {
   const Eigen::Index size = matrix.rows();
   Eigen::MatrixXd shifted = matrix;
   shifted.diagonal().array() += 0.05 * limit;
-  const Eigen::LLT<Eigen::MatrixXd> factor(shifted);
+  const algebra::PositiveFactor factor(shifted);
   for (Eigen::Index count = std::min<Eigen::Index>(40, size);; count = std::min(2 * count, size)) {
     Eigen::MatrixXd basis(size, count);
     for (Eigen::Index j = 0; j < count; ++j)
@@ -73,11 +73,10 @@ Lowest lowestPairs(const Eigen::MatrixXd& matrix, double limit) {
     Eigen::VectorXd before = Eigen::VectorXd::Zero(count);
     for (int k = 0; k < 60; ++k) {
       basis = factor.solve(basis);
-      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(basis);
-      const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(size, count);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(q.transpose() * matrix * q);
-      basis = q * ritz.eigenvectors();
-      found.values = ritz.eigenvalues();
+      const Eigen::MatrixXd q = algebra::orthonormalColumns(basis);
+      const auto ritz = algebra::symmetricEigenPairs(q.transpose() * matrix * q);
+      basis = q * ritz.vectors;
+      found.values = ritz.values;
       const Eigen::Index inside = (found.values.array() < limit).count();
       if (((found.values - before).head(inside).array().abs() < 1e-8 * limit).all()) break;
       before = found.values;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/SectionMesh.h"
-#include "scenario/Scenario.h"
+#include "scenario/ScenarioDeclaration.h"
 
 namespace squat::model {
 

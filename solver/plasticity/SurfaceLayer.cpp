@@ -6,6 +6,7 @@
 #include <set>
 
 #include "plasticity/LayerKernel.h"
+#include "scenario/Track.h"
 
 namespace squat::plasticity {
 

@@ -17,7 +17,7 @@
 #include "core/AlignedVector.h"
 #include "elasticity/IrregularElements.h"
 #include "elasticity/SweptBlock.h"
-#include "scenario/Scenario.h"
+#include "scenario/ScenarioDeclaration.h"
 
 namespace squat::plasticity {
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 

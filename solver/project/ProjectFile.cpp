@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* schemaName = "squat-project";
 constexpr std::size_t largestProjectFile = 64U << 20U;  // [bytes]
-constexpr double farthest = 1e12;                // [m]
+constexpr double farthest = 1e12;                       // [m]
 
 std::string linkOf(const std::string& path, const std::string& folder) {
   if (path.empty()) return {};

@@ -6,6 +6,7 @@
 #include "analysis/FeatureTable.h"
 #include "case/Applicability.h"
 #include "case/ParameterValue.h"
+#include "case/Resolve.h"
 #include "project/Report.h"
 #include "text/Numbers.h"
 #include "text/Units.h"

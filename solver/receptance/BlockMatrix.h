@@ -1,7 +1,7 @@
 // solver/receptance/BlockMatrix.h - symmetric matrices of dense blocks, and complex symmetric systems of them.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <complex>
 #include <map>
 #include <vector>

@@ -12,7 +12,7 @@
 
 #include "core/Monitor.h"
 #include "model/WheelsetModes.h"
-#include "scenario/Scenario.h"
+#include "scenario/ScenarioDeclaration.h"
 
 namespace squat::receptance {
 

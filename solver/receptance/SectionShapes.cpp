@@ -1,11 +1,11 @@
 #include "receptance/SectionShapes.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
+#include "core/DenseAlgebra.h"
 #include "elasticity/StandingWave.h"
 
 namespace squat::receptance {
@@ -35,16 +35,14 @@ std::vector<Index> loadedUnknowns(const model::Model& model) {
 
 // Orthonormal columns that span `first` and, but for what is small, the others.
 MatrixXd spanOf(const MatrixXd& first, MatrixXd columns, double tolerance) {
-  const Eigen::HouseholderQR<MatrixXd> qr(first);
-  const MatrixXd kernel = qr.householderQ() * MatrixXd::Identity(first.rows(), first.cols());
+  const MatrixXd kernel = algebra::orthonormalColumns(first);
   for (int twice = 0; twice < 2; ++twice) columns -= kernel * (kernel.transpose() * columns).eval();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(columns.transpose() * columns);
-  const double largest = eigen.eigenvalues().tail(1)[0];
+  const auto eigen = algebra::symmetricEigenPairs(columns.transpose() * columns);
+  const double largest = eigen.values.tail(1)[0];
   Index kept = 0;
-  while (kept < columns.cols() && eigen.eigenvalues()[columns.cols() - 1 - kept] > tolerance * tolerance * largest)
-    ++kept;
-  MatrixXd basis = columns * eigen.eigenvectors().rightCols(kept);
-  for (Index k = 0; k < kept; ++k) basis.col(k) /= std::sqrt(eigen.eigenvalues()[columns.cols() - kept + k]);
+  while (kept < columns.cols() && eigen.values[columns.cols() - 1 - kept] > tolerance * tolerance * largest) ++kept;
+  MatrixXd basis = columns * eigen.vectors.rightCols(kept);
+  for (Index k = 0; k < kept; ++k) basis.col(k) /= std::sqrt(eigen.values[columns.cols() - kept + k]);
   MatrixXd all(columns.rows(), kernel.cols() + kept);
   all << kernel, basis;
   return all;
@@ -124,13 +122,13 @@ SectionShapes railShapes(const model::Model& model, double tolerance) {
   std::vector<VectorXd> found;  // times the root of mass
   for (const double wave : modeWaves) {
     const MatrixXd k = elasticity::standingWaveStiffness(interval, 0.5 * wave * length) / length;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(inverse.asDiagonal() * k * inverse.asDiagonal());
-    for (int m = 0; m < modesOfAWave; ++m) found.push_back(eigen.eigenvectors().col(m));
+    const auto eigen = algebra::symmetricEigenPairs(inverse.asDiagonal() * k * inverse.asDiagonal());
+    for (int m = 0; m < modesOfAWave; ++m) found.push_back(eigen.vectors.col(m));
   }
   const auto loaded = loadedUnknowns(model);
   for (const double wave : forceWaves) {
     const MatrixXd k = elasticity::standingWaveStiffness(interval, 0.5 * wave * length) / length;
-    const Eigen::LDLT<MatrixXd> factor(k);
+    const algebra::SymmetricFactor factor(k);
     for (const Index at : loaded)
       found.push_back(root.cwiseProduct(factor.solve(VectorXd::Unit(size, at))).normalized());
   }

@@ -5,7 +5,7 @@
 // makes the track a trifle too stiff; the number of shapes says how little.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "model/Model.h"

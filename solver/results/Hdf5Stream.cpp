@@ -104,7 +104,7 @@ class Dataset {
 
 // In the child.
 void sendHdf5Columns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
-                 const ByteSink& send) {
+                     const ByteSink& send) {
   const Handle file = hdf5::openTruncated(path);
   check(file.get(), path, "", "is not an HDF5 file, or a damaged one");
   std::error_code ignored;

@@ -85,7 +85,8 @@ class MatlabWalker {
   using Variable = std::unique_ptr<matvar_t, Close>;
 
   void visit(const std::string& name, matvar_t* variable, std::size_t depth) {
-    if (++objects_ > kObjects || depth > kDepth) throw FileError(path_, name, "is one of too many objects", kMatlabAdvice);
+    if (++objects_ > kObjects || depth > kDepth)
+      throw FileError(path_, name, "is one of too many objects", kMatlabAdvice);
     if (isNumeric(*variable)) return handle_(name, file_.get(), variable);
     if (variable->class_type != MAT_C_STRUCT || countOf(*variable) != 1) return;
     const unsigned fields = Mat_VarGetNumberOfFields(variable);
@@ -190,7 +191,7 @@ ArrayTree guardedTree(const std::string& path, std::size_t valuesUpTo) {
 
 // In the child.
 void sendMatlabColumns(const std::string& path, const std::vector<ArrayColumn>& columns, std::size_t samples,
-                 const ByteSink& send) {
+                       const ByteSink& send) {
   std::map<std::string, std::vector<double>> arrays;
   for (const auto& column : columns) arrays[column.path];
   const Handler handle = [&](const std::string& name, mat_t* file, matvar_t* array) {

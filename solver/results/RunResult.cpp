@@ -1,5 +1,6 @@
 #include "results/RunResult.h"
 
+#include "case/Resolve.h"
 #include "core/Errors.h"
 
 namespace squat::results {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "case/Resolve.h"
+#include "case/CaseDeclaration.h"
 #include "results/AnalysedRecord.h"
 
 namespace squat::results {

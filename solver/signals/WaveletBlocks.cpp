@@ -128,8 +128,8 @@ class BlockTransform {
                  std::size_t largestStride)
       : series_(series),
         layout_(blockLayout(series.values.size(),
-                         waveletScale(*std::min_element(frequencies.begin(), frequencies.end()), normalisation),
-                         series.step)),
+                            waveletScale(*std::min_element(frequencies.begin(), frequencies.end()), normalisation),
+                            series.step)),
         forward_(layout_.block) {
     std::vector<std::size_t> strides;
     for (const double frequency : frequencies) {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 #include "core/Monitor.h"
 #include "results/RunResult.h"
 

@@ -7,6 +7,7 @@
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "case/Resolve.h"
 #include "statements/Measures.h"
 #include "text/Csv.h"
 #include "text/Numbers.h"

@@ -7,6 +7,7 @@
 #include "case/InputPresets.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "case/Resolve.h"
 #include "case/ShippedCases.h"
 #include "core/Errors.h"
 

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "case/ShippedCases.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 
 namespace squat::statements {
 

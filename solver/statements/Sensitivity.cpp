@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/CaseDescription.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "core/Errors.h"

@@ -7,7 +7,7 @@
 // to coarse unknowns.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <vector>
 

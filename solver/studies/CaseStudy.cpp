@@ -5,6 +5,7 @@
 
 #include "analysis/FeatureTable.h"
 #include "case/Applicability.h"
+#include "case/CaseDescription.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "core/DurableFile.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 #include "case/CaseFile.h"
 #include "results/RunResult.h"
 #include "studies/RunStudy.h"

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "case/CaseDescription.h"
 #include "case/ParameterValue.h"
 #include "core/Errors.h"
 #include "text/Numbers.h"

@@ -13,7 +13,6 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "core/ThreadTeam.h"
@@ -38,10 +37,10 @@ double freeMemory() {
 }
 
 int coresHere() {
-  int cores = static_cast<int>(std::thread::hardware_concurrency());
+  int cores = threadCount(0);
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
-  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) cores = CPU_COUNT(&allowed);
+  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) cores = std::min(cores, CPU_COUNT(&allowed));
   if (const char* given = std::getenv("SLURM_CPUS_PER_TASK")) {  // a batch system without cgroups does not hold it
     int count = 0;
     const auto* end = given + std::string_view(given).size();

@@ -101,9 +101,10 @@ bool hasGrown(const Json& earlier, const Json& later, const std::string& path) {
 bool hasGrownByHash(const Json& found, const Json& own, const Partition& parts, const std::string& path) {
   if (parts.kind != Partition::Kind::hash || !hasGrown(found, own, path)) return false;
   if (found.contains("start") && own.contains("start") && found["start"] != own["start"])
-    refuseFolder(path, "the file of a study on the same mesh",
-           "The added points have a longer defect than the others, so that all runs get another mesh: choose another "
-           "folder");
+    refuseFolder(
+        path, "the file of a study on the same mesh",
+        "The added points have a longer defect than the others, so that all runs get another mesh: choose another "
+        "folder");
   return true;
 }
 
@@ -163,9 +164,9 @@ std::optional<Partition> partsIn(const StudyDefinition& definition, const std::s
     throw FileError(path, "partition", "is missing", "Restore it, or choose another folder with -o");
   const auto parts = familyFromText(family->get<std::string>());
   if (!samePoints(found, own) && !hasGrownByHash(found, own, parts, path))
-    refuseFolder(path,
-           "the file of the same values" + std::string(parts.kind == Partition::Kind::hash ? ", or of fewer" : ""),
-           "The folder holds parts of another study: choose another one");
+    refuseFolder(
+        path, "the file of the same values" + std::string(parts.kind == Partition::Kind::hash ? ", or of fewer" : ""),
+        "The folder holds parts of another study: choose another one");
   return parts;
 }
 
@@ -176,14 +177,15 @@ void claimParts(const StudyDefinition& definition, const Partition& partition, c
   if (!std::filesystem::exists(path)) {
     if (std::filesystem::exists(identityPath(folder)))
       refuseFolder(identityPath(folder), "a folder without the study of one process",
-             "Resume it without --partition, or choose another folder");
+                   "Resume it without --partition, or choose another folder");
     if (writeFirst(path, textOf(own))) return;
   }
   const auto there = partsIn(definition, folder);
-  if (!there) refuseFolder(path, "left in place while parts are computed", "It was removed meanwhile: start the part again");
+  if (!there)
+    refuseFolder(path, "left in place while parts are computed", "It was removed meanwhile: start the part again");
   if (familyOf(*there) != familyOf(partition))
     refuseFolder(path + " (parts " + familyOf(*there) + ")", "the file of parts " + familyOf(partition),
-           "Some points would be computed twice: divide the study in the same way, or choose another folder");
+                 "Some points would be computed twice: divide the study in the same way, or choose another folder");
   if (!samePoints(read(path), own)) writeDurably(path, std::string_view(textOf(own)));  // it has grown
 }
 

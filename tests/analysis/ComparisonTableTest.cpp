@@ -8,6 +8,7 @@
 #include "analysis/AnalysisFiles.h"
 #include "analysis/FileComparison.h"
 #include "analysis/Folder.h"
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "case/ParameterValue.h"
 #include "core/Errors.h"

@@ -29,7 +29,7 @@ namespace squat {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 // A table with a head: values by name of column, as text.
 using Table = std::vector<std::map<std::string, std::string>>;
@@ -65,7 +65,7 @@ Table readCsv(const std::string& path) {
 
 std::string call(std::vector<std::string> words) {
   std::string output;
-  EXPECT_EQ(testing::call(words, &output), 0) << words.front() << "\n" << output;
+  EXPECT_EQ(tests::call(words, &output), 0) << words.front() << "\n" << output;
   return output;
 }
 
@@ -111,15 +111,15 @@ TEST_F(EndToEnd, ReportOfResultsAndOfAProject) {
   EXPECT_TRUE(pages().starts_with("%PDF-"));
 
   std::string said;
-  EXPECT_EQ(testing::call({"report", file("light-defect.h5"), folder / "gone.h5", "-o", pdf}, &said), 4);
+  EXPECT_EQ(tests::call({"report", file("light-defect.h5"), folder / "gone.h5", "-o", pdf}, &said), 4);
   EXPECT_THAT(said, HasSubstr("invalid file: " + (folder / "gone.h5")));
   std::filesystem::copy_file(file("light-defect.h5"), folder / "mine.h5");
-  EXPECT_EQ(testing::call({"report", folder / "mine.h5", "-o", folder / "mine.h5"}), 2);  // it would be lost
+  EXPECT_EQ(tests::call({"report", folder / "mine.h5", "-o", folder / "mine.h5"}), 2);  // it would be lost
   EXPECT_TRUE(results::isCompleteResult(folder / "mine.h5"));
-  EXPECT_EQ(testing::call({"report", file("light-defect.h5"), "--figures", "nonsense", "-o", pdf}), 2);
-  EXPECT_EQ(testing::call({"report", folder / "day.squat-project", file("light-defect.h5"), "-o", pdf}), 2);
-  EXPECT_EQ(testing::call({"report", file("light-defect.h5"), "-o", folder / "no/such/folder"}), 0);  // it is made
-  EXPECT_EQ(testing::call({"report", file("light-defect.h5"), "-o", "/proc/report.pdf"}), 4);
+  EXPECT_EQ(tests::call({"report", file("light-defect.h5"), "--figures", "nonsense", "-o", pdf}), 2);
+  EXPECT_EQ(tests::call({"report", folder / "day.squat-project", file("light-defect.h5"), "-o", pdf}), 2);
+  EXPECT_EQ(tests::call({"report", file("light-defect.h5"), "-o", folder / "no/such/folder"}), 0);  // it is made
+  EXPECT_EQ(tests::call({"report", file("light-defect.h5"), "-o", "/proc/report.pdf"}), 4);
 }
 
 TEST_F(EndToEnd, FiguresPaperRunsTheCasesAndDrawsThem) {

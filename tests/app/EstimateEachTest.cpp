@@ -11,7 +11,7 @@
 namespace squat {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 
 TEST(EstimateEach, ExplainsThePassagesOfADetectionAndKeepsWhatIsDone) {

@@ -22,7 +22,7 @@
 namespace squat {
 namespace {
 
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 struct Instant {
   double time = 0;
@@ -63,10 +63,10 @@ class Export : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder = std::make_unique<TemporaryFolder>();
-    ASSERT_EQ(testing::call(
-                  {"run", "light-defect", "--mesh", "tiny", "--threads", "1", "--no-figures", "-o", folder->path()}),
-              0);
-    ASSERT_EQ(testing::call({"export", *folder / "light-defect.h5", "-o", *folder / "vtk"}), 0);
+    ASSERT_EQ(
+        tests::call({"run", "light-defect", "--mesh", "tiny", "--threads", "1", "--no-figures", "-o", folder->path()}),
+        0);
+    ASSERT_EQ(tests::call({"export", *folder / "light-defect.h5", "-o", *folder / "vtk"}), 0);
     result = std::make_unique<results::RunResult>(results::readResult(*folder / "light-defect.h5"));
     instants = readCollection(*folder / "vtk", "light-defect");
   }

@@ -43,7 +43,7 @@ TEST(FilesPage, HasEveryKeyOfWrittenJson) {
   estimation::Estimate estimate;
   estimate.passages.emplace_back();
   estimate.profile.emplace_back();
-  const testing::TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   estimation::writeRow(folder.path(), estimation::rowOf("passage.csv", estimate), "key", &estimate);
   EXPECT_THAT(page.notSaidOfJson("estimate.json", readWholeFile(folder / "passage/estimate.json", 1000000)), IsEmpty());
   detection::DetectionReport report;

@@ -9,7 +9,7 @@
 namespace squat::commands {
 namespace {
 
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 TEST(OutputFolder, GoesAgainWithTheParentsThatItMadeWhereNothingWasWritten) {
   const TemporaryFolder folder;

@@ -12,7 +12,7 @@
 namespace squat {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 
 class PartsTest : public ::testing::Test {

@@ -16,7 +16,7 @@
 namespace squat {
 namespace {
 
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 constexpr const char* kSquat = R"(#!/usr/bin/env bash
 words=() meshed=
@@ -60,6 +60,13 @@ bool isCommand(const arch::PageCode& code) {
   return code.isBlock ? calls || beginsWith(code.text, "printf ") : calls && code.text.find(' ') != std::string::npos;
 }
 
+void makeShims(const TemporaryFolder& folder) {
+  std::filesystem::create_directories(folder / "programs");
+  std::filesystem::create_directories(folder / "empty");
+  writeShim(folder / "programs/squat", kSquat, SQUAT_PROGRAM);
+  writeShim(folder / "programs/squat-studio", kStudio, SQUAT_STUDIO);
+}
+
 // Types the commands of a page one by one; how many there are.
 int typeAll(const std::string& page, const TemporaryFolder& folder) {
   int typed = 0;
@@ -80,15 +87,18 @@ int typeAll(const std::string& page, const TemporaryFolder& folder) {
   return typed;
 }
 
+TEST(Typed, TheReadmeWorksInAnEmptyFolder) {
+  const TemporaryFolder folder;
+  makeShims(folder);
+  EXPECT_GE(typeAll(SQUAT_SOURCE_DIR "/README.md", folder), 14);
+}
+
 // The README first; the manual's pages go on in its folder, where its results stand. Among them are results of elastic
 // and yielding rails and tables of every command: the page of files must know each file, dataset and column, and
 // describe none that there is not.
 TEST(Typed, EveryCommandWorksInAnEmptyFolder) {
   const TemporaryFolder folder;
-  std::filesystem::create_directories(folder / "programs");
-  std::filesystem::create_directories(folder / "empty");
-  writeShim(folder / "programs/squat", kSquat, SQUAT_PROGRAM);
-  writeShim(folder / "programs/squat-studio", kStudio, SQUAT_STUDIO);
+  makeShims(folder);
   int typed = 0;
   for (const auto& page : arch::pagesOf(SQUAT_SOURCE_DIR)) typed += typeAll(page, folder);
   EXPECT_GT(typed, 18);

@@ -1,3 +1,4 @@
+#include "case/CaseDescription.h"
 #include "commands/RunFiles.h"
 
 #include <gmock/gmock.h>
@@ -15,8 +16,8 @@ namespace squat::commands {
 namespace {
 
 using ::testing::ElementsAre;
-using testing::sampleResult;
-using testing::TemporaryFolder;
+using tests::sampleResult;
+using tests::TemporaryFolder;
 
 results::RunResult unfinished() {
   auto result = sampleResult(40);

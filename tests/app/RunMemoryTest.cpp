@@ -16,9 +16,9 @@ double memoryAfter(const std::string& label, const std::string& output) {
 }
 
 TEST(RunMemory, IsReportedAfterTheFiguresAreDrawn) {
-  const testing::TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   std::string output;
-  ASSERT_EQ(testing::call({"run", "light-defect", "--mesh", "tiny", "-o", folder / "out"}, &output), 0) << output;
+  ASSERT_EQ(tests::call({"run", "light-defect", "--mesh", "tiny", "-o", folder / "out"}, &output), 0) << output;
   const double simulation = memoryAfter("peak memory of the simulation", output);
   const double whole = memoryAfter("peak memory of the command", output);
   EXPECT_GT(simulation, 0) << output;

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 // Exit code of `squat WORDS`; its stdout alone.
-int callForOutput(const std::string& words, const testing::TemporaryFolder& folder, std::string& output) {
+int callForOutput(const std::string& words, const tests::TemporaryFolder& folder, std::string& output) {
   const auto path = folder / "stdout";
   const int status =
       std::system((std::string("'") + SQUAT_PROGRAM + "' " + words + " > '" + path + "' 2> /dev/null").c_str());
@@ -27,7 +27,7 @@ int callForOutput(const std::string& words, const testing::TemporaryFolder& fold
 }
 
 TEST(RunReport, HasTheNumbersOfTheResultFile) {
-  const testing::TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   const std::string words =
       "run light-defect --mesh tiny --no-figures --name dip --json -o '" + folder.path() + "/out'";
   std::string output;
@@ -71,7 +71,7 @@ TEST(RunReport, HasTheNumbersOfTheResultFile) {
 }
 
 TEST(RunReport, ShortRecordsHaveNoFeaturesAndNotANumberIsNull) {
-  auto result = testing::sampleResult(5);
+  auto result = tests::sampleResult(5);
   result.features.clear();  // as in a file of 0.2.0
   result.equilibrium[0].value = std::numeric_limits<double>::quiet_NaN();
   const auto report = Json::parse(commands::runReport(result, {}));

@@ -1,4 +1,5 @@
 // What `squat validate` prints fits a terminal of 100 columns, whatever the results.
+#include "case/CaseDescription.h"
 #include "commands/ValidationText.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +15,9 @@ using ::testing::HasSubstr;
 
 constexpr std::size_t kColumns = 100;
 
-statements::Reference paper() { return statements::readReference(SQUAT_SOURCE_DIR "/resources/reference/paper.json"); }
+statements::Reference paperReference() {
+  return statements::readReference(SQUAT_SOURCE_DIR "/resources/reference/paper.json");
+}
 
 // Lines that are longer, counted in signs.
 std::string tooLong(const std::string& text) {
@@ -39,13 +42,13 @@ std::vector<statements::Judged> judgedOf(const statements::Reference& reference)
 }
 
 TEST(ValidationText, StatementsFit) {
-  const auto text = statementsText(judgedOf(paper()));
+  const auto text = statementsText(judgedOf(paperReference()));
   EXPECT_EQ(tooLong(text), "");
   EXPECT_THAT(text, HasSubstr("not judged"));
 }
 
 TEST(ValidationText, ParametersAndNumbersFit) {
-  const auto reference = paper();
+  const auto reference = paperReference();
   results::RunResult result;  // on tiny, where mesh, run-up and length are not the paper's
   results::setCase(result, cases::loadCase("light-defect", {"tiny", {}}));
   const auto text = parametersText(statements::compareParameters(reference, result));
@@ -55,7 +58,7 @@ TEST(ValidationText, ParametersAndNumbersFit) {
 }
 
 TEST(ValidationText, SensitivityFitsWithOneTableForEachInput) {
-  const auto reference = paper();
+  const auto reference = paperReference();
   statements::SensitivityTable table;
   for (const auto& statement : reference.statements)
     if (statement.run == reference.sensitivityRun && statement.against.empty()) table.statements.push_back(statement);

@@ -7,6 +7,7 @@
 
 #include "calibration/CalibratedCase.h"
 #include "calibration/Calibration.h"
+#include "case/CaseDescription.h"
 #include "case/ParameterValue.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -15,7 +16,7 @@
 namespace squat::calibration {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 
 CalibrationOptions optionsFor(const TemporaryFolder& folder) {

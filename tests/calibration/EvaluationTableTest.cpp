@@ -12,7 +12,7 @@
 namespace squat::calibration {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 
 CalibrationDefinition definition() {

@@ -13,7 +13,7 @@
 namespace squat::calibration {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::DoubleNear;
 using ::testing::Each;
 using ::testing::HasSubstr;

@@ -31,7 +31,7 @@ class TargetFiles : public ::testing::Test {
     }
     return "taken";
   }
-  squat::testing::TemporaryFolder folder_;
+  squat::tests::TemporaryFolder folder_;
 };
 
 TEST_F(TargetFiles, StatementsOfTheCaseItself) {

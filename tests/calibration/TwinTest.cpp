@@ -23,7 +23,7 @@
 namespace squat::calibration {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 
 const std::vector<std::string> kFree{"wheelset.journal_radius=62:88", "wheelset.bearing_centre=141:180",
                                      "wheelset.axle_box_mass=70:190", "pad.stiffness=700:2200",

@@ -26,7 +26,7 @@ void expectDip(const std::string& text) {
   }
 }
 
-std::string refusal(const std::string& text) {
+std::string refusalOfProfile(const std::string& text) {
   try {
     parseProfile(text, "p.csv");
   } catch (const FileError& error) {
@@ -72,52 +72,52 @@ TEST(ProfileFile, KeepsChainagesExact) {
 }
 
 TEST(ProfileFile, RefusesUnsortedAndDuplicatePositionsWithTheLine) {
-  EXPECT_THAT(refusal("# c\nx [mm];z [mm]\n0;0\n10;0\n5;0\n"), AllOf(HasSubstr("line 5"), HasSubstr("Sort")));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;0\n5.0;0\n"), AllOf(HasSubstr("line 4"), HasSubstr("twice")));
+  EXPECT_THAT(refusalOfProfile("# c\nx [mm];z [mm]\n0;0\n10;0\n5;0\n"), AllOf(HasSubstr("line 5"), HasSubstr("Sort")));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n5;0\n5.0;0\n"), AllOf(HasSubstr("line 4"), HasSubstr("twice")));
 }
 
 TEST(ProfileFile, RefusesWhatIsNoNumber) {
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;nan\n"), HasSubstr("line 3"));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;inf\n"), HasSubstr("line 3"));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;-\n"), HasSubstr("line 3"));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;1e999\n"), HasSubstr("line 3"));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n5;\n"), AllOf(HasSubstr("line 3"), HasSubstr("missing")));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n#N/A;1\n5;x\n"), HasSubstr("line 4"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n5;nan\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n5;inf\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n5;-\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n5;1e999\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n5;\n"), AllOf(HasSubstr("line 3"), HasSubstr("missing")));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n#N/A;1\n5;x\n"), HasSubstr("line 4"));
 }
 
 TEST(ProfileFile, RefusesMixedDecimalMarks) {
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0.5;0\n1,5;0\n"), AllOf(HasSubstr("line 3"), HasSubstr("mixed")));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n1.234,5;0\n"), HasSubstr("mixed"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0.5;0\n1,5;0\n"), AllOf(HasSubstr("line 3"), HasSubstr("mixed")));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n1.234,5;0\n"), HasSubstr("mixed"));
 }
 
 TEST(ProfileFile, RefusesWrongNumbersOfColumns) {
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0;0\n"), AllOf(HasSubstr("line 2"), HasSubstr("3 columns")));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0\n"), HasSubstr("1 column"));
-  EXPECT_THAT(refusal("x [mm];y [mm];z [mm]\n0;0;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("3 columns")));
-  EXPECT_THAT(refusal("x [mm],z [mm]\n0,5,0,1\n"), HasSubstr("decimal comma"));
-  EXPECT_THAT(refusal("x z\n0 0\n"), HasSubstr("line 1"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0;0\n"), AllOf(HasSubstr("line 2"), HasSubstr("3 columns")));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0\n"), HasSubstr("1 column"));
+  EXPECT_THAT(refusalOfProfile("x [mm];y [mm];z [mm]\n0;0;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("3 columns")));
+  EXPECT_THAT(refusalOfProfile("x [mm],z [mm]\n0,5,0,1\n"), HasSubstr("decimal comma"));
+  EXPECT_THAT(refusalOfProfile("x z\n0 0\n"), HasSubstr("line 1"));
 }
 
 TEST(ProfileFile, RefusesHeadersWithoutUnits) {
-  EXPECT_THAT(refusal("0;0\n5;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("no header")));
-  EXPECT_THAT(refusal("position;height\n0;0\n"), HasSubstr("unit"));
-  EXPECT_THAT(refusal("position [mm];height [inch]\n0;0\n"), HasSubstr("unit"));
-  EXPECT_THAT(refusal("position [mm;height [mm]\n0;0\n"), HasSubstr("unit"));
-  EXPECT_THAT(refusal("position [mm];depth [mm]\n0;0\n5;0.1\n"), HasSubstr("positive upwards"));
+  EXPECT_THAT(refusalOfProfile("0;0\n5;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("no header")));
+  EXPECT_THAT(refusalOfProfile("position;height\n0;0\n"), HasSubstr("unit"));
+  EXPECT_THAT(refusalOfProfile("position [mm];height [inch]\n0;0\n"), HasSubstr("unit"));
+  EXPECT_THAT(refusalOfProfile("position [mm;height [mm]\n0;0\n"), HasSubstr("unit"));
+  EXPECT_THAT(refusalOfProfile("position [mm];depth [mm]\n0;0\n5;0.1\n"), HasSubstr("positive upwards"));
 }
 
 TEST(ProfileFile, RefusesTooFewAndAbsurdPoints) {
-  EXPECT_THAT(refusal(""), HasSubstr("empty"));
-  EXPECT_THAT(refusal("# nothing\n"), HasSubstr("empty"));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n"), HasSubstr("two points"));
-  EXPECT_THAT(refusal("x [mm];z [mm]\n0;0\n"), HasSubstr("two points"));
-  EXPECT_THAT(refusal("x [mm];z [m]\n0;0\n5;-0.15\n"), AllOf(HasSubstr("line 3"), HasSubstr("unit")));
-  EXPECT_THAT(refusal("x [m];z [mm]\n0;0\n5000000;-0.15\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusalOfProfile(""), HasSubstr("empty"));
+  EXPECT_THAT(refusalOfProfile("# nothing\n"), HasSubstr("empty"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n"), HasSubstr("two points"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n"), HasSubstr("two points"));
+  EXPECT_THAT(refusalOfProfile("x [mm];z [m]\n0;0\n5;-0.15\n"), AllOf(HasSubstr("line 3"), HasSubstr("unit")));
+  EXPECT_THAT(refusalOfProfile("x [m];z [mm]\n0;0\n5000000;-0.15\n"), HasSubstr("line 3"));
 }
 
 TEST(ProfileFile, RefusesOtherEncodings) {
-  EXPECT_THAT(refusal(std::string("\xFF\xFEx\0;\0z\0", 8)), HasSubstr("UTF-16"));
-  EXPECT_THAT(refusal(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("not a text file"));
+  EXPECT_THAT(refusalOfProfile(std::string("\xFF\xFEx\0;\0z\0", 8)), HasSubstr("UTF-16"));
+  EXPECT_THAT(refusalOfProfile(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("not a text file"));
 }
 
 // Several profiles side by side: the headers name their lateral positions.
@@ -152,7 +152,7 @@ TEST(ProfileFile, MistakesInLinesSideBySide) {
   EXPECT_THAT(refused("position [mm],y=0 mm [mm],y=90 mm [mm]\n0,0,0\n1,0,0\n"), HasSubstr("-36 to 36 mm"));
   EXPECT_THAT(refused("position [mm],y=0 mm [mm],y=9 mm [mm]\n0,0,0\n1,0\n"), HasSubstr("3 are expected"));
   EXPECT_THAT(refused("position [mm],y=0 mm [mm],y=9 mm [mm]\n0,0,0\n1,0,70\n"), HasSubstr("beyond 50 mm"));
-  EXPECT_THAT(refusal("position [mm],y=0 mm [mm],y=9 mm [mm]\n0,0,0\n1,0,0\n"), HasSubstr("side by side"));
+  EXPECT_THAT(refusalOfProfile("position [mm],y=0 mm [mm],y=9 mm [mm]\n0,0,0\n1,0,0\n"), HasSubstr("side by side"));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(Quantity, StandsInCaseFilesBetweenQuotes) {
   EXPECT_THROW(parseCase("[motion]\nspeed = \"900 km/h\"", "x.toml"), CaseError);
 }
 
-std::string refusal(const std::string& text) {
+std::string refusalOfCase(const std::string& text) {
   try {
     parseCase(text, "x.toml");
   } catch (const std::runtime_error& error) {
@@ -80,11 +80,12 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(Quantity, DecimalCommasAndUnquotedUnitsAreExplained) {
-  EXPECT_THAT(refusal("[defect]\ndepth = 0,15\n"),
+  EXPECT_THAT(refusalOfCase("[defect]\ndepth = 0,15\n"),
               testing::AllOf(HasSubstr("line 2"), HasSubstr("decimal point: 0.15")));
-  EXPECT_THAT(refusal("[defect]\ndepth = \"0,15\"\n"), HasSubstr("decimal point instead of the comma: 0.15"));
-  EXPECT_THAT(refusal("[defect]\ndepth = \"0,15 mm\"\n"), HasSubstr("decimal point instead of the comma: 0.15 mm"));
-  EXPECT_THAT(refusal("[motion]\nspeed = 108 km/h # fast\n"), HasSubstr("between quotes: \"108 km/h\""));
+  EXPECT_THAT(refusalOfCase("[defect]\ndepth = \"0,15\"\n"), HasSubstr("decimal point instead of the comma: 0.15"));
+  EXPECT_THAT(refusalOfCase("[defect]\ndepth = \"0,15 mm\"\n"),
+              HasSubstr("decimal point instead of the comma: 0.15 mm"));
+  EXPECT_THAT(refusalOfCase("[motion]\nspeed = 108 km/h # fast\n"), HasSubstr("between quotes: \"108 km/h\""));
 }
 
 }  // namespace

@@ -21,8 +21,8 @@
 namespace squat::contact {
 namespace {
 
-constexpr ContactLaw law{1e14, 0.7e14, 0.3};
-constexpr double lowered = 8e-5, step = 2e-7, crown = 0.300;
+constexpr ContactLaw inclinedLaw{1e14, 0.7e14, 0.3};
+constexpr double lowered = 8e-5, inclinedStep = 2e-7, railCrown = 0.300;
 
 // Everything that one evaluation of the contact needs, the wheelset lowered as a rigid body.
 struct Stand {
@@ -52,10 +52,10 @@ struct Stand {
     buffer.assign(static_cast<std::size_t>(next) * 3 * model.blocks[block].stride, 0.0);
   }
 
-  PatchState roll(const ContactLaw& with = law) {
+  PatchState roll(const ContactLaw& with = inclinedLaw) {
     points.clear();
     return rollContact(model.surfaces, model.blocks[model.rail], model.blocks[model.rim], with, wheel, displaced.data(),
-                       velocity.data(), step, history, {railForces.data(), railLines.data()},
+                       velocity.data(), inclinedStep, history, {railForces.data(), railLines.data()},
                        {rimForces.data(), rimLines.data()}, &points);
   }
 
@@ -97,37 +97,37 @@ TEST_P(InclinedContact, TouchesWhereTheSlopesAgree) {
       }
   // Nothing overlaps, and points of 5 mm quads come within 2.5 mm of the touching point: 2 * 2.5^2 / (2 * 300) mm.
   EXPECT_LE(deepest, 1.1e-9);
-  EXPECT_GE(deepest, -2 * 0.0025 * 0.0025 / (2 * crown));
+  EXPECT_GE(deepest, -2 * 0.0025 * 0.0025 / (2 * railCrown));
 }
 
 // Terms of fourth order over an ellipse of 9 x 7 mm: 1e-3 of the depth.
 TEST_P(InclinedContact, PenetrationIsTheGapAlongTheCommonNormal) {
   const auto& location = GetParam();
   Stand stand(location.inclination, location.cone, location.offset);
-  stand.roll({law.normalPenalty, law.tangentialPenalty, 0});
+  stand.roll({inclinedLaw.normalPenalty, inclinedLaw.tangentialPenalty, 0});
   ASSERT_GT(stand.points.size(), 8u);
   const auto& s = stand.model.surfaces;
   const double lean = std::atan(std::stod(location.inclination));
-  const double z = -location.touch * location.touch / (2 * crown);  // crown height at the touching point, R300
+  const double z = -location.touch * location.touch / (2 * railCrown);  // crown height at the touching point, R300
   const double touchY = location.touch * std::cos(lean) - z * std::sin(lean);
   for (const auto& p : stand.points) {
     const double y = (p.y - touchY) / s.treadCosine;  // along the common tangent
-    const double expected = s.treadCosine * (lowered - p.x * p.x / (2 * s.radius)) - y * y / (2 * crown);
-    EXPECT_NEAR(p.pressure / law.normalPenalty, expected, 1e-3 * lowered) << p.x << ", " << p.y;
+    const double expected = s.treadCosine * (lowered - p.x * p.x / (2 * s.radius)) - y * y / (2 * railCrown);
+    EXPECT_NEAR(p.pressure / inclinedLaw.normalPenalty, expected, 1e-3 * lowered) << p.x << ", " << p.y;
   }
 }
 
 TEST_P(InclinedContact, ForcesAreEqualOppositeAndAlongTheNormal) {
   const auto& location = GetParam();
   Stand stand(location.inclination, location.cone, location.offset);
-  const auto patch = stand.roll({law.normalPenalty, law.tangentialPenalty, 0});
+  const auto patch = stand.roll({inclinedLaw.normalPenalty, inclinedLaw.tangentialPenalty, 0});
   const Eigen::Vector3d onRail = stand.resultant(stand.model.rail, stand.railLines, stand.railForces);
   const Eigen::Vector3d onWheel = stand.resultant(stand.model.rim, stand.rimLines, stand.rimForces);
   EXPECT_LT((onRail + onWheel).norm(), 1e-9 * patch.vertical);
   EXPECT_NEAR(-onRail[2], patch.vertical, 1e-9 * patch.vertical);
   EXPECT_NEAR(onRail[1], patch.lateral, 1e-9 * patch.vertical);
   // The slope of crown and tread at the touching point; e_r leans by up to 9 mm / 460 mm, squared over two.
-  const double slope = std::tan(std::atan(std::stod(location.inclination)) - std::asin(location.touch / crown));
+  const double slope = std::tan(std::atan(std::stod(location.inclination)) - std::asin(location.touch / railCrown));
   EXPECT_NEAR(patch.lateral / patch.vertical, slope, 3e-4 * std::abs(slope) + 1e-12);
 }
 
@@ -135,8 +135,8 @@ INSTANTIATE_TEST_SUITE_P(Locations, InclinedContact,
                          testing::Values(Location{"0.025", "0.025", "0", 0}, Location{"0.025", "0.025", "4", 0.004},
                                          Location{"0.025", "0.025", "-4", -0.004}, Location{"0", "0", "4", 0.004},
                                          Location{"0.025", "0.0125", "0",
-                                                  crown* std::sin(std::atan(0.025) - std::atan(0.0125))},
-                                         Location{"0", "0.01", "0", -crown* std::sin(std::atan(0.01))}));
+                                                  railCrown* std::sin(std::atan(0.025) - std::atan(0.0125))},
+                                         Location{"0", "0.01", "0", -railCrown* std::sin(std::atan(0.01))}));
 
 // On the first step after standing still, the traction is the tangential penalty times slip times the step.
 TEST(InclinedContactSpin, AConeSpinsOnThePatch) {
@@ -144,11 +144,11 @@ TEST(InclinedContactSpin, AConeSpinsOnThePatch) {
   const auto& s = stand.model.surfaces;
   const double speed = 30, spin = s.treadSine / s.radius;
   stand.wheel.speed = speed, stand.wheel.angularVelocity = speed / s.radius;
-  stand.roll({law.normalPenalty, law.tangentialPenalty, 1e3});  // nothing slips
+  stand.roll({inclinedLaw.normalPenalty, inclinedLaw.tangentialPenalty, 1e3});  // nothing slips
   ASSERT_GT(stand.points.size(), 8u);
   for (const auto& p : stand.points) {
-    const double slipX = p.tractionX / (law.tangentialPenalty * step * speed);
-    const double slipY = p.tractionY / (law.tangentialPenalty * step * speed);
+    const double slipX = p.tractionX / (inclinedLaw.tangentialPenalty * inclinedStep * speed);
+    const double slipY = p.tractionY / (inclinedLaw.tangentialPenalty * inclinedStep * speed);
     // Undeformed bodies: the tread's material also falls behind by 1 - cos(angle).
     EXPECT_NEAR(slipX, spin * p.y - 0.5 * std::pow(p.x / s.radius, 2), 0.01 * spin * 0.005);
     EXPECT_NEAR(slipY, -spin * p.x, 0.01 * spin * 0.005);

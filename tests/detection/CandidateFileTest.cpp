@@ -15,7 +15,7 @@
 namespace squat::detection {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 
 RecordDetection sample() {

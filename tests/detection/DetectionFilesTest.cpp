@@ -84,7 +84,7 @@ TEST(DetectionFiles, NamesNeedNotBeUtf8) {
 
 // What `squat estimate passages/*.csv --each` is given: this list's squats, none of an earlier call, no other's file.
 TEST(DetectionFiles, PassagesAreThoseOfTheList) {
-  const squat::testing::TemporaryFolder folder;
+  const squat::tests::TemporaryFolder folder;
   const auto name = [&](const char* file) { return folder / (std::string("passages/") + file); };
   auto report = reportWith(53);
   report.events[0].event.passage = {10.25, 2e-4, {1.5, -2}, "left", "m/s2"};

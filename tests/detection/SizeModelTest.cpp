@@ -27,14 +27,14 @@ EventFeatures eventOf(const Example& example) {
   return event;
 }
 
-const std::vector<Example>& shipped() {
+const std::vector<Example>& shippedExamples() {
   static const auto table = readExamples((cases::resourcesFolder() / "detection/examples.csv").string());
   return table;
 }
 
 std::vector<Example> without(const std::string& vehicle) {
   std::vector<Example> others;
-  std::copy_if(shipped().begin(), shipped().end(), std::back_inserter(others),
+  std::copy_if(shippedExamples().begin(), shippedExamples().end(), std::back_inserter(others),
                [&](const Example& each) { return each.vehicle != vehicle; });
   return others;
 }
@@ -42,7 +42,7 @@ std::vector<Example> without(const std::string& vehicle) {
 // Every third vehicle with all that it rolled over.
 std::map<std::string, std::vector<Example>> leftOut() {
   std::map<std::string, std::vector<Example>> all, some;
-  for (const auto& example : shipped()) all[example.vehicle].push_back(example);
+  for (const auto& example : shippedExamples()) all[example.vehicle].push_back(example);
   std::size_t i = 0;
   for (const auto& [vehicle, examples] : all)
     if (i++ % 3 == 0) some[vehicle] = examples;
@@ -133,12 +133,12 @@ TEST(SizeModel, FindsSizesOfPassagesThatFollowItsFormula) {
 // What has been seen on site counts: of a squat that is known to be light, no other size is possible, and the vehicle
 // is no worse known for it.
 TEST(SizeModel, KeepsSeveritiesThatAreKnown) {
-  const auto& vehicle = shipped().front().vehicle;
+  const auto& vehicle = shippedExamples().front().vehicle;
   const SizeModel model(without(vehicle));
   std::vector<EventFeatures> events;
   std::vector<Severity> seen;
   std::vector<Belief> beliefs;
-  for (const auto& example : shipped()) {
+  for (const auto& example : shippedExamples()) {
     if (example.vehicle != vehicle || !hasSize(example)) continue;
     events.push_back(eventOf(example));
     seen.push_back(severityOf(example.length, example.depth));
@@ -161,10 +161,10 @@ TEST(SizeModel, KeepsSeveritiesThatAreKnown) {
 // With limits of the user's own no squat of the model may be light. What is labelled light there is judged as if it had
 // no label, and so is the vehicle.
 TEST(SizeModel, ASeverityThatNoSquatHasSaysNothing) {
-  const auto& vehicle = shipped().front().vehicle;
+  const auto& vehicle = shippedExamples().front().vehicle;
   const SizeModel model(without(vehicle));
   std::vector<EventFeatures> events;
-  for (const auto& example : shipped())
+  for (const auto& example : shippedExamples())
     if (example.vehicle == vehicle && hasSize(example)) events.push_back(eventOf(example));
   const PossibleSquats possible(700, severityLimitsFromText("5x0.01", ""));
   const auto free = squatSizes(model, possible, events, std::vector<Belief>(events.size()), {});
@@ -283,7 +283,7 @@ struct Impatient : Monitor {
 TEST(Judge, StopsWheneverItIsCancelled) {
   const auto [vehicle, all] = *leftOut().begin();
   const auto events = eventsOf(all);
-  const Judge judge(shipped(), {}, SizeModel(shipped()));
+  const Judge judge(shippedExamples(), {}, SizeModel(shippedExamples()));
   ThreadTeam alone(1);
   Impatient patient(std::numeric_limits<int>::max());
   ASSERT_TRUE(judge.judge(events, {}, alone, patient));

@@ -8,7 +8,7 @@
 namespace squat::detection {
 namespace {
 
-Event eventAt(double position, double strength = 1) {
+Event eventOfStrength(double position, double strength = 1) {
   Event event;
   event.kind = Kind::squat, event.sureness = 0.8;
   event.position = event.travelled = position;
@@ -24,7 +24,8 @@ std::vector<Event> inOrder(std::vector<Event> events) {
 
 std::vector<Event> withFlats(double circumference, int count, double scatter) {
   std::vector<Event> events;
-  for (int i = 0; i < count; ++i) events.push_back(eventAt(10 + circumference * i + (i % 2 ? scatter : -scatter)));
+  for (int i = 0; i < count; ++i)
+    events.push_back(eventOfStrength(10 + circumference * i + (i % 2 ? scatter : -scatter)));
   return events;
 }
 
@@ -34,7 +35,7 @@ long flatsIn(const std::vector<Event>& events) {
 
 TEST(Flats, AreFoundWithTheirCircumference) {
   auto events = withFlats(2.89, 12, 0.01);  // wheel of 0.92 m
-  events.push_back(eventAt(17.1));
+  events.push_back(eventOfStrength(17.1));
   events = inOrder(events);
   EXPECT_NEAR(markFlats(events, {}), 2.89, 0.02);
   EXPECT_EQ(flatsIn(events), 12);
@@ -60,13 +61,13 @@ TEST(Flats, ASquatUnderOneStaysASquat) {
 TEST(Flats, SquatsAtRandomAreNone) {
   std::vector<Event> events;
   for (const double place : {3.1, 21.7, 29.2, 48.9, 55.3, 77.0, 96.4, 111.8, 118.1, 140.6, 171.2, 190.3})
-    events.push_back(eventAt(place));
+    events.push_back(eventOfStrength(place));
   EXPECT_EQ(markFlats(events, {}), 0);
   EXPECT_EQ(flatsIn(events), 0);
 }
 
 TEST(Corrugation, IsWhatIsLoudForLong) {
-  std::vector<Event> events{eventAt(1), eventAt(9)};
+  std::vector<Event> events{eventOfStrength(1), eventOfStrength(9)};
   events[1].features.reach = 4;
   markCorrugation(events);
   EXPECT_EQ(events[0].kind, Kind::squat);

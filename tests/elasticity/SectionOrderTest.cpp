@@ -10,7 +10,7 @@
 namespace squat::elasticity {
 namespace {
 
-constexpr int wide = 15, high = 13;
+constexpr int gridWidth = 15, gridHeight = 13;
 
 // A sheet of nodes, each with its eight neighbours and itself; clusters of 4 x 4 but in the last rows, whose nodes
 // stand alone. Numbers are shuffled: 7 is prime to their count.
@@ -18,22 +18,23 @@ struct Sheet {
   std::vector<int> rowStart{0}, columns;
   std::vector<std::vector<int>> clusters;
 
-  static int node(int x, int y) { return (x + wide * y) * 7 % (wide * high); }
+  static int node(int x, int y) { return (x + gridWidth * y) * 7 % (gridWidth * gridHeight); }
   Sheet() {
-    std::vector<std::vector<int>> neighbours(wide * high);
-    for (int x = 0; x < wide; ++x)
-      for (int y = 0; y < high; ++y)
-        for (int k = std::max(0, x - 1); k < std::min(wide, x + 2); ++k)
-          for (int l = std::max(0, y - 1); l < std::min(high, y + 2); ++l) neighbours[node(x, y)].push_back(node(k, l));
+    std::vector<std::vector<int>> neighbours(gridWidth * gridHeight);
+    for (int x = 0; x < gridWidth; ++x)
+      for (int y = 0; y < gridHeight; ++y)
+        for (int k = std::max(0, x - 1); k < std::min(gridWidth, x + 2); ++k)
+          for (int l = std::max(0, y - 1); l < std::min(gridHeight, y + 2); ++l)
+            neighbours[node(x, y)].push_back(node(k, l));
     for (auto& own : neighbours) {
       std::sort(own.begin(), own.end());
       columns.insert(columns.end(), own.begin(), own.end());
       rowStart.push_back(static_cast<int>(columns.size()));
     }
-    for (int x = 0; x < wide; x += 4)
+    for (int x = 0; x < gridWidth; x += 4)
       for (int y = 0; y < 12; y += 4) {
         clusters.emplace_back();
-        for (int k = x; k < std::min(wide, x + 4); ++k)
+        for (int k = x; k < std::min(gridWidth, x + 4); ++k)
           for (int l = y; l < y + 4; ++l) clusters.back().push_back(node(k, l));
       }
   }
@@ -45,7 +46,7 @@ TEST(SectionOrder, EveryNodeHasOneRowAndOnePlace) {
   for (const auto* list : {&order.nodes, &order.members}) {
     auto sorted = *list;
     std::sort(sorted.begin(), sorted.end());
-    std::vector<int> all(wide * high);
+    std::vector<int> all(gridWidth * gridHeight);
     std::iota(all.begin(), all.end(), 0);
     EXPECT_EQ(sorted, all);
   }
@@ -56,13 +57,13 @@ TEST(SectionOrder, EveryNodeHasOneRowAndOnePlace) {
   EXPECT_EQ(found, given);
 }
 
-// Neighbours are one front apart, and no front from a corner has more than wide + high - 1 nodes: two of them are
-// enough, whatever the clusters.
+// Neighbours are one front apart, and no front from a corner has more than gridWidth + gridHeight - 1 nodes: two of
+// them are enough, whatever the clusters.
 TEST(SectionOrder, TheWindowIsThatOfTheSheetNotOfItsClusters) {
   const Sheet sheet;
   const int window = sectionOrder(sheet.rowStart, sheet.columns, sheet.clusters).window;
   EXPECT_EQ(window, sectionOrder(sheet.rowStart, sheet.columns).window);
-  EXPECT_LE(window, 2 * (wide + high - 1));
+  EXPECT_LE(window, 2 * (gridWidth + gridHeight - 1));
 }
 
 // Goes through the rows as a kernel does: no row may find its column's node missing from the window.
@@ -108,9 +109,9 @@ TEST(SectionOrder, ForcesStandUntilTheirNodesAreAdvanced) {
     }
   }
   EXPECT_EQ(cluster, sheet.clusters.size());
-  EXPECT_EQ(order.readyAfter.back(), wide * high);
-  advanceUpTo(wide * high);
-  EXPECT_LT(order.forceSlots, wide * high);  // slots are used again
+  EXPECT_EQ(order.readyAfter.back(), gridWidth * gridHeight);
+  advanceUpTo(gridWidth * gridHeight);
+  EXPECT_LT(order.forceSlots, gridWidth * gridHeight);  // slots are used again
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ AlignedVector byDefinition(const SweptBlock& block, const AlignedVector& acceler
   return result;
 }
 
-struct Sample {
+struct MassSample {
   std::vector<SweptBlock> blocks = filteredBlocks();
   std::size_t size = layOut(blocks);
   AlignedVector displaced = AlignedVector(size, 0.0);
@@ -107,7 +107,7 @@ struct Sample {
   std::vector<std::vector<std::vector<double>>> values;
   std::vector<std::vector<std::vector<float>>> singleValues;
 
-  Sample() {
+  MassSample() {
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> value(-1e-4, 1e-4);
     for (const auto& block : blocks) {
@@ -167,7 +167,7 @@ struct Sample {
 
 // Plain accelerations within round-off of the definition, masses of eight stations included that a coarser run adjoins.
 TEST(SelectiveMassScaling, IsTheProjectionInTheMasses) {
-  const Sample sample;
+  const MassSample sample;
   const AlignedVector bare = sample.bareAccelerations();
   AlignedVector filtered = bare;
   for (const auto& block : sample.blocks) {
@@ -193,7 +193,7 @@ struct BlockData {
   std::vector<unsigned char> slave;
   std::vector<KernelFilter> filters;
 
-  BlockData(const Sample& sample, std::size_t b, const std::array<double, 3>& pushed)
+  BlockData(const MassSample& sample, std::size_t b, const std::array<double, 3>& pushed)
       : inverseMass(sample.inverseMass(b)), filters(sample.filters(b)) {
     const auto& block = sample.blocks[b];
     for (const double push : pushed) bodyAcceleration.insert(bodyAcceleration.end(), block.stride, push);
@@ -202,7 +202,7 @@ struct BlockData {
     for (double& m : inverse) m = m > 0 ? 1 / m : 0;
     evenInverse = evenInverseMass(block, inverse.data(), line.data());
   }
-  BlockStep step(const Sample& sample, std::size_t b, const KernelSet& kernels, bool even) const {
+  BlockStep step(const MassSample& sample, std::size_t b, const KernelSet& kernels, bool even) const {
     BlockStep with;
     with.kernels = &kernels;
     with.inverseMass = inverseMass.data(), with.freeMask = mask.data(), with.lineOfNode = line.data();
@@ -220,7 +220,7 @@ struct BlockData {
 
 // One step from rest: velocity over step is the acceleration. Double: round-off. Single: forces and filter are rounded
 // to 6e-8, and the forces of neighbouring nodes cancel by a factor of some hundred.
-void expectTheStepByDefinition(const Sample& sample) {
+void expectTheStepByDefinition(const MassSample& sample) {
   AlignedVector expected = sample.bareAccelerations();
   const double size = largest(expected);
   std::vector<BlockData> data;
@@ -255,7 +255,7 @@ void expectTheStepByDefinition(const Sample& sample) {
 // Masses of the section are one number a node on runs of different length, around the axis too; a node that has grown
 // anywhere, or has a line, has its own.
 TEST(SelectiveMassScaling, EvenMassesAreThoseOfTheSectionAlone) {
-  Sample sample;
+  MassSample sample;
   sample.grow(0, 32, 16);
   for (std::size_t b = 0; b < sample.blocks.size(); ++b) {
     const auto& block = sample.blocks[b];
@@ -284,7 +284,7 @@ TEST(SelectiveMassScaling, TheStepDoesTheSameOnAllInstructionSets) { expectTheSt
 // Stations whose masses have grown, 16 and eight of them, first in their chunk and within it, in all clusters: of
 // eight, four and three nodes, and one by itself.
 TEST(SelectiveMassScaling, TheStepFiltersHeavierStationsInTheirOwnMasses) {
-  Sample sample;
+  MassSample sample;
   const AlignedVector before = byDefinition(sample.blocks[1], sample.bareAccelerations(), sample.mass[1]);
   sample.grow(0, 32, 16), sample.grow(0, 48, 16), sample.grow(0, 64, 8);
   sample.grow(1, 0, 16), sample.grow(1, 16, 8);
@@ -298,7 +298,7 @@ TEST(SelectiveMassScaling, TheStepFiltersHeavierStationsInTheirOwnMasses) {
 // accelerations would have given. Along a line exactly; the fields that are kept in the ring's turning basis are
 // constant and linear there, rigid motions only nearly so, its turning about the axis exactly.
 TEST(SelectiveMassScaling, KeepsMomentumAndItsMoments) {
-  const Sample sample;
+  const MassSample sample;
   const AlignedVector bare = sample.bareAccelerations();
   AlignedVector filtered = bare;
   for (const auto& block : sample.blocks) slowShortWaves(block, filtered.data() + block.offset);
@@ -329,7 +329,7 @@ TEST(SelectiveMassScaling, KeepsMomentumAndItsMoments) {
 // Blocks whose masses grow by any D: the effective mass grows by D at least. M_e = M F^-1, dense, masses and D at
 // random.
 TEST(SelectiveMassScaling, AddedMassIsFeltInFullByEveryMotion) {
-  const Sample sample;
+  const MassSample sample;
   const auto& block = sample.blocks[1];
   const auto& cluster = block.clusters[0];
   std::mt19937 generator(7);

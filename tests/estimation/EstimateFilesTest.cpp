@@ -12,7 +12,7 @@
 namespace squat::estimation {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 
 Estimate sample() {

@@ -13,7 +13,7 @@
 namespace squat::estimation {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 
 const EstimateRow kDone{"in/a.csv", false, "a note", {1e-4, 0.5e-4, 2e-4}, {0.03, 0.02, 0.04}, 1.25, 80.04, 60};
 const EstimateRow kFailed{"in/b.csv", true, "no event, nowhere", {}, {}, 0, 0, 0};

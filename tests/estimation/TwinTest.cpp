@@ -15,7 +15,7 @@
 namespace squat::estimation {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 
 constexpr double kRadius = 0.46, kDepth = 0.15e-3;
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "core/Errors.h"
 

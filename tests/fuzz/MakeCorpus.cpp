@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   using namespace squat;
   if (argc != 2) return 2;
   const std::string folder = argv[1];
-  auto result = testing::sampleResult(5);
+  auto result = tests::sampleResult(5);
   result.caseToml = "schema = 1\n";
   const auto full = results::toTree(result);
   const auto empty = results::toTree(results::RunResult{});

@@ -30,7 +30,7 @@ namespace squat::studio {
 namespace {
 
 // The made-up result as that of the default case of this depth [mm], `factor` times as strong.
-ResultPointer runOf(const char* depth, double factor) {
+ResultPointer runAtDepth(const char* depth, double factor) {
   auto result = std::make_shared<results::RunResult>(tests::syntheticResult());
   cases::CaseDescription description = cases::defaultCase();
   cases::setValue(description, "defect.depth", depth);
@@ -60,7 +60,7 @@ class ComparisonOfRuns : public testing::Test {
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(longRecord());
     file.close();
-    for (const auto& result : {runOf("0.15", 1), runOf("0.3", 2)})
+    for (const auto& result : {runAtDepth("0.15", 1), runAtDepth("0.3", 2)})
       window_.store().add({result, QString(), QString(), false, result, nullptr, false});
     ASSERT_TRUE(window_.openMeasured(file.fileName())) << "measured.csv";
     window_.show();

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "gui/Hands.h"
 #include "render/SyntheticResult.h"
 #include "studio/common/Theme.h"
 #include "studio/runs/RunStore.h"
@@ -69,16 +70,14 @@ class FigureChoices : public testing::Test {
   SignalsPanel panel_{store_, figureStyle(false)};
 };
 
-constexpr double pixel = 0.01;  // of an axis: a pixel of some 400, and rounding
-
 TEST_F(FigureChoices, theLeftButtonEnlargesABox) {
   plots::Figure& shown = figure("aba_position");
   const QCPRange x = shown.xAxis->range(), y = shown.yAxis->range();
   drag(shown, Qt::LeftButton, {0.25, 0.2}, {0.75, 0.6});
-  EXPECT_NEAR(shown.xAxis->range().lower, x.lower + 0.25 * x.size(), pixel * x.size());
-  EXPECT_NEAR(shown.xAxis->range().upper, x.lower + 0.75 * x.size(), pixel * x.size());
-  EXPECT_NEAR(shown.yAxis->range().upper, y.upper - 0.2 * y.size(), pixel * y.size());
-  EXPECT_NEAR(shown.yAxis->range().lower, y.upper - 0.6 * y.size(), pixel * y.size());
+  EXPECT_NEAR(shown.xAxis->range().lower, x.lower + 0.25 * x.size(), tests::pixel * x.size());
+  EXPECT_NEAR(shown.xAxis->range().upper, x.lower + 0.75 * x.size(), tests::pixel * x.size());
+  EXPECT_NEAR(shown.yAxis->range().upper, y.upper - 0.2 * y.size(), tests::pixel * y.size());
+  EXPECT_NEAR(shown.yAxis->range().lower, y.upper - 0.6 * y.size(), tests::pixel * y.size());
   EXPECT_EQ(shown.xAxis2->range(), shown.xAxis->range());
   panel_.view("aba_position")->resetZoom();
   EXPECT_EQ(shown.xAxis->range(), x);
@@ -89,7 +88,7 @@ TEST_F(FigureChoices, aFlatBoxEnlargesOneAxisAndAClickNone) {
   plots::Figure& shown = figure("aba_position");
   const QCPRange x = shown.xAxis->range(), y = shown.yAxis->range();
   drag(shown, Qt::LeftButton, {0.3, 0.5}, {0.6, 0.505});
-  EXPECT_NEAR(shown.xAxis->range().size(), 0.3 * x.size(), 2 * pixel * x.size());
+  EXPECT_NEAR(shown.xAxis->range().size(), 0.3 * x.size(), 2 * tests::pixel * x.size());
   EXPECT_EQ(shown.yAxis->range(), y);
   panel_.view("aba_position")->resetZoom();
   drag(shown, Qt::LeftButton, {0.5, 0.5}, {0.505, 0.505});
@@ -110,8 +109,8 @@ TEST_F(FigureChoices, theMiddleButtonMovesTheView) {
     const QPointF seen = at(0.5, 0.5);
     drag(shown, Qt::MiddleButton, {0.5, 0.5}, {0.7, 0.6});
     const QPointF now = at(0.7, 0.6);
-    EXPECT_NEAR(now.x(), seen.x(), pixel * shown.xAxis->range().size());
-    EXPECT_NEAR(now.y(), seen.y(), pixel * shown.yAxis->range().size());
+    EXPECT_NEAR(now.x(), seen.x(), tests::pixel * shown.xAxis->range().size());
+    EXPECT_NEAR(now.y(), seen.y(), tests::pixel * shown.yAxis->range().size());
   }
 }
 
@@ -122,7 +121,7 @@ TEST_F(FigureChoices, aCursorThatIsDraggedDrawsNoBox) {
   CursorPair& cursors = *panel_.view("aba_position")->cursors();
   const double before = cursors.location(0);  // at 0.4 of the axis
   drag(shown, Qt::LeftButton, {0.4, 0.5}, {0.5, 0.7});
-  EXPECT_NEAR(cursors.location(0), before + 0.1 * x.size(), pixel * x.size());
+  EXPECT_NEAR(cursors.location(0), before + 0.1 * x.size(), tests::pixel * x.size());
   EXPECT_EQ(shown.xAxis->range(), x);
 }
 

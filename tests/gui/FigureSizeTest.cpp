@@ -24,14 +24,12 @@
 namespace squat::studio {
 namespace {
 
-ResultPointer synthetic() { return std::make_shared<const results::RunResult>(tests::syntheticResult()); }
-
 // Whatever the size of the window, which keeps its own layout.
 TEST(FigureSize, figuresAreExportedInTheChosenSize) {
   const QTemporaryDir folder;
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   panel.showTab("psd");
   FigureView* view = panel.view("psd");
   const auto exported = [&](const char* name) {
@@ -76,7 +74,7 @@ TEST(FigureSize, theChosenSizeIsKept) {
     dialog->accept();
   }
   SignalsPanel next(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   next.showTab("psd");
   next.view("psd")->writeFile(folder.filePath("next.png"));
   const QImage image(folder.filePath("next.png"));

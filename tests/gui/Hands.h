@@ -10,6 +10,9 @@ class QWidget;
 
 namespace squat::tests {
 
+inline constexpr int patience = 240000;  // [ms] for busy machines and sanitizers; below the time that a test has
+inline constexpr double pixel = 0.01;    // of an axis: a pixel of some 400, and rounding
+
 // Keys as the window system sends them: to the window, which is brought to the front; whatever has the focus takes
 // them.
 void press(QWidget& window, int key, Qt::KeyboardModifiers modifiers = {});

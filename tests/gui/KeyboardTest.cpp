@@ -27,8 +27,6 @@
 namespace squat::studio {
 namespace {
 
-ResultPointer synthetic() { return std::make_shared<const results::RunResult>(tests::syntheticResult()); }
-
 constexpr double rounding = 1e-9;  // of numbers of a few hundred
 constexpr double notch = 0.85;     // QCustomPlot's factor for one notch of the wheel
 
@@ -138,7 +136,7 @@ TEST_F(KeysOnAFigure, cursorsMoveByPixelsWhereThereIsNoCurve) {
 class KeysOnASignal : public testing::Test {
  protected:
   void SetUp() override {
-    store_.add({synthetic(), "run", {}, false});
+    store_.add({tests::sharedSyntheticResult(), "run", {}, false});
     panel_.showTab("aba_position");
     panel_.resize(700, 500);
     panel_.show();
@@ -197,7 +195,7 @@ TEST_F(KeysOnASignal, homeShowsAllAgain) {
 // The figure is another one, which has the focus and the cursors of the one before.
 TEST_F(KeysOnASignal, keysStayWithAFigureThatIsDrawnAnew) {
   press(Qt::Key_B);
-  store_.add({synthetic(), "another", {}, false});
+  store_.add({tests::sharedSyntheticResult(), "another", {}, false});
   store_.setData(store_.index(0), Qt::Checked, Qt::CheckStateRole);
   EXPECT_TRUE(figure()->hasFocus());
   const double before = view().cursors()->location(1);
@@ -216,7 +214,7 @@ TEST_F(KeysOnASignal, theViewIsZoomedAboutTheCursor) {
 // Escape closes the window of the maps, but first of all it takes the cursors away.
 TEST(Keyboard, escapeIsOfTheCursorsFirst) {
   MainWindow window(tests::services());
-  for (const char* label : {"one", "two"}) window.store().add({synthetic(), label, {}, false});
+  for (const char* label : {"one", "two"}) window.store().add({tests::sharedSyntheticResult(), label, {}, false});
   window.comparison()->showMaps();
   MapWindow& maps = *window.comparison()->maps();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&maps));
@@ -266,7 +264,7 @@ TEST(Keyboard, theStripOfARecordIsZoomedAndScrolled) {
 TEST(Keyboard, theModelIsTurnedMovedAndZoomed) {
   SceneWidget scene;
   scene.resize(400, 300);
-  scene.setResult(synthetic());
+  scene.setResult(tests::sharedSyntheticResult());
   scene.lookFrom(scene::StandardView::side);
   ASSERT_TRUE(scene.isAvailable()) << scene.reason().toStdString();
   constexpr double tolerance = 1e-6;  // [degrees] or [m]: turning by sine and cosine
@@ -334,7 +332,7 @@ int judgeFigures(const QWidget& window) {
 TEST(Keyboard, everyFigureThatTheMouseZoomsTakesKeys) {
   MainWindow window(tests::services());
   ASSERT_TRUE(window.openCase("light-defect"));
-  for (const char* label : {"one", "two"}) window.store().add({synthetic(), label, {}, false});
+  for (const char* label : {"one", "two"}) window.store().add({tests::sharedSyntheticResult(), label, {}, false});
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
   int seen = 0;

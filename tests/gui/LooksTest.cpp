@@ -40,7 +40,7 @@ namespace {
 constexpr QSize smallest(1280, 700);
 
 // A made-up run with a patch of 6 x 4 points.
-results::RunResult seenRun() {
+results::RunResult runToLookAt() {
   results::RunResult result = tests::syntheticResult();
   results::PatchSnapshot patch;
   patch.name = "impact";
@@ -61,7 +61,8 @@ class Looks : public testing::Test {
   void SetUp() override {
     window_ = std::make_unique<MainWindow>(tests::services());
     window_->openCase("light-defect");
-    window_->store().add({std::make_shared<const results::RunResult>(seenRun()), "light-defect #1", QString(), false});
+    window_->store().add(
+        {std::make_shared<const results::RunResult>(runToLookAt()), "light-defect #1", QString(), false});
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   }
@@ -246,7 +247,7 @@ void judgeDialog(QDialog& dialog) {
 }
 
 TEST_F(Looks, dialogsAndMapsAreWhole) {
-  window_->store().add({std::make_shared<const results::RunResult>(seenRun()), "another", QString(), false});
+  window_->store().add({std::make_shared<const results::RunResult>(runToLookAt()), "another", QString(), false});
   for (const bool dark : {false, true}) {
     SCOPED_TRACE(dark ? "dark" : "light");
     window_->setDark(dark);
@@ -279,7 +280,7 @@ TEST_F(Looks, dialogsOfFilesAndSignalsAreWhole) {
   const QString profile = write("profile.csv", "position [mm];height [um]\n-10;0\n0;-50\n10;0\n");
   const std::string signal = write("measured.csv", strike).toStdString();
   RunStore store;
-  const auto record = std::make_shared<const results::RunResult>(seenRun());
+  const auto record = std::make_shared<const results::RunResult>(runToLookAt());
   store.add({nullptr, "measured", "/nowhere/measured.csv", true, record});
   for (const bool dark : {false, true}) {
     SCOPED_TRACE(dark ? "dark" : "light");

@@ -14,6 +14,7 @@
 #include <QToolButton>
 
 #include "case/CaseDescription.h"
+#include "case/Resolve.h"
 #include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "studio/comparison/ComparisonWindow.h"

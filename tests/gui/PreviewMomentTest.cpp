@@ -12,14 +12,14 @@
 #include <thread>
 
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
+#include "gui/Hands.h"
 #include "gui/MadeUpRun.h"
 #include "gui/PreviewSolvers.h"
 #include "studio/preview/PreviewController.h"
 
 namespace squat::studio {
 namespace {
-
-constexpr int patience = 60000;  // [ms] for sanitizers
 
 std::shared_ptr<const cases::CaseDescription> caseWith(const std::vector<std::pair<std::string, std::string>>& values) {
   return std::make_shared<const cases::CaseDescription>(cases::loadCase("light-defect", {"draft", values}));
@@ -38,7 +38,7 @@ class Watched {
   PreviewWorker* operator->() { return &worker_; }
   bool settles() {
     std::unique_lock lock(mutex_);
-    return news_.wait_for(lock, std::chrono::milliseconds(patience), [this] { return !worker_.isBusy(); });
+    return news_.wait_for(lock, std::chrono::milliseconds(tests::patience), [this] { return !worker_.isBusy(); });
   }
   double farthest() {  // [m] that a picture has shown
     const std::lock_guard lock(mutex_);
@@ -46,7 +46,7 @@ class Watched {
   }
   template <class Condition>
   bool comesTo(const Condition& condition) {
-    for (int i = 0; i < patience && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (int i = 0; i < tests::patience && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return condition();
   }
 

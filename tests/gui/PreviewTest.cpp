@@ -15,6 +15,7 @@
 #include <iostream>
 
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "case/Validation.h"
 #include "gui/EventWaits.h"
 #include "gui/Hands.h"
@@ -28,8 +29,6 @@ namespace squat::studio {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr int patience = 60000;  // [ms] for sanitizers
 
 class PreviewWindow : public testing::Test {
  protected:
@@ -46,7 +45,7 @@ class PreviewWindow : public testing::Test {
     open(tests::madeUpPreviewSolver(calls_, startMilliseconds, runMilliseconds));
   }
   void TearDown() override { QSettings().remove("preview"); }
-  bool settles() { return window_->preview().waitFor(patience); }
+  bool settles() { return window_->preview().waitFor(tests::patience); }
   const Preview& latest() { return window_->preview().latest(); }
   PreviewPanel& panel() { return *window_->previewPanel(); }
   QString text(const char* name) { return panel().findChild<QLabel*>(name)->text(); }
@@ -133,7 +132,7 @@ TEST_F(PreviewWindow, aWholeRunComesFirst) {
   QObject::connect(&window_->controller(), &RunController::finished, [&] { begunDuringRun = calls_->begun - begun; });
   set("defect.depth", "0.12");
   EXPECT_EQ(text("previewState"), "waits for the run");
-  ASSERT_TRUE(window_->controller().waitFor(patience));
+  ASSERT_TRUE(window_->controller().waitFor(tests::patience));
   EXPECT_EQ(begunDuringRun, 0);
   ASSERT_TRUE(settles());
   EXPECT_EQ(latest().phase, PreviewPhase::done);
@@ -214,7 +213,7 @@ TEST_F(PreviewWindow, comesToTheFrontWithAChangeAndLeavesARunInFront) {
   openMadeUp();
   ASSERT_TRUE(settles());
   window_->startRun();
-  ASSERT_TRUE(window_->controller().waitFor(patience));
+  ASSERT_TRUE(window_->controller().waitFor(tests::patience));
   EXPECT_TRUE(tests::passes([&] { return panel().visibleRegion().isEmpty(); }));
   set("defect.depth", "0.2");
   EXPECT_TRUE(tests::passes([&] { return !panel().visibleRegion().isEmpty(); }));
@@ -252,7 +251,7 @@ TEST(PreviewCase, aLongMeasuredProfileGetsALongerTrack) {
 // The real solver: the signals are those of the whole run of the same case, which starts nowhere but at its beginning.
 TEST_F(PreviewWindow, itsSignalsAreThoseOfAWholeRunToTheBit) {
   open(tests::realPreviewSolver());
-  ASSERT_TRUE(window_->preview().waitFor(4 * patience));
+  ASSERT_TRUE(window_->preview().waitFor(4 * tests::patience));
   const QTemporaryDir folder;
   const auto before = QDir::current().entryList(QDir::Files);
   set("defect.length", "30");
@@ -261,7 +260,7 @@ TEST_F(PreviewWindow, itsSignalsAreThoseOfAWholeRunToTheBit) {
   QObject::connect(&window_->preview(), &PreviewController::changed, [&](const Preview& preview) {
     if (preview.phase == PreviewPhase::rolling) grown = preview.position;
   });
-  ASSERT_TRUE(window_->preview().waitFor(4 * patience));
+  ASSERT_TRUE(window_->preview().waitFor(4 * tests::patience));
   ASSERT_EQ(latest().phase, PreviewPhase::done) << latest().text;
   const auto result = latest().result;
   simulation::RunOptions options;
@@ -287,7 +286,7 @@ TEST_F(PreviewWindow, itsSignalsAreThoseOfAWholeRunToTheBit) {
 TEST_F(PreviewWindow, theWindowAnswersWhilePreviewsRestart) {
   open(tests::realPreviewSolver());
   window_->showTab("preview");
-  ASSERT_TRUE(window_->preview().waitFor(4 * patience));
+  ASSERT_TRUE(window_->preview().waitFor(4 * tests::patience));
   tests::EventWaits waits;
   const int shown = tests::dragAtTwentyChangesASecond(*window_, 3000);
   waits.stop();
@@ -302,10 +301,10 @@ TEST_F(PreviewWindow, aProfileThatRisesIsServedFromAnEarlierStateOrSaysSo) {
   set("defect.points", "[[-20, 0], [-15, 0.3], [0, -0.2], [20, 0]]");
   set("defect.level", "false");
   set("defect.shape", "profile");
-  ASSERT_TRUE(window_->preview().waitFor(4 * patience));
+  ASSERT_TRUE(window_->preview().waitFor(4 * tests::patience));
   EXPECT_EQ(latest().phase, PreviewPhase::done) << latest().text;
   set("defect.points", "[[-40, 0], [-30, 1.2], [-20, 0], [0, -0.2], [20, 0]]");
-  ASSERT_TRUE(window_->preview().waitFor(4 * patience));
+  ASSERT_TRUE(window_->preview().waitFor(4 * tests::patience));
   EXPECT_EQ(latest().phase, PreviewPhase::unavailable);
   EXPECT_THAT(latest().text, HasSubstr("touches it"));
 }

@@ -20,6 +20,7 @@
 #include <optional>
 
 #include "case/ParameterTable.h"
+#include "gui/Hands.h"
 #include "plots/Style.h"
 #include "scenario/DefectSurface.h"
 #include "studio/document/CaseDocument.h"
@@ -100,22 +101,20 @@ TEST_F(Editor, aPointCannotPassItsNeighbour) {
   for (std::size_t i = 1; i < points().size(); ++i) EXPECT_GT(points()[i].position, points()[i - 1].position);
 }
 
-constexpr double pixel = 0.01;  // of an axis: a pixel of some 400, and rounding
-
 // As in the other figures. Where these drags begin there is no point.
 TEST_F(Editor, theLeftButtonEnlargesABoxAndTheMiddleOneMovesTheView) {
   const ProfilePlot& plot = *editor_.plot();
   const QCPRange x = plot.xAxis->range(), y = plot.yAxis->range();
   drag(Qt::MiddleButton, {0.5, 0.3}, {0.7, 0.4});
-  EXPECT_NEAR(plot.xAxis->range().lower, x.lower - 0.2 * x.size(), pixel * x.size());
+  EXPECT_NEAR(plot.xAxis->range().lower, x.lower - 0.2 * x.size(), tests::pixel * x.size());
   EXPECT_NEAR(plot.xAxis->range().size(), x.size(), 1e-9 * x.size());
-  EXPECT_NEAR(plot.yAxis->range().lower, y.lower + 0.1 * y.size(), pixel * y.size());
+  EXPECT_NEAR(plot.yAxis->range().lower, y.lower + 0.1 * y.size(), tests::pixel * y.size());
   editor_.plot()->fit();
   drag(Qt::LeftButton, {0.1, 0.3}, {0.4, 0.8});
-  EXPECT_NEAR(plot.xAxis->range().lower, x.lower + 0.1 * x.size(), pixel * x.size());
-  EXPECT_NEAR(plot.xAxis->range().upper, x.lower + 0.4 * x.size(), pixel * x.size());
-  EXPECT_NEAR(plot.yAxis->range().upper, y.upper - 0.3 * y.size(), pixel * y.size());
-  EXPECT_NEAR(plot.yAxis->range().lower, y.upper - 0.8 * y.size(), pixel * y.size());
+  EXPECT_NEAR(plot.xAxis->range().lower, x.lower + 0.1 * x.size(), tests::pixel * x.size());
+  EXPECT_NEAR(plot.xAxis->range().upper, x.lower + 0.4 * x.size(), tests::pixel * x.size());
+  EXPECT_NEAR(plot.yAxis->range().upper, y.upper - 0.3 * y.size(), tests::pixel * y.size());
+  EXPECT_NEAR(plot.yAxis->range().lower, y.upper - 0.8 * y.size(), tests::pixel * y.size());
   EXPECT_EQ(document_.undoStack().count(), 0);
 }
 

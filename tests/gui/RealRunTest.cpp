@@ -19,8 +19,6 @@
 namespace squat::studio {
 namespace {
 
-constexpr int patience = 240000;  // [ms] for slow machines and sanitizers; an idle core needs some seconds
-
 class RealRun : public testing::Test {
  protected:
   void SetUp() override {
@@ -49,7 +47,7 @@ TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAliveAndAStoppedOneResumesToTheSa
   clock.start();
   pulse.start(5);
   window_->startRun();
-  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, tests::patience));
   pulse.stop();
   ASSERT_EQ(window_->store().rowCount(), 1) << window_->messages()->text().toStdString();
   const ResultPointer result = window_->store().currentResult();
@@ -65,10 +63,10 @@ TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAliveAndAStoppedOneResumesToTheSa
 
   window_->startRun();
   auto* live = window_->findChild<RunPanel*>()->live();
-  ASSERT_TRUE(tests::passes([&] { return live->sampleCount() > 1; }, patience));
+  ASSERT_TRUE(tests::passes([&] { return live->sampleCount() > 1; }, tests::patience));
   clock.start();
   tests::press(*window_, Qt::Key_F5, Qt::ShiftModifier);
-  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, tests::patience));
   std::cout << "cancelled after " << clock.elapsed() << " ms\n";
   ASSERT_EQ(window_->store().rowCount(), 2);
   EXPECT_FALSE(window_->store().currentResult()->complete);
@@ -78,7 +76,7 @@ TEST_F(RealRun, runsToItsEndWhileTheWindowStaysAliveAndAStoppedOneResumesToTheSa
                    [&](const WorkerMonitor::News& news) { phases.push_back(news.progress.phase); });
   tests::press(*window_, Qt::Key_F5, Qt::ControlModifier);
   ASSERT_TRUE(window_->controller().isRunning());
-  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !window_->controller().isRunning(); }, tests::patience));
   EXPECT_EQ(std::count(phases.begin(), phases.end(), "equilibrium"), 0);  // is in the checkpoint
   // What there was of it is replaced by the whole.
   ASSERT_EQ(window_->store().rowCount(), 2) << window_->messages()->text().toStdString();

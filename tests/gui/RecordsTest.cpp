@@ -37,8 +37,6 @@
 namespace squat::studio {
 namespace {
 
-constexpr int patience = 240000;  // [ms]
-
 class Records : public testing::Test {
  protected:
   void SetUp() override {
@@ -60,7 +58,7 @@ class Records : public testing::Test {
     form_->addRecord(record_);
     form_->findChild<QDoubleSpinBox*>("recordSpeed")->setValue(30);  // the file has times alone
     tool_->start();
-    ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
+    ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, tests::patience));
     ASSERT_TRUE(view_->model()->report()) << tool_->messages()->text().toStdString();
   }
   const QAbstractItemModel& seen() const { return *view_->table()->model(); }
@@ -87,7 +85,7 @@ TEST_F(Records, theSearchIsThatOfTheCommand) {
   QProcess program;
   program.setWorkingDirectory(folder_.path());
   program.start(SQUAT_PROGRAM, {"detect", record_, "--speed", "30", "-o", "command", "--no-figures"});
-  ASSERT_TRUE(program.waitForFinished(patience));
+  ASSERT_TRUE(program.waitForFinished(tests::patience));
   ASSERT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
   EXPECT_EQ(read("studio/squats.csv"), read("command/squats.csv"));
   EXPECT_EQ(read("studio/squats.json"), read("command/squats.json"));
@@ -198,7 +196,7 @@ TEST_F(Records, whatWasSeenIsSavedAsLabels) {
   // The next search takes it, and lists it so.
   EXPECT_EQ(form_->findChild<QLineEdit*>("labels")->text(), path("labels.csv"));
   tool_->start();
-  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, tests::patience));
   EXPECT_TRUE(tool_->text().contains("2 labels of")) << tool_->text().toStdString();
   ASSERT_EQ(view_->model()->seenEvents().size(), 2U);  // they are still there
   EXPECT_EQ(view_->model()->seenEvents()[0].severity, detection::Severity::severe);
@@ -244,7 +242,7 @@ TEST_F(Records, comeBackInAProject) {
   EXPECT_EQ(form->findChild<QLineEdit*>("labels")->text(), path("labels.csv"));
   EXPECT_EQ(tomorrow.tool("squats")->findChild<QLineEdit*>("toolFolder")->text(), path("studio"));
   RecordView* view = form->records();
-  ASSERT_TRUE(tests::passes([&] { return !view->isReading(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !view->isReading(); }, tests::patience));
   EXPECT_TRUE(tomorrow.tool("squats")->messages()->isHidden())
       << tomorrow.tool("squats")->messages()->text().toStdString();
   const QAbstractItemModel& again = *view->table()->model();
@@ -304,7 +302,7 @@ TEST_F(RecordsOfAProject, areReadWhenTheyAreLookedAt) {
   EXPECT_FALSE(view_->isReading());
   window_.findChild<QAction*>("squatsAction")->trigger();
   EXPECT_TRUE(view_->isReading());
-  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, patience));
+  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, tests::patience));
   EXPECT_GT(view_->strip()->figure()->graph(0)->dataCount(), 100);
   EXPECT_GT(view_->strip()->figure()->xAxis->range().size(), 100);
   // Left in the middle of it: nothing of it comes later.
@@ -329,7 +327,7 @@ TEST_F(RecordsOfAProject, thatAreMissingAreNamedAndStay) {
   for (const char* name : {"gone.csv", "labels.csv", "found/squats.json"})
     EXPECT_TRUE(detailsOf(*window_.messages()).contains(path(name))) << name;
   // The record that is there is read for all that.
-  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, patience));
+  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, tests::patience));
   EXPECT_GT(view_->strip()->figure()->graph(0)->dataCount(), 100);
   EXPECT_TRUE(detailsOf(*tool_->messages()).contains("squats.json"));
   window_.keeper()->saveNow();
@@ -359,7 +357,7 @@ TEST_F(RecordsOfAProject, thatHaveChangedAreNamed) {
   EXPECT_TRUE(tests::passes(isKept, 20000));  // of a project that had none
   ASSERT_TRUE(window_.closeProject());
   ASSERT_TRUE(window_.openProject(path("day.squat-project")));
-  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, patience));
+  ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, tests::patience));
   EXPECT_TRUE(window_.messages()->isHidden()) << window_.messages()->text().toStdString();  // it is as it was
   ASSERT_TRUE(window_.closeProject());
   ASSERT_TRUE(record.open(QIODevice::Append));
@@ -409,7 +407,7 @@ TEST_F(RecordsOfAProject, areNotExchangedDuringASearch) {
   EXPECT_TRUE(window_.messages()->text().contains("search")) << window_.messages()->text().toStdString();
   EXPECT_FALSE(window_.closeProject());
   tool_->cancel();
-  ASSERT_TRUE(tool_->waitFor(patience));
+  ASSERT_TRUE(tool_->waitFor(tests::patience));
   EXPECT_TRUE(window_.openProject(path("day.squat-project"))) << window_.messages()->text().toStdString();
 }
 
@@ -419,11 +417,11 @@ TEST_F(Records, whatCannotBeReadIsSaid) {
   file.write("no record\n");
   file.close();
   tool_->start();
-  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, tests::patience));
   EXPECT_TRUE(tool_->messages()->text().contains("Add a record")) << tool_->messages()->text().toStdString();
   form_->addRecord(file.fileName());
   tool_->start();
-  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !tool_->isBusy(); }, tests::patience));
   EXPECT_TRUE(tool_->messages()->text().contains("nothing.csv")) << tool_->messages()->text().toStdString();
 }
 

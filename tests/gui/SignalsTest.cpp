@@ -27,15 +27,13 @@
 namespace squat::studio {
 namespace {
 
-ResultPointer synthetic() { return std::make_shared<const results::RunResult>(tests::syntheticResult()); }
-
 TEST(Signals, aLowerCutoffTakesTheHighLineAway) {
   std::string problem;
   SignalSettings settings;
-  const auto wide = analysed(*synthetic(), settings, problem);
+  const auto wide = analysed(*tests::sharedSyntheticResult(), settings, problem);
   ASSERT_TRUE(problem.empty()) << problem;
   settings.cutoff = 500;
-  const auto narrow = analysed(*synthetic(), settings, problem);
+  const auto narrow = analysed(*tests::sharedSyntheticResult(), settings, problem);
   const auto powerNear = [](const results::RunResult& result, double frequency) {
     double power = 0;
     for (std::size_t i = 0; i < result.frequency.size(); ++i)
@@ -51,7 +49,7 @@ TEST(Signals, whatCannotBeDoneIsSaidAndTheOldStays) {
   std::string problem;
   SignalSettings settings;
   settings.cutoff = 13000;  // above half of 25 kHz
-  const auto result = synthetic();
+  const auto result = tests::sharedSyntheticResult();
   const auto same = analysed(*result, settings, problem);
   EXPECT_FALSE(problem.empty());
   EXPECT_EQ(same->psd, result->psd);
@@ -61,7 +59,7 @@ TEST(Signals, whatCannotBeDoneIsSaidAndTheOldStays) {
 TEST(Signals, aWrongStretchCostsTheSpectrumAlone) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   panel.findChild<QDoubleSpinBox*>("psdFrom")->setValue(800);  // to 280
   const auto* problem = panel.findChild<QLabel*>("signalProblem");
   EXPECT_TRUE(problem->text().contains("Spectrum not updated")) << problem->text().toStdString();
@@ -94,7 +92,7 @@ int widthOfTallestLine(const QCPGraph& graph) {
 TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   const QStringList alongTrack{"aba_position", "contact_force", "stft", "scalogram"};
   std::vector<QCPRange> before;
   for (const auto& name : alongTrack) {
@@ -118,8 +116,8 @@ TEST(Signals, theStretchOfTheSpectrumIsItsOwn) {
 TEST(Signals, overlaidRunsAreDrawnWithTheCurrentOne) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "first", {}, false});
-  store.add({synthetic(), "second", {}, false});
+  store.add({tests::sharedSyntheticResult(), "first", {}, false});
+  store.add({tests::sharedSyntheticResult(), "second", {}, false});
   const int alone = panel.view("aba_position")->figure()->graphCount();
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   EXPECT_EQ(panel.view("aba_position")->figure()->graphCount(), alone + 1);
@@ -133,7 +131,7 @@ TEST(Signals, axesHaveRoomForOverlaidRuns) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
   store.add({std::make_shared<const results::RunResult>(larger), "larger", {}, true});
-  store.add({synthetic(), "shown", {}, false});
+  store.add({tests::sharedSyntheticResult(), "shown", {}, false});
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   for (const char* name : {"aba_position", "psd", "contact_force"}) {
     panel.showTab(name);
@@ -163,7 +161,7 @@ TEST(Signals, whatCannotBeDrawnCostsItsFigureAlone) {
 TEST(Signals, viewsAgainstPositionAreLinked) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   panel.showTab("contact_force");
   panel.showTab("aba_position");
   panel.view("aba_position")->figure()->xAxis->setRange(-20, 60);
@@ -173,7 +171,7 @@ TEST(Signals, viewsAgainstPositionAreLinked) {
 TEST(Signals, cursorsGiveDifferencesAndFrequency) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   CursorPair* cursors = panel.view("aba_position")->cursors();
   cursors->setVisible(true);
   cursors->setLocations(10, 40);  // mm at 30 m/s: 1 ms
@@ -186,11 +184,12 @@ TEST(Signals, everythingIsExportedInEveryFormat) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(true));
   panel.resize(600, 400);
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   const QStringList files = panel.exportAll(folder.path());
   // Each figure that the run has something for; the 3-D picture is a PNG.
-  const auto fits = std::count_if(plots::figureRegistry().begin(), plots::figureRegistry().end(),
-                                  [run = synthetic()](const auto& row) { return row.applies(*run); });
+  const auto fits =
+      std::count_if(plots::figureRegistry().begin(), plots::figureRegistry().end(),
+                    [run = tests::sharedSyntheticResult()](const auto& row) { return row.applies(*run); });
   EXPECT_EQ(files.size(), (fits - 1) * 4 + 1);
   for (const QString& path : files)
     EXPECT_GT(QFileInfo(path).size(), path.endsWith(".csv") ? 20 : 2000) << path.toStdString();
@@ -206,7 +205,7 @@ TEST(Signals, exportAsksBeforeItReplacesFiles) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
   panel.show();
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   tests::FileDialogTyping typing(folder.path());
   tests::BoxAnswer answer("Cancel");
   panel.askForFolder();
@@ -216,7 +215,7 @@ TEST(Signals, exportAsksBeforeItReplacesFiles) {
   EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
-// As `synthetic()`, begun some time earlier: the same passage at another time.
+// As `sharedSyntheticResult()`, begun some time earlier: the same passage at another time.
 ResultPointer earlier(double seconds) {
   auto moved = std::make_shared<results::RunResult>(tests::syntheticResult());
   for (double& time : moved->time) time += seconds;
@@ -226,13 +225,13 @@ ResultPointer earlier(double seconds) {
 TEST(Signals, zoomIsLinkedThroughTheSpeed) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   for (const char* name : {"scalogram", "stft", "aba_position"}) panel.showTab(name);
   panel.view("aba_position")->figure()->xAxis->setRange(-30, 30);
   EXPECT_DOUBLE_EQ(panel.view("scalogram")->figure()->xAxis->range().upper, 30);
   EXPECT_DOUBLE_EQ(panel.view("stft")->figure()->xAxis->range().lower, -30);
   panel.showTab("aba_time");  // 60 mm at 30 m/s are 2 ms
-  const auto run = synthetic();
+  const auto run = tests::sharedSyntheticResult();
   const QCPRange seen = panel.view("aba_time")->figure()->xAxis->range();
   EXPECT_NEAR(seen.size(), 2.0, 1e-9);
   EXPECT_NEAR(seen.center(), 1e3 * (run->time.front() - run->position.front() / run->speed), 1e-9);
@@ -247,7 +246,7 @@ TEST(Signals, aNewRunIsShownOverItsOwnRange) {
   RunStore store, freshStore;
   SignalsPanel panel(store, figureStyle(false)), fresh(freshStore, figureStyle(false));
   freshStore.add({next, "short", {}, false});
-  store.add({synthetic(), "long", {}, false});
+  store.add({tests::sharedSyntheticResult(), "long", {}, false});
   for (const auto& name : alongTrack) panel.showTab(name);
   panel.view("aba_position")->figure()->xAxis->setRange(-30, 30);
   panel.view("aba_position")->resetZoom();
@@ -264,8 +263,8 @@ TEST(Signals, aNewRunIsShownOverItsOwnRange) {
 TEST(Signals, curvesInATableHaveShortNames) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "Site A, north #1", {}, false});
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "Site A, north #1", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   std::set<QByteArray> names;
   for (const QByteArray& line : figureTable(*panel.view("aba_position")->figure()).split('\n').mid(1))
@@ -283,7 +282,7 @@ TEST(Signals, overlaidRunsPassTheDefectAtTheSameMoment) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
   store.add({earlier(0.5), "earlier", {}, false});
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   panel.showTab("aba_time");
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   const auto* figure = panel.view("aba_time")->figure();
@@ -297,7 +296,7 @@ TEST(Signals, overlaidRunsPassTheDefectAtTheSameMoment) {
 TEST(Signals, theScalogramFollowsTheCutoff) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   panel.showTab("scalogram");
   // Largest power between 800 and 1200 Hz, where the made-up run has a line.
   const auto highLine = [&] {
@@ -321,7 +320,7 @@ TEST(Signals, theScalogramFollowsTheCutoff) {
 TEST(Signals, theShortTimeTransformHasItsWindow) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   panel.showTab("stft");
   panel.findChild<QSpinBox*>("stftSegment")->setValue(256);
   panel.findChild<QSpinBox*>("stftHop")->setValue(16);
@@ -338,7 +337,7 @@ int marksOn(const plots::Figure& figure) {
 TEST(Signals, peaksAreMarked) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   for (const auto& name : panel.names()) panel.showTab(name);
   EXPECT_EQ(marksOn(*panel.view("aba_position")->figure()), 2);
   EXPECT_EQ(marksOn(*panel.view("contact_force")->figure()), 2);
@@ -386,7 +385,7 @@ TEST(Signals, namesOfPeaksAreWholeWithOverlaidRuns) {
   SignalsPanel panel(store, figureStyle(false));
   panel.resize(480, 400);
   panel.show();
-  for (const char* label : {"first", "second"}) store.add({synthetic(), label, {}, false});
+  for (const char* label : {"first", "second"}) store.add({tests::sharedSyntheticResult(), label, {}, false});
   store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
   panel.showTab("psd");
   QTest::qWait(30);
@@ -398,7 +397,7 @@ TEST(Signals, namesOfPeaksAreWholeWithOverlaidRuns) {
 TEST(Signals, markedLinesAreWhereTheLinesAre) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  store.add({synthetic(), "run", {}, false});
+  store.add({tests::sharedSyntheticResult(), "run", {}, false});
   panel.showTab("scalogram");
   plots::Figure& figure = *panel.view("scalogram")->figure();
   double nearest = 1e9;
@@ -411,7 +410,7 @@ TEST(Signals, markedLinesAreWhereTheLinesAre) {
 TEST(Signals, theTableOfAFigureHoldsWhatIsSeen) {
   RunStore store;
   SignalsPanel panel(store, figureStyle(false));
-  const ResultPointer run = synthetic();
+  const ResultPointer run = tests::sharedSyntheticResult();
   store.add({run, "run", {}, false});
   for (const char* name : {"scalogram", "aba_position"}) panel.showTab(name);
   plots::Figure* figure = panel.view("aba_position")->figure();
@@ -438,7 +437,7 @@ TEST(Signals, theTableOfAFigureHoldsWhatIsSeen) {
 
 TEST(RunStore, removingKeepsACurrentRun) {
   RunStore store;
-  for (const char* label : {"a", "b", "c"}) store.add({synthetic(), label, {}, false});
+  for (const char* label : {"a", "b", "c"}) store.add({tests::sharedSyntheticResult(), label, {}, false});
   EXPECT_EQ(store.current(), 2);
   store.remove(2);
   EXPECT_EQ(store.current(), 1);
@@ -452,12 +451,13 @@ TEST(RunStore, removingKeepsACurrentRun) {
 // A measured signal is laid over a run; it is never the run that is shown, saved and compared with.
 TEST(RunStore, aMeasuredSignalIsNeverTheCurrentRun) {
   RunStore store;
-  store.add({nullptr, "measured first", {}, true, synthetic()});
+  store.add({nullptr, "measured first", {}, true, tests::sharedSyntheticResult()});
   EXPECT_EQ(store.current(), -1);
   store.remove(0);
-  store.add({synthetic(), "one", {}, false});
-  for (const char* label : {"measured", "measured too"}) store.add({nullptr, label, {}, true, synthetic()});
-  store.add({synthetic(), "two", {}, false});
+  store.add({tests::sharedSyntheticResult(), "one", {}, false});
+  for (const char* label : {"measured", "measured too"})
+    store.add({nullptr, label, {}, true, tests::sharedSyntheticResult()});
+  store.add({tests::sharedSyntheticResult(), "two", {}, false});
   store.setCurrent(0);
   store.remove(0);
   ASSERT_GE(store.current(), 0);
@@ -465,8 +465,8 @@ TEST(RunStore, aMeasuredSignalIsNeverTheCurrentRun) {
   store.remove(store.current());
   EXPECT_EQ(store.current(), -1);
   EXPECT_EQ(store.rowCount(), 2);
-  store.add({synthetic(), "three", {}, false});
-  store.add({synthetic(), "four", {}, false});
+  store.add({tests::sharedSyntheticResult(), "three", {}, false});
+  store.add({tests::sharedSyntheticResult(), "four", {}, false});
   store.remove(3);
   EXPECT_EQ(store.at(store.current()).label, "three");  // the one before, where none comes after
 }

@@ -19,8 +19,7 @@
 namespace squat::studio {
 namespace {
 
-constexpr int patience = 60000;  // [ms] for slow machines
-constexpr int steps = 1500;      // of the made-up run: one a millisecond
+constexpr int steps = 1500;  // of the made-up run: one a millisecond
 
 class StoppedRun : public testing::Test {
  protected:
@@ -40,9 +39,9 @@ class StoppedRun : public testing::Test {
   // F5, then Shift+F5 as soon as the run tells something.
   static void runAndCancel(MainWindow& window) {
     tests::press(window, Qt::Key_F5);
-    ASSERT_TRUE(tests::passes([&] { return log(window).contains("begins"); }, patience));
+    ASSERT_TRUE(tests::passes([&] { return log(window).contains("begins"); }, tests::patience));
     tests::press(window, Qt::Key_F5, Qt::ShiftModifier);
-    ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }, patience));
+    ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }, tests::patience));
   }
   // "0.checkpoint" to "8.checkpoint", the oldest first.
   QDir writeNine() const {
@@ -109,10 +108,10 @@ TEST_F(StoppedRun, isResumedAndTakesThePlaceOfItsFirstPart) {
   runAndCancel(*window);
   ASSERT_EQ(window->store().rowCount(), 1);
   tests::click(resume(*window));
-  ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, tests::patience));
   EXPECT_FALSE(log(*window).contains("step 0")) << log(*window).toStdString();
   EXPECT_FALSE(resume(*window).isVisible());
-  ASSERT_TRUE(tests::passes([&] { return !window->controller().isRunning(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !window->controller().isRunning(); }, tests::patience));
   ASSERT_EQ(window->store().rowCount(), 1);
   EXPECT_TRUE(window->store().currentResult()->complete);
   EXPECT_FALSE(resume(*window).isVisible());  // there is nothing left to do
@@ -123,26 +122,26 @@ TEST_F(StoppedRun, beginsAnewWhereThatIsWished) {
   const auto window = open();
   runAndCancel(*window);
   tests::press(*window, Qt::Key_F5);
-  ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, tests::patience));
   EXPECT_TRUE(log(*window).contains("begins at step 0"));
   window->controller().cancel();
-  ASSERT_TRUE(window->controller().waitFor(patience));
+  ASSERT_TRUE(window->controller().waitFor(tests::patience));
 }
 
 TEST_F(StoppedRun, survivesTheEndOfTheProgram) {
   {
     const auto window = open();
     tests::press(*window, Qt::Key_F5);
-    ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, patience));
+    ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, tests::patience));
     EXPECT_TRUE(window->close());  // the question is answered: stop it
   }
   const auto window = open();
   EXPECT_TRUE(resume(*window).isVisible());
   tests::press(*window, Qt::Key_F5, Qt::ControlModifier);
-  ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, tests::patience));
   EXPECT_FALSE(log(*window).contains("step 0"));
   window->controller().cancel();
-  ASSERT_TRUE(window->controller().waitFor(patience));
+  ASSERT_TRUE(window->controller().waitFor(tests::patience));
 }
 
 TEST_F(StoppedRun, onlyTheNewestFewAreKept) {
@@ -180,16 +179,16 @@ TEST_F(StoppedRun, ofAKilledProcessIsResumed) {
   EXPECT_FALSE(QFile::exists(checkpoint + ".lock"));
   ASSERT_TRUE(resume(*window).isVisible());
   tests::click(resume(*window));
-  ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins at step 77"); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins at step 77"); }, tests::patience));
   window->controller().cancel();
-  ASSERT_TRUE(window->controller().waitFor(patience));
+  ASSERT_TRUE(window->controller().waitFor(tests::patience));
 }
 
 // The same case is open twice: the second window does not touch what the first one writes.
 TEST_F(StoppedRun, ofAnotherWindowIsNotOfferedWhileItIsUnderWay) {
   const auto first = open(600000);
   tests::press(*first, Qt::Key_F5);
-  ASSERT_TRUE(tests::passes([&] { return log(*first).contains("begins"); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return log(*first).contains("begins"); }, tests::patience));
   const QString checkpoint = StoppedRuns(folder_.path()).file(first->document().description());
   write(checkpoint, "77\n");  // as the solver does from time to time
   const auto second = open(600000);
@@ -202,11 +201,11 @@ TEST_F(StoppedRun, ofAnotherWindowIsNotOfferedWhileItIsUnderWay) {
   ASSERT_TRUE(second->controller().isRunning());
   EXPECT_TRUE(second->messages()->text().contains("cannot be resumed")) << second->messages()->text().toStdString();
   second->controller().cancel();
-  ASSERT_TRUE(second->controller().waitFor(patience));
+  ASSERT_TRUE(second->controller().waitFor(tests::patience));
   EXPECT_EQ(contentOf(checkpoint), "77\n");
   EXPECT_FALSE(resume(*second).isVisible());
   first->controller().cancel();
-  ASSERT_TRUE(first->controller().waitFor(patience));
+  ASSERT_TRUE(first->controller().waitFor(tests::patience));
   QEvent activation(QEvent::ActivationChange);  // the user turns to the second window
   QApplication::sendEvent(second.get(), &activation);
   EXPECT_TRUE(resume(*second).isVisible());
@@ -223,7 +222,7 @@ TEST_F(StoppedRun, aCheckpointThatIsNoneIsReported) {
   file.write("not a checkpoint");
   file.close();
   window.resumeRun();
-  ASSERT_TRUE(window.controller().waitFor(patience));
+  ASSERT_TRUE(window.controller().waitFor(tests::patience));
   EXPECT_FALSE(window.messages()->text().isEmpty());
   EXPECT_EQ(window.store().rowCount(), 0);
 }

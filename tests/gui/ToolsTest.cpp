@@ -39,8 +39,6 @@
 namespace squat::studio {
 namespace {
 
-constexpr int patience = 240000;  // [ms] for busy machines; below the time that a test has
-
 // A tenth of a second on the coarsest mesh.
 cases::CaseDescription shortCase() {
   auto description = cases::loadCase("light-defect", {"tiny", {}});
@@ -71,14 +69,14 @@ class Tools : public testing::Test {
   }
   static void finish(ToolWindow& tool) {
     tool.start();
-    ASSERT_TRUE(tests::passes([&] { return !tool.isBusy(); }, patience));
+    ASSERT_TRUE(tests::passes([&] { return !tool.isBusy(); }, tests::patience));
   }
   // The command on the case that the tool has kept, into a folder of its own. What it prints.
   QString command(const QStringList& words) const {
     QProcess program;
     program.setWorkingDirectory(folder_.path());
     program.start(SQUAT_PROGRAM, words);
-    EXPECT_TRUE(program.waitForFinished(patience));
+    EXPECT_TRUE(program.waitForFinished(tests::patience));
     EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
     return QString::fromUtf8(program.readAllStandardOutput());
   }
@@ -101,7 +99,7 @@ TEST_F(Tools, aStudyIsThatOfTheCommand) {
   EXPECT_FALSE(read("study/study_defect_depth.pdf").isEmpty());
   EXPECT_EQ(study->findChild<QTabWidget*>()->count(), 3);  // text, log, one key's figures
   // The runs join the list, called by what differs.
-  ASSERT_TRUE(window_.reader()->waitFor(patience));
+  ASSERT_TRUE(window_.reader()->waitFor(tests::patience));
   ASSERT_EQ(window_.store().rowCount(), 2);
   EXPECT_EQ(window_.store().at(1).label, "depth 0.2");
   EXPECT_TRUE(window_.store().at(1).result->complete);
@@ -116,9 +114,9 @@ TEST_F(Tools, aStudyThatWasStoppedIsResumed) {
   const int points = 3 * studies::coresHere() + 3;  // more than run at once
   study->form()->findChild<KeyRows*>()->setTexts({QString("defect.depth=0.05:0.2:%1").arg(points)});
   study->start();
-  ASSERT_TRUE(tests::passes([&] { return read("study/study.csv").count('\n') > 1; }, patience));
+  ASSERT_TRUE(tests::passes([&] { return read("study/study.csv").count('\n') > 1; }, tests::patience));
   study->cancel();
-  ASSERT_TRUE(tests::passes([&] { return !study->isBusy(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !study->isBusy(); }, tests::patience));
   EXPECT_TRUE(study->messages()->text().contains("Cancelled")) << study->messages()->text().toStdString();
   EXPECT_FALSE(study->text().isEmpty());  // what is known so far
   const QByteArray part = read("study/study.csv");
@@ -153,7 +151,7 @@ TEST_F(Tools, takesTheCaseAsItStandsAtTheStart) {
   study->form()->findChild<KeyRows*>()->setTexts({"defect.depth=0.1,0.2"});
   study->start();
   window_.document().setParameter("motion.speed", "35");
-  ASSERT_TRUE(tests::passes([&] { return !study->isBusy(); }, patience));
+  ASSERT_TRUE(tests::passes([&] { return !study->isBusy(); }, tests::patience));
   EXPECT_TRUE(study->text().contains("2 of 2 runs done")) << study->text().toStdString();
   EXPECT_EQ(cases::readCase(path("study/case/short.toml").toStdString()).motion.speed, 30);
 }
@@ -234,7 +232,7 @@ TEST_F(Tools, closingAsksAndStops) {
   study->setFolder(path("closed"));
   study->form()->findChild<KeyRows*>()->setTexts({QString("defect.depth=0.05:0.2:%1").arg(20 * studies::coresHere())});
   study->start();
-  ASSERT_TRUE(tests::passes([&] { return read("closed/study.csv").count('\n') > 1; }, patience));
+  ASSERT_TRUE(tests::passes([&] { return read("closed/study.csv").count('\n') > 1; }, tests::patience));
   EXPECT_FALSE(window.close());
   EXPECT_TRUE(study->isComputing());
   answer = Answer::discard;

@@ -37,7 +37,7 @@ using tests::FileDialogTyping;
 using tests::press;
 using tests::type;
 
-constexpr int patience = 1200000;  // [ms] for busy machines and sanitizers; an idle core needs some seconds
+constexpr int patienceOfADay = 1200000;  // [ms] for busy machines and sanitizers; an idle core needs some seconds
 
 class WorkingDay : public testing::Test {
  protected:
@@ -102,18 +102,18 @@ class WorkingDay : public testing::Test {
     auto* panel = window_.findChild<RunPanel*>();
     auto* figures = window_.findChild<QLabel*>("runFigures");
     click(*run);
-    ASSERT_TRUE(tests::passes([&] { return panel->live()->sampleCount() > 2; }, patience));
+    ASSERT_TRUE(tests::passes([&] { return panel->live()->sampleCount() > 2; }, patienceOfADay));
     EXPECT_FALSE(run->isEnabled());
     // Step and what sets it, updates a second and the energy balance are told while it runs.
     for (const char* word : {"limited by", "element updates per second", "energy balance error"})
-      EXPECT_TRUE(tests::passes([&] { return figures->text().contains(word); }, patience))
+      EXPECT_TRUE(tests::passes([&] { return figures->text().contains(word); }, patienceOfADay))
           << figures->text().toStdString();
     click(*window_.findChild<QPushButton*>("cancel"));
-    ASSERT_TRUE(tests::passes([&] { return !window_.controller().isRunning(); }, patience));
+    ASSERT_TRUE(tests::passes([&] { return !window_.controller().isRunning(); }, patienceOfADay));
     ASSERT_EQ(window_.store().rowCount(), 1);
     EXPECT_FALSE(window_.store().currentResult()->complete);
     press(window_, Qt::Key_F5);
-    ASSERT_TRUE(tests::passes([&] { return window_.store().rowCount() == 2; }, patience));
+    ASSERT_TRUE(tests::passes([&] { return window_.store().rowCount() == 2; }, patienceOfADay));
     ASSERT_TRUE(window_.store().currentResult()->complete) << window_.messages()->text().toStdString();
   }
   void overlayAMeasuredSignal() {

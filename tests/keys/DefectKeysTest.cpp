@@ -103,7 +103,7 @@ TEST(DefectKeys, LinesStandSideBySide) {
 }
 
 TEST(DefectKeys, FileHasThePoints) {
-  const testing::TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   writeDurably(folder / "dip.csv", "position [mm],height [um]\n0,0\n10,-130\n20,0\n");
   const auto surface = surfaceOf({{"defect.shape", "profile"}, {"defect.file", folder / "dip.csv"}});
   EXPECT_NEAR(surface.depth(), 130e-6, 1e-15);

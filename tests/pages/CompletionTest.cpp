@@ -13,7 +13,7 @@
 namespace squat::pages {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 
 class Completion : public ::testing::Test {
  protected:

@@ -16,7 +16,7 @@
 namespace squat::manual {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 using ::testing::Not;
 

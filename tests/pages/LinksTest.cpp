@@ -89,7 +89,7 @@ class Links : public ::testing::Test {
   }
 
  private:
-  testing::TemporaryFolder generated_;
+  tests::TemporaryFolder generated_;
 };
 
 TEST_F(Links, LeadSomewhere) {

@@ -2,6 +2,7 @@
 // hand, as the programs of their day wrote them; expected is what stands in them.
 #include <gmock/gmock.h>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "project/ProjectFile.h"

@@ -1,5 +1,6 @@
 // A project that is copied with its data: all of it is there on another machine, and a copy that does not come to its
 // end leaves nothing.
+#include "case/CaseDescription.h"
 #include "project/ProjectCopy.h"
 
 #include <gmock/gmock.h>

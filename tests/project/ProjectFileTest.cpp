@@ -1,4 +1,5 @@
 // The project file: what is written is read, wherever its folder has gone, and damage is named or harmless.
+#include "case/CaseDescription.h"
 #include "project/ProjectFile.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
 // The registry of figures: what has a row is built, written, listed and refused in one place.
+#include "case/CaseDescription.h"
 #include "plots/FigureRegistry.h"
 
 #include <gmock/gmock.h>

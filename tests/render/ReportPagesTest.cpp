@@ -1,4 +1,5 @@
 // The report as its reader has it: the PDF taken apart by poppler.
+#include "case/CaseDescription.h"
 #include "plots/ReportPages.h"
 
 #include <gmock/gmock.h>

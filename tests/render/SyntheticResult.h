@@ -1,6 +1,8 @@
 // tests/render/SyntheticResult.h - a made-up but plausible run for tests of pictures and windows; no mechanics in it.
 #pragma once
 
+#include <memory>
+
 #include "results/RunResult.h"
 
 namespace squat::tests {
@@ -8,5 +10,8 @@ namespace squat::tests {
 // 0.5 m of rolling at 30 m/s over a 50 mm dip: an impact that rings at 300 Hz and 1 kHz, spectra from closed forms, a
 // rail, sleepers and a wheel as coarse surfaces with a made-up stress around the contact.
 results::RunResult syntheticResult();
+inline std::shared_ptr<const results::RunResult> sharedSyntheticResult() {
+  return std::make_shared<const results::RunResult>(syntheticResult());
+}
 
 }  // namespace squat::tests

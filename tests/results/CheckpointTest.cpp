@@ -14,7 +14,7 @@ namespace squat::results {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 ArrayTree sampleState(double first = 0.5) {
   ArrayTree state;

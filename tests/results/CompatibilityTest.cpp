@@ -53,8 +53,8 @@ TEST(Compatibility, ResultOf020) {
 // Within one schema a newer program may add datasets: the rest is read, and the reader says what it leaves out. A
 // signal or a number in a known list is no such thing.
 TEST(Compatibility, WhatANewerProgramHasAddedIsNamed) {
-  const testing::TemporaryFolder folder;
-  auto tree = toTree(testing::sampleResult());
+  const tests::TemporaryFolder folder;
+  auto tree = toTree(tests::sampleResult());
   setAttribute(tree.attributes, "code_version", std::string("0.9.0"));
   tree.add("/wear/depth", std::vector<double>{1, 2}, "m");
   tree.add("/spectra/phase", std::vector<double>{1, 2, 3}, "rad");
@@ -63,9 +63,9 @@ TEST(Compatibility, WhatANewerProgramHasAddedIsNamed) {
   const auto result = readResult(folder / "newer.h5");
   EXPECT_EQ(result.notRead, "/spectra/phase, /wear/depth, written by version 0.9.0");
   EXPECT_EQ(result.features.back().name, "loudness");
-  EXPECT_EQ(result.psd, testing::sampleResult().psd);
+  EXPECT_EQ(result.psd, tests::sampleResult().psd);
 
-  writeResult(folder / "own.h5", testing::sampleResult());
+  writeResult(folder / "own.h5", tests::sampleResult());
   EXPECT_EQ(readResult(folder / "own.h5").notRead, "");
   for (const char* frozen : {"squat-result-1.h5", "squat-result-1-of-0.2.0.h5"})
     EXPECT_EQ(readResult(SQUAT_SOURCE_DIR "/tests/results/frozen/" + std::string(frozen)).notRead, "") << frozen;

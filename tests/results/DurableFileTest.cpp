@@ -1,3 +1,4 @@
+#include "case/CaseDescription.h"
 #include "core/DurableFile.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +21,7 @@ namespace squat::results {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 std::string contents(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -92,11 +93,11 @@ TEST(DurableFile, AFailedVerificationKeepsTheEarlierFile) {
 TEST(DurableFile, AFullDiskIsReportedWithPathAndBytesAndHarmsNothing) {
   const TemporaryFolder folder;
   const auto path = folder / "sample.h5";
-  writeResult(path, testing::sampleResult());
+  writeResult(path, tests::sampleResult());
   const auto before = contents(path);
   const auto text = inChild([&] {
     limitFileSize(1000);
-    writeResult(path, testing::sampleResult(500));
+    writeResult(path, tests::sampleResult(500));
   });
   EXPECT_THAT(text, HasSubstr(path));
   EXPECT_THAT(text, HasSubstr("bytes needed"));

@@ -18,9 +18,9 @@ namespace squat::results {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::refusal;
-using testing::sampleResult;
-using testing::TemporaryFolder;
+using tests::refusal;
+using tests::sampleResult;
+using tests::TemporaryFolder;
 
 // A good result in which `change` may do what it likes with the C API.
 template <typename Change>

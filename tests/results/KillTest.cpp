@@ -18,8 +18,8 @@
 namespace squat::results {
 namespace {
 
-using testing::sampleResult;
-using testing::TemporaryFolder;
+using tests::sampleResult;
+using tests::TemporaryFolder;
 
 // Shared by writer and test: numbers of the last result and checkpoint that are surely on disk.
 struct Written {

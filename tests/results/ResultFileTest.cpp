@@ -16,9 +16,9 @@ namespace squat::results {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::refusal;
-using testing::sampleResult;
-using testing::TemporaryFolder;
+using tests::refusal;
+using tests::sampleResult;
+using tests::TemporaryFolder;
 
 void writeTree(const std::string& path, const ArrayTree& tree) { writeDurably(path, encodeHdf5(tree, path)); }
 

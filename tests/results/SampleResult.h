@@ -10,7 +10,7 @@
 #include "core/Errors.h"
 #include "results/ResultFile.h"
 
-namespace squat::testing {
+namespace squat::tests {
 
 class TemporaryFolder {
  public:
@@ -110,4 +110,4 @@ inline std::string refusal(const std::string& path) {
   return "accepted";
 }
 
-}  // namespace squat::testing
+}  // namespace squat::tests

@@ -11,7 +11,7 @@ namespace squat::results {
 namespace {
 
 TEST(SignalTable, HeaderNamesUnitsAndNumbersReadBackExactly) {
-  const auto result = testing::sampleResult(5);
+  const auto result = tests::sampleResult(5);
   std::istringstream table(signalTable(result));
   std::string line;
   std::getline(table, line);

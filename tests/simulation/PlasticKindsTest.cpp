@@ -7,10 +7,10 @@
 namespace squat {
 namespace {
 
-using testing::run;
-using testing::scalar;
-using testing::softRail;
-using testing::yielded;
+using tests::run;
+using tests::scalar;
+using tests::softRail;
+using tests::yielded;
 
 // A yield stress that nothing reaches: the elastic run, but for round-off.
 TEST(PlasticKinds, WithoutYieldItIsTheElasticRun) {

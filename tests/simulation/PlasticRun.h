@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "FixtureCase.h"
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 
-namespace squat::testing {
+namespace squat::tests {
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
@@ -48,4 +49,4 @@ inline double scalar(const std::vector<results::Scalar>& list, const std::string
   return 0;
 }
 
-}  // namespace squat::testing
+}  // namespace squat::tests

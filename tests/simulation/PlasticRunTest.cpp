@@ -13,13 +13,13 @@
 namespace squat {
 namespace {
 
-using testing::CancelAt;
-using testing::comparable;
-using testing::plain;
-using testing::run;
-using testing::scalar;
-using testing::softRail;
-using testing::yielded;
+using tests::CancelAt;
+using tests::comparable;
+using tests::plain;
+using tests::run;
+using tests::scalar;
+using tests::softRail;
+using tests::yielded;
 
 // The wheel presses a groove: vertical shortening, which is all there is on the axis of a contact without sliding,
 // summed over depth. Shortening by e alone is an equivalent strain e, and elastic stresses that stay add little: within
@@ -165,7 +165,7 @@ TEST(PlasticRun, EnergyIsAccountedFor) {
 
 // Also on another number of threads.
 TEST(PlasticRun, StoppedAndResumedIsTheSameToTheBit) {
-  const testing::TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   auto options = plain();
   options.checkpointPath = folder / "run.checkpoint";
   CancelAt half(0.5);
@@ -176,7 +176,7 @@ TEST(PlasticRun, StoppedAndResumedIsTheSameToTheBit) {
 }
 
 TEST(PlasticRun, ACheckpointWithoutPlasticStrainIsRefused) {
-  const testing::TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   auto options = plain();
   options.checkpointPath = folder / "run.checkpoint";
   CancelAt soon(0.1);

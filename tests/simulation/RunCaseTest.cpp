@@ -1,4 +1,5 @@
 // The whole way through on the tiny mesh: what a run promises, seen from outside.
+#include "case/CaseDescription.h"
 #include "simulation/RunCase.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@
 namespace squat {
 namespace {
 
-using testing::CancelAt;
+using tests::CancelAt;
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 

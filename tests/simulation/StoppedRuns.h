@@ -4,7 +4,7 @@
 #include "core/Monitor.h"
 #include "results/ResultTree.h"
 
-namespace squat::testing {
+namespace squat::tests {
 
 // Cancels when the given share of the rolling is done.
 class CancelAt : public Monitor {
@@ -28,4 +28,4 @@ inline results::ArrayTree comparable(results::RunResult result) {
   return results::toTree(result);
 }
 
-}  // namespace squat::testing
+}  // namespace squat::tests

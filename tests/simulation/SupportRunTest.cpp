@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "FixtureCase.h"
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 

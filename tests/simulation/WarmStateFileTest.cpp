@@ -19,8 +19,8 @@
 namespace squat::simulation {
 namespace {
 
-using squat::testing::comparable;
-using squat::testing::TemporaryFolder;
+using squat::tests::comparable;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 
 constexpr std::size_t kLargest = 100'000'000;  // [bytes]

@@ -19,9 +19,9 @@
 namespace squat::simulation {
 namespace {
 
-using squat::testing::CancelAt;
-using squat::testing::comparable;
-using squat::testing::TemporaryFolder;
+using squat::tests::CancelAt;
+using squat::tests::comparable;
+using squat::tests::TemporaryFolder;
 using ::testing::HasSubstr;
 using Values = std::vector<std::pair<std::string, std::string>>;
 
@@ -221,11 +221,11 @@ TEST(WarmState, AStateWithoutModesAndPicturesServesARunWithoutPictures) {
 // than the smaller of radius times slope and half the defect's length, at least 0.020 m.
 TEST(WarmState, AYieldingRailWorksWhereDefectsAreAlike) {
   const auto cut = [](const char* depth, const char* length) {
-    return squat::testing::softRail({{"motion.run_up", "0.07"},
-                                     {"defect.shape", "cut"},
-                                     {"defect.length", length},
-                                     {"defect.ramp", "2"},
-                                     {"defect.depth", depth}});
+    return squat::tests::softRail({{"motion.run_up", "0.07"},
+                                   {"defect.shape", "cut"},
+                                   {"defect.length", length},
+                                   {"defect.ramp", "2"},
+                                   {"defect.depth", depth}});
   };
   const auto warm = made(cut("0.15", "40"), threads(2));
   auto options = threads(1);
@@ -234,7 +234,7 @@ TEST(WarmState, AYieldingRailWorksWhereDefectsAreAlike) {
   options.warm = warm;
   const auto from = runCase(cut("0.25", "40"), options, silent);
   ASSERT_TRUE(from.complete);
-  EXPECT_GT(squat::testing::scalar(from.plasticity, "largest_equivalent_strain"), 0);
+  EXPECT_GT(squat::tests::scalar(from.plasticity, "largest_equivalent_strain"), 0);
   EXPECT_EQ(results::firstDifference(comparable(whole), comparable(from)), "");
   EXPECT_THAT(refusal(*warm, cut("0.15", "20")), HasSubstr("rail.plastic is true, must be false for this defect"));
 }

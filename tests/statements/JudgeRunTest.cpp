@@ -1,4 +1,5 @@
 // One run beside the paper, and what every run must show.
+#include "case/CaseDescription.h"
 #include "statements/JudgeRun.h"
 
 #include <gmock/gmock.h>

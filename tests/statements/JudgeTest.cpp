@@ -1,3 +1,4 @@
+#include "case/CaseDescription.h"
 #include "statements/Judge.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
 // Which results are the paper's cases: by what they are, not by what they are called.
+#include "case/CaseDescription.h"
 #include "statements/PaperCase.h"
 
 #include <gmock/gmock.h>

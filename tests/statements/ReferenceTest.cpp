@@ -1,3 +1,4 @@
+#include "case/CaseDescription.h"
 #include "statements/Reference.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +17,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 std::string refusal(const std::string& text) {
   const TemporaryFolder folder;

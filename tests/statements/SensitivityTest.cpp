@@ -1,5 +1,6 @@
 // One input at a time, on a run that is made up: the table, which row is the base, and that a stopped call is resumed.
 #include "FixtureCase.h"
+#include "case/CaseDescription.h"
 #include "statements/Sensitivity.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +14,7 @@ namespace squat::statements {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 // A decaying wave whose height is 100 times the case's height scale and 1e-4 of its distance from the sleeper.
 results::RunResult madeUp(const cases::CaseDescription& description) {

@@ -1,3 +1,4 @@
+#include "case/CaseDescription.h"
 #include "studies/CaseStudy.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
 // Against whole runs that were measured (resources/manual/speed.md).
+#include "case/CaseDescription.h"
 #include "studies/CostEstimate.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@
 namespace squat::studies {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Pair;

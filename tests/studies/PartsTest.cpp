@@ -20,7 +20,7 @@
 namespace squat::studies {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 

@@ -1,3 +1,4 @@
+#include "case/CaseDescription.h"
 #include "studies/SampledPoints.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +14,7 @@
 namespace squat::studies {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

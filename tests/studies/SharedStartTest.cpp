@@ -1,4 +1,5 @@
 // Studies that vary only the defect: one equilibrium and run-up for all, and the table of whole runs.
+#include "case/Resolve.h"
 #include "studies/SharedStart.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 namespace squat::studies {
 namespace {
 
-using squat::testing::TemporaryFolder;
+using squat::tests::TemporaryFolder;
 
 // As coarse and short as a run may be.
 cases::CaseOverrides coarse() {

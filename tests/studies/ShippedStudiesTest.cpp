@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "case/CaseDescription.h"
 #include "studies/CaseStudy.h"
 
 namespace squat::studies {

@@ -23,12 +23,12 @@ namespace {
 using results::ArrayTree;
 using results::RunResult;
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 cases::CaseDescription shortCase() {
   cases::CaseOverrides overrides;
   overrides.preset = "tiny";
-  overrides.values = testing::shortSets();
+  overrides.values = tests::shortSets();
   return cases::loadCase(tests::fixtureCase("light-defect"), overrides);
 }
 

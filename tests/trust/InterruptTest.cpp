@@ -15,9 +15,9 @@ namespace squat {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Program;
-using testing::shortRun;
-using testing::TemporaryFolder;
+using tests::Program;
+using tests::shortRun;
+using tests::TemporaryFolder;
 
 class Interrupt : public ::testing::TestWithParam<int> {};
 
@@ -34,14 +34,14 @@ TEST_P(Interrupt, OneSignalStopsCleanlyAndTheRunCanBeResumed) {
   EXPECT_TRUE(results::readCheckpoint(folder / "light-defect.checkpoint").has_value());
 
   std::string output;
-  EXPECT_EQ(testing::call(shortRun(folder.path(), {"--set", "motion.speed=29"}), &output), 2);
+  EXPECT_EQ(tests::call(shortRun(folder.path(), {"--set", "motion.speed=29"}), &output), 2);
   EXPECT_THAT(output, HasSubstr("checkpoint of another case"));
-  EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume"}), &output), 0) << output;
+  EXPECT_EQ(tests::call(shortRun(folder.path(), {"--resume"}), &output), 0) << output;
   EXPECT_TRUE(results::readResult(result).complete);
   EXPECT_FALSE(std::filesystem::exists(folder / "light-defect.checkpoint"));
-  EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume"}), &output), 0);
+  EXPECT_EQ(tests::call(shortRun(folder.path(), {"--resume"}), &output), 0);
   EXPECT_THAT(output, HasSubstr("already complete"));
-  EXPECT_EQ(testing::call(shortRun(folder.path(), {"--resume", "--set", "motion.speed=29"}), &output), 2);
+  EXPECT_EQ(tests::call(shortRun(folder.path(), {"--resume", "--set", "motion.speed=29"}), &output), 2);
   EXPECT_THAT(output, HasSubstr("another case"));
 }
 
@@ -99,7 +99,7 @@ TEST(InterruptTwice, IsOutWithinASecond) {
   EXPECT_FALSE(std::filesystem::exists(folder / "light-defect.h5"));
 }
 
-TEST(KillRun, AFewMomentsLoseNothing) { testing::killAndResume(4); }
+TEST(KillRun, AFewMomentsLoseNothing) { tests::killAndResume(4); }
 
 }  // namespace
 }  // namespace squat

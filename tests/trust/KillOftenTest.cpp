@@ -2,4 +2,4 @@
 
 #include "trust/KillRun.h"
 
-TEST(KillRunOften, FiftyMomentsLoseNothing) { squat::testing::killAndResume(50); }
+TEST(KillRunOften, FiftyMomentsLoseNothing) { squat::tests::killAndResume(50); }

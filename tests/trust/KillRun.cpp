@@ -14,7 +14,7 @@
 #include "trust/Program.h"
 #include "trust/ShortCase.h"
 
-namespace squat::testing {
+namespace squat::tests {
 
 namespace {
 
@@ -64,4 +64,4 @@ void killAndResume(int kills) {
             "");
 }
 
-}  // namespace squat::testing
+}  // namespace squat::tests

@@ -14,8 +14,8 @@
 namespace squat {
 namespace {
 
-using testing::call;
-using testing::TemporaryFolder;
+using tests::call;
+using tests::TemporaryFolder;
 
 // Debian installs no locale by itself: one is made here.
 std::vector<std::string> germanEnvironment(const TemporaryFolder& folder) {
@@ -34,8 +34,8 @@ TEST(Locale, ADecimalCommaInTheEnvironmentChangesNothing) {
   ASSERT_EQ(call({"describe", "light-defect", "--json"}, &second, german), 0);
   EXPECT_EQ(first, second);
 
-  ASSERT_EQ(call(testing::shortRun(folder / "plain"), &first, plain), 0) << first;
-  ASSERT_EQ(call(testing::shortRun(folder / "german"), &second, german), 0) << second;
+  ASSERT_EQ(call(tests::shortRun(folder / "plain"), &first, plain), 0) << first;
+  ASSERT_EQ(call(tests::shortRun(folder / "german"), &second, german), 0) << second;
   constexpr std::size_t maximum = 100000000;
   EXPECT_EQ(readWholeFile(folder / "plain/light-defect.csv", maximum),
             readWholeFile(folder / "german/light-defect.csv", maximum));

@@ -12,7 +12,7 @@
 
 extern char** environ;
 
-namespace squat::testing {
+namespace squat::tests {
 
 namespace {
 constexpr auto kPoll = std::chrono::milliseconds(5);
@@ -122,4 +122,4 @@ int call(const std::vector<std::string>& arguments, std::string* output, const s
   return code;
 }
 
-}  // namespace squat::testing
+}  // namespace squat::tests

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace squat::testing {
+namespace squat::tests {
 
 class Program {
  public:
@@ -42,4 +42,4 @@ class Program {
 int call(const std::vector<std::string>& arguments, std::string* output = nullptr,
          const std::vector<std::string>& environment = {});
 
-}  // namespace squat::testing
+}  // namespace squat::tests

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "FixtureCase.h"
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -21,17 +22,17 @@ namespace {
 
 using results::ArrayTree;
 using results::RunResult;
-using testing::CancelAt;
-using testing::comparable;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::TemporaryFolder;
+using tests::CancelAt;
+using tests::comparable;
+using tests::TemporaryFolder;
 
 cases::CaseDescription shortCase() {
   cases::CaseOverrides overrides;
   overrides.preset = "tiny";
-  overrides.values = testing::shortSets();
+  overrides.values = tests::shortSets();
   return cases::loadCase(tests::fixtureCase("light-defect"), overrides);
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace squat::testing {
+namespace squat::tests {
 
 inline const std::vector<std::pair<std::string, std::string>>& shortSets() {
   static const std::vector<std::pair<std::string, std::string>> sets = {{"motion.run_up", "0.04"},
@@ -23,4 +23,4 @@ inline std::vector<std::string> shortRun(const std::string& folder, const std::v
   return words;
 }
 
-}  // namespace squat::testing
+}  // namespace squat::tests

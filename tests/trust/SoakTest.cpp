@@ -34,15 +34,15 @@ double lowTenth(std::vector<double> values) {
 }
 
 TEST(Soak, TwoHundredCasesOnePoisoned) {
-  const testing::TemporaryFolder folder;
+  const tests::TemporaryFolder folder;
   // Steps a little below the stable one; the poisoned run asks for one far above, which only the run itself finds out.
   std::string steps = "output.time_step=";
   for (int i = 0; i < kRuns; ++i)
     steps += (i ? "," : "") + (i == 70 ? std::string("9") : std::to_string(0.4 + 1e-4 * i));
   std::vector<std::string> arguments{"study",       "light-defect", "--mesh", "tiny",   "-o",
                                      folder.path(), "--jobs",       "1",      "--vary", steps};
-  for (const auto& [key, value] : testing::shortSets()) arguments.insert(arguments.end(), {"--set", key + "=" + value});
-  testing::Program program(arguments);
+  for (const auto& [key, value] : tests::shortSets()) arguments.insert(arguments.end(), {"--set", key + "=" + value});
+  tests::Program program(arguments);
   std::vector<double> memory;
   while (program.running()) {
     memory.push_back(residentBytes(program.process()));

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "FixtureCase.h"
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "results/ResultFile.h"
@@ -18,7 +19,7 @@ namespace squat {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
+using tests::TemporaryFolder;
 
 constexpr std::size_t kMaximum = 100000000;
 
@@ -41,12 +42,12 @@ class FileSizeLimit {
 TEST(Starved, AFullDiskCostsNeitherTheEarlierResultNorTheProgramsLife) {
   const TemporaryFolder folder;
   const auto path = folder / "light-defect.h5";
-  results::writeResult(path, testing::sampleResult());
+  results::writeResult(path, tests::sampleResult());
   const auto before = readWholeFile(path, kMaximum);
   std::string output;
   {
     const FileSizeLimit limit(20000);
-    EXPECT_EQ(testing::call(testing::shortRun(folder.path()), &output), 4) << output;
+    EXPECT_EQ(tests::call(tests::shortRun(folder.path()), &output), 4) << output;
   }
   EXPECT_THAT(output, HasSubstr("the run continues without this checkpoint"));
   EXPECT_THAT(output, HasSubstr(path + ": cannot be written"));
@@ -80,7 +81,7 @@ TEST(Starved, OutputThatIsLostIsReported) {
 TEST(Starved, AReaderThatHasGoneCostsNoRun) {
   const TemporaryFolder folder;
   std::string words = SQUAT_PROGRAM;
-  for (const auto& word : testing::shortRun(folder.path())) words += " " + word;
+  for (const auto& word : tests::shortRun(folder.path())) words += " " + word;
   std::system((words + " 2> /dev/null | true").c_str());
   EXPECT_TRUE(results::isCompleteResult(folder / "light-defect.h5"));
   EXPECT_THAT(readWholeFile(folder / "light-defect.csv", kMaximum), ::testing::StartsWith("time [s],"));
@@ -95,7 +96,7 @@ TEST(Starved, ARunOutlivesTheFolderOfItsCheckpoints) {
   const TemporaryFolder folder;
   cases::CaseOverrides overrides;
   overrides.preset = "tiny";
-  overrides.values = testing::shortSets();
+  overrides.values = tests::shortSets();
   simulation::RunOptions options;
   options.threads = 1;
   options.checkpointPath = folder / "gone/run.checkpoint";

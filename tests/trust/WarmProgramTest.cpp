@@ -17,10 +17,10 @@
 namespace squat {
 namespace {
 
-using testing::call;
 using ::testing::HasSubstr;
-using testing::Program;
-using testing::TemporaryFolder;
+using tests::call;
+using tests::Program;
+using tests::TemporaryFolder;
 using Words = std::vector<std::string>;
 
 Words words(const std::string& command, const std::string& folder, const Words& besides = {}) {
@@ -41,7 +41,7 @@ TEST(WarmProgram, KeepsAStateAndStartsFromIt) {
   ASSERT_EQ(call(words("run", folder / "from", {"--warm", file}), &output), 0) << output;
   const auto whole = results::readResult(folder / "whole/light-defect.h5");
   const auto from = results::readResult(folder / "from/light-defect.h5");
-  EXPECT_EQ(results::firstDifference(testing::comparable(whole), testing::comparable(from)), "");
+  EXPECT_EQ(results::firstDifference(tests::comparable(whole), tests::comparable(from)), "");
   for (const auto& figure : from.performance) EXPECT_NE(figure.name, "seconds_equilibrium");
 
   EXPECT_EQ(call(words("run", folder / "other", {"--warm", file, "--set", "pad.stiffness=999"}), &output), 2);
@@ -71,8 +71,8 @@ TEST(WarmProgram, AStoppedRunIsResumed) {
   EXPECT_THAT(program.output(), HasSubstr("mesh.zone_before = 36 mm, mesh.zone_behind = 60 mm"));
   EXPECT_EQ(call(words("run", folder / "run", {"--resume"}), &output), 2) << "the case on its own mesh is another one";
   ASSERT_EQ(call(words("run", folder / "run", {"--resume", "--warm", file}), &output), 0) << output;
-  EXPECT_EQ(results::firstDifference(testing::comparable(results::readResult(folder / "whole/light-defect.h5")),
-                                     testing::comparable(results::readResult(folder / "run/light-defect.h5"))),
+  EXPECT_EQ(results::firstDifference(tests::comparable(results::readResult(folder / "whole/light-defect.h5")),
+                                     tests::comparable(results::readResult(folder / "run/light-defect.h5"))),
             "");
 }
 

@@ -13,13 +13,13 @@
 namespace squat::elasticity {
 namespace {
 
-constexpr double length = 0.5, width = 0.04, height = 0.05;
+constexpr double beamLength = 0.5, beamWidth = 0.04, beamHeight = 0.05;
 
 // Mean deflection of the loaded end face along section coordinate c, load 1 N spread evenly by area.
 double endDeflection(SweepKind kind, double skew) {
   SweptBlock bar;
   bar.name = "cantilever", bar.kind = kind, bar.material = steel;
-  bar.section = gridSection(evenly(-width / 2, width / 2, 3), evenly(-height / 2, height / 2, 4), skew);
+  bar.section = gridSection(evenly(-beamWidth / 2, beamWidth / 2, 3), evenly(-beamHeight / 2, beamHeight / 2, 4), skew);
   bar.stations = {0, false, {{8, 0.03}, {8, 0.0325}}};
   std::vector<SweptBlock> blocks{bar};
   const std::size_t size = layOut(blocks);
@@ -60,10 +60,11 @@ double endDeflection(SweepKind kind, double skew) {
 }
 
 TEST(Cantilever, DeflectsAfterTimoshenko) {
-  const double area = width * height, inertia = width * height * height * height / 12;
+  const double area = beamWidth * beamHeight, inertia = beamWidth * beamHeight * beamHeight * beamHeight / 12;
   const double shear = steel.young / 2 / (1 + steel.poisson);
   const double kappa = 10 * (1 + steel.poisson) / (12 + 11 * steel.poisson);
-  const double expected = length * length * length / (3 * steel.young * inertia) + length / (kappa * shear * area);
+  const double expected =
+      beamLength * beamLength * beamLength / (3 * steel.young * inertia) + beamLength / (kappa * shear * area);
   const std::tuple<SweepKind, double> bars[] = {
       {SweepKind::alongX, 0}, {SweepKind::alongY, 0}, {SweepKind::alongX, 0.3}};  // the last has a distorted section
   for (const auto& [kind, skew] : bars) {

@@ -13,6 +13,7 @@
 
 #include "FixtureCase.h"
 #include "analysis/RunFeatures.h"
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 #include "verification/Seen.h"

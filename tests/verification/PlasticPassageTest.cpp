@@ -11,6 +11,7 @@
 #include "elasticity/SweptSamples.h"
 #include "elasticity/SweptWork.h"
 #include "plasticity/LayerWork.h"
+#include "scenario/Track.h"
 #include "verification/PlainPlasticity.h"
 #include "verification/Seen.h"
 

@@ -82,16 +82,16 @@ TEST_P(UniaxialPlasticity, LoadUnloadReload) {
     for (int k = 1; k <= 5; ++k) {
       const double s = before + (goal - before) * k / 5;
       law.load(s);
-      const double along = s / steel.young + law.plastic, across = -steel.poisson * s / steel.young - law.plastic / 2;
+      const double along = s / steel.young + law.plastic, lateral = -steel.poisson * s / steel.young - law.plastic / 2;
       AlignedVector u(bar.size, 0.0);
       // A moved node takes the place it stands at.
       elasticity::setField(
-          block, [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(along * p[0], across * p[1], across * p[2]); },
-          u);
+          block,
+          [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(along * p[0], lateral * p[1], lateral * p[2]); }, u);
       if (moved) {
         u[block.index(4, 0, 3)] += along * 0.0005;
-        u[block.index(4, 1, 3)] += across * 0.0004;
-        u[block.index(4, 2, 3)] += across * -0.0006;
+        u[block.index(4, 1, 3)] += lateral * 0.0004;
+        u[block.index(4, 2, 3)] += lateral * -0.0006;
       }
       returnWindow(bar.layer, kernels, u.data(), 0.016, 1, 0, 1, state, forces);
       for (int q = 0; q < static_cast<int>(block.section.quads.size()); ++q)

@@ -22,7 +22,7 @@
 namespace squat::verification {
 namespace {
 
-constexpr double width = 0.25, amplitude = 1e-5;  // [m] standard deviation and height of the pulse
+constexpr double pulseWidth = 0.25, pulseHeight = 1e-5;  // [m] standard deviation and height of the pulse
 
 model::Model bareRail(const char* ends) {
   auto d = cases::loadScenario(
@@ -34,7 +34,7 @@ model::Model bareRail(const char* ends) {
   return model::buildModel(d);
 }
 
-double pulse(double x) { return amplitude * std::exp(-0.5 * std::pow(x / width, 2)); }
+double railPulse(double x) { return pulseHeight * std::exp(-0.5 * std::pow(x / pulseWidth, 2)); }
 
 // Lifted by 2 mm, at rest.
 void liftWheelset(const model::Model& model, AlignedVector& displacement) {
@@ -63,14 +63,14 @@ Returned returnedFrom(const char* ends) {
   dynamics::Rolling rolling(model, elasticity::kernelsFor(""), team, stable.step, 0);
   AlignedVector u(model.stateSize, 0.0), v(model.stateSize, 0.0);
   constexpr double h = 1e-4;
-  const auto slope = [&](double x) { return (pulse(x + h) - pulse(x - h)) / (2 * h); };
-  const auto curvature = [&](double x) { return (pulse(x + h) - 2 * pulse(x) + pulse(x - h)) / (h * h); };
+  const auto slope = [&](double x) { return (railPulse(x + h) - railPulse(x - h)) / (2 * h); };
+  const auto curvature = [&](double x) { return (railPulse(x + h) - 2 * railPulse(x) + railPulse(x - h)) / (h * h); };
   // The section contracts about its centroid by nu times the strain.
   const auto contracted = [&](const Eigen::Vector3d& p, double along, double across) {
     return Eigen::Vector3d(along, -nu * (p[1] - section.centroidB) * across, -nu * (p[2] - section.centroidC) * across);
   };
   elasticity::setField(
-      rail, [&](const Eigen::Vector3d& p) { return contracted(p, pulse(p[0] - middle), slope(p[0] - middle)); }, u);
+      rail, [&](const Eigen::Vector3d& p) { return contracted(p, railPulse(p[0] - middle), slope(p[0] - middle)); }, u);
   elasticity::setField(
       rail,
       [&](const Eigen::Vector3d& p) {
@@ -90,13 +90,13 @@ Returned returnedFrom(const char* ends) {
       const double m = model.mass[model.rail][static_cast<std::size_t>(n) * rail.stride + static_cast<std::size_t>(s)];
       mean += m * rolling.state().displaced[rail.index(n, 0, s)], mass += m;
     }
-    const double own = pulse(rail.positions[s] - middle);
+    const double own = railPulse(rail.positions[s] - middle);
     const double length = 0.5 * (rail.positions[s + 1] - rail.positions[s - 1]);
     product += length * mean / mass * own, square += length * own * own;
-    returned.largest = std::max(returned.largest, std::abs(mean / mass) / amplitude);
+    returned.largest = std::max(returned.largest, std::abs(mean / mass) / pulseHeight);
   }
   returned.share = product / square;
-  std::printf("%s: %.4f of the pulse, largest displacement %.4f\n", ends, returned.share, returned.largest);
+  std::printf("%s: %.4f of the railPulse, largest displacement %.4f\n", ends, returned.share, returned.largest);
   return returned;
 }
 

@@ -19,22 +19,22 @@
 namespace squat::elasticity {
 namespace {
 
-constexpr double length = 10;
+constexpr double railLength = 10;
 
 SweptBlock freeRail() {
   SweptBlock rail;
   rail.name = "rail", rail.material = steel;
   rail.section = geometry::railSectionMesh({0.010, 0.010, 0.024, 1.7});
-  rail.stations = {0, false, {{56, length / 56}}};
+  rail.stations = {0, false, {{56, railLength / 56}}};
   return rail;
 }
 
 // Zeros of the frequency equation, ascending [rad/s].
 std::vector<double> timoshenkoModes(double area, double inertia, double kappa, int count) {
   const double shear = steel.young / 2 / (1 + steel.poisson);
-  const double r2 = inertia / area / (length * length);
-  const double s2 = steel.young * inertia / (kappa * area * shear) / (length * length);
-  const double unit = std::sqrt(steel.young * inertia / (steel.density * area)) / (length * length);
+  const double r2 = inertia / area / (railLength * railLength);
+  const double s2 = steel.young * inertia / (kappa * area * shear) / (railLength * railLength);
+  const double unit = std::sqrt(steel.young * inertia / (steel.density * area)) / (railLength * railLength);
   const auto equation = [&](double b) {
     const double root = std::sqrt((r2 - s2) * (r2 - s2) + 4 / (b * b));
     const double p = std::sqrt((root - r2 - s2) / 2), q = std::sqrt((root + r2 + s2) / 2);
@@ -58,14 +58,14 @@ std::vector<double> timoshenkoModes(double area, double inertia, double kappa, i
   return modes;
 }
 
-struct Mode {
+struct RailMode {
   double frequency = 0;                         // [rad/s]
   double vertical = 0, lateral = 0, along = 0;  // shares of the kinetic energy
   double even = 0;  // share of the lateral motion that is the same left and right: lateral bending and torsion
 };
 
 // Lowest elastic modes by subspace iteration on (K + shift M)^-1 M.
-std::vector<Mode> railModes(int count) {
+std::vector<RailMode> railModes(int count) {
   std::vector<SweptBlock> blocks{freeRail()};
   const std::size_t size = layOut(blocks);
   const auto& rail = blocks[0];
@@ -115,10 +115,10 @@ std::vector<Mode> railModes(int count) {
     x *= small.eigenvectors();
     values = small.eigenvalues();
   }
-  std::vector<Mode> modes;
+  std::vector<RailMode> modes;
   for (int i = 0; i < vectors && static_cast<int>(modes.size()) < count; ++i) {
     if (values[i] - shift < std::pow(2 * std::acos(-1.0) * 1, 2)) continue;  // rigid motions
-    Mode mode;
+    RailMode mode;
     mode.frequency = std::sqrt(values[i] - shift);
     double* share[3] = {&mode.along, &mode.lateral, &mode.vertical};
     for (int j = 0; j < total; ++j) *share[j % 3] += mass[j] * x(j, i) * x(j, i);
@@ -133,8 +133,8 @@ std::vector<Mode> railModes(int count) {
   return modes;
 }
 
-const std::vector<Mode>& lowestModes() {
-  static const std::vector<Mode> modes = railModes(18);
+const std::vector<RailMode>& lowestModes() {
+  static const std::vector<RailMode> modes = railModes(18);
   return modes;
 }
 
@@ -142,7 +142,7 @@ TEST(RailModes, VerticalBendingAfterTimoshenko) {
   const auto integrals = geometry::sectionIntegrals(freeRail().section);
   const auto vertical = timoshenkoModes(integrals.area, integrals.momentCC, 0.40, 5);
   std::vector<double> found;
-  for (const Mode& mode : lowestModes())
+  for (const RailMode& mode : lowestModes())
     if (mode.vertical > 0.9) found.push_back(mode.frequency);
   ASSERT_GE(found.size(), 5u);
   for (int i = 0; i < 5; ++i) {
@@ -161,9 +161,9 @@ TEST(RailModes, VerticalBendingAfterTimoshenko) {
 // and coarse quads in web and foot.
 TEST(RailModes, LateralBendingAndTorsionAfterVlasov) {
   const auto theory = verification::lateralTorsionModes(
-      verification::sectionTorsion(geometry::railSectionMesh({0.0026, 0.0104, 0.005, 1.3})), steel, length, 8);
-  std::vector<Mode> found;
-  for (const Mode& mode : lowestModes())
+      verification::sectionTorsion(geometry::railSectionMesh({0.0026, 0.0104, 0.005, 1.3})), steel, railLength, 8);
+  std::vector<RailMode> found;
+  for (const RailMode& mode : lowestModes())
     if (mode.even > 0.9 && mode.along < 0.5) found.push_back(mode);
   ASSERT_GE(found.size(), 8u);
   int torsion = 0;

@@ -14,19 +14,19 @@
 namespace squat::elasticity {
 namespace {
 
-constexpr double radius = 0.4, height = 0.02, width = 0.02;
+constexpr double ringRadius = 0.4, ringHeight = 0.02, ringWidth = 0.02;
 constexpr int sectors = 96;
 
 std::vector<SweptBlock> ring(int quads) {
   SweptBlock block;
   block.name = "ring", block.kind = SweepKind::aroundAxis, block.material = steel;
-  block.section =
-      gridSection(evenly(radius - height / 2, radius + height / 2, quads), evenly(-width / 2, width / 2, quads));
+  block.section = gridSection(evenly(ringRadius - ringHeight / 2, ringRadius + ringHeight / 2, quads),
+                              evenly(-ringWidth / 2, ringWidth / 2, quads));
   block.stations = {0, true, {{sectors, 2 * std::acos(-1.0) / sectors}}};
   return {block};
 }
 
-struct Mode {
+struct RingMode {
   double frequency = 0;  // [rad/s]
   double inPlane = 0;    // share of the kinetic energy without motion along the axis
 };
@@ -34,7 +34,7 @@ struct Mode {
 // Modes in which motion in the section varies as cos(n alpha) and along the sweep as sin(n alpha): the ring is the same
 // at every station, so forces and displacements of one station are joined by a small matrix, taken from unit
 // displacements of one station.
-std::vector<Mode> modesOfOrder(int n, int quads) {
+std::vector<RingMode> modesOfOrder(int n, int quads) {
   auto blocks = ring(quads);
   const std::size_t size = layOut(blocks);
   const auto& block = blocks[0];
@@ -62,9 +62,9 @@ std::vector<Mode> modesOfOrder(int n, int quads) {
   EXPECT_LT((k - k.transpose()).norm(), 1e-12 * k.norm());
   const Eigen::MatrixXd scaled = inverseRoot.asDiagonal() * k * inverseRoot.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
-  std::vector<Mode> modes;
+  std::vector<RingMode> modes;
   for (int m = 0; m < 4; ++m) {
-    Mode mode;
+    RingMode mode;
     mode.frequency = std::sqrt(std::max(0.0, solver.eigenvalues()[m]));
     for (int i = 0; i < unknowns; ++i)
       if (i % 3 != 2) mode.inPlane += std::pow(solver.eigenvectors()(i, m), 2);
@@ -74,17 +74,17 @@ std::vector<Mode> modesOfOrder(int n, int quads) {
 }
 
 double lowestInPlane(int n) {
-  for (const Mode& mode : modesOfOrder(n, 2))
+  for (const RingMode& mode : modesOfOrder(n, 2))
     if (mode.inPlane > 0.9) return mode.frequency;
   return 0;
 }
 
 TEST(RingModes, BendInTheirPlaneAfterHoppe) {
-  const double area = width * height, inertia = width * std::pow(height, 3) / 12;
+  const double area = ringWidth * ringHeight, inertia = ringWidth * std::pow(ringHeight, 3) / 12;
   for (const int n : {2, 3, 4}) {
     const double squares = n * n;
     const double expected = std::sqrt(squares * std::pow(squares - 1, 2) / (squares + 1) * steel.young * inertia /
-                                      (steel.density * area * std::pow(radius, 4)));
+                                      (steel.density * area * std::pow(ringRadius, 4)));
     const double found = lowestInPlane(n);
     EXPECT_NEAR(found, expected, 0.02 * expected) << "n = " << n;
     verification::seenDeviation("in the plane", found, expected);
@@ -94,14 +94,14 @@ TEST(RingModes, BendInTheirPlaneAfterHoppe) {
 // Out of the plane: w_n^2 = n^2 (n^2 - 1)^2 / (n^2 + E I / C) E I / (rho A R^4) (Love, 293b), with the torsional
 // stiffness C = 0.1406 G b^4 of a square. Six quads a side: the warping of the section must be seen.
 TEST(RingModes, BendOutOfTheirPlaneAfterLove) {
-  const double area = width * height, inertia = height * std::pow(width, 3) / 12;
-  const double shear = steel.young / 2 / (1 + steel.poisson), torsion = 0.1406 * shear * std::pow(width, 4);
+  const double area = ringWidth * ringHeight, inertia = ringHeight * std::pow(ringWidth, 3) / 12;
+  const double shear = steel.young / 2 / (1 + steel.poisson), torsion = 0.1406 * shear * std::pow(ringWidth, 4);
   for (const int n : {2, 3}) {
     const double squares = n * n;
     const double expected = std::sqrt(squares * std::pow(squares - 1, 2) / (squares + steel.young * inertia / torsion) *
-                                      steel.young * inertia / (steel.density * area * std::pow(radius, 4)));
+                                      steel.young * inertia / (steel.density * area * std::pow(ringRadius, 4)));
     double found = 0;
-    for (const Mode& mode : modesOfOrder(n, 6))
+    for (const RingMode& mode : modesOfOrder(n, 6))
       if (mode.inPlane < 0.1 && found == 0) found = mode.frequency;
     EXPECT_NEAR(found, expected, 0.02 * expected) << "n = " << n;
     verification::seenDeviation("out of the plane", found, expected);

@@ -7,13 +7,14 @@
 #include <cmath>
 
 #include "FixtureCase.h"
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 
 namespace squat {
 namespace {
 
-std::vector<double> rolled(const std::string& slowed) {
+std::vector<double> rolledOverWaves(const std::string& slowed) {
   simulation::RunOptions options;
   options.threads = 2;
   options.wheelsetModes = options.snapshots = false;
@@ -24,7 +25,7 @@ std::vector<double> rolled(const std::string& slowed) {
 }
 
 TEST(ShortWaves, MoreOfTheirInertiaIsNotFelt) {
-  const auto slowed = rolled("true"), asTheyAre = rolled("false");
+  const auto slowed = rolledOverWaves("true"), asTheyAre = rolledOverWaves("false");
   ASSERT_EQ(slowed.size(), asTheyAre.size());
   ASSERT_GT(slowed.size(), 300U);
   double maximum = 0, peak = 0;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "FixtureCase.h"
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "simulation/RunCase.h"
 #include "verification/Seen.h"

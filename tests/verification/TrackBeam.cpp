@@ -25,7 +25,7 @@ double rectangleTorsion(double a, double b) {
   return longer * std::pow(shorter, 3) / 3 * (1 - 192 / std::pow(pi, 5) * shorter / longer * sum);
 }
 
-void join(Terms& terms, const Terms& others) { terms.insert(terms.end(), others.begin(), others.end()); }
+void append(Terms& terms, const Terms& others) { terms.insert(terms.end(), others.begin(), others.end()); }
 
 }  // namespace
 
@@ -166,17 +166,18 @@ void TrackBeam::addPad(int sleeper, double at, const scenario::Seat& seat) {
     for (int q = 0; q < padsAcross; ++q) {
       const double y = padLocation(q, padsAcross, pad.width), location = y + case_.wheelset.trackCentre;
       Terms vertical{{foot, 1}, {rail + turn, y}};
-      join(vertical, sleeperAt(sleeper, lift, location, -1)), join(vertical, sleeperAt(sleeper, twist, location, -x));
+      append(vertical, sleeperAt(sleeper, lift, location, -1)),
+          append(vertical, sleeperAt(sleeper, twist, location, -x));
       system_.addSpring(vertical, share * seat.padStiffness.value_or(pad.stiffness),
                         share * seat.padDamping.value_or(pad.damping));
       Terms lengthwise{{rail + along, 1}, {rail + upSlope, section_.centroidAboveBase}, {rail + acrossSlope, -y}};
-      join(lengthwise, sleeperAt(sleeper, shift, location, -1)),
-          join(lengthwise, sleeperAt(sleeper, twist, location, top));
+      append(lengthwise, sleeperAt(sleeper, shift, location, -1)),
+          append(lengthwise, sleeperAt(sleeper, twist, location, top));
       system_.addSpring(lengthwise, share * pad.longitudinalStiffness, share * pad.longitudinalDamping);
       Terms lateral{{rail + across, 1}, {rail + turn, section_.shearCentreAboveBase}};
-      join(lateral, sleeperAt(sleeper, stretch, location, -1)),
-          join(lateral, sleeperAt(sleeper, liftSlope, location, top));
-      join(lateral, sleeperAt(sleeper, shiftSlope, location, x));
+      append(lateral, sleeperAt(sleeper, stretch, location, -1)),
+          append(lateral, sleeperAt(sleeper, liftSlope, location, top));
+      append(lateral, sleeperAt(sleeper, shiftSlope, location, x));
       system_.addSpring(lateral, share * pad.lateralStiffness, share * pad.lateralDamping);
     }
   }

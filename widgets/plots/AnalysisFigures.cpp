@@ -15,7 +15,7 @@
 namespace squat::plots {
 namespace {
 
-constexpr double windowSeconds = 0.01;                  // of the short-time transform, as the analysis takes it
+constexpr double windowSeconds = 0.01;  // of the short-time transform, as the analysis takes it
 
 QString titleOf(const analysis::SignalAnalysis& signal) {
   const auto stem = std::filesystem::path(signal.file).stem().string();

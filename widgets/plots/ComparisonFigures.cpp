@@ -14,8 +14,8 @@
 namespace squat::plots {
 namespace {
 
-constexpr double comparedUpTo = 2500;                      // [Hz]
-constexpr double minimumShare = 1e-3;                   // of the second's largest density, for a ratio
+constexpr double comparedUpTo = 2500;  // [Hz]
+constexpr double minimumShare = 1e-3;  // of the second's largest density, for a ratio
 
 void setPlaceAxis(Figure& figure, const signals::Comparison& c) {
   figure.xAxis->setLabel(c.inPosition ? "Position relative to the impact [mm]" : "Time relative to the impact [ms]");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"

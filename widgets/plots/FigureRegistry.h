@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "case/CaseDescription.h"
+#include "case/CaseDeclaration.h"
 #include "plots/LineFigure.h"
 #include "plots/SpectrumScale.h"
 #include "signals/PowerSpectrum.h"

@@ -1,4 +1,5 @@
 // The rows of the registry: one for each figure of a run.
+#include "case/CaseDescription.h"
 #include "plots/FigureBuilders.h"
 #include "plots/FigureRegistry.h"
 #include "plots/Overlays.h"

@@ -12,10 +12,10 @@
 namespace squat::plots {
 namespace {
 
-constexpr double lowestFrequency = 50, highestFrequency = 3000;           // [Hz] that maps show
-constexpr double around = 1;                            // [m] beyond what is shown, for waves of 50 Hz
-constexpr double faint = 1e-3;                          // of the largest power
-constexpr double ratioDecibels = 20;                    // to each side
+constexpr double lowestFrequency = 50, highestFrequency = 3000;  // [Hz] that maps show
+constexpr double around = 1;                                     // [m] beyond what is shown, for waves of 50 Hz
+constexpr double faint = 1e-3;                                   // of the largest power
+constexpr double ratioDecibels = 20;                             // to each side
 
 // The stretch that is shown and what its transforms need around it.
 signals::TimeSeries seriesOf(const signals::Comparison& c, const std::vector<double>& values, double speed) {
@@ -70,7 +70,8 @@ double largestSeen(const results::AnalysedRecord& map) {
 double commonFrequency(const signals::Comparison& c) {
   const auto& ratio = c.densityRatio;
   const auto beyond = std::find_if(ratio.begin(), ratio.end(), [](double value) { return std::isnan(value); });
-  return beyond == ratio.end() ? highestFrequency : c.firstSpectrum.frequency[static_cast<std::size_t>(beyond - ratio.begin())];
+  return beyond == ratio.end() ? highestFrequency
+                               : c.firstSpectrum.frequency[static_cast<std::size_t>(beyond - ratio.begin())];
 }
 
 results::AnalysedRecord ratioOf(const results::AnalysedRecord& first, const results::AnalysedRecord& second,

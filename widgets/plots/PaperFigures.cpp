@@ -200,7 +200,8 @@ struct StatedBand {
 };
 
 std::unique_ptr<Figure> paperSpectrum(const results::RunResult* run, const char* caseName, const QString& caption,
-                                const std::vector<StatedBand>& bands, const Measured& passages, const Style& style) {
+                                      const std::vector<StatedBand>& bands, const Measured& passages,
+                                      const Style& style) {
   if (!run) {
     auto empty = std::make_unique<Figure>("psd", style);
     leaveEmpty(*empty, caseName);
@@ -223,8 +224,8 @@ std::unique_ptr<Figure> paperSpectrum(const results::RunResult* run, const char*
 
 FigureSheet figure6(const PaperRuns& runs, const Style& style) {
   // "About 300 Hz" and "about 1000 Hz" as bands of a tenth to each side.
-  auto figure =
-      paperSpectrum(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}}, runs.lightMeasured, style);
+  auto figure = paperSpectrum(runs.light, "light-defect", "Fig. 6, calculated", {{270, 330}, {900, 1100}},
+                              runs.lightMeasured, style);
   QString note = "shaded: the paper's two main peaks, about 300 and 1000 Hz";
   if (runs.lightMeasured.empty()) note += "\nmeasured curves: published as a picture only";
   addNote(*figure, note, 0.02);

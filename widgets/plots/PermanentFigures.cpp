@@ -50,8 +50,8 @@ std::unique_ptr<Figure> permanentChangeFigure(const results::RunResult& result, 
   const auto middle = std::min_element(change.lateral.begin(), change.lateral.end(),
                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
   const auto centre = static_cast<std::size_t>(middle - change.lateral.begin());
-  addCurve(*figure, {x, scaled(lowestAcross(change.height, change.lateral.size()), 1e6), "minimum across the rail", 1, 0.9,
-                     Qt::DashLine});
+  addCurve(*figure, {x, scaled(lowestAcross(change.height, change.lateral.size()), 1e6), "minimum across the rail", 1,
+                     0.9, Qt::DashLine});
   addCurve(*figure, {x, scaled(column(change.height, change.lateral.size(), centre), 1e6), "centre line", 0, 1.2});
   fitValues(*figure, 0.08);
   return figure;

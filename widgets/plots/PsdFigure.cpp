@@ -9,11 +9,11 @@
 namespace squat::plots {
 namespace {
 
-constexpr double highestShownFrequency = 2500;    // [Hz] a little beyond the filter's cut-off
-constexpr double octavesFrom = 88;    // [Hz] edge below the band of 100 Hz
-constexpr double octavesTo = 2900;    // [Hz] beyond the upper edge of the band of 2500 Hz
-constexpr double reference = 1e-6;    // [m/s2] of levels, ISO 1683
-constexpr double shownDecibels = 60;  // below the largest value
+constexpr double highestShownFrequency = 2500;  // [Hz] a little beyond the filter's cut-off
+constexpr double octavesFrom = 88;              // [Hz] edge below the band of 100 Hz
+constexpr double octavesTo = 2900;              // [Hz] beyond the upper edge of the band of 2500 Hz
+constexpr double reference = 1e-6;              // [m/s2] of levels, ISO 1683
+constexpr double shownDecibels = 60;            // below the largest value
 
 // The lines that the tables name, at the same frequencies.
 std::vector<signals::SpectralPeak> linesOf(const results::AnalysedRecord& result) {
@@ -178,7 +178,8 @@ std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const S
   add(result.psd, result.psdWheel.empty() ? QString() : QString("axle box"), 0, 1.2);
   if (result.psdWheel.size() == result.frequency.size() && !result.psdWheel.empty())
     add(result.psdWheel, "wheel centre", 1, 0.8);
-  const double top = result.frequency.empty() ? highestShownFrequency : std::min(highestShownFrequency, result.frequency.back());
+  const double top =
+      result.frequency.empty() ? highestShownFrequency : std::min(highestShownFrequency, result.frequency.back());
   figure->xAxis->setRange(0, std::max(top, 1.0));
   const bool octaves = scale == SpectrumScale::thirdOctaves;
   if (octaves && isThere) setOctaveAxis(*figure, result, section);

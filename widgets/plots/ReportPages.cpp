@@ -19,8 +19,9 @@
 namespace squat::plots {
 namespace {
 
-constexpr int resolution = 1200;                // [dpi] of coordinates; curves and text are vectors
-constexpr double sideMargin = 19, verticalMargin = 18;  // [mm]: two figures of a journal column stand side by side on A4
+constexpr int resolution = 1200;  // [dpi] of coordinates; curves and text are vectors
+constexpr double sideMargin = 19,
+                 verticalMargin = 18;  // [mm]: two figures of a journal column stand side by side on A4
 constexpr double textSize = 9, tableSize = 7, footerSize = 7;  // [pt]
 
 double dots(double millimetres) { return millimetres / 25.4 * resolution; }

@@ -14,7 +14,7 @@ namespace squat::plots {
 namespace {
 
 constexpr double lowestShown = 50, highestShown = 3000;  // [Hz] shown at most
-constexpr std::size_t maximumColumns = 2000;   // of a short-time transform: more than a figure has pixels
+constexpr std::size_t maximumColumns = 2000;             // of a short-time transform: more than a figure has pixels
 
 QCPColorGradient gradientOf(const std::string& map) {
   QCPColorGradient gradient;

@@ -1,3 +1,4 @@
+#include "case/Resolve.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 

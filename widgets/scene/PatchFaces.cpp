@@ -14,8 +14,8 @@
 namespace squat::scene {
 namespace {
 
-constexpr double patchReach = 0.03;   // [m] of the rail's points that are looked at
-constexpr double topOf = -0.01;  // [m] below the top of the rail they count no more
+constexpr double patchReach = 0.03;  // [m] of the rail's points that are looked at
+constexpr double topOf = -0.01;      // [m] below the top of the rail they count no more
 
 // Points of the rail's running surface near the contact.
 std::vector<std::array<double, 3>> runningSurface(const std::vector<PartData>& parts, double contactAt) {

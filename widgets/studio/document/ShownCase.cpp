@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "case/CaseNames.h"
+#include "case/Resolve.h"
 
 namespace squat::studio {
 

@@ -28,9 +28,9 @@
 namespace squat::studio {
 namespace {
 
-constexpr int allColumns = -2, byHeader = -1;         // data of entries that are no column
-constexpr int maximumHeadings = 200;                  // columns of the table; the lists have all of them
-constexpr int maximumLines = 4;                       // of what is said below the curve
+constexpr int allColumns = -2, byHeader = -1;             // data of entries that are no column
+constexpr int maximumHeadings = 200;                      // columns of the table; the lists have all of them
+constexpr int maximumLines = 4;                           // of what is said below the curve
 constexpr double highestRate = 1e8, maximumSpeed = 1000;  // [Hz], [m/s]
 
 // For files that give none; the first one is what the reader takes then.

@@ -3,6 +3,8 @@
 #include <QFont>
 #include <algorithm>
 
+#include "case/Resolve.h"
+
 namespace squat::studio {
 
 RunStore::RunStore(QObject* parent) : QAbstractListModel(parent) {}

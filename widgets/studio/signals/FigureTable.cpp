@@ -31,8 +31,8 @@ void addCells(const QCPColorMap& map, const QCPRange& seen, QByteArray& text) {
     for (int row = 0; row < cells.valueSize(); ++row) {
       const QPointF location = cellLocation(map, column, row);
       if (seen.contains(location.x()))
-        text +=
-            "map," + numberCell(location.x()) + ',' + numberCell(location.y()) + ',' + numberCell(cells.cell(column, row)) + '\n';
+        text += "map," + numberCell(location.x()) + ',' + numberCell(location.y()) + ',' +
+                numberCell(cells.cell(column, row)) + '\n';
     }
 }
 

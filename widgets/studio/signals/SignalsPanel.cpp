@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
 #include "plots/FigureBuilders.h"

@@ -46,7 +46,7 @@ std::vector<std::string> targetFiles(const ChosenTargets& chosen, const std::str
 }
 
 ToolResult computeCalibration(calibration::CalibrationDefinition definition, const std::vector<std::string>& free,
-                   const ChosenTargets& chosen, const ToolInput& input, Monitor& monitor) {
+                              const ChosenTargets& chosen, const ToolInput& input, Monitor& monitor) {
   const auto& folder = input.folder;
   makeFolder(folder);
   const FolderLock owner(folder, "Squat Studio, calibration");

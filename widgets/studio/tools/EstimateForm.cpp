@@ -20,8 +20,8 @@
 namespace squat::studio {
 namespace {
 
-ToolResult computeEstimate(estimation::EstimateDefinition definition, const std::string& mesh, const ChosenTargets& chosen,
-                   const ToolInput& input, Monitor& monitor) {
+ToolResult computeEstimate(estimation::EstimateDefinition definition, const std::string& mesh,
+                           const ChosenTargets& chosen, const ToolInput& input, Monitor& monitor) {
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, estimate");
   const auto files = estimation::estimateFiles(input.folder);
@@ -92,8 +92,10 @@ QString EstimateForm::missing() const {
 ToolWork EstimateForm::work() {
   estimation::EstimateDefinition definition;
   definition.longest = 1e-3 * longest_->value();
-  return [definition, mesh = mesh_->currentText().toStdString(), chosen = passages_->chosen()](
-             const ToolInput& input, Monitor& monitor) { return computeEstimate(definition, mesh, chosen, input, monitor); };
+  return [definition, mesh = mesh_->currentText().toStdString(), chosen = passages_->chosen()](const ToolInput& input,
+                                                                                               Monitor& monitor) {
+    return computeEstimate(definition, mesh, chosen, input, monitor);
+  };
 }
 
 void EstimateForm::save(QSettings& settings) const {

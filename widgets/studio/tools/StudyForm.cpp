@@ -50,7 +50,7 @@ std::string nameOf(const studies::StudyDefinition& definition, const studies::St
 }
 
 ToolResult computeStudy(studies::StudyJob job, const studies::StudyRequest& request, const ToolInput& input,
-                   Monitor& monitor) {
+                        Monitor& monitor) {
   job.study.folder = input.folder;
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, study");
@@ -118,7 +118,8 @@ ToolWork StudyForm::work() {
     request.sample = std::string(methods[points_->currentIndex()]) + ":" + std::to_string(count_->value());
   studies::StudyJob job;
   job.keepResults = keep_->isChecked();
-  return [job, request](const ToolInput& input, Monitor& monitor) { return computeStudy(job, request, input, monitor); };
+  return
+      [job, request](const ToolInput& input, Monitor& monitor) { return computeStudy(job, request, input, monitor); };
 }
 
 void StudyForm::save(QSettings& settings) const {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "case/CaseFile.h"
+#include "case/Resolve.h"
 #include "core/Errors.h"
 #include "project/MeasuredRecords.h"
 #include "results/ResultFile.h"

@@ -1,0 +1,15 @@
+// solver/scenario/ScenarioDeclaration.h - the names of what is simulated, for headers that only hand it on.
+#pragma once
+
+namespace squat::scenario {
+
+class DefectSurface;
+struct ForcePoint;
+struct ProfileLine;
+struct ProfilePoint;
+struct Rail;
+struct Scenario;
+struct Seat;
+struct Wheelset;
+
+}  // namespace squat::scenario
