@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "analysis/ComparisonFiles.h"
 #include "analysis/FileComparison.h"
@@ -49,6 +50,8 @@ void printComparison(const analysis::FileComparison& pair) {
 int compare(const CompareOptions& given) {
   auto options = given.comparison;
   options.second = fileOptions(given.signal);
+  // Another file of signals is read as the measured ones are; a result file says itself what it holds.
+  if (std::filesystem::path(given.result).extension() != ".h5") options.first = options.second;
   options.first.column = given.resultColumn;
   options.first.speed = options.second.speed;
   options.comparison.align = !options.smooth;

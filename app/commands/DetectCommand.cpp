@@ -165,6 +165,11 @@ void addDetectCommand(CLI::App& program, Action& action) {
   command->add_option("--threshold", options->detect.threshold, "Evidence that makes an event (default: 14)")
       ->check(between(1.0, 1e6))
       ->type_name("N");
+  command
+      ->add_option("--least-share", options->detect.leastShare,
+                   "Share of a record's samples that must be readable (default: 0.9)")
+      ->check(between(0.0, 1.0))
+      ->type_name("SHARE");
   command->add_option("--threads", options->detect.threads, "Threads (default: all cores)")
       ->check(CLI::Range(1, 256))
       ->type_name("N");

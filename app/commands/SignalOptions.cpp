@@ -16,6 +16,14 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
   command.add_option("--position-column", file.positionColumn, "Column of the position")->type_name("NAME");
   command.add_option("--speed-column", file.speedColumn, "Column of the speed")->type_name("NAME");
   command.add_option("--run-column", file.runColumn, "Column that numbers repeated runs")->type_name("NAME");
+  command
+      .add_option("--unit", options.units,
+                  "Unit of a column where the file states none or a wrong one: aba=g, speed=km/h; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("COLUMN=UNIT");
+  command
+      .add_option("--time-unit", file.timeUnit, "Unit of the time: s, ms, us, ns or min (default: as the file states)")
+      ->type_name("UNIT");
   command.add_option("--object", file.object, "Path inside an HDF5 file")->type_name("PATH");
   command.add_option("--rate", file.rate, "Sampling rate, if the file has no time column")
       ->check(between(1.0, 1e8))
@@ -32,6 +40,7 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
 readers::SignalFileOptions fileOptions(const SignalOptions& options) {
   auto file = options.file;
   if (!options.speed.empty()) file.speed = analysis::speedFromText(options.speed);
+  for (const auto& text : options.units) file.units.push_back(analysis::columnUnitFromText(text));
   file.delimiter = analysis::delimiterFromText(options.delimiter);
   if (options.decimalComma) file.decimal = ',';
   return file;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "readers/SignalFile.h"
 
@@ -11,6 +12,7 @@ namespace squat::commands {
 struct SignalOptions {
   readers::SignalFileOptions file;
   std::string speed, delimiter = "auto";
+  std::vector<std::string> units;  // COLUMN=UNIT
   bool decimalComma = false;
 };
 

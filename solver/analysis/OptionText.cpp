@@ -64,6 +64,13 @@ double speedFromText(const std::string& text) {
   return *value * scale.factor;
 }
 
+std::pair<std::string, std::string> columnUnitFromText(const std::string& text) {
+  const std::size_t at = text.rfind('=');
+  if (at == std::string::npos || at == 0 || at + 1 == text.size())
+    refuse("--unit", text, "COLUMN=UNIT, for example aba=g");
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
 void setWindow(signals::PowerSpectrumOptions& options, const std::string& text) {
   try {
     options.window = signals::windowFromText(text);

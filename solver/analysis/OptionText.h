@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/Analysis.h"
@@ -19,6 +20,9 @@ double chainageFromText(const std::string& text);
 
 // Speed in m/s, or with its unit: "30", "30 m/s", "108 km/h". Throws CaseError.
 double speedFromText(const std::string& text);
+
+// "aba=g": column and unit, parted by the last "=". Throws CaseError.
+std::pair<std::string, std::string> columnUnitFromText(const std::string& text);
 
 // Window and detrend by name into the options of the spectrum; throws CaseError naming the known ones.
 void setWindow(signals::PowerSpectrumOptions& options, const std::string& text);

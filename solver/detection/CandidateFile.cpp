@@ -186,12 +186,15 @@ std::string settingsText(const records::RecordOptions& read, const DetectOptions
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) all += std::string(", ") + name + " " + value;
   };
+  if (options.leastShare != 0.9) add("least share", text::numberText(options.leastShare));
   add("column", columns.column);
   add("time column", columns.timeColumn);
   add("position column", columns.positionColumn);
   add("speed column", columns.speedColumn);
   add("run column", columns.runColumn);
   add("object", columns.object);
+  for (const auto& [column, unit] : columns.units) add("unit", column + "=" + unit);
+  add("time unit", columns.timeUnit);
   if (columns.rate > 0) add("rate", text::numberText(columns.rate));
   if (columns.speed > 0) add("speed", text::numberText(columns.speed));
   if (columns.delimiter != 0) add("delimiter", std::string(1, columns.delimiter));

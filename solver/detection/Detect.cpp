@@ -6,7 +6,10 @@
 #include <deque>
 #include <future>
 
+#include "core/Errors.h"
 #include "core/ThreadTeam.h"
+#include "detection/BandPower.h"
+#include "text/Numbers.h"
 
 namespace squat::detection {
 namespace {
@@ -107,17 +110,52 @@ std::vector<Event*> nearestTo(const std::vector<Label>& labels, RecordDetection&
   return events;
 }
 
+// Squats ring up to some 900 Hz at least; a record that does not reach there says nothing of them.
+void requireRate(const records::RecordLayout& layout) {
+  constexpr double lowestRate = 2000;  // [Hz]
+  if (layout.rate < lowestRate)
+    throw FileError(layout.path, "",
+                    "is sampled at " + text::roundedText(layout.rate) +
+                        " Hz; squats are looked for up to 900 Hz at least, which needs 2000 Hz",
+                    "Check the unit of the time (--time-unit), or record at a higher rate");
+}
+
+// Most of a record that cannot be read is no record without squats.
+void requireShare(const RecordDetection& result, std::size_t read, double least) {
+  const auto samples = static_cast<double>(result.layout.samples);
+  if (result.layout.samples == 0 || static_cast<double>(read) >= least * samples) return;
+  const auto share = text::roundedText(100 * static_cast<double>(read) / samples);
+  const std::string first = result.faults.empty() ? "" : "; the first that was not: " + result.faults.front().text;
+  throw FileError(result.layout.path, "",
+                  share + " % of its " + std::to_string(result.layout.samples) + " samples could be read" + first,
+                  "Correct the file, choose other columns, or allow it with --least-share 0");
+}
+
+// What a record of this rate cannot show.
+std::string bandsNotShown(double rate) {
+  std::string names;
+  for (const auto& band : detectionBands())
+    if (!shows(rate, band))
+      names += (names.empty() ? "" : ", ") + text::roundedText(band.low) + "-" + text::roundedText(band.high) + " Hz";
+  if (names.empty()) return names;
+  return "sampling at " + text::roundedText(rate) + " Hz does not show " + names +
+         ": kinds, lengths and severities are less sure";
+}
+
 }  // namespace
 
 RecordDetection findCandidates(records::RecordStream& stream, const DetectOptions& options, Monitor& monitor) {
   RecordDetection result;
   result.layout = stream.layout();
+  requireRate(result.layout);
   for (const auto& channel : result.layout.channels) result.channels.push_back({channel.name, {}, {}, 0});
   SegmentCutter cutter(result.layout);
   Pipeline pipeline(result, options);
   const auto start = Clock::now();
   records::RecordBlock block;
+  std::size_t read = 0;  // samples
   while (!result.cancelled && stream.next(block)) {
+    read += block.size();
     for (const double speed : block.speed) result.length += std::max(0.0, speed) / result.layout.rate;
     result.duration += static_cast<double>(block.size()) / result.layout.rate;
     pipeline.add(cutter.push(block));
@@ -132,7 +170,9 @@ RecordDetection findCandidates(records::RecordStream& stream, const DetectOption
   if (!result.cancelled) pipeline.add(cutter.finish());
   pipeline.finish();
   result.layout = stream.layout();
+  if (auto note = bandsNotShown(result.layout.rate); !note.empty()) result.layout.notes.push_back(std::move(note));
   result.faults = stream.faults();
+  if (!result.cancelled) requireShare(result, read, options.leastShare);
   result.notes = result.layout.notes;
   return result;
 }

@@ -13,8 +13,9 @@
 namespace squat::detection {
 
 struct DetectOptions {
-  double threshold = 14;  // evidence that makes a candidate (Candidates.h)
-  int threads = 0;        // 0: all cores
+  double threshold = 14;    // evidence that makes a candidate (Candidates.h)
+  int threads = 0;          // 0: all cores
+  double leastShare = 0.9;  // of a record's samples that must be readable; below it FileError
   SurroundingsOptions surroundings;
 };
 

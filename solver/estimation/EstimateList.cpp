@@ -35,6 +35,8 @@ std::string estimateKey(const EstimateDefinition& definition, const EstimateOpti
   for (const auto& name : {definition.reading.column, definition.reading.timeColumn, definition.reading.positionColumn,
                            definition.reading.speedColumn, definition.reading.runColumn, definition.reading.object})
     all += "," + name;
+  for (const auto& [column, unit] : definition.reading.units) all += "," + column + "=" + unit;
+  all += "," + definition.reading.timeUnit;
   for (const double number : {definition.reading.rate, definition.reading.speed, definition.cutoff, definition.longest,
                               definition.beyond, static_cast<double>(options.runs)})
     all += "," + text::numberText(number);

@@ -9,7 +9,9 @@
 #include "core/Errors.h"
 #include "readers/ArrayFile.h"
 #include "readers/ColumnRoles.h"
+#include "readers/TableRoles.h"
 #include "results/ResultTree.h"
+#include "text/Heading.h"
 #include "text/Text.h"
 #include "text/Units.h"
 
@@ -44,8 +46,9 @@ std::vector<double> numbersOf(const Array& array) {
 }
 
 std::string unitOf(const Array& array) {
-  const std::string unit = results::textAttribute(array.attributes, "unit");
-  return unit.empty() ? results::textAttribute(array.attributes, "units") : unit;
+  for (const char* name : {"unit", "units", "Unit", "Units", "unit_string"})
+    if (std::string unit = results::textAttribute(array.attributes, name); !unit.empty()) return unit;
+  return {};
 }
 
 std::string listOf(const std::vector<const Array*>& arrays) {
@@ -74,8 +77,11 @@ void addColumns(ArrayColumns& found, const Array& array) {
   const bool samplesFirst = array.shape.empty() || array.shape.front() == n;
   for (std::size_t run = 0; run < runs; ++run) {
     text::TableColumn column;
-    column.name = nameOf(array.path) + (runs > 1 ? " " + std::to_string(run + 1) : "");
-    column.unit = unitOf(array);
+    const std::string stated = unitOf(array);
+    const auto heading =
+        stated.empty() ? text::headingOf(nameOf(array.path)) : text::Heading{nameOf(array.path), stated};
+    column.name = heading.name + (runs > 1 ? " " + std::to_string(run + 1) : "");
+    column.unit = heading.unit;
     column.values.resize(values.empty() ? 0 : n);
     for (std::size_t i = 0; i < column.values.size(); ++i)
       column.values[i] = samplesFirst ? values[i * runs + run] : values[run * n + i];
@@ -228,6 +234,7 @@ std::vector<signals::Record> readArraySignals(const std::string& path, const Sig
   auto [table, places, samples, found] = columnsOf(path, tree, options);
   table.lines.resize(samples);
   std::iota(table.lines.begin(), table.lines.end(), 0u);
+  setUnits(table, found);
   auto signals = signalsOf(table, found);
   if (results::textAttribute(tree.attributes, "schema") == results::kResultSchema &&
       results::numberAttribute(tree.attributes, "complete", 1) != 1)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "text/Heading.h"
 #include "text/Text.h"
 #include "text/Units.h"
 
@@ -23,11 +24,10 @@ bool begins(const std::string& name, std::initializer_list<std::string_view> wor
 
 Role roleOf(std::string_view columnName, std::string_view unit) {
   const std::string name = text::lowerCase(text::trimmed(columnName));
-  if (oneOf(name, {"t", "sec", "seconds"}) || begins(name, {"time", "timestamp", "zeit", "tijd"})) return Role::time;
-  if (oneOf(name, {"km", "pos"}) || begins(name, {"position", "chainage", "distance", "mileage", "kilometre",
-                                                  "kilometer", "station", "weg", "afstand", "kmpost"}))
-    return Role::position;
-  if (oneOf(name, {"v"}) || begins(name, {"speed", "velocity", "geschwindigkeit", "snelheid"})) return Role::speed;
+  const std::string_view quantity = text::siUnitOfName(name);
+  if (quantity == "s") return Role::time;
+  if (quantity == "m") return Role::position;
+  if (quantity == "m/s") return Role::speed;
   // A number that tells runs apart; "run 1" with a unit of its own is a signal.
   const std::string bare = text::bareUnit(unit);
   if ((bare.empty() || bare == "-") &&

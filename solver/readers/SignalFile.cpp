@@ -16,6 +16,7 @@
 #include "text/DelimitedTable.h"
 #include "text/Numbers.h"
 #include "text/Text.h"
+#include "text/Units.h"
 
 namespace squat::readers {
 namespace {
@@ -131,6 +132,13 @@ void requireOptions(const SignalFileOptions& options) {
   };
   number("--rate", options.rate, "Hz");
   number("--speed", options.speed, "m/s");
+  for (const auto& [column, unit] : options.units)
+    if (!text::findUnit(text::bareUnit(unit)))
+      problems.push_back({"--unit", column + "=" + unit,
+                          "COLUMN=UNIT with a unit such as s, ms, m, km, m/s, km/h, m/s2, g", "Correct the unit"});
+  if (const auto* unit = text::findUnit(text::bareUnit(options.timeUnit));
+      !options.timeUnit.empty() && (!unit || unit->si != "s"))
+    problems.push_back({"--time-unit", options.timeUnit, "s, ms, us, ns or min", "Correct the unit"});
   if (options.decimal != 0 && options.decimal != '.' && options.decimal != ',')
     problems.push_back({"--decimal-comma", std::string(1, options.decimal), "point or comma", "Correct the option"});
   if (!problems.empty()) throw CaseError(problems);
@@ -139,7 +147,9 @@ void requireOptions(const SignalFileOptions& options) {
 std::vector<signals::Record> readSignals(const std::string& path, const SignalFileOptions& options) {
   requireOptions(options);
   if (isArrayFile(path)) return readArraySignals(path, options);
-  return signalsOf(text::readDelimitedTable(path, options.delimiter, options.decimal), options);
+  auto table = text::readDelimitedTable(path, options.delimiter, options.decimal);
+  setUnits(table, options);
+  return signalsOf(table, options);
 }
 
 }  // namespace squat::readers

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "signals/Record.h"
@@ -19,6 +20,9 @@ struct SignalFileOptions {
   double speed = 0;    // [m/s] constant; 0: from the speed column or from time and position
   char delimiter = 0;  // 0: found; ' ' stands for any blanks
   char decimal = 0;    // '.' or ','; 0: found
+  // Units that the file does not state, or states wrongly: column, by name or number, and unit.
+  std::vector<std::pair<std::string, std::string>> units = {};
+  std::string timeUnit = {};  // of the time column; empty: as the file states it
 };
 
 // Throws CaseError for options that no file could fit.

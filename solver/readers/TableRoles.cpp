@@ -7,14 +7,18 @@
 
 #include "core/Errors.h"
 #include "readers/ColumnRoles.h"
+#include "text/Heading.h"
 #include "text/Text.h"
+#include "text/Units.h"
 
 namespace squat::readers {
 namespace {
 
-// Column by name or by its number from 1.
+// Column by name, by its heading as it stands in the file, or by its number from 1.
 std::size_t findColumn(const text::DelimitedTable& table, const std::string& wanted) {
   if (const std::size_t c = columnNamed(table, wanted); c != noColumn) return c;
+  if (const auto heading = text::headingOf(wanted); !heading.unit.empty())
+    if (const std::size_t c = columnNamed(table, heading.name); c != noColumn) return c;
   const std::string lower = text::lowerCase(text::trimmed(wanted));
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(lower.data(), lower.data() + lower.size(), number);
@@ -44,9 +48,9 @@ void requireKnownUnits(const text::DelimitedTable& table, TableRoles& roles) {
       throw FileError(
           table.path, "column " + std::to_string(*column + 1),
           "'" + table.columns[*column].name + "' is in " + table.columns[*column].unit + ", which is not known there",
-          role == Role::time       ? "Times are in s, ms or us"
-          : role == Role::position ? "Positions are in m, km, cm, mm or km+m"
-          : role == Role::speed    ? "Speeds are in m/s or km/h"
+          role == Role::time       ? "Times are in s, ms, us, ns or min; --time-unit UNIT says which"
+          : role == Role::position ? "Positions are in m, km, cm, mm, km+m, mile or ft; --unit COLUMN=UNIT says which"
+          : role == Role::speed    ? "Speeds are in m/s, km/h, mph or knots; --unit COLUMN=UNIT says which"
                                    : "Coordinates are in degrees");
 }
 
@@ -78,6 +82,19 @@ std::size_t columnNamed(const text::DelimitedTable& table, const std::string& wa
                         " and " + std::to_string(found[1] + 1),
                     "Name the one to read by its number");
   return found.empty() ? noColumn : found.front();
+}
+
+void setUnits(text::DelimitedTable& table, const SignalFileOptions& options) {
+  for (const auto& [column, unit] : options.units) table.columns[findColumn(table, column)].unit = unit;
+  if (options.timeUnit.empty()) return;
+  const auto isTime = [](const text::TableColumn& column) { return roleOf(column.name, column.unit) == Role::time; };
+  const auto first = std::find_if(table.columns.begin(), table.columns.end(), isTime);
+  std::size_t at = static_cast<std::size_t>(first - table.columns.begin());
+  if (!options.timeColumn.empty())
+    at = findColumn(table, options.timeColumn);
+  else if (first == table.columns.end())
+    at = 0;
+  table.columns[at].unit = options.timeUnit;
 }
 
 TableRoles rolesOf(const text::DelimitedTable& table, const SignalFileOptions& options) {

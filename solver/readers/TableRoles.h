@@ -24,6 +24,10 @@ std::string columnList(const text::DelimitedTable& table);
 // Column of that name, case ignored; noColumn: there is none. FileError where two bear it.
 std::size_t columnNamed(const text::DelimitedTable& table, const std::string& wanted);
 
+// Units that the call states take the place of those of the table (options.units, options.timeUnit: of the time column,
+// the first one where none is known as time). Throws FileError where there is no such column.
+void setUnits(text::DelimitedTable& table, const SignalFileOptions& options);
+
 // The axes as the options name them, else as their headers say. A few rows are enough. Throws FileError where a named
 // column is missing and where an axis is in an unknown unit.
 TableRoles rolesOf(const text::DelimitedTable& table, const SignalFileOptions& options);

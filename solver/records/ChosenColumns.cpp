@@ -22,7 +22,9 @@ bool hasNumbers(const text::TableColumn& column) {
 ChosenColumn chosen(const text::DelimitedTable& head, std::size_t index, Role role) {
   const auto& column = head.columns[index];
   const auto scale = readers::scaleOf(column.unit, column.name, role);
-  ChosenColumn result{index, column.kilometresAndMetres ? 1.0 : scale.factor, column.name, scale.unit, {}};
+  ChosenColumn result{index,       column.kilometresAndMetres ? 1.0 : scale.factor,
+                      column.name, scale.unit,
+                      {},          !text::bareUnit(column.unit).empty()};
   if (result.name.empty())
     result.name = head.columns.size() > 1 ? "column " + std::to_string(index + 1)
                                           : std::filesystem::path(head.path).stem().string();

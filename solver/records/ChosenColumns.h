@@ -14,6 +14,7 @@ struct ChosenColumn {
   double factor = 1;       // to SI
   std::string name, unit;  // unit: SI
   std::string doubt;       // what is odd about its unit; empty: nothing
+  bool unitStated = true;  // by the file or the call
 };
 
 struct ChosenColumns {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "text/TableLayout.h"
+#include "text/Heading.h"
 
 namespace squat::records {
 namespace {
@@ -15,7 +15,8 @@ std::size_t firstExtent(const Array& array) { return array.shape.empty() ? 0 : a
 void addColumn(readers::ArrayColumns& found, const Array& array, const std::string& header, std::size_t run,
                std::size_t runs) {
   text::TableColumn column;
-  text::splitNameAndUnit(header, column.name, column.unit);
+  const auto heading = text::headingOf(header);
+  column.name = heading.name, column.unit = heading.unit;
   found.table.columns.push_back(std::move(column));
   found.places.push_back({array.path, run, runs, true});
 }

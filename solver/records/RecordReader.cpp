@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/Errors.h"
+#include "readers/TableRoles.h"
+#include "signals/Median.h"
 #include "text/Numbers.h"
 
 namespace squat::records {
@@ -56,7 +58,9 @@ RecordReader::RecordReader(std::string path, std::unique_ptr<RowSource> source, 
   options_.blockLength = std::max<std::size_t>(options_.blockLength, 1);
   if (options_.columns.rate == 0) options_.columns.rate = source_->rate;
   if (options_.columns.speed == 0) options_.columns.speed = source_->speed;
-  chosen_ = chooseColumns(source_->head(), options_.columns);
+  text::DelimitedTable head = source_->head();
+  readers::setUnits(head, options_.columns);
+  chosen_ = chooseColumns(head, options_.columns);
   layout_.notes = source_->notes;
   layout_.notes.insert(layout_.notes.end(), chosen_.notes.begin(), chosen_.notes.end());
   for (const auto& channel : chosen_.channels) layout_.channels.push_back({channel.name, channel.unit});
@@ -77,6 +81,7 @@ RecordReader::RecordReader(std::string path, std::unique_ptr<RowSource> source, 
   layout_.falling = rules.direction < 0;
   direction_ = rules.direction;
   for (double& x : work_.position) x *= direction_;
+  judgeSpeed();
   judgeValues();
   judgeCoordinates();
   checks_ = std::make_unique<RowChecks>(rules, faults_);
@@ -116,12 +121,55 @@ RowRules RecordReader::findRules() {
     throw FileError(layout_.path, "", "has no time column that is known as one, so the sampling rate is not known",
                     "Give the rate, or name the time column");
   }
+  const bool guessed = !work_.time.empty() && fromTime > 0 && !chosen_.time[0].unitStated;
+  constexpr double slowest = 1000, quickest = 1e6;  // [Hz] between which only seconds make sense of an unstated unit
+  if (guessed && (fromTime < slowest || fromTime > quickest))
+    throw FileError(layout_.path, "column " + std::to_string(chosen_.time[0].column + 1),
+                    "'" + chosen_.time[0].name + "' states no unit; in seconds, the record would be sampled at " +
+                        text::roundedText(fromTime) + " Hz",
+                    "Give its unit with --time-unit: s, ms, us, ns or min");
+  if (guessed)
+    layout_.notes.push_back("'" + chosen_.time[0].name +
+                            "' states no unit: seconds are assumed, which is sampling at " +
+                            text::roundedText(fromTime) + " Hz");
   constexpr double fastest = 1e7;  // [Hz]: beyond it the unit of the time is wrong
   if (!(layout_.rate <= fastest) || !(layout_.rate >= 1))
     throw FileError(layout_.path, "", "is sampled at " + text::roundedText(layout_.rate) + " Hz",
                     "1 to 1e7 Hz are read; check the unit of time, and whether time and position are swapped");
   rules.steps.step = 1 / layout_.rate;
   return rules;
+}
+
+// Positions, times and speeds of one train: a unit that is wrong by a factor shows here.
+void RecordReader::judgeSpeed() {
+  if (work_.time.empty() || work_.size() < 2) return;
+  const double duration = changeOf(work_.time);
+  constexpr double shortest = 0.2, fastest = 150;  // [s], [m/s]
+  if (!(duration > shortest)) return;
+  double sum = 0, count = 0;
+  for (const double speed : work_.speed)
+    if (std::isfinite(speed)) sum += speed, count += 1;
+  const double stated = count > 0 ? sum / count : 0;
+  const double moved = work_.position.empty() ? 0 : std::abs(changeOf(work_.position)) / duration;
+  const auto columnOf = [](const ChosenColumn& column) { return "column " + std::to_string(column.column + 1); };
+  const auto perSecond = [](double speed) { return text::roundedText(speed) + " m/s"; };
+  if (stated > fastest)
+    throw FileError(
+        layout_.path, columnOf(chosen_.speed[0]),
+        "'" + chosen_.speed[0].name + "' is " + perSecond(stated) + " on the average; a train has at most 150 m/s",
+        "Give its unit: --unit " + chosen_.speed[0].name + "=km/h, say");
+  if (layout_.hasPosition && moved > fastest)
+    throw FileError(layout_.path, columnOf(chosen_.position[0]),
+                    "'" + chosen_.position[0].name + "' moves at " + perSecond(moved) +
+                        " by the times; a train has at most 150 m/s",
+                    "Give the units: --unit " + chosen_.position[0].name + "=mm, say, or --time-unit");
+  constexpr double leastSpeed = 1, leastWay = 5, alike = 0.1;  // [m/s], [m], relative
+  if (!layout_.hasPosition || !(stated > leastSpeed) || !(moved * duration > leastWay)) return;
+  if (std::abs(moved / stated - 1) > alike)
+    throw FileError(layout_.path, columnOf(chosen_.speed[0]),
+                    "'" + chosen_.speed[0].name + "' is " + perSecond(stated) + " on the average, where '" +
+                        chosen_.position[0].name + "' moves at " + perSecond(moved) + " by the times",
+                    "Give the unit of the one that is wrong: --unit COLUMN=UNIT, or --time-unit");
 }
 
 // Notes and doubts about units, from the first rows.
@@ -212,16 +260,40 @@ void RecordReader::fillChannel(std::size_t channel, std::size_t from) {
   }
 }
 
+// Numbers that stand for none: of the usual ones, written at least three times and far beyond all others.
+void RecordReader::findAbsent(const Rows& rows) {
+  for (std::size_t c = 0; c < chosen_.channels.size(); ++c) {
+    const auto& values = rows.columns[c];
+    std::vector<double> sizes;
+    for (const double value : values)
+      if (std::isfinite(value)) sizes.push_back(std::abs(value));
+    const double usual = sizes.empty() ? 0 : signals::median(sizes);
+    double found = HUGE_VAL;
+    for (const double size : {999.0, 9999.0, 99999.0, 32768.0})
+      for (const double sign : {-1.0, 1.0}) {
+        const auto count = std::count(values.begin(), values.end(), sign * size);
+        const bool apart =
+            std::none_of(sizes.begin(), sizes.end(), [&](double s) { return s > 0.5 * size && s != size; });
+        if (count >= 3 && size > 20 * usual && apart) found = sign * size;
+      }
+    absent_.push_back(found);
+    if (std::isfinite(found))
+      layout_.notes.push_back("'" + chosen_.channels[c].name + "': " + text::roundedText(found) +
+                              " stands for no number, it seems: such samples are left out");
+  }
+}
+
 void RecordReader::take(Rows& rows) {
   std::size_t k = 0;
-  const auto append = [&](std::vector<double>& to, double factor) {
+  const auto append = [&](std::vector<double>& to, double factor, double absent = HUGE_VAL) {
     for (const double value : rows.columns[k]) {
       const double scaled = value * factor;
-      to.push_back(std::abs(scaled) <= largest ? scaled : std::nan(""));
+      to.push_back(std::abs(scaled) <= largest && value != absent ? scaled : std::nan(""));
     }
     ++k;
   };
-  for (std::size_t c = 0; c < chosen_.channels.size(); ++c) append(work_.channels[c], chosen_.channels[c].factor);
+  for (std::size_t c = 0; c < chosen_.channels.size(); ++c)
+    append(work_.channels[c], chosen_.channels[c].factor, absent_.empty() ? HUGE_VAL : absent_[c]);
   const auto axis = [&](const std::vector<ChosenColumn>& column, std::vector<double>& to, double sign) {
     if (!column.empty()) append(to, column[0].factor * sign);
   };
@@ -234,6 +306,12 @@ void RecordReader::take(Rows& rows) {
   axis(chosen_.run, work_.run, 1);
   axis(chosen_.latitude, work_.latitude, 1);
   axis(chosen_.longitude, work_.longitude, 1);
+  // 0, 0 is what receivers write while they have no fix.
+  constexpr double noFix = 1e-6;  // [deg]
+  for (std::size_t i = work_.latitude.size() - (work_.latitude.empty() ? 0 : rows.size()); i < work_.latitude.size();
+       ++i)
+    if (std::abs(work_.latitude[i]) < noFix && std::abs(work_.longitude[i]) < noFix)
+      work_.latitude[i] = work_.longitude[i] = std::nan("");
   work_.lines.insert(work_.lines.end(), rows.lines.begin(), rows.lines.end());
   for (std::size_t i = work_.size() - rows.size(); i < work_.speed.size(); ++i)
     work_.speed[i] = std::isfinite(work_.speed[i]) ? std::abs(work_.speed[i]) : i > 0 ? work_.speed[i - 1] : 0.0;
@@ -267,10 +345,12 @@ void RecordReader::fetch() {
     at_ = keep;
   }
   const std::size_t from = work_.size();
-  if (source_->next(options_.blockLength, rows_))
+  if (source_->next(options_.blockLength, rows_)) {
+    if (absent_.empty()) findAbsent(rows_);
     take(rows_);
-  else
+  } else {
     ended_ = true;
+  }
   if (checks_) check(from);
   if (ended_) reportTruncation();
 }
@@ -328,8 +408,8 @@ void RecordReader::emit(std::size_t end, RecordBlock& block) {
   if (layout_.hasCoordinates) {
     part(work_.latitude, block.latitude);
     part(work_.longitude, block.longitude);
-    spreadRepeats(block.latitude, at_ > 0 ? work_.latitude[at_ - 1] : 0);
-    spreadRepeats(block.longitude, at_ > 0 ? work_.longitude[at_ - 1] : 0);
+    spreadRepeats(block.latitude, at_ > 0 ? work_.latitude[at_ - 1] : std::nan(""));
+    spreadRepeats(block.longitude, at_ > 0 ? work_.longitude[at_ - 1] : std::nan(""));
   }
   at_ = end;
   checks_->release(work_.first + end);

@@ -31,6 +31,8 @@ class RecordReader : public RecordStream {
   void fillChannel(std::size_t channel, std::size_t from);
   void reportChannel(std::size_t channel, std::size_t row, std::size_t end);
   RowRules findRules();
+  void findAbsent(const Rows& rows);
+  void judgeSpeed();
   void judgeValues();
   void judgeCoordinates();
   std::size_t blockEnd() const;
@@ -45,7 +47,9 @@ class RecordReader : public RecordStream {
   WorkRows work_;
   Rows rows_;
   std::unique_ptr<RowChecks> checks_;
-  std::vector<double> lastGood_;  // of each channel, what stands in a row that lacks it
+  std::vector<double> lastGood_;
+  std::vector<double> absent_;  // of each channel, the number in the file that stands for none; infinite: there is none
+                                // // of each channel, what stands in a row that lacks it
   double direction_ = 1;
   bool ended_ = false, emitted_ = false, timesUsed_ = true;
   std::size_t at_ = 0;            // row of the next block

@@ -16,18 +16,19 @@ struct ClockSteps {
 // step in ten thousand (at least two) may be a gap.
 ClockSteps stepsOf(const std::vector<double>& times);
 
-// Follows the times of a record: rounding averages out, and a slow drift is no change of rate.
+// Follows the times of a record: rounding averages out, and a slow drift is no change of rate. Steps are counted and
+// their sum is taken anew for each row: added one by one to a time since 1970, each would lose its last digits.
 class SampleClock {
  public:
   explicit SampleClock(const ClockSteps& steps) : steps_(steps) {}
 
-  void start(double time) { now_ = time; }
+  void start(double time) { start_ = time, rows_ = 0, slip_ = 0; }
   // How far the time of the next row is from where it should be. [s]
-  double deviation(double time) const { return time - (now_ + steps_.step); }
+  double deviation(double time) const { return (time - start_) - ((rows_ + 1) * steps_.step + slip_); }
   bool keeps(double deviation) const;
-  void follow(double deviation) { now_ += steps_.step + deviation / averaging; }
-  void skip() { now_ += steps_.step; }  // a row without a time
-  double now() const { return now_; }   // [s] of the last row
+  void follow(double deviation) { rows_ += 1, slip_ += deviation / averaging; }
+  void skip() { rows_ += 1; }                                            // a row without a time
+  double now() const { return start_ + (rows_ * steps_.step + slip_); }  // [s] of the last row
 
   // Rows that tell a gap from another rate, and whether they do.
   std::size_t window() const;
@@ -38,7 +39,8 @@ class SampleClock {
  private:
   static constexpr double averaging = 1024;  // [samples]
   ClockSteps steps_;
-  double now_ = 0;
+  double start_ = 0, slip_ = 0;  // [s] where the steps are counted from; what they drift from equal ones
+  double rows_ = 0;              // since the start
 };
 
 }  // namespace squat::records

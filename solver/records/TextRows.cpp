@@ -103,6 +103,7 @@ bool TextRows::quickMetres(const char*& at, double& value) const {
 }
 
 bool TextRows::quickRow() {
+  if (layout_.delimiter == layout_.decimal) return false;  // "1,5","2,5": quotes part the fields
   const char* p = at_;
   const char delimiter = layout_.delimiter;
   const auto skipBlanks = [&] {

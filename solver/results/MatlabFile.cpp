@@ -74,7 +74,7 @@ class MatlabWalker {
   }
   void walk() {
     while (const Variable variable{Mat_VarReadNextInfo(file_.get())})
-      visit("/" + std::string(variable->name ? variable->name : ""), variable.get(), 0);
+      visit(std::string("/").append(variable->name ? variable->name : ""), variable.get(), 0);
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "text/Heading.h"
 #include "text/Lines.h"
 #include "text/Numbers.h"
 #include "text/Text.h"
@@ -58,12 +59,27 @@ std::string_view withoutMarker(std::string_view line) {
   return line;
 }
 
-// Names and units from the lines above the first row of numbers.
-void readHeader(const std::vector<std::string_view>& lines, TableLayout& layout) {
+// "time [ms]  aba [g]" between blanks: a unit in brackets belongs to the name before it.
+void joinBrackets(std::vector<std::string_view>& fields) {
+  std::vector<std::string_view> joined;
+  for (const auto field : fields)
+    if (!joined.empty() && !field.empty() && (field.front() == '[' || field.front() == '('))
+      joined.back() = {joined.back().data(),
+                       static_cast<std::size_t>(field.data() + field.size() - joined.back().data())};
+    else
+      joined.push_back(field);
+  fields = std::move(joined);
+}
+
+// Names and units from the lines above the first row of numbers. `closed`: rows end with a delimiter, behind which a
+// heading may have a name, of a column that is empty.
+void readHeader(const std::vector<std::string_view>& lines, bool closed, TableLayout& layout) {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string_view> fields;
   for (std::size_t i = 0; i < layout.firstLine; ++i) {
     splitRow(withoutMarker(lines[i]), layout, fields);
+    if (layout.delimiter == ' ' && fields.size() > layout.fields) joinBrackets(fields);
+    if (closed && fields.size() == layout.fields + 1) fields.pop_back();
     if (fields.size() != layout.fields) continue;
     auto& row = rows.emplace_back();
     for (const auto field : fields) row.push_back(asUtf8(trimmed(field)));
@@ -79,10 +95,10 @@ void readHeader(const std::vector<std::string_view>& lines, TableLayout& layout)
     rows.pop_back();
   }
   for (std::size_t column = 0; column < layout.fields; ++column) {
-    std::string name, unit;
-    splitNameAndUnit(rows.back()[column], name, unit);
-    layout.names.push_back(name);
-    layout.units.push_back(unit.empty() ? bareUnit(units[column]) : unit);
+    // A unit in the row of units stands before one that the name may end with.
+    const auto heading = units[column].empty() ? headingOf(rows.back()[column]) : bracketedHeading(rows.back()[column]);
+    layout.names.push_back(heading.name);
+    layout.units.push_back(heading.unit.empty() ? bareUnit(units[column]) : heading.unit);
   }
 }
 
@@ -93,25 +109,12 @@ void splitRow(std::string_view line, const TableLayout& layout, std::vector<std:
   while (fields.size() > layout.fields && trimmed(fields.back()).empty()) fields.pop_back();
 }
 
-void splitNameAndUnit(std::string_view header, std::string& name, std::string& unit) {
-  header = trimmed(header);
-  const std::size_t open = header.find_last_of("[(");
-  if (open != std::string_view::npos && open > 0 && (header.back() == ']' || header.back() == ')')) {
-    name = trimmed(header.substr(0, open));
-    unit = trimmed(header.substr(open + 1, header.size() - open - 2));
-  } else {
-    name = header;
-    unit.clear();
-  }
-}
-
 TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal) {
   std::vector<Candidate> candidates;
   for (const char one : {';', '\t', '|', ',', ' '}) {
     if (delimiter != 0 && delimiter != one) continue;
     for (const char point : {'.', ','})
-      if ((decimal == 0 || decimal == point) && !(one == ',' && point == ','))
-        candidates.push_back(judge(lines, one, point));
+      if (decimal == 0 || decimal == point) candidates.push_back(judge(lines, one, point));
   }
   if (delimiter != 0 && std::string_view(";\t|, ").find(delimiter) == std::string_view::npos)
     for (const char point : {'.', ','})
@@ -143,7 +146,7 @@ TableLayout findLayout(const std::vector<std::string_view>& lines, char delimite
     }
     if (row && !text) break;
   }
-  readHeader(lines, layout);
+  readHeader(lines, best.closed, layout);
   return layout;
 }
 

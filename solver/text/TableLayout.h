@@ -25,7 +25,4 @@ void splitRow(std::string_view line, const TableLayout& layout, std::vector<std:
 // with fields == 0: no table was found.
 TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal);
 
-// "aba [m/s2]" -> "aba" and "m/s2"; "(..)" as well.
-void splitNameAndUnit(std::string_view header, std::string& name, std::string& unit);
-
 }  // namespace squat::text

@@ -58,16 +58,14 @@ const results::SurfaceSnapshot* snapshotAt(const results::RunResult& result, dou
   return nullptr;
 }
 
-// One run and its export for all tests here.
+// The export of the light defect that Call.FiguresPaper has rolled on `tiny`.
 class Export : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder = std::make_unique<TemporaryFolder>();
-    ASSERT_EQ(
-        tests::call({"run", "light-defect", "--mesh", "tiny", "--threads", "1", "--no-figures", "-o", folder->path()}),
-        0);
-    ASSERT_EQ(tests::call({"export", *folder / "light-defect.h5", "-o", *folder / "vtk"}), 0);
-    result = std::make_unique<results::RunResult>(results::readResult(*folder / "light-defect.h5"));
+    const std::string rolled = FIGURES_PAPER_FOLDER "/light-defect.h5";
+    ASSERT_EQ(tests::call({"export", rolled, "-o", *folder / "vtk"}), 0);
+    result = std::make_unique<results::RunResult>(results::readResult(rolled));
     instants = readCollection(*folder / "vtk", "light-defect");
   }
   static void TearDownTestSuite() { folder.reset(), result.reset(), instants.clear(); }

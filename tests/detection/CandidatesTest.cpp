@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/Errors.h"
 #include "core/Monitor.h"
 #include "detection/Detect.h"
 #include "detection/RecordMaker.h"
@@ -13,10 +14,10 @@
 namespace squat::detection {
 namespace {
 
-constexpr double rate = 25'000, speed = 30;
+constexpr double rate = 25'000, trainSpeed = 30;
 
 RecordDetection candidatesOf(std::vector<double> values, std::size_t block = 1 << 18) {
-  MemoryStream stream(std::move(values), rate, speed, block);
+  MemoryStream stream(std::move(values), rate, trainSpeed, block);
   Monitor monitor;
   return findCandidates(stream, {}, monitor);
 }
@@ -28,6 +29,22 @@ TEST(Candidates, NoiseAloneHasNone) {
 }
 
 // Impacts of three times the noise's root mean square below 2 kHz, which is 0.4 of that of all (2 of 12.5 kHz).
+// Squats ring up to some 900 Hz at least (paper, section 4: 1060-1130 Hz): below 2000 Hz of sampling nothing can be
+// said.
+TEST(Candidates, ARecordThatIsSampledTooSlowlyIsRefused) {
+  Monitor monitor;
+  MemoryStream slow(normalNoise(20'000, 1, 3), 1000, 30, 4096);
+  try {
+    findCandidates(slow, {}, monitor);
+    FAIL() << "taken";
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("is sampled at 1000 Hz"));
+  }
+  MemoryStream cut(normalNoise(40'000, 1, 3), 2000, 30, 4096);
+  EXPECT_THAT(findCandidates(cut, {}, monitor).layout.notes,
+              ::testing::Contains(::testing::HasSubstr("does not show")));
+}
+
 TEST(Candidates, ImpactsOfThreeTimesTheNoiseAreFoundWhereTheyAre) {
   const double sigma = 4;
   auto values = normalNoise(40 * 25'000, sigma, 2);
@@ -38,7 +55,7 @@ TEST(Candidates, ImpactsOfThreeTimesTheNoiseAreFoundWhereTheyAre) {
   std::size_t found = 0;
   for (const double time : times)
     for (const auto& event : events)
-      if (std::abs(event.time - time) < 0.1 / speed) {  // 0.1 m, what a list of squats must hold
+      if (std::abs(event.time - time) < 0.1 / trainSpeed) {  // 0.1 m, what a list of squats must hold
         ++found;
         break;
       }
@@ -63,7 +80,7 @@ TEST(Candidates, TheOverviewHoldsEveryMetreOnce) {
   auto values = normalNoise(30 * 25'000, 2, 4);
   addImpact(values, rate, 10.01, 50);
   const auto pieces = candidatesOf(values).channels[0].pieces;
-  EXPECT_NEAR(static_cast<double>(pieces.size()), 30 * speed, 2);
+  EXPECT_NEAR(static_cast<double>(pieces.size()), 30 * trainSpeed, 2);
   EXPECT_NEAR(pieces[100].rms, 2 * 0.4, 0.15) << "the share of noise below 2 kHz";
   EXPECT_GT(pieces[300].peak, 25) << "the metre of the impact, at 300.3 m";
 }
@@ -85,8 +102,8 @@ TEST(Candidates, ADeadChannelMakesNoEventsAndHidesNone) {
   std::fill(values.begin() + 12 * 25'000, values.begin() + 18 * 25'000, 0.0);
   const auto events = candidatesOf(values).channels[0].events;
   ASSERT_EQ(events.size(), 2U);
-  EXPECT_NEAR(events[0].time, 5, 0.1 / speed);
-  EXPECT_NEAR(events[1].time, 18.5, 0.1 / speed);
+  EXPECT_NEAR(events[0].time, 5, 0.1 / trainSpeed);
+  EXPECT_NEAR(events[1].time, 18.5, 0.1 / trainSpeed);
 }
 
 // Corrugation is what is loud for two metres and more (Surroundings.h). A ringing of 16 ms has decayed to a tenth of
@@ -95,8 +112,8 @@ TEST(Candidates, SquatsInARowAreNotOneLongStretch) {
   constexpr double apart = 2.5, decay = 16e-3;
   auto values = normalNoise(20 * 25'000, 1, 9);
   for (std::size_t i = 10 * 25'000; i < values.size(); ++i) {
-    const double since = std::fmod(static_cast<double>(i) / rate - 10, apart / speed);
-    if (static_cast<double>(i) / rate < 10 + 5 * apart / speed)
+    const double since = std::fmod(static_cast<double>(i) / rate - 10, apart / trainSpeed);
+    if (static_cast<double>(i) / rate < 10 + 5 * apart / trainSpeed)
       values[i] += 20 * std::exp(-since / decay) * std::sin(2 * std::numbers::pi * 600 * since);
   }
   const auto events = candidatesOf(values).channels[0].events;
@@ -107,7 +124,7 @@ TEST(Candidates, SquatsInARowAreNotOneLongStretch) {
 // Waves of 47 and 54 mm, which beat every 0.4 m, on 6 m of track.
 TEST(Candidates, CorrugationIsOneLongStretch) {
   auto values = normalNoise(20 * 25'000, 1, 10);
-  const auto first = static_cast<std::size_t>(10 * rate), length = static_cast<std::size_t>(6 / speed * rate);
+  const auto first = static_cast<std::size_t>(10 * rate), length = static_cast<std::size_t>(6 / trainSpeed * rate);
   for (std::size_t i = 0; i < length; ++i) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(i) / rate;
     values[first + i] += 20 * (std::sin(640 * angle) + 0.6 * std::sin(560 * angle));

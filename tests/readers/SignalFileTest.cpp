@@ -209,10 +209,10 @@ TEST(SignalFile, badFilesGetOneClearMessage) {
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n", options), HasSubstr("rate"));
   options.rate = 10;
   EXPECT_THAT(complaint("t,aba\n0,1\n0.1,2\n0.5,3\n", options), HasSubstr("line 4: a gap"));
-  EXPECT_THAT(complaint("time [s],aba [m/s2],speed [mph]\n0,1,67\n0.1,2,67\n0.2,1,67\n"),
-              testing::AllOf(HasSubstr("column 3: 'speed' is in mph"), HasSubstr("km/h")));
-  EXPECT_THAT(complaint("position [ft],aba [g]\n0,1\n1,2\n2,1\n"), HasSubstr("'position' is in ft"));
-  EXPECT_THAT(complaint("time [min],aba [g]\n0,1\n1,2\n2,1\n"), HasSubstr("'time' is in min"));
+  EXPECT_THAT(complaint("time [s],aba [m/s2],speed [furlong]\n0,1,67\n0.1,2,67\n0.2,1,67\n"),
+              testing::AllOf(HasSubstr("column 3: 'speed' is in furlong"), HasSubstr("km/h")));
+  EXPECT_THAT(complaint("position [parsec],aba [g]\n0,1\n1,2\n2,1\n"), HasSubstr("'position' is in parsec"));
+  EXPECT_THAT(complaint("time [moon],aba [g]\n0,1\n1,2\n2,1\n"), HasSubstr("'time' is in moon"));
   EXPECT_THAT(complaint("run,t,aba\nnorth,0,1\nnorth,0.1,2\nsouth,0,1\nsouth,0.1,2\n"),
               HasSubstr("'run' is not a number here"));
   EXPECT_THROW(readSignals("/no/such/file.csv"), FileError);

@@ -190,9 +190,9 @@ TEST(BadRecord, valuesThatLookLikeAnotherUnit) {
     options.columns.speed = 30;
     return readWhole(file.path(), options).layout.notes;
   };
-  EXPECT_THAT(notes("time,aba [m/s2]\n", 1.0), ::testing::Contains(HasSubstr("as gravity has in g")));
-  EXPECT_THAT(notes("time,aba [g]\n", 9.8), ::testing::Contains(HasSubstr("as gravity has in m/s2")));
-  EXPECT_THAT(notes("time,aba [m/s2]\n", 50.0), IsEmpty());
+  EXPECT_THAT(notes("time [s],aba [m/s2]\n", 1.0), ::testing::Contains(HasSubstr("as gravity has in g")));
+  EXPECT_THAT(notes("time [s],aba [g]\n", 9.8), ::testing::Contains(HasSubstr("as gravity has in m/s2")));
+  EXPECT_THAT(notes("time [s],aba [m/s2]\n", 50.0), IsEmpty());
 }
 
 TEST(BadRecord, swappedCoordinatesAndAxes) {

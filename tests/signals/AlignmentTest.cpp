@@ -110,6 +110,20 @@ TEST(Alignment, ratesMayDiffer) {
   EXPECT_THROW(shiftBetween(fast.series, slow.series, 0), SignalError);
 }
 
+// A signal and its copy, or its double, are aligned without a rest: what differs is zero to the last digit.
+TEST(Alignment, aCopyIsNotShifted) {
+  const auto own = passageAtSpeed(sampled(5000, rate, [](double t) { return answer(t - 0.05); }), 30);
+  auto twice = own;
+  for (double& value : twice.series.values) value *= 2;
+  const auto aligned = alignInTime({own, own, twice});
+  EXPECT_EQ(aligned.impact[1], aligned.impact[0]);
+  EXPECT_EQ(aligned.impact[2], aligned.impact[0]);
+  for (std::size_t i = 0; i < aligned.axis.size(); ++i) {
+    ASSERT_EQ(aligned.values[1][i], aligned.values[0][i]);
+    ASSERT_EQ(aligned.values[2][i], 2 * aligned.values[0][i]);
+  }
+}
+
 TEST(Alignment, dispersionIsTheSampleScatter) {
   const auto scatter = dispersionOf({90, 100, 110, 120});
   EXPECT_DOUBLE_EQ(scatter.mean, 105);
