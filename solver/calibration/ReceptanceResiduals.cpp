@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <numbers>
+#include <optional>
+#include <string_view>
 
 #include "core/Errors.h"
 #include "signals/Resample.h"
 #include "text/DelimitedTable.h"
+#include "text/Text.h"
+#include "text/Units.h"
 
 namespace squat::calibration {
 
@@ -18,20 +21,56 @@ using text::TableColumn;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-std::string lowerCase(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
+using text::lowerCase;
+
+// A unit of a frequency response: its factor to SI, and how often the displacement in it is derived by the time:
+// receptance 0, mobility 1, accelerance 2.
+struct ResponseUnit {
+  double factor = 1;
+  int derivatives = 0;
+};
+
+std::optional<ResponseUnit> responseUnit(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '(' || c == ')' || c == '^' || c == '*'; });
+  text = lowerCase(text);
+  const std::size_t slash = text.rfind('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto force = text.substr(slash + 1), motion = text.substr(0, slash);
+  const auto* known = text::findUnit(motion == "nm" ? "m" : motion);
+  if ((force != "n" && force != "kn") || !known) return std::nullopt;
+  const int derivatives = known->si == "m" ? 0 : known->si == "m/s" ? 1 : known->si == "m/s2" ? 2 : -1;
+  if (derivatives < 0) return std::nullopt;
+  return ResponseUnit{known->factor * (motion == "nm" ? 1e-9 : 1) / (force == "kn" ? 1e3 : 1), derivatives};
 }
 
-double scaleOf(const TableColumn& column, const std::string& path) {
-  static const std::map<std::string, double> known = {{"", 1},         {"m/N", 1},     {"m/kN", 1e-3}, {"mm/N", 1e-3},
-                                                      {"mm/kN", 1e-6}, {"um/N", 1e-6}, {"µm/N", 1e-6}, {"um/kN", 1e-9},
-                                                      {"µm/kN", 1e-9}, {"nm/N", 1e-9}};
-  const auto found = known.find(column.unit);
-  if (found == known.end())
-    throw FileError(path, "column '" + column.name + "'", "unit is '" + column.unit + "', must be m/N",
-                    "Known are m/N, m/kN, mm/N, mm/kN, um/N, um/kN, nm/N");
-  return found->second;
+// To receptance [m/N] at a frequency [Hz].
+std::complex<double> scaleOf(const TableColumn& column, double frequency, const std::string& path) {
+  const auto unit = responseUnit(column.unit);
+  if (!unit)
+    throw FileError(
+        path, "column '" + column.name + "'",
+        column.unit.empty() ? "states no unit" : "unit is '" + column.unit + "', must be m/N",
+        "Known are m/N, mm/kN, um/kN, nm/N and the like, mobilities in m/s/N, accelerances in m/s2/N or g/N; "
+        "write the unit behind the name");
+  return unit->factor / std::pow(std::complex<double>(0, 2 * std::numbers::pi * frequency), unit->derivatives);
+}
+
+// [rad] for one of the column's unit.
+double angleOf(const TableColumn& column, const std::string& path) {
+  const auto unit = lowerCase(column.unit);
+  if (unit == "rad" || unit == "radian" || unit == "radians") return 1;
+  if (unit == "deg" || unit == "degree" || unit == "degrees" || unit == "\xC2\xB0") return kDegree;
+  throw FileError(path, "column '" + column.name + "'",
+                  unit.empty() ? "states no unit" : "unit is '" + column.unit + "', must be deg or rad",
+                  "Write the unit behind the name: phase [deg] or phase [rad]");
+}
+
+// Whether a word of letters stands in the name by itself.
+bool hasWord(const std::string& name, std::string_view word) {
+  const auto isLetter = [&](std::size_t at) { return at < name.size() && name[at] >= 'a' && name[at] <= 'z'; };
+  for (std::size_t at = name.find(word); at != std::string::npos; at = name.find(word, at + 1))
+    if (!(at > 0 && isLetter(at - 1)) && !isLetter(at + word.size())) return true;
+  return false;
 }
 
 // The columns of one point, by what they hold.
@@ -51,11 +90,11 @@ ReceptanceColumns columnsOf(const text::DelimitedTable& table, const ReceptanceT
     const auto name = lowerCase(column.name);
     const auto holds = [&](const char* word) { return name.find(word) != std::string::npos; };
     if (holds("coher")) continue;  // of a hammer test
-    if (holds("imag"))
+    if (holds("imag") || hasWord(name, "im"))
       found.imaginary = &column;
-    else if (holds("real"))
+    else if (holds("real") || hasWord(name, "re"))
       found.real = &column;
-    else if (holds("phase"))
+    else if (holds("phase") || hasWord(name, "angle") || hasWord(name, "arg"))
       found.phase = &column;
     else if (!found.magnitude || holds("magn"))
       found.magnitude = &column;
@@ -67,14 +106,15 @@ ReceptanceColumns columnsOf(const text::DelimitedTable& table, const ReceptanceT
   return found;
 }
 
-std::complex<double> valueAt(const ReceptanceColumns& columns, std::size_t row, const std::string& path) {
+std::complex<double> valueAt(const ReceptanceColumns& columns, std::size_t row, double frequency,
+                             const std::string& path) {
   if (columns.real && columns.imaginary)
-    return {columns.real->values[row] * scaleOf(*columns.real, path),
-            columns.imaginary->values[row] * scaleOf(*columns.imaginary, path)};
-  const double magnitude = columns.magnitude->values[row] * scaleOf(*columns.magnitude, path);
-  if (!columns.phase) return magnitude;
-  const double angle = columns.phase->values[row] * (columns.phase->unit == "rad" ? 1 : kDegree);
-  return std::polar(std::abs(magnitude), angle);
+    return columns.real->values[row] * scaleOf(*columns.real, frequency, path) +
+           std::complex<double>(0, 1) * columns.imaginary->values[row] * scaleOf(*columns.imaginary, frequency, path);
+  const double magnitude = columns.magnitude->values[row];
+  const auto scale = scaleOf(*columns.magnitude, frequency, path);
+  if (!columns.phase) return std::abs(magnitude * scale);
+  return std::polar(std::abs(magnitude), columns.phase->values[row] * angleOf(*columns.phase, path)) * scale;
 }
 
 // At most so many frequencies, in equal ratios: a measurement in steps of 1 Hz does not know more than its resonances.
@@ -114,7 +154,7 @@ MeasuredReceptance readMeasuredReceptance(const ReceptanceTarget& target) {
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double f = table.columns[0].values[row];
     if (!(f >= target.lowest && f <= target.highest)) continue;
-    const auto value = valueAt(columns, row, target.file);
+    const auto value = valueAt(columns, row, f, target.file);
     if (!std::isfinite(value.real()) || !std::isfinite(value.imag()) || std::abs(value) == 0)
       throw FileError(target.file, table.rowWord + " " + std::to_string(table.lines[row]), "has no receptance");
     if (!frequency.empty() && f <= frequency.back())

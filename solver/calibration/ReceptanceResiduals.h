@@ -18,9 +18,10 @@ struct MeasuredReceptance {
   bool hasPhase = false;
 };
 
-// A table whose first column is the frequency [Hz]; then columns with "magnitude", "real" and "imaginary", "phase"
-// [deg, rad] in their names, those of the target's point where the names tell points apart, or one nameless column of
-// magnitudes. Units m/N, m/kN, mm/N, mm/kN, um/N, um/kN. Throws FileError.
+// A table whose first column is the frequency [Hz]; then columns with "magnitude", "real" or "re" and "imaginary" or
+// "im", "phase" or "angle" [deg, rad] in their names, those of the target's point where the names tell points apart, or
+// one other column of magnitudes. Coherence is left out. Receptances (m/N, um/kN), mobilities (m/s/N) and accelerances
+// (m/s2/N, g/N) become receptances. Throws FileError, also where a unit is not stated.
 MeasuredReceptance readMeasuredReceptance(const ReceptanceTarget& target);
 
 // Residuals: difference of the magnitudes in dB over the tolerance and, where it was measured, of the phases over the

@@ -83,6 +83,14 @@ bool namesHeight(const std::string& name) {
   });
 }
 
+// Depths are positive downwards, in whatever language.
+bool namesDepth(const std::string& name) {
+  constexpr std::array<std::string_view, 8> words{"depth", "dip",    "tiefe",      "einsenkung",
+                                                  "delle", "diepte", "profondeur", "creux"};
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
 class ProfileParser {
  public:
   ProfileParser(std::string_view text, std::string origin)
@@ -94,6 +102,7 @@ class ProfileParser {
     while (textLines_.nextRow(line)) addRow(line);
     if (lines_.front().points.size() < 2)
       fail("fewer than two points", "Give at least two lines of position and height");
+    if (areDepths_) turnDepths();
     if (lines_.size() > 1)
       if (const std::string wrong = linesMistake(lines_); !wrong.empty()) fail("unusable lines", wrong);
     return std::move(lines_);
@@ -117,8 +126,10 @@ class ProfileParser {
     else
       for (const auto field : fields) columns.push_back(columnOf(field));
     checkColumns(fields, columns);
-    swapped_ = columns.size() == 2 && namesHeight(columns[0].name) && !namesHeight(columns[1].name);
+    const auto isVertical = [](const Column& column) { return namesHeight(column.name) || namesDepth(column.name); };
+    swapped_ = columns.size() == 2 && isVertical(columns[0]) && !isVertical(columns[1]);
     if (swapped_) std::swap(columns[0], columns[1]);
+    areDepths_ = columns.size() == 2 && namesDepth(columns[1].name) && !namesHeight(columns[1].name);
     for (std::size_t i = 0; i < columns.size(); ++i) {
       powers_.push_back(*columns[i].power);
       if (i > 0) lines_.push_back({columns.size() > 2 ? *lateralOf(columns[i].name) : 0.0, {}});
@@ -138,10 +149,19 @@ class ProfileParser {
            "must give their lateral positions: y = -10 mm [mm]");
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (!columns[i].power) fail("header " + shown(fields[i]) + " has no unit m, mm or um", example);
-    for (const auto& column : columns)
-      if (column.name.find("depth") != std::string::npos)
-        fail("the header says depth, but heights are required (positive upwards)",
-             "Reverse the signs and name the column height");
+  }
+
+  // A column that is called a depth holds one: what goes down is positive, and far beyond what goes up.
+  void turnDepths() {
+    double deepest = 0, rising = 0;
+    for (const auto& line : lines_)
+      for (const auto& point : line.points)
+        deepest = std::max(deepest, point.height), rising = std::max(rising, -point.height);
+    if (!(deepest >= 2 * rising))
+      throw FileError(origin_, "line 1", "the header says depth, but the depths have both signs, or are negative",
+                      "Make depths positive, or name the column height, positive upwards");
+    for (auto& line : lines_)
+      for (auto& point : line.points) point.height = point.height == 0 ? 0 : -point.height;
   }
 
   void addRow(std::string_view line) {
@@ -195,7 +215,7 @@ class ProfileParser {
   std::string origin_;
   char delimiter_ = ',';
   char decimalMark_ = 0;
-  bool swapped_ = false;
+  bool swapped_ = false, areDepths_ = false;
   std::vector<int> powers_;  // of the columns, position first
   std::vector<ProfileLine> lines_;
 };

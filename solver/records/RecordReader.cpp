@@ -351,6 +351,7 @@ void RecordReader::fetch() {
   } else {
     ended_ = true;
   }
+  if (ended_) layout_.samples = work_.first + work_.size();
   if (checks_) check(from);
   if (ended_) reportTruncation();
 }

@@ -19,7 +19,7 @@ std::string csvField(const std::string& text) {
 
 std::string csvColumns(const std::vector<std::string>& names, const std::vector<const std::vector<double>*>& columns) {
   std::string text;
-  for (std::size_t c = 0; c < names.size(); ++c) text += (c ? "," : "") + csvField(names[c]);
+  for (std::size_t c = 0; c < names.size(); ++c) text.append(c ? "," : "").append(csvField(names[c]));
   text += '\n';
   std::size_t rows = 0;
   for (const auto* column : columns) rows = std::max(rows, column->size());

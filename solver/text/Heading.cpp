@@ -19,8 +19,10 @@ struct Words {
 const std::array<Words, 4>& wordsOfQuantities() {
   static const std::array<Words, 4> words{
       {{"s", {"t", "sec", "seconds"}, {"time", "timestamp", "zeit", "tijd", "temps"}},
-       {"m", {"km", "pos", "pk"}, {"position", "chainage", "distance", "mileage", "kilometre", "kilometer", "station",
-                                   "stationierung", "weg", "afstand", "kmpost", "abscisse"}},
+       {"m",
+        {"km", "pos", "pk"},
+        {"position", "chainage", "distance", "mileage", "kilometre", "kilometer", "station", "stationierung", "weg",
+         "afstand", "kmpost", "abscisse"}},
        {"m/s", {"v"}, {"speed", "velocity", "geschwindigkeit", "snelheid", "vitesse"}},
        {"m/s2", {"a"}, {"aba", "acc", "accel", "acceleration", "beschleunigung", "versnelling"}}}};
   return words;
@@ -66,7 +68,8 @@ Heading headingOf(std::string_view text) {
   text = trimmed(text);
   if (auto heading = bracketedHeading(text); !heading.unit.empty()) return heading;
   // From the front, so that "speed km/h" is parted ahead of "km/h".
-  for (std::size_t at = text.find_first_of("_ ,/-"); at != std::string_view::npos; at = text.find_first_of("_ ,/-", at + 1)) {
+  for (std::size_t at = text.find_first_of("_ ,/-"); at != std::string_view::npos;
+       at = text.find_first_of("_ ,/-", at + 1)) {
     const auto name = trimmed(text.substr(0, at));
     auto last = trimmed(text.substr(at + 1));
     for (const std::string_view joining : {"in ", "en ", "_"})

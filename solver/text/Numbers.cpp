@@ -31,6 +31,11 @@ std::optional<double> numberIn(std::string_view field, char decimal) {
 
 std::optional<double> kilometresAndMetresIn(std::string_view field, char decimal) {
   field = trimmed(field);
+  if (const std::size_t digit = field.find_first_of("0123456789"); digit != std::string_view::npos && digit > 0) {
+    std::string mark(trimmed(field.substr(0, digit)));  // "K12+487.5", "km 12+487.5", "Km.12+487.5"
+    for (char& c : mark) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (mark == "k" || mark == "km" || mark == "km.") field.remove_prefix(digit);
+  }
   const std::size_t plus = field.find('+', 1);
   if (plus == std::string_view::npos || plus + 1 >= field.size()) return std::nullopt;
   const auto kilometres = numberIn(field.substr(0, plus), decimal), metres = numberIn(field.substr(plus + 1), decimal);

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
+#include <functional>
 #include <numbers>
 
 #include "calibration/ReceptanceResiduals.h"
@@ -164,6 +166,49 @@ TEST(ReceptanceResidual, UnitsAndPhaseAreRead) {
   auto turned = computed();
   for (auto& h : turned.points[0].receptance) h *= std::complex<double>(0, 1);
   EXPECT_NEAR(receptanceValue(other, turned).residuals[1], 90 / 6.6, 1e-6);
+}
+
+// The same response, H = 1e-8 (1 - 0.5 i) / (1 + f / 1000 Hz), as hammer tests write it: velocity is i w, acceleration
+// -w^2 times the displacement.
+TEST(ReceptanceResidual, FormsOfHammerTestsAreOne) {
+  const TemporaryFolder folder;
+  ReceptanceTarget target;
+  target.file = folder / "h.csv", target.point = "over a sleeper", target.lowest = 50, target.highest = 2000;
+  const auto response = [](double f) { return std::complex<double>(1e-8, -0.5e-8) / (1 + f / 1000); };
+  const auto read = [&](const std::string& head, const std::function<std::string(double, std::complex<double>)>& row) {
+    std::ofstream file(target.file);
+    file << head << "\n";
+    for (const double f : {100.0, 250.0, 600.0, 1500.0}) file << f << "," << row(f, response(f)) << "\n";
+    file.close();
+    return readMeasuredReceptance(target);
+  };
+  const auto two = [](double a, double b) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%.12e,%.12e", a, b);
+    return std::string(text);
+  };
+  const auto parts = [&](double, std::complex<double> h) { return two(h.real(), h.imag()); };
+  const auto inRadians = [&](double, std::complex<double> h) { return two(std::abs(h), std::arg(h)); };
+  const auto derived = [](int times, double f) {
+    return std::pow(std::complex<double>(0, 2 * std::numbers::pi * f), times);
+  };
+  const std::vector<MeasuredReceptance> forms{
+      read("Frequency [Hz],Re [m/N],Im [m/N]", parts), read("frequency [Hz],magnitude [m/N],phase [Rad]", inRadians),
+      read("frequency [Hz],magnitude [m/N],angle [radians]", inRadians),
+      read("frequency [Hz],real [(m/s)/N],imag [(m/s)/N]",
+           [&](double f, std::complex<double> h) { return parts(f, h * derived(1, f)); }),
+      read("frequency [Hz],accelerance [m/s^2/kN],phase [deg],coherence", [&](double f, std::complex<double> h) {
+        const auto a = h * derived(2, f) * 1e3;
+        return two(std::abs(a), std::arg(a) * 180 / std::numbers::pi) + ",0.98";
+      })};
+  for (const auto& form : forms) {
+    ASSERT_EQ(form.frequency.size(), 4u);
+    ASSERT_TRUE(form.hasPhase);
+    for (std::size_t i = 0; i < 4; ++i)  // twelve digits are written
+      EXPECT_LT(std::abs(form.receptance[i] - response(form.frequency[i])), 1e-10 * std::abs(form.receptance[i]));
+  }
+  EXPECT_THROW(read("frequency [Hz],magnitude [m/N],phase", inRadians), FileError);
+  EXPECT_THROW(read("frequency [Hz],magnitude,phase [rad]", inRadians), FileError);
 }
 
 TEST(ReceptanceResidual, CoherenceIsNoMagnitude) {

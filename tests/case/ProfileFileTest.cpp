@@ -98,12 +98,23 @@ TEST(ProfileFile, RefusesWrongNumbersOfColumns) {
   EXPECT_THAT(refusalOfProfile("x z\n0 0\n"), HasSubstr("line 1"));
 }
 
+// A dip of 0.1 mm, whatever it is called and however its sign is meant there.
+TEST(ProfileFile, DepthsArePositiveDownwards) {
+  for (const char* name : {"depth", "dip", "Tiefe", "diepte", "profondeur"}) {
+    const auto points = parseProfile("position [mm];" + std::string(name) + " [mm]\n0;0\n5;0.1\n10;-0.01\n", "dip.csv");
+    ASSERT_EQ(points.size(), 3u);
+    EXPECT_DOUBLE_EQ(points[1].height, -1e-4) << name;
+    EXPECT_DOUBLE_EQ(points[2].height, 1e-5) << name;
+  }
+}
+
 TEST(ProfileFile, RefusesHeadersWithoutUnits) {
   EXPECT_THAT(refusalOfProfile("0;0\n5;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("no header")));
   EXPECT_THAT(refusalOfProfile("position;height\n0;0\n"), HasSubstr("unit"));
   EXPECT_THAT(refusalOfProfile("position [mm];height [inch]\n0;0\n"), HasSubstr("unit"));
   EXPECT_THAT(refusalOfProfile("position [mm;height [mm]\n0;0\n"), HasSubstr("unit"));
-  EXPECT_THAT(refusalOfProfile("position [mm];depth [mm]\n0;0\n5;0.1\n"), HasSubstr("positive upwards"));
+  EXPECT_THAT(refusalOfProfile("position [mm];depth [mm]\n0;0\n5;-0.1\n"), HasSubstr("positive upwards"));
+  EXPECT_THAT(refusalOfProfile("position [mm];Tiefe [mm]\n0;-0.08\n5;0.1\n"), HasSubstr("both signs"));
 }
 
 TEST(ProfileFile, RefusesTooFewAndAbsurdPoints) {

@@ -10,6 +10,8 @@
 #include "core/Monitor.h"
 #include "detection/Detect.h"
 #include "detection/RecordMaker.h"
+#include "readers/TemporaryFile.h"
+#include "records/RecordStream.h"
 
 namespace squat::detection {
 namespace {
@@ -43,6 +45,29 @@ TEST(Candidates, ARecordThatIsSampledTooSlowlyIsRefused) {
   MemoryStream cut(normalNoise(40'000, 1, 3), 2000, 30, 4096);
   EXPECT_THAT(findCandidates(cut, {}, monitor).layout.notes,
               ::testing::Contains(::testing::HasSubstr("does not show")));
+}
+
+// Of 20,000 rows, 5,000 have no number: three quarters were read.
+TEST(Candidates, ARecordThatIsMostlyUnreadIsRefusedUnlessAllowed) {
+  std::string text = "time [s],aba [m/s2]\n";
+  const auto values = normalNoise(20'000, 1, 3);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text +=
+        std::to_string(static_cast<double>(i) / 10'000) + "," + (i < 5'000 ? "-" : std::to_string(values[i])) + "\n";
+  const tests::TemporaryFile file(text);
+  records::RecordOptions read;
+  read.columns.speed = 30;
+  Monitor monitor;
+  try {
+    findCandidates(*records::openRecord(file.path(), read), {}, monitor);
+    FAIL() << "taken";
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("75 % of its 20000 samples"),
+                                               ::testing::HasSubstr("--least-share")));
+  }
+  DetectOptions options;
+  options.leastShare = 0.5;
+  EXPECT_NO_THROW(findCandidates(*records::openRecord(file.path(), read), options, monitor));
 }
 
 TEST(Candidates, ImpactsOfThreeTimesTheNoiseAreFoundWhereTheyAre) {

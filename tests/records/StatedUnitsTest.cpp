@@ -88,7 +88,8 @@ TEST(StatedUnits, ATimeWithoutAUnitIsAskedForWhereSecondsMakeNoSense) {
 }
 
 TEST(StatedUnits, ColumnsThatContradictEachOtherAreNamed) {
-  EXPECT_THAT(refusal({.perSpeed = 3.6}), AllOf(HasSubstr("'speed' is 108 m/s"), HasSubstr("'position' moves at 30 m/s")));
+  EXPECT_THAT(refusal({.perSpeed = 3.6}),
+              AllOf(HasSubstr("'speed' is 108 m/s"), HasSubstr("'position' moves at 30 m/s")));
   EXPECT_THAT(refusal({.perMetre = 1e3}), AllOf(HasSubstr("'position' moves at 30"), HasSubstr("at most 150 m/s")));
 }
 

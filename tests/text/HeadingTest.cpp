@@ -13,12 +13,23 @@ struct Written {
 };
 
 TEST(Heading, UnitsAreFoundWhereverTheyStand) {
-  for (const Written& one : {Written{"aba [m/s2]", "aba", "m/s2"}, {"aba (g)", "aba", "g"}, {"time_ms", "time", "ms"},
-                             {"time ms", "time", "ms"}, {"time, ms", "time", "ms"}, {"Zeit/ms", "Zeit", "ms"},
-                             {"Time-us", "Time", "us"}, {"time in ms", "time", "ms"}, {"speed_kmh", "speed", "kmh"},
-                             {"speed km/h", "speed", "km/h"}, {"Geschwindigkeit in km/h", "Geschwindigkeit", "km/h"},
-                             {"vitesse_kmh", "vitesse", "kmh"}, {"chainage_km", "chainage", "km"}, {"aba_g", "aba", "g"},
-                             {"aba_left_g", "aba_left", "g"}, {"acc_ms2", "acc", "m/s2"}, {"speed_ms", "speed", "m/s"}}) {
+  for (const Written& one : {Written{"aba [m/s2]", "aba", "m/s2"},
+                             {"aba (g)", "aba", "g"},
+                             {"time_ms", "time", "ms"},
+                             {"time ms", "time", "ms"},
+                             {"time, ms", "time", "ms"},
+                             {"Zeit/ms", "Zeit", "ms"},
+                             {"Time-us", "Time", "us"},
+                             {"time in ms", "time", "ms"},
+                             {"speed_kmh", "speed", "kmh"},
+                             {"speed km/h", "speed", "km/h"},
+                             {"Geschwindigkeit in km/h", "Geschwindigkeit", "km/h"},
+                             {"vitesse_kmh", "vitesse", "kmh"},
+                             {"chainage_km", "chainage", "km"},
+                             {"aba_g", "aba", "g"},
+                             {"aba_left_g", "aba_left", "g"},
+                             {"acc_ms2", "acc", "m/s2"},
+                             {"speed_ms", "speed", "m/s"}}) {
     const auto heading = headingOf(one.text);
     EXPECT_EQ(heading.name, one.name) << one.text;
     EXPECT_EQ(heading.unit, one.unit) << one.text;
@@ -41,10 +52,10 @@ TEST(Heading, WithARowOfUnitsOnlyBracketsPart) {
 
 // Factors by definition: international mile, foot and inch (1959), standard gravity (1901), nautical mile (1929).
 TEST(Heading, UnitsHaveTheirFactors) {
-  const std::pair<const char*, double> factors[] = {{"msec", 1e-3},        {"min", 60},       {"mile", 1609.344},
-                                                    {"inch", 0.0254},      {"ft", 0.3048},    {"mph", 0.44704},
+  const std::pair<const char*, double> factors[] = {{"msec", 1e-3},           {"min", 60},     {"mile", 1609.344},
+                                                    {"inch", 0.0254},         {"ft", 0.3048},  {"mph", 0.44704},
                                                     {"knots", 1852 / 3600.0}, {"cm/s2", 1e-2}, {"ft/s2", 0.3048},
-                                                    {"gn", 9.80665},       {"um", 1e-6},      {"kmh", 1 / 3.6}};
+                                                    {"gn", 9.80665},          {"um", 1e-6},    {"kmh", 1 / 3.6}};
   for (const auto& [unit, factor] : factors) {
     ASSERT_TRUE(findUnit(unit)) << unit;
     EXPECT_DOUBLE_EQ(findUnit(unit)->factor, factor) << unit;

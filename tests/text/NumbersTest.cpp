@@ -17,6 +17,9 @@ TEST(Numbers, PointAndComma) {
     EXPECT_FALSE(numberIn(bad, '.')) << bad;
   EXPECT_FALSE(numberIn("1.234,5", ','));
   EXPECT_EQ(kilometresAndMetresIn("12+345.6", '.'), 12345.6);
+  for (const char* marked : {"K12+487.5", "km 12+487.5", "Km.12+487.5"})
+    EXPECT_EQ(kilometresAndMetresIn(marked, '.'), 12487.5) << marked;
+  EXPECT_FALSE(kilometresAndMetresIn("pk12+487.5", '.'));
   EXPECT_FALSE(kilometresAndMetresIn("1.5+20", '.'));
   EXPECT_FALSE(kilometresAndMetresIn("1e+20", '.'));
   EXPECT_TRUE(isMissing(" NaN "));
