@@ -6,6 +6,7 @@
 
 #include "core/Errors.h"
 #include "readers/TableRoles.h"
+#include "records/LostSamples.h"
 #include "signals/Median.h"
 #include "text/Numbers.h"
 
@@ -78,6 +79,10 @@ RecordReader::RecordReader(std::string path, std::unique_ptr<RowSource> source, 
   if (work_.size() < 2)
     throw FileError(layout_.path, "", "has " + std::to_string(work_.size()) + " samples; at least 2 are needed");
   const RowRules rules = findRules();
+  if (rules.steps.losesSamples && timesUsed_ && !work_.time.empty()) {
+    lostStep_ = rules.steps.step;
+    bridged_ += bridgeLostSamples(work_, 1, lostStep_);
+  }
   layout_.falling = rules.direction < 0;
   direction_ = rules.direction;
   for (double& x : work_.position) x *= direction_;
@@ -348,10 +353,14 @@ void RecordReader::fetch() {
   if (source_->next(options_.blockLength, rows_)) {
     if (absent_.empty()) findAbsent(rows_);
     take(rows_);
+    if (lostStep_ > 0) bridged_ += bridgeLostSamples(work_, std::max<std::size_t>(from, 1), lostStep_);
   } else {
     ended_ = true;
   }
   if (ended_) layout_.samples = work_.first + work_.size();
+  if (ended_ && bridged_ > 0)
+    layout_.notes.push_back(std::to_string(bridged_) +
+                            " samples were lost, one to three at a time: straight lines stand for them");
   if (checks_) check(from);
   if (ended_) reportTruncation();
 }

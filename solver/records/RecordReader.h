@@ -48,10 +48,11 @@ class RecordReader : public RecordStream {
   Rows rows_;
   std::unique_ptr<RowChecks> checks_;
   std::vector<double> lastGood_;
-  std::vector<double> absent_;  // of each channel, the number in the file that stands for none; infinite: there is none
-                                // // of each channel, what stands in a row that lacks it
+  std::vector<double> absent_;  // of each channel, the number that stands for none; infinite: there is none
   double direction_ = 1;
   bool ended_ = false, emitted_ = false, timesUsed_ = true;
+  std::size_t bridged_ = 0;       // rows put in for lost samples
+  double lostStep_ = 0;           // [s] of a clock that loses samples
   std::size_t at_ = 0;            // row of the next block
   std::size_t stretchStart_ = 0;  // sample
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "records/LostSamples.h"
 #include "signals/Median.h"
 
 namespace squat::records {
@@ -26,13 +27,9 @@ double meanStep(const std::vector<double>& steps, double median, double resoluti
   return count > 0 ? sum / count : 0;
 }
 
-}  // namespace
-
-ClockSteps stepsOf(const std::vector<double>& times) {
+// Steps of a clock without losses.
+ClockSteps stepsOfAll(const std::vector<double>& steps, double median) {
   ClockSteps result;
-  const auto steps = stepsBetween(times.data(), times.size());
-  if (steps.empty()) return result;
-  const double median = signals::median(steps);
   std::vector<double> off(steps.size());
   std::transform(steps.begin(), steps.end(), off.begin(), [&](double step) { return std::abs(step - median); });
   const std::size_t gaps = std::max<std::size_t>(2, off.size() / 10000);
@@ -42,6 +39,19 @@ ClockSteps stepsOf(const std::vector<double>& times) {
   result.step = std::max(0.0, meanStep(steps, median, result.resolution));
   if (result.step > 0)
     result.accuracy = 2 * result.resolution / (static_cast<double>(steps.size()) * result.step) + 1e-7;
+  return result;
+}
+
+}  // namespace
+
+ClockSteps stepsOf(const std::vector<double>& times) {
+  auto steps = stepsBetween(times.data(), times.size());
+  if (steps.empty()) return {};
+  const double median = signals::median(steps);
+  const bool loses = losesSamples(steps, median);
+  if (loses) std::erase_if(steps, [median](double step) { return step >= 1.5 * median; });
+  ClockSteps result = stepsOfAll(steps, median);
+  result.losesSamples = loses;
   return result;
 }
 

@@ -7,9 +7,10 @@
 namespace squat::records {
 
 struct ClockSteps {
-  double step = 0;        // [s] between samples; 0: not to be found
-  double resolution = 0;  // [s] by which a time as it is written may be off
-  double accuracy = 0;    // of the step, relative
+  double step = 0;            // [s] between samples; 0: not to be found
+  double resolution = 0;      // [s] by which a time as it is written may be off
+  double accuracy = 0;        // of the step, relative
+  bool losesSamples = false;  // again and again (LostSamples.h)
 };
 
 // From the first times of a record. Times that are rounded, repeated or written in batches are understood; up to one

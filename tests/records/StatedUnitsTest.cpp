@@ -146,6 +146,28 @@ TEST(StatedUnits, NumbersThatStandForNoneAreLeftOut) {
     for (const double value : stretch.values[0]) ASSERT_LE(std::abs(value), 80.01);
 }
 
+// Every fiftieth of the rows is missing. A straight line misses the middle of a sine by 1 - cos(w dt) of its amplitude
+// at most: 0.2 % at 50 Hz and 5 kHz. The rate is that of the times, and the file has as many samples as were taken.
+TEST(StatedUnits, LostSamplesAreBridgedAndReported) {
+  RecordOptions options;
+  options.columns.speed = 30;
+  options.blockLength = 512;
+  std::string text = "time [s],aba [m/s2]\n";
+  const auto truth = [](int i) { return 80 * std::sin(2 * 3.14159265358979 * 50 * i / 5000); };
+  for (int i = 0; i < 4000; ++i) {
+    char row[100];
+    std::snprintf(row, sizeof row, "%.4f,%.4f\n", i / 5000.0, truth(i));
+    if (i % 50 != 17) text += row;
+  }
+  const auto whole = readText(text, options);
+  EXPECT_EQ(whole.layout.rate, 5000);
+  EXPECT_THAT(whole.layout.notes, ::testing::Contains(HasSubstr("80 samples were lost")));
+  EXPECT_THAT(whole.faults, IsEmpty());
+  ASSERT_EQ(whole.stretches.size(), 1u);
+  ASSERT_EQ(whole.stretches[0].size(), 4000u);
+  for (int i = 0; i < 4000; ++i) ASSERT_NEAR(whole.stretches[0].values[0][i], truth(i), 0.002 * 80 + 1e-4) << i;
+}
+
 // A receiver without a fix writes 0, 0: there is no place of that name on a railway.
 TEST(StatedUnits, CoordinatesWithoutAFixAreNone) {
   RecordOptions options;

@@ -30,7 +30,6 @@ inline void append(std::vector<double>& to, const std::vector<double>& from) {
 inline WholeRecord readWhole(const std::string& path, const RecordOptions& options = {}) {
   WholeRecord whole;
   const auto stream = openRecord(path, options);
-  whole.layout = stream->layout();
   RecordBlock block;
   while (stream->next(block)) {
     if (!block.follows) {
@@ -44,6 +43,7 @@ inline WholeRecord readWhole(const std::string& path, const RecordOptions& optio
     append(last.latitude, block.latitude);
     append(last.longitude, block.longitude);
   }
+  whole.layout = stream->layout();  // notes come to the end
   whole.faults = stream->faults();
   return whole;
 }
