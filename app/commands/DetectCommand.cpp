@@ -67,7 +67,7 @@ RecordSearch searchOf(const DetectCommandOptions& options) {
   for (const auto& file : options.files) search.records.push_back(recordFile(file));
   search.folder = options.folder;
   search.read.columns = fileOptions(options.signal);
-  if (search.read.columns.column.empty()) search.read.columns.column = "all";
+  search.read.everyAcceleration = true;
   search.read.chainage = chainageFrom(options.chainage);
   search.options = options.detect;
   return search;

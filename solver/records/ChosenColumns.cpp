@@ -38,18 +38,41 @@ ChosenColumn chosen(const text::DelimitedTable& head, std::size_t index, Role ro
   return result;
 }
 
-// Whether an axle box acceleration could be in this column: unit unknown or right, and numbers in it.
+// Rows or seconds that are counted: it rises by the same amount again and again.
+bool isCounter(const text::TableColumn& column) {
+  const auto& values = column.values;
+  if (values.size() < 16) return false;
+  for (std::size_t i = 2; i < values.size(); ++i) {
+    const double first = values[1] - values[0], step = values[i] - values[i - 1];
+    if (!(first > 0) || !(std::abs(step - first) <= 1e-3 * first)) return false;
+  }
+  return true;
+}
+
+bool namesAnotherQuantity(const text::TableColumn& column) {
+  const std::string name = text::lowerCase(column.name);
+  for (const char* word : {"count", "index", "sample", "status", "gyro", "temp", "humid", "volt", "battery"})
+    if (name.find(word) != std::string::npos) return true;
+  return false;
+}
+
+// Whether an axle box acceleration could be in this column: its unit is one, or none is stated and its numbers are no
+// counter's.
 bool mayBeAcceleration(const text::TableColumn& column) {
   const std::string bare = text::bareUnit(column.unit);
-  return hasNumbers(column) && (bare.empty() || bare == "-" || readers::scaleOf(bare, "", Role::signal).unit == "m/s2");
+  if (!hasNumbers(column)) return false;
+  if (bare.empty() || bare == "-") return !isCounter(column) && !namesAnotherQuantity(column);
+  return readers::scaleOf(bare, "", Role::signal).unit == "m/s2";
 }
 
 std::vector<std::size_t> channelsOf(const text::DelimitedTable& head, const readers::TableRoles& roles,
-                                    const readers::SignalFileOptions& options, std::vector<std::string>& notes) {
+                                    const readers::SignalFileOptions& options, bool everyAcceleration,
+                                    std::vector<std::string>& notes) {
   auto channels = readers::signalsNamed(head, roles, options);
   if (!channels.empty()) return channels;
   if (roles.rest.size() == 1) return roles.rest;
-  if (const auto aba = readers::columnNamed(head, "aba"); aba != readers::noColumn) return {aba};
+  if (!everyAcceleration)
+    if (const auto aba = readers::columnNamed(head, "aba"); aba != readers::noColumn) return {aba};
   std::string others;
   for (const std::size_t c : roles.rest)
     if (mayBeAcceleration(head.columns[c]))
@@ -62,10 +85,11 @@ std::vector<std::size_t> channelsOf(const text::DelimitedTable& head, const read
 
 }  // namespace
 
-ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::SignalFileOptions& options) {
+ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::SignalFileOptions& options,
+                            bool everyAcceleration) {
   const auto roles = readers::rolesOf(head, options);
   ChosenColumns result;
-  for (const std::size_t c : channelsOf(head, roles, options, result.notes))
+  for (const std::size_t c : channelsOf(head, roles, options, everyAcceleration, result.notes))
     result.channels.push_back(chosen(head, c, Role::signal));
   if (result.channels.empty())
     throw FileError(head.path, "",

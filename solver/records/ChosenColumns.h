@@ -26,6 +26,8 @@ struct ChosenColumns {
 
 // Channels as `options.column` names them; without it the column aba, else every column that is no axis and whose unit
 // is an acceleration or none. Throws FileError where there is none.
-ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::SignalFileOptions& options);
+// `everyAcceleration`: a column aba is not preferred. Counters, gyroscopes, temperatures and the like are passed over.
+ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::SignalFileOptions& options,
+                            bool everyAcceleration = false);
 
 }  // namespace squat::records

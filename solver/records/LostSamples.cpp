@@ -7,12 +7,13 @@ namespace squat::records {
 namespace {
 
 constexpr double wholeWithin = 0.2;  // of a step
-constexpr long mostSteps = 4;      // that are bridged
+constexpr long mostSteps = 4;        // that are bridged
 
 // Whole steps from one time to the next; 0: none, or not whole.
 long stepsIn(double difference, double step) {
   const double count = std::round(difference / step);
-  return count >= 1 && count <= static_cast<double>(mostSteps) && std::abs(difference - count * step) <= wholeWithin * step
+  return count >= 1 && count <= static_cast<double>(mostSteps) &&
+                 std::abs(difference - count * step) <= wholeWithin * step
              ? static_cast<long>(count)
              : 0;
 }

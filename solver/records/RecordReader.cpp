@@ -61,7 +61,7 @@ RecordReader::RecordReader(std::string path, std::unique_ptr<RowSource> source, 
   if (options_.columns.speed == 0) options_.columns.speed = source_->speed;
   text::DelimitedTable head = source_->head();
   readers::setUnits(head, options_.columns);
-  chosen_ = chooseColumns(head, options_.columns);
+  chosen_ = chooseColumns(head, options_.columns, options_.everyAcceleration);
   layout_.notes = source_->notes;
   layout_.notes.insert(layout_.notes.end(), chosen_.notes.begin(), chosen_.notes.end());
   for (const auto& channel : chosen_.channels) layout_.channels.push_back({channel.name, channel.unit});

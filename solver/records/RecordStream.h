@@ -13,7 +13,9 @@
 namespace squat::records {
 
 struct RecordOptions {
-  readers::SignalFileOptions columns;              // as for short signals; `column` may name several channels or "all"
+  readers::SignalFileOptions columns;  // as for short signals; `column` may name several channels or "all"
+  bool everyAcceleration =
+      false;  // where `column` names none: every column that may hold one, not only the one named aba
   std::optional<double> chainage;                  // [m] of the first sample, where the file has no positions
   std::size_t blockLength = std::size_t{1} << 18;  // [samples] at most
 };

@@ -146,6 +146,24 @@ TEST(StatedUnits, NumbersThatStandForNoneAreLeftOut) {
     for (const double value : stretch.values[0]) ASSERT_LE(std::abs(value), 80.01);
 }
 
+TEST(StatedUnits, CountersAndOtherSensorsAreNoAccelerations) {
+  RecordOptions options;
+  options.columns.speed = 30, options.everyAcceleration = true;
+  std::string text = "time [s],n,aba [m/s2],box,gyro_x,rate [deg/s]\n";
+  for (int i = 0; i < 4000; ++i) {
+    char row[140];
+    const double a = 80 * std::sin(0.4 * i);
+    std::snprintf(row, sizeof row, "%.4f,%d,%.4f,%.4f,%.4f,%.4f\n", i / 5000.0, i, a, 0.5 * a, 0.1 * a, 0.2 * a);
+    text += row;
+  }
+  const auto whole = readText(text, options);
+  ASSERT_EQ(whole.layout.channels.size(), 2u);
+  EXPECT_EQ(whole.layout.channels[0].name, "aba");
+  EXPECT_EQ(whole.layout.channels[1].name, "box");
+  EXPECT_THAT(whole.layout.notes,
+              ::testing::Contains(AllOf(HasSubstr("passed over"), HasSubstr("2 n"), HasSubstr("gyro_x"))));
+}
+
 // Every fiftieth of the rows is missing. A straight line misses the middle of a sine by 1 - cos(w dt) of its amplitude
 // at most: 0.2 % at 50 Hz and 5 kHz. The rate is that of the times, and the file has as many samples as were taken.
 TEST(StatedUnits, LostSamplesAreBridgedAndReported) {

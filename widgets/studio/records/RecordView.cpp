@@ -45,7 +45,8 @@ class LabelDelegate : public QStyledItemDelegate {
 // As the search reads them.
 records::RecordOptions optionsOf(const project::LongRecords& kept) {
   records::RecordOptions options;
-  options.columns.column = kept.channels.empty() ? "all" : kept.channels;
+  options.columns.column = kept.channels;
+  options.everyAcceleration = true;
   options.columns.speed = kept.speed;
   if (!kept.chainage.empty()) options.chainage = analysis::chainageFromText(kept.chainage);
   return options;

@@ -39,7 +39,8 @@ struct Search {
 std::vector<detection::RecordDetection> search(const Search& wanted, const detection::DetectOptions& options,
                                                Monitor& monitor) {
   records::RecordOptions read;
-  read.columns.column = wanted.channels.empty() ? "all" : wanted.channels;
+  read.columns.column = wanted.channels;
+  read.everyAcceleration = true;
   read.columns.speed = wanted.speed;
   if (!wanted.chainage.empty()) read.chainage = analysis::chainageFromText(wanted.chainage);
   std::vector<detection::RecordDetection> found;
