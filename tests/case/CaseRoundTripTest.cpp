@@ -6,6 +6,7 @@
 #include <locale>
 #include <random>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "case/DecimalNumber.h"
 #include "case/ParameterValue.h"

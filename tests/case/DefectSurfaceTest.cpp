@@ -1,4 +1,5 @@
 // Shapes of defects against their formulas; sampled profiles against SciPy's monotone cubic (data/monotone_cubic.py).
+#include "case/CaseDescription.h"
 #include "scenario/DefectSurface.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // Numbers with a unit. Expected values: 1 km/h = 1/3.6 m/s, 1 rpm = 2 pi / 60 rad/s, powers of ten for the others.
+#include "case/CaseDescription.h"
 #include "case/Quantity.h"
 
 #include <gmock/gmock.h>

@@ -87,14 +87,14 @@ TEST(MainWindow, everyTabShowsSomething) {
   EXPECT_FALSE(window.showTab("nowhere"));
 }
 
-// No larger than the screen, or than the smallest screen that the studio is made for (1366 x 768 less the frames of a
-// desktop): the first start has no layout to restore.
+// No larger than the screen, or than the smallestWindow screen that the studio is made for (1366 x 768 less the frames
+// of a desktop): the first start has no layout to restore.
 TEST(MainWindow, theFirstWindowFitsTheScreen) {
   MainWindow window(tests::services());
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-  constexpr QSize smallest(1280, 700);
-  const QSize maximum = window.screen()->availableSize().expandedTo(smallest);
+  constexpr QSize smallestWindow(1280, 700);
+  const QSize maximum = window.screen()->availableSize().expandedTo(smallestWindow);
   EXPECT_LE(window.width(), maximum.width());
   EXPECT_LE(window.height(), maximum.height());
 }

@@ -14,6 +14,7 @@
 #include "elasticity/SweptKernel.h"
 #include "elasticity/SweptSamples.h"
 #include "plasticity/LayerWork.h"
+#include "scenario/Track.h"
 
 namespace squat::plasticity {
 namespace {
