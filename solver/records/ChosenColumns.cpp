@@ -91,6 +91,11 @@ ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::Sig
   ChosenColumns result;
   for (const std::size_t c : channelsOf(head, roles, options, everyAcceleration, result.notes))
     result.channels.push_back(chosen(head, c, Role::signal));
+  std::string assumed;
+  for (const auto& channel : result.channels)
+    if (!channel.unitStated) assumed += (assumed.empty() ? "'" : ", '") + channel.name + "'";
+  if (!assumed.empty())
+    result.notes.push_back("no unit is stated for " + assumed + ": m/s2 is assumed (--unit says another)");
   if (result.channels.empty())
     throw FileError(head.path, "",
                     roles.rest.empty() ? "has no column besides its axes" : "has no column of accelerations",

@@ -1,5 +1,5 @@
-// One record in every form that loggers, spreadsheets and scripts give it: units, how they are stated, delimiters, decimal
-// marks, clocks. Each is the control, sample by sample; none may be read as something else.
+// One record in every form that loggers, spreadsheets and scripts give it: units, how they are stated, delimiters,
+// decimal marks, clocks. Each is the control, sample by sample; none may be read as something else.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,11 +27,16 @@ enum class Stated { brackets, parentheses, underscore, blank, row };
 
 std::string heading(Stated stated, const std::string& name, const std::string& unit) {
   switch (stated) {
-    case Stated::brackets: return name + " [" + unit + "]";
-    case Stated::parentheses: return name + " (" + unit + ")";
-    case Stated::underscore: return name + "_" + unit;
-    case Stated::blank: return name + " " + unit;
-    case Stated::row: return name;
+    case Stated::brackets:
+      return name + " [" + unit + "]";
+    case Stated::parentheses:
+      return name + " (" + unit + ")";
+    case Stated::underscore:
+      return name + "_" + unit;
+    case Stated::blank:
+      return name + " " + unit;
+    case Stated::row:
+      return name;
   }
   return name;
 }
@@ -65,8 +70,7 @@ std::string formOf(const FormUnits& units, Stated stated, char delimiter, char d
 TEST(RecordForms, AreOneRecord) {
   int forms = 0;
   for (const auto& units : formUnits)
-    for (const Stated stated :
-         {Stated::brackets, Stated::parentheses, Stated::underscore, Stated::blank, Stated::row})
+    for (const Stated stated : {Stated::brackets, Stated::parentheses, Stated::underscore, Stated::blank, Stated::row})
       for (const char delimiter : {',', ';', '\t'})
         for (const char decimal : {'.', ','})
           for (const double start : {0.0, 36000.0}) {
