@@ -110,7 +110,7 @@ std::vector<Event*> nearestTo(const std::vector<Label>& labels, RecordDetection&
   return events;
 }
 
-// Squats ring up to some 900 Hz at least; a record that does not reach there says nothing of them.
+// Squats ring up to some 900 Hz at least: a record that does not reach that far cannot show them.
 void requireRate(const records::RecordLayout& layout) {
   constexpr double lowestRate = 2000;  // [Hz]
   if (layout.rate < lowestRate)
@@ -120,7 +120,7 @@ void requireRate(const records::RecordLayout& layout) {
                     "Check the unit of the time (--time-unit), or record at a higher rate");
 }
 
-// Most of a record that cannot be read is no record without squats.
+// A record of which little can be read must not be reported as one without squats.
 void requireShare(const RecordDetection& result, std::size_t read, double least) {
   const auto samples = static_cast<double>(result.layout.samples);
   if (result.layout.samples == 0 || static_cast<double>(read) >= least * samples) return;

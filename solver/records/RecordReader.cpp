@@ -265,7 +265,7 @@ void RecordReader::fillChannel(std::size_t channel, std::size_t from) {
   }
 }
 
-// Numbers that stand for none: of the usual ones, written at least three times and far beyond all others.
+// Markers of missing values: one of the usual numbers, at least three times, and far beyond all other values.
 void RecordReader::findAbsent(const Rows& rows) {
   for (std::size_t c = 0; c < chosen_.channels.size(); ++c) {
     const auto& values = rows.columns[c];

@@ -18,7 +18,7 @@ struct ClockSteps {
 ClockSteps stepsOf(const std::vector<double>& times);
 
 // Follows the times of a record: rounding averages out, and a slow drift is no change of rate. Steps are counted and
-// their sum is taken anew for each row: added one by one to a time since 1970, each would lose its last digits.
+// multiplied: added one by one to a time since 1970, each step would lose its last digits.
 class SampleClock {
  public:
   explicit SampleClock(const ClockSteps& steps) : steps_(steps) {}
