@@ -5,6 +5,7 @@
 #include "calibration/Calibration.h"
 #include "calibration/CalibrationFiles.h"
 #include "calibration/CalibrationSummary.h"
+#include "case/CaseDescription.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "case/Applicability.h"
+#include "case/CaseDescription.h"
 #include "case/ShippedCases.h"
 #include "core/Errors.h"
 #include "text/Text.h"

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "analysis/FeatureTable.h"
+#include "case/CaseDescription.h"
 #include "commands/ExitCodes.h"
 #include "commands/Interrupt.h"
 #include "commands/TerminalMonitor.h"

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "case/CaseDescription.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"

@@ -10,11 +10,14 @@
 #include "calibration/Calibration.h"
 #include "commands/FigureNames.h"
 #include "detection/DetectionFiles.h"
-#include "estimation/Estimation.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
 #include "statements/Judge.h"
 #include "studies/StudyTable.h"
+
+namespace squat::estimation {
+struct Estimate;
+}
 
 namespace squat::commands {
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"

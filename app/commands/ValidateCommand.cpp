@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "commands/Command.h"
 #include "commands/ComputeOptions.h"

@@ -5,6 +5,7 @@
 
 #include "analysis/Analysis.h"
 #include "analysis/FileComparison.h"
+#include "estimation/Estimation.h"
 #include "plots/AnalysisFigures.h"
 #include "plots/ComparisonFigures.h"
 #include "plots/EstimateFigure.h"

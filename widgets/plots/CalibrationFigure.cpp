@@ -9,7 +9,7 @@
 namespace squat::plots {
 namespace {
 
-constexpr int columns = 3;
+constexpr int panelColumns = 3;
 
 void addPoints(Figure& figure, const Curve& curve, QCPScatterStyle::ScatterShape shape, double size,
                const Style& style) {
@@ -24,7 +24,7 @@ std::unique_ptr<Figure> inputPanel(const calibration::Calibration& found, std::s
   auto figure = std::make_unique<Figure>(QString::fromStdString(free.key()), style);
   figure->xAxis->setLabel(QString::fromStdString(free.key()) +
                           (free.parameter->unit == "-" ? QString() : " [" + unitText(free.parameter->unit) + "]"));
-  if (input % columns == 0) figure->yAxis->setLabel("log10 of the misfit");
+  if (input % panelColumns == 0) figure->yAxis->setLabel("log10 of the misfit");
   const bool isFirst = input == 0;
   Curve all{{}, {}, isFirst ? "computed" : "", 7, 1.0}, good{{}, {}, isFirst ? "as good as the best" : "", 0, 1.0};
   Curve best{{}, {}, isFirst ? "best" : "", 1, 1.0};
@@ -52,7 +52,7 @@ std::unique_ptr<Figure> inputPanel(const calibration::Calibration& found, std::s
 }  // namespace
 
 FigureSheet calibrationFigure(const calibration::Calibration& found, const Style& style) {
-  FigureSheet sheet{"calibration", {}, columns};
+  FigureSheet sheet{"calibration", {}, panelColumns};
   for (std::size_t input = 0; input < found.ranges.size(); ++input) {
     auto figure = inputPanel(found, input, style);
     figure->setCaption(input == 0 ? QString::fromStdString(found.definition.caseName) : QString(),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "estimation/Estimation.h"
 #include "plots/LineFigure.h"
 
 namespace squat::plots {

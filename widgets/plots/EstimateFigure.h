@@ -1,8 +1,11 @@
 // widgets/plots/EstimateFigure.h - an estimated profile with its bounds, and what it makes of the measured passages.
 #pragma once
 
-#include "estimation/Estimation.h"
 #include "plots/FigureSheet.h"
+
+namespace squat::estimation {
+struct Estimate;
+}
 
 namespace squat::plots {
 

@@ -11,6 +11,7 @@
 #include "core/FolderLock.h"
 #include "estimation/EstimateFiles.h"
 #include "estimation/EstimateSummary.h"
+#include "estimation/Estimation.h"
 #include "plots/EstimateFigure.h"
 #include "studies/Jobs.h"
 #include "studio/common/NumberBox.h"
