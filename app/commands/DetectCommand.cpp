@@ -2,10 +2,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 #include "analysis/OptionText.h"
-#include "case/ShippedCases.h"
 #include "commands/CaseOptions.h"
 #include "commands/Command.h"
 #include "commands/DetectInParts.h"
@@ -36,15 +34,8 @@ struct DetectCommandOptions {
   detection::DetectOptions detect;
   detection::SeverityLimits limits;
   double diameter = 0;  // [m] of the wheel
-  bool json = false, collect = false;
+  bool json = false, collect = false, consecutive = false, passes = false;
 };
-
-// A path, or the name of a shipped record.
-std::string recordFile(const std::string& nameOrPath) {
-  if (std::filesystem::exists(nameOrPath) || nameOrPath.find('/') != std::string::npos) return nameOrPath;
-  const auto shipped = cases::resourcesFolder() / "records" / (nameOrPath + ".csv");
-  return std::filesystem::exists(shipped) ? shipped.string() : nameOrPath;
-}
 
 std::optional<double> chainageFrom(const std::string& text) {
   if (text.empty()) return std::nullopt;
@@ -62,9 +53,16 @@ detection::SourceOptions sourceOf(const DetectCommandOptions& options) {
   return source;
 }
 
+records::Together togetherOf(const DetectCommandOptions& options) {
+  return options.consecutive ? records::Together::consecutive
+         : options.passes    ? records::Together::passes
+                             : records::Together::asTheyFollow;
+}
+
 RecordSearch searchOf(const DetectCommandOptions& options) {
   RecordSearch search;
   for (const auto& file : options.files) search.records.push_back(recordFile(file));
+  search.records = records::inNumberOrder(std::move(search.records));
   search.folder = options.folder;
   search.read.columns = fileOptions(options.signal);
   search.read.everyAcceleration = true;
@@ -111,13 +109,15 @@ int detect(DetectCommandOptions options) {
   keepInputs(search.records, {options.folder + "/squats.csv", options.folder + "/squats.json"});
   if (options.collect) return conclude(options, collectRecords(search), monitor);
   std::vector<detection::RecordDetection> records;
-  for (const auto& file : search.records) {
-    const auto stream = records::openRecord(file, search.read);
+  for (auto rest = search.records; !rest.empty();) {
+    const auto stream = records::openRide(rest, search.read, togetherOf(options));
     records.push_back(detection::findCandidates(*stream, search.options, monitor));
-    if (!records.back().cancelled) continue;
-    monitor.clearLine();
-    std::fprintf(stderr, "cancelled: no file written\n");
-    return kCancelled;
+    if (records.back().cancelled) {
+      monitor.clearLine();
+      std::fprintf(stderr, "cancelled: no file written\n");
+      return kCancelled;
+    }
+    rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(stream->layout().files.size()));
   }
   return conclude(options, std::move(records), monitor);
 }
@@ -128,8 +128,10 @@ void addDetectCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("detect", "Find squats in long records of axle box acceleration");
   auto options = std::make_shared<DetectCommandOptions>();
   command
-      ->add_option("records", options->files,
-                   "Files, or the shipped example-record; several of one location are combined")
+      ->add_option(
+          "records", options->files,
+          "Files, or the shipped example-record; those whose times or positions follow on are one ride, others "
+          "are passes and combined where they meet")
       ->required()
       ->type_name("RECORD...");
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
@@ -178,6 +180,11 @@ void addDetectCommand(CLI::App& program, Action& action) {
                                      "Search only the M-th of N parts of the records, and keep what is found in "
                                      "DIR/candidates: slice (every N-th record) or hash (by their names)")
                         ->type_name("KIND:M/N");
+  auto* consecutive = command
+                          ->add_flag("--consecutive", options->consecutive,
+                                     "The files are one ride, in the order of their numbers, else as given")
+                          ->excludes(partition);
+  command->add_flag("--passes", options->passes, "Every file is a pass by itself")->excludes(consecutive);
   command->add_flag("--collect", options->collect, "Search no record: judge and combine what all parts have found")
       ->excludes(partition);
   addFigureOptions(*command, options->figures);

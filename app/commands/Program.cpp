@@ -132,6 +132,7 @@ int runProgram(int argc, char** argv) {
   addStudyCommand(program, action);
   addDetectCommand(program, action);
   addExamplesCommand(program, action);
+  addInspectCommand(program, action);
   addReceptanceCommand(program, action);
   addValidateCommand(program, action);
   program.footer("Exit codes: 0 success, 2 invalid case or call, 3 run failed, 4 invalid file, 130 cancelled");

@@ -1,6 +1,9 @@
 #include "commands/SignalOptions.h"
 
+#include <filesystem>
+
 #include "analysis/OptionText.h"
+#include "case/ShippedCases.h"
 #include "commands/NumberRange.h"
 
 namespace squat::commands {
@@ -24,6 +27,9 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
   command
       .add_option("--time-unit", file.timeUnit, "Unit of the time: s, ms, us, ns or min (default: as the file states)")
       ->type_name("UNIT");
+  command.add_option("--head-line", file.headLine, "Line of the heading in a text file (default: found)")
+      ->check(between(1.0, 1e6))
+      ->type_name("LINE");
   command.add_option("--object", file.object, "Path inside an HDF5 file")->type_name("PATH");
   command.add_option("--rate", file.rate, "Sampling rate, if the file has no time column")
       ->check(between(1.0, 1e8))
@@ -35,6 +41,12 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
                   "Column separator: auto, comma, semicolon, tab, space or one character")
       ->type_name("SIGN");
   command.add_flag("--decimal-comma", options.decimalComma, "Numbers have a decimal comma");
+}
+
+std::string recordFile(const std::string& nameOrPath) {
+  if (std::filesystem::exists(nameOrPath) || nameOrPath.find('/') != std::string::npos) return nameOrPath;
+  const auto shipped = cases::resourcesFolder() / "records" / (nameOrPath + ".csv");
+  return std::filesystem::exists(shipped) ? shipped.string() : nameOrPath;
 }
 
 readers::SignalFileOptions fileOptions(const SignalOptions& options) {

@@ -18,6 +18,9 @@ struct SignalOptions {
 
 void addSignalOptions(CLI::App& command, SignalOptions& options);
 
+// A path, or the name of a shipped record.
+std::string recordFile(const std::string& nameOrPath);
+
 // With the texts turned into values; throws CaseError.
 readers::SignalFileOptions fileOptions(const SignalOptions& options);
 

@@ -195,6 +195,7 @@ std::string settingsText(const records::RecordOptions& read, const DetectOptions
   add("object", columns.object);
   for (const auto& [column, unit] : columns.units) add("unit", column + "=" + unit);
   add("time unit", columns.timeUnit);
+  if (columns.headLine > 0) add("head line", std::to_string(columns.headLine));
   if (columns.rate > 0) add("rate", text::numberText(columns.rate));
   if (columns.speed > 0) add("speed", text::numberText(columns.speed));
   if (columns.delimiter != 0) add("delimiter", std::string(1, columns.delimiter));

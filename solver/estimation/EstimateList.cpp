@@ -40,6 +40,7 @@ std::string estimateKey(const EstimateDefinition& definition, const EstimateOpti
   for (const double number : {definition.reading.rate, definition.reading.speed, definition.cutoff, definition.longest,
                               definition.beyond, static_cast<double>(options.runs)})
     all += "," + text::numberText(number);
+  all += "," + std::to_string(definition.reading.headLine);
   all += std::string(",") + definition.reading.delimiter + definition.reading.decimal;
   for (const auto& file : definition.files) all += "," + cases::shortHash(readWholeFile(file, kLargestFile));
   return cases::shortHash(all);

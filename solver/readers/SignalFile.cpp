@@ -147,7 +147,7 @@ void requireOptions(const SignalFileOptions& options) {
 std::vector<signals::Record> readSignals(const std::string& path, const SignalFileOptions& options) {
   requireOptions(options);
   if (isArrayFile(path)) return readArraySignals(path, options);
-  auto table = text::readDelimitedTable(path, options.delimiter, options.decimal);
+  auto table = text::readDelimitedTable(path, options.delimiter, options.decimal, options.headLine);
   setUnits(table, options);
   return signalsOf(table, options);
 }

@@ -111,7 +111,10 @@ TableRoles rolesOf(const text::DelimitedTable& table, const SignalFileOptions& o
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     if (std::count(taken.begin(), taken.end(), c) > 0) continue;
     const auto& column = table.columns[c];
-    const Role own = column.kilometresAndMetres ? Role::position : roleOf(column.name, column.unit);
+    if (column.moments == text::MomentKind::date) continue;  // the day of the clock in another column
+    const Role own = column.kilometresAndMetres ? Role::position
+                     : column.moments           ? Role::time
+                                                : roleOf(column.name, column.unit);
     const auto free = std::find_if(axes.begin(), axes.end(),
                                    [&](const auto& axis) { return axis.first == own && *axis.second == noColumn; });
     if (free == axes.end())

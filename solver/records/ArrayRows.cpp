@@ -49,6 +49,7 @@ ArrayRows::ArrayRows(std::string path, const readers::SignalFileOptions& options
   const auto tree = readers::listArrays(path_);
   auto own = options;
   if (own.object.empty()) own.object = longestGroup(tree);
+  object_ = own.object;
   auto frame = pandasColumns(path_, tree, groupNamed(own.object));
   auto found = frame ? std::move(*frame) : readers::columnsOf(path_, tree, own);
   head_ = std::move(found.table);
@@ -57,7 +58,7 @@ ArrayRows::ArrayRows(std::string path, const readers::SignalFileOptions& options
   truncation_ = results::textAttribute(tree.attributes, results::truncationAttribute);
   rate = found.options.rate;
   speed = found.options.speed;
-  column_ = found.options.column;
+  signalColumn = found.options.column;
   if (results::textAttribute(tree.attributes, "schema") == results::kResultSchema &&
       results::numberAttribute(tree.attributes, "complete", 1) != 1)
     notes.push_back("the run is not complete: what came later is missing");
@@ -73,6 +74,11 @@ void ArrayRows::readHead() {
     columns[c].resize(std::min(columns[c].size(), headRows));
     head_.columns[c].values = std::move(columns[c]);
   }
+}
+
+std::string ArrayRows::structure() const {
+  return "arrays (HDF5 or MATLAB)" + (object_.empty() ? std::string() : ", in " + object_) + ", " +
+         std::to_string(samples_) + " samples";
 }
 
 void ArrayRows::choose(std::vector<std::size_t> columns) {

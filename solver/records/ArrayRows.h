@@ -19,17 +19,18 @@ class ArrayRows : public RowSource {
   ArrayRows(std::string path, const readers::SignalFileOptions& options);
 
   const text::DelimitedTable& head() const override { return head_; }
+  std::string structure() const override;
   void choose(std::vector<std::size_t> columns) override;
   bool next(std::size_t maximum, Rows& rows) override;
   double fraction() const override;
   std::size_t rows() const override { return samples_; }
   std::string truncation() const override { return truncation_; }
-  const std::string& column() const { return column_; }  // what the object named chooses; empty: nothing
+  std::vector<std::string> files() const override { return {path_}; }
 
  private:
   void readHead();
 
-  std::string path_, column_, truncation_;
+  std::string path_, object_, truncation_;
   text::DelimitedTable head_;
   std::vector<results::ArrayColumn> places_;
   std::size_t samples_ = 0, read_ = 0;

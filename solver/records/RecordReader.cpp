@@ -59,6 +59,7 @@ RecordReader::RecordReader(std::string path, std::unique_ptr<RowSource> source, 
   options_.blockLength = std::max<std::size_t>(options_.blockLength, 1);
   if (options_.columns.rate == 0) options_.columns.rate = source_->rate;
   if (options_.columns.speed == 0) options_.columns.speed = source_->speed;
+  if (!source_->signalColumn.empty()) options_.columns.column = source_->signalColumn;
   text::DelimitedTable head = source_->head();
   readers::setUnits(head, options_.columns);
   chosen_ = chooseColumns(head, options_.columns, options_.everyAcceleration);
@@ -357,7 +358,11 @@ void RecordReader::fetch() {
   } else {
     ended_ = true;
   }
-  if (ended_) layout_.samples = work_.first + work_.size();
+  if (ended_) {
+    layout_.samples = work_.first + work_.size();
+    layout_.files = source_->files();
+    if (const auto joined = source_->joined(); !joined.empty()) layout_.notes.push_back(joined);
+  }
   if (ended_ && bridged_ > 0)
     layout_.notes.push_back(std::to_string(bridged_) +
                             " samples were lost, one to three at a time: straight lines stand for them");

@@ -25,7 +25,8 @@ struct RecordChannel {
 };
 
 struct RecordLayout {
-  std::string path;
+  std::string path;                // the first file of a ride in several
+  std::vector<std::string> files;  // that it was read from; known at the end
   std::vector<RecordChannel> channels;
   double rate = 0;              // [Hz]
   std::size_t samples = 0;      // a channel; 0: not known before the end (text)
@@ -70,8 +71,23 @@ class RecordStream {
   virtual const std::vector<RecordFault>& faults() const = 0;
 };
 
+// Whether files named together are parts of one ride, or passes over the same track.
+enum class Together {
+  asTheyFollow,  // a file belongs to the ride of the one before where its times or positions follow on
+  consecutive,
+  passes
+};
+
 // Text, HDF5 and MATLAB files, by what they hold. Throws FileError for a file that holds no record, CaseError
 // for options that do not fit, and where neither speed nor position is known.
 std::unique_ptr<RecordStream> openRecord(const std::string& path, const RecordOptions& options = {});
+
+// The ride that begins with the first file, through those behind it that belong to it: layout().files says at the end
+// how many did. Throws as above; FileError too for consecutive files that are not in order or have other columns, and,
+// when only their names follow on (part-1, part-2), CaseError that asks which of both they are.
+std::unique_ptr<RecordStream> openRide(std::vector<std::string> files, const RecordOptions& options, Together together);
+
+// Files whose names differ in one number alone in the order of that number, part-2 before part-10; others as they are.
+std::vector<std::string> inNumberOrder(std::vector<std::string> files);
 
 }  // namespace squat::records

@@ -10,7 +10,6 @@
 #include "core/Errors.h"
 #include "records/QuickNumber.h"
 #include "text/Lines.h"
-#include "text/Numbers.h"
 #include "text/Text.h"
 
 namespace squat::records {
@@ -35,7 +34,7 @@ TextRows::TextRows(std::string path, const readers::SignalFileOptions& options) 
   at_ = whole_ = end_ = buffer_.data();
   fill();
   const std::string_view text(at_, static_cast<std::size_t>(whole_ - at_));
-  layout_ = text::layoutOf(text, path_, options.delimiter, options.decimal);
+  layout_ = text::layoutOf(text, path_, options.delimiter, options.decimal, options.headLine);
   head_ = text::emptyTable(layout_, path_);
   values_.resize(layout_.fields);
   wanted_.assign(layout_.fields, 1);
@@ -77,6 +76,15 @@ bool TextRows::fill() {
   if (whole_ == at_ && static_cast<std::size_t>(end_ - at_) > longestLine)
     throw FileError(path_, "line " + std::to_string(line_ + 1), "is longer than 1 MB", "Put one row on each line");
   return whole_ > at_;
+}
+
+std::string TextRows::structure() const {
+  const auto named = [](char sign) {
+    return sign == ' ' ? std::string("blanks") : sign == '\t' ? std::string("tabs") : "'" + std::string(1, sign) + "'";
+  };
+  return "text, columns between " + named(layout_.delimiter) +
+         (layout_.decimal == ',' ? ", decimal comma" : ", decimal point") +
+         (layout_.names.empty() ? ", no heading" : "") + ", numbers from line " + std::to_string(layout_.firstLine + 1);
 }
 
 void TextRows::choose(std::vector<std::size_t> columns) {
@@ -136,14 +144,6 @@ bool TextRows::quickRow() {
   return true;
 }
 
-double TextRows::valueOf(std::string_view field, std::size_t column) {
-  if (const auto number = text::numberIn(field, layout_.decimal)) return *number;
-  const auto metres = text::kilometresAndMetresIn(field, layout_.decimal);
-  if (!metres) return missing;
-  head_.columns[column].kilometresAndMetres = true;
-  return *metres;
-}
-
 bool TextRows::slowRow(std::string& mistake) {
   const auto* lineEnd = static_cast<const char*>(std::memchr(at_, '\n', static_cast<std::size_t>(whole_ - at_)));
   const std::string_view line(at_, static_cast<std::size_t>(lineEnd - at_));
@@ -154,7 +154,7 @@ bool TextRows::slowRow(std::string& mistake) {
   if (fields_.size() == layout_.fields) {
     for (std::size_t c = 0; c < layout_.fields; ++c) {
       if (!wanted_[c]) continue;
-      values_[c] = valueOf(fields_[c], c);
+      values_[c] = text::fieldValue(fields_[c], layout_.decimal, head_.columns[c]);
       if (mistake.empty() && std::isnan(values_[c]))
         mistake = "column " + std::to_string(c + 1) + " holds " +
                   (text::trimmed(fields_[c]).empty() ? "nothing" : text::shown(text::trimmed(fields_[c])));

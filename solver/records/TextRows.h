@@ -19,10 +19,12 @@ class TextRows : public RowSource {
   TextRows(std::string path, const readers::SignalFileOptions& options);
 
   const text::DelimitedTable& head() const override { return head_; }
+  std::string structure() const override;
   void choose(std::vector<std::size_t> columns) override;
   bool next(std::size_t maximum, Rows& rows) override;
   double fraction() const override;
   std::string truncation() const override { return truncation_; }
+  std::vector<std::string> files() const override { return {path_}; }
 
  private:
   bool fill();      // more whole lines behind `at_`; false: there are none
@@ -30,7 +32,6 @@ class TextRows : public RowSource {
   bool quickMetres(const char*& at, double& value) const;
   bool slowRow(std::string& mistake);  // any other line; false: it is no row
   void readHead();
-  double valueOf(std::string_view field, std::size_t column);
 
   std::string path_;
   std::ifstream file_;

@@ -26,13 +26,8 @@ void reserveRows(DelimitedTable& table, std::size_t bytes, std::string_view firs
 }
 
 void addField(TableColumn& column, std::string_view field, char decimal, std::size_t row) {
-  double value = std::nan("");
-  if (const auto number = numberIn(field, decimal)) {
-    value = *number;
-  } else if (const auto metres = kilometresAndMetresIn(field, decimal)) {
-    value = *metres;
-    column.kilometresAndMetres = true;
-  } else if (column.badText.empty()) {
+  const double value = fieldValue(field, decimal, column);
+  if (std::isnan(value) && column.badText.empty()) {
     column.badRow = row;
     column.badText = trimmed(field).empty() ? "an empty field" : shown(trimmed(field));
   }
@@ -41,14 +36,33 @@ void addField(TableColumn& column, std::string_view field, char decimal, std::si
 
 }  // namespace
 
-TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal) {
+double fieldValue(std::string_view field, char decimal, TableColumn& column) {
+  if (const auto number = numberIn(field, decimal)) return *number;
+  if (const auto metres = kilometresAndMetresIn(field, decimal)) {
+    column.kilometresAndMetres = true;
+    return *metres;
+  }
+  const auto moment = momentIn(field);
+  if (!moment) return std::nan("");
+  column.moments = moment->kind;
+  column.unit = "s";
+  return moment->seconds;
+}
+
+TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal,
+                     std::size_t headLine) {
   std::vector<std::string_view> head;
   std::string_view line;
-  for (Lines lines(text, path, advice); head.size() < linesForLayout && lines.next(line);) head.push_back(line);
-  TableLayout layout = findLayout(head, delimiter, decimal);
+  for (Lines lines(text, path, advice); head.size() < headLine + linesForLayout && lines.next(line);)
+    head.push_back(line);
+  TableLayout layout = findLayout(head, delimiter, decimal, headLine);
   if (layout.fields == 0 || layout.firstLine >= head.size())
     throw FileError(path, "", "contains no table of numbers in its first " + std::to_string(head.size()) + " lines",
                     "Give a table with one row per sample; name delimiter and decimal sign where they are unusual");
+  if (headLine > 0 && layout.names.empty())
+    throw FileError(path, "line " + std::to_string(headLine),
+                    "is no heading of the " + std::to_string(layout.fields) + " columns of the table",
+                    "Name the line that has as many fields as the rows");
   if (layout.fields > maximumColumns)
     throw FileError(path, "line " + std::to_string(layout.firstLine + 1), "has too many columns");
   return layout;
@@ -65,8 +79,9 @@ DelimitedTable emptyTable(const TableLayout& layout, const std::string& path) {
   return table;
 }
 
-DelimitedTable parseDelimitedTable(std::string_view text, const std::string& path, char delimiter, char decimal) {
-  const TableLayout layout = layoutOf(text, path, delimiter, decimal);
+DelimitedTable parseDelimitedTable(std::string_view text, const std::string& path, char delimiter, char decimal,
+                                   std::size_t headLine) {
+  const TableLayout layout = layoutOf(text, path, delimiter, decimal, headLine);
   std::string_view line;
   Lines lines(text, path, advice);
   while (lines.number() < layout.firstLine && lines.next(line)) continue;
@@ -86,8 +101,8 @@ DelimitedTable parseDelimitedTable(std::string_view text, const std::string& pat
   return table;
 }
 
-DelimitedTable readDelimitedTable(const std::string& path, char delimiter, char decimal) {
-  return parseDelimitedTable(readWholeFile(path, largestFile), path, delimiter, decimal);
+DelimitedTable readDelimitedTable(const std::string& path, char delimiter, char decimal, std::size_t headLine) {
+  return parseDelimitedTable(readWholeFile(path, largestFile), path, delimiter, decimal, headLine);
 }
 
 }  // namespace squat::text

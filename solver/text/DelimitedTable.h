@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "text/Moments.h"
 #include "text/TableLayout.h"
 
 namespace squat::text {
@@ -15,6 +17,7 @@ struct TableColumn {
   std::string name, unit;      // empty where the file has none
   std::vector<double> values;  // not-a-number where the field is missing or text
   bool kilometresAndMetres = false;
+  std::optional<MomentKind> moments;  // its fields are dates or times of day; `values` are in s
   // First field that is not a number: its row, and what stands there.
   std::size_t badRow = std::numeric_limits<std::size_t>::max();
   std::string badText;
@@ -29,17 +32,23 @@ struct DelimitedTable {
   std::size_t rows() const { return lines.size(); }
 };
 
+// The number that stands in a field: plain, as kilometres and metres, or as a moment in s (Moments.h); what it is, is
+// noted in the column. Not-a-number for any other text.
+double fieldValue(std::string_view field, char decimal, TableColumn& column);
+
 // The layout of a table that begins with `text`, and its columns without rows. Throws FileError where there is no
 // table.
-TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal);
+TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal,
+                     std::size_t headLine = 0);
 DelimitedTable emptyTable(const TableLayout& layout, const std::string& path);
 
 // Throws FileError (path, line) for an unreadable or binary file, one without a table of numbers, and for rows with
 // another number of fields than the first.
-DelimitedTable readDelimitedTable(const std::string& path, char delimiter = 0, char decimal = 0);
+DelimitedTable readDelimitedTable(const std::string& path, char delimiter = 0, char decimal = 0,
+                                  std::size_t headLine = 0);
 
 // The same for text that stands in memory.
-DelimitedTable parseDelimitedTable(std::string_view text, const std::string& path, char delimiter = 0,
-                                   char decimal = 0);
+DelimitedTable parseDelimitedTable(std::string_view text, const std::string& path, char delimiter = 0, char decimal = 0,
+                                   std::size_t headLine = 0);
 
 }  // namespace squat::text

@@ -6,6 +6,7 @@
 
 #include "text/Heading.h"
 #include "text/Lines.h"
+#include "text/Moments.h"
 #include "text/Numbers.h"
 #include "text/Text.h"
 #include "text/Units.h"
@@ -15,7 +16,7 @@ namespace squat::text {
 namespace {
 
 bool isNumeric(std::string_view field, char decimal) {
-  return numberIn(field, decimal) || kilometresAndMetresIn(field, decimal);
+  return numberIn(field, decimal) || kilometresAndMetresIn(field, decimal) || momentIn(field);
 }
 
 struct Candidate {
@@ -73,16 +74,18 @@ void joinBrackets(std::vector<std::string_view>& fields) {
 
 // Names and units from the lines above the first row of numbers. `closed`: rows end with a delimiter, behind which a
 // heading may have a name, of a column that is empty.
-void readHeader(const std::vector<std::string_view>& lines, bool closed, TableLayout& layout) {
+void readHeader(const std::vector<std::string_view>& lines, bool closed, std::size_t headLine, TableLayout& layout) {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string_view> fields;
-  for (std::size_t i = 0; i < layout.firstLine; ++i) {
+  for (std::size_t i = headLine > 0 ? headLine - 1 : 0; i < layout.firstLine; ++i) {
     splitRow(withoutMarker(lines[i]), layout, fields);
     if (layout.delimiter == ' ' && fields.size() > layout.fields) joinBrackets(fields);
     if (closed && fields.size() == layout.fields + 1) fields.pop_back();
+    if (fields.size() != layout.fields && i + 1 == headLine) return;
     if (fields.size() != layout.fields) continue;
     auto& row = rows.emplace_back();
     for (const auto field : fields) row.push_back(asUtf8(trimmed(field)));
+    if (headLine > 0 && i + 1 > headLine) break;  // the line below it may hold the units
   }
   if (rows.empty()) return;
   const auto unitsOnly = [](const std::vector<std::string>& row) {
@@ -94,6 +97,7 @@ void readHeader(const std::vector<std::string_view>& lines, bool closed, TableLa
     units = rows.back();
     rows.pop_back();
   }
+  if (headLine > 0) rows.resize(1);
   for (std::size_t column = 0; column < layout.fields; ++column) {
     // A unit in the row of units stands before one that the name may end with.
     const auto heading = units[column].empty() ? headingOf(rows.back()[column]) : bracketedHeading(rows.back()[column]);
@@ -109,7 +113,7 @@ void splitRow(std::string_view line, const TableLayout& layout, std::vector<std:
   while (fields.size() > layout.fields && trimmed(fields.back()).empty()) fields.pop_back();
 }
 
-TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal) {
+TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal, std::size_t headLine) {
   std::vector<Candidate> candidates;
   for (const char one : {';', '\t', '|', ',', ' '}) {
     if (delimiter != 0 && delimiter != one) continue;
@@ -133,7 +137,7 @@ TableLayout findLayout(const std::vector<std::string_view>& lines, char delimite
   const auto last = std::find_if(lines.rbegin(), lines.rend(), [](auto line) { return !isComment(line); });
   splitRow(*last, layout, fields);
   for (const auto field : fields) layout.numeric.push_back(isNumeric(field, layout.decimal) || isMissing(field));
-  for (layout.firstLine = 0; layout.firstLine < lines.size(); ++layout.firstLine) {
+  for (layout.firstLine = headLine; layout.firstLine < lines.size(); ++layout.firstLine) {
     if (isComment(lines[layout.firstLine])) continue;
     splitRow(lines[layout.firstLine], layout, fields);
     if (fields.size() != layout.fields) continue;
@@ -146,7 +150,7 @@ TableLayout findLayout(const std::vector<std::string_view>& lines, char delimite
     }
     if (row && !text) break;
   }
-  readHeader(lines, best.closed, layout);
+  readHeader(lines, best.closed, headLine, layout);
   return layout;
 }
 

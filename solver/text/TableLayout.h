@@ -21,8 +21,10 @@ struct TableLayout {
 // The fields of a row of the table (splitFields): empty fields beyond its last column do not count.
 void splitRow(std::string_view line, const TableLayout& layout, std::vector<std::string_view>& fields);
 
-// `lines` are the first lines of the file, whole, without line ends. `delimiter` and `decimal` 0: found. A layout
-// with fields == 0: no table was found.
-TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal);
+// `lines` are the first lines of the file, whole, without line ends. `delimiter` and `decimal` 0: found. `headLine`:
+// the line of the heading, from 1; 0: the last above the numbers that has as many fields. A layout with fields == 0: no
+// table was found.
+TableLayout findLayout(const std::vector<std::string_view>& lines, char delimiter, char decimal,
+                       std::size_t headLine = 0);
 
 }  // namespace squat::text

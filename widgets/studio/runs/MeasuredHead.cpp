@@ -37,15 +37,9 @@ std::string beginningOf(const std::string& path) {
   return beginning;
 }
 
-void addValue(text::TableColumn& column, std::string_view field, char decimal) {
-  const auto metres = text::kilometresAndMetresIn(field, decimal);
-  column.kilometresAndMetres = column.kilometresAndMetres || metres;
-  column.values.push_back(text::numberIn(field, decimal).value_or(metres.value_or(NAN)));
-}
-
 void readText(MeasuredHead& head, const readers::SignalFileOptions& options) {
   const std::string beginning = beginningOf(head.path);
-  const auto layout = text::layoutOf(beginning, head.path, options.delimiter, options.decimal);
+  const auto layout = text::layoutOf(beginning, head.path, options.delimiter, options.decimal, options.headLine);
   head.table = text::emptyTable(layout, head.path);
   head.numeric = layout.numeric;
   head.numeric.resize(layout.fields, false);
@@ -60,7 +54,10 @@ void readText(MeasuredHead& head, const readers::SignalFileOptions& options) {
       for (const auto field : fields) cells.push_back(text::asUtf8(text::trimmed(field)));
     }
     if (fields.size() != layout.fields) continue;  // the reader says what is wrong with it
-    for (std::size_t c = 0; c < fields.size(); ++c) addValue(head.table.columns[c], fields[c], layout.decimal);
+    for (std::size_t c = 0; c < fields.size(); ++c) {
+      auto& column = head.table.columns[c];
+      column.values.push_back(text::fieldValue(fields[c], layout.decimal, column));
+    }
     head.table.lines.push_back(lines.number());
   }
 }

@@ -1,6 +1,7 @@
 #include "studio/tools/DetectionForm.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -10,6 +11,7 @@
 #include <QLineEdit>
 #include <QPointer>
 #include <QSettings>
+#include <algorithm>
 
 #include "analysis/OptionText.h"
 #include "case/CaseFile.h"
@@ -29,6 +31,7 @@ namespace {
 
 struct Search {
   std::vector<std::string> records;
+  records::Together together = records::Together::asTheyFollow;
   std::string channels, chainage, labels;
   double speed = 0;  // [m/s]; 0: from the file
   bool isOwnVehicle = false;
@@ -44,11 +47,12 @@ std::vector<detection::RecordDetection> search(const Search& wanted, const detec
   read.columns.speed = wanted.speed;
   if (!wanted.chainage.empty()) read.chainage = analysis::chainageFromText(wanted.chainage);
   std::vector<detection::RecordDetection> found;
-  for (const auto& file : wanted.records) {
-    auto stream = records::openRecord(file, read);
+  for (auto rest = records::inNumberOrder(wanted.records); !rest.empty();) {
+    auto stream = records::openRide(rest, read, wanted.together);
     if (found.empty()) stream = std::make_unique<records::OverviewedStream>(std::move(stream), wanted.overview);
     found.push_back(detection::findCandidates(*stream, options, monitor));
     if (found.back().cancelled) break;
+    rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(stream->layout().files.size()));
   }
   return found;
 }
@@ -101,6 +105,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
       chainage_(new QLineEdit(this)),
       labels_(new QLineEdit(this)),
       speed_(new NumberBox(this)),
+      together_(new QComboBox(this)),
       own_(new QCheckBox(tr("&Judge by the vehicle and track of the open case"), this)),
       view_(new RecordView(style, this)) {
   channels_->setObjectName("channels");
@@ -118,6 +123,12 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   labels_->setObjectName("labels");
   labels_->setAccessibleName(tr("File of labels"));
   labels_->setPlaceholderText(tr("none, or a table of events that you have seen"));
+  together_->setObjectName("together");
+  together_->setAccessibleName(tr("Several records"));
+  together_->addItem(tr("one ride where their times or positions follow on, else passes"),
+                     static_cast<int>(records::Together::asTheyFollow));
+  together_->addItem(tr("parts of one ride"), static_cast<int>(records::Together::consecutive));
+  together_->addItem(tr("passes over one track"), static_cast<int>(records::Together::passes));
   own_->setObjectName("ownVehicle");
   own_->setToolTip(tr("Computes some fifty passages of this vehicle once: severities and sizes become narrower"));
   auto* labels = new QHBoxLayout;
@@ -127,6 +138,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Records:"), files_);
+  layout->addRow(tr("Several are:"), together_);
   layout->addRow(tr("Channels:"), channels_);
   auto* where = new QHBoxLayout;
   where->addWidget(speed_);
@@ -146,6 +158,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   for (const QLineEdit* each : {channels_, chainage_, labels_})
     connect(each, &QLineEdit::textChanged, this, &DetectionForm::choicesChanged);
   connect(speed_, &QDoubleSpinBox::valueChanged, this, &DetectionForm::choicesChanged);
+  connect(together_, &QComboBox::currentIndexChanged, this, &DetectionForm::choicesChanged);
   connect(own_, &QCheckBox::toggled, this, &DetectionForm::choicesChanged);
   connect(files_->list()->model(), &QAbstractItemModel::rowsInserted, this, &DetectionForm::choicesChanged);
   connect(files_->list()->model(), &QAbstractItemModel::rowsRemoved, this, &DetectionForm::choicesChanged);
@@ -219,6 +232,7 @@ ToolWork DetectionForm::work() {
   wanted.speed = speed_->value();
   wanted.labels = labels_->text().trimmed().toStdString();
   wanted.isOwnVehicle = own_->isChecked();
+  wanted.together = static_cast<records::Together>(together_->currentData().toInt());
   wanted.overview = std::make_shared<records::Overview>();
   wanted.view = view_;
   view_->follow(wanted.overview);
@@ -230,6 +244,7 @@ void DetectionForm::save(QSettings& settings) const {
   settings.setValue("channels", channels_->text());
   settings.setValue("speed", speed_->value());
   settings.setValue("labels", labels_->text());
+  settings.setValue("together", together_->currentIndex());
   settings.setValue("ownVehicle", own_->isChecked());
 }
 
@@ -237,6 +252,7 @@ void DetectionForm::restore(const QSettings& settings) {
   channels_->setText(settings.value("channels").toString());
   speed_->setValue(settings.value("speed").toDouble());
   labels_->setText(settings.value("labels").toString());
+  together_->setCurrentIndex(std::clamp(settings.value("together").toInt(), 0, together_->count() - 1));
   own_->setChecked(settings.value("ownVehicle").toBool());
 }
 

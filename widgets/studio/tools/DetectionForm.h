@@ -5,6 +5,7 @@
 #include "studio/tools/ToolForm.h"
 
 class QCheckBox;
+class QComboBox;
 class QDoubleSpinBox;
 class QLineEdit;
 
@@ -52,6 +53,7 @@ class DetectionForm : public ToolForm {
   ButtonedList* files_;
   QLineEdit *channels_, *chainage_, *labels_;
   QDoubleSpinBox* speed_;
+  QComboBox* together_;
   QCheckBox* own_;
   RecordView* view_;
 };
