@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "core/Errors.h"
+#include "readers/TableFile.h"
 #include "signals/Resample.h"
-#include "text/DelimitedTable.h"
 #include "text/Text.h"
 #include "text/Units.h"
 
@@ -143,7 +143,7 @@ std::complex<double> computedAt(const receptance::TrackReceptance& computed, con
 
 MeasuredReceptance readMeasuredReceptance(const ReceptanceTarget& target) {
   constexpr std::size_t maximum = 60;
-  const auto table = text::readDelimitedTable(target.file);
+  const auto table = readers::readTableFile(target.file).table;
   if (table.columns.size() < 2)
     throw FileError(target.file, "", "must have a column of frequencies and one of magnitudes at least");
   if (const auto& unit = table.columns[0].unit; !unit.empty() && unit != "Hz")

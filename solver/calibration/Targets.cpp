@@ -11,7 +11,7 @@
 #include "case/ShippedCases.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
-#include "text/DelimitedTable.h"
+#include "readers/TableFile.h"
 
 namespace squat::calibration {
 
@@ -196,7 +196,7 @@ class TargetFile {
 bool isReceptanceTable(const std::string& path) {
   const auto ending = std::filesystem::path(path).extension();
   if (ending == ".h5" || ending == ".hdf5" || ending == ".mat") return false;
-  const auto table = text::readDelimitedTable(path);
+  const auto table = readers::readTableFile(path).table;
   return !table.columns.empty() && (table.columns[0].unit == "Hz" || table.columns[0].name.rfind("freq", 0) == 0 ||
                                     table.columns[0].name.rfind("Freq", 0) == 0);
 }

@@ -9,8 +9,12 @@
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "text/Cells.h"
 #include "text/Csv.h"
+#include "text/Heading.h"
 #include "text/Numbers.h"
+#include "text/Text.h"
+#include "text/Units.h"
 
 namespace squat::detection {
 namespace {
@@ -157,8 +161,19 @@ std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::err
 
 std::size_t columnOf(const std::vector<std::string>& names, std::string_view wanted) {
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i].substr(0, names[i].find(" [")) == wanted) return i;
+    if (text::lowerCase(text::bracketedHeading(names[i]).name) == wanted) return i;
   return names.size();
+}
+
+// Metres in one of the heading's unit.
+double metresOf(const std::string& name, double usual, const std::string& path) {
+  const auto stated = text::bracketedHeading(name).unit;
+  if (stated.empty()) return usual;
+  const auto* unit = text::findUnit(stated);
+  if (unit == nullptr || unit->si != "m")
+    throw FileError(path, "line 1", "'" + name + "' is in " + stated + ", which is no length",
+                    "Give metres, km, mm or um");
+  return unit->factor;
 }
 
 }  // namespace
@@ -234,7 +249,7 @@ std::vector<std::string> writeDetection(const DetectionReport& report, const std
 
 std::vector<Label> readLabels(const std::string& path) {
   constexpr std::size_t largest = std::size_t{64} << 20;
-  const auto rows = text::csvRecords(readWholeFile(path, largest));
+  const auto [rows, lines] = text::readCells(path, largest);
   const auto names = rows.empty() ? std::vector<std::string>{} : rows.front();
   const auto position = columnOf(names, "position"), kind = columnOf(names, "kind");
   if (position == names.size() || kind == names.size())
@@ -244,24 +259,28 @@ std::vector<Label> readLabels(const std::string& path) {
       columnOf(names, "length low") < names.size();  // squats.csv: only kind and severity are seen
   std::vector<Label> labels;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (rows[i].size() < names.size()) continue;
-    const auto place = "line " + std::to_string(i + 1);
-    const auto number = [&](const char* column) -> std::optional<double> {
+    const auto place = "line " + std::to_string(lines[i]);
+    const auto cell = [&](const char* column) {
       const auto at = columnOf(names, column);
-      return at < names.size() ? text::numberIn(rows[i][at], '.') : std::nullopt;
+      return at < std::min(names.size(), rows[i].size()) ? rows[i][at] : std::string();
     };
-    const auto where = number("position");
-    if (!where) throw FileError(path, place, "'" + rows[i][position] + "' is not a position in m");
+    // [m], whatever length the heading states; of a heading without a unit, `usual`.
+    const auto metres = [&](const char* column, double usual) -> std::optional<double> {
+      const auto number = text::numberIn(cell(column), '.');
+      if (!number) return std::nullopt;
+      return *number * metresOf(names[columnOf(names, column)], usual, path);
+    };
+    const auto where = metres("position", 1);
+    if (!where) throw FileError(path, place, "'" + cell("position") + "' is not a position");
     Label label;
     label.position = *where;
-    if (const auto at = columnOf(names, "channel"); at < names.size()) label.channel = rows[i][at];
+    label.channel = cell("channel");
     if (!areEstimates)
-      label.length = 1e-3 * number("length").value_or(0), label.depth = 1e-3 * number("depth").value_or(0);
+      label.length = metres("length", 1e-3).value_or(0), label.depth = metres("depth", 1e-3).value_or(0);
     try {
-      label.kind = kindFromText(rows[i][kind]);
-      if (const auto at = columnOf(names, "severity");
-          label.kind == Kind::squat && at < names.size() && !rows[i][at].empty())
-        label.severity = severityFromText(rows[i][at]);
+      label.kind = kindFromText(cell("kind"));
+      if (const auto severity = cell("severity"); label.kind == Kind::squat && !severity.empty())
+        label.severity = severityFromText(severity);
     } catch (const CaseError& error) {
       throw FileError(path, place, error.what());
     }

@@ -12,8 +12,8 @@
 #include "readers/ArraySignals.h"
 #include "readers/ColumnRoles.h"
 #include "readers/SampledColumns.h"
+#include "readers/TableFile.h"
 #include "readers/TableRoles.h"
-#include "text/DelimitedTable.h"
 #include "text/Numbers.h"
 #include "text/Text.h"
 #include "text/Units.h"
@@ -147,9 +147,13 @@ void requireOptions(const SignalFileOptions& options) {
 std::vector<signals::Record> readSignals(const std::string& path, const SignalFileOptions& options) {
   requireOptions(options);
   if (isArrayFile(path)) return readArraySignals(path, options);
-  auto table = text::readDelimitedTable(path, options.delimiter, options.decimal, options.headLine);
-  setUnits(table, options);
-  return signalsOf(table, options);
+  auto file = readTableFile(path, options);
+  auto own = options;
+  if (own.rate == 0) own.rate = file.rate;
+  setUnits(file.table, own);
+  auto records = signalsOf(file.table, own);
+  for (auto& record : records) record.notes.insert(record.notes.end(), file.notes.begin(), file.notes.end());
+  return records;
 }
 
 }  // namespace squat::readers

@@ -1,8 +1,10 @@
 #include <memory>
 
 #include "core/Errors.h"
+#include "loggers/LoggerFile.h"
 #include "readers/ArrayFile.h"
 #include "records/ArrayRows.h"
+#include "records/LoggerRows.h"
 #include "records/RecordReader.h"
 #include "records/RecordStream.h"
 #include "records/RideRows.h"
@@ -13,6 +15,7 @@ namespace squat::records {
 
 std::unique_ptr<RowSource> openRows(const std::string& path, const readers::SignalFileOptions& options) {
   if (readers::isArrayFile(path)) return std::make_unique<ArrayRows>(path, options);
+  if (loggers::isLoggerFile(path)) return std::make_unique<LoggerRows>(path, options);
   return std::make_unique<TextRows>(path, options);
 }
 

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "core/Errors.h"
+#include "loggers/LoggerFile.h"
 #include "records/QuickNumber.h"
 #include "text/Lines.h"
 #include "text/Text.h"
@@ -27,9 +30,15 @@ TextRows::TextRows(std::string path, const readers::SignalFileOptions& options) 
   if (!std::filesystem::exists(path_, error)) throw FileError(path_, "", "is not there", "Check the path");
   if (!std::filesystem::is_regular_file(path_, error))
     throw FileError(path_, "", "is not a regular file", "Name a file");
-  fileBytes_ = static_cast<std::size_t>(std::filesystem::file_size(path_, error));
-  file_.open(path_, std::ios::binary);
-  if (error || !file_) throw FileError(path_, "", "cannot be read", "Check its permissions");
+  if (loggers::isPacked(path_)) {
+    auto unpacked = loggers::unpackedText(path_);
+    fileBytes_ = unpacked.size();
+    file_ = std::make_unique<std::istringstream>(std::move(unpacked));
+  } else {
+    fileBytes_ = static_cast<std::size_t>(std::filesystem::file_size(path_, error));
+    file_ = std::make_unique<std::ifstream>(path_, std::ios::binary);
+  }
+  if (error || !*file_) throw FileError(path_, "", "cannot be read", "Check its permissions");
   buffer_.resize(bufferBytes + 1);
   at_ = whole_ = end_ = buffer_.data();
   fill();
@@ -60,9 +69,9 @@ void TextRows::readHead() {
 bool TextRows::fill() {
   const auto left = static_cast<std::size_t>(end_ - at_);
   std::memmove(buffer_.data(), at_, left);
-  file_.read(buffer_.data() + left, static_cast<std::streamsize>(bufferBytes - left));
-  const auto got = static_cast<std::size_t>(file_.gcount());
-  if (file_.bad()) throw FileError(path_, "line " + std::to_string(line_ + 1), "cannot be read from here on");
+  file_->read(buffer_.data() + left, static_cast<std::streamsize>(bufferBytes - left));
+  const auto got = static_cast<std::size_t>(file_->gcount());
+  if (file_->bad()) throw FileError(path_, "line " + std::to_string(line_ + 1), "cannot be read from here on");
   readBytes_ += got;
   at_ = buffer_.data();
   end_ = at_ + left + got;

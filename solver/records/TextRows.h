@@ -1,7 +1,8 @@
 // solver/records/TextRows.h - delimited text as rows, through one buffer of a few megabytes.
 #pragma once
 
-#include <fstream>
+#include <istream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,7 +35,7 @@ class TextRows : public RowSource {
   void readHead();
 
   std::string path_;
-  std::ifstream file_;
+  std::unique_ptr<std::istream> file_;  // what it holds: of a packed one, the text
   std::size_t fileBytes_ = 0, readBytes_ = 0;
   std::vector<char> buffer_;
   const char* at_ = nullptr;     // what is not read yet

@@ -11,8 +11,7 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "studies/InputRange.h"
-#include "text/Csv.h"
-#include "text/Text.h"
+#include "text/Cells.h"
 
 namespace squat::studies {
 namespace {
@@ -45,11 +44,12 @@ Sample sampleFromText(const std::string& text) {
   return sample;
 }
 
-void refuseTwins(const std::string& path, const std::vector<std::vector<std::string>>& records) {
-  std::map<std::vector<std::string>, std::size_t> lines;
+void refuseTwins(const std::string& path, const std::vector<std::vector<std::string>>& records,
+                 const std::vector<std::size_t>& lines) {
+  std::map<std::vector<std::string>, std::size_t> seen;
   for (std::size_t r = 1; r < records.size(); ++r)
-    if (const auto [earlier, isNew] = lines.try_emplace(records[r], r + 1); !isNew)
-      throw FileError(path, "line " + std::to_string(r + 1),
+    if (const auto [earlier, isNew] = seen.try_emplace(records[r], lines[r]); !isNew)
+      throw FileError(path, "line " + std::to_string(lines[r]),
                       "holds the point of line " + std::to_string(earlier->second),
                       "Remove one of them: each point is computed once");
 }
@@ -102,9 +102,7 @@ std::vector<Variation> sampledVariations(const std::vector<std::string>& ranges,
 }
 
 std::vector<Variation> variationsFromFile(const std::string& path) {
-  auto records = text::csvRecords(readWholeFile(path, kLargestPoints));
-  for (auto& record : records)
-    for (auto& field : record) field = std::string(text::trimmed(field));
+  const auto [records, lines] = text::readCells(path, kLargestPoints);
   if (records.size() < 2)
     throw FileError(path, "", "holds no points", "Keys in the first line, a point in each other one");
   if (records.size() - 1 > kMaximumPoints) throw FileError(path, "", "holds more than 10000 points", "Divide it");
@@ -112,11 +110,11 @@ std::vector<Variation> variationsFromFile(const std::string& path) {
   for (const auto& key : records[0]) variations.push_back({key, {}});
   for (std::size_t r = 1; r < records.size(); ++r) {
     if (records[r].size() != variations.size())
-      throw FileError(path, "line " + std::to_string(r + 1), "has " + std::to_string(records[r].size()) + " values",
+      throw FileError(path, "line " + std::to_string(lines[r]), "has " + std::to_string(records[r].size()) + " values",
                       "One for each of the " + std::to_string(variations.size()) + " keys of the first line");
     for (std::size_t v = 0; v < variations.size(); ++v) variations[v].values.push_back(records[r][v]);
   }
-  refuseTwins(path, records);
+  refuseTwins(path, records, lines);
   return variations;
 }
 

@@ -33,7 +33,7 @@ std::string csvColumns(const std::vector<std::string>& names, const std::vector<
   return text;
 }
 
-std::vector<std::vector<std::string>> csvRecords(std::string_view text) {
+std::vector<std::vector<std::string>> csvRecords(std::string_view text, char delimiter) {
   std::vector<std::vector<std::string>> records;
   std::vector<std::string> record;
   std::string field;
@@ -49,7 +49,7 @@ std::vector<std::vector<std::string>> csvRecords(std::string_view text) {
         quoted = false;
     } else if (c == '"') {
       quoted = true;
-    } else if (c == ',' || c == '\n') {
+    } else if (c == delimiter || c == '\n') {
       record.push_back(std::move(field));
       field.clear();
       if (c == '\n') records.push_back(std::move(record)), record.clear();

@@ -14,6 +14,6 @@ std::string csvField(const std::string& text);
 std::string csvColumns(const std::vector<std::string>& names, const std::vector<const std::vector<double>*>& columns);
 
 // The records of such a text, quotes resolved; a line break inside quotes belongs to its field.
-std::vector<std::vector<std::string>> csvRecords(std::string_view text);
+std::vector<std::vector<std::string>> csvRecords(std::string_view text, char delimiter = ',');
 
 }  // namespace squat::text

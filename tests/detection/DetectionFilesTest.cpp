@@ -104,6 +104,21 @@ TEST(DetectionFiles, PassagesAreThoseOfTheList) {
   EXPECT_FALSE(std::filesystem::exists(name("squat-0001.csv")));
 }
 
+// Saved by a spreadsheet of a country with decimal commas; positions in km, lengths in cm.
+TEST(DetectionFiles, LabelsAreReadAsSpreadsheetsSaveThem) {
+  const auto path = (std::filesystem::temp_directory_path() / "labels-spreadsheet-test.csv").string();
+  std::ofstream(path) << "\xEF\xBB\xBFPosition [km];Kind;Length [cm];Depth [mm]\r\n12,345678;squat;5,0;0,12\r\n\r\n"
+                         "12,4;weld;;\r\n";
+  const auto labels = readLabels(path);
+  ASSERT_EQ(labels.size(), 2U);
+  EXPECT_NEAR(labels[0].position, 12345.678, 1e-9);
+  EXPECT_NEAR(labels[0].length, 0.05, 1e-12);
+  EXPECT_NEAR(labels[0].depth, 0.12e-3, 1e-12);
+  EXPECT_EQ(labels[1].kind, Kind::weld);
+  std::ofstream(path) << "position [s],kind\n12,squat\n";
+  EXPECT_THROW(readLabels(path), FileError);
+}
+
 // The table corrected by hand serves as labels.
 TEST(DetectionFiles, TheTableServesAsLabels) {
   const auto path = (std::filesystem::temp_directory_path() / "labels-test.csv").string();

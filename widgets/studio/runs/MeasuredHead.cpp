@@ -9,8 +9,10 @@
 #include <system_error>
 
 #include "core/Errors.h"
+#include "loggers/LoggerFile.h"
 #include "readers/ArrayFile.h"
 #include "readers/ArraySignals.h"
+#include "readers/TableFile.h"
 #include "text/Lines.h"
 #include "text/Numbers.h"
 #include "text/Text.h"
@@ -60,6 +62,21 @@ void readText(MeasuredHead& head, const readers::SignalFileOptions& options) {
     }
     head.table.lines.push_back(lines.number());
   }
+}
+
+// Files of measuring programs, and packed text, are read as the solver will.
+void readWhole(MeasuredHead& head, const readers::SignalFileOptions& options) {
+  auto file = readers::readTableFile(head.path, options);
+  head.rate = file.rate;
+  const std::size_t rows = std::min(valueRows, file.table.rows());
+  for (auto& column : file.table.columns) column.values.resize(rows);
+  file.table.lines.resize(rows);
+  for (std::size_t row = 0; row < std::min(shownRows, rows); ++row) {
+    auto& cells = head.rows.emplace_back();
+    for (const auto& column : file.table.columns) cells.push_back(text::numberText(column.values[row]));
+  }
+  head.numeric.assign(file.table.columns.size(), true);
+  head.table = std::move(file.table);
 }
 
 std::string groupOf(const std::string& object) { return object.substr(0, object.rfind('/')); }
@@ -139,6 +156,8 @@ MeasuredHead headOf(const std::string& path, const readers::SignalFileOptions& o
   try {
     if (readers::isArrayFile(path))
       readArrays(head, options);
+    else if (loggers::isLoggerFile(path) || loggers::isPacked(path))
+      readWhole(head, options);
     else
       readText(head, options);
   } catch (const std::exception& error) {

@@ -214,7 +214,7 @@ void DetectionForm::addRecord(const QString& path) {
 
 void DetectionForm::askForRecords() {
   for (const QString& path : QFileDialog::getOpenFileNames(this, tr("Add records"), QString(),
-                                                           tr("Records (*.csv *.txt *.h5 *.mat);;All files (*)")))
+                                                           tr("Records (*.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)")))
     addRecord(path);
 }
 
