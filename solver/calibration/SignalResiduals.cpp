@@ -31,7 +31,10 @@ std::vector<signals::Passage> runsOf(const SignalTarget& target, std::vector<std
   for (const auto& file : target.files)
     for (const auto& record : readers::readSignals(file, target.reading)) {
       const auto& unit = record.signals.front().unit;
-      if (!unit.empty() && unit != "m/s2")
+      if (unit.empty())
+        throw FileError(file, record.run, "the signal has no unit",
+                        "Write the unit into the heading of the column, as in \"aba [m/s2]\"");
+      if (unit != "m/s2")
         throw FileError(file, record.run, "unit is '" + unit + "', must be an acceleration (m/s2, g)",
                         "Choose the column of the axle box acceleration with \"column\"");
       for (const auto& note : record.notes) notes.push_back(target.name + ": " + note);

@@ -7,6 +7,7 @@
 #include "core/DurableFile.h"
 #include "loggers/GzipText.h"
 #include "loggers/LabviewFile.h"
+#include "loggers/SeismicList.h"
 #include "loggers/TdmsFile.h"
 #include "loggers/UniversalFile.h"
 #include "loggers/WavFile.h"
@@ -31,7 +32,7 @@ std::string beginningOfLogger(const std::string& path) {
 
 bool isLoggerFile(const std::string& path) {
   const auto head = beginningOfLogger(path);
-  return isTdmsFile(head) || isLabviewFile(head) || isWavFile(head) || isUniversalFile(head);
+  return isTdmsFile(head) || isLabviewFile(head) || isWavFile(head) || isUniversalFile(head) || isSeismicList(head);
 }
 
 LoggerTable readLoggerFile(const std::string& path, const std::string& object) {
@@ -39,6 +40,7 @@ LoggerTable readLoggerFile(const std::string& path, const std::string& object) {
   if (isTdmsFile(head)) return readTdmsFile(path, object);
   if (isLabviewFile(head)) return readLabviewFile(path);
   if (isWavFile(head)) return readWavFile(path);
+  if (isSeismicList(head)) return readSeismicList(path);
   return readUniversalFile(path);
 }
 

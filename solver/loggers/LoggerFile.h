@@ -7,7 +7,7 @@
 
 namespace squat::loggers {
 
-// TDMS, LabVIEW's .lvm, WAV and UFF 58.
+// TDMS, LabVIEW's .lvm, WAV, UFF 58 and SLIST.
 bool isLoggerFile(const std::string& path);
 
 // `object`: a group of a TDMS file; empty: the one with the longest channels. Throws FileError. The file is read whole:

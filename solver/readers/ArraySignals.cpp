@@ -137,6 +137,11 @@ class Finder {
     if (result.rate == 0 && !has(Role::time) && result.timeColumn.empty())
       result.rate = scalar({"fs", "rate", "sampling_rate", "sample_rate", "samplerate", "samplingrate",
                             "sampling_frequency", "samplingfrequency"});
+    if (result.rate == 0 && !has(Role::time) && result.timeColumn.empty())
+      if (const double step = scalar({"dt", "delta_t", "deltat", "wf_increment", "time_step", "timestep",
+                                      "sampling_interval", "sample_interval", "sampling_period"});
+          step > 0)
+        result.rate = 1 / step;
     if (result.speed == 0 && !has(Role::speed)) result.speed = scalar({"speed", "v", "velocity"});
     return result;
   }

@@ -159,7 +159,50 @@ class Builder {
            "Samples must be equally spaced");
     }
     series_.start = t.front();
-    series_.step = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+    const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+    if (t.size() < 8 || isEven(mean))
+      series_.step = mean;
+    else
+      putOnEqualSteps();
+  }
+
+  // Whether the times are those of equal steps, but for the digits that they are written with and a little jitter.
+  bool isEven(double mean) const {
+    const auto& t = in_.time;
+    constexpr double jitter = 0.05;  // of a step: a sine at a quarter of the rate is off by a twelfth of its size
+    double farthest = 0;
+    for (std::size_t i = 0; i < t.size(); ++i)
+      farthest = std::max(farthest, std::abs(t[i] - t.front() - mean * static_cast<double>(i)));
+    return farthest <= std::max(jitter * mean, 1.01 * roundingOf(t, mean));
+  }
+
+  // The last digit that times are written with, where all are whole numbers of it; 0: none within a step is.
+  static double roundingOf(const std::vector<double>& t, double mean) {
+    for (double unit = 1; unit > 1e-9; unit /= 10) {
+      if (unit > mean) continue;
+      const bool all = std::all_of(t.begin(), t.end(),
+                                   [&](double time) { return std::abs(time / unit - std::round(time / unit)) < 1e-3; });
+      if (all) return unit;
+    }
+    return 0;
+  }
+
+  // A rate that changes, or jitters: the values at equal steps, between the samples at their stated times.
+  void putOnEqualSteps() {
+    const auto t = in_.time;
+    std::vector<double> row(t.size());
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<double>(i);
+    const auto count = static_cast<std::size_t>((t.back() - t.front()) / series_.step * (1 + 1e-12)) + 1;
+    series_.values = signals::onEqualSteps(t, in_.signal, series_.start, series_.step, count);
+    std::vector<double> position, speed;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double at = signals::interpolateLinear(t, row, series_.timeAt(i));
+      if (!in_.position.empty()) position.push_back(signals::interpolateLinear(row, in_.position, at));
+      if (!in_.speed.empty()) speed.push_back(signals::interpolateLinear(row, in_.speed, at));
+    }
+    in_.position = std::move(position), in_.speed = std::move(speed);
+    out_.notes.push_back("the samples are not equally spaced in time: put on equal steps of " +
+                         text::roundedText(series_.step * 1000) + " ms by their stated times");
   }
 
   // Sampled by the way run: time is its integral over the speed; the signal is put on equal steps of time.

@@ -80,6 +80,25 @@ TimeSeries resample(const TimeSeries& series, double step) {
   return result;
 }
 
+std::vector<double> onEqualSteps(const std::vector<double>& time, const std::vector<double>& values, double start,
+                                 double step, std::size_t count) {
+  constexpr std::size_t points = 8;
+  std::vector<double> result(count);
+  std::size_t next = 0;  // the first sample behind the instant
+  for (std::size_t k = 0; k < count; ++k) {
+    const double at = start + step * static_cast<double>(k);
+    while (next < time.size() && time[next] <= at) ++next;
+    const std::size_t first = std::min(next > points / 2 ? next - points / 2 : 0, time.size() - points);
+    for (std::size_t i = first; i < first + points; ++i) {  // Lagrange's form
+      double weight = 1;
+      for (std::size_t j = first; j < first + points; ++j)
+        if (j != i) weight *= (at - time[j]) / (time[i] - time[j]);
+      result[k] += weight * values[i];
+    }
+  }
+  return result;
+}
+
 double interpolateLinear(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (x.empty()) return 0;
   const auto above = std::upper_bound(x.begin(), x.end(), at);

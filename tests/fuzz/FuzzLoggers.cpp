@@ -6,6 +6,7 @@
 
 #include "core/Errors.h"
 #include "loggers/LabviewFile.h"
+#include "loggers/SeismicList.h"
 #include "loggers/UniversalFile.h"
 #include "loggers/WavFile.h"
 
@@ -31,9 +32,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   play(squat::loggers::parseLabviewFile, bytes);
   play(squat::loggers::parseWavFile, bytes);
   play(squat::loggers::parseUniversalFile, bytes);
+  play(squat::loggers::parseSeismicList, bytes);
   // The checks of a file's head get it cut anywhere.
   (void)squat::loggers::isLabviewFile(bytes);
   (void)squat::loggers::isWavFile(bytes);
   (void)squat::loggers::isUniversalFile(bytes);
+  (void)squat::loggers::isSeismicList(bytes);
   return 0;
 }

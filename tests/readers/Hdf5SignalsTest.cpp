@@ -65,6 +65,26 @@ TEST(Hdf5Signals, severalRunsInOneDataset) {
   EXPECT_NEAR(readSignals(files + "runs.h5", options)[0].signals[0].values[10], std::trunc(100 * aba(10)), 1e-12);
 }
 
+// As measuring programs export it: the step between samples as an attribute of the channel.
+TEST(Hdf5Signals, theStepOfTheSamplesIsAnAttribute) {
+  const tests::TemporaryFile file("", ".h5");
+  const hid_t out = H5Fcreate(file.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hsize_t count = 100, one = 1;
+  const hid_t line = H5Screate_simple(1, &count, nullptr), scalar = H5Screate_simple(1, &one, nullptr);
+  const hid_t data = H5Dcreate2(out, "axle box", H5T_NATIVE_DOUBLE, line, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = aba(i);
+  H5Dwrite(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  const hid_t step = H5Acreate2(data, "wf_increment", H5T_NATIVE_DOUBLE, scalar, H5P_DEFAULT, H5P_DEFAULT);
+  const double increment = 1 / 51200.0;
+  H5Awrite(step, H5T_NATIVE_DOUBLE, &increment);
+  H5Aclose(step), H5Dclose(data), H5Sclose(line), H5Sclose(scalar), H5Fclose(out);
+  const auto runs = readSignals(file.path());
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_NEAR(signals::seriesOf(runs[0]).rate(), 51200, 1e-6);
+  EXPECT_DOUBLE_EQ(runs[0].signals[0].values[42], aba(42));
+}
+
 TEST(Hdf5Signals, badRequestsGetOneClearMessage) {
   SignalFileOptions options;
   options.object = "/mixed";
