@@ -21,9 +21,10 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
   command.add_option("--run-column", file.runColumn, "Column that numbers repeated runs")->type_name("NAME");
   command
       .add_option("--unit", options.units,
-                  "Unit of a column where the file states none or a wrong one: aba=g, speed=km/h; may be repeated")
+                  "Unit of a column where the file states none or a wrong one: aba=g, speed=km/h; g: of all "
+                  "signals without one; may be repeated")
       ->allow_extra_args(false)
-      ->type_name("COLUMN=UNIT");
+      ->type_name("[COLUMN=]UNIT");
   command
       .add_option("--time-unit", file.timeUnit, "Unit of the time: s, ms, us, ns or min (default: as the file states)")
       ->type_name("UNIT");
@@ -52,7 +53,11 @@ std::string recordFile(const std::string& nameOrPath) {
 readers::SignalFileOptions fileOptions(const SignalOptions& options) {
   auto file = options.file;
   if (!options.speed.empty()) file.speed = analysis::speedFromText(options.speed);
-  for (const auto& text : options.units) file.units.push_back(analysis::columnUnitFromText(text));
+  for (const auto& text : options.units)
+    if (text.find('=') == std::string::npos)
+      file.signalUnit = text;
+    else
+      file.units.push_back(analysis::columnUnitFromText(text));
   file.delimiter = analysis::delimiterFromText(options.delimiter);
   if (options.decimalComma) file.decimal = ',';
   return file;

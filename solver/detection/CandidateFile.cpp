@@ -194,6 +194,7 @@ std::string settingsText(const records::RecordOptions& read, const DetectOptions
   add("run column", columns.runColumn);
   add("object", columns.object);
   for (const auto& [column, unit] : columns.units) add("unit", column + "=" + unit);
+  add("signal unit", columns.signalUnit);
   add("time unit", columns.timeUnit);
   if (columns.headLine > 0) add("head line", std::to_string(columns.headLine));
   if (columns.rate > 0) add("rate", text::numberText(columns.rate));

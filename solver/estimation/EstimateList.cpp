@@ -36,7 +36,7 @@ std::string estimateKey(const EstimateDefinition& definition, const EstimateOpti
                            definition.reading.speedColumn, definition.reading.runColumn, definition.reading.object})
     all += "," + name;
   for (const auto& [column, unit] : definition.reading.units) all += "," + column + "=" + unit;
-  all += "," + definition.reading.timeUnit;
+  all += "," + definition.reading.signalUnit + "," + definition.reading.timeUnit;
   for (const double number : {definition.reading.rate, definition.reading.speed, definition.cutoff, definition.longest,
                               definition.beyond, static_cast<double>(options.runs)})
     all += "," + text::numberText(number);

@@ -82,6 +82,8 @@ Json jsonOf(const LongRecords& records, const std::string& folder) {
             {"seen", seen}};
   const auto isKnown = [](const std::string& digest) { return !digest.empty(); };
   if (std::any_of(records.digests.begin(), records.digests.end(), isKnown)) json["digests"] = records.digests;
+  if (!records.units.empty()) json["units"] = records.units;
+  if (!records.together.empty()) json["together"] = records.together;
   if (records.order != TableOrder()) json["order"] = jsonOf(records.order);
   return json;
 }
@@ -166,6 +168,10 @@ LongRecords recordsIn(const JsonNode& node, const std::string& folder) {
   records.channels = node.at("channels").text();
   records.chainage = node.at("chainage").text();
   records.speed = node.at("speed").number(0, fastest);
+  if (node.has("units")) records.units = node.at("units").text();
+  if (node.has("together")) records.together = node.at("together").text();
+  if (!records.together.empty() && records.together != "ride" && records.together != "passes")
+    node.at("together").fail("must be ride or passes");
   records.ownVehicle = node.at("own_vehicle").flag();
   records.labels = optionalLinkIn(node.at("labels"), folder);
   records.events = optionalLinkIn(node.at("events"), folder);

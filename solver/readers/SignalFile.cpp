@@ -61,8 +61,9 @@ std::vector<std::size_t> partRuns(const text::DelimitedTable& table, const Table
   return starts;
 }
 
-std::vector<double> scaledRows(const text::TableColumn& column, Role role, std::size_t from, std::size_t to) {
-  const double factor = column.kilometresAndMetres ? 1.0 : scaleOf(column.unit, column.name, role).factor;
+std::vector<double> scaledRows(const text::TableColumn& column, const std::string& unit, Role role, std::size_t from,
+                               std::size_t to) {
+  const double factor = column.kilometresAndMetres ? 1.0 : scaleOf(unit, column.name, role).factor;
   std::vector<double> values(column.values.begin() + static_cast<std::ptrdiff_t>(from),
                              column.values.begin() + static_cast<std::ptrdiff_t>(to));
   if (factor != 1)
@@ -100,12 +101,16 @@ std::vector<signals::Record> signalsOf(const text::DelimitedTable& table, const 
       run.file = table.path;
       run.run = runName(table, roles, c, from, r, starts.size() > 2);
       run.name = column.name.empty() ? std::filesystem::path(table.path).stem().string() : column.name;
-      run.unit = scaleOf(column.unit, column.name, Role::signal).unit;
-      run.signal = scaledRows(column, Role::signal, from, to);
-      if (roles.time != noColumn) run.time = scaledRows(table.columns[roles.time], Role::time, from, to);
-      if (roles.position != noColumn)
-        run.position = scaledRows(table.columns[roles.position], Role::position, from, to);
-      if (roles.speed != noColumn) run.speed = scaledRows(table.columns[roles.speed], Role::speed, from, to);
+      const auto& unit = text::bareUnit(column.unit).empty() ? options.signalUnit : column.unit;
+      run.unit = scaleOf(unit, column.name, Role::signal).unit;
+      run.signal = scaledRows(column, unit, Role::signal, from, to);
+      const auto axis = [&](std::size_t of, Role role) {
+        return of == noColumn ? std::vector<double>()
+                              : scaledRows(table.columns[of], table.columns[of].unit, role, from, to);
+      };
+      run.time = axis(roles.time, Role::time);
+      run.position = axis(roles.position, Role::position);
+      run.speed = axis(roles.speed, Role::speed);
       run.location = [&table, from](std::size_t row) {
         return table.rowWord + " " + std::to_string(table.lines[from + row]);
       };

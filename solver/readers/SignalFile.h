@@ -22,6 +22,7 @@ struct SignalFileOptions {
   char decimal = 0;    // '.' or ','; 0: found
   // Units that the file does not state, or states wrongly: column, by name or number, and unit.
   std::vector<std::pair<std::string, std::string>> units = {};
+  std::string signalUnit = {};  // of signals for which neither the file nor `units` states one
   std::string timeUnit = {};  // of the time column; empty: as the file states it
   std::size_t headLine = 0;   // of the text file's heading, from 1; 0: found
 };

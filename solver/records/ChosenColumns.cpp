@@ -19,23 +19,24 @@ bool hasNumbers(const text::TableColumn& column) {
   return std::any_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
 }
 
-ChosenColumn chosen(const text::DelimitedTable& head, std::size_t index, Role role) {
+ChosenColumn chosen(const text::DelimitedTable& head, std::size_t index, Role role, const std::string& otherwise) {
   const auto& column = head.columns[index];
-  const auto scale = readers::scaleOf(column.unit, column.name, role);
-  ChosenColumn result{index,       column.kilometresAndMetres ? 1.0 : scale.factor,
-                      column.name, scale.unit,
-                      {},          !text::bareUnit(column.unit).empty()};
+  const auto& unit = text::bareUnit(column.unit).empty() ? otherwise : column.unit;
+  const auto scale = readers::scaleOf(unit, column.name, role);
+  ChosenColumn result{index, column.kilometresAndMetres ? 1.0 : scale.factor, column.name, scale.unit,
+                      !text::bareUnit(unit).empty()};
   if (result.name.empty())
     result.name = head.columns.size() > 1 ? "column " + std::to_string(index + 1)
                                           : std::filesystem::path(head.path).stem().string();
   if (role != Role::signal) return result;
-  const std::string bare = text::bareUnit(column.unit);
+  const std::string bare = text::bareUnit(unit);
   if (result.unit == "m/s2") return result;
-  if (bare.empty() || bare == "-")
-    result.unit = "m/s2";
-  else
-    result.doubt = "'" + result.name + "' is in " + bare + ", which is no acceleration";
-  return result;
+  const auto place = "column " + std::to_string(index + 1);
+  if (!result.unitStated || bare == "-")
+    throw FileError(head.path, place, "'" + result.name + "' states no unit",
+                    "Give it, --unit m/s2, say, or --unit g; in the studio, under Units");
+  throw FileError(head.path, place, "'" + result.name + "' is in " + bare + ", which is no acceleration",
+                  "Choose another column, or give its unit: --unit " + result.name + "=g, say");
 }
 
 // Rows or seconds that are counted: it rises by the same amount again and again.
@@ -90,18 +91,13 @@ ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::Sig
   const auto roles = readers::rolesOf(head, options);
   ChosenColumns result;
   for (const std::size_t c : channelsOf(head, roles, options, everyAcceleration, result.notes))
-    result.channels.push_back(chosen(head, c, Role::signal));
-  std::string assumed;
-  for (const auto& channel : result.channels)
-    if (!channel.unitStated) assumed += (assumed.empty() ? "'" : ", '") + channel.name + "'";
-  if (!assumed.empty())
-    result.notes.push_back("no unit is stated for " + assumed + ": m/s2 is assumed (--unit says another)");
+    result.channels.push_back(chosen(head, c, Role::signal, options.signalUnit));
   if (result.channels.empty())
     throw FileError(head.path, "",
                     roles.rest.empty() ? "has no column besides its axes" : "has no column of accelerations",
                     "Name the ones to read; its columns are " + readers::columnList(head));
   const auto axis = [&](std::size_t index, Role role, std::vector<ChosenColumn>& column) {
-    if (index != readers::noColumn) column.push_back(chosen(head, index, role));
+    if (index != readers::noColumn) column.push_back(chosen(head, index, role, {}));
   };
   axis(roles.time, Role::time, result.time);
   axis(roles.position, Role::position, result.position);

@@ -13,7 +13,6 @@ struct ChosenColumn {
   std::size_t column = 0;  // of the table
   double factor = 1;       // to SI
   std::string name, unit;  // unit: SI
-  std::string doubt;       // what is odd about its unit; empty: nothing
   bool unitStated = true;  // by the file or the call
 };
 
@@ -25,7 +24,8 @@ struct ChosenColumns {
 };
 
 // Channels as `options.column` names them; without it the column aba, else every column that is no axis and whose unit
-// is an acceleration or none. Throws FileError where there is none.
+// is an acceleration or none. Throws FileError where there is none, and for one whose unit is not stated or no
+// acceleration.
 // `everyAcceleration`: a column aba is not preferred. Counters, gyroscopes, temperatures and the like are passed over.
 ChosenColumns chooseColumns(const text::DelimitedTable& head, const readers::SignalFileOptions& options,
                             bool everyAcceleration = false);

@@ -182,9 +182,6 @@ void RecordReader::judgeSpeed() {
 void RecordReader::judgeValues() {
   for (std::size_t c = 0; c < work_.channels.size(); ++c) {
     const auto& column = chosen_.channels[c];
-    if (!column.doubt.empty())
-      faults_.add({FaultKind::unit, 0, layout_.samples, 0, 0, static_cast<int>(c), column.doubt,
-                   "Choose another column, or correct the unit in the header"});
     double sum = 0, squares = 0, count = 0;
     for (const double value : work_.channels[c])
       if (std::isfinite(value)) {

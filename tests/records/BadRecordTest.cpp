@@ -39,6 +39,7 @@ std::string spoilt(const std::function<void(std::size_t, Row&)>& change) {
 WholeRecord read(const std::string& content) {
   const TemporaryFile file(content);
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.blockLength = 500;
   return readWhole(file.path(), options);
 }
@@ -168,16 +169,18 @@ TEST(BadRecord, aLastLineThatIsCutOff) {
 }
 
 TEST(BadRecord, unitsThatAreNoAcceleration) {
-  std::string content = "time,box [mm]\n";
-  for (int i = 0; i < 300; ++i) content += std::to_string(i) + "e-4,1\n";
-  const TemporaryFile file(content);
+  std::string unknown = "time [s],box [mm]\n", unstated = "time [s],box\n";
+  for (int i = 0; i < 300; ++i) {
+    unknown += std::to_string(i) + "e-4,1\n";
+    unstated += std::to_string(i) + "e-4,1\n";
+  }
   RecordOptions options;
   options.columns.speed = 30;
-  const auto whole = readWhole(file.path(), options);
-  ASSERT_EQ(whole.faults.size(), 1u);
-  EXPECT_EQ(whole.faults[0].kind, FaultKind::unit);
-  EXPECT_EQ(whole.faults[0].channel, 0);
-  EXPECT_EQ(whole.stretches[0].size(), 300u);
+  EXPECT_THAT(complaintAbout(TemporaryFile(unknown).path(), options), HasSubstr("'box' is in mm, which is no acc"));
+  EXPECT_THAT(complaintAbout(TemporaryFile(unstated).path(), options), HasSubstr("'box' states no unit"));
+  options.columns.signalUnit = "g";
+  const TemporaryFile file(unstated);
+  EXPECT_DOUBLE_EQ(readWhole(file.path(), options).stretches[0].values[0][7], 9.80665);
 }
 
 TEST(BadRecord, valuesThatLookLikeAnotherUnit) {
@@ -187,6 +190,7 @@ TEST(BadRecord, valuesThatLookLikeAnotherUnit) {
       content += std::to_string(i) + "e-4," + std::to_string(mean + (i % 2 ? 0.3 : -0.3)) + "\n";
     const TemporaryFile file(content);
     RecordOptions options;
+    options.columns.signalUnit = "m/s2";
     options.columns.speed = 30;
     return readWhole(file.path(), options).layout.notes;
   };
@@ -200,6 +204,7 @@ TEST(BadRecord, swappedCoordinatesAndAxes) {
   for (int i = 0; i < 300; ++i) content += std::to_string(i) + "e-4,115.1,-32.0,1\n";
   const TemporaryFile file(content);
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.speed = 30;
   const auto whole = readWhole(file.path(), options);
   EXPECT_FALSE(whole.layout.hasCoordinates);

@@ -55,6 +55,7 @@ TEST(Hdf5Record, channelsOfAGroup) {
   for (const bool withTime : {true, false}) {
     write(file.path(), withTime);
     RecordOptions options;
+    options.columns.signalUnit = "m/s2";
     options.blockLength = 30000;
     const auto whole = readWhole(file.path(), options);
     EXPECT_THAT(whole.faults, IsEmpty());
@@ -106,6 +107,7 @@ TEST(Hdf5Record, whatIsLeftOfAFileThatIsCutOff) {
     const auto bytes = readWholeFile(whole.path(), std::size_t{64} << 20);
     const TemporaryFile cut(bytes.substr(0, at + 5), ".h5");  // value 150000 is not whole
     RecordOptions options;
+    options.columns.signalUnit = "m/s2";
     options.columns.rate = 25000, options.columns.speed = 30;
     const auto left = readWhole(cut.path(), options);
     const auto truncated = left.faultsOf(FaultKind::truncated);
@@ -126,6 +128,7 @@ TEST(Hdf5Record, whatIsLeftOfPackedChannels) {
     const auto kept = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
     const TemporaryFile cut(bytes.substr(0, kept), ".h5");
     RecordOptions options;
+    options.columns.signalUnit = "m/s2";
     options.columns.rate = 25000;  // written last, and lost
     const auto left = readWhole(cut.path(), options);
     ASSERT_EQ(left.faultsOf(FaultKind::truncated).size(), 1U);
@@ -145,6 +148,7 @@ TEST(Hdf5Record, whatIsLeftOfPackedChannels) {
 
 TEST(Hdf5Record, matlabFiles) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.speed = 30;
   const auto whole = readWhole(shared + "matlab73.mat", options);
   EXPECT_EQ(whole.layout.rate, 25000);
@@ -159,6 +163,7 @@ TEST(Hdf5Record, matlabFiles) {
 
 TEST(Hdf5Record, runsOfADatasetAreChannels) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.speed = 30;
   options.columns.object = "/line/track1/aba";
   const auto whole = readWhole(shared + "runs.h5", options);
@@ -172,6 +177,7 @@ TEST(Hdf5Record, runsOfADatasetAreChannels) {
 
 TEST(Hdf5Record, pandasFrames) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   for (const char* object : {"", "/time", "dated"}) {
     options.columns.object = object;
     const auto whole = readWhole(own + "pandas.h5", options);

@@ -23,6 +23,7 @@ double aba(std::size_t i) {
 
 TEST(MatlabRecord, aVariableWithItsRate) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.speed = 30;
   const auto whole = readWhole(files + "matlab5.mat", options);
   EXPECT_THAT(whole.faults, IsEmpty());
@@ -36,6 +37,7 @@ TEST(MatlabRecord, aVariableWithItsRate) {
 
 TEST(MatlabRecord, aDeflatedStructureOfSeveralTypes) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.object = "run";
   options.columns.column = "left,counts";
   options.blockLength = 100;
@@ -54,6 +56,7 @@ TEST(MatlabRecord, aDeflatedStructureOfSeveralTypes) {
 
 TEST(MatlabRecord, columnsOfAMatrixAreChannels) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.object = "channels";
   options.columns.rate = 25000;
   options.columns.speed = 30;
@@ -74,12 +77,14 @@ TEST(MatlabRecord, shortReadersReadThemAsWell) {
 
 TEST(MatlabRecord, whatIsThereIsNamed) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.object = "axle";
   EXPECT_THAT(complaintAbout(files + "matlab7.mat", options), HasSubstr("/run/left"));
 }
 
 TEST(MatlabRecord, damageIsAnErrorOfOurs) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.speed = 30;
   for (const char* name : {"matlab5.mat", "matlab7.mat"}) {
     const std::string bytes = readWholeFile(files + name, std::size_t{1} << 20);

@@ -28,6 +28,7 @@ void writeRows(const std::string& path, int rows) {
 
 std::size_t samplesIn(const std::string& path) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.speed = 30;
   options.blockLength = 1 << 14;
   const auto stream = openRecord(path, options);

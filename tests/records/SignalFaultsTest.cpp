@@ -35,6 +35,7 @@ WholeRecord read(const std::function<void(std::vector<double>&)>& change) {
   }
   const TemporaryFile file(text);
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.speed = speed;
   options.chainage = 2000;
   options.blockLength = 7000;

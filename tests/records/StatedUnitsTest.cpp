@@ -149,6 +149,7 @@ TEST(StatedUnits, NumbersThatStandForNoneAreLeftOut) {
 TEST(StatedUnits, CountersAndOtherSensorsAreNoAccelerations) {
   RecordOptions options;
   options.columns.speed = 30, options.everyAcceleration = true;
+  options.columns.signalUnit = "m/s2";
   std::string text = "time [s],n,aba [m/s2],box,gyro_x,rate [deg/s]\n";
   for (int i = 0; i < 4000; ++i) {
     char row[140];

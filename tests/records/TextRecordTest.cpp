@@ -32,6 +32,7 @@ std::string table(const std::string& header, std::size_t rows, const std::functi
 
 RecordOptions atSpeed(double speed) {
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.speed = speed;
   return options;
 }
@@ -110,6 +111,7 @@ TEST(TextRecord, chainageInKilometresAndMetresFalls) {
     return "12+" + printed(metres, 2) + ";1;2";
   }));
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.columns.rate = 2500;
   options.blockLength = 333;
   const auto whole = readWhole(file.path(), options);
@@ -130,6 +132,7 @@ TEST(TextRecord, coarsePositionsAreSpread) {
            printed(52 + fix * 1e-5, 7) + "," + printed(5 + fix * 1e-5, 7) + (i % 2 ? ",1" : ",2");
   }));
   RecordOptions options;
+  options.columns.signalUnit = "m/s2";
   options.blockLength = 700;
   const auto whole = readWhole(file.path(), options);
   ASSERT_EQ(whole.stretches.size(), 1u);

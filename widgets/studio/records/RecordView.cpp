@@ -13,12 +13,12 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "analysis/OptionText.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "records/RecordStream.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/RowTable.h"
+#include "studio/records/RecordReading.h"
 
 namespace squat::studio {
 namespace {
@@ -43,15 +43,6 @@ class LabelDelegate : public QStyledItemDelegate {
 };
 
 // As the search reads them.
-records::RecordOptions optionsOf(const project::LongRecords& kept) {
-  records::RecordOptions options;
-  options.columns.column = kept.channels;
-  options.everyAcceleration = true;
-  options.columns.speed = kept.speed;
-  if (!kept.chainage.empty()) options.chainage = analysis::chainageFromText(kept.chainage);
-  return options;
-}
-
 }  // namespace
 
 RecordView::RecordView(const plots::Style& style, QWidget* parent)
@@ -231,7 +222,8 @@ void RecordView::readRecord(const project::LongRecords& kept) {
   thread_.start([this, kept, overview, generation = ++generation_] {
     QString problem;
     try {
-      records::OverviewedStream stream(records::openRecord(kept.files.front(), optionsOf(kept)), overview);
+      records::OverviewedStream stream(
+          records::openRide(records::inNumberOrder(kept.files), readingOf(kept), togetherOf(kept)), overview);
       records::RecordBlock block;
       while (generation == generation_ && stream.next(block)) {
       }

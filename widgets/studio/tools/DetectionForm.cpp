@@ -13,7 +13,6 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "analysis/OptionText.h"
 #include "case/CaseFile.h"
 #include "core/DurableFile.h"
 #include "core/FolderLock.h"
@@ -23,6 +22,7 @@
 #include "records/Overview.h"
 #include "studies/Jobs.h"
 #include "studio/common/NumberBox.h"
+#include "studio/records/RecordReading.h"
 #include "studio/records/RecordView.h"
 #include "studio/tools/ButtonedList.h"
 
@@ -30,25 +30,17 @@ namespace squat::studio {
 namespace {
 
 struct Search {
-  std::vector<std::string> records;
-  records::Together together = records::Together::asTheyFollow;
-  std::string channels, chainage, labels;
-  double speed = 0;  // [m/s]; 0: from the file
-  bool isOwnVehicle = false;
+  project::LongRecords records;
   std::shared_ptr<records::Overview> overview;  // of the first record
   QPointer<RecordView> view;
 };
 
 std::vector<detection::RecordDetection> search(const Search& wanted, const detection::DetectOptions& options,
                                                Monitor& monitor) {
-  records::RecordOptions read;
-  read.columns.column = wanted.channels;
-  read.everyAcceleration = true;
-  read.columns.speed = wanted.speed;
-  if (!wanted.chainage.empty()) read.chainage = analysis::chainageFromText(wanted.chainage);
+  const auto read = readingOf(wanted.records);
   std::vector<detection::RecordDetection> found;
-  for (auto rest = records::inNumberOrder(wanted.records); !rest.empty();) {
-    auto stream = records::openRide(rest, read, wanted.together);
+  for (auto rest = records::inNumberOrder(wanted.records.files); !rest.empty();) {
+    auto stream = records::openRide(rest, read, togetherOf(wanted.records));
     if (found.empty()) stream = std::make_unique<records::OverviewedStream>(std::move(stream), wanted.overview);
     found.push_back(detection::findCandidates(*stream, options, monitor));
     if (found.back().cancelled) break;
@@ -59,12 +51,12 @@ std::vector<detection::RecordDetection> search(const Search& wanted, const detec
 
 detection::SourceOptions sourceOf(const Search& wanted, const ToolInput& input) {
   detection::SourceOptions source;
-  if (wanted.isOwnVehicle) {
+  if (wanted.records.ownVehicle) {
     source.vehicle = cases::loadCase(keepCase(input, {}), {"tiny", {}});  // as --case does
     source.vehicleName = input.name;
   }
   source.folder = input.folder;
-  source.labelsFile = wanted.labels;
+  source.labelsFile = wanted.records.labels;
   source.jobs = studies::coresHere();
   return source;
 }
@@ -72,7 +64,7 @@ detection::SourceOptions sourceOf(const Search& wanted, const ToolInput& input) 
 ToolResult computeSearch(const Search& wanted, const ToolInput& input, Monitor& monitor) {
   makeFolder(input.folder);
   const FolderLock owner(input.folder, "Squat Studio, squats in records");
-  keepInputs(wanted.records, {input.folder + "/squats.csv", input.folder + "/squats.json"});
+  keepInputs(wanted.records.files, {input.folder + "/squats.csv", input.folder + "/squats.json"});
   const detection::DetectOptions options;
   ToolResult result;
   auto found = search(wanted, options, monitor);
@@ -104,6 +96,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
       channels_(new QLineEdit(this)),
       chainage_(new QLineEdit(this)),
       labels_(new QLineEdit(this)),
+      units_(new QLineEdit(this)),
       speed_(new NumberBox(this)),
       together_(new QComboBox(this)),
       own_(new QCheckBox(tr("&Judge by the vehicle and track of the open case"), this)),
@@ -123,12 +116,14 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   labels_->setObjectName("labels");
   labels_->setAccessibleName(tr("File of labels"));
   labels_->setPlaceholderText(tr("none, or a table of events that you have seen"));
+  units_->setObjectName("units");
+  units_->setAccessibleName(tr("Units"));
+  units_->setPlaceholderText(tr("as the files state them; or for example g, or aba=g, time=ms"));
   together_->setObjectName("together");
   together_->setAccessibleName(tr("Several records"));
-  together_->addItem(tr("one ride where their times or positions follow on, else passes"),
-                     static_cast<int>(records::Together::asTheyFollow));
-  together_->addItem(tr("parts of one ride"), static_cast<int>(records::Together::consecutive));
-  together_->addItem(tr("passes over one track"), static_cast<int>(records::Together::passes));
+  together_->addItem(tr("one ride where their times or positions follow on, else passes"), QString());
+  together_->addItem(tr("parts of one ride"), QStringLiteral("ride"));
+  together_->addItem(tr("passes over one track"), QStringLiteral("passes"));
   own_->setObjectName("ownVehicle");
   own_->setToolTip(tr("Computes some fifty passages of this vehicle once: severities and sizes become narrower"));
   auto* labels = new QHBoxLayout;
@@ -140,6 +135,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   layout->addRow(tr("Records:"), files_);
   layout->addRow(tr("Several are:"), together_);
   layout->addRow(tr("Channels:"), channels_);
+  layout->addRow(tr("Units:"), units_);
   auto* where = new QHBoxLayout;
   where->addWidget(speed_);
   where->addWidget(new QLabel(tr("begins at:"), this));
@@ -155,7 +151,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   connect(view_, &RecordView::estimateRequested, this, &DetectionForm::estimateRequested);
   connect(view_, &RecordView::labelsSaved, labels_, &QLineEdit::setText);
   connect(view_, &RecordView::failed, this, &ToolForm::failed);
-  for (const QLineEdit* each : {channels_, chainage_, labels_})
+  for (const QLineEdit* each : {channels_, units_, chainage_, labels_})
     connect(each, &QLineEdit::textChanged, this, &DetectionForm::choicesChanged);
   connect(speed_, &QDoubleSpinBox::valueChanged, this, &DetectionForm::choicesChanged);
   connect(together_, &QComboBox::currentIndexChanged, this, &DetectionForm::choicesChanged);
@@ -165,13 +161,21 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   connect(view_, &RecordView::changed, this, &DetectionForm::choicesChanged);
 }
 
-project::LongRecords DetectionForm::choices() const {
+project::LongRecords DetectionForm::chosen() const {
   project::LongRecords kept;
   for (int i = 0; i < files_->list()->count(); ++i) kept.files.push_back(files_->list()->item(i)->text().toStdString());
   if (kept.files.empty()) return kept;
   kept.channels = channels_->text().trimmed().toStdString(), kept.chainage = chainage_->text().trimmed().toStdString();
   kept.speed = speed_->value();
+  kept.units = units_->text().trimmed().toStdString();
+  kept.together = together_->currentData().toString().toStdString();
   kept.ownVehicle = own_->isChecked();
+  return kept;
+}
+
+project::LongRecords DetectionForm::choices() const {
+  auto kept = chosen();
+  if (kept.files.empty()) return kept;
   if (const QString labels = labels_->text().trimmed(); !labels.isEmpty())
     kept.labels = QFileInfo(labels).absoluteFilePath().toStdString();
   view_->keep(kept);
@@ -187,6 +191,8 @@ void DetectionForm::setChoices(const project::LongRecords& choices) {
   chainage_->setText(QString::fromStdString(choices.chainage));
   labels_->setText(QString::fromStdString(choices.labels));
   speed_->setValue(choices.speed);
+  units_->setText(QString::fromStdString(choices.units));
+  together_->setCurrentIndex(std::max(0, together_->findData(QString::fromStdString(choices.together))));
   own_->setChecked(choices.ownVehicle);
 }
 
@@ -213,8 +219,9 @@ void DetectionForm::addRecord(const QString& path) {
 }
 
 void DetectionForm::askForRecords() {
-  for (const QString& path : QFileDialog::getOpenFileNames(this, tr("Add records"), QString(),
-                                                           tr("Records (*.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)")))
+  for (const QString& path : QFileDialog::getOpenFileNames(
+           this, tr("Add records"), QString(),
+           tr("Records (*.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)")))
     addRecord(path);
 }
 
@@ -225,14 +232,8 @@ void DetectionForm::askForLabels() {
 
 ToolWork DetectionForm::work() {
   Search wanted;
-  for (int i = 0; i < files_->list()->count(); ++i)
-    wanted.records.push_back(files_->list()->item(i)->text().toStdString());
-  wanted.chainage = chainage_->text().trimmed().toStdString();
-  wanted.channels = channels_->text().trimmed().toStdString();
-  wanted.speed = speed_->value();
-  wanted.labels = labels_->text().trimmed().toStdString();
-  wanted.isOwnVehicle = own_->isChecked();
-  wanted.together = static_cast<records::Together>(together_->currentData().toInt());
+  wanted.records = chosen();
+  wanted.records.labels = labels_->text().trimmed().toStdString();
   wanted.overview = std::make_shared<records::Overview>();
   wanted.view = view_;
   view_->follow(wanted.overview);
