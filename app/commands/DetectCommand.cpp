@@ -19,6 +19,7 @@
 #include "detection/DetectionFiles.h"
 #include "detection/DetectionSummary.h"
 #include "detection/ExampleSource.h"
+#include "detection/RcmDxEvents.h"
 #include "studies/Jobs.h"
 
 namespace squat::commands {
@@ -90,6 +91,8 @@ int conclude(const DetectCommandOptions& options, std::vector<detection::RecordD
   std::FILE* const list = options.json ? stderr : stdout;
   std::fprintf(list, "\nwritten:\n");
   for (const auto& path : detection::writeDetection(report, options.folder)) std::fprintf(list, "  %s\n", path.c_str());
+  for (const auto& path : detection::writeRcmDxEvents(report, fileOptions(options.signal), options.folder))
+    std::fprintf(list, "  %s\n", path.c_str());
   for (const auto& path : writeDetectionFigures(report, options.folder, options.figures))
     std::fprintf(list, "  %s\n", path.c_str());
   return kDone;

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/Errors.h"
+#include "rcmdx/RecordColumns.h"
 #include "readers/ArrayFile.h"
 #include "readers/ColumnRoles.h"
 #include "readers/TableRoles.h"
@@ -235,6 +236,15 @@ ArrayColumns columnsOf(const std::string& path, const results::ArrayTree& tree, 
 }
 
 std::vector<signals::Record> readArraySignals(const std::string& path, const SignalFileOptions& options) {
+  if (const auto listed = listArrays(path); rcmdx::isRcmDx(listed)) {
+    const auto session = rcmdx::recordColumns(path, listed, {options.object, options.positionColumn});
+    auto recorded = session.read();
+    setUnits(recorded, options);
+    auto records = signalsOf(recorded, options);
+    for (auto& record : records)
+      record.notes.insert(record.notes.end(), session.notes().begin(), session.notes().end());
+    return records;
+  }
   const ArrayTree tree = readArrays(path);
   auto [table, places, samples, found] = columnsOf(path, tree, options);
   table.lines.resize(samples);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/Errors.h"
+#include "rcmdx/RecordColumns.h"
 #include "readers/ArrayFile.h"
 #include "readers/ArraySignals.h"
 #include "records/PandasFrames.h"
@@ -45,8 +47,16 @@ std::string groupNamed(const std::string& object) {
 
 }  // namespace
 
+ArrayRows::~ArrayRows() = default;
+
 ArrayRows::ArrayRows(std::string path, const readers::SignalFileOptions& options) : path_(std::move(path)) {
   const auto tree = readers::listArrays(path_);
+  truncation_ = results::textAttribute(tree.attributes, results::truncationAttribute);
+  if (rcmdx::isRcmDx(tree)) {
+    takeSession(tree, options);
+    readHead();
+    return;
+  }
   auto own = options;
   if (own.object.empty()) own.object = longestGroup(tree);
   object_ = own.object;
@@ -55,7 +65,6 @@ ArrayRows::ArrayRows(std::string path, const readers::SignalFileOptions& options
   head_ = std::move(found.table);
   places_ = std::move(found.places);
   samples_ = found.samples;
-  truncation_ = results::textAttribute(tree.attributes, results::truncationAttribute);
   rate = found.options.rate;
   speed = found.options.speed;
   signalColumn = found.options.column;
@@ -65,9 +74,28 @@ ArrayRows::ArrayRows(std::string path, const readers::SignalFileOptions& options
   readHead();
 }
 
+// A recording of RCM-DX: its times and positions stand apart from its channels, and are computed for each sample.
+void ArrayRows::takeSession(const results::ArrayTree& tree, const readers::SignalFileOptions& options) {
+  session_ = std::make_unique<rcmdx::RecordColumns>(
+      rcmdx::recordColumns(path_, tree, {options.object, options.positionColumn}));
+  object_ = session_->source().path;
+  head_ = session_->table();
+  samples_ = session_->samples();
+  notes = session_->notes();
+}
+
+std::unique_ptr<results::ArrayStream> ArrayRows::open(const std::vector<std::size_t>& columns) const {
+  if (session_) return session_->open(columns);
+  std::vector<results::ArrayColumn> places;
+  for (const std::size_t c : columns) places.push_back(places_[c]);
+  return readers::streamArrays(path_, places, samples_);
+}
+
 // The first values of every column, for what depends on them.
 void ArrayRows::readHead() {
-  const auto stream = readers::streamArrays(path_, places_, samples_);
+  std::vector<std::size_t> all(head_.columns.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto stream = open(all);
   std::vector<std::vector<double>> columns;
   stream->next(columns);
   for (std::size_t c = 0; c < head_.columns.size() && c < columns.size(); ++c) {
@@ -77,15 +105,11 @@ void ArrayRows::readHead() {
 }
 
 std::string ArrayRows::structure() const {
-  return "arrays (HDF5 or MATLAB)" + (object_.empty() ? std::string() : ", in " + object_) + ", " +
-         std::to_string(samples_) + " samples";
+  return std::string(session_ ? "RCM-DX" : "arrays (HDF5 or MATLAB)") +
+         (object_.empty() ? std::string() : ", in " + object_) + ", " + std::to_string(samples_) + " samples";
 }
 
-void ArrayRows::choose(std::vector<std::size_t> columns) {
-  std::vector<results::ArrayColumn> places;
-  for (const std::size_t c : columns) places.push_back(places_[c]);
-  stream_ = readers::streamArrays(path_, places, samples_);
-}
+void ArrayRows::choose(std::vector<std::size_t> columns) { stream_ = open(columns); }
 
 bool ArrayRows::next(std::size_t maximum, Rows& rows) {
   for (auto& column : rows.columns) column.clear();

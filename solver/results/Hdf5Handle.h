@@ -1,4 +1,4 @@
-// solver/results/Hdf5Handle.h - owning ids of the HDF5 C API; only for the .cpp files of this folder.
+// solver/results/Hdf5Handle.h - owning ids of the HDF5 C API; only for the .cpp files of this folder and of rcmdx.
 #pragma once
 
 #include <hdf5.h>

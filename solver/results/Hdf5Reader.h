@@ -1,4 +1,4 @@
-// solver/results/Hdf5Reader.h - walking an HDF5 file in this process; only for the .cpp files of this folder.
+// solver/results/Hdf5Reader.h - walking an HDF5 file in this process; only for the .cpp files of this folder and of rcmdx.
 #pragma once
 
 #include <hdf5.h>

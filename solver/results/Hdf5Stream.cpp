@@ -27,6 +27,7 @@ Hdf5Limits foreign() {
   Hdf5Limits limits;
   limits.skipForeign = true;
   limits.valuesUpTo = 4096;
+  limits.objects = 200000;  // recordings of RCM-DX hold a group for each picture
   return limits;
 }
 

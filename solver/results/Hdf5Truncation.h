@@ -1,4 +1,4 @@
-// solver/results/Hdf5Truncation.h - files that end before their last value; only for the .cpp files of this folder.
+// solver/results/Hdf5Truncation.h - files that end before their last value; only for the .cpp files of this folder and of rcmdx.
 #pragma once
 
 #include <hdf5.h>

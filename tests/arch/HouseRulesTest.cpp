@@ -167,7 +167,7 @@ const std::vector<std::vector<Folder>>& floors() {
       {"solver/statics", "solver/dynamics"},
       {"solver/case"},
       {"solver/results"},
-      {"solver/loggers"},
+      {"solver/loggers", "solver/rcmdx"},
       {"solver/readers"},
       {"solver/records"},
       {"solver/analysis"},

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/Errors.h"
+#include "loggers/LoggerFile.h"
 #include "readers/ArrayFile.h"
 #include "records/RecordStream.h"
 
@@ -40,10 +41,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   records::RecordOptions options;
   options.columns.column = "all";
   options.columns.speed = 30;
+  options.columns.signalUnit = "m/s2";
   options.blockLength = 64;  // so that short inputs have seams between blocks
   try {
     // A row of text takes a byte at least. Arrays may be packed or have no values: some suffice here.
-    const bool isArray = readers::isArrayFile(path);
+    const bool isArray = readers::isArrayFile(path) || loggers::isPacked(path);
     constexpr std::size_t enough = 100'000;
     const auto stream = records::openRecord(path, options);
     records::RecordBlock block;
