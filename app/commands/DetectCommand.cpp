@@ -109,7 +109,8 @@ int detect(DetectCommandOptions options) {
 
   const OutputFolder folder(options.folder);
   const FolderLock owner(options.folder, "squat detect");
-  keepInputs(search.records, {options.folder + "/squats.csv", options.folder + "/squats.json"});
+  keepInputs(search.records,
+             {options.folder + "/squats.csv", options.folder + "/squats.json", options.folder + "/squats.rcmdx"});
   if (options.collect) return conclude(options, collectRecords(search), monitor);
   std::vector<detection::RecordDetection> records;
   for (auto rest = search.records; !rest.empty();) {

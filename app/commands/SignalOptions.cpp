@@ -24,7 +24,7 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
                   "Unit of a column where the file states none or a wrong one: aba=g, speed=km/h; g: of all "
                   "signals without one; may be repeated")
       ->allow_extra_args(false)
-      ->type_name("[COLUMN=]UNIT");
+      ->type_name("COLUMN=UNIT");
   command
       .add_option("--time-unit", file.timeUnit, "Unit of the time: s, ms, us, ns or min (default: as the file states)")
       ->type_name("UNIT");

@@ -293,6 +293,25 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   checkSupports(c, findings);
 }
 
+// Where a profile of points is steepest, and whether one point stands alone there: dropouts of a scanner do.
+std::string steepestPlace(const std::vector<ProfilePoint>& points) {
+  const auto slope = [&](std::size_t i) {
+    return (points[i].height - points[i - 1].height) / (points[i].position - points[i - 1].position);
+  };
+  std::size_t steepest = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (steepest == 0 || std::abs(slope(i)) > std::abs(slope(steepest))) steepest = i;
+  if (steepest == 0) return {};
+  const auto isAlone = [&](std::size_t i) {
+    return i > 0 && i + 1 < points.size() && slope(i) * slope(i + 1) < 0 &&
+           std::abs(slope(i + 1)) > 0.5 * std::abs(slope(i));
+  };
+  const auto at = [&](std::size_t i) { return rounded(1e3 * points[i].position) + " mm"; };
+  for (const std::size_t i : {steepest, steepest - 1})
+    if (isAlone(i)) return ", at " + at(i) + ", where one point stands apart from its neighbours: a measuring error?";
+  return ", between " + at(steepest - 1) + " and " + at(steepest);
+}
+
 void checkDefect(const Case& c, std::vector<Finding>& findings) {
   const auto& d = c.defect;
   const auto shape = d.shape;
@@ -313,7 +332,8 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   const std::string depthKey = sampled ? pointsKey : "defect.depth";
   // A face that drops more than half its length would fold the elements below it.
   constexpr double steepestPossible = 0.5, steepestSensible = 0.1;
-  const std::string found = " (its maximum slope is " + rounded(surface.steepest()) + ")";
+  const std::string found = " (its maximum slope is " + rounded(surface.steepest()) +
+                            (sampled ? steepestPlace(d.points) : std::string()) + ")";
   if (surface.steepest() > steepestPossible)
     add(findings, c, Severity::problem, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.5",
         "The profile is too steep for the mesh" + found + ": make it longer or shallower");

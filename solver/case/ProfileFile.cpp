@@ -103,6 +103,8 @@ class ProfileParser {
     if (lines_.front().points.size() < 2)
       fail("fewer than two points", "Give at least two lines of position and height");
     if (areDepths_) turnDepths();
+    if (falls_)  // scanned towards lower chainage
+      for (auto& profile : lines_) std::reverse(profile.points.begin(), profile.points.end());
     if (lines_.size() > 1)
       if (const std::string wrong = linesMistake(lines_); !wrong.empty()) fail("unusable lines", wrong);
     return std::move(lines_);
@@ -175,8 +177,10 @@ class ProfileParser {
     if (std::abs(position) > farthest) fail("position " + shown(fields[0]) + " is beyond 1000 km", "Check the unit");
     if (!first.empty() && position == first.back().position)
       fail("position " + shown(fields[0]) + " appears twice", "Keep one height for each position");
-    if (!first.empty() && position < first.back().position)
-      fail("position " + shown(fields[0]) + " is smaller than the previous one", "Sort the lines by position");
+    if (first.size() == 1) falls_ = position < first.back().position;
+    if (!first.empty() && (position < first.back().position) != falls_)
+      fail("position " + shown(fields[0]) + (falls_ ? " is larger" : " is smaller") + " than the previous one",
+           "Sort the lines by position");
     for (std::size_t i = 1; i < fields.size(); ++i) {
       const double height = metresIn(fields[i], powers_[i]);
       if (std::abs(height) > highest)
@@ -215,7 +219,7 @@ class ProfileParser {
   std::string origin_;
   char delimiter_ = ',';
   char decimalMark_ = 0;
-  bool swapped_ = false, areDepths_ = false;
+  bool swapped_ = false, areDepths_ = false, falls_ = false;
   std::vector<int> powers_;  // of the columns, position first
   std::vector<ProfileLine> lines_;
 };

@@ -267,6 +267,8 @@ std::vector<Label> readLabels(const std::string& path) {
     // [m], whatever length the heading states; of a heading without a unit, `usual`.
     const auto metres = [&](const char* column, double usual) -> std::optional<double> {
       const auto number = text::numberIn(cell(column), '.');
+      if (!number && !cell(column).empty())
+        throw FileError(path, place, "'" + cell(column) + "' is no number for '" + column + "'", "Correct the cell");
       if (!number) return std::nullopt;
       return *number * metresOf(names[columnOf(names, column)], usual, path);
     };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include "core/ProgramVersion.h"
 #include "rcmdx/EventsToWrite.h"
@@ -52,6 +53,9 @@ void addNetwork(rcmdx::EventsToWrite& all, const rcmdx::NetworkNames& names) {
 
 std::vector<std::string> writeRcmDxEvents(const DetectionReport& report, const readers::SignalFileOptions& reading,
                                           const std::string& folder) {
+  const auto path = folder + "/squats.rcmdx";
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);  // of an earlier search
   if (report.records.size() != 1) return {};
   const auto& record = report.records.front();
   if (!readers::isArrayFile(record.layout.path) || record.layout.files.size() > 1) return {};
@@ -72,7 +76,6 @@ std::vector<std::string> writeRcmDxEvents(const DetectionReport& report, const r
   addNetwork(all, rcmdx::readNames(record.layout.path, tree, session.session()));
   all.kinds = {"squat", "joint", "weld", "corrugation", "flat", "other"};
   all.severities = {"light", "moderate", "severe"};
-  const auto path = folder + "/squats.rcmdx";
   rcmdx::writeRcmDx(path, all);
   return {path};
 }

@@ -163,7 +163,7 @@ class Builder {
     if (t.size() < 8 || isEven(mean))
       series_.step = mean;
     else
-      putOnEqualSteps();
+      putOnEqualSteps(std::min(series_.step, mean));
   }
 
   // Whether the times are those of equal steps, but for the digits that they are written with and a little jitter.
@@ -180,15 +180,17 @@ class Builder {
   static double roundingOf(const std::vector<double>& t, double mean) {
     for (double unit = 1; unit > 1e-9; unit /= 10) {
       if (unit > mean) continue;
-      const bool all = std::all_of(t.begin(), t.end(),
-                                   [&](double time) { return std::abs(time / unit - std::round(time / unit)) < 1e-3; });
+      const bool all = std::all_of(t.begin(), t.end(), [&](double time) {
+        return std::abs(time / unit - std::round(time / unit)) < 1e-3 + 2.3e-16 * std::abs(time) / unit;
+      });
       if (all) return unit;
     }
     return 0;
   }
 
   // A rate that changes, or jitters: the values at equal steps, between the samples at their stated times.
-  void putOnEqualSteps() {
+  void putOnEqualSteps(double step) {
+    series_.step = step;
     const auto t = in_.time;
     std::vector<double> row(t.size());
     for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<double>(i);

@@ -101,7 +101,9 @@ std::vector<signals::Record> signalsOf(const text::DelimitedTable& table, const 
       run.file = table.path;
       run.run = runName(table, roles, c, from, r, starts.size() > 2);
       run.name = column.name.empty() ? std::filesystem::path(table.path).stem().string() : column.name;
-      const auto& unit = text::bareUnit(column.unit).empty() ? options.signalUnit : column.unit;
+      const auto stated = text::bareUnit(column.unit);
+      const auto& unit =
+          (stated.empty() || stated == "-") && !options.signalUnit.empty() ? options.signalUnit : column.unit;
       run.unit = scaleOf(unit, column.name, Role::signal).unit;
       run.signal = scaledRows(column, unit, Role::signal, from, to);
       const auto axis = [&](std::size_t of, Role role) {

@@ -35,6 +35,37 @@ bool risesEvenly(const std::vector<double>& values) {
   return step > 0;
 }
 
+// Coordinates of a train drift by metres within the first rows; a lateral acceleration that is called "lat" swings.
+bool swings(const std::vector<double>& values) {
+  constexpr double farthest = 1e-3;  // [deg] some 100 m
+  std::size_t turns = 0;
+  double before = 0, low = HUGE_VAL, high = -HUGE_VAL;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double change = values[i] - values[i - 1];
+    if (!std::isfinite(change)) continue;
+    low = std::min(low, values[i]), high = std::max(high, values[i]);
+    if (change * before < 0) ++turns;
+    if (change != 0) before = change;
+  }
+  return high - low > farthest && 10 * turns > values.size();
+}
+
+// The column of dates or times of day that is the time: the one that changes most often, where no column of numbers is
+// called a time.
+std::size_t momentsForTime(const text::DelimitedTable& table) {
+  std::size_t best = noColumn, most = 0;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const auto& column = table.columns[c];
+    if (!column.moments && readers::roleOf(column.name, column.unit) == Role::time) return noColumn;
+    if (!column.moments || column.moments == text::MomentKind::date) continue;
+    std::size_t changes = 1;
+    for (std::size_t i = 1; i < std::min<std::size_t>(column.values.size(), 200); ++i)
+      changes += column.values[i] != column.values[i - 1];
+    if (changes > most) most = changes, best = c;
+  }
+  return best;
+}
+
 // The axes of a table: role and column of each.
 std::vector<std::pair<Role, std::size_t*>> axesOf(TableRoles& roles) {
   return {{Role::time, &roles.time}, {Role::position, &roles.position}, {Role::speed, &roles.speed},
@@ -105,19 +136,21 @@ TableRoles rolesOf(const text::DelimitedTable& table, const SignalFileOptions& o
   roles.speed = named(options.speedColumn);
   roles.run = named(options.runColumn);
   const auto axes = axesOf(roles);
+  const std::size_t bestMoments = momentsForTime(table);
   std::vector<std::size_t> taken;
   for (const auto& [role, column] : axes)
     if (*column != noColumn) taken.push_back(*column);
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     if (std::count(taken.begin(), taken.end(), c) > 0) continue;
     const auto& column = table.columns[c];
-    if (column.moments == text::MomentKind::date) continue;  // the day of the clock in another column
+    if (column.moments && c != bestMoments) continue;  // the day of the clock in another column, a remark
     const Role own = column.kilometresAndMetres ? Role::position
                      : column.moments           ? Role::time
                                                 : roleOf(column.name, column.unit);
     const auto free = std::find_if(axes.begin(), axes.end(),
                                    [&](const auto& axis) { return axis.first == own && *axis.second == noColumn; });
-    if (free == axes.end())
+    const bool isCoordinate = own == Role::latitude || own == Role::longitude;
+    if (free == axes.end() || (isCoordinate && text::bareUnit(column.unit).empty() && swings(column.values)))
       roles.rest.push_back(c);
     else
       *free->second = c;

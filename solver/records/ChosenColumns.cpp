@@ -7,6 +7,7 @@
 #include "core/Errors.h"
 #include "readers/ColumnRoles.h"
 #include "readers/TableRoles.h"
+#include "text/Heading.h"
 #include "text/Text.h"
 #include "text/Units.h"
 
@@ -21,7 +22,8 @@ bool hasNumbers(const text::TableColumn& column) {
 
 ChosenColumn chosen(const text::DelimitedTable& head, std::size_t index, Role role, const std::string& otherwise) {
   const auto& column = head.columns[index];
-  const auto& unit = text::bareUnit(column.unit).empty() ? otherwise : column.unit;
+  const auto stated = text::bareUnit(column.unit);
+  const auto& unit = stated.empty() || stated == "-" ? otherwise : column.unit;
   const auto scale = readers::scaleOf(unit, column.name, role);
   ChosenColumn result{index, column.kilometresAndMetres ? 1.0 : scale.factor, column.name, scale.unit,
                       !text::bareUnit(unit).empty()};
@@ -34,9 +36,9 @@ ChosenColumn chosen(const text::DelimitedTable& head, std::size_t index, Role ro
   const auto place = "column " + std::to_string(index + 1);
   if (!result.unitStated || bare == "-")
     throw FileError(head.path, place, "'" + result.name + "' states no unit",
-                    "Give it, --unit m/s2, say, or --unit g; in the studio, under Units");
+                    "Give it, --unit m/s2, say, or --unit g, in the studio under Units; or name the columns to read");
   throw FileError(head.path, place, "'" + result.name + "' is in " + bare + ", which is no acceleration",
-                  "Choose another column, or give its unit: --unit " + result.name + "=g, say");
+                  "Choose another column, or give its unit: --unit \"" + result.name + "=g\", say");
 }
 
 // Rows or seconds that are counted: it rises by the same amount again and again.
@@ -74,9 +76,19 @@ std::vector<std::size_t> channelsOf(const text::DelimitedTable& head, const read
   if (roles.rest.size() == 1) return roles.rest;
   if (!everyAcceleration)
     if (const auto aba = readers::columnNamed(head, "aba"); aba != readers::noColumn) return {aba};
+  const auto isStated = [&](std::size_t c) {
+    return readers::scaleOf(head.columns[c].unit, "", Role::signal).unit == "m/s2";
+  };
+  const bool anyStated = std::any_of(roles.rest.begin(), roles.rest.end(), isStated);
+  // Beside accelerations that state their unit, a column without one is a trigger or the like, unless its name says
+  // more.
+  const auto isMeant = [&](std::size_t c) {
+    return isStated(c) || !anyStated || !options.signalUnit.empty() ||
+           text::siUnitOfName(head.columns[c].name) == "m/s2";
+  };
   std::string others;
   for (const std::size_t c : roles.rest)
-    if (mayBeAcceleration(head.columns[c]))
+    if (mayBeAcceleration(head.columns[c]) && isMeant(c))
       channels.push_back(c);
     else
       others += (others.empty() ? "" : ", ") + std::to_string(c + 1) + " " + head.columns[c].name;

@@ -73,8 +73,10 @@ Inspection inspectRecord(const std::string& path, const RecordOptions& options, 
       auto& seen = result.columns.emplace_back(InspectedColumn{column.name, column.unit, "", column.values});
       seen.first.resize(std::min(seen.first.size(), inspectedRows));
     }
+    auto chosen = options;
+    if (!rows->signalColumn.empty()) chosen.columns.column = rows->signalColumn;
     try {
-      nameUses(result, table, options);
+      nameUses(result, table, chosen);
     } catch (const FileError& error) {
       result.refusal = error.what();
       return result;

@@ -91,11 +91,15 @@ void RideRows::choose(std::vector<std::size_t> columns) {
 // Where the axes have come to. A step is the mean over the last rows: encoders repeat their positions.
 void RideRows::remember(const Rows& rows) {
   for (auto* axis : {&time_, &position_}) {
-    if (!axis->exists() || rows.size() < 2) continue;
+    if (!axis->exists() || rows.size() == 0) continue;
     const auto& values = rows.columns[axis->at];
-    const std::size_t back = std::min<std::size_t>(values.size() - 1, 200);
-    axis->last = values.back();
-    axis->step = (values.back() - values[values.size() - 1 - back]) / static_cast<double>(back);
+    std::size_t last = values.size() - 1;
+    while (last > 0 && !std::isfinite(values[last])) --last;
+    if (!std::isfinite(values[last])) continue;
+    axis->last = values[last];
+    std::size_t first = last > 200 ? last - 200 : 0;
+    while (first < last && !std::isfinite(values[first])) ++first;
+    if (first < last) axis->step = (values[last] - values[first]) / static_cast<double>(last - first);
   }
   if (!rows.lines.empty()) lines_ = rows.lines.back();
 }
@@ -125,6 +129,11 @@ bool RideRows::next(std::size_t maximum, Rows& rows) {
 bool RideRows::openNext() {
   if (at_ + 1 >= files_.size()) return false;
   auto following = openRows(files_[at_ + 1], options_);
+  if (options_.headLine > 0 && !haveSameColumns(head_, following->head())) {
+    auto headless = options_;
+    headless.headLine = 0;
+    following = openRows(files_[at_ + 1], headless);
+  }
   following->choose(chosen_);
   pending_ = {};
   pending_.columns.resize(chosen_.size());
@@ -135,6 +144,8 @@ bool RideRows::openNext() {
     return false;
   }
   join_ = join_ == Join::none ? join : join_;
+  if (const auto cut = current_->truncation(); !cut.empty())
+    truncation_ += (truncation_.empty() ? "" : "; ") + files_[at_] + ": " + cut;
   lineShift_ = lines_;
   current_ = std::move(following);
   ++at_;
@@ -145,35 +156,44 @@ bool RideRows::openNext() {
 RideRows::Join RideRows::joinOf(const text::DelimitedTable& head, double nextRate) {
   const auto& file = files_[at_ + 1];
   if (!haveSameColumns(head_, head) || nextRate != rate || pending_.size() == 0) {
-    if (together_ != Together::consecutive) return Join::none;
+    if (together_ != Together::consecutive && !namesFollow(files_[at_], file)) return Join::none;
     throw FileError(
         file, "", "has other columns, or another rate, than " + files_.front(),
-        "Files of one ride hold the same columns at the same rate; leave --consecutive where they are passes");
+        "Files of one ride hold the same columns, in the same units, at the same rate; --passes reads them apart");
   }
-  const auto firstOf = [&](const Axis& axis) { return pending_.columns[axis.at].front(); };
+  const auto firstOf = [&](const Axis& axis) {
+    const auto& values = pending_.columns[axis.at];
+    const auto finite = std::find_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+    return finite == values.end() ? values.front() : *finite;
+  };
   timeShift_ = 0;
   bool startsAgain = false, goesBack = false;
   if (time_.exists()) {
-    const double pause = firstOf(time_) - time_.last;
+    // A clock begins again at midnight.
+    constexpr double day = 86400;  // [s]
+    const bool isClock = head_.columns[chosen_[time_.at]].moments == text::MomentKind::clock;
+    while (isClock && firstOf(time_) + timeShift_ < time_.last - day / 2) timeShift_ += day;
+    const double pause = firstOf(time_) + timeShift_ - time_.last;
     if (pause > 0.2 * time_.step && pause <= std::max(largestSteps * time_.step, longestPause / time_.scale))
       return Join::followingTimes;
     startsAgain = std::abs(firstOf(time_) - time_.first) * time_.scale <= longestPause;
     goesBack = pause <= 0 && !startsAgain;
-    if (startsAgain) timeShift_ = time_.last + time_.step - firstOf(time_);
+    if (startsAgain && std::isfinite(firstOf(time_))) timeShift_ = time_.last + time_.step - firstOf(time_);
   }
   if (position_.exists() && (startsAgain || !time_.exists())) {
     constexpr double shortWay = 0.5;  // [m]
     const double way = (firstOf(position_) - position_.last) * (position_.step < 0 ? -1 : 1);
-    if (position_.step != 0 && way >= 0 &&
-        way <= std::max(largestSteps * std::abs(position_.step), shortWay / position_.scale))
+    const auto& next = pending_.columns[position_.at];
+    const bool isSameWay = (next.back() - next.front()) * position_.step > 0;  // not back again
+    if (isSameWay && way >= 0 && way <= std::max(largestSteps * std::abs(position_.step), shortWay / position_.scale))
       return Join::followingPositions;
     if (together_ == Together::consecutive) goesBack = goesBack || way < 0;
   }
   if (together_ == Together::consecutive) return joinAsTold(goesBack, file);
-  if (!position_.exists() && (startsAgain || !time_.exists()) && namesFollow(files_[at_], file))
+  if (!position_.exists() && namesFollow(files_[at_], file))
     throw CaseError({{"--consecutive, --passes", "neither", "one of both",
                       file + " follows on " + files_[at_] +
-                          " by its name, but has no times or positions that tell: are they parts of one ride "
+                          " by its name, but its times and positions do not: are they parts of one ride "
                           "(--consecutive), or passes over the same track (--passes)?"}});
   return Join::none;
 }
@@ -183,6 +203,11 @@ RideRows::Join RideRows::joinAsTold(bool goesBack, const std::string& file) cons
     throw FileError(file, "", "begins before " + files_[at_] + " ends",
                     "Give the files in the order in which they were recorded, or --passes for passes over one track");
   return Join::asTold;
+}
+
+std::string RideRows::truncation() const {
+  const auto cut = current_->truncation();
+  return truncation_ + (truncation_.empty() || cut.empty() ? "" : "; ") + cut;
 }
 
 double RideRows::fraction() const {

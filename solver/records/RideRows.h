@@ -21,7 +21,7 @@ class RideRows : public RowSource {
   bool next(std::size_t maximum, Rows& rows) override;
   double fraction() const override;
   std::size_t rows() const override { return files_.size() == 1 ? current_->rows() : 0; }
-  std::string truncation() const override { return current_->truncation(); }
+  std::string truncation() const override;
   std::vector<std::string> files() const override;
   std::string joined() const override;
 
@@ -53,6 +53,7 @@ class RideRows : public RowSource {
   std::uint64_t lines_ = 0, lineShift_ = 0;
   Rows pending_;  // the beginning of the current file
   Join join_ = Join::none;
+  std::string truncation_;  // of the files before
 };
 
 }  // namespace squat::records

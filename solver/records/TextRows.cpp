@@ -61,6 +61,7 @@ void TextRows::readHead() {
     if (!slowRow(ignored)) continue;
     for (std::size_t c = 0; c < values_.size(); ++c) head_.columns[c].values.push_back(values_[c]);
   }
+  for (auto& column : head_.columns) column.clockBefore = column.clockDays = 0;
   at_ = first;
   line_ = layout_.firstLine;
   truncation_.clear();

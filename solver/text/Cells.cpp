@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "text/Csv.h"
 #include "text/Lines.h"
 #include "text/Numbers.h"
@@ -55,7 +56,14 @@ Cells cellsOf(std::string_view text, const std::string& path) {
     if (delimiter == 0) delimiter = delimiterOf(line);
     const auto number = lines.number();
     std::string row(line);
-    while (std::count(row.begin(), row.end(), '"') % 2 == 1 && lines.next(line)) row.append("\n").append(line);
+    bool isOpen = std::count(row.begin(), row.end(), '"') % 2 == 1;
+    while (isOpen && lines.next(line)) {
+      row.append("\n").append(line);
+      isOpen = std::count(line.begin(), line.end(), '"') % 2 == 0;
+    }
+    if (isOpen)
+      throw FileError(path, "line " + std::to_string(number), "opens a quote that is not closed",
+                      "Remove or double it");
     auto records = csvRecords(row, delimiter);
     if (records.empty()) continue;
     for (auto& cell : records.front()) cell = asUtf8(trimmed(cell));

@@ -36,17 +36,28 @@ void addField(TableColumn& column, std::string_view field, char decimal, std::si
 
 }  // namespace
 
+namespace {
+
+double momentValue(std::string_view field, TableColumn& column) {
+  constexpr double day = 86400;
+  const auto moment = momentIn(field);
+  if (!moment || moment->kind != *column.moments) return std::nan("");
+  if (moment->kind != MomentKind::clock) return moment->seconds;
+  if (moment->seconds < column.clockBefore - day / 2) column.clockDays += day;
+  column.clockBefore = moment->seconds;
+  return moment->seconds + column.clockDays;
+}
+
+}  // namespace
+
 double fieldValue(std::string_view field, char decimal, TableColumn& column) {
+  if (column.moments) return momentValue(field, column);
   if (const auto number = numberIn(field, decimal)) return *number;
   if (const auto metres = kilometresAndMetresIn(field, decimal)) {
     column.kilometresAndMetres = true;
     return *metres;
   }
-  const auto moment = momentIn(field);
-  if (!moment) return std::nan("");
-  column.moments = moment->kind;
-  column.unit = "s";
-  return moment->seconds;
+  return std::nan("");
 }
 
 TableLayout layoutOf(std::string_view text, const std::string& path, char delimiter, char decimal,
@@ -75,6 +86,8 @@ DelimitedTable emptyTable(const TableLayout& layout, const std::string& path) {
   for (std::size_t c = 0; c < layout.fields; ++c) {
     if (!layout.names.empty()) table.columns[c].name = layout.names[c];
     if (!layout.units.empty()) table.columns[c].unit = layout.units[c];
+    table.columns[c].moments = layout.moments[c];
+    if (layout.moments[c]) table.columns[c].unit = "s";
   }
   return table;
 }

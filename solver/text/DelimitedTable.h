@@ -17,7 +17,8 @@ struct TableColumn {
   std::string name, unit;      // empty where the file has none
   std::vector<double> values;  // not-a-number where the field is missing or text
   bool kilometresAndMetres = false;
-  std::optional<MomentKind> moments;  // its fields are dates or times of day; `values` are in s
+  std::optional<MomentKind> moments;      // its fields are dates or times of day; `values` are in s
+  double clockBefore = 0, clockDays = 0;  // [s] of a clock: the field before; the midnights that have passed
   // First field that is not a number: its row, and what stands there.
   std::size_t badRow = std::numeric_limits<std::size_t>::max();
   std::string badText;
@@ -32,8 +33,8 @@ struct DelimitedTable {
   std::size_t rows() const { return lines.size(); }
 };
 
-// The number that stands in a field: plain, as kilometres and metres, or as a moment in s (Moments.h); what it is, is
-// noted in the column. Not-a-number for any other text.
+// The number that stands in a field: plain or as kilometres and metres, which is noted in the column; of a column of
+// moments, the moment in s, a clock going on behind midnight. Not-a-number for any other text.
 double fieldValue(std::string_view field, char decimal, TableColumn& column);
 
 // The layout of a table that begins with `text`, and its columns without rows. Throws FileError where there is no

@@ -15,9 +15,11 @@
 namespace squat::text {
 namespace {
 
-bool isNumeric(std::string_view field, char decimal) {
-  return numberIn(field, decimal) || kilometresAndMetresIn(field, decimal) || momentIn(field);
+bool isPlainNumber(std::string_view field, char decimal) {
+  return numberIn(field, decimal) || kilometresAndMetresIn(field, decimal);
 }
+
+bool isNumeric(std::string_view field, char decimal) { return isPlainNumber(field, decimal) || momentIn(field); }
 
 struct Candidate {
   char delimiter, decimal;
@@ -136,7 +138,12 @@ TableLayout findLayout(const std::vector<std::string_view>& lines, char delimite
   std::vector<std::string_view> fields;
   const auto last = std::find_if(lines.rbegin(), lines.rend(), [](auto line) { return !isComment(line); });
   splitRow(*last, layout, fields);
-  for (const auto field : fields) layout.numeric.push_back(isNumeric(field, layout.decimal) || isMissing(field));
+  for (const auto field : fields) {
+    const bool number = isPlainNumber(field, layout.decimal);
+    const auto moment = number ? std::nullopt : momentIn(field);
+    layout.moments.push_back(moment ? std::optional(moment->kind) : std::nullopt);
+    layout.numeric.push_back(number || moment || isMissing(field));
+  }
   for (layout.firstLine = headLine; layout.firstLine < lines.size(); ++layout.firstLine) {
     if (isComment(lines[layout.firstLine])) continue;
     splitRow(lines[layout.firstLine], layout, fields);
@@ -144,13 +151,14 @@ TableLayout findLayout(const std::vector<std::string_view>& lines, char delimite
     bool row = false, text = false;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (!layout.numeric[i]) continue;
-      const bool number = isNumeric(fields[i], layout.decimal);
+      const bool number =
+          layout.moments[i] ? momentIn(fields[i]).has_value() : isPlainNumber(fields[i], layout.decimal);
       row = row || number;
       text = text || !(number || isMissing(fields[i]));
     }
     if (row && !text) break;
   }
-  readHeader(lines, best.closed, headLine, layout);
+  if (layout.firstLine < lines.size()) readHeader(lines, best.closed, headLine, layout);
   return layout;
 }
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "text/Moments.h"
 
 namespace squat::text {
 
@@ -12,10 +15,11 @@ struct TableLayout {
   char delimiter = ',';  // ' ' stands for any blanks
   char decimal = '.';
   std::size_t fields = 0;
-  std::size_t firstLine = 0;       // index into the lines of the first row of numbers
-  std::vector<std::string> names;  // per column, in UTF-8; empty without header
-  std::vector<std::string> units;  // per column; empty texts where none
-  std::vector<bool> numeric;       // columns that held numbers at the end of the lines looked at
+  std::size_t firstLine = 0;                       // index into the lines of the first row of numbers
+  std::vector<std::string> names;                  // per column, in UTF-8; empty without header
+  std::vector<std::string> units;                  // per column; empty texts where none
+  std::vector<bool> numeric;                       // columns that held numbers at the end of the lines looked at
+  std::vector<std::optional<MomentKind>> moments;  // those that held dates or times of day there
 };
 
 // The fields of a row of the table (splitFields): empty fields beyond its last column do not count.

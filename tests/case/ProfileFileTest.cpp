@@ -108,6 +108,17 @@ TEST(ProfileFile, DepthsArePositiveDownwards) {
   }
 }
 
+TEST(ProfileFile, PositionsMayFall) {
+  const auto points = parseProfile("position [mm];height [mm]\n10;0\n5;-0.1\n0;0.02\n", "dip.csv");
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_DOUBLE_EQ(points[0].position, 0);
+  EXPECT_DOUBLE_EQ(points[0].height, 2e-5);
+  EXPECT_DOUBLE_EQ(points[1].height, -1e-4);
+  EXPECT_DOUBLE_EQ(points[2].position, 0.01);
+  EXPECT_THAT(refusalOfProfile("position [mm];height [mm]\n10;0\n5;0\n7;0\n"),
+              AllOf(HasSubstr("line 4"), HasSubstr("larger than the previous")));
+}
+
 TEST(ProfileFile, RefusesHeadersWithoutUnits) {
   EXPECT_THAT(refusalOfProfile("0;0\n5;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("no header")));
   EXPECT_THAT(refusalOfProfile("position;height\n0;0\n"), HasSubstr("unit"));

@@ -161,6 +161,33 @@ TEST_F(Ride, EndsBeforeTheNextPass) {
   EXPECT_EQ(stream->layout().files, std::vector<std::string>{files[0]});
 }
 
+TEST_F(Ride, EndsWhereTheTrainTurns) {
+  RideForm form;
+  form.clock = Clock::restarting;
+  const auto there = write(form, "there.csv", 0, 1000, true);
+  std::ofstream out(folder_ / "back.csv");
+  out << "time [s];position [m];aba [m/s2]\n";
+  for (int i = 0; i < 1000; ++i)
+    out << i / rideRate << ';' << 100 + rideSpeed * (1000 - i) / rideRate << ';' << accelerationAt(i) << '\n';
+  out.close();
+  const auto stream = openRide({there, (folder_ / "back.csv").string()}, withoutRate(), Together::asTheyFollow);
+  RecordBlock block;
+  while (stream->next(block)) continue;
+  EXPECT_EQ(stream->layout().files.size(), 1u);
+}
+
+TEST_F(Ride, RefusesPartsInOtherUnits) {
+  const auto first = write({}, "part-1.csv", 0, 1000, true);
+  std::ofstream out(folder_ / "part-2.csv");
+  out << "time [s];position [m];aba [g]\n";
+  for (int i = 1000; i < 2000; ++i)
+    out << i / rideRate << ';' << 100 + rideSpeed * i / rideRate << ';' << accelerationAt(i) / 9.80665 << '\n';
+  out.close();
+  const auto stream = openRide({first, (folder_ / "part-2.csv").string()}, withoutRate(), Together::asTheyFollow);
+  RecordBlock block;
+  EXPECT_THROW(while (stream->next(block)) continue, FileError);
+}
+
 TEST_F(Ride, RefusesFilesInWrongOrder) {
   const auto files = split({});
   const auto stream = openRide({files[1], files[0]}, withoutRate(), Together::consecutive);

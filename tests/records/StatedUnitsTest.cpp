@@ -165,6 +165,66 @@ TEST(StatedUnits, CountersAndOtherSensorsAreNoAccelerations) {
               ::testing::Contains(AllOf(HasSubstr("passed over"), HasSubstr("2 n"), HasSubstr("gyro_x"))));
 }
 
+// A column of dates beside one of exact times, a date above the heading, a cell that a spreadsheet took for a date.
+TEST(StatedUnits, DatesDoNotTakeThePlaceOfBetterTimes) {
+  RecordOptions options;
+  options.columns.speed = 30;
+  std::string both = "utc;time [s];aba [m/s2]\n", dated = "27.11.2026;09:30:00\ntime [s];aba [m/s2]\n";
+  for (int i = 0; i < 3000; ++i) {
+    char row[100];
+    std::snprintf(row, sizeof row, "2026-11-27 09:30:%02d;%.7f;%.4f\n", i / 2048, i / 2048.0, 80 * std::sin(0.4 * i));
+    both += row;
+    dated += std::string(row).substr(20);
+  }
+  EXPECT_NEAR(readText(both, options).layout.rate, 2048, 0.01);
+  EXPECT_NEAR(readText(dated, options).layout.rate, 2048, 0.01);
+  const auto cell = dated.find(';', dated.size() / 2);
+  dated.replace(cell + 1, dated.find('\n', cell) - cell - 1, "03.12.2026");
+  const auto whole = readText(dated, options);
+  for (const auto& stretch : whole.stretches)
+    for (const double value : stretch.values[0]) ASSERT_LT(std::abs(value), 81);
+}
+
+TEST(StatedUnits, ClocksGoOnBehindMidnight) {
+  RecordOptions options;
+  options.columns.speed = 30;
+  std::string text = "clock;aba [m/s2]\n";
+  for (int i = 0; i < 4000; ++i) {
+    char row[100];
+    const int tenths = (86399 * 10000 + 9000 + 2 * i) % 864000000;  // of a millisecond
+    std::snprintf(row, sizeof row, "%02d:%02d:%02d.%04d;%.4f\n", tenths / 36000000, tenths / 600000 % 60,
+                  tenths / 10000 % 60, tenths % 10000, 80 * std::sin(0.4 * i));
+    text += row;
+  }
+  const auto whole = readText(text, options);
+  EXPECT_EQ(whole.layout.rate, 5000);
+  ASSERT_EQ(whole.stretches.size(), 1u);
+  EXPECT_EQ(whole.stretches[0].size(), 4000u);
+  EXPECT_TRUE(whole.faults.empty());
+}
+
+TEST(StatedUnits, AHeadLineThatIsNotThereIsRefused) {
+  RecordOptions options;
+  options.columns.speed = 30, options.columns.headLine = 50;
+  const tests::TemporaryFile file("time [s],aba [m/s2]\n0,1\n0.0001,2\n0.0002,3\n");
+  EXPECT_NE(complaintAbout(file.path(), options), "");
+}
+
+// "lat" and "lon" without units: accelerations across and along, for they swing.
+TEST(StatedUnits, CoordinatesDoNotSwing) {
+  RecordOptions options;
+  options.columns.speed = 30, options.everyAcceleration = true, options.columns.signalUnit = "m/s2";
+  std::string text = "time [s],lat,lon\n";
+  for (int i = 0; i < 2000; ++i) {
+    char row[100];
+    std::snprintf(row, sizeof row, "%.4f,%.4f,%.4f\n", i / 5000.0, 8 * std::sin(0.4 * i), 5 * std::cos(0.7 * i));
+    text += row;
+  }
+  const auto whole = readText(text, options);
+  EXPECT_FALSE(whole.layout.hasCoordinates);
+  EXPECT_EQ(whole.layout.channels.size(), 2u);
+}
+
 // Every fiftieth of the rows is missing. A straight line misses the middle of a sine by 1 - cos(w dt) of its amplitude
 // at most: 0.2 % at 50 Hz and 5 kHz. The rate is that of the times, and the file has as many samples as were taken.
 TEST(StatedUnits, LostSamplesAreBridgedAndReported) {

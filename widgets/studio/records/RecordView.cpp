@@ -12,6 +12,7 @@
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -42,7 +43,14 @@ class LabelDelegate : public QStyledItemDelegate {
   }
 };
 
-// As the search reads them.
+// A later file of a ride that is gone does not hide those before it; the first one must be there.
+std::vector<std::string> filesThere(const project::LongRecords& kept) {
+  auto files = records::inNumberOrder(kept.files);
+  const auto isGone = [](const std::string& file) { return !QFileInfo::exists(QString::fromStdString(file)); };
+  files.erase(std::remove_if(files.begin() + 1, files.end(), isGone), files.end());
+  return files;
+}
+
 }  // namespace
 
 RecordView::RecordView(const plots::Style& style, QWidget* parent)
@@ -222,8 +230,8 @@ void RecordView::readRecord(const project::LongRecords& kept) {
   thread_.start([this, kept, overview, generation = ++generation_] {
     QString problem;
     try {
-      records::OverviewedStream stream(
-          records::openRide(records::inNumberOrder(kept.files), readingOf(kept), togetherOf(kept)), overview);
+      records::OverviewedStream stream(records::openRide(filesThere(kept), readingOf(kept), togetherOf(kept)),
+                                       overview);
       records::RecordBlock block;
       while (generation == generation_ && stream.next(block)) {
       }

@@ -245,6 +245,7 @@ void DetectionForm::save(QSettings& settings) const {
   settings.setValue("channels", channels_->text());
   settings.setValue("speed", speed_->value());
   settings.setValue("labels", labels_->text());
+  settings.setValue("units", units_->text());
   settings.setValue("together", together_->currentIndex());
   settings.setValue("ownVehicle", own_->isChecked());
 }
@@ -253,6 +254,7 @@ void DetectionForm::restore(const QSettings& settings) {
   channels_->setText(settings.value("channels").toString());
   speed_->setValue(settings.value("speed").toDouble());
   labels_->setText(settings.value("labels").toString());
+  units_->setText(settings.value("units").toString());
   together_->setCurrentIndex(std::clamp(settings.value("together").toInt(), 0, together_->count() - 1));
   own_->setChecked(settings.value("ownVehicle").toBool());
 }
