@@ -14,8 +14,8 @@ namespace squat::cases {
 // header names the units m, mm or um after each name: "position [mm]; height (um)", "position, mm". A table without
 // header, or with a unit missing, is refused: a profile read in the wrong unit would go unnoticed. Delimiter `,` `;` or
 // tab; decimal point, or decimal comma where the delimiter is not a comma; byte-order mark, CRLF, empty lines and lines
-// that begin with # or % are skipped. Any step; positions ascend or fall strictly. Heights up positive. Returns metres, as
-// measured: neither levelled nor shifted. Independent of the locale. Throws FileError with path, line and advice;
+// that begin with # or % are skipped. Any step; positions ascend or fall strictly. Heights up positive. Returns metres,
+// as measured: neither levelled nor shifted. Independent of the locale. Throws FileError with path, line and advice;
 // limits: 200 MB, 1 MB a line, 80,000 points, 50 mm of height.
 std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path);
 

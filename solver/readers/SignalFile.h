@@ -23,8 +23,8 @@ struct SignalFileOptions {
   // Units that the file does not state, or states wrongly: column, by name or number, and unit.
   std::vector<std::pair<std::string, std::string>> units = {};
   std::string signalUnit = {};  // of signals for which neither the file nor `units` states one
-  std::string timeUnit = {};  // of the time column; empty: as the file states it
-  std::size_t headLine = 0;   // of the text file's heading, from 1; 0: found
+  std::string timeUnit = {};    // of the time column; empty: as the file states it
+  std::size_t headLine = 0;     // of the text file's heading, from 1; 0: found
 };
 
 // Throws CaseError for options that no file could fit.

@@ -1,4 +1,5 @@
-// solver/results/Hdf5Reader.h - walking an HDF5 file in this process; only for the .cpp files of this folder and of rcmdx.
+// solver/results/Hdf5Reader.h - walking an HDF5 file in this process; only for the .cpp files of this folder and of
+// rcmdx.
 #pragma once
 
 #include <hdf5.h>

@@ -1,4 +1,5 @@
-// solver/results/Hdf5Truncation.h - files that end before their last value; only for the .cpp files of this folder and of rcmdx.
+// solver/results/Hdf5Truncation.h - files that end before their last value; only for the .cpp files of this folder and
+// of rcmdx.
 #pragma once
 
 #include <hdf5.h>

@@ -51,8 +51,10 @@ void TargetList::fillMenu() {
     menu_->addAction(tr("&All statements of the paper about this case"), this, [this] { addFile("paper"); });
   }
   menu_->addAction(targets ? tr("&File: targets, signals or receptance…") : tr("&File…"), this, [this, targets] {
-    const QString kinds = targets ? tr("Targets and tables (*.json *.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)")
-                                  : tr("Signals (*.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)");
+    const QString kinds =
+        targets ? tr("Targets and tables (*.json *.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All "
+                     "files (*)")
+                : tr("Signals (*.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)");
     for (const QString& path : QFileDialog::getOpenFileNames(this, tr("Add files"), QString(), kinds)) addFile(path);
   });
   menu_->addSeparator();

@@ -109,8 +109,9 @@ void MainWindow::makeFileMenu() {
   QAction* saving = add(menu, tr("Save r&esult…"), QKeySequence("Ctrl+Shift+R"), "saveResult", this,
                         [this] { saveRun(store_.current()); });
   QAction* measured = add(menu, tr("Overlay &measured signal…"), QKeySequence("Ctrl+M"), "measured", this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Overlay a measured signal"), QString(),
-                                                      tr("Signals (*.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Overlay a measured signal"), QString(),
+        tr("Signals (*.csv *.txt *.gz *.h5 *.mat *.tdms *.lvm *.wav *.unv *.uff);;All files (*)"));
     if (path.isEmpty()) return;
     const bool asks = needsChoice(headOf(path.toStdString(), {}));
     if (asks || (!openMeasured(path) && QFileInfo(path).isReadable())) askHowToRead(path);
