@@ -31,7 +31,9 @@ void addSignalOptions(CLI::App& command, SignalOptions& options) {
   command.add_option("--head-line", file.headLine, "Line of the heading in a text file (default: found)")
       ->check(between(1.0, 1e6))
       ->type_name("LINE");
-  command.add_option("--object", file.object, "Part of a file: path in HDF5, group of TDMS, session or source of RCM-DX")->type_name("PATH");
+  command
+      .add_option("--object", file.object, "Part of a file: path in HDF5, group of TDMS, session or source of RCM-DX")
+      ->type_name("PATH");
   command.add_option("--rate", file.rate, "Sampling rate, if the file has no time column")
       ->check(between(1.0, 1e8))
       ->type_name("HZ");

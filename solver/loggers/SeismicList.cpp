@@ -49,7 +49,7 @@ void addSeismicLine(std::string_view line, const std::string& path, const std::s
   text::splitFields(line, ' ', fields);
   for (const auto field : fields) {
     const auto number = text::numberIn(field, '.');
-    if (!number) throw FileError(path, location, text::shown(field) + " is not a number", "Mend the line");
+    if (!number) throw FileError(path, location, text::shown(field) + " is not a number", "Correct the line");
     values.push_back(*number);
   }
 }

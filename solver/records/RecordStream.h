@@ -83,8 +83,9 @@ enum class Together {
 std::unique_ptr<RecordStream> openRecord(const std::string& path, const RecordOptions& options = {});
 
 // The ride that begins with the first file, through those behind it that belong to it: layout().files says at the end
-// how many did. Throws as above; FileError too for consecutive files that are not in order or have other columns, and,
-// when only their names follow on (part-1, part-2), CaseError that asks which of both they are.
+// how many did. Throws as above; FileError too for files that are stated, or named, as consecutive but have other
+// columns or units, and for consecutive ones that are not in order; CaseError, which asks what they are, where only
+// their names are consecutive (part-1, part-2).
 std::unique_ptr<RecordStream> openRide(std::vector<std::string> files, const RecordOptions& options, Together together);
 
 // Files whose names differ in one number alone in the order of that number, part-2 before part-10; others as they are.

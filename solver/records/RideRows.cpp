@@ -189,7 +189,7 @@ RideRows::Join RideRows::joinOf(const text::DelimitedTable& head, double nextRat
       return Join::followingPositions;
     if (together_ == Together::consecutive) goesBack = goesBack || way < 0;
   }
-  if (together_ == Together::consecutive) return joinAsTold(goesBack, file);
+  if (together_ == Together::consecutive) return joinAsStated(goesBack, file);
   if (!position_.exists() && namesFollow(files_[at_], file))
     throw CaseError({{"--consecutive, --passes", "neither", "one of both",
                       file + " follows on " + files_[at_] +
@@ -198,11 +198,11 @@ RideRows::Join RideRows::joinOf(const text::DelimitedTable& head, double nextRat
   return Join::none;
 }
 
-RideRows::Join RideRows::joinAsTold(bool goesBack, const std::string& file) const {
+RideRows::Join RideRows::joinAsStated(bool goesBack, const std::string& file) const {
   if (goesBack)
     throw FileError(file, "", "begins before " + files_[at_] + " ends",
                     "Give the files in the order in which they were recorded, or --passes for passes over one track");
-  return Join::asTold;
+  return Join::asStated;
 }
 
 std::string RideRows::truncation() const {
@@ -221,7 +221,7 @@ std::vector<std::string> RideRows::files() const {
 
 std::string RideRows::joined() const {
   if (at_ == 0) return {};
-  const std::string why = join_ == Join::asTold           ? "as told"
+  const std::string why = join_ == Join::asStated         ? "as --consecutive says"
                           : join_ == Join::followingTimes ? "their times follow on"
                                                           : "their positions follow on";
   return std::to_string(at_ + 1) + " files are read as one ride, to " + files_[at_] + ": " + why +

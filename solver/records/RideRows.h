@@ -9,7 +9,7 @@
 
 namespace squat::records {
 
-// Goes on with the next file where that one begins when, or where, the one before ended. Times that start again at the
+// Reads the next file where it begins when, or where, the one before ended. Times that start again at the
 // first file's are carried on. Lines are counted through all files. Errors as records::openRide says.
 class RideRows : public RowSource {
  public:
@@ -33,11 +33,11 @@ class RideRows : public RowSource {
     double first = 0, last = 0, step = 0;           // as in the file
     bool exists() const { return at != static_cast<std::size_t>(-1); }
   };
-  enum class Join { none, followingTimes, followingPositions, asTold };
+  enum class Join { none, followingTimes, followingPositions, asStated };
 
   bool openNext();
   Join joinOf(const text::DelimitedTable& head, double rate);
-  Join joinAsTold(bool goesBack, const std::string& file) const;
+  Join joinAsStated(bool goesBack, const std::string& file) const;
   void remember(const Rows& rows);
   void carryOn(Rows& rows);
 

@@ -34,7 +34,7 @@ struct DelimitedTable {
 };
 
 // The number that stands in a field: plain or as kilometres and metres, which is noted in the column; of a column of
-// moments, the moment in s, a clock going on behind midnight. Not-a-number for any other text.
+// moments, the moment in s; a clock that passes midnight rises on. Not-a-number for any other text.
 double fieldValue(std::string_view field, char decimal, TableColumn& column);
 
 // The layout of a table that begins with `text`, and its columns without rows. Throws FileError where there is no

@@ -102,34 +102,34 @@ class Ride : public testing::Test {
       std::filesystem::temp_directory_path() / ("squat-rides-" + std::to_string(::getpid()));
 };
 
-TEST_F(Ride, GoesOnWhereTimesFollowOn) { expectWholeRide(split({}), withoutRate(), Together::asTheyFollow); }
+TEST_F(Ride, ContinuesWhereTimesFollowOn) { expectWholeRide(split({}), withoutRate(), Together::asTheyFollow); }
 
-TEST_F(Ride, GoesOnInFilesWithoutHeadings) {
+TEST_F(Ride, ContinuesInFilesWithoutHeadings) {
   RideForm form;
   form.headings = false;
   expectWholeRide(split(form), withoutRate(), Together::asTheyFollow);
 }
 
-TEST_F(Ride, GoesOnWhereDatesFollowOn) {
+TEST_F(Ride, ContinuesWhereDatesFollowOn) {
   RideForm form;
   form.clock = Clock::dates;
   constexpr double start = 86400.0 * (56 * 365 + 14 + 330) + 35999;  // 2026-11-27 09:59:59
   expectWholeRide(split(form), withoutRate(), Together::asTheyFollow, start);
 }
 
-TEST_F(Ride, GoesOnWherePositionsFollowOnAndClocksStartAgain) {
+TEST_F(Ride, ContinuesWherePositionsFollowOnAndClocksStartAgain) {
   RideForm form;
   form.clock = Clock::restarting;
   expectWholeRide(split(form), withoutRate(), Together::asTheyFollow);
 }
 
-TEST_F(Ride, GoesOnWherePositionsFollowOnWithoutTimes) {
+TEST_F(Ride, ContinuesWherePositionsFollowOnWithoutTimes) {
   RideForm form;
   form.clock = Clock::none;
   expectWholeRide(split(form), options(), Together::asTheyFollow);
 }
 
-TEST_F(Ride, GoesOnAsTold) {
+TEST_F(Ride, ContinuesWhereTheCallSaysSo) {
   RideForm form;
   form.clock = Clock::restarting, form.positions = false;
   expectWholeRide(split(form), withoutRate(), Together::consecutive);
