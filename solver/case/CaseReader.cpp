@@ -219,6 +219,16 @@ void readProfile(CaseDescription& description, const CaseOverrides& overrides, c
   }
 }
 
+// It is opened by who needs it, from wherever the program then is.
+void placeDynamicPads(CaseDescription& description, const CaseOverrides& overrides,
+                      const std::filesystem::path& folder) {
+  auto& file = description.pad.dynamicFile;
+  if (file.empty() || folder.empty() || std::filesystem::path(file).is_absolute()) return;
+  const bool typed = overrideOf(overrides, "pad.dynamic") != nullptr;
+  file =
+      (typed ? std::filesystem::absolute(file) : std::filesystem::absolute(folder / file)).lexically_normal().string();
+}
+
 struct Reading {
   bool finished = true;    // relations between values hold
   bool opensFiles = true;  // of presets; a profile is opened where the case names one
@@ -238,6 +248,7 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   applyOverrides(description, overrides, problems);
   if (reading.finished) checkProfileIsUsed(description, stated, overrides, problems);
   readProfile(description, overrides, folder, problems);
+  placeDynamicPads(description, overrides, folder);
   for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
       const Stated* one = find(stated, finding.problem.key);

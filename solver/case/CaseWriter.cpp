@@ -71,6 +71,12 @@ struct LaterKey {
 };
 constexpr LaterKey laterKeys[] = {
     {"track.seats", "track.seats"},
+    {"rail.loss_factor", "rail.loss_factor"},
+    {"pad.loss_factor", "pad.loss_factor"},
+    {"pad.dynamic", "pad.dynamic"},
+    {"sleeper.loss_factor", "sleeper.loss_factor"},
+    {"sleeper.fixed", "sleeper.fixed"},
+    {"ballast.loss_factor", "ballast.loss_factor"},
     {"pad.curve", "pad.curve"},
     {"pad.preload", "pad.curve"},
     {"mesh.zone_before", "mesh.zone_before"},

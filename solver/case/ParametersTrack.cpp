@@ -51,6 +51,11 @@ void addRail(Rows& rows) {
       "inclination of the rail towards the track centre",
       "assumed: upright, which changes little but the lateral load if wheelset.cone is the same; paper, section 2: "
       "0.025"));
+  rows.push_back(number(
+      "rail.loss_factor", none, 0, {0, 1}, [](Case& c) -> double& { return c.rail.lossFactor; },
+      "loss factor of the rail's steel in the frequency domain (receptance, decay rates): stiffness times 1 + i times "
+      "it; a rolling run does not know it",
+      "assumed: none; literature: 0.01 to 0.02 stands for all that a rail on its track loses besides the pads"));
   rows.push_back(boolean(
       "rail.plastic", false, [](Case& c) -> bool& { return c.rail.plastic; },
       "bilinear elastoplastic surface layer of the rail head; false: elastic",
@@ -110,6 +115,18 @@ void addPad(Rows& rows) {
       "pad.lateral_damping", damping, 4.5, {0, 2000}, [](Case& c) -> double& { return c.pad.lateralDamping; },
       "damping of a rail pad across the rail, per rail seat", "assumed: one tenth of the vertical"));
   rows.push_back(number(
+      "pad.loss_factor", none, 0, {0, 2}, [](Case& c) -> double& { return c.pad.lossFactor; },
+      "loss factor of a rail pad in the frequency domain (receptance, decay rates), in all directions: stiffness times "
+      "1 + i times it, without dashpots; a rolling run has the dashpots and does not know it; 0: dashpots everywhere",
+      "assumed: dashpots; literature: 0.1 to 0.25"));
+  rows.push_back(text(
+      "pad.dynamic", [](Case& c) -> std::string& { return c.pad.dynamicFile; },
+      "table of the complex stiffness of a whole pad against the frequency (real and imaginary part, vertical and, if "
+      "it has that, lateral), taken in place of stiffness, damping and loss factor by receptance and decay rates "
+      "alone; "
+      "the path is relative to the case file",
+      "assumed: none"));
+  rows.push_back(number(
       "pad.length", metre, 0.16, {0.02, 0.4}, [](Case& c) -> double& { return c.pad.length; },
       "length of the pad along the rail", "literature: 0.14 to 0.18 m"));
   rows.push_back(number(
@@ -129,6 +146,14 @@ void addSleeper(Rows& rows) {
       "sleeper.density", density, 2450, {200, 20000}, [](Case& c) -> double& { return c.sleeper.material.density; },
       "mass density of the sleeper; times its volume it gives the mass",
       "paper, Table 1: 244 kg a sleeper, 122 kg in the half track"));
+  rows.push_back(number(
+      "sleeper.loss_factor", none, 0, {0, 1}, [](Case& c) -> double& { return c.sleeper.lossFactor; },
+      "loss factor of the sleeper in the frequency domain (receptance, decay rates); a rolling run does not know it",
+      "assumed: none; literature: concrete 0.01 to 0.03"));
+  rows.push_back(boolean(
+      "sleeper.fixed", false, [](Case& c) -> bool& { return c.sleeper.fixed; },
+      "sleepers that do not move: the pads stand on the ground, and sleeper and ballast have no effect",
+      "assumed: sleepers on ballast"));
   rows.push_back(number(
       "sleeper.half_length", metre, 1.26, {0.9, 1.5}, [](Case& c) -> double& { return c.sleeper.halfLength; },
       "from the track centre to the end of the sleeper", "assumed: concrete sleeper of 2.52 m"));
@@ -174,6 +199,11 @@ void addBallast(Rows& rows) {
   rows.push_back(number(
       "ballast.lateral_damping", damping, 14, {0, 2000}, [](Case& c) -> double& { return c.ballast.lateralDamping; },
       "damping of the ballast across the rail, per half sleeper", "assumed: in proportion to the stiffness"));
+  rows.push_back(number(
+      "ballast.loss_factor", none, 0, {0, 5}, [](Case& c) -> double& { return c.ballast.lossFactor; },
+      "loss factor of the ballast in the frequency domain (receptance, decay rates), in all directions, without "
+      "dashpots; a rolling run has the dashpots and does not know it; 0: dashpots everywhere",
+      "assumed: dashpots; literature: 0.6 to 2"));
 }
 
 }  // namespace

@@ -62,6 +62,15 @@ Seat seatOf(const scenario::Scenario& d) {
   return seat;
 }
 
+std::vector<int> runningLine(const elasticity::SweptBlock& rail) {
+  return geometry::nodesWhere(
+      rail.section,
+      [](const geometry::Point2& p) {
+        return std::abs(p[0]) < 0.0245 && std::abs(p[1] - geometry::crownHeight54E1(p[0])) < 1e-6;
+      },
+      0);
+}
+
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
                       int rimBlock, const scenario::Scenario& scenario, double from, double to) {
   Surfaces s;
@@ -71,12 +80,7 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
   s.railCosine = std::cos(seat.lean), s.railSine = std::sin(seat.lean);
   s.treadCosine = 1 / std::hypot(1.0, seat.treadSlope), s.treadSine = seat.treadSlope * s.treadCosine;
   const auto treadRadius = [&](double y) { return scenario.wheelset.radius - seat.treadSlope * y; };
-  s.railLine = geometry::nodesWhere(
-      rail.section,
-      [](const geometry::Point2& p) {
-        return std::abs(p[0]) < 0.0245 && std::abs(p[1] - geometry::crownHeight54E1(p[0])) < 1e-6;
-      },
-      0);
+  s.railLine = runningLine(rail);
   s.treadLine = geometry::nodesWhere(
       rim.section, [&](const geometry::Point2& p) { return std::abs(p[0] - treadRadius(p[1])) < 1e-9; }, 1);
   s.railY = lateralPositions(rail, s.railLine, 0);

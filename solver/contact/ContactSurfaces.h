@@ -54,6 +54,9 @@ struct Seat {
 // Throws CaseError where they touch beyond the arcs of the crown.
 Seat seatOf(const scenario::Scenario& scenario);
 
+// Section nodes of the rail on R300 and R80 of its crown, ascending in y.
+std::vector<int> runningLine(const elasticity::SweptBlock& rail);
+
 // Gives surfaces, which have all but their contact points, this profile: their reach, heights, areas and places.
 void layDefect(Surfaces& surfaces, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect);
 

@@ -48,6 +48,8 @@ void scaleMassesOfShortWaves(const scenario::Scenario& d, elasticity::SweptBlock
   block.shortLength = shortLength;
 }
 
+}  // namespace
+
 // The kernels go through memory from front to back: section nodes stand in the order in which they are visited.
 void append(Model& model, elasticity::SweptBlock block) {
   elasticity::numberAsVisited(block.section, block.clusters);
@@ -56,6 +58,8 @@ void append(Model& model, elasticity::SweptBlock block) {
   model.stateSize += block.size();
   model.blocks.push_back(std::move(block));
 }
+
+namespace {
 
 // Where the fine zone of the defect begins, at or behind that of the start [m].
 double fineStart(const scenario::Scenario& d) {
@@ -87,6 +91,8 @@ geometry::Stations rimStations(const scenario::Scenario& d, const RollingStretch
   return stations;
 }
 
+}  // namespace
+
 void addSleepers(Model& model, int intervals) {
   const auto& d = model.scenario;
   const bool tiny = d.mesh.preset == scenario::MeshPreset::tiny;
@@ -109,7 +115,15 @@ void addSleepers(Model& model, int intervals) {
   }
 }
 
-}  // namespace
+elasticity::SweptBlock railBlock(const scenario::Scenario& d) {
+  elasticity::SweptBlock rail;
+  rail.name = "rail";
+  rail.section = geometry::railSectionMesh(
+      {d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize, d.mesh.sectionGrowth, d.mesh.coarseWeb});
+  rail.material = d.rail.material;
+  rail.lean = contact::seatOf(d).lean;
+  return rail;
+}
 
 namespace {
 
@@ -178,14 +192,9 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   for (int i = -each; i <= each; ++i) model.sleeperPositions.push_back(centre + i * spacing);
 
   RollingStretch stretch = rollingStretch(d, railStart, railEnd);
-  elasticity::SweptBlock rail;
-  rail.name = "rail";
-  rail.section = geometry::railSectionMesh(
-      {d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize, d.mesh.sectionGrowth, d.mesh.coarseWeb});
+  elasticity::SweptBlock rail = railBlock(d);
   rail.stations = stretch.rail;
-  rail.material = d.rail.material;
   const contact::Seat seat = contact::seatOf(d);
-  rail.lean = seat.lean;
   model.rail = 0;
   const double rolled = 1.02 * std::max(d.mesh.rollingSize, 2 * d.mesh.contactSize);  // rolled over, or next to it
   scaleMassesOfShortWaves(d, rail, rolled, [](int) { return true; });

@@ -17,4 +17,10 @@ RollingStretch rollingStretch(const scenario::Scenario& scenario, double railSta
 // Returns the stretch that can be rolled over. Throws CaseError where the case cannot be meshed.
 RollingStretch addBlocks(Model& model, int sleeperIntervals = 0);
 
+// The rail of a case without stations; sleepers at model.sleeperPositions, `intervals` along a half sleeper (0: as the
+// mesh preset has it); a block at the end of the state, prepared.
+elasticity::SweptBlock railBlock(const scenario::Scenario& scenario);
+void addSleepers(Model& model, int intervals);
+void append(Model& model, elasticity::SweptBlock block);
+
 }  // namespace squat::model

@@ -240,10 +240,14 @@ std::size_t forceSlot(const Model& model, std::size_t index) {
   return model.loaded[b].offset + (static_cast<std::size_t>(triple) * 3 + at.component) * block.stride + at.station;
 }
 
-void addForceElements(Model& model) {
-  auto& sets = model.forceElements;
+void addSupports(Model& model) {
   addBallast(model);
   addPads(model);
+}
+
+void addForceElements(Model& model) {
+  auto& sets = model.forceElements;
+  addSupports(model);
   if (model.scenario.track.railEnds == scenario::RailEnds::absorbing) sets.push_back(absorbingEnds(model));
   addVehicle(model);
   for (auto& set : sets) fillSlots(model, set);

@@ -122,6 +122,14 @@ void addMasses(Model& model) {
   }
 }
 
+// In its middle nothing moves along it; sleepers that are fixed do not move at all.
+void fixSleeper(Model& model, const elasticity::SweptBlock& sleeper) {
+  const bool whole = model.scenario.sleeper.fixed;
+  for (int n = 0; n < sleeper.nodes; ++n)
+    for (int c = 0; c < (whole ? 3 : 1); ++c)
+      for (int s = 0; s < (whole ? sleeper.stationCount : 1); ++s) model.fixed.push_back(sleeper.index(n, c, s));
+}
+
 // Symmetry plane at the track centre: no lateral motion of axle end and sleeper ends.
 void fixSymmetry(Model& model) {
   for (const auto& block : model.blocks) model.freeMask.emplace_back(block.lines(), 1.0);
@@ -131,7 +139,7 @@ void fixSymmetry(Model& model) {
       model.freeMask[model.body][3 * n + 2] = 0;
   for (int i = 0; i < model.sleepers; ++i) {
     const auto& sleeper = model.blocks[model.firstSleeper + i];
-    for (int n = 0; n < sleeper.nodes; ++n) model.fixed.push_back(sleeper.index(n, 0, 0));
+    fixSleeper(model, sleeper);
   }
 }
 
@@ -165,12 +173,16 @@ void shapeSleepers(Model& model) {
   if (sleeper.extent.empty()) return;
   model.sleeperShape = elasticity::irregularElements(
       sleeper, [&](int node, int station) { return elasticity::extentShift(sleeper, node, station); });
-  const std::size_t lines = model.loaded[model.firstSleeper].offset;
-  for (auto& unknown : model.sleeperShape.unknown) {
-    std::array<std::size_t, 24> slots{};
-    for (int i = 0; i < 24; ++i) slots[i] = forceSlot(model, unknown[i]) - lines, unknown[i] -= sleeper.offset;
-    model.sleeperShape.forceSlot.push_back(slots);
+  if (!model.loaded.empty()) {
+    const std::size_t lines = model.loaded[model.firstSleeper].offset;
+    for (const auto& unknown : model.sleeperShape.unknown) {
+      std::array<std::size_t, 24> slots{};
+      for (int i = 0; i < 24; ++i) slots[i] = forceSlot(model, unknown[i]) - lines;
+      model.sleeperShape.forceSlot.push_back(slots);
+    }
   }
+  for (auto& unknown : model.sleeperShape.unknown)
+    for (auto& index : unknown) index -= sleeper.offset;
 }
 
 void fillIrregularSlots(Model& model) {
@@ -208,6 +220,32 @@ void addSleeperShapes(const Model& model, const double* u, double* result) {
 Model withDefect(Model model, const scenario::Scenario& scenario) {
   model.scenario = scenario;
   contact::layDefect(model.surfaces, model.blocks[model.rail], scenario.defectSurface);
+  return model;
+}
+
+Model buildTrackCell(const scenario::Scenario& scenario, double stationLength, int sleeperIntervals) {
+  constexpr int multiple = 8;  // intervals of a block
+  Model model;
+  model.scenario = scenario;
+  model.scenario.track.seats.clear();
+  const double bay = scenario.track.sleeperSpacing;
+  auto rail = railBlock(scenario);
+  const int intervals = multiple * static_cast<int>(std::ceil(bay / stationLength / multiple - 1e-9));
+  rail.stations = {-bay / 2, false, {{intervals, bay / intervals}}};
+  model.rail = 0;
+  append(model, std::move(rail));
+  model.sleeperPositions = {0};
+  addSleepers(model, sleeperIntervals);
+  shapeSleepers(model);
+  addSupports(model);
+  fixSleeper(model, model.blocks[model.firstSleeper]);
+  for (const auto& block : model.blocks) {
+    const auto mass = elasticity::lumpedMass(block);
+    model.mass.emplace_back(mass.begin(), mass.end());
+  }
+  model.surfaces.railLine = contact::runningLine(model.blocks[model.rail]);
+  for (const int node : model.surfaces.railLine)
+    model.surfaces.railY.push_back(model.blocks[model.rail].section.nodes[node][0]);
   return model;
 }
 

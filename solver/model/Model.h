@@ -85,6 +85,11 @@ struct Model {
 // `sleeperIntervals` along a half sleeper, a multiple of 8; 0: as the mesh preset has it.
 Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals = 0);
 
+// One bay of a track that repeats itself, its sleeper in the middle at x = 0, the rail cut at midspan on both sides:
+// rail, sleeper, pads and ballast, no wheelset. Stations at most `stationLength` [m] apart; seats that differ are left
+// out.
+Model buildTrackCell(const scenario::Scenario& scenario, double stationLength, int sleeperIntervals);
+
 // The model of another case that differs in its defect alone, a term of the gap function in both (no nodes moved), on a
 // mesh for the same zone (scenario/DefectZone.h): as buildModel() makes it, in the time of a copy.
 Model withDefect(Model model, const scenario::Scenario& scenario);

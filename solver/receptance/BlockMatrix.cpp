@@ -47,14 +47,15 @@ MatrixXcd BlockMatrix::times(const MatrixXcd& vectors) const {
   return result;
 }
 
-DynamicStiffness::DynamicStiffness(const BlockMatrix& stiffness, const BlockMatrix& damping, const BlockMatrix& mass)
-    : stiffness_(stiffness), damping_(damping), mass_(mass) {
-  const auto& g = stiffness.groups();
+DynamicStiffness::DynamicStiffness(std::vector<HarmonicTerm> terms, std::vector<int> kept)
+    : terms_(std::move(terms)), groups_(terms_.front().matrix->groups()) {
+  const auto& g = groups_;
   std::vector<std::set<int>> about(g.size.size());
-  for (const auto* matrix : {&stiffness, &damping, &mass})
+  for (const auto& term : terms_)
     for (int i = 0; i < g.count(); ++i)
-      for (const auto& [j, m] : matrix->row(i))
+      for (const auto& [j, m] : term.matrix->row(i))
         if (j != i) about[i].insert(j), about[j].insert(i);
+  eliminated_ = g.count() - static_cast<int>(kept.size());
   std::vector<char> done(g.size.size(), 0);
   placeInOrder_.assign(g.size.size(), 0);
   const auto unknownsAbout = [&](int i) {
@@ -64,7 +65,9 @@ DynamicStiffness::DynamicStiffness(const BlockMatrix& stiffness, const BlockMatr
   };
   std::vector<long> cost;
   for (int i = 0; i < g.count(); ++i) cost.push_back(unknownsAbout(i));
-  for (int k = 0; k < g.count(); ++k) {
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    done[kept[i]] = 1, placeInOrder_[kept[i]] = eliminated_ + static_cast<int>(i);
+  for (int k = 0; k < eliminated_; ++k) {
     int minimum = -1;
     for (int i = 0; i < g.count(); ++i)
       if (!done[i] && (minimum < 0 || cost[i] < cost[minimum])) minimum = i;
@@ -78,10 +81,11 @@ DynamicStiffness::DynamicStiffness(const BlockMatrix& stiffness, const BlockMatr
     }
     for (const int i : about[minimum]) cost[i] = unknownsAbout(i);
   }
+  order_.insert(order_.end(), kept.begin(), kept.end());
 }
 
-BlockFactor DynamicStiffness::factor(double omega) const {
-  const auto& g = stiffness_.groups();
+BlockFactor DynamicStiffness::eliminate(double omega) const {
+  const auto& g = groups_;
   // rows[k]: couplings of the group eliminated k-th with later ones, its own unknowns along the rows.
   std::vector<std::map<int, MatrixXcd>> rows(g.size.size());
   std::vector<MatrixXcd> pivot(g.size.size());
@@ -103,12 +107,12 @@ BlockFactor DynamicStiffness::factor(double omega) const {
           to += factor * m.transpose();
       }
   };
-  add(stiffness_, 1), add(damping_, Complex(0, omega)), add(mass_, -omega * omega);
+  for (const auto& term : terms_) add(*term.matrix, term.factor(omega));
 
   BlockFactor result;
   result.groups_ = &g, result.order_ = order_;
   result.pivot_.resize(g.size.size()), result.later_.resize(g.size.size()), result.solved_.resize(g.size.size());
-  for (int k = 0; k < g.count(); ++k) {
+  for (int k = 0; k < eliminated_; ++k) {
     result.pivot_[k].compute(pivot[k]);
     pivot[k].resize(0, 0);
     Eigen::Index width = 0;
@@ -135,7 +139,50 @@ BlockFactor DynamicStiffness::factor(double omega) const {
     }
     rows[k].clear();
   }
+  if (eliminated_ < g.count()) result.kept_ = keptOf(pivot, rows);
   return result;
+}
+
+// What is left of the kept groups, as one dense matrix.
+MatrixXcd DynamicStiffness::keptOf(const std::vector<MatrixXcd>& pivot,
+                                   const std::vector<std::map<int, MatrixXcd>>& rows) const {
+  std::vector<Eigen::Index> first{0};
+  for (int k = eliminated_; k < groups_.count(); ++k) first.push_back(first.back() + groups_.size[order_[k]]);
+  MatrixXcd all = MatrixXcd::Zero(first.back(), first.back());
+  for (int k = eliminated_; k < groups_.count(); ++k) {
+    const auto at = first[k - eliminated_];
+    all.block(at, at, pivot[k].rows(), pivot[k].cols()) = pivot[k];
+    for (const auto& [l, m] : rows[k]) {
+      all.block(at, first[l - eliminated_], m.rows(), m.cols()) = m;
+      all.block(first[l - eliminated_], at, m.cols(), m.rows()) = m.transpose();
+    }
+  }
+  return all;
+}
+
+CondensedSystem DynamicStiffness::condense(double omega, const MatrixXd& loads) const {
+  const auto factor = eliminate(omega);
+  CondensedSystem condensed;
+  condensed.stiffness = factor.kept_;
+  MatrixXcd x = loads.cast<Complex>();
+  const auto part = [&](int k) { return x.middleRows(groups_.first[order_[k]], groups_.size[order_[k]]); };
+  condensed.between = MatrixXcd::Zero(x.cols(), x.cols());
+  for (int k = 0; k < eliminated_; ++k) {
+    const MatrixXcd own = part(k);
+    if (own.isZero(0)) continue;
+    condensed.between += own.transpose() * factor.pivot_[k].solve(own);
+    const MatrixXcd taken = factor.solved_[k].transpose() * own;
+    Eigen::Index at = 0;
+    for (const int l : factor.later_[k])
+      part(l) -= taken.middleRows(at, groups_.size[order_[l]]), at += groups_.size[order_[l]];
+  }
+  condensed.loads.resize(condensed.stiffness.rows(), x.cols());
+  Eigen::Index at = 0;
+  for (int k = eliminated_; k < groups_.count(); ++k) {
+    condensed.loads.middleRows(at, groups_.size[order_[k]]) = part(k);
+    at += groups_.size[order_[k]];
+  }
+  return condensed;
 }
 
 MatrixXcd BlockFactor::solve(const MatrixXcd& right) const {
@@ -157,24 +204,38 @@ MatrixXcd BlockFactor::solve(const MatrixXcd& right) const {
   return x;
 }
 
+namespace {
+
+// First derivative and half the second one of a factor, by central differences: exact but for round-off of what is
+// quadratic.
+std::pair<Complex, Complex> derivatives(const HarmonicTerm& term, double omega) {
+  const double step = 1e-3 * omega;
+  const Complex before = term.factor(omega - step), here = term.factor(omega), behind = term.factor(omega + step);
+  return {(behind - before) / (2 * step), (behind - 2.0 * here + before) / (2 * step * step)};
+}
+
+}  // namespace
+
 std::vector<MatrixXcd> DynamicStiffness::taylor(const BlockFactor& factor, double omega, const MatrixXd& load,
                                                 int order, double reach) const {
   std::vector<MatrixXcd> terms{factor.solve(load.cast<Complex>())};
   for (int k = 1; k <= order; ++k) {
-    MatrixXcd right = 2 * omega * reach * mass_.times(terms[k - 1]) - Complex(0, reach) * damping_.times(terms[k - 1]);
-    if (k > 1) right += reach * reach * mass_.times(terms[k - 2]);
+    MatrixXcd right = MatrixXcd::Zero(load.rows(), load.cols());
+    for (const auto& term : terms_) {
+      const auto [first, second] = derivatives(term, omega);
+      if (first != 0.0) right -= reach * first * term.matrix->times(terms[k - 1]);
+      if (k > 1 && second != 0.0) right -= reach * reach * second * term.matrix->times(terms[k - 2]);
+    }
     terms.push_back(factor.solve(right));
   }
   return terms;
 }
 
 double DynamicStiffness::residual(double omega, const MatrixXcd& x, const MatrixXd& load) const {
-  const MatrixXd re = x.real(), im = x.imag();
-  const MatrixXd real = stiffness_.times(re) - omega * omega * mass_.times(re) - omega * damping_.times(im) - load;
-  const MatrixXd imaginary = stiffness_.times(im) - omega * omega * mass_.times(im) + omega * damping_.times(re);
+  MatrixXcd rest = -load.cast<Complex>();
+  for (const auto& term : terms_) rest += term.factor(omega) * term.matrix->times(x);
   double largest = 0;
-  for (Eigen::Index c = 0; c < load.cols(); ++c)
-    largest = std::max(largest, std::hypot(real.col(c).norm(), imaginary.col(c).norm()) / load.col(c).norm());
+  for (Eigen::Index c = 0; c < load.cols(); ++c) largest = std::max(largest, rest.col(c).norm() / load.col(c).norm());
   return largest;
 }
 

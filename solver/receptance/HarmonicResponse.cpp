@@ -24,9 +24,8 @@ double angular(double frequency) { return 2 * std::numbers::pi * frequency; }
 // The system projected on a growing orthonormal basis.
 class Projection {
  public:
-  Projection(const BlockMatrix& stiffness, const BlockMatrix& damping, const BlockMatrix& mass, const MatrixXd& loads,
-             const MatrixXd& responses)
-      : stiffness_(stiffness), damping_(damping), mass_(mass), loads_(loads), responses_(responses) {}
+  Projection(const std::vector<HarmonicTerm>& terms, const MatrixXd& loads, const MatrixXd& responses)
+      : terms_(terms), loads_(loads), responses_(responses), projected_(terms.size()) {}
 
   void add(const MatrixXcd& solution) {
     MatrixXd fresh(solution.rows(), 0);
@@ -44,12 +43,13 @@ class Projection {
     if (fresh.cols() == 0) return;
     basis_.conservativeResize(fresh.rows(), basis_.cols() + fresh.cols());
     basis_.rightCols(fresh.cols()) = fresh;
-    border(stiffness_, k_), border(damping_, c_), border(mass_, m_);
+    for (std::size_t t = 0; t < terms_.size(); ++t) border(*terms_[t].matrix, projected_[t]);
     load_ = basis_.transpose() * loads_, response_ = basis_.transpose() * responses_;
   }
 
   VectorXcd at(double omega) const {
-    const MatrixXcd dynamic = (k_ - omega * omega * m_).cast<Complex>() + Complex(0, omega) * c_.cast<Complex>();
+    MatrixXcd dynamic = MatrixXcd::Zero(basis_.cols(), basis_.cols());
+    for (std::size_t t = 0; t < terms_.size(); ++t) dynamic += terms_[t].factor(omega) * projected_[t];
     const MatrixXcd x = dynamic.partialPivLu().solve(load_.cast<Complex>());
     return (response_.cast<Complex>().cwiseProduct(x)).colwise().sum().transpose();
   }
@@ -64,9 +64,10 @@ class Projection {
     projected.bottomRows(all - old) = gained.transpose();
   }
 
-  const BlockMatrix &stiffness_, &damping_, &mass_;
+  const std::vector<HarmonicTerm>& terms_;
   const MatrixXd &loads_, &responses_;
-  MatrixXd basis_, k_, c_, m_, load_, response_;
+  MatrixXd basis_, load_, response_;
+  std::vector<MatrixXd> projected_;  // one a term
 };
 
 struct Stretch {
@@ -100,13 +101,12 @@ double differenceOf(const VectorXcd& predicted, const MatrixXcd& solution, const
 
 }  // namespace
 
-HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatrix& damping, const BlockMatrix& mass,
-                                  const MatrixXd& loads, const MatrixXd& responses,
-                                  const std::vector<double>& frequencies, const HarmonicOptions& options,
-                                  ThreadTeam& team, Monitor& monitor) {
+HarmonicResponse harmonicResponse(const std::vector<HarmonicTerm>& terms, const MatrixXd& loads,
+                                  const MatrixXd& responses, const std::vector<double>& frequencies,
+                                  const HarmonicOptions& options, ThreadTeam& team, Monitor& monitor) {
   HarmonicResponse result;
-  const DynamicStiffness system(stiffness, damping, mass);
-  Projection projection(stiffness, damping, mass, loads, responses);
+  const DynamicStiffness system(terms);
+  Projection projection(terms, loads, responses);
   const double lowest = frequencies.front(), highest = frequencies.back();
   const double reach = angular(highest - lowest) / (2 * options.firstStretches);
   const auto reportProgress = [&](double fraction) {

@@ -31,9 +31,8 @@ struct HarmonicResponse {
 };
 
 // `frequencies` [Hz] ascending; pairs of columns: response of column i to load of column i.
-HarmonicResponse harmonicResponse(const BlockMatrix& stiffness, const BlockMatrix& damping, const BlockMatrix& mass,
-                                  const Eigen::MatrixXd& loads, const Eigen::MatrixXd& responses,
-                                  const std::vector<double>& frequencies, const HarmonicOptions& options,
-                                  ThreadTeam& team, Monitor& monitor);
+HarmonicResponse harmonicResponse(const std::vector<HarmonicTerm>& terms, const Eigen::MatrixXd& loads,
+                                  const Eigen::MatrixXd& responses, const std::vector<double>& frequencies,
+                                  const HarmonicOptions& options, ThreadTeam& team, Monitor& monitor);
 
 }  // namespace squat::receptance

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "receptance/DynamicPads.h"
 #include "receptance/HarmonicResponse.h"
 #include "receptance/TrackSystem.h"
 
@@ -37,7 +38,7 @@ scenario::Scenario receptanceCase(const scenario::Scenario& scenario) {
 
 TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options,
                                 Monitor& monitor) {
-  const auto own = receptanceCase(scenario);
+  const auto own = withDynamicPads(receptanceCase(scenario));
   constexpr int sleeperIntervals = 32;  // the third bending mode of the half sleepers lies near 1200 Hz
   const auto model = model::buildModel(own, sleeperIntervals);
   const auto shapes = railShapes(model, options.shapeTolerance);
@@ -61,8 +62,7 @@ TrackReceptance trackReceptance(const scenario::Scenario& scenario, const Recept
   ThreadTeam team(threadCount(options.threads));
   HarmonicOptions harmonic;
   harmonic.tolerance = options.accuracy;
-  const auto response = harmonicResponse(track.stiffness(), track.damping(), track.mass(), loads, means,
-                                         result.frequency, harmonic, team, monitor);
+  const auto response = harmonicResponse(track.terms(), loads, means, result.frequency, harmonic, team, monitor);
   if (response.cancelled) return result;
   result.points = {{"over a sleeper", positions[0], response.values[0]}, {"midspan", positions[1], response.values[1]}};
   result.solutions = response.solutions;

@@ -4,6 +4,7 @@
 
 #include "elasticity/StandingWave.h"
 #include "geometry/Stations.h"
+#include "receptance/TrackLosses.h"
 
 namespace squat::receptance {
 
@@ -12,6 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using Complex = std::complex<double>;
 using Terms = std::vector<std::pair<std::size_t, double>>;
 
 constexpr int vertical = 2;      // component of a block swept along x
@@ -29,13 +31,22 @@ Groups groupsOf(const model::Model& model, const std::vector<int>& railFamilies)
   return groups;
 }
 
+bool isSleeperCentre(const model::Model& model, std::size_t index) {
+  for (int i = 0; i < model.sleepers; ++i) {
+    const auto& sleeper = model.blocks[model.firstSleeper + i];
+    if (index >= sleeper.offset && index < sleeper.offset + sleeper.size() && sleeper.unknownAt(index).station == 0)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-TrackSystem::TrackSystem(const model::Model& model, const SectionShapes& railShapes)
+TrackSystem::TrackSystem(const model::Model& model, const SectionShapes& railShapes, TrackSymmetry symmetry)
     : model_(model),
       groups_(groupsOf(model, railShapes.families)),
-      stiffness_(groups_),
-      damping_(groups_),
+      stiffness_(trackParts, BlockMatrix(groups_)),
+      damping_(trackParts, BlockMatrix(groups_)),
       mass_(groups_) {
   parts_.push_back({model.rail, 0, railShapes});
   int next = model.blocks[model.rail].stationCount * static_cast<int>(railShapes.families.size());
@@ -46,12 +57,46 @@ TrackSystem::TrackSystem(const model::Model& model, const SectionShapes& railSha
   }
   for (const auto& part : parts_) addBlock(part);
   for (const auto& set : model.forceElements) addForceElements(set);
-  for (const auto index : model.fixed) fix(index);
+  for (const auto index : model.fixed)
+    if (!isSleeperCentre(model, index)) fix(index);
+  fixCentre(symmetry);
+}
+
+std::vector<HarmonicTerm> TrackSystem::terms() const {
+  const auto losses = trackLosses(model_.scenario);
+  std::vector<HarmonicTerm> sum;
+  for (std::size_t part = 0; part < trackParts; ++part) {
+    const auto& loss = losses[part];
+    sum.push_back({&stiffness_[part], loss ? loss : [](double) { return Complex(1); }});
+    if (!loss) sum.push_back({&damping_[part], [](double omega) { return Complex(0, omega); }});
+  }
+  sum.push_back({&mass_, [](double omega) { return Complex(-omega * omega); }});
+  return sum;
+}
+
+std::vector<int> TrackSystem::railStation(int station) const {
+  const int families = static_cast<int>(parts_.front().shapes.families.size());
+  std::vector<int> groups;
+  for (int f = 0; f < families; ++f) groups.push_back(station * families + f);
+  return groups;
+}
+
+std::vector<int> TrackSystem::lastStation() const { return railStation(model_.blocks[model_.rail].stationCount - 1); }
+
+// Along the sleeper nothing moves in its middle, or nothing but that does.
+void TrackSystem::fixCentre(TrackSymmetry symmetry) {
+  for (int i = 0; i < model_.sleepers; ++i) {
+    const auto& sleeper = model_.blocks[model_.firstSleeper + i];
+    for (int n = 0; n < sleeper.nodes; ++n)
+      for (int c = 0; c < 3; ++c)
+        if ((c == 0) == (symmetry == TrackSymmetry::symmetric)) fix(sleeper.index(n, c, 0));
+  }
 }
 
 void TrackSystem::addBlock(const Part& part) {
   const auto& block = model_.blocks[part.block];
   const int families = static_cast<int>(part.shapes.families.size());
+  auto& solid = stiffness(part.block == model_.rail ? TrackPart::rail : TrackPart::sleepers);
   for (std::size_t r = 0; r < block.stations.runs.size(); ++r) {
     const auto interval = elasticity::intervalMatrices(block, static_cast<int>(r));
     const double half = 0.5 * block.stations.runs[r].length;
@@ -64,9 +109,9 @@ void TrackSystem::addBlock(const Part& part) {
       const MatrixXd across = turn.asDiagonal() * (s - t);
       for (int i = block.runIntervals[r][0]; i < block.runIntervals[r][1]; ++i) {
         const int g = part.firstGroup + i * families + f, next = g + families;
-        stiffness_.block(g, g) += left;
-        stiffness_.block(g, next) += across;
-        stiffness_.block(next, next) += right;
+        solid.block(g, g) += left;
+        solid.block(g, next) += across;
+        solid.block(next, next) += right;
         if (block.extent.empty())
           for (const int k : {g, next}) mass_.block(k, k).diagonal().array() += half;
       }
@@ -94,7 +139,8 @@ void TrackSystem::addHeight(const Part& part) {
         const auto from = block.unknownAt(shape.unknown[e][j] + block.offset);
         if (to.station > from.station) continue;
         const int row = 3 * to.node + to.component, other = 3 * from.node + from.component;
-        stiffness_.block(part.firstGroup + to.station, part.firstGroup + from.station)(column[row], column[other]) +=
+        stiffness(TrackPart::sleepers)
+            .block(part.firstGroup + to.station, part.firstGroup + from.station)(column[row], column[other]) +=
             scale[row] * scale[other] * shape.difference[576 * e + 24 * i + j];
       }
   const auto mass = elasticity::lumpedMass(block);
@@ -137,12 +183,22 @@ void TrackSystem::addForceElements(const forces::ForceElements& set) {
   for (std::size_t i = 0; i < set.size(); ++i) {
     const auto element = pieces(set.terms(i));
     if (element.empty()) continue;
-    stiffness_.addOuter(element, set.tangent(i, 0));
-    damping_.addOuter(element, set.activeDamping(i, 0));
+    const TrackPart part = partOf(set, i);
+    stiffness(part).addOuter(element, set.tangent(i, 0));
+    damping(part).addOuter(element, set.activeDamping(i, 0));
   }
 }
 
-void TrackSystem::fix(std::size_t index) { stiffness_.addOuter(pieces({{index, 1.0}}), fixing); }
+// A pad's springs begin with their terms on the rail.
+TrackPart TrackSystem::partOf(const forces::ForceElements& set, std::size_t element) const {
+  if (set.kind == forces::Kind::ballast) return TrackPart::ballast;
+  if (set.kind != forces::Kind::railPad) return TrackPart::others;
+  const auto first = set.unknown[set.start[element]];
+  return model_.blocks[model_.rail].unknownAt(first).component == vertical ? TrackPart::padsVertical
+                                                                           : TrackPart::padsHorizontal;
+}
+
+void TrackSystem::fix(std::size_t index) { stiffness(TrackPart::others).addOuter(pieces({{index, 1.0}}), fixing); }
 
 VectorXd TrackSystem::load(double position, double side) const {
   constexpr int points = 8;  // each way: even pressure
@@ -160,17 +216,31 @@ VectorXd TrackSystem::load(double position, double side) const {
   return whole(pieces(terms));
 }
 
-VectorXd TrackSystem::sectionMean(double position) const {
+// Along a direction in the rail's own axes, of all that lies above `lowest` in the section.
+VectorXd TrackSystem::meanOf(double position, double lowest, const Eigen::Vector3d& direction) const {
   const auto& rail = model_.blocks[model_.rail];
   const auto [s, u] = geometry::intervalOf(rail.positions, position);
   const auto& mass = model_.mass[model_.rail];
+  const auto counts = [&](int n) { return rail.section.nodes[static_cast<std::size_t>(n)][1] >= lowest; };
   double sum = 0;
-  for (int n = 0; n < rail.nodes; ++n) sum += mass[n * rail.stride + s];
+  for (int n = 0; n < rail.nodes; ++n)
+    if (counts(n)) sum += mass[n * rail.stride + s];
   Terms terms;
   for (int n = 0; n < rail.nodes; ++n)
-    for (int b = 0; b < 2; ++b)
-      terms.push_back({rail.index(n, vertical, s + b), -mass[n * rail.stride + s] / sum * (b ? u : 1 - u)});
+    for (int b = 0; b < 2 && counts(n); ++b)
+      for (int c = 1; c < 3; ++c)
+        if (direction[c] != 0)
+          terms.push_back({rail.index(n, c, s + b), direction[c] * mass[n * rail.stride + s] / sum * (b ? u : 1 - u)});
   return whole(pieces(terms));
+}
+
+VectorXd TrackSystem::sectionMean(double position) const { return meanOf(position, -1, {0, 0, -1}); }
+
+VectorXd TrackSystem::headMean(double position, RailDirection direction) const {
+  constexpr double head = 0.036;  // [m] what lies above belongs to the head of every section
+  const Eigen::Vector3d along =
+      direction == RailDirection::vertical ? Eigen::Vector3d{0, 0, -1} : Eigen::Vector3d{0, 1, 0};
+  return meanOf(position, -head, along);
 }
 
 }  // namespace squat::receptance

@@ -9,21 +9,38 @@
 
 namespace squat::receptance {
 
+// What moves as its mirror image about the track centre, and what moves against it.
+enum class TrackSymmetry { symmetric, antisymmetric };
+
+// Parts of the track whose stiffness depends on the frequency in its own way.
+enum class TrackPart { rail, sleepers, padsVertical, padsHorizontal, ballast, others };
+inline constexpr std::size_t trackParts = 6;
+
+// Where a force acts on the rail, or where its motion is read.
+enum class RailDirection { vertical, lateral };  // downwards; outwards from the track centre
+
 class TrackSystem {
  public:
-  TrackSystem(const model::Model& model, const SectionShapes& railShapes);
+  TrackSystem(const model::Model& model, const SectionShapes& railShapes,
+              TrackSymmetry symmetry = TrackSymmetry::symmetric);
   TrackSystem(const TrackSystem&) = delete;
   TrackSystem& operator=(const TrackSystem&) = delete;
 
   const Groups& groups() const { return groups_; }
-  const BlockMatrix& stiffness() const { return stiffness_; }
-  const BlockMatrix& damping() const { return damping_; }
-  const BlockMatrix& mass() const { return mass_; }
+  // The dynamic stiffness as a sum: parts with a loss factor, or pads by their measured stiffness, are complex and have
+  // no dashpots (scenario/Track.h).
+  std::vector<HarmonicTerm> terms() const;
+
+  // Groups of the first and of the last station of the rail: where a cell of a periodic track meets the next.
+  std::vector<int> firstStation() const { return railStation(0); }
+  std::vector<int> lastStation() const;
 
   // 1 N downwards, spread evenly over a square of the running surface above the rail's axis at `position` [m].
   Eigen::VectorXd load(double position, double side) const;
-  // Mean downward displacement of the rail's section there, weighed by mass.
+  // Mean displacement of the rail's section there, weighed by mass, downwards.
   Eigen::VectorXd sectionMean(double position) const;
+  // The same of the rail's head alone, in either direction. As a load: 1 N spread over the head.
+  Eigen::VectorXd headMean(double position, RailDirection direction) const;
 
  private:
   struct Part {
@@ -36,12 +53,19 @@ class TrackSystem {
   void addBlock(const Part& part);
   void addHeight(const Part& sleeper);
   void addForceElements(const forces::ForceElements& set);
+  TrackPart partOf(const forces::ForceElements& set, std::size_t element) const;
   void fix(std::size_t index);
+  void fixCentre(TrackSymmetry symmetry);
+  std::vector<int> railStation(int station) const;
+  Eigen::VectorXd meanOf(double position, double lowest, const Eigen::Vector3d& direction) const;
+  BlockMatrix& stiffness(TrackPart part) { return stiffness_[static_cast<std::size_t>(part)]; }
+  BlockMatrix& damping(TrackPart part) { return damping_[static_cast<std::size_t>(part)]; }
 
   const model::Model& model_;
   Groups groups_;
   std::vector<Part> parts_;
-  BlockMatrix stiffness_, damping_, mass_;
+  std::vector<BlockMatrix> stiffness_, damping_;  // one a part
+  BlockMatrix mass_;
 };
 
 }  // namespace squat::receptance

@@ -1,7 +1,9 @@
 // solver/scenario/Track.h - rail, pads, sleepers and ballast.
 #pragma once
 
+#include <complex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scenario/Material.h"
@@ -29,10 +31,17 @@ struct Track {
 
 struct Rail {
   Material material;
+  double lossFactor = 0;   // [-] frequency domain only: stiffness times 1 + i lossFactor
   double inclination = 0;  // [-] slope of the foot: the head leans towards the track centre
   double yieldStress = 0, tangentModulus = 0, plasticDepth = 0;  // [Pa], [Pa], [m]
   Hardening hardening = Hardening::isotropic;
   bool plastic = false;
+};
+
+// Complex stiffness of a whole pad, as measured. Frequency domain only.
+struct DynamicStiffness {
+  double frequency = 0;                    // [Hz]
+  std::complex<double> vertical, lateral;  // [N/m]; lateral zero where it was not measured
 };
 
 // Spring and damper per rail seat (pad) or per half sleeper (ballast), spread over the footprint.
@@ -40,6 +49,7 @@ struct Support {
   double stiffness = 0, damping = 0;                          // vertical, [N/m], [N s/m]
   double longitudinalStiffness = 0, longitudinalDamping = 0;  // along the rail
   double lateralStiffness = 0, lateralDamping = 0;
+  double lossFactor = 0;  // [-] frequency domain only, in place of the damping: stiffness times 1 + i lossFactor
 };
 struct ForcePoint {
   double compression = 0, force = 0;  // [m], [N]
@@ -48,10 +58,14 @@ struct Pad : Support {
   double length = 0, width = 0;   // [m] footprint along and across the rail
   std::vector<ForcePoint> curve;  // vertical, both ascending; empty: linear
   double preload = 0;             // [N] clamping force of the fastening: where on the curve the unloaded track stands
+  std::vector<DynamicStiffness> dynamic;  // ascending; empty: stiffness and loss factor or damping
+  std::string dynamicFile;                // where it is from, as the case names it
 };
 
 struct Sleeper {
   Material material;
+  double lossFactor = 0;                         // [-] frequency domain only
+  bool fixed = false;                            // does not move: pads stand on the ground
   double halfLength = 0, width = 0, height = 0;  // [m] height under the rail
   double middleHeight = 0;      // [m] in the middle of the track, on the same base; 0: as under the rail
   double middleHalfLength = 0;  // [m] from the track centre to where the middle's height ends

@@ -1,0 +1,144 @@
+#include "receptance/DecayRate.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "core/Errors.h"
+#include "core/ThreadTeam.h"
+#include "receptance/DynamicPads.h"
+#include "receptance/Receptance.h"
+
+namespace squat::receptance {
+
+namespace {
+
+// The half track moving in one of two ways, made for many frequencies.
+struct CellWay {
+  CellWay(const model::Model& model, const SectionShapes& shapes, TrackSymmetry symmetry, double bay, bool wholeSection)
+      : system(model, shapes, symmetry), track(system, bay, wholeSection) {}
+  TrackSystem system;
+  PeriodicTrack track;
+};
+
+}  // namespace
+
+EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& asked, const std::vector<double>& frequency,
+                                          const std::vector<PlaceResponse>& wanted, const EndlessTrackOptions& options,
+                                          Monitor& monitor) {
+  if (!asked.track.seats.empty())
+    throw CaseError({{"track.seats", std::to_string(asked.track.seats.size()) + " seats that differ",
+                      "none: an endless track has equal bays",
+                      "Leave them out, or compute the receptance of the track of finite length"}});
+  const auto scenario = withDynamicPads(receptanceCase(asked));
+  const auto model = model::buildTrackCell(scenario, options.stationLength, options.sleeperIntervals);
+  const auto shapes = railShapes(model, options.shapeTolerance);
+  const double bay = scenario.track.sleeperSpacing;
+  std::vector<std::unique_ptr<CellWay>> ways;
+  ways.push_back(std::make_unique<CellWay>(model, shapes, TrackSymmetry::symmetric, bay, options.wholeSection));
+  if (options.rails == StruckRails::one)
+    ways.push_back(std::make_unique<CellWay>(model, shapes, TrackSymmetry::antisymmetric, bay, options.wholeSection));
+
+  EndlessTrackResponse result;
+  result.frequency = frequency;
+  result.sectionShapes = static_cast<int>(shapes.shapes.cols());
+  result.unknowns = static_cast<std::size_t>(ways.front()->system.groups().unknowns());
+  for (const auto& one : wanted)
+    result.values.emplace_back(one.read.size(), std::vector<std::complex<double>>(frequency.size()));
+  ThreadTeam team(threadCount(options.threads));
+  std::atomic<std::size_t> next{0}, done{0};
+  std::atomic<bool> cancelled{false};
+  team.run([&](int index) {
+    for (std::size_t f = next++; f < frequency.size() && !cancelled; f = next++) {
+      const double omega = 2 * std::numbers::pi * frequency[f];
+      for (std::size_t w = 0; w < wanted.size(); ++w)
+        for (const auto& way : ways) {
+          const auto answers = way->track.response(omega, wanted[w].struck, wanted[w].read);
+          for (std::size_t p = 0; p < answers.size(); ++p)
+            result.values[w][p][f] += answers[p] / static_cast<double>(ways.size());
+        }
+      ++done;
+      if (index != 0) continue;  // one thread talks to the monitor
+      if (monitor.cancelled()) cancelled = true;
+      Progress progress;
+      progress.phase = "endless track";
+      progress.fraction = static_cast<double>(done.load()) / static_cast<double>(frequency.size());
+      monitor.report(progress);
+    }
+  });
+  result.complete = !cancelled;
+  return result;
+}
+
+// EN 15461:2008+A1:2010, Figure 2: every quarter bay at first, then ever farther apart.
+const std::vector<double>& decayPositions() {
+  static const std::vector<double> bays{0, 0.25, 0.5, 0.75, 1,  1.25, 1.5, 1.75, 2,  2.25, 2.5, 3,  3.5, 4, 5,
+                                        6, 7,    8,   10,   12, 16,   20,  24,   30, 36,   42,  48, 54,  66};
+  return bays;
+}
+
+// Each position stands for the rail half-way to its neighbours; the first for that on its one side, the last for as
+// much beyond it.
+double decayRate(const std::vector<double>& squares, double bay) {
+  constexpr double decibelsOfSquare = 4.343;  // 10 lg e
+  const auto& at = decayPositions();
+  double sum = 0;
+  for (std::size_t n = 0; n < at.size(); ++n) {
+    const double before = n > 0 ? 0.5 * (at[n] - at[n - 1]) : 0;
+    const double behind = n + 1 < at.size() ? 0.5 * (at[n + 1] - at[n]) : before;
+    sum += squares[n] / squares[0] * (before + behind) * bay;
+  }
+  return decibelsOfSquare / sum;
+}
+
+double decayLimit(double band, RailDirection direction) {
+  constexpr struct {
+    double band, vertical, lateral;
+  } limits[] = {{250, 2, 2.04},    {315, 2, 1.38},    {400, 6, 0.94},    {500, 6, 0.64},    {630, 6, 0.43},
+                {800, 2.19, 0.29}, {1000, 0.8, 0.20}, {1250, 0.8, 0.20}, {1600, 0.8, 0.32}, {2000, 0.8, 0.50},
+                {2500, 0.8, 0.50}, {3150, 0.8, 0.50}, {4000, 0.8, 0.50}, {5000, 0.8, 0.50}};
+  for (const auto& row : limits)
+    if (row.band == band) return direction == RailDirection::vertical ? row.vertical : row.lateral;
+  return std::nan("");
+}
+
+DecayRates trackDecayRates(const scenario::Scenario& scenario, const DecayOptions& options, Monitor& monitor) {
+  DecayRates rates;
+  std::vector<double> frequency;
+  for (const double band : {50.,  63.,  80.,   100.,  125.,  160.,  200.,  250.,  315.,  400., 500.,
+                            630., 800., 1000., 1250., 1600., 2000., 2500., 3150., 4000., 5000.}) {
+    if (band < options.lowest || band > options.highest) continue;
+    rates.band.push_back(band);
+    const double middle = std::pow(10, std::round(10 * std::log10(band)) / 10);
+    for (int i = 0; i < options.linesPerBand; ++i)
+      frequency.push_back(middle * std::pow(10, ((i + 0.5) / options.linesPerBand - 0.5) / 10));
+  }
+  const double bay = scenario.track.sleeperSpacing;
+  rates.smallest = 4.343 / (decayPositions().back() * bay);
+  std::vector<PlaceResponse> wanted;
+  for (const auto direction : {RailDirection::vertical, RailDirection::lateral}) {
+    PlaceResponse places{{bay / 2, direction}, {}};
+    for (const double bays : decayPositions()) places.read.push_back({bay / 2 + bays * bay, direction});
+    wanted.push_back(places);
+  }
+  const auto response = endlessTrackResponse(scenario, frequency, wanted, options.track, monitor);
+  rates.sectionShapes = response.sectionShapes;
+  rates.complete = response.complete;
+  if (!rates.complete) return rates;
+  for (std::size_t b = 0; b < rates.band.size(); ++b)
+    for (std::size_t w = 0; w < wanted.size(); ++w) {
+      std::vector<double> squares(decayPositions().size(), 0.0);
+      for (std::size_t n = 0; n < squares.size(); ++n)
+        for (int i = 0; i < options.linesPerBand; ++i) {
+          // Accelerance: the receptance times the frequency squared.
+          const auto line = b * static_cast<std::size_t>(options.linesPerBand) + static_cast<std::size_t>(i);
+          squares[n] += std::norm(response.values[w][n][line]) * std::pow(frequency[line], 4);
+        }
+      (w == 0 ? rates.vertical : rates.lateral).push_back(decayRate(squares, bay));
+    }
+  return rates;
+}
+
+}  // namespace squat::receptance

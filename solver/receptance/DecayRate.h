@@ -1,0 +1,72 @@
+// solver/receptance/DecayRate.h - track decay rates after EN 15461, and receptances of an endless track.
+//
+// A hammer strikes one rail; the half model is one half of a track that moves as its mirror image, so what one struck
+// rail answers is half the sum of the symmetric solution and the antisymmetric one, with another condition in the
+// middle of the sleepers. Sleepers bend and rock in both.
+#pragma once
+
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "core/Monitor.h"
+#include "receptance/PeriodicTrack.h"
+
+namespace squat::receptance {
+
+enum class StruckRails { one, both };  // both: as mirror images of each other, what the rolling run has
+
+struct EndlessTrackOptions {
+  double stationLength = 0.025;  // [m] largest along the rail
+  double shapeTolerance = 5e-3;  // of the rail's section shapes (SectionShapes.h)
+  int sleeperIntervals = 24;     // along a half sleeper, a multiple of 8
+  StruckRails rails = StruckRails::one;
+  bool wholeSection = false;  // strike and read the mean of the section in place of the head's
+  int threads = 0;            // 0: all cores
+};
+
+// Response at places to 1 N at another, one row a place.
+struct PlaceResponse {
+  RailPlace struck;
+  std::vector<RailPlace> read;
+};
+
+struct EndlessTrackResponse {
+  std::vector<double> frequency;                                       // [Hz]
+  std::vector<std::vector<std::vector<std::complex<double>>>> values;  // per PlaceResponse, per place, per frequency
+  int sectionShapes = 0;
+  std::size_t unknowns = 0;  // of one bay
+  bool complete = false;
+};
+
+// Throws CaseError where the case has seats that differ, FileError for a file of pads.
+EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& scenario, const std::vector<double>& frequency,
+                                          const std::vector<PlaceResponse>& wanted, const EndlessTrackOptions& options,
+                                          Monitor& monitor);
+
+// The 29 positions of EN 15461 in bays from the accelerometer at midspan, its own first.
+const std::vector<double>& decayPositions();
+
+// 4.343 / sum |A(x_n)|^2 / |A(x_0)|^2 dx_n [dB/m]; squares one a position of decayPositions(), `bay` [m].
+double decayRate(const std::vector<double>& squares, double bay);
+
+// Lower limits of a track on which vehicles are tested, ISO 3095:2013, Figure 3; not-a-number outside its bands.
+double decayLimit(double band, RailDirection direction);
+
+struct DecayRates {
+  std::vector<double> band;               // [Hz] nominal middles of third octaves
+  std::vector<double> vertical, lateral;  // [dB/m]
+  double smallest = 0;  // [dB/m] 4.343 / x_max: what the positions can tell; twice that counts as measured (clause 7)
+  int sectionShapes = 0;
+  bool complete = false;
+};
+
+struct DecayOptions {
+  EndlessTrackOptions track;
+  double lowest = 100, highest = 5000;  // [Hz] nominal middles of the first and the last third octave
+  int linesPerBand = 8;                 // frequencies, in equal ratios; squares are averaged over them
+};
+
+DecayRates trackDecayRates(const scenario::Scenario& scenario, const DecayOptions& options, Monitor& monitor);
+
+}  // namespace squat::receptance
