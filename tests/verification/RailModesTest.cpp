@@ -24,7 +24,7 @@ constexpr double railLength = 10;
 SweptBlock freeRail() {
   SweptBlock rail;
   rail.name = "rail", rail.material = steel;
-  rail.section = geometry::railSectionMesh({0.010, 0.010, 0.024, 1.7});
+  rail.section = geometry::railSectionMesh(geometry::RailSection::rail54E1, {0.010, 0.010, 0.024, 1.7});
   rail.stations = {0, false, {{56, railLength / 56}}};
   return rail;
 }
@@ -160,8 +160,10 @@ TEST(RailModes, VerticalBendingAfterTimoshenko) {
 // of a fine mesh of the section. Tolerance 5 %: no rotary inertia and shear in lateral bending (1 % at the sixth mode),
 // and coarse quads in web and foot.
 TEST(RailModes, LateralBendingAndTorsionAfterVlasov) {
-  const auto theory = verification::lateralTorsionModes(
-      verification::sectionTorsion(geometry::railSectionMesh({0.0026, 0.0104, 0.005, 1.3})), steel, railLength, 8);
+  const auto theory =
+      verification::lateralTorsionModes(verification::sectionTorsion(geometry::railSectionMesh(
+                                            geometry::RailSection::rail54E1, {0.0026, 0.0104, 0.005, 1.3})),
+                                        steel, railLength, 8);
   std::vector<RailMode> found;
   for (const RailMode& mode : lowestModes())
     if (mode.even > 0.9 && mode.along < 0.5) found.push_back(mode);
