@@ -117,7 +117,7 @@ void addPad(Rows& rows) {
       "pad.length", metre, 0.16, {0.02, 0.4}, [](Case& c) -> double& { return c.pad.length; },
       "length of the pad along the rail", "literature: 0.14 to 0.18 m"));
   rows.push_back(number(
-      "pad.width", metre, 0.14, {0.02, 0.14}, [](Case& c) -> double& { return c.pad.width; },
+      "pad.width", metre, 0.14, {0.02, 0.15}, [](Case& c) -> double& { return c.pad.width; },
       "width of the pad across the rail, at most that of the rail's foot", "literature: width of the foot"));
 }
 
