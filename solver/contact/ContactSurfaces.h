@@ -15,7 +15,7 @@ namespace squat::contact {
 // added to the interpolated nodal displacement.
 struct Surfaces {
   int railBlock = -1, rimBlock = -1;
-  scenario::RailSection section{};
+  scenario::RailSection section{};        // of the rail
   std::vector<int> railLine, treadLine;   // section nodes
   std::vector<double> railY, treadY;      // [m]
   int firstColumn = 0, columns = 0;       // rail columns (faces between railLine[j], railLine[j + 1]) that can touch
