@@ -38,6 +38,7 @@ using scenario::ProfileLine;
 using scenario::ProfilePoint;
 using scenario::Rail;
 using scenario::RailEnds;
+using scenario::RailSection;
 using scenario::rigidWheelPath;
 using scenario::Seat;
 using scenario::Sleeper;

@@ -7,6 +7,7 @@
 #include "case/DecimalNumber.h"
 #include "case/ParameterValue.h"
 #include "case/Resolve.h"
+#include "geometry/RailSection.h"
 #include "scenario/DefectSurface.h"
 #include "scenario/SleeperHeight.h"
 #include "scenario/TrackCentre.h"
@@ -281,6 +282,10 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
     add(findings, c, Severity::problem, {"sleeper.width", "track.sleeper_spacing"},
         limitText("sleeper.width", "below track.sleeper_spacing =", c.track.sleeperSpacing),
         "Sleepers must not overlap");
+  const double foot = 2 * geometry::railProfile(c.rail.section).footHalf;
+  if (c.pad.width > foot)
+    add(findings, c, Severity::problem, {"pad.width", "rail.section"}, limitText("pad.width", "at most", foot),
+        "A pad lies under the foot of the rail");
   if (c.sleeper.halfLength < c.wheelset.trackCentre + 0.5 * c.pad.width)
     add(findings, c, Severity::problem, {"sleeper.half_length", "wheelset.track_centre", "pad.width"},
         limitText("sleeper.half_length", "at least", c.wheelset.trackCentre + 0.5 * c.pad.width),
@@ -369,7 +374,8 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
 }
 
 // Where a straight tread touches the crown: where the slopes agree. Both arcs of the crown are known to the solver;
-// here the middle one, R300, must hold the touching point, and the fine band of the mesh the patch about it.
+// here the middle one, R300 to at least 10 mm in every section, must hold the touching point, and the fine band of the
+// mesh the patch about it.
 void checkSeat(const Case& c, std::vector<Finding>& findings) {
   constexpr double crownRadius = 0.300, crownEnd = 0.010;                          // [m]
   constexpr double patchHalfWidth = 0.00516, patchLoad = 87.8e3;                   // [m] Hertz at this load [N]

@@ -37,6 +37,10 @@ void addTrack(Rows& rows) {
 }
 
 void addRail(Rows& rows) {
+  rows.push_back(choice(
+      "rail.section", {"54E1", "60E1"}, RailSection::rail54E1, +[](Case& c) -> RailSection& { return c.rail.section; },
+      "section of the rail after EN 13674-1: 54E1 (UIC 54) or 60E1 (UIC 60)",
+      "assumed: the usual rail of Dutch lines, where the paper measured"));
   rows.push_back(number(
       "rail.young_modulus", gigapascal, 210, {10, 2000}, [](Case& c) -> double& { return c.rail.material.young; },
       "Young's modulus of the rail", table1));
@@ -130,7 +134,7 @@ void addPad(Rows& rows) {
       "pad.length", metre, 0.16, {0.02, 0.4}, [](Case& c) -> double& { return c.pad.length; },
       "length of the pad along the rail", "literature: 0.14 to 0.18 m"));
   rows.push_back(number(
-      "pad.width", metre, 0.14, {0.02, 0.14}, [](Case& c) -> double& { return c.pad.width; },
+      "pad.width", metre, 0.14, {0.02, 0.15}, [](Case& c) -> double& { return c.pad.width; },
       "width of the pad across the rail, at most that of the rail's foot", "literature: width of the foot"));
 }
 

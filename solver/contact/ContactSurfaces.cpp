@@ -26,7 +26,9 @@ std::vector<double> lateralPositions(const elasticity::SweptBlock& block, const 
 struct CrownArc {
   double height = 0, angle = 0;  // [m], [rad] of its slope
 };
-CrownArc crownAt(double y) { return {geometry::crownHeight54E1(y), std::atan(geometry::crownSlope54E1(y))}; }
+CrownArc crownOf(scenario::RailSection section, double y) {
+  return {geometry::crownHeight(section, y), std::atan(geometry::crownSlope(section, y))};
+}
 
 }  // namespace
 
@@ -38,7 +40,9 @@ double reachAlong(const scenario::DefectSurface& defect, double radius) {
 }
 
 Seat seatOf(const scenario::Scenario& d) {
-  constexpr double edge = 0.0248;  // [m] end of the R80 arc
+  const geometry::RailProfile& profile = geometry::railProfile(d.rail.section);
+  const double edge = profile.touchEnd;
+  const auto crownAt = [&](double y) { return crownOf(d.rail.section, y); };
   Seat seat;
   seat.lean = std::atan(d.rail.inclination);
   const double offset = d.motion.lateralOffset;
@@ -52,7 +56,7 @@ Seat seatOf(const scenario::Scenario& d) {
     (crownAt(middle).angle > wanted ? low : high) = middle;
   }
   seat.touchY = wanted == crownAt(offset).angle ? offset : 0.5 * (low + high);
-  seat.crownRadius = std::abs(seat.touchY) <= 0.010012 ? 0.300 : 0.080;
+  seat.crownRadius = std::abs(seat.touchY) <= profile.crownEnd ? profile.crownRadius : profile.shoulderRadius;
   seat.treadSlope = std::tan(tread);
   const double c = std::cos(seat.lean), s = std::sin(seat.lean);
   const CrownArc under = crownAt(offset), touch = crownAt(seat.touchY);
@@ -62,11 +66,11 @@ Seat seatOf(const scenario::Scenario& d) {
   return seat;
 }
 
-std::vector<int> runningLine(const elasticity::SweptBlock& rail) {
+std::vector<int> runningLine(const elasticity::SweptBlock& rail, scenario::RailSection section) {
   return geometry::nodesWhere(
       rail.section,
-      [](const geometry::Point2& p) {
-        return std::abs(p[0]) < 0.0245 && std::abs(p[1] - geometry::crownHeight54E1(p[0])) < 1e-6;
+      [&](const geometry::Point2& p) {
+        return std::abs(p[0]) < 0.0245 && std::abs(p[1] - geometry::crownHeight(section, p[0])) < 1e-6;
       },
       0);
 }
@@ -76,11 +80,12 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
   Surfaces s;
   s.railBlock = railBlock, s.rimBlock = rimBlock;
   const Seat seat = seatOf(scenario);
+  const auto section = s.section = scenario.rail.section;
   s.radius = seat.radius, s.crownRadius = seat.crownRadius, s.touchY = seat.touchY;
   s.railCosine = std::cos(seat.lean), s.railSine = std::sin(seat.lean);
   s.treadCosine = 1 / std::hypot(1.0, seat.treadSlope), s.treadSine = seat.treadSlope * s.treadCosine;
   const auto treadRadius = [&](double y) { return scenario.wheelset.radius - seat.treadSlope * y; };
-  s.railLine = runningLine(rail);
+  s.railLine = runningLine(rail, section);
   s.treadLine = geometry::nodesWhere(
       rim.section, [&](const geometry::Point2& p) { return std::abs(p[0] - treadRadius(p[1])) < 1e-9; }, 1);
   s.railY = lateralPositions(rail, s.railLine, 0);
@@ -103,7 +108,7 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
       const double y0 = s.railY[s.firstColumn + j], y1 = s.railY[s.firstColumn + j + 1];
       const double onCrown = 0.5 * (y0 + y1) + (lateral ? gauss : -gauss) * 0.5 * (y1 - y0);
       const double y =
-          onCrown * s.railCosine - geometry::crownHeight54E1(onCrown) * s.railSine - seat.wheelY;  // on the wheel
+          onCrown * s.railCosine - geometry::crownHeight(section, onCrown) * s.railSine - seat.wheelY;  // on the wheel
       s.treadRadius.push_back(treadRadius(y));
       int column = static_cast<int>(std::upper_bound(s.treadY.begin(), s.treadY.end(), y) - s.treadY.begin()) - 1;
       column = std::clamp(column, 0, static_cast<int>(s.treadY.size()) - 2);
@@ -124,10 +129,10 @@ void layDefect(Surfaces& s, const elasticity::SweptBlock& rail, const scenario::
         const double y0 = s.railY[s.firstColumn + j], y1 = s.railY[s.firstColumn + j + 1];
         const double x = 0.5 * (x0 + x1) + (point % 2 ? gauss : -gauss) * 0.5 * (x1 - x0);
         const double y = 0.5 * (y0 + y1) + (point / 2 ? gauss : -gauss) * 0.5 * (y1 - y0);
-        const double z = geometry::crownHeight54E1(y) + defect.height(x, y);
+        const double z = geometry::crownHeight(s.section, y) + defect.height(x, y);
         s.pointX.push_back(x), s.pointY.push_back(y * s.railCosine - z * s.railSine);
         s.height.push_back(y * s.railSine + z * s.railCosine);
-        s.area.push_back((x1 - x0) * (y1 - y0) * std::hypot(1.0, geometry::crownSlope54E1(y)) / 4);
+        s.area.push_back((x1 - x0) * (y1 - y0) * std::hypot(1.0, geometry::crownSlope(s.section, y)) / 4);
       }
 }
 

@@ -15,6 +15,7 @@ namespace squat::contact {
 // added to the interpolated nodal displacement.
 struct Surfaces {
   int railBlock = -1, rimBlock = -1;
+  scenario::RailSection section{};        // of the rail
   std::vector<int> railLine, treadLine;   // section nodes
   std::vector<double> railY, treadY;      // [m]
   int firstColumn = 0, columns = 0;       // rail columns (faces between railLine[j], railLine[j + 1]) that can touch
@@ -55,7 +56,7 @@ struct Seat {
 Seat seatOf(const scenario::Scenario& scenario);
 
 // Section nodes of the rail on R300 and R80 of its crown, ascending in y.
-std::vector<int> runningLine(const elasticity::SweptBlock& rail);
+std::vector<int> runningLine(const elasticity::SweptBlock& rail, scenario::RailSection section);
 
 // Gives surfaces, which have all but their contact points, this profile: their reach, heights, areas and places.
 void layDefect(Surfaces& surfaces, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect);

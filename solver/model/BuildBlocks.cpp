@@ -110,7 +110,7 @@ void addSleepers(Model& model, int intervals) {
     sleeper.material = d.sleeper.material;
     sleeper.extent = extent;
     sleeper.origin = {model.sleeperPositions[i], 0,
-                      -geometry::outline54E1().height * std::cos(model.blocks[model.rail].lean)};
+                      -geometry::railProfile(d.rail.section).height * std::cos(model.blocks[model.rail].lean)};
     append(model, std::move(sleeper));
   }
 }
@@ -119,6 +119,7 @@ elasticity::SweptBlock railBlock(const scenario::Scenario& d) {
   elasticity::SweptBlock rail;
   rail.name = "rail";
   rail.section = geometry::railSectionMesh(
+      d.rail.section,
       {d.mesh.contactSize, d.mesh.bandHalfWidth, d.mesh.sectionSize, d.mesh.sectionGrowth, d.mesh.coarseWeb});
   rail.material = d.rail.material;
   rail.lean = contact::seatOf(d).lean;

@@ -148,9 +148,10 @@ elasticity::NodeShift defectShift(const Model& model) {
   const auto& d = model.scenario;
   if (d.defectModel != scenario::DefectModel::movedNodes) return {};
   const auto* rail = &model.blocks[model.rail];
-  return [defect = d.defectSurface, rail, blended = 4 * d.mesh.contactSize](int node, int station) -> Eigen::Vector3d {
+  return [defect = d.defectSurface, rail, section = d.rail.section, blended = 4 * d.mesh.contactSize](
+             int node, int station) -> Eigen::Vector3d {
     const auto& p = rail->section.nodes[node];
-    const double depth = geometry::crownHeight54E1(p[0]) - p[1];
+    const double depth = geometry::crownHeight(section, p[0]) - p[1];
     if (depth >= blended) return {0, 0, 0};
     return {0, 0, defect.height(rail->positions[station], p[0]) * (1 - std::max(0.0, depth) / blended)};
   };
@@ -243,7 +244,7 @@ Model buildTrackCell(const scenario::Scenario& scenario, double stationLength, i
     const auto mass = elasticity::lumpedMass(block);
     model.mass.emplace_back(mass.begin(), mass.end());
   }
-  model.surfaces.railLine = contact::runningLine(model.blocks[model.rail]);
+  model.surfaces.railLine = contact::runningLine(model.blocks[model.rail], scenario.rail.section);
   for (const int node : model.surfaces.railLine)
     model.surfaces.railY.push_back(model.blocks[model.rail].section.nodes[node][0]);
   return model;

@@ -8,6 +8,7 @@ struct ForcePoint;
 struct ProfileLine;
 struct ProfilePoint;
 struct Rail;
+enum class RailSection;
 struct Scenario;
 struct Seat;
 struct Wheelset;

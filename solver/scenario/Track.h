@@ -11,6 +11,7 @@
 namespace squat::scenario {
 
 enum class RailEnds { free, clamped, absorbing };
+enum class RailSection { rail54E1, rail60E1 };  // geometry/RailSection.h has their dimensions
 enum class Hardening { isotropic, kinematic };
 
 // A rail seat that differs from the others; what is left out is as at every seat.
@@ -30,6 +31,7 @@ struct Track {
 };
 
 struct Rail {
+  RailSection section = RailSection::rail54E1;
   Material material;
   double lossFactor = 0;   // [-] frequency domain only: stiffness times 1 + i lossFactor
   double inclination = 0;  // [-] slope of the foot: the head leans towards the track centre

@@ -1,8 +1,10 @@
 #include "simulation/SurfaceFields.h"
-#include "simulation/VonMises.h"
 
 #include <cmath>
 #include <map>
+
+#include "geometry/RailSection.h"
+#include "simulation/VonMises.h"
 
 namespace squat::simulation {
 
@@ -76,7 +78,7 @@ void SurfaceFields::addBlock(int b, Part part, std::optional<Part> cutPart) {
 // Pads, ballast and suspension as short lines.
 void SurfaceFields::addSprings() {
   const auto& d = model_.scenario;
-  const double railBase = -0.159, sleeperBase = railBase - d.sleeper.height;
+  const double railBase = -geometry::railProfile(d.rail.section).height, sleeperBase = railBase - d.sleeper.height;
   const auto line = [&](double x0, double y0, double z0, double x1, double y1, double z1) {
     for (const double value : {x0, y0, z0, x1, y1, z1}) mesh_.springs.push_back(static_cast<float>(value));
   };

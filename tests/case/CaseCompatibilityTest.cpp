@@ -50,6 +50,7 @@ TEST(CaseCompatibility, Schema1) {
   EXPECT_DOUBLE_EQ(c.output.rate, 50e3);
   EXPECT_DOUBLE_EQ(c.output.filterCutoff, 3e3);
   // What the file leaves out has the defaults of its day: the paper's.
+  EXPECT_EQ(c.rail.section, RailSection::rail54E1);
   EXPECT_DOUBLE_EQ(c.pad.lateralStiffness, 130e6);
   EXPECT_EQ(c.motion.gravity, 9.81);
   EXPECT_DOUBLE_EQ(c.suspension.stiffness, 1.15e6);

@@ -113,6 +113,9 @@ TEST(ParameterTable, ChoicesFollowTheEnumerations) {
   EXPECT_EQ(description.defect.lateral, LateralShape::parabolic);
   setValue(description, "track.rail_ends", "absorbing");
   EXPECT_EQ(description.track.railEnds, RailEnds::absorbing);
+  EXPECT_EQ(description.rail.section, RailSection::rail54E1);
+  setValue(description, "rail.section", "60E1");
+  EXPECT_EQ(description.rail.section, RailSection::rail60E1);
   setValue(description, "rail.hardening", "kinematic");
   EXPECT_EQ(description.rail.hardening, Hardening::kinematic);
   setValue(description, "mesh.preset", "paper");

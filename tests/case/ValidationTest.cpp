@@ -134,6 +134,12 @@ TEST(Validation, TrackParts) {
   expectProblem({{"track.sleeper_spacing", "0.4"}, {"sleeper.width", "0.4"}}, "sleeper.width");
 }
 
+// The foot is 140 mm wide, that of a 60E1 150 mm.
+TEST(Validation, APadIsAtMostAsWideAsTheFoot) {
+  expectProblem({{"pad.width", "0.145"}}, "pad.width");
+  EXPECT_THAT(validate(caseWith({{"rail.section", "60E1"}, {"pad.width", "0.15"}})).problems, testing::IsEmpty());
+}
+
 TEST(Validation, Defects) {
   expectProblem({{"defect.shape", "cut"}, {"defect.length", "10"}, {"defect.ramp", "6"}}, "defect.ramp");
   expectProblem({{"defect.shape", "cut"}, {"defect.ramp", "0.1"}, {"defect.depth", "0.1"}}, "defect.depth");

@@ -155,5 +155,17 @@ TEST(InclinedContactSpin, AConeSpinsOnThePatch) {
   }
 }
 
+// 10.1 mm beside the middle a level tread touches R80 on a 54E1, whose R300 ends at 10.012 mm, and R300 on a 60E1,
+// where it ends at 10.228 mm.
+TEST(InclinedContact, CrownRadiusIsThatOfTheSection) {
+  auto scenario = cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {}});
+  scenario.motion.lateralOffset = 0.0101;
+  EXPECT_EQ(seatOf(scenario).crownRadius, 0.080);
+  scenario.rail.section = scenario::RailSection::rail60E1;
+  const Seat seat = seatOf(scenario);
+  EXPECT_EQ(seat.crownRadius, 0.300);
+  EXPECT_EQ(seat.touchY, 0.0101);
+}
+
 }  // namespace
 }  // namespace squat::contact

@@ -8,6 +8,7 @@
 #include "case/CaseFile.h"
 #include "case/Resolve.h"
 #include "core/Errors.h"
+#include "geometry/RailSection.h"
 #include "model/BuildBlocks.h"
 
 namespace squat::model {
@@ -33,6 +34,18 @@ TEST_P(PresetMesh, SectionsAreWellShaped) {
       // Below 0.3 a corner is under 18 degrees: such quads lose accuracy and set the time step.
       ASSERT_GT(geometry::scaledJacobian(block.section, q), 0.3) << block.name << " at " << p[0] << ", " << p[1];
     }
+}
+
+TEST_P(PresetMesh, The60E1IsWellShapedToo) {
+  const auto mesh =
+      cases::loadScenario(tests::fixtureCase("light-defect"), {GetParam(), {{"rail.section", "60E1"}}}).mesh;
+  for (const bool coarse : {false, true}) {
+    const auto section =
+        geometry::railSectionMesh(geometry::RailSection::rail60E1,
+                                  {mesh.contactSize, mesh.bandHalfWidth, mesh.sectionSize, mesh.sectionGrowth, coarse});
+    for (int q = 0; q < static_cast<int>(section.quads.size()); ++q)
+      ASSERT_GT(geometry::scaledJacobian(section, q), 0.3) << q;
+  }
 }
 
 TEST_P(PresetMesh, StationsFillWholeVectorsAndGrowSlowly) {

@@ -18,7 +18,7 @@ constexpr RailSectionSizes fine{0.0013, 0.0078, 0.010, 1.33};
 constexpr double outlineHeight = 0.159;
 
 TEST(RailSection, IntegralsAreThoseOf54E1) {
-  const auto integrals = sectionIntegrals(railSectionMesh(fine));
+  const auto integrals = sectionIntegrals(railSectionMesh(RailSection::rail54E1, fine));
   EXPECT_NEAR(integrals.area, 69.75e-4, 0.005 * 69.75e-4);
   EXPECT_NEAR(integrals.centroidC + outlineHeight, 75.16e-3, 0.005 * 75.16e-3);
   EXPECT_NEAR(integrals.momentCC, 2337.9e-8, 0.005 * 2337.9e-8);
@@ -31,7 +31,7 @@ TEST(RailSection, IntegralsAreThoseOf54E1) {
 
 // Height 159, head 70 wide at the 1:20 sides' start and 72.2 at the lower corner, foot 140 (EN 13674-1).
 TEST(RailSection, OutlineHasTheStandardsDimensions) {
-  const auto mesh = railSectionMesh(fine);
+  const auto mesh = railSectionMesh(RailSection::rail54E1, fine);
   double low = 0, high = -1, head = 0, foot = 0;
   for (const auto& p : mesh.nodes) {
     low = std::min(low, p[1]), high = std::max(high, p[1]);
@@ -42,22 +42,25 @@ TEST(RailSection, OutlineHasTheStandardsDimensions) {
   EXPECT_NEAR(foot, 0.070, 1e-9);
   EXPECT_NEAR(2 * head, 0.0722, 0.0001);
   double web = 1;
-  for (const auto& p : outline54E1().web) web = std::min(web, p[0]);
+  for (const auto& p : railOutline(RailSection::rail54E1).web) web = std::min(web, p[0]);
   EXPECT_NEAR(2 * web, 0.016, 1e-4);
 }
 
 // Arcs of the crown: R300 up to 10.012 mm, R80 beyond; the heights at the arcs' ends follow from the tangency of
 // R300, R80 and R13: 0.167 mm and 2.065 mm below the crown.
 TEST(RailSection, CrownIsMadeOfTangentArcs) {
-  EXPECT_NEAR(crownHeight54E1(0), 0, 1e-15);
-  EXPECT_NEAR(crownHeight54E1(0.005), -(0.3 - std::sqrt(0.3 * 0.3 - 0.005 * 0.005)), 1e-12);
-  EXPECT_NEAR(crownHeight54E1(0.010012), -0.167e-3, 0.5e-6);
-  EXPECT_NEAR(crownHeight54E1(0.0248635), -2.065e-3, 1e-6);
+  EXPECT_NEAR(crownHeight(RailSection::rail54E1, 0), 0, 1e-15);
+  EXPECT_NEAR(crownHeight(RailSection::rail54E1, 0.005), -(0.3 - std::sqrt(0.3 * 0.3 - 0.005 * 0.005)), 1e-12);
+  EXPECT_NEAR(crownHeight(RailSection::rail54E1, 0.010012), -0.167e-3, 0.5e-6);
+  EXPECT_NEAR(crownHeight(RailSection::rail54E1, 0.0248635), -2.065e-3, 1e-6);
   const double step = 1e-7;
   for (const double y : {-0.02, -0.012, -0.010012, -0.003, 0.001, 0.0099, 0.010012, 0.0101, 0.018, 0.0248}) {
-    EXPECT_NEAR(crownSlope54E1(y), (crownHeight54E1(y + step) - crownHeight54E1(y - step)) / (2 * step), 1e-5);
-    EXPECT_DOUBLE_EQ(crownHeight54E1(-y), crownHeight54E1(y));
-    EXPECT_DOUBLE_EQ(crownSlope54E1(-y), -crownSlope54E1(y));
+    EXPECT_NEAR(
+        crownSlope(RailSection::rail54E1, y),
+        (crownHeight(RailSection::rail54E1, y + step) - crownHeight(RailSection::rail54E1, y - step)) / (2 * step),
+        1e-5);
+    EXPECT_DOUBLE_EQ(crownHeight(RailSection::rail54E1, -y), crownHeight(RailSection::rail54E1, y));
+    EXPECT_DOUBLE_EQ(crownSlope(RailSection::rail54E1, -y), -crownSlope(RailSection::rail54E1, y));
   }
 }
 
@@ -66,7 +69,8 @@ TEST(RailSection, CrownIsMadeOfTangentArcs) {
 TEST(RailSection, CoarseWebKeepsOutlineAndBand) {
   RailSectionSizes sizes = fine;
   sizes.coarseBelow = true;
-  const auto coarse = railSectionMesh(sizes), whole = railSectionMesh(fine);
+  const auto coarse = railSectionMesh(RailSection::rail54E1, sizes),
+             whole = railSectionMesh(RailSection::rail54E1, fine);
   const auto a = sectionIntegrals(coarse), b = sectionIntegrals(whole);
   EXPECT_NEAR(a.area, b.area, 1e-12);
   EXPECT_NEAR(a.momentCC, b.momentCC, 1e-5 * b.momentCC);
@@ -83,13 +87,17 @@ TEST(RailSection, CoarseWebKeepsOutlineAndBand) {
   sizes.bandHalfWidth = 0.0052;
   RailSectionSizes asBefore = sizes;
   asBefore.coarseBelow = false;
-  EXPECT_EQ(railSectionMesh(sizes).quads.size(), railSectionMesh(asBefore).quads.size());
+  EXPECT_EQ(railSectionMesh(RailSection::rail54E1, sizes).quads.size(),
+            railSectionMesh(RailSection::rail54E1, asBefore).quads.size());
 }
 
 TEST(RailSection, ContactBandHasTheAskedSize) {
-  const auto mesh = railSectionMesh(fine);
+  const auto mesh = railSectionMesh(RailSection::rail54E1, fine);
   const auto top = nodesWhere(
-      mesh, [](const Point2& p) { return std::abs(p[0]) < 0.0079 && std::abs(p[1] - crownHeight54E1(p[0])) < 1e-6; },
+      mesh,
+      [](const Point2& p) {
+        return std::abs(p[0]) < 0.0079 && std::abs(p[1] - crownHeight(RailSection::rail54E1, p[0])) < 1e-6;
+      },
       0);
   ASSERT_EQ(top.size(), 13u);  // 2 x 7.8 mm / 1.3 mm
   for (std::size_t i = 1; i < top.size(); ++i) {
@@ -100,7 +108,7 @@ TEST(RailSection, ContactBandHasTheAskedSize) {
 }
 
 TEST(RailSection, IsMirrored) {
-  const auto mesh = railSectionMesh(fine);
+  const auto mesh = railSectionMesh(RailSection::rail54E1, fine);
   for (const auto& p : mesh.nodes) {
     const bool found = std::any_of(mesh.nodes.begin(), mesh.nodes.end(), [&](const Point2& q) {
       return std::abs(p[0] + q[0]) < 1e-9 && std::abs(p[1] - q[1]) < 1e-9;

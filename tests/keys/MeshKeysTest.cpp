@@ -210,7 +210,7 @@ TEST(LayerKeys, DepthAndTangentModulus) {
     geometry::Point2 centre{0, 0};
     for (const int n : section.quads[q]) centre[0] += section.nodes[n][0] / 4, centre[1] += section.nodes[n][1] / 4;
     if (std::abs(centre[0]) > 0.005) continue;  // columns that the wheel touches for certain
-    const double depth = geometry::crownHeight54E1(centre[0]) - centre[1];
+    const double depth = geometry::crownHeight(geometry::RailSection::rail54E1, centre[0]) - centre[1];
     if (std::abs(depth - 0.012) < 1e-4) continue;  // faces of the mesh are chords of the crown
     EXPECT_EQ(model.layer.indexOfQuad[q] >= 0, depth < 0.012) << depth;
     ++(depth < 0.012 ? inside : below);

@@ -21,10 +21,10 @@ namespace {
 
 constexpr double railLength = 10;
 
-SweptBlock freeRail() {
+SweptBlock freeRail(geometry::RailSection section) {
   SweptBlock rail;
   rail.name = "rail", rail.material = steel;
-  rail.section = geometry::railSectionMesh({0.010, 0.010, 0.024, 1.7});
+  rail.section = geometry::railSectionMesh(section, {0.010, 0.010, 0.024, 1.7});
   rail.stations = {0, false, {{56, railLength / 56}}};
   return rail;
 }
@@ -65,8 +65,8 @@ struct RailMode {
 };
 
 // Lowest elastic modes by subspace iteration on (K + shift M)^-1 M.
-std::vector<RailMode> railModes(int count) {
-  std::vector<SweptBlock> blocks{freeRail()};
+std::vector<RailMode> railModes(geometry::RailSection section, int count) {
+  std::vector<SweptBlock> blocks{freeRail(section)};
   const std::size_t size = layOut(blocks);
   const auto& rail = blocks[0];
   const auto unknowns = unknownsOf(rail);
@@ -134,12 +134,12 @@ std::vector<RailMode> railModes(int count) {
 }
 
 const std::vector<RailMode>& lowestModes() {
-  static const std::vector<RailMode> modes = railModes(18);
+  static const std::vector<RailMode> modes = railModes(geometry::RailSection::rail54E1, 18);
   return modes;
 }
 
 TEST(RailModes, VerticalBendingAfterTimoshenko) {
-  const auto integrals = geometry::sectionIntegrals(freeRail().section);
+  const auto integrals = geometry::sectionIntegrals(freeRail(geometry::RailSection::rail54E1).section);
   const auto vertical = timoshenkoModes(integrals.area, integrals.momentCC, 0.40, 5);
   std::vector<double> found;
   for (const RailMode& mode : lowestModes())
@@ -147,6 +147,20 @@ TEST(RailModes, VerticalBendingAfterTimoshenko) {
   ASSERT_GE(found.size(), 5u);
   for (int i = 0; i < 5; ++i) {
     EXPECT_NEAR(found[i], vertical[i], 0.01 * vertical[i]) << "vertical mode " << i + 1;
+    verification::seenDeviation("frequencies", found[i], vertical[i]);
+  }
+}
+
+// With the published area 76.70 cm2 and moment 3038.3 cm4: this coarse section has 1.9 % more area and 0.7 % more
+// moment, which lowers the frequencies by 0.6 %. Tolerance 1.5 %.
+TEST(RailModes, VerticalBendingOf60E1) {
+  const auto vertical = timoshenkoModes(76.70e-4, 3038.3e-8, 0.40, 3);
+  std::vector<double> found;
+  for (const RailMode& mode : railModes(geometry::RailSection::rail60E1, 12))
+    if (mode.vertical > 0.9) found.push_back(mode.frequency);
+  ASSERT_GE(found.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(found[i], vertical[i], 0.015 * vertical[i]) << "vertical mode " << i + 1;
     verification::seenDeviation("frequencies", found[i], vertical[i]);
   }
 }
@@ -160,8 +174,10 @@ TEST(RailModes, VerticalBendingAfterTimoshenko) {
 // of a fine mesh of the section. Tolerance 5 %: no rotary inertia and shear in lateral bending (1 % at the sixth mode),
 // and coarse quads in web and foot.
 TEST(RailModes, LateralBendingAndTorsionAfterVlasov) {
-  const auto theory = verification::lateralTorsionModes(
-      verification::sectionTorsion(geometry::railSectionMesh({0.0026, 0.0104, 0.005, 1.3})), steel, railLength, 8);
+  const auto theory =
+      verification::lateralTorsionModes(verification::sectionTorsion(geometry::railSectionMesh(
+                                            geometry::RailSection::rail54E1, {0.0026, 0.0104, 0.005, 1.3})),
+                                        steel, railLength, 8);
   std::vector<RailMode> found;
   for (const RailMode& mode : lowestModes())
     if (mode.even > 0.9 && mode.along < 0.5) found.push_back(mode);

@@ -65,7 +65,7 @@ void RollingBlocks::build() {
   const std::vector<double> up(depth.rbegin(), depth.rend());
   rail.section = elasticity::gridSection(y, up);
   for (auto& node : rail.section.nodes)
-    node[1] = -node[1] + geometry::crownHeight54E1(std::min(std::abs(node[0]), 0.0244));
+    node[1] = -node[1] + geometry::crownHeight(geometry::RailSection::rail54E1, std::min(std::abs(node[0]), 0.0244));
   wheel.kind = elasticity::SweepKind::aroundAxis;
   wheel.section = elasticity::gridSection(up, y);
   for (auto& node : wheel.section.nodes) node[0] = with_.radius - node[0];
