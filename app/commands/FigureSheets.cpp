@@ -6,6 +6,7 @@
 #include "plots/Application.h"
 #include "plots/CalibrationFigure.h"
 #include "plots/ComparisonFigures.h"
+#include "plots/DecayFigures.h"
 #include "plots/DetectionFigures.h"
 #include "plots/EstimateFigure.h"
 #include "plots/PaperFigures.h"
@@ -88,10 +89,21 @@ std::vector<std::string> writeValidationFigure(const std::vector<statements::Jud
 
 std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance& receptance, const std::string& name,
                                                const std::string& title, const std::string& hash,
-                                               const std::string& folder, const FigureChoice& choice) {
+                                               receptance::ReceptanceQuantity quantity, const std::string& folder,
+                                               const FigureChoice& choice) {
   if (choice.none) return {};
   std::vector<plots::FigureSheet> sheets;
-  sheets.push_back(plots::receptanceFigures(receptance, name, title, hash, styleOf(choice)));
+  sheets.push_back(plots::receptanceFigures(receptance, name, title, hash, styleOf(choice), quantity));
+  return write(sheets, folder, choice);
+}
+
+std::vector<std::string> writeDecayFigure(const receptance::DecayRates& rates,
+                                          const receptance::MeasuredDecayRates* measured, const std::string& name,
+                                          const std::string& title, const std::string& hash, const std::string& folder,
+                                          const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::decayFigures(rates, measured, name, title, hash, styleOf(choice)));
   return write(sheets, folder, choice);
 }
 

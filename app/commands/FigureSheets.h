@@ -10,6 +10,7 @@
 #include "calibration/Calibration.h"
 #include "commands/FigureNames.h"
 #include "detection/DetectionFiles.h"
+#include "receptance/DecayFiles.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
 #include "statements/Judge.h"
@@ -57,7 +58,12 @@ std::vector<std::string> writeValidationFigure(const std::vector<statements::Jud
 // FOLDER/NAME.FORMAT; title and hash of the case stand in the caption.
 std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance& receptance, const std::string& name,
                                                const std::string& title, const std::string& hash,
-                                               const std::string& folder, const FigureChoice& choice);
+                                               receptance::ReceptanceQuantity quantity, const std::string& folder,
+                                               const FigureChoice& choice);
+std::vector<std::string> writeDecayFigure(const receptance::DecayRates& rates,
+                                          const receptance::MeasuredDecayRates* measured, const std::string& name,
+                                          const std::string& title, const std::string& hash, const std::string& folder,
+                                          const FigureChoice& choice);
 
 struct PaperResults {
   const results::RunResult *light = nullptr, *squat = nullptr, *modified = nullptr;

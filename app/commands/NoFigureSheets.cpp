@@ -50,8 +50,14 @@ std::vector<std::string> writeValidationFigure(const std::vector<statements::Jud
 }
 
 std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance&, const std::string&,
-                                               const std::string&, const std::string&, const std::string&,
-                                               const FigureChoice& choice) {
+                                               const std::string&, const std::string&, receptance::ReceptanceQuantity,
+                                               const std::string&, const FigureChoice& choice) {
+  return none(choice);
+}
+
+std::vector<std::string> writeDecayFigure(const receptance::DecayRates&, const receptance::MeasuredDecayRates*,
+                                          const std::string&, const std::string&, const std::string&,
+                                          const std::string&, const FigureChoice& choice) {
   return none(choice);
 }
 

@@ -37,9 +37,8 @@ EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& asked, const
   const auto shapes = railShapes(model, options.shapeTolerance);
   const double bay = scenario.track.sleeperSpacing;
   std::vector<std::unique_ptr<CellWay>> ways;
-  ways.push_back(std::make_unique<CellWay>(model, shapes, TrackSymmetry::symmetric, bay, options.wholeSection));
-  if (options.rails == StruckRails::one)
-    ways.push_back(std::make_unique<CellWay>(model, shapes, TrackSymmetry::antisymmetric, bay, options.wholeSection));
+  for (const auto symmetry : symmetriesOf(options.rails))
+    ways.push_back(std::make_unique<CellWay>(model, shapes, symmetry, bay, options.wholeSection));
 
   EndlessTrackResponse result;
   result.frequency = frequency;
@@ -53,12 +52,12 @@ EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& asked, const
   team.run([&](int index) {
     for (std::size_t f = next++; f < frequency.size() && !cancelled; f = next++) {
       const double omega = 2 * std::numbers::pi * frequency[f];
-      for (std::size_t w = 0; w < wanted.size(); ++w)
-        for (const auto& way : ways) {
-          const auto answers = way->track.response(omega, wanted[w].struck, wanted[w].read);
-          for (std::size_t p = 0; p < answers.size(); ++p)
-            result.values[w][p][f] += answers[p] / static_cast<double>(ways.size());
-        }
+      for (const auto& way : ways) {
+        const auto answers = way->track.response(omega, wanted);
+        for (std::size_t w = 0; w < answers.size(); ++w)
+          for (std::size_t p = 0; p < answers[w].size(); ++p)
+            result.values[w][p][f] += answers[w][p] / static_cast<double>(ways.size());
+      }
       ++done;
       if (index != 0) continue;  // one thread talks to the monitor
       if (monitor.cancelled()) cancelled = true;
@@ -70,6 +69,29 @@ EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& asked, const
   });
   result.complete = !cancelled;
   return result;
+}
+
+std::vector<std::complex<double>> sleeperReceptance(const scenario::Scenario& asked,
+                                                    const std::vector<double>& frequency, StruckRails rails,
+                                                    int sleeperIntervals) {
+  auto scenario = receptanceCase(asked);
+  scenario.pad.dynamicFile.clear();  // no pad is in it
+  const auto model = model::buildTrackCell(scenario, scenario.track.sleeperSpacing / 8, sleeperIntervals);
+  constexpr double coarse = 0.1;  // the rail is there and free, and not coupled
+  const auto shapes = railShapes(model, coarse);
+  std::vector<std::complex<double>> receptance(frequency.size());
+  const auto ways = symmetriesOf(rails);
+  for (const auto way : ways) {
+    const TrackSystem track(model, shapes, way);
+    const DynamicStiffness stiffness(track.termsWithoutPads());
+    const Eigen::MatrixXd seat = track.sleeperSeat();
+    for (std::size_t f = 0; f < frequency.size(); ++f) {
+      const auto moved = stiffness.factor(2 * std::numbers::pi * frequency[f]).solve(seat.cast<std::complex<double>>());
+      receptance[f] +=
+          seat.col(0).cast<std::complex<double>>().cwiseProduct(moved.col(0)).sum() / static_cast<double>(ways.size());
+    }
+  }
+  return receptance;
 }
 
 // EN 15461:2008+A1:2010, Figure 2: every quarter bay at first, then ever farther apart.

@@ -1,8 +1,4 @@
 // solver/receptance/DecayRate.h - track decay rates after EN 15461, and receptances of an endless track.
-//
-// A hammer strikes one rail; the half model is one half of a track that moves as its mirror image, so what one struck
-// rail answers is half the sum of the symmetric solution and the antisymmetric one, with another condition in the
-// middle of the sleepers. Sleepers bend and rock in both.
 #pragma once
 
 #include <complex>
@@ -14,8 +10,6 @@
 
 namespace squat::receptance {
 
-enum class StruckRails { one, both };  // both: as mirror images of each other, what the rolling run has
-
 struct EndlessTrackOptions {
   double stationLength = 0.025;  // [m] largest along the rail
   double shapeTolerance = 5e-3;  // of the rail's section shapes (SectionShapes.h)
@@ -23,12 +17,6 @@ struct EndlessTrackOptions {
   StruckRails rails = StruckRails::one;
   bool wholeSection = false;  // strike and read the mean of the section in place of the head's
   int threads = 0;            // 0: all cores
-};
-
-// Response at places to 1 N at another, one row a place.
-struct PlaceResponse {
-  RailPlace struck;
-  std::vector<RailPlace> read;
 };
 
 struct EndlessTrackResponse {
@@ -43,6 +31,12 @@ struct EndlessTrackResponse {
 EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& scenario, const std::vector<double>& frequency,
                                           const std::vector<PlaceResponse>& wanted, const EndlessTrackOptions& options,
                                           Monitor& monitor);
+
+// Receptance of a sleeper by itself on its ballast at the rail seat [m/N], one a frequency: struck and read over the
+// footprint of a pad, one end or, as mirror images, both.
+std::vector<std::complex<double>> sleeperReceptance(const scenario::Scenario& scenario,
+                                                    const std::vector<double>& frequency, StruckRails rails,
+                                                    int sleeperIntervals = 32);
 
 // The 29 positions of EN 15461 in bays from the accelerometer at midspan, its own first.
 const std::vector<double>& decayPositions();

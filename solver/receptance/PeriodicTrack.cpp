@@ -59,61 +59,82 @@ HalfTracks halfTracks(const MatrixXcd& cell) {
   return {last, first};
 }
 
-std::vector<std::complex<double>> PeriodicTrack::response(double omega, const RailPlace& struck,
-                                                          const std::vector<RailPlace>& read) const {
-  // The load first, then every reading that differs from the others within its cell.
-  const Local load = localOf(struck);
-  std::vector<Local> places;
+namespace {
+
+// The ends of cells, counted from the loaded one, as they move when it is loaded.
+class MovedCells {
+ public:
+  // `cell` condensed, `ends` of the loaded one.
+  MovedCells(const MatrixXcd& cell, const HalfTracks& halves, VectorXcd ends)
+      : n_(cell.rows() / 2),
+        across_(cell.topRightCorner(n_, n_)),
+        onwards_(cell.bottomRightCorner(n_, n_) + halves.behind),
+        backwards_(cell.topLeftCorner(n_, n_) + halves.before),
+        behind_{ends},
+        before_{std::move(ends)} {}
+
+  // Away from the load, the end towards it moves the other one.
+  const VectorXcd& operator[](int cell) {
+    while (static_cast<int>(behind_.size()) <= cell) {
+      VectorXcd next(2 * n_);
+      next.head(n_) = behind_.back().tail(n_);
+      next.tail(n_) = -onwards_.solve(across_.transpose() * next.head(n_));
+      behind_.push_back(std::move(next));
+    }
+    while (static_cast<int>(before_.size()) <= -cell) {
+      VectorXcd next(2 * n_);
+      next.tail(n_) = before_.back().head(n_);
+      next.head(n_) = -backwards_.solve(across_ * next.tail(n_));
+      before_.push_back(std::move(next));
+    }
+    return cell < 0 ? before_[static_cast<std::size_t>(-cell)] : behind_[static_cast<std::size_t>(cell)];
+  }
+
+ private:
+  Index n_;
+  MatrixXcd across_;
+  Eigen::PartialPivLU<MatrixXcd> onwards_, backwards_;
+  std::vector<VectorXcd> behind_, before_;
+};
+
+}  // namespace
+
+std::vector<std::vector<std::complex<double>>> PeriodicTrack::response(double omega,
+                                                                       const std::vector<PlaceResponse>& wanted) const {
+  // One vector for every place that differs from the others within its cell.
   std::map<std::pair<long, int>, Index> columns;  // by position to the micrometre, and direction
-  const auto keyOf = [](const Local& p) { return std::pair{std::lround(1e6 * p.position), p.direction}; };
-  MatrixXd vectors(cell_.groups().unknowns(), 1);
-  const auto columnOf = [&](const Local& place) {
-    const auto [entry, fresh] = columns.try_emplace(keyOf(place), static_cast<Index>(columns.size()));
+  MatrixXd vectors(cell_.groups().unknowns(), 0);
+  const auto columnOf = [&](const RailPlace& place) {
+    const Local local = localOf(place);
+    const auto [entry, fresh] =
+        columns.try_emplace({std::lround(1e6 * local.position), local.direction}, static_cast<Index>(columns.size()));
     if (fresh) {
       vectors.conservativeResize(Eigen::NoChange, entry->second + 1);
-      vectors.col(entry->second) = reading(place);
+      vectors.col(entry->second) = reading(local);
     }
     return entry->second;
   };
-  columnOf(load);
-  for (const auto& place : read) places.push_back(localOf(place)), columnOf(places.back());
-
+  for (const auto& one : wanted) {
+    columnOf(one.struck);
+    for (const auto& place : one.read) columnOf(place);
+  }
   const auto cell = stiffness_.condense(omega, vectors);
   const Index n = cell.stiffness.rows() / 2;
   const auto halves = halfTracks(cell.stiffness);
   MatrixXcd loaded = cell.stiffness;
   loaded.topLeftCorner(n, n) += halves.before, loaded.bottomRightCorner(n, n) += halves.behind;
-  const VectorXcd ends = loaded.partialPivLu().solve(cell.loads.col(0));
-  // A cell away from the load: the end towards it moves the other one.
-  const MatrixXcd across = cell.stiffness.topRightCorner(n, n);
-  const Eigen::PartialPivLU<MatrixXcd> onwards(cell.stiffness.bottomRightCorner(n, n) + halves.behind),
-      backwards(cell.stiffness.topLeftCorner(n, n) + halves.before);
-
-  std::map<int, VectorXcd> moved{{0, ends}};  // both ends of a cell, counted from the loaded one
-  const auto endsOf = [&](int k) -> const VectorXcd& {
-    for (int i = 1; i <= k; ++i)
-      if (!moved.count(i)) {
-        VectorXcd next(2 * n);
-        next.head(n) = moved.at(i - 1).tail(n);
-        next.tail(n) = -onwards.solve(across.transpose() * next.head(n));
-        moved[i] = std::move(next);
-      }
-    for (int i = -1; i >= k; --i)
-      if (!moved.count(i)) {
-        VectorXcd next(2 * n);
-        next.tail(n) = moved.at(i + 1).head(n);
-        next.head(n) = -backwards.solve(across * next.tail(n));
-        moved[i] = std::move(next);
-      }
-    return moved.at(k);
-  };
-  std::vector<std::complex<double>> answers;
-  for (const auto& place : places) {
-    const Index column = columns.at(keyOf(place));
-    const int away = place.cell - load.cell;
-    std::complex<double> answer = cell.loads.col(column).cwiseProduct(endsOf(away)).sum();
-    if (away == 0) answer += cell.between(column, 0);
-    answers.push_back(answer);
+  const Eigen::PartialPivLU<MatrixXcd> solver(loaded);
+  std::vector<std::vector<std::complex<double>>> answers;
+  for (const auto& one : wanted) {
+    const Index load = columnOf(one.struck);
+    MovedCells moved(cell.stiffness, halves, solver.solve(cell.loads.col(load)));
+    auto& row = answers.emplace_back();
+    for (const auto& place : one.read) {
+      const Index column = columnOf(place);
+      const int away = localOf(place).cell - localOf(one.struck).cell;
+      const std::complex<double> own = away == 0 ? cell.between(column, load) : 0;
+      row.push_back(own + cell.loads.col(column).cwiseProduct(moved[away]).sum());
+    }
   }
   return answers;
 }

@@ -19,15 +19,20 @@ struct RailPlace {
   RailDirection direction = RailDirection::vertical;
 };
 
+// Places that answer to 1 N at another.
+struct PlaceResponse {
+  RailPlace struck;
+  std::vector<RailPlace> read;
+};
+
 class PeriodicTrack {
  public:
   // A system of model::buildTrackCell(); its rail head is struck and read (TrackSystem::headMean), or its whole section
   // is read and struck where `wholeSection`.
   PeriodicTrack(const TrackSystem& cell, double bay, bool wholeSection = false);
 
-  // Of each place to 1 N at `struck` [m/N]. Safe to call from several threads.
-  std::vector<std::complex<double>> response(double omega, const RailPlace& struck,
-                                             const std::vector<RailPlace>& read) const;
+  // Receptance [m/N] of each place that is read, one row an element of `wanted`. Safe to call from several threads.
+  std::vector<std::vector<std::complex<double>>> response(double omega, const std::vector<PlaceResponse>& wanted) const;
 
  private:
   struct Local {

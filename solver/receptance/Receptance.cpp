@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/Errors.h"
+#include "receptance/DecayRate.h"
 #include "receptance/DynamicPads.h"
 #include "receptance/HarmonicResponse.h"
+#include "receptance/TrackLosses.h"
 #include "receptance/TrackSystem.h"
 
 namespace squat::receptance {
@@ -36,45 +40,153 @@ scenario::Scenario receptanceCase(const scenario::Scenario& scenario) {
   return d;
 }
 
-TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options,
-                                Monitor& monitor) {
-  const auto own = withDynamicPads(receptanceCase(scenario));
+namespace {
+
+std::vector<ReceptancePlace> placesOf(const ReceptanceOptions& options, const scenario::Scenario& scenario) {
+  const double midspan = -scenario.track.sleeperSpacing / 2;
+  auto places = options.places;
+  if (places.empty()) places = {{"over a sleeper", 0, 0}, {"midspan", midspan, midspan}};
+  const double reach = options.endless ? 100 : 0.5 * scenario.track.length;
+  for (const auto& place : places)
+    for (const double at : {place.struck, place.read})
+      if (!(std::abs(at) <= reach))
+        throw CaseError({{"track.length", std::to_string(scenario.track.length) + " m",
+                          "such that the rail reaches to " + std::to_string(at) + " m from the sleeper in its middle",
+                          "Lengthen the track, or take an endless one, which knows 100 m each way"}});
+  return places;
+}
+
+// Equal steps, or on an endless track equal ratios, 24 to a third octave.
+std::vector<double> frequenciesOf(const ReceptanceOptions& options) {
+  std::vector<double> frequency;
+  if (options.endless) {
+    constexpr double perDecade = 240;
+    const auto count = static_cast<int>(std::floor(perDecade * std::log10(options.highest / options.lowest) + 1e-9));
+    for (int i = 0; i <= count; ++i) frequency.push_back(options.lowest * std::pow(10, i / perDecade));
+    return frequency;
+  }
+  const auto count = static_cast<long>(std::floor((options.highest - options.lowest) / options.frequencyStep + 1e-9));
+  for (long i = 0; i <= count; ++i)
+    frequency.push_back(options.lowest + static_cast<double>(i) * options.frequencyStep);
+  return frequency;
+}
+
+// Fills points, sizes and notes; false where it was cancelled.
+bool solveEndless(const scenario::Scenario& scenario, const ReceptanceOptions& options, TrackReceptance& result,
+                  Monitor& monitor) {
+  EndlessTrackOptions endless;
+  endless.rails = options.rails, endless.wholeSection = true, endless.threads = options.threads;
+  std::vector<PlaceResponse> wanted;
+  for (const auto& point : result.points)
+    wanted.push_back({{point.struck, point.direction}, {{point.read, point.direction}}});
+  const auto response = endlessTrackResponse(scenario, result.frequency, wanted, endless, monitor);
+  if (!response.complete) return false;
+  for (std::size_t i = 0; i < wanted.size(); ++i) result.points[i].receptance = response.values[i].front();
+  result.unknowns = response.unknowns, result.sectionShapes = response.sectionShapes;
+  result.solutions = static_cast<int>(result.frequency.size());
+  return true;
+}
+
+bool solveWholeTrack(const scenario::Scenario& own, const ReceptanceOptions& options, TrackReceptance& result,
+                     Monitor& monitor) {
   constexpr int sleeperIntervals = 32;  // the third bending mode of the half sleepers lies near 1200 Hz
   const auto model = model::buildModel(own, sleeperIntervals);
   const auto shapes = railShapes(model, options.shapeTolerance);
-  const TrackSystem track(model, shapes);
-
-  TrackReceptance result;
   result.elements = model.blocks[model.rail].elements();
   for (int i = 0; i < model.sleepers; ++i) result.elements += model.blocks[model.firstSleeper + i].elements();
-  result.unknowns = static_cast<std::size_t>(track.groups().unknowns());
   result.sectionShapes = static_cast<int>(shapes.shapes.cols());
-  const auto count = static_cast<long>(std::floor((options.highest - options.lowest) / options.frequencyStep + 1e-9));
-  for (long i = 0; i <= count; ++i)
-    result.frequency.push_back(options.lowest + static_cast<double>(i) * options.frequencyStep);
-
-  const double positions[2] = {0.0, -own.track.sleeperSpacing / 2};
-  Eigen::MatrixXd loads(track.groups().unknowns(), 2), means = loads;
-  for (int p = 0; p < 2; ++p) {
-    loads.col(p) = track.load(positions[p], loadedSquare);
-    means.col(p) = track.sectionMean(positions[p]);
-  }
   ThreadTeam team(threadCount(options.threads));
   HarmonicOptions harmonic;
   harmonic.tolerance = options.accuracy;
-  const auto response = harmonicResponse(track.terms(), loads, means, result.frequency, harmonic, team, monitor);
-  if (response.cancelled) return result;
-  result.points = {{"over a sleeper", positions[0], response.values[0]}, {"midspan", positions[1], response.values[1]}};
-  result.solutions = response.solutions;
-  result.difference = response.largestDifference;
-  if (response.largestDifference > options.accuracy)
+  const auto ways = symmetriesOf(options.rails);
+  for (auto& point : result.points) point.receptance.assign(result.frequency.size(), 0);
+  for (const auto way : ways) {
+    const TrackSystem track(model, shapes, way);
+    result.unknowns = static_cast<std::size_t>(track.groups().unknowns());
+    Eigen::MatrixXd loads(track.groups().unknowns(), static_cast<Eigen::Index>(result.points.size())), means = loads;
+    for (Eigen::Index p = 0; p < loads.cols(); ++p) {
+      const auto& place = result.points[static_cast<std::size_t>(p)];
+      const bool vertical = place.direction == RailDirection::vertical;
+      loads.col(p) = vertical ? track.load(place.struck, loadedSquare) : track.headMean(place.struck, place.direction);
+      means.col(p) = vertical ? track.sectionMean(place.read) : track.headMean(place.read, place.direction);
+    }
+    const auto response = harmonicResponse(track.terms(), loads, means, result.frequency, harmonic, team, monitor);
+    if (response.cancelled) return false;
+    for (std::size_t p = 0; p < result.points.size(); ++p)
+      for (std::size_t f = 0; f < result.frequency.size(); ++f)
+        result.points[p].receptance[f] += response.values[p][f] / static_cast<double>(ways.size());
+    result.solutions += response.solutions;
+    result.difference = std::max(result.difference, response.largestDifference);
+    if (response.largestResidual > 1e-6)
+      result.notes.push_back("a direct solution left a residual of " + std::to_string(response.largestResidual));
+  }
+  if (result.difference > options.accuracy)
     result.notes.push_back("between directly solved frequencies the receptance may err by " +
-                           std::to_string(100 * response.largestDifference) + " %");
-  if (response.largestResidual > 1e-6)
-    result.notes.push_back("a direct solution left a residual of " + std::to_string(response.largestResidual));
+                           std::to_string(100 * result.difference) + " %");
+  return true;
+}
+
+}  // namespace
+
+TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options,
+                                Monitor& monitor) {
+  const auto own = withDynamicPads(receptanceCase(scenario));
+  TrackReceptance result;
+  result.frequency = frequenciesOf(options);
+  for (const auto& place : placesOf(options, own)) result.points.push_back({place, {}});
+  result.notes = lossNotes(own);
+  if (!(options.endless ? solveEndless : solveWholeTrack)(own, options, result, monitor)) return {};
   if (options.wheelset) result.modes = model::wheelsetModes(scenario, options.highest, 3);
   result.complete = true;
   return result;
+}
+
+TrackReceptance sleeperByItself(const scenario::Scenario& scenario, const ReceptanceOptions& options,
+                                Monitor& monitor) {
+  TrackReceptance result;
+  auto grid = options;
+  grid.endless = true;
+  result.frequency = frequenciesOf(grid);
+  result.points.push_back({{"rail seat of a sleeper"}, sleeperReceptance(scenario, result.frequency, options.rails)});
+  result.solutions = static_cast<int>(result.frequency.size());
+  result.complete = !monitor.cancelled();
+  return result;
+}
+
+const char* unitOf(ReceptanceQuantity quantity) {
+  switch (quantity) {
+    case ReceptanceQuantity::mobility:
+      return "m/s/N";
+    case ReceptanceQuantity::accelerance:
+      return "m/s2/N";
+    default:
+      return "m/N";
+  }
+}
+
+std::vector<std::complex<double>> asQuantity(const std::vector<double>& frequency,
+                                             const std::vector<std::complex<double>>& receptance,
+                                             ReceptanceQuantity quantity) {
+  auto values = receptance;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (int n = 0; n < static_cast<int>(quantity); ++n)
+      values[i] *= std::complex<double>(0, 2 * std::numbers::pi * frequency[i]);
+  return values;
+}
+
+ThirdOctaves thirdOctaves(const std::vector<double>& frequency, const std::vector<std::complex<double>>& values) {
+  ThirdOctaves bands;
+  const double edge = std::pow(10, 0.05);
+  for (int n = -20; n <= 10; ++n) {
+    const double middle = 1000 * std::pow(10, n / 10.0);
+    if (middle / edge < frequency.front() * (1 - 1e-9) || middle * edge > frequency.back() * (1 + 1e-9)) continue;
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < frequency.size(); ++i)
+      if (frequency[i] >= middle / edge && frequency[i] < middle * edge) sum += std::norm(values[i]), ++count;
+    if (count > 0) bands.band.push_back(middle), bands.value.push_back(std::sqrt(sum / count));
+  }
+  return bands;
 }
 
 std::vector<double> resonances(const std::vector<double>& frequency, const std::vector<std::complex<double>>& values,

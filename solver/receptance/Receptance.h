@@ -1,9 +1,11 @@
 // solver/receptance/Receptance.h - what the assembled track answers to a harmonic force, and the wheelset's modes.
 //
 // Direct harmonic solution of the track without the wheelset (TrackSystem.h, HarmonicResponse.h), over a sleeper and at
-// midspan near the middle of the track. Force spread over 10 x 10 mm of the running surface, response the mean
-// displacement of the section: what a beam theory can be compared with. Pads, ballast and absorbing ends damp; the
-// material's own damping, some 1e-4 of critical at 1 kHz by default, is left out.
+// midspan near the middle of the track, or at other places. Vertical force spread over 10 x 10 mm of the running
+// surface, response the mean displacement of the section: what a beam theory can be compared with; sideways both are
+// those of the head. Pads, ballast, absorbing ends and loss factors damp; the material's own damping of the rolling
+// run, some 1e-4 of critical at 1 kHz by default, is left out. On an endless track (PeriodicTrack.h) the vertical force
+// is spread over the section, and frequencies stand in equal ratios.
 #pragma once
 
 #include <complex>
@@ -12,9 +14,17 @@
 
 #include "core/Monitor.h"
 #include "model/WheelsetModes.h"
+#include "receptance/TrackSystem.h"
 #include "scenario/ScenarioDeclaration.h"
 
 namespace squat::receptance {
+
+// Where the rail is struck and where it is read; 0: over a sleeper.
+struct ReceptancePlace {
+  std::string name;             // "over a sleeper", "midspan"
+  double struck = 0, read = 0;  // [m]
+  RailDirection direction = RailDirection::vertical;
+};
 
 struct ReceptanceOptions {
   double lowest = 50, highest = 2000, frequencyStep = 1;  // [Hz]
@@ -22,11 +32,12 @@ struct ReceptanceOptions {
   bool wheelset = true;                                   // modes up to `highest`
   double shapeTolerance = 1e-3;                           // of the rail's section shapes (SectionShapes.h)
   double accuracy = 0.005;                                // of what is interpolated (HarmonicResponse.h)
+  std::vector<ReceptancePlace> places;                    // none: over a sleeper and at midspan, vertical
+  StruckRails rails = StruckRails::both;
+  bool endless = false;
 };
 
-struct PointReceptance {
-  std::string name;                              // "over a sleeper", "midspan"
-  double position = 0;                           // [m]
+struct PointReceptance : ReceptancePlace {
   std::vector<std::complex<double>> receptance;  // [m/N], phase negative where the response lags
 };
 
@@ -48,6 +59,25 @@ scenario::Scenario receptanceCase(const scenario::Scenario& scenario);
 
 // Throws CaseError where the case cannot be meshed. A cancelled call returns what it has, with complete == false.
 TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options, Monitor& monitor);
+
+// The same of a sleeper by itself on its ballast, struck and read at the rail seat, one end or both; places count for
+// nothing and there are no wheelset modes.
+TrackReceptance sleeperByItself(const scenario::Scenario& scenario, const ReceptanceOptions& options, Monitor& monitor);
+
+// Root mean squares of the magnitude in third octaves that lie within the frequencies as a whole.
+struct ThirdOctaves {
+  std::vector<double> band;   // [Hz] exact middles, 1000 * 10^(n/10)
+  std::vector<double> value;  // in the unit of the values
+};
+ThirdOctaves thirdOctaves(const std::vector<double>& frequency, const std::vector<std::complex<double>>& values);
+
+// What the values stand for: displacement, velocity or acceleration over force.
+enum class ReceptanceQuantity { receptance, mobility, accelerance };
+const char* unitOf(ReceptanceQuantity quantity);
+// Times i w once or twice.
+std::vector<std::complex<double>> asQuantity(const std::vector<double>& frequency,
+                                             const std::vector<std::complex<double>>& receptance,
+                                             ReceptanceQuantity quantity);
 
 // Local maxima of the magnitude [Hz], refined by a parabola through three points; those at least `minimum` [dB] above
 // the higher of the two valleys beside them.

@@ -15,9 +15,9 @@ struct Parts {
   std::vector<double> real, imaginary, magnitude, phase;
 };
 
-Parts partsOf(const PointReceptance& point) {
+Parts partsOf(const std::vector<std::complex<double>>& values) {
   Parts parts;
-  for (const auto& value : point.receptance) {
+  for (const auto& value : values) {
     parts.real.push_back(value.real());
     parts.imaginary.push_back(value.imag());
     parts.magnitude.push_back(std::abs(value));
@@ -64,10 +64,13 @@ void writeReceptance(const std::string& path, const TrackReceptance& receptance,
   results::setAttribute(tree.attributes, "elements", static_cast<std::int64_t>(receptance.elements));
   tree.add("/frequency", receptance.frequency, "Hz");
   for (const auto& point : receptance.points) {
-    const auto parts = partsOf(point);
+    const auto parts = partsOf(point.receptance);
     const auto name = groupName(point.name);
     auto& group = tree.addGroup(name);
-    results::setAttribute(group.attributes, "position", point.position);
+    results::setAttribute(group.attributes, "position", point.read);
+    results::setAttribute(group.attributes, "struck", point.struck);
+    results::setAttribute(group.attributes, "direction",
+                          std::string(point.direction == RailDirection::vertical ? "vertical" : "lateral"));
     tree.add(name + "/real", parts.real, "m/N");
     tree.add(name + "/imaginary", parts.imaginary, "m/N");
   }
@@ -80,18 +83,32 @@ void writeReceptance(const std::string& path, const TrackReceptance& receptance,
   writeDurably(path, results::encodeHdf5(tree, path));
 }
 
-std::string receptanceCsv(const TrackReceptance& receptance) {
+std::string receptanceCsv(const TrackReceptance& receptance, ReceptanceQuantity quantity) {
   std::vector<std::string> names{"frequency [Hz]"};
   std::vector<const std::vector<double>*> columns{&receptance.frequency};
   std::vector<Parts> all;
-  for (const auto& point : receptance.points) all.push_back(partsOf(point));
+  for (const auto& point : receptance.points)
+    all.push_back(partsOf(asQuantity(receptance.frequency, point.receptance, quantity)));
+  const std::string unit = std::string(" [").append(unitOf(quantity)).append("]");
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& name = receptance.points[i].name;
-    for (const char* what : {" real [m/N]", " imaginary [m/N]", " magnitude [m/N]", " phase [deg]"})
-      names.push_back(name + what);
+    for (const char* what : {" real", " imaginary", " magnitude"}) names.push_back(name + what + unit);
+    names.push_back(name + " phase [deg]");
     for (const auto* column : {&all[i].real, &all[i].imaginary, &all[i].magnitude, &all[i].phase})
       columns.push_back(column);
   }
+  return text::csvColumns(names, columns);
+}
+
+std::string thirdOctavesCsv(const TrackReceptance& receptance, ReceptanceQuantity quantity) {
+  std::vector<std::string> names{"frequency [Hz]"};
+  std::vector<ThirdOctaves> all;
+  for (const auto& point : receptance.points) {
+    all.push_back(thirdOctaves(receptance.frequency, asQuantity(receptance.frequency, point.receptance, quantity)));
+    names.push_back(point.name + " [" + unitOf(quantity) + "]");
+  }
+  std::vector<const std::vector<double>*> columns{&all.front().band};
+  for (const auto& bands : all) columns.push_back(&bands.value);
   return text::csvColumns(names, columns);
 }
 
@@ -103,14 +120,17 @@ std::string modesCsv(const TrackReceptance& receptance) {
 }
 
 std::vector<std::string> receptanceFiles(const std::string& stem) {
-  return {stem + "-receptance.h5", stem + "-receptance.csv", stem + "-wheelset-modes.csv"};
+  return {stem + "-receptance.h5", stem + "-receptance.csv", stem + "-receptance-third-octaves.csv",
+          stem + "-wheelset-modes.csv"};
 }
 
-void writeReceptanceFiles(const std::string& stem, const TrackReceptance& receptance, const std::string& caseToml) {
+void writeReceptanceFiles(const std::string& stem, const TrackReceptance& receptance, const std::string& caseToml,
+                          ReceptanceQuantity quantity) {
   const auto paths = receptanceFiles(stem);
   writeReceptance(paths[0], receptance, caseToml);
-  writeDurably(paths[1], std::string_view(receptanceCsv(receptance)));
-  writeDurably(paths[2], std::string_view(modesCsv(receptance)));
+  writeDurably(paths[1], std::string_view(receptanceCsv(receptance, quantity)));
+  writeDurably(paths[2], std::string_view(thirdOctavesCsv(receptance, quantity)));
+  writeDurably(paths[3], std::string_view(modesCsv(receptance)));
 }
 
 }  // namespace squat::receptance

@@ -1,5 +1,6 @@
 #include "receptance/ReceptanceSummary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -17,18 +18,21 @@ using text::TextTable;
 
 constexpr double kShown[] = {50, 82, 100, 300, 500, 1000, 1500, 2000};  // [Hz], where they were computed
 
-std::string receptanceTable(const TrackReceptance& result) {
+std::string receptanceTable(const TrackReceptance& result, ReceptanceQuantity quantity) {
   std::vector<std::string> head{"frequency"};
   for (const auto& point : result.points) head.push_back(point.name), head.push_back("phase");
   TextTable table(head);
-  const double step = result.frequency.size() > 1 ? result.frequency[1] - result.frequency[0] : 1;
+  std::vector<std::vector<std::complex<double>>> values;
+  for (const auto& point : result.points) values.push_back(asQuantity(result.frequency, point.receptance, quantity));
+  const auto& at = result.frequency;
   for (const double f : kShown) {
-    const auto i = std::lround((f - result.frequency.front()) / step);
-    if (i < 0 || i >= static_cast<long>(result.frequency.size())) continue;
+    if (f < at.front() * (1 - 1e-9) || f > at.back() * (1 + 1e-9)) continue;
+    auto i = std::lower_bound(at.begin(), at.end(), f) - at.begin();  // the nearest that was computed
+    if (i == static_cast<long>(at.size()) || (i > 0 && f - at[i - 1] < at[i] - f)) --i;
     std::vector<std::string> row{formatted("%.0f Hz", result.frequency[i])};
-    for (const auto& point : result.points) {
-      row.push_back(formatted("%.3e m/N", std::abs(point.receptance[i])));
-      row.push_back(formatted("%.0f°", std::arg(point.receptance[i]) * 180 / std::numbers::pi));
+    for (const auto& point : values) {
+      row.push_back(formatted("%.3e ", std::abs(point[i])) + unitOf(quantity));
+      row.push_back(formatted("%.0f°", std::arg(point[i]) * 180 / std::numbers::pi));
     }
     table.add(row);
   }
@@ -37,14 +41,16 @@ std::string receptanceTable(const TrackReceptance& result) {
 
 }  // namespace
 
-std::string receptanceSummary(const TrackReceptance& receptance) {
-  std::string text = receptanceTable(receptance) + "\n";
+std::string receptanceSummary(const TrackReceptance& receptance, ReceptanceQuantity quantity) {
+  std::string text = receptanceTable(receptance, quantity) + "\n";
   for (const auto& point : receptance.points) {
     text += "resonances " + point.name + " [Hz]:";
-    for (const double f : resonances(receptance.frequency, point.receptance)) text += formatted(" %.0f", f);
+    for (const double f :
+         resonances(receptance.frequency, asQuantity(receptance.frequency, point.receptance, quantity)))
+      text += formatted(" %.0f", f);
     text += "\n";
   }
-  text += "\nNatural modes of the free half wheelset:\n" + modesTable(receptance.modes);
+  if (!receptance.modes.empty()) text += "\nNatural modes of the free half wheelset:\n" + modesTable(receptance.modes);
   for (const auto& note : receptance.notes) text += "note: " + note + "\n";
   return text;
 }

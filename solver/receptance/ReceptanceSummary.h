@@ -9,7 +9,8 @@
 namespace squat::receptance {
 
 // Receptance at a few frequencies, resonances, natural modes and notes; every line ends with a line break.
-std::string receptanceSummary(const TrackReceptance& receptance);
+std::string receptanceSummary(const TrackReceptance& receptance,
+                              ReceptanceQuantity quantity = ReceptanceQuantity::receptance);
 
 // Natural modes of the half wheelset: frequency, mass-normalised mode shape at axle box, wheel centre, contact.
 std::string modesTable(const std::vector<model::HarmonicMode>& modes);

@@ -42,6 +42,11 @@ bool isSleeperCentre(const model::Model& model, std::size_t index) {
 
 }  // namespace
 
+std::vector<TrackSymmetry> symmetriesOf(StruckRails rails) {
+  if (rails == StruckRails::both) return {TrackSymmetry::symmetric};
+  return {TrackSymmetry::symmetric, TrackSymmetry::antisymmetric};
+}
+
 TrackSystem::TrackSystem(const model::Model& model, const SectionShapes& railShapes, TrackSymmetry symmetry)
     : model_(model),
       groups_(groupsOf(model, railShapes.families)),
@@ -62,10 +67,15 @@ TrackSystem::TrackSystem(const model::Model& model, const SectionShapes& railSha
   fixCentre(symmetry);
 }
 
-std::vector<HarmonicTerm> TrackSystem::terms() const {
+std::vector<HarmonicTerm> TrackSystem::terms() const { return termsOf(true); }
+std::vector<HarmonicTerm> TrackSystem::termsWithoutPads() const { return termsOf(false); }
+
+std::vector<HarmonicTerm> TrackSystem::termsOf(bool pads) const {
   const auto losses = trackLosses(model_.scenario);
   std::vector<HarmonicTerm> sum;
   for (std::size_t part = 0; part < trackParts; ++part) {
+    const auto which = static_cast<TrackPart>(part);
+    if (!pads && (which == TrackPart::padsVertical || which == TrackPart::padsHorizontal)) continue;
     const auto& loss = losses[part];
     sum.push_back({&stiffness_[part], loss ? loss : [](double) { return Complex(1); }});
     if (!loss) sum.push_back({&damping_[part], [](double omega) { return Complex(0, omega); }});
@@ -231,6 +241,28 @@ VectorXd TrackSystem::meanOf(double position, double lowest, const Eigen::Vector
       for (int c = 1; c < 3; ++c)
         if (direction[c] != 0)
           terms.push_back({rail.index(n, c, s + b), direction[c] * mass[n * rail.stride + s] / sum * (b ? u : 1 - u)});
+  return whole(pieces(terms));
+}
+
+VectorXd TrackSystem::sleeperSeat() const {
+  constexpr int points = 8;  // each way
+  const auto& sleeper = model_.blocks[model_.firstSleeper];
+  const auto& pad = model_.scenario.pad;
+  const auto top = geometry::nodesWhere(
+      sleeper.section, [](const geometry::Point2& p) { return std::abs(p[0]) < 1e-9; }, 1);
+  std::vector<double> across;  // of the sleeper: x
+  for (const int node : top) across.push_back(sleeper.section.nodes[node][1]);
+  constexpr int upwards = 1;  // component of a block swept along y
+  Terms terms;
+  for (int p = 0; p < points; ++p)
+    for (int q = 0; q < points; ++q) {
+      const auto [s, u] = geometry::intervalOf(sleeper.positions, ((p + 0.5) / points - 0.5) * pad.width);
+      const auto [j, v] = geometry::intervalOf(across, ((q + 0.5) / points - 0.5) * pad.length);
+      for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b)
+          terms.push_back(
+              {sleeper.index(top[j + a], upwards, s + b), -(a ? v : 1 - v) * (b ? u : 1 - u) / (points * points)});
+    }
   return whole(pieces(terms));
 }
 

@@ -16,8 +16,16 @@ enum class TrackSymmetry { symmetric, antisymmetric };
 enum class TrackPart { rail, sleepers, padsVertical, padsHorizontal, ballast, others };
 inline constexpr std::size_t trackParts = 6;
 
-// Where a force acts on the rail, or where its motion is read.
-enum class RailDirection { vertical, lateral };  // downwards; outwards from the track centre
+// Which way a force acts on the rail and its motion is read: downwards, or outwards from the track centre.
+enum class RailDirection { vertical, lateral };
+
+// A hammer strikes one rail. The half model is one half of a track that moves as its mirror image, both rails struck
+// alike, as in the rolling run; what one struck rail answers is half the sum of that solution and of the antisymmetric
+// one, with another condition in the middle of the sleepers. Sleepers bend and rock in both.
+enum class StruckRails { one, both };
+
+// The solutions whose mean is the answer.
+std::vector<TrackSymmetry> symmetriesOf(StruckRails rails);
 
 class TrackSystem {
  public:
@@ -30,6 +38,8 @@ class TrackSystem {
   // The dynamic stiffness as a sum: parts with a loss factor, or pads by their measured stiffness, are complex and have
   // no dashpots (scenario/Track.h).
   std::vector<HarmonicTerm> terms() const;
+  // The same without pads: the sleepers by themselves on their ballast.
+  std::vector<HarmonicTerm> termsWithoutPads() const;
 
   // Groups of the first and of the last station of the rail: where a cell of a periodic track meets the next.
   std::vector<int> firstStation() const { return railStation(0); }
@@ -41,6 +51,8 @@ class TrackSystem {
   Eigen::VectorXd sectionMean(double position) const;
   // The same of the rail's head alone, in either direction. As a load: 1 N spread over the head.
   Eigen::VectorXd headMean(double position, RailDirection direction) const;
+  // Mean downward displacement of the first sleeper's top under its pad; as a load, 1 N spread there.
+  Eigen::VectorXd sleeperSeat() const;
 
  private:
   struct Part {
@@ -52,6 +64,7 @@ class TrackSystem {
   Eigen::VectorXd whole(const std::map<int, Eigen::VectorXd>& pieces) const;
   void addBlock(const Part& part);
   void addHeight(const Part& sleeper);
+  std::vector<HarmonicTerm> termsOf(bool pads) const;
   void addForceElements(const forces::ForceElements& set);
   TrackPart partOf(const forces::ForceElements& set, std::size_t element) const;
   void fix(std::size_t index);

@@ -88,7 +88,7 @@ void compareWithBeam(const cases::CaseDescription& d, double step, const recepta
   for (double f = options.lowest; f <= options.highest; f += step) frequency.push_back(f);
   std::vector<Complexes> expected(solid.points.size());
   for (const double f : frequency) {
-    const auto values = beam.receptance({solid.points[0].position, solid.points[1].position}, f);
+    const auto values = beam.receptance({solid.points[0].read, solid.points[1].read}, f);
     for (std::size_t p = 0; p < expected.size(); ++p) expected[p].push_back(values[p]);
   }
   for (std::size_t p = 0; p < expected.size(); ++p) {

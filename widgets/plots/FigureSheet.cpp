@@ -43,6 +43,19 @@ Drawing drawingOf(const FigureSheet& sheet) {
 
 }  // namespace
 
+void alignAxes(FigureSheet& sheet) {
+  int left = 0;
+  for (const auto& panel : sheet.panels) {
+    panel->settleLayout(panel->printedUnits());
+    left = std::max(left, panel->axisRect()->margins().left());
+  }
+  for (const auto& panel : sheet.panels) {
+    QMargins minimum = panel->axisRect()->minimumMargins();
+    minimum.setLeft(left);
+    panel->axisRect()->setMinimumMargins(minimum);
+  }
+}
+
 QSize sheetUnits(const FigureSheet& sheet) { return placingOf(sheet).whole; }
 
 QImage toImage(const FigureSheet& sheet, double resolution) {

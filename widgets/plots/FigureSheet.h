@@ -16,6 +16,9 @@ struct FigureSheet {
   int columns = 1;
 };
 
+// Panels one below the other have their axes at the same place: the widest labels decide.
+void alignAxes(FigureSheet& sheet);
+
 // Extent in units of 1/96 inch: a row is as high as its highest panel.
 QSize sheetUnits(const FigureSheet& sheet);
 

@@ -14,12 +14,31 @@ void setFrequencyAxis(Figure& figure, const receptance::TrackReceptance& r) {
   figure.xAxis->setRange(0, r.frequency.back());
 }
 
-std::unique_ptr<Figure> magnitudes(const receptance::TrackReceptance& r, const Style& style) {
-  auto figure = std::make_unique<Figure>(QStringLiteral("receptance of the track"), style);
-  figure->yAxis->setLabel(QStringLiteral("Receptance [dB re 1 nm/N]"));
+// What a decibel counts from, as usual for each quantity.
+struct Reference {
+  double value;
+  QString name, label;
+};
+Reference referenceOf(receptance::ReceptanceQuantity quantity) {
+  switch (quantity) {
+    case receptance::ReceptanceQuantity::mobility:
+      return {1e-6, QStringLiteral("mobility of the track"), QStringLiteral("Mobility [dB re 1 µm/(N s)]")};
+    case receptance::ReceptanceQuantity::accelerance:
+      return {1e-3, QStringLiteral("accelerance of the track"), QStringLiteral("Accelerance [dB re 1 mm/(N s²)]")};
+    default:
+      return {1e-9, QStringLiteral("receptance of the track"), QStringLiteral("Receptance [dB re 1 nm/N]")};
+  }
+}
+
+std::unique_ptr<Figure> magnitudes(const receptance::TrackReceptance& r, receptance::ReceptanceQuantity quantity,
+                                   const Style& style) {
+  const auto reference = referenceOf(quantity);
+  auto figure = std::make_unique<Figure>(reference.name, style);
+  figure->yAxis->setLabel(reference.label);
   for (std::size_t i = 0; i < r.points.size(); ++i) {
     Curve curve{r.frequency, {}, QString::fromStdString(r.points[i].name), i};
-    for (const auto& value : r.points[i].receptance) curve.y.push_back(20 * std::log10(std::abs(value) / 1e-9));
+    for (const auto& value : receptance::asQuantity(r.frequency, r.points[i].receptance, quantity))
+      curve.y.push_back(20 * std::log10(std::abs(value) / reference.value));
     addCurve(*figure, curve);
   }
   setFrequencyAxis(*figure, r);
@@ -27,16 +46,24 @@ std::unique_ptr<Figure> magnitudes(const receptance::TrackReceptance& r, const S
   return figure;
 }
 
-std::unique_ptr<Figure> phases(const receptance::TrackReceptance& r, const Style& style) {
+std::unique_ptr<Figure> phases(const receptance::TrackReceptance& r, receptance::ReceptanceQuantity quantity,
+                               const Style& style) {
   auto figure = std::make_unique<Figure>(QStringLiteral("phase"), style);
   figure->yAxis->setLabel(QStringLiteral("Phase [°]"));
   for (std::size_t i = 0; i < r.points.size(); ++i) {
     Curve curve{r.frequency, {}, {}, i};
-    for (const auto& value : r.points[i].receptance) curve.y.push_back(std::arg(value) * 180 / std::numbers::pi);
+    for (const auto& value : receptance::asQuantity(r.frequency, r.points[i].receptance, quantity))
+      curve.y.push_back(std::arg(value) * 180 / std::numbers::pi);
     addCurve(*figure, curve);
   }
   setFrequencyAxis(*figure, r);
-  figure->yAxis->setRange(-185, 5);
+  const bool transfers =
+      std::any_of(r.points.begin(), r.points.end(), [](const auto& p) { return p.struck != p.read; });
+  const double turned = 90 * static_cast<int>(quantity);
+  if (transfers)
+    figure->yAxis->setRange(-185, 185);
+  else
+    figure->yAxis->setRange(-185 + turned, 5 + turned);
   return figure;
 }
 
@@ -65,27 +92,14 @@ std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style&
   return figure;
 }
 
-// Panels one below the other have their axes at the same place: the widest labels decide.
-void alignAxes(FigureSheet& sheet) {
-  int left = 0;
-  for (const auto& panel : sheet.panels) {
-    panel->settleLayout(panel->printedUnits());
-    left = std::max(left, panel->axisRect()->margins().left());
-  }
-  for (const auto& panel : sheet.panels) {
-    QMargins minimum = panel->axisRect()->minimumMargins();
-    minimum.setLeft(left);
-    panel->axisRect()->setMinimumMargins(minimum);
-  }
-}
-
 }  // namespace
 
 FigureSheet receptanceFigures(const receptance::TrackReceptance& receptance, const std::string& name,
-                              const std::string& title, const std::string& hash, const Style& style) {
+                              const std::string& title, const std::string& hash, const Style& style,
+                              receptance::ReceptanceQuantity quantity) {
   FigureSheet sheet{name, {}, 1};
-  sheet.panels.push_back(magnitudes(receptance, style));
-  sheet.panels.push_back(phases(receptance, style));
+  sheet.panels.push_back(magnitudes(receptance, quantity, style));
+  sheet.panels.push_back(phases(receptance, quantity, style));
   if (!receptance.modes.empty()) sheet.panels.push_back(modes(receptance, style));
   sheet.panels.front()->setCaption(QString::fromStdString(title), QString::fromStdString(hash));
   alignAxes(sheet);
