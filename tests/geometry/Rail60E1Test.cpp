@@ -1,8 +1,9 @@
 // Section of the 60E1 rail: the published integrals, and its head against a profile that others have drawn.
 //
 // Published for UIC 60: area 76.70 cm2, 60.21 kg/m at 7850 kg/m3, centroid 80.9 mm above the base, moments 3038.3 and
-// 512.3 cm4, section moduli 333.6 (head) and 375.5 cm3 (foot). The outline without a mesh is held to 0.1 %: half the last
-// digit of the centroid is 0.06 %, and what the fit of the web leaves is 0.05 %. The mesh to 0.5 %, as that of 54E1.
+// 512.3 cm4, section moduli 333.6 (head) and 375.5 cm3 (foot). The outline without a mesh is held to 0.1 %: half the
+// last digit of the centroid is 0.06 %, and what the fit of the web leaves is 0.05 %. The mesh to 0.5 %, as that of
+// 54E1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -100,7 +101,7 @@ TEST(Rail60E1, ArcsMeetTheSideWhereThePublishedHeadHasIt) {
 }
 
 // Points of the head in MBench_UIC60_v3.prr, the rail of the Manchester Contact Benchmark (S. Iwnicki and others, 2006)
-// as spread with multibody programs [mm], z downwards. That rail is canted by 1:40 about the middle of its R300, which
+// as spread with multibody programs [mm], z downwards. That rail leans by 1:40 about the middle of its R300, which
 // lies at (0.005957, 300).
 Point2 upright(double y, double z) {
   const double cosine = 1 / std::hypot(1.0, 0.025), sine = 0.025 * cosine;
@@ -109,17 +110,25 @@ Point2 upright(double y, double z) {
 }
 
 TEST(Rail60E1, HeadIsThatOfTheManchesterBenchmark) {
-  // R300: equal to the digits of the file, 0.2 um with those of the cant.
-  for (const auto& [y, z] : {Point2{-15.621648, 0.40731318}, {-13.102013, 0.28650154}, {-4.9636765, 0.041164848},
-                             {-2.310196, 0.0089409992}, {0.23126776, 8.4530419e-05}, {2.658107, 0.011723314}}) {
+  // R300: equal to the digits of the file, 0.2 um with those of the inclination.
+  for (const auto& [y, z] : {Point2{-15.621648, 0.40731318},
+                             {-13.102013, 0.28650154},
+                             {-4.9636765, 0.041164848},
+                             {-2.310196, 0.0089409992},
+                             {0.23126776, 8.4530419e-05},
+                             {2.658107, 0.011723314}}) {
     const auto p = upright(y, z);
     ASSERT_LT(std::abs(p[0]), 0.010228);
     EXPECT_NEAR(crownHeight(uic60, p[0]), p[1], 0.2e-6) << p[0];
   }
   // R80: theirs begins at 10.5 mm and not at the standard's 10.228 (chord 20.456), and keeps the slope of R300 for so
   // much longer: from halfway on it lies 0.272 mm (1/80 - 1/300) (y - 10.364) higher, 2 um for higher terms.
-  for (const auto& [y, z] : {Point2{4.9687627, 0.058655187}, {7.1624988, 0.1645536}, {9.2383556, 0.32048098},
-                             {13.035481, 0.74704065}, {16.363899, 1.2733064}, {-29.941106, 2.1700482}}) {
+  for (const auto& [y, z] : {Point2{4.9687627, 0.058655187},
+                             {7.1624988, 0.1645536},
+                             {9.2383556, 0.32048098},
+                             {13.035481, 0.74704065},
+                             {16.363899, 1.2733064},
+                             {-29.941106, 2.1700482}}) {
     const auto p = upright(y, z);
     ASSERT_LT(std::abs(p[0]), 0.0260265);
     const double higher = (0.0105 - 0.010228) * (1 / 0.080 - 1 / 0.300) * (std::abs(p[0]) - 0.010364);
