@@ -22,8 +22,9 @@ namespace {
 
 constexpr double force = 87.8e3, along = 6.86e-3, across = 5.16e-3, peak = 1185e6, approach = 0.0955e-3;
 
-void expectHertz(const std::string& mesh, double tolerance) {
-  const auto model = model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {mesh, {}}));
+void expectHertz(const std::string& mesh, double tolerance, const std::string& track) {
+  const auto model =
+      model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {mesh, {{"track.length", track}}}));
   ThreadTeam team(threadCount(0));
   Monitor quiet;
   const auto e = findEquilibrium(model, elasticity::kernelsFor(""), team, model.startX, 0, {}, quiet);
@@ -43,9 +44,10 @@ void expectHertz(const std::string& mesh, double tolerance) {
   verification::seenDeviation("peak pressure on " + mesh, e.peakPressure, peak * scale);
 }
 
-TEST(WheelOnRailHertz, Draft) { expectHertz("draft", 0.12); }
+// The patch does not feel the length of the track, and three metres take seconds.
+TEST(WheelOnRailHertz, Draft) { expectHertz("draft", 0.12, "3"); }
 
-TEST(WheelOnRailHertz, Paper) { expectHertz("paper", 0.06); }
+TEST(WheelOnRailHertz, Paper) { expectHertz("paper", 0.06, "10"); }
 
 // What the penalty adds to the approach, p0 / 2 k, stays below 4 % of Hertz's on the mesh `paper`.
 TEST(WheelOnRailHertz, PenaltyOfThePapersMeshIsHard) {
