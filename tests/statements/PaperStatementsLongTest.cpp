@@ -33,7 +33,8 @@ void judgeOn(const std::string& mesh) {
   verification::seen("statements on " + mesh, notMet, "not met");
   for (const auto& one : judged)
     if (one.verdict == Verdict::notMet)
-      std::printf("not met: %s: %g %s\n", one.statement.name.c_str(), one.value.value_or(0), one.statement.unit.c_str());
+      std::printf("not met: %s: %g %s\n", one.statement.name.c_str(), one.value.value_or(0),
+                  one.statement.unit.c_str());
 }
 
 TEST(PaperStatements, Tiny) { judgeOn("tiny"); }
