@@ -1,7 +1,7 @@
 // tests/verification/Seen.h - what a test has measured, beside what is stated of it. accuracy.csv holds the stated
 // figures of README and manual, of each test and quantity; .ci/verification writes it from the lines that begin with
-// "seen:". At its end a test fails where the worst that it has seen of a quantity is 1.5 times as bad as is stated, and
-// where nothing is stated. It says, as a message only, where the worst is less than the statement by that much.
+// "seen:". At its end a test fails where the worst that it has seen of a quantity is 1.5 times as bad as is stated. It
+// says, as a message only, where the worst is that much better, and where nothing is stated.
 #pragma once
 
 #include <string>

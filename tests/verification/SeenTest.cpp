@@ -85,9 +85,8 @@ TEST(Stated, FiguresOfTheManualAreThoseOfTheTable) {
       expected.append(expected.empty() ? "" : "; ").append(quantity + " " + stated.figure + " " + stated.unit);
       onThePage.insert(quantity + stated.unit);
     }
-    if (!worst.empty()) {
-      EXPECT_EQ(cells.at(3), expected) << line;
-    }
+    const bool isStated = cells.at(3) == expected;  // without a figure: passed, or not run yet
+    EXPECT_TRUE(isStated || (worst.empty() && cells.at(3).ends_with("passed"))) << line << "\nshould have " << expected;
   }
   for (const auto& row : statedFigures()) EXPECT_EQ(onThePage.count(row.quantity + row.unit), 1U) << row.test;
 }
