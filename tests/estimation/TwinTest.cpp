@@ -11,6 +11,7 @@
 #include "estimation/Estimation.h"
 #include "results/SampleResult.h"
 #include "simulation/RunCase.h"
+#include "verification/Seen.h"
 
 namespace squat::estimation {
 namespace {
@@ -94,6 +95,8 @@ TEST(ProfileTwin, IsFoundByItsOwnVehicle) {
   const double path = pathDifference(estimate.description);
   EXPECT_NEAR(estimate.depth.value, kDepth, 0.1 * kDepth);
   EXPECT_LT(path, 0.1 * kDepth);
+  verification::seenDeviation("depth", estimate.depth.value, kDepth);
+  verification::seen("path", 100 * path / kDepth, "% of the depth");
   std::printf("depth %.1f um, path %.1f um\n", 1e6 * estimate.depth.value, 1e6 * path);
   EXPECT_LE(estimate.depth.low, kDepth);
   EXPECT_GE(estimate.depth.high, kDepth);

@@ -74,7 +74,8 @@ TEST(RunCase, ContactCarriesTheWeight) {
   // solver's residual, 1e-6 of the load.
   const double weight = 9.81 * (8000 + 950);
   EXPECT_NEAR(scalar(r.equilibrium, "contact_force") / weight, 1, 1e-6);
-  verification::seenDeviation("force", scalar(r.equilibrium, "contact_force"), weight);
+  // The solver stops anywhere below its tolerance: stated is the tolerance.
+  verification::seen("force", 100 * std::max(1e-6, std::abs(scalar(r.equilibrium, "contact_force") / weight - 1)), "%");
 }
 
 TEST(RunCase, EnergyIsAccountedFor) {
@@ -108,7 +109,7 @@ TEST_P(EverySolidIsOne, FourTimesTheModulusChangesTheAxleBoxAcceleration) {
   // step changes 0.004 at most (mesh.selective_inertia).
   const double change = largestDifference(before, after) / largest(before);
   EXPECT_GT(change, 0.3) << key;
-  verification::seen(key.substr(0, key.find('.')), 100 * change, "% of the peak");
+  verification::seen(key.substr(0, key.find('.')), 100 * change, "% of the peak", verification::Worse::smaller);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, EverySolidIsOne,
@@ -232,13 +233,13 @@ TEST(RunCase, StepAboveTheStableOneIsRefused) {
 TEST(RunCase, MovedNodesChangeLittle) {
   // The defect as a term of the gap alone against surface nodes moved as in the paper: 0.15 mm over an element layer of
   // 20 mm changes its stiffness by 0.75 % at the deepest point, and this layer has less than a tenth of the flexibility
-  // below the wheel: 0.075 % of the peak. The manual says 0.05 %; asked for is 0.1 %.
+  // below the wheel: 0.075 % of the peak; asked for is 0.1 %.
   const auto moved = run(tinyCase("light-defect", {{"defect.move_nodes", "true"}}));
   const auto &gap = *lightDefect().signal("aba_filtered"), &nodes = *moved.signal("aba_filtered");
   const double difference = largestDifference(gap, nodes);
-  RecordProperty("difference", std::to_string(difference / largest(gap)));
   EXPECT_GT(difference, 1e-4 * largest(gap)) << "the nodes have not moved";
   EXPECT_LT(difference, 0.001 * largest(gap));
+  verification::seen("difference", 100 * difference / largest(gap), "%");
 }
 
 // A rail gives way to a sudden motion with (E I)^(1/4) (rho A)^(3/4): 60E1 resists (3038.3 / 2337.9)^(1/4) (76.70 /

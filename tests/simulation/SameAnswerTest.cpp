@@ -65,7 +65,8 @@ TEST_P(SameAnswer, AsBeforeWithinHalfAPercent) {
   std::printf("%s: largest difference %.3f %% of the peak\n", GetParam().name.c_str(), 100 * maximum / peak);
   EXPECT_GT(peak, 100);
   EXPECT_LT(maximum, 5e-3 * peak);
-  verification::seen("difference", 100 * maximum / peak, "%");
+  // Another instruction set rounds otherwise: what is below a hundredth of a percent is not told apart.
+  verification::seen("difference", std::max(0.01, 100 * maximum / peak), "%");
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, SameAnswer,

@@ -42,7 +42,8 @@ TEST(MeshConvergence, StandardIsThePapersMesh) {
         nearest = line.frequency;
     std::printf("  line at %.1f Hz on standard, %.1f Hz on paper\n", nearest, paper.peaks[k].frequency);
     EXPECT_NEAR(nearest, paper.peaks[k].frequency, 0.02 * paper.peaks[k].frequency);
-    verification::seenDeviation("lines", nearest, paper.peaks[k].frequency);
+    // Interpolated between lines 3 Hz apart: below a thousandth frequencies are not told apart.
+    verification::seen("lines", std::max(0.1, 100 * std::abs(nearest / paper.peaks[k].frequency - 1)), "%");
   }
 }
 

@@ -6,6 +6,7 @@
 // value of each field, at every instant looked at and after the patch has left.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "elasticity/SweptSamples.h"
@@ -164,7 +165,8 @@ TEST_P(RolledOver, SameAsElementByElement) {
   }
   // It has yielded well: more than a fifth of the yield strain.
   EXPECT_GT(largestFlow, 0.2 * 0.8e9 / 210e9);
-  verification::seen("displacement", 100 * displacementError / largestDisplacement, "%");
+  // The layer's kernels round each to single precision: below 1e-5 instruction sets differ.
+  verification::seen("displacement", std::max(0.001, 100 * displacementError / largestDisplacement), "%");
   std::printf("largest plastic strain %.3g, displacement off by %.2g of %.3g mm\n", largestFlow,
               displacementError / largestDisplacement, 1e3 * largestDisplacement);
 }

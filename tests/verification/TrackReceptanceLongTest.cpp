@@ -2,11 +2,13 @@
 // tolerances), and nearly rigid sleepers against published numbers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
 #include "verification/ReceptanceComparison.h"
+#include "verification/Seen.h"
 
 namespace squat::verification {
 namespace {
@@ -33,26 +35,29 @@ TEST(TrackReceptanceLong, RigidSleepersGiveThePublishedNumbers) {
   d.pad.longitudinalStiffness = d.pad.longitudinalDamping = 0;
   const auto solid = solidTrack(d);
   ASSERT_EQ(solid.points.size(), 2u);
-  for (const auto& row : kPublished) {
-    EXPECT_LT(levelDifference(solid, solid.points[0].receptance, row.frequency, 20 * std::log10(row.overSleeper)),
-              kDecibels)
-        << "over a sleeper, " << row.frequency << " Hz";
-    // The height of the pin-pin peak hangs on the damping of a few bays: not a level away from resonances.
-    if (row.frequency != kPinPin) {
-      EXPECT_LT(levelDifference(solid, solid.points[1].receptance, row.frequency, 20 * std::log10(row.midspan)),
-                kDecibels)
-          << "midspan, " << row.frequency << " Hz";
-    }
-  }
-  const auto nearest = [&](const receptance::PointReceptance& point, double f) {
-    double best = 0;
-    for (const double found : receptance::resonances(solid.frequency, point.receptance))
-      if (std::abs(found - f) < std::abs(best - f)) best = found;
-    return best;
+  double worst = 0;
+  const auto expectLevel = [&](const receptance::PointReceptance& point, double frequency, double expected) {
+    const double off = levelDifference(solid, point.receptance, frequency, 20 * std::log10(expected));
+    EXPECT_LT(off, kDecibels) << point.name << ", " << frequency << " Hz";
+    worst = std::max(worst, off);
   };
-  EXPECT_NEAR(nearest(solid.points[0], kFullTrack), kFullTrack, kShift * kFullTrack);
-  EXPECT_NEAR(nearest(solid.points[1], kFullTrack), kFullTrack, kShift * kFullTrack);
-  EXPECT_NEAR(nearest(solid.points[1], kPinPin), kPinPin, kShift * kPinPin);
+  for (const auto& row : kPublished) {
+    expectLevel(solid.points[0], row.frequency, row.overSleeper);
+    // The height of the pin-pin peak hangs on the damping of a few bays: not a level away from resonances.
+    if (row.frequency != kPinPin) expectLevel(solid.points[1], row.frequency, row.midspan);
+  }
+  // Once a shift by 4 % is allowed for, most levels do not differ: a tenth of a decibel counts as none.
+  seen("levels", std::max(0.1, worst), "dB");
+  const auto expectResonance = [&](const receptance::PointReceptance& point, double f) {
+    double nearest = 0;
+    for (const double found : receptance::resonances(solid.frequency, point.receptance))
+      if (std::abs(found - f) < std::abs(nearest - f)) nearest = found;
+    EXPECT_NEAR(nearest, f, kShift * f) << point.name;
+    seenDeviation("resonances", nearest, f);
+  };
+  expectResonance(solid.points[0], kFullTrack);
+  expectResonance(solid.points[1], kFullTrack);
+  expectResonance(solid.points[1], kPinPin);
 }
 
 }  // namespace
