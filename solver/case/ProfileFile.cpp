@@ -1,8 +1,9 @@
 #include "case/ProfileFile.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <initializer_list>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -10,8 +11,12 @@
 #include "case/PointsText.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "text/DelimitedTable.h"
+#include "text/Heading.h"
 #include "text/Lines.h"
+#include "text/Numbers.h"
 #include "text/Text.h"
+#include "text/Units.h"
 
 namespace squat::cases {
 
@@ -20,214 +25,224 @@ namespace {
 constexpr std::size_t largestProfileFile = 200'000'000;  // bytes
 constexpr double highest = 0.05;                         // [m]
 constexpr double farthest = 1e6;                         // [m] chainages are welcome
+constexpr const char* exampleHeader = "Write a header such as: position [mm]; height [mm]";
+constexpr const char* exportAdvice = "Export the profile as CSV";
+constexpr const char* twoPoints = "Give at least two lines of position and height";
 
-using text::lowerCase;
+using text::Heading;
 using text::shown;
-using text::trimmed;
 
-std::vector<std::string_view> fieldsOf(std::string_view line, char delimiter) {
-  std::vector<std::string_view> fields;
-  text::splitFields(line, delimiter, fields);
-  for (auto& field : fields) field = trimmed(field);
-  return fields;
+// [m] exact to the last digit: where the unit is a power of ten, decimal digits are shifted (DecimalNumber.h).
+double metresIn(double value, double factor) {
+  const int power = static_cast<int>(std::lround(std::log10(factor)));
+  const auto exact = parseDecimal("1", power) == factor ? parseDecimal(text::numberText(value), power) : std::nullopt;
+  return exact.value_or(value * factor);
 }
 
-// Power of ten of a unit of length.
-std::optional<int> unitPower(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, int>, 6> units{
-      {{"m", 0}, {"mm", -3}, {"um", -6}, {"\xC2\xB5m", -6}, {"\xCE\xBCm", -6}, {"\xB5m", -6}}};
-  for (const auto& [name, power] : units)
-    if (unit == name) return power;
-  return std::nullopt;
-}
-
-struct Column {
-  std::string name;
-  std::optional<int> power;
-};
-
-// "position [mm]", "position (mm)", "position, mm", "position mm"
-Column columnOf(std::string_view field) {
-  const std::string text = lowerCase(field);
-  const std::size_t open = text.find_first_of("[(");
-  if (open != std::string::npos) {
-    const std::size_t close = text.find_first_of("])", open);
-    if (close == std::string::npos) return {text, std::nullopt};
-    return {std::string(trimmed(std::string_view(text).substr(0, open))),
-            unitPower(trimmed(std::string_view(text).substr(open + 1, close - open - 1)))};
-  }
-  const std::size_t gap = text.find_last_of(", _/");
-  if (gap == std::string::npos) return {text, std::nullopt};
-  return {std::string(trimmed(std::string_view(text).substr(0, gap))),
-          unitPower(trimmed(std::string_view(text).substr(gap + 1)))};
+std::optional<double> lengthFactor(const std::string& unit) {
+  const auto* known = text::findUnit(text::bareUnit(unit));
+  return known && known->si == "m" ? std::optional(known->factor) : std::nullopt;
 }
 
 // "y = -10 mm" at the end of a column's name [m].
 std::optional<double> lateralOf(const std::string& name) {
   const std::size_t equals = name.rfind('=');
   if (equals == std::string::npos) return std::nullopt;
-  const std::string_view before = trimmed(std::string_view(name).substr(0, equals));
+  const std::string_view before = text::trimmed(std::string_view(name).substr(0, equals));
   if (before != "y" && !before.ends_with(" y")) return std::nullopt;
-  const std::string_view behind = trimmed(std::string_view(name).substr(equals + 1));
+  const std::string_view behind = text::trimmed(std::string_view(name).substr(equals + 1));
   const std::size_t end = std::min(behind.find_first_not_of("+-.,0123456789"), behind.size());
-  std::string number(behind.substr(0, end));
-  std::replace(number.begin(), number.end(), ',', '.');
-  const auto power = unitPower(trimmed(behind.substr(end)));
-  return power ? parseDecimal(number, *power) : std::nullopt;
+  const auto number = text::numberIn(behind.substr(0, end), behind.find(',') < end ? ',' : '.');
+  const auto factor = lengthFactor(std::string(text::trimmed(behind.substr(end))));
+  return number && factor ? std::optional(metresIn(*number, *factor)) : std::nullopt;
 }
 
+std::string columnsWhere(std::size_t count, std::size_t expected) {
+  return std::to_string(count) + (count == 1 ? " column" : " columns") + " where " +
+         (expected == 2 ? "two" : std::to_string(expected)) + " are expected";
+}
+
+bool hasOneOf(const std::string& name, std::initializer_list<std::string_view> words) {
+  return std::any_of(words.begin(), words.end(), [&](auto word) { return name.find(word) != std::string::npos; });
+}
+
+// In English, German, Dutch and French. "profile depth" is a depth, "height of the profile" a height.
 bool namesHeight(const std::string& name) {
-  constexpr std::array<std::string_view, 6> words{"height", "z", "level", "deviation", "elevation", "profile"};
-  return std::any_of(words.begin(), words.end(), [&](std::string_view word) {
-    return name == word || (word.size() > 1 && name.find(word) != std::string::npos);
-  });
+  return name == "z" ||
+         hasOneOf(name, {"height", "elevation", "deviation", "altitude", "h\xC3\xB6he", "hoehe", "hoogte", "hauteur"});
 }
 
-// Depths are positive downwards, in whatever language.
+// Depths are positive downwards.
 bool namesDepth(const std::string& name) {
-  constexpr std::array<std::string_view, 8> words{"depth", "dip",    "tiefe",      "einsenkung",
-                                                  "delle", "diepte", "profondeur", "creux"};
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view word) { return name.find(word) != std::string::npos; });
+  return !namesHeight(name) &&
+         hasOneOf(name, {"depth", "dip", "tiefe", "einsenkung", "delle", "diepte", "profondeur", "creux"});
 }
 
-class ProfileParser {
- public:
-  ProfileParser(std::string_view text, std::string origin)
-      : textLines_(text, origin, "Export the profile as CSV"), origin_(std::move(origin)) {}
+bool isVertical(const std::string& name) {
+  return namesHeight(name) || namesDepth(name) || hasOneOf(name, {"level", "profil", "niveau"});
+}
 
-  std::vector<ProfileLine> parse() {
-    readHeader();
+// One file on its way from a table to profiles.
+class ProfileReader {
+ public:
+  ProfileReader(std::string_view text, std::string origin) : text_(text), origin_(std::move(origin)) {}
+
+  std::vector<ProfileLine> read() {
+    text::Lines lines(text_, origin_, exportAdvice);
     std::string_view line;
-    while (textLines_.nextRow(line)) addRow(line);
-    if (lines_.front().points.size() < 2)
-      fail("fewer than two points", "Give at least two lines of position and height");
-    if (areDepths_) turnDepths();
-    if (falls_)  // scanned towards lower chainage
-      for (auto& profile : lines_) std::reverse(profile.points.begin(), profile.points.end());
-    if (lines_.size() > 1)
-      if (const std::string wrong = linesMistake(lines_); !wrong.empty()) fail("unusable lines", wrong);
-    return std::move(lines_);
+    if (!lines.nextRow(line)) fail(0, "empty file", "Write a header with units and at least two points");
+    if (!lines.nextRow(line)) fail(0, "fewer than two points", twoPoints);
+    layout_ = text::layoutOf(text_, origin_, 0, 0);
+    if (layout_.names.empty()) failForHeading();
+    table_ = text::parseDelimitedTable(text_, origin_);
+    findRoles();
+    requireLengths(position_);
+    for (const std::size_t column : heights_) requireLengths(column);
+    if (table_.rows() < 2) fail(table_.lines.front(), "fewer than two points", twoPoints);
+    if (table_.rows() * heights_.size() > maximumPoints)
+      fail(0, "more than " + std::to_string(maximumPoints) + " points", "Use a larger step");
+    return profiles();
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what, const std::string& advice = {}) const {
-    throw FileError(origin_, textLines_.location(), what, advice);
+  // `line` from 1; 0: of the whole file.
+  [[noreturn]] void fail(std::size_t line, const std::string& what, const std::string& advice) const {
+    throw FileError(origin_, line > 0 ? "line " + std::to_string(line) : std::string(), what, advice);
   }
 
-  void readHeader() {
+  // The rows have no heading, or one of another number of columns.
+  [[noreturn]] void failForHeading() const {
+    text::Lines lines(text_, origin_, exportAdvice);
     std::string_view line;
-    if (!textLines_.nextRow(line)) fail("empty file", "Write a header with units and at least two points");
-    for (const char candidate : {',', '\t', ';'})
-      if (line.find(candidate) != std::string_view::npos) delimiter_ = candidate;
-    auto fields = fieldsOf(line, delimiter_);
-    std::vector<Column> columns;
-    // "position, mm, height, mm": the comma stands before the units as well
-    if (delimiter_ == ',' && fields.size() == 4 && unitPower(fields[1]) && unitPower(fields[3]))
-      columns = {{lowerCase(fields[0]), unitPower(fields[1])}, {lowerCase(fields[2]), unitPower(fields[3])}};
-    else
-      for (const auto field : fields) columns.push_back(columnOf(field));
-    checkColumns(fields, columns);
-    const auto isVertical = [](const Column& column) { return namesHeight(column.name) || namesDepth(column.name); };
-    swapped_ = columns.size() == 2 && isVertical(columns[0]) && !isVertical(columns[1]);
-    if (swapped_) std::swap(columns[0], columns[1]);
-    areDepths_ = columns.size() == 2 && namesDepth(columns[1].name) && !namesHeight(columns[1].name);
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      powers_.push_back(*columns[i].power);
-      if (i > 0) lines_.push_back({columns.size() > 2 ? *lateralOf(columns[i].name) : 0.0, {}});
+    std::vector<std::string_view> fields;
+    while (lines.nextRow(line) && lines.number() <= layout_.firstLine) {
+      text::splitRow(line, layout_, fields);
+      if (fields.size() < 2 || !lengthFactor(text::bracketedHeading(fields[0]).unit)) continue;
+      fail(layout_.firstLine + 1, columnsWhere(layout_.fields, fields.size()),
+           layout_.fields > fields.size() && layout_.delimiter == ','
+               ? "With a decimal comma, use a semicolon or a tab between the columns"
+               : "Give as many numbers in each line as the header has columns");
     }
+    fail(layout_.firstLine + 1, "no header with units", exampleHeader);
   }
 
-  void checkColumns(const std::vector<std::string_view>& fields, const std::vector<Column>& columns) const {
-    const std::string example = "Write a header such as: position [mm]; height [mm]";
-    if (std::any_of(fields.begin(), fields.end(), [](auto field) { return parseDecimal(field).has_value(); }))
-      fail("no header with units", example);
-    const bool sideBySide = columns.size() > 2 && columns.size() <= maximumLines + 1 &&
-                            std::all_of(columns.begin() + 1, columns.end(),
-                                        [](const Column& column) { return lateralOf(column.name).has_value(); });
-    if (columns.size() != 2 && !sideBySide)
-      fail(std::to_string(columns.size()) + (columns.size() == 1 ? " column" : " columns") + " where two are expected",
+  void findRoles() {
+    std::vector<std::size_t> positions;
+    for (const auto& column : table_.columns) {
+      auto heading = column.unit.empty() ? text::headingOf(column.name, "m") : Heading{column.name, column.unit};
+      if (column.kilometresAndMetres) heading.unit = "km+m";
+      heading.name = text::lowerCase(heading.name);
+      const std::size_t i = columns_.size();
+      if (isVertical(heading.name)) heights_.push_back(i);
+      if (!isVertical(heading.name) && text::siUnitOfName(heading.name) == "m") positions.push_back(i);
+      if (const auto lateral = lateralOf(heading.name); lateral && i > 0) laterals_.push_back(*lateral);
+      columns_.push_back(std::move(heading));
+    }
+    const std::size_t count = columns_.size();
+    if (count > 2 && count <= maximumLines + 1 && laterals_.size() == count - 1) {  // side by side
+      heights_.resize(count - 1);
+      std::iota(heights_.begin(), heights_.end(), 1);
+      return;
+    }
+    if (count == 2) {
+      position_ = heights_.size() == 1 && heights_[0] == 0 ? 1 : 0;
+      heights_ = {1 - position_};
+    } else if (laterals_.empty() && positions.size() == 1 && heights_.size() == 1) {
+      position_ = positions[0];
+    } else {
+      fail(layout_.headLine, columnsWhere(count, 2),
            "Keep position and height, separated by a comma, a semicolon or a tab; the header of several height columns "
            "must give their lateral positions: y = -10 mm [mm]");
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      if (!columns[i].power) fail("header " + shown(fields[i]) + " has no unit m, mm or um", example);
+    }
+    laterals_ = {0};
+  }
+
+  void requireLengths(std::size_t c) const {
+    const auto& column = table_.columns[c];
+    const std::string &unit = columns_[c].unit, header = "header " + shown(column.name);
+    if (column.moments) fail(layout_.headLine, header + " stands over dates or times", "Give lengths");
+    if (!lengthFactor(unit))
+      fail(layout_.headLine,
+           header + (unit.empty() ? " has no unit of length" : " is in " + unit + ", which is no known unit of length"),
+           exampleHeader);
+    if (column.badRow >= table_.rows()) return;
+    const std::size_t line = table_.lines[column.badRow];
+    const std::string& bad = column.badText;
+    // One decimal mark for the whole file: a second one would be a thousands separator.
+    const bool mixed =
+        bad.find_first_not_of("'+-.,0123456789eE") == std::string::npos && bad.find_first_of(".,") != std::string::npos;
+    if (mixed) fail(line, bad + ": mixed decimal points and commas", "Use one of them, without thousands separators");
+    const bool missing = bad.front() != '\'' || text::isMissing(std::string_view(bad).substr(1, bad.size() - 2));
+    if (missing) fail(line, "missing number: " + bad, "Give position and height on each line");
+    fail(line, bad + " is not a number", "Write plain decimal numbers");
+  }
+
+  double metres(std::size_t column, std::size_t row) const {
+    return metresIn(table_.columns[column].values[row], *lengthFactor(columns_[column].unit));
+  }
+
+  // Fails at a row, with the number as the file has it: "position 12.5 mm appears twice".
+  [[noreturn]] void failAt(std::size_t column, std::size_t row, const std::string& what,
+                           const std::string& advice) const {
+    const std::string& unit = columns_[column].unit;
+    fail(table_.lines[row],
+         (column == position_ ? "position " : "height ") + text::numberText(table_.columns[column].values[row]) + " " +
+             text::printedUnit(unit == "km+m" ? "m" : unit) + what,
+         advice);
+  }
+
+  std::vector<ProfileLine> profiles() const {
+    std::vector<double> at;
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      at.push_back(metres(position_, row));
+      if (std::abs(at[row]) > farthest) failAt(position_, row, " is beyond 1000 km", "Check the unit");
+      if (row == 0) continue;
+      if (at[row] == at[row - 1]) failAt(position_, row, " appears twice", "Keep one height for each position");
+      if ((at[row] < at[row - 1]) != (at[1] < at[0]))
+        failAt(position_, row, at[1] < at[0] ? " is larger than the previous one" : " is smaller than the previous one",
+               "Sort the lines by position");
+    }
+    std::vector<ProfileLine> lines;
+    for (std::size_t i = 0; i < heights_.size(); ++i) {
+      auto& points = lines.emplace_back(ProfileLine{laterals_[i], {}}).points;
+      for (std::size_t row = 0; row < at.size(); ++row) {
+        points.push_back({at[row], metres(heights_[i], row)});
+        if (std::abs(points.back().height) > highest)
+          failAt(heights_[i], row, " is beyond 50 mm", "Check the unit in the header");
+      }
+      if (at[1] < at[0]) std::reverse(points.begin(), points.end());  // scanned towards lower chainage
+    }
+    if (heights_.size() == 1 && namesDepth(columns_[heights_[0]].name)) turnDepths(lines.front());
+    if (lines.size() > 1)
+      if (const std::string wrong = linesMistake(lines); !wrong.empty()) fail(0, "unusable lines", wrong);
+    return lines;
   }
 
   // A column that is called a depth holds one: what goes down is positive, and far beyond what goes up.
-  void turnDepths() {
+  void turnDepths(ProfileLine& line) const {
     double deepest = 0, rising = 0;
-    for (const auto& line : lines_)
-      for (const auto& point : line.points)
-        deepest = std::max(deepest, point.height), rising = std::max(rising, -point.height);
+    for (const auto& point : line.points)
+      deepest = std::max(deepest, point.height), rising = std::max(rising, -point.height);
     if (!(deepest >= 2 * rising))
-      throw FileError(origin_, "line 1", "the header says depth, but the depths have both signs, or are negative",
-                      "Make depths positive, or name the column height, positive upwards");
-    for (auto& line : lines_)
-      for (auto& point : line.points) point.height = point.height == 0 ? 0 : -point.height;
+      fail(layout_.headLine, "the header says depth, but the depths have both signs, or are negative",
+           "Make depths positive, or name the column height, positive upwards");
+    for (auto& point : line.points) point.height = point.height == 0 ? 0 : -point.height;
   }
 
-  void addRow(std::string_view line) {
-    auto& first = lines_.front().points;
-    if (first.size() * lines_.size() >= maximumPoints)
-      fail("more than " + std::to_string(maximumPoints) + " points", "Use a larger step");
-    auto fields = fieldsOf(line, delimiter_);
-    if (fields.size() != powers_.size()) failForColumns(fields.size());
-    if (swapped_) std::swap(fields[0], fields[1]);
-    const double position = metresIn(fields[0], powers_[0]);
-    if (std::abs(position) > farthest) fail("position " + shown(fields[0]) + " is beyond 1000 km", "Check the unit");
-    if (!first.empty() && position == first.back().position)
-      fail("position " + shown(fields[0]) + " appears twice", "Keep one height for each position");
-    if (first.size() == 1) falls_ = position < first.back().position;
-    if (!first.empty() && (position < first.back().position) != falls_)
-      fail("position " + shown(fields[0]) + (falls_ ? " is larger" : " is smaller") + " than the previous one",
-           "Sort the lines by position");
-    for (std::size_t i = 1; i < fields.size(); ++i) {
-      const double height = metresIn(fields[i], powers_[i]);
-      if (std::abs(height) > highest)
-        fail("height " + shown(fields[i]) + " is beyond 50 mm", "Check the unit in the header");
-      lines_[i - 1].points.push_back({position, height});
-    }
-  }
-
-  [[noreturn]] void failForColumns(std::size_t count) const {
-    const std::string expected = powers_.size() == 2 ? "two" : std::to_string(powers_.size());
-    const std::string what =
-        std::to_string(count) + (count == 1 ? " column" : " columns") + " where " + expected + " are expected";
-    if (count > powers_.size() && delimiter_ == ',')
-      fail(what, "With a decimal comma, use a semicolon or a tab between the columns");
-    fail(what, powers_.size() == 2 ? "Keep position and height"
-                                   : "Give as many numbers in each line as the header has columns");
-  }
-
-  // One decimal mark for the whole file: a second one would be a thousands separator.
-  double metresIn(std::string_view field, int power) {
-    if (field.empty()) fail("missing number", "Give position and height on each line");
-    std::string text(field.substr(0, 100));
-    const std::size_t mark = text.find_first_of(".,");
-    if (mark != std::string::npos) {
-      if (decimalMark_ == 0) decimalMark_ = text[mark];
-      if (text.find_first_of(decimalMark_ == '.' ? "," : ".") != std::string::npos)
-        fail(shown(field) + ": mixed decimal points and commas", "Use one of them, without thousands separators");
-      text[mark] = '.';
-    }
-    const auto value = parseDecimal(text, power);
-    if (!value) fail(shown(field) + " is not a number", "Write plain decimal numbers");
-    return *value;
-  }
-
-  text::Lines textLines_;
+  std::string_view text_;
   std::string origin_;
-  char delimiter_ = ',';
-  char decimalMark_ = 0;
-  bool swapped_ = false, areDepths_ = false, falls_ = false;
-  std::vector<int> powers_;  // of the columns, position first
-  std::vector<ProfileLine> lines_;
+  text::TableLayout layout_;
+  text::DelimitedTable table_;
+  std::vector<Heading> columns_;  // names in small letters; units as the file has them
+  std::size_t position_ = 0;
+  std::vector<std::size_t> heights_;
+  std::vector<double> laterals_;  // [m] of each column of heights
 };
 
 }  // namespace
 
 std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin) {
-  return ProfileParser(text, origin).parse();
+  return ProfileReader(text, origin).read();
 }
 
 std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path) {
@@ -240,10 +255,6 @@ std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string&
     throw FileError(origin, "", std::to_string(lines.size()) + " profiles side by side where one is expected",
                     "Give it as defect.file of a case, or keep one column of heights");
   return std::move(lines.front().points);
-}
-
-std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path) {
-  return parseProfile(readWholeFile(path.string(), largestProfileFile), path.string());
 }
 
 }  // namespace squat::cases

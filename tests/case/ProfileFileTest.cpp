@@ -57,6 +57,32 @@ TEST(ProfileFile, UnitsInBracketsParenthesesOrBehindACommaOrABlank) {
   expectDip("\"Position [MM]\";\"Height [ mm ]\"\n-5.5;0\n0;-0.15\n5;0\n");
 }
 
+// As devices and offices write tables: lines above the heading, a row of units below it, other delimiters, more
+// columns.
+TEST(ProfileFile, TablesOfAnyMake) {
+  expectDip("Device;RM1200\nOperator: A. N.\n\nPosition;Height\nmm;um\n-5.5;0\n0;-150\n5;0\n");
+  expectDip("Position;Tiefe\n[mm];[\xC2\xB5m]\n-5,5;0\n0;150\n5;0\n");
+  expectDip("# position [mm]; height [mm]\n-5.5;0\n0;-0.15\n5;0\n");
+  expectDip("position [mm];height [mm]\n# scanned;3 March\n-5.5;0\n0;-0.15\n5;0\n");
+  expectDip("position_mm height_mm\n-5.5 0\n0 -0.15\n5 0\n");
+  expectDip("position [mm] | height [mm]\n-5.5 | 0\n0 | -0.15\n5 | 0\n");
+  expectDip("Nr;Stationierung [m];H\xC3\xB6he [mm];Bemerkung\n1;-0,0055;0;\n2;0;-0,15;Delle\n3;0,005;0;\n");
+  expectDip("afstand [cm];diepte [mm]\n-0.55;0\n0;0.15\n0.5;0\n");
+  expectDip("\"hauteur, mm\";\"abscisse, mm\"\n\"0\";\"-5,5\"\n\"-0,15\";\"0\"\n\"0\";\"5\"\n");
+  expectDip("position [mm],height [um],lower [um],upper [um],felt\n-5.5,0,-1,1,1\n0,-150,-160,-140,1\n5,0,-1,1,0\n");
+}
+
+// The inch is 25.4 mm by definition (1959); chainages as kilometres and metres.
+TEST(ProfileFile, OtherUnitsOfLength) {
+  const auto inches = parseProfile("position [inch];height [in]\n0;0\n2;-0.01\n4;0\n", "p.csv");
+  ASSERT_EQ(inches.size(), 3u);
+  EXPECT_DOUBLE_EQ(inches[1].position, 0.0508);
+  EXPECT_DOUBLE_EQ(inches[1].height, -0.000254);
+  const auto chainage = parseProfile("km;height [mm]\n12+345.500;0\n12+345.505;-0.1\n12+345.510;0\n", "p.csv");
+  ASSERT_EQ(chainage.size(), 3u);
+  EXPECT_DOUBLE_EQ(chainage[1].position, 12345.505);
+}
+
 TEST(ProfileFile, HeightMayComeFirst) { expectDip("height [mm]; position [mm]\n0;-5.5\n-0.15;0\n0;5\n"); }
 
 TEST(ProfileFile, MarksCommentsAndLineEnds) {
@@ -122,7 +148,7 @@ TEST(ProfileFile, PositionsMayFall) {
 TEST(ProfileFile, RefusesHeadersWithoutUnits) {
   EXPECT_THAT(refusalOfProfile("0;0\n5;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("no header")));
   EXPECT_THAT(refusalOfProfile("position;height\n0;0\n"), HasSubstr("unit"));
-  EXPECT_THAT(refusalOfProfile("position [mm];height [inch]\n0;0\n"), HasSubstr("unit"));
+  EXPECT_THAT(refusalOfProfile("position [mm];height [furlong]\n0;0\n"), HasSubstr("unit"));
   EXPECT_THAT(refusalOfProfile("position [mm;height [mm]\n0;0\n"), HasSubstr("unit"));
   EXPECT_THAT(refusalOfProfile("position [mm];depth [mm]\n0;0\n5;-0.1\n"), HasSubstr("positive upwards"));
   EXPECT_THAT(refusalOfProfile("position [mm];Tiefe [mm]\n0;-0.08\n5;0.1\n"), HasSubstr("both signs"));
