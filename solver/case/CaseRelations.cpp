@@ -6,8 +6,10 @@
 
 #include "case/DecimalNumber.h"
 #include "case/ParameterValue.h"
+#include "case/ProfileStretch.h"
 #include "case/Resolve.h"
 #include "scenario/DefectSurface.h"
+#include "scenario/MeasuredProfile.h"
 #include "scenario/SleeperHeight.h"
 #include "scenario/TrackCentre.h"
 #include "scenario/WheelsetMass.h"
@@ -25,9 +27,9 @@ std::string withUnit(const std::string& text, const Parameter& parameter) {
   return parameter.unit.empty() || parameter.unit == "-" ? text : text + " " + parameter.unit;
 }
 
-// Four digits, to the side that is allowed: what a message names must be accepted.
-enum class Side { nearest, below, above };
-std::string rounded(double value, Side side = Side::nearest) {
+}  // namespace
+
+std::string rounded(double value, Side side) {
   if (value == 0 || !std::isfinite(value)) return formatDecimal(value);
   const double scale = std::pow(10.0, 3 - std::floor(std::log10(std::abs(value)))), digits = value * scale;
   constexpr double roundOff = 1e-6;
@@ -37,7 +39,6 @@ std::string rounded(double value, Side side = Side::nearest) {
   return formatDecimal(kept / scale);
 }
 
-// `limit` in SI, shown in the unit of `key`.
 std::string limitText(const std::string& key, const char* relation, double limit) {
   const Parameter& parameter = *findParameter(key);
   const std::string words = relation;
@@ -54,12 +55,16 @@ void add(std::vector<Finding>& findings, const Case& description, Severity sever
   findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});
 }
 
-// A profile that is longer than any defect is most likely given in another unit.
+namespace {
+
+// A profile that is longer than any defect is given in another unit, or a scan of which a stretch is meant.
 std::string unitHint(const Case& c, const DefectSurface& surface) {
   constexpr double longest = 3;  // [m]; instruments measure 1 to 1.2 m at once
   const double length = surface.last() - surface.first();
   if (c.defect.shape != DefectShape::profile || length <= longest) return {};
-  return ". The profile is " + rounded(length) + " m long: check the unit of its positions";
+  const auto& points = c.defect.lines.empty() ? c.defect.points : c.defect.lines.front().points;
+  return ". The profile is " + rounded(length) + " m long: check the unit of its positions, or take a stretch. " +
+         stretchAdvice(scenario::countedPoints(points, c.defect));
 }
 
 }  // namespace
@@ -308,7 +313,10 @@ std::string steepestPlace(const std::vector<ProfilePoint>& points) {
   };
   const auto at = [&](std::size_t i) { return rounded(1e3 * points[i].position) + " mm"; };
   for (const std::size_t i : {steepest, steepest - 1})
-    if (isAlone(i)) return ", at " + at(i) + ", where one point stands apart from its neighbours: a measuring error?";
+    if (isAlone(i))
+      return ", at " + at(i) +
+             ", where one point stands apart from its neighbours: a measuring error? "
+             "defect.filter = \"outliers\" replaces such points";
   return ", between " + at(steepest - 1) + " and " + at(steepest);
 }
 
@@ -319,6 +327,7 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   if (sampled && d.points.size() < 2 && d.lines.empty())
     add(findings, c, Severity::problem, {"defect.points", "defect.lines", "defect.file", "defect.shape"},
         "at least two points", "Give a CSV file as defect.file, or write the points into the case");
+  if (sampled) checkMeasuredProfile(c, findings);
   if (sampled && !d.lines.empty() && d.lateral != LateralShape::uniform)
     add(findings, c, Severity::problem, {"defect.lateral", "defect.lines"}, "uniform if defect.lines is given",
         "The lines already define the shape across the rail");
@@ -333,7 +342,7 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   // A face that drops more than half its length would fold the elements below it.
   constexpr double steepestPossible = 0.5, steepestSensible = 0.1;
   const std::string found = " (its maximum slope is " + rounded(surface.steepest()) +
-                            (sampled ? steepestPlace(d.points) : std::string()) + ")";
+                            (sampled ? steepestPlace(scenario::countedPoints(d.points, d)) : std::string()) + ")";
   if (surface.steepest() > steepestPossible)
     add(findings, c, Severity::problem, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.5",
         "The profile is too steep for the mesh" + found + ": make it longer or shallower");
@@ -357,7 +366,8 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   if (sampled && surface.depth() == 0)
     add(findings, c, Severity::warning, {pointsKey, "defect.file"}, "below the surface somewhere",
         "The profile has no point below the surface: heights are positive upwards");
-  const auto endsAway = [](const std::vector<ProfilePoint>& points) {
+  const auto endsAway = [&](const std::vector<ProfilePoint>& all) {
+    const auto points = scenario::countedPoints(all, d);
     return points.size() > 1 && (points.front().height != 0 || points.back().height != 0);
   };
   const bool away = d.lines.empty() ? endsAway(d.points)

@@ -9,6 +9,7 @@
 
 #include "case/DecimalNumber.h"
 #include "case/PointsText.h"
+#include "case/ProfileStretch.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "text/DelimitedTable.h"
@@ -27,6 +28,8 @@ constexpr double highest = 0.05;                         // [m]
 constexpr double farthest = 1e6;                         // [m] chainages are welcome
 constexpr const char* exampleHeader = "Write a header such as: position [mm]; height [mm]";
 constexpr const char* exportAdvice = "Export the profile as CSV";
+constexpr const char* leaveOutAdvice =
+    "Give position and height on each line, or set defect.filter, which leaves such lines out";
 constexpr const char* twoPoints = "Give at least two lines of position and height";
 
 using text::Heading;
@@ -85,7 +88,8 @@ bool isVertical(const std::string& name) {
 // One file on its way from a table to profiles.
 class ProfileReader {
  public:
-  ProfileReader(std::string_view text, std::string origin) : text_(text), origin_(std::move(origin)) {}
+  ProfileReader(std::string_view text, std::string origin, const Defect& asked)
+      : text_(text), origin_(std::move(origin)), asked_(asked) {}
 
   std::vector<ProfileLine> read() {
     text::Lines lines(text_, origin_, exportAdvice);
@@ -98,9 +102,8 @@ class ProfileReader {
     findRoles();
     requireLengths(position_);
     for (const std::size_t column : heights_) requireLengths(column);
-    if (table_.rows() < 2) fail(table_.lines.front(), "fewer than two points", twoPoints);
-    if (table_.rows() * heights_.size() > maximumPoints)
-      fail(0, "more than " + std::to_string(maximumPoints) + " points", "Use a larger step");
+    findRows();
+    if (rows_.size() < 2) fail(table_.lines.front(), "fewer than two points", twoPoints);
     return profiles();
   }
 
@@ -173,8 +176,48 @@ class ProfileReader {
         bad.find_first_not_of("'+-.,0123456789eE") == std::string::npos && bad.find_first_of(".,") != std::string::npos;
     if (mixed) fail(line, bad + ": mixed decimal points and commas", "Use one of them, without thousands separators");
     const bool missing = bad.front() != '\'' || text::isMissing(std::string_view(bad).substr(1, bad.size() - 2));
-    if (missing) fail(line, "missing number: " + bad, "Give position and height on each line");
-    fail(line, bad + " is not a number", "Write plain decimal numbers");
+    if (!missing) fail(line, bad + " is not a number", "Write plain decimal numbers");
+    if (!leavesOut()) fail(line, "missing number: " + bad, leaveOutAdvice);
+  }
+
+  bool leavesOut() const { return asked_.filter != ProfileFilter::none; }
+
+  // The value of a column that stands for none: a usual mark, where all other values are far smaller.
+  double absentIn(std::size_t column) const {
+    std::vector<double> sizes;
+    for (const double value : table_.columns[column].values)
+      if (std::isfinite(value)) sizes.push_back(std::abs(value));
+    if (sizes.empty()) return HUGE_VAL;
+    std::sort(sizes.begin(), sizes.end());
+    const double usual = sizes[sizes.size() / 2];
+    for (const double mark : {999.0, 9999.0, 99999.0, 32768.0, 999.25}) {
+      const auto from = std::lower_bound(sizes.begin(), sizes.end(), 0.5 * mark);
+      if (from != sizes.end() && *from == mark && sizes.back() == mark && mark > 20 * usual) return mark;
+    }
+    return HUGE_VAL;
+  }
+
+  // The rows that have all their numbers.
+  void findRows() {
+    auto columns = heights_;
+    columns.push_back(position_);
+    std::vector<double> absent;
+    for (const std::size_t column : columns) absent.push_back(column == position_ ? HUGE_VAL : absentIn(column));
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      bool whole = true;
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double value = table_.columns[columns[i]].values[row];
+        if (std::abs(value) == absent[i] && !leavesOut())
+          failAt(columns[i], row, " stands for no value, it seems", leaveOutAdvice);
+        whole = whole && std::isfinite(value) && std::abs(value) != absent[i];
+      }
+      if (whole) rows_.push_back(row);
+    }
+    if (4 * rows_.size() < 3 * table_.rows())
+      fail(0,
+           std::to_string(table_.rows() - rows_.size()) + " of " + std::to_string(table_.rows()) +
+               " rows have no number",
+           "A filter bridges at most a quarter of the rows: measure again, or use another column");
   }
 
   double metres(std::size_t column, std::size_t row) const {
@@ -193,29 +236,51 @@ class ProfileReader {
 
   std::vector<ProfileLine> profiles() const {
     std::vector<double> at;
-    for (std::size_t row = 0; row < table_.rows(); ++row) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const std::size_t row = rows_[i];
       at.push_back(metres(position_, row));
-      if (std::abs(at[row]) > farthest) failAt(position_, row, " is beyond 1000 km", "Check the unit");
-      if (row == 0) continue;
-      if (at[row] == at[row - 1]) failAt(position_, row, " appears twice", "Keep one height for each position");
-      if ((at[row] < at[row - 1]) != (at[1] < at[0]))
+      if (std::abs(at[i]) > farthest) failAt(position_, row, " is beyond 1000 km", "Check the unit");
+      if (i == 0) continue;
+      if (at[i] == at[i - 1]) failAt(position_, row, " appears twice", "Keep one height for each position");
+      if ((at[i] < at[i - 1]) != (at[1] < at[0]))
         failAt(position_, row, at[1] < at[0] ? " is larger than the previous one" : " is smaller than the previous one",
                "Sort the lines by position");
     }
     std::vector<ProfileLine> lines;
     for (std::size_t i = 0; i < heights_.size(); ++i) {
       auto& points = lines.emplace_back(ProfileLine{laterals_[i], {}}).points;
-      for (std::size_t row = 0; row < at.size(); ++row) {
-        points.push_back({at[row], metres(heights_[i], row)});
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        points.push_back({at[k], metres(heights_[i], rows_[k])});
         if (std::abs(points.back().height) > highest)
-          failAt(heights_[i], row, " is beyond 50 mm", "Check the unit in the header");
+          failAt(heights_[i], rows_[k], " is beyond 50 mm", "Check the unit in the header");
       }
       if (at[1] < at[0]) std::reverse(points.begin(), points.end());  // scanned towards lower chainage
     }
     if (heights_.size() == 1 && namesDepth(columns_[heights_[0]].name)) turnDepths(lines.front());
+    cut(lines);
     if (lines.size() > 1)
       if (const std::string wrong = linesMistake(lines); !wrong.empty()) fail(0, "unusable lines", wrong);
     return lines;
+  }
+
+  // A scan with more points than a case may have keeps the stretch that is asked for.
+  void cut(std::vector<ProfileLine>& lines) const {
+    const auto tooMany = [&] { return lines.size() * lines.front().points.size() > maximumPoints; };
+    if (!tooMany()) return;
+    const auto whole = lines.front().points;
+    const double from = asked_.from, to = asked_.to;
+    const auto outside = [&](const ProfilePoint& point) { return point.position < from || point.position > to; };
+    if (from < to)
+      for (auto& line : lines) std::erase_if(line.points, outside);
+    if (tooMany())
+      fail(0,
+           std::to_string(rows_.size()) + " rows, and a profile has at most " + std::to_string(maximumPoints) +
+               " points",
+           stretchAdvice(whole));
+    if (lines.front().points.size() < 2)
+      fail(0, "has fewer than two points between defect.from and defect.to",
+           "Its positions are " + text::numberText(whole.front().position) + " to " +
+               text::numberText(whole.back().position) + " m");
   }
 
   // A column that is called a depth holds one: what goes down is positive, and far beyond what goes up.
@@ -231,26 +296,28 @@ class ProfileReader {
 
   std::string_view text_;
   std::string origin_;
+  const Defect& asked_;
   text::TableLayout layout_;
   text::DelimitedTable table_;
   std::vector<Heading> columns_;  // names in small letters; units as the file has them
   std::size_t position_ = 0;
   std::vector<std::size_t> heights_;
-  std::vector<double> laterals_;  // [m] of each column of heights
+  std::vector<std::size_t> rows_;  // of the table, that have all their numbers
+  std::vector<double> laterals_;   // [m] of each column of heights
 };
 
 }  // namespace
 
-std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin) {
-  return ProfileReader(text, origin).read();
+std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin, const Defect& asked) {
+  return ProfileReader(text, origin, asked).read();
 }
 
-std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path) {
-  return parseProfileLines(readWholeFile(path.string(), largestProfileFile), path.string());
+std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path, const Defect& asked) {
+  return parseProfileLines(readWholeFile(path.string(), largestProfileFile), path.string(), asked);
 }
 
-std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin) {
-  auto lines = parseProfileLines(text, origin);
+std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin, const Defect& asked) {
+  auto lines = parseProfileLines(text, origin, asked);
   if (lines.size() > 1)
     throw FileError(origin, "", std::to_string(lines.size()) + " profiles side by side where one is expected",
                     "Give it as defect.file of a case, or keep one column of heights");

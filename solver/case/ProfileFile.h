@@ -18,12 +18,17 @@ namespace squat::cases {
 // fall strictly. Heights up positive, depths down. Returns metres, as measured and exact to the last digit: neither
 // levelled nor shifted. Throws FileError with path, line and advice; limits: 200 MB, 80,000 points, 50 mm of height.
 // `origin` names the text in messages.
-std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin);
+//
+// Of `asked` three keys count here. `from` and `to` cut a scan with more points than allowed; all others come whole,
+// for DefectSurface to cut. With a `filter`, rows that have no number are left out, up to a quarter of them: an empty
+// field, "nan", or a mark for no value such as -9999 (one of the usual ones, and far beyond all other values); without,
+// the first is an error.
+std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin, const Defect& asked = {});
 
 // As above, or several profiles side by side: a column of positions first, then one of heights for each lateral
 // position, which its header names: "position [mm]; y = -10 mm [um]; y = 0 mm [um]". Lateral positions ascend, on the
 // crown from its middle outwards. One line with lateral position zero where the file holds a single profile.
-std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path);
-std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin);
+std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path, const Defect& asked = {});
+std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin, const Defect& asked = {});
 
 }  // namespace squat::cases

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
+
 #include "core/Errors.h"
 
 namespace squat::cases {
@@ -166,6 +169,55 @@ TEST(ProfileFile, RefusesTooFewAndAbsurdPoints) {
 TEST(ProfileFile, RefusesOtherEncodings) {
   EXPECT_THAT(refusalOfProfile(std::string("\xFF\xFEx\0;\0z\0", 8)), HasSubstr("UTF-16"));
   EXPECT_THAT(refusalOfProfile(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("not a text file"));
+}
+
+Defect filtered() {
+  Defect defect;
+  defect.filter = ProfileFilter::outliers;
+  return defect;
+}
+
+// Marks for no value as instruments write them: refused with the place, left out where a filter is asked for.
+TEST(ProfileFile, DropoutsAreNamedOrLeftOut) {
+  for (const char* mark : {"", "NaN", "n/a", "-", "-9999", "9999", "-999.25", "-99999"}) {
+    const std::string text = "position [mm];height [um]\n-5.5;0.1\n-2;" + std::string(mark) + "\n0;-150\n5;0.2\n8;0\n";
+    EXPECT_THAT(refusalOfProfile(text), AllOf(HasSubstr("line 3"), HasSubstr("defect.filter"))) << mark;
+    const auto points = parseProfile(text, "p.csv", filtered());
+    ASSERT_EQ(points.size(), 4u) << mark;
+    EXPECT_EQ(points[1].position, 0) << mark;
+    EXPECT_EQ(points[1].height, -0.00015) << mark;
+  }
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n1;-9999\n2;0\n3;0\n"), HasSubstr("stands for no value"));
+  // Depths that only look like a mark: others are about as deep.
+  EXPECT_EQ(parseProfile("x [mm];z [um]\n0;0\n1;-700\n2;-999\n3;-650\n4;0\n", "p.csv").size(), 5u);
+  try {
+    parseProfile("x [mm];z [mm]\n0;0\n1;\n2;\n3;0\n", "p.csv", filtered());
+    ADD_FAILURE() << "taken";
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("2 of 4 rows"));
+  }
+}
+
+// 10 m at 0.1 mm with a dip at 7.3 m, on a slow wave: more rows than a case holds.
+TEST(ProfileFile, LongScansNameTheStretchToTake) {
+  constexpr double pi = 3.14159265358979323846;
+  std::string text = "chainage [m];height [mm]\n";
+  for (int i = 0; i <= 100000; ++i) {
+    const double x = i * 1e-4, s = (x - 7.3) / 0.05;
+    const double height = std::sin(x) - (std::abs(s) < 0.5 ? 0.1 * (1 + std::cos(2 * pi * s)) : 0);
+    char row[64];
+    std::snprintf(row, sizeof row, "%.4f;%.6f\n", 100 + x, height);
+    text += row;
+  }
+  EXPECT_THAT(refusalOfProfile(text), AllOf(HasSubstr("100001 rows"), HasSubstr("80000 points"), HasSubstr("at 107.3"),
+                                            HasSubstr("defect.from = 107.05"), HasSubstr("defect.to = 107.5")));
+  Defect asked;
+  asked.from = 107.05, asked.to = 107.55;
+  const auto points = parseProfile(text, "p.csv", asked);
+  ASSERT_EQ(points.size(), 5001u);
+  EXPECT_EQ(points.front().position, 107.05);
+  asked.from = 200, asked.to = 201;
+  EXPECT_THROW(parseProfile(text, "p.csv", asked), FileError);
 }
 
 // Several profiles side by side: the headers name their lateral positions.

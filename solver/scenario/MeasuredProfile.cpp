@@ -1,0 +1,133 @@
+#include "scenario/MeasuredProfile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace squat::scenario {
+
+namespace {
+
+using Points = std::vector<ProfilePoint>;
+
+constexpr double normalDeviation = 1.4826;  // standard deviation of normal noise over its median absolute deviation
+
+// Of an even number of values the mean of the two in the middle; the order of the values is lost.
+double medianOf(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+// Median of the heights from one index up to another, and their standard deviation if they were normal noise.
+struct Spread {
+  double median = 0, deviation = 0;
+};
+Spread spreadOf(const Points& points, std::size_t from, std::size_t to, std::vector<double>& work) {
+  work.clear();
+  for (std::size_t i = from; i < to; ++i) work.push_back(points[i].height);
+  const double median = medianOf(work);
+  for (double& height : work) height = std::abs(height - median);
+  return {median, normalDeviation * medianOf(work)};
+}
+
+// Walks along the points with the indices of those within `half` of each: [from, to).
+template <typename Visit>
+void alongWindows(const Points& points, double width, bool even, Visit&& visit) {
+  constexpr double roundOff = 1e-9;  // [m] far below any step of an instrument
+  std::size_t from = 0, to = 0;
+  const double first = points.front().position, last = points.back().position;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double x = points[i].position;
+    const double half = (even ? std::min({width / 2, x - first, last - x}) : width / 2) + roundOff;
+    while (from > 0 && points[from - 1].position >= x - half) --from;
+    while (points[from].position < x - half) ++from;
+    while (to > i + 1 && points[to - 1].position > x + half) --to;
+    while (to < points.size() && points[to].position <= x + half) ++to;
+    visit(i, from, to);
+  }
+}
+
+Points withoutOutliers(const Points& points, double width) {
+  constexpr double farthest = 3;  // standard deviations
+  constexpr std::size_t fewest = 5;
+  Points result = points;
+  std::vector<double> work;
+  alongWindows(points, width, false, [&](std::size_t i, std::size_t from, std::size_t to) {
+    if (to - from < fewest) return;
+    const auto spread = spreadOf(points, from, to, work);
+    if (std::abs(points[i].height - spread.median) > farthest * spread.deviation) result[i].height = spread.median;
+  });
+  return result;
+}
+
+Points medians(const Points& points, double width) {
+  Points result = points;
+  std::vector<double> work;
+  alongWindows(points, width, true, [&](std::size_t i, std::size_t from, std::size_t to) {
+    work.clear();
+    for (std::size_t k = from; k < to; ++k) work.push_back(points[k].height);
+    result[i].height = medianOf(work);
+  });
+  return result;
+}
+
+}  // namespace
+
+std::vector<ProfilePoint> countedPoints(const std::vector<ProfilePoint>& points, const Defect& defect) {
+  Points counted;
+  const bool all = defect.from == defect.to;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(counted), [&](const ProfilePoint& point) {
+    return all || (point.position >= defect.from && point.position <= defect.to);
+  });
+  if (counted.empty() || defect.filter == ProfileFilter::none) return counted;
+  counted = withoutOutliers(counted, defect.filterWidth);
+  return defect.filter == ProfileFilter::median ? medians(counted, defect.filterWidth) : counted;
+}
+
+std::optional<std::size_t> pointApart(const std::vector<ProfilePoint>& points) {
+  constexpr double farthest = 10, finest = 1e-6;  // standard deviations; [m]
+  constexpr std::size_t half = 3;
+  if (points.size() < 2 * half + 1) return std::nullopt;
+  std::vector<double> off, deviations, work;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto spread = spreadOf(points, i < half ? 0 : i - half, std::min(i + half + 1, points.size()), work);
+    off.push_back(std::abs(points[i].height - spread.median));
+    deviations.push_back(spread.deviation);
+  }
+  work = off;
+  const double usual = std::max(finest, normalDeviation * medianOf(work));
+  std::optional<std::size_t> apart;
+  double most = farthest;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const double before = points[i].height - points[i - 1].height, behind = points[i].height - points[i + 1].height;
+    const double times = off[i] / std::max(usual, deviations[i]);
+    const bool alone = before * behind > 0 && std::min(std::abs(before), std::abs(behind)) > 0.7 * off[i];
+    if (alone && times > most) apart = i, most = times;
+  }
+  return apart;
+}
+
+DeepestPlace deepestPlace(const std::vector<ProfilePoint>& points) {
+  constexpr double levelWidth = 0.5;  // [m]
+  if (points.empty()) return {};
+  Points smooth = points;  // medians of five
+  std::vector<double> work, sums{0};
+  for (std::size_t i = 2; i + 2 < points.size(); ++i) smooth[i].height = spreadOf(points, i - 2, i + 3, work).median;
+  for (const auto& point : smooth) sums.push_back(sums.back() + point.height);
+  DeepestPlace deepest{points.front().position, 0};
+  alongWindows(smooth, levelWidth, true, [&](std::size_t i, std::size_t from, std::size_t to) {
+    const double depth = (sums[to] - sums[from]) / static_cast<double>(to - from) - smooth[i].height;
+    if (depth > deepest.depth) deepest = {smooth[i].position, depth};
+  });
+  return deepest;
+}
+
+double typicalStep(const std::vector<ProfilePoint>& points) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < points.size(); ++i) steps.push_back(points[i].position - points[i - 1].position);
+  return steps.empty() ? 0 : medianOf(steps);
+}
+
+}  // namespace squat::scenario
