@@ -20,19 +20,32 @@ double medianOf(std::vector<double>& values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-// Median of the heights from one index up to another, and their standard deviation if they were normal noise.
+// The indices [from, to) of points about one of them.
+struct Window {
+  std::size_t at, from, to;
+};
+
+// Of a window with more than 500 points, evenly spaced ones stand for all, the one in its middle among them.
+void takeHeights(const Points& points, const Window& window, std::vector<double>& heights) {
+  constexpr std::size_t most = 500;
+  const std::size_t stride = (window.to - window.from) / most + 1;
+  heights.clear();
+  for (std::size_t i = window.from + (window.at - window.from) % stride; i < window.to; i += stride)
+    heights.push_back(points[i].height);
+}
+
+// Median of the heights in a window, and their standard deviation if they were normal noise.
 struct Spread {
   double median = 0, deviation = 0;
 };
-Spread spreadOf(const Points& points, std::size_t from, std::size_t to, std::vector<double>& work) {
-  work.clear();
-  for (std::size_t i = from; i < to; ++i) work.push_back(points[i].height);
+Spread spreadOf(const Points& points, const Window& window, std::vector<double>& work) {
+  takeHeights(points, window, work);
   const double median = medianOf(work);
   for (double& height : work) height = std::abs(height - median);
   return {median, normalDeviation * medianOf(work)};
 }
 
-// Walks along the points with the indices of those within `half` of each: [from, to).
+// Walks along the points with the window of those within half a width of each; `even`: as far on both sides.
 template <typename Visit>
 void alongWindows(const Points& points, double width, bool even, Visit&& visit) {
   constexpr double roundOff = 1e-9;  // [m] far below any step of an instrument
@@ -45,7 +58,7 @@ void alongWindows(const Points& points, double width, bool even, Visit&& visit) 
     while (points[from].position < x - half) ++from;
     while (to > i + 1 && points[to - 1].position > x + half) --to;
     while (to < points.size() && points[to].position <= x + half) ++to;
-    visit(i, from, to);
+    visit(Window{i, from, to});
   }
 }
 
@@ -54,10 +67,11 @@ Points withoutOutliers(const Points& points, double width) {
   constexpr std::size_t fewest = 5;
   Points result = points;
   std::vector<double> work;
-  alongWindows(points, width, false, [&](std::size_t i, std::size_t from, std::size_t to) {
-    if (to - from < fewest) return;
-    const auto spread = spreadOf(points, from, to, work);
-    if (std::abs(points[i].height - spread.median) > farthest * spread.deviation) result[i].height = spread.median;
+  alongWindows(points, width, false, [&](const Window& window) {
+    if (window.to - window.from < fewest) return;
+    const auto spread = spreadOf(points, window, work);
+    double& height = result[window.at].height;
+    if (std::abs(height - spread.median) > farthest * spread.deviation) height = spread.median;
   });
   return result;
 }
@@ -65,10 +79,9 @@ Points withoutOutliers(const Points& points, double width) {
 Points medians(const Points& points, double width) {
   Points result = points;
   std::vector<double> work;
-  alongWindows(points, width, true, [&](std::size_t i, std::size_t from, std::size_t to) {
-    work.clear();
-    for (std::size_t k = from; k < to; ++k) work.push_back(points[k].height);
-    result[i].height = medianOf(work);
+  alongWindows(points, width, true, [&](const Window& window) {
+    takeHeights(points, window, work);
+    result[window.at].height = medianOf(work);
   });
   return result;
 }
@@ -92,7 +105,7 @@ std::optional<std::size_t> pointApart(const std::vector<ProfilePoint>& points) {
   if (points.size() < 2 * half + 1) return std::nullopt;
   std::vector<double> off, deviations, work;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto spread = spreadOf(points, i < half ? 0 : i - half, std::min(i + half + 1, points.size()), work);
+    const auto spread = spreadOf(points, {i, i < half ? 0 : i - half, std::min(i + half + 1, points.size())}, work);
     off.push_back(std::abs(points[i].height - spread.median));
     deviations.push_back(spread.deviation);
   }
@@ -114,12 +127,14 @@ DeepestPlace deepestPlace(const std::vector<ProfilePoint>& points) {
   if (points.empty()) return {};
   Points smooth = points;  // medians of five
   std::vector<double> work, sums{0};
-  for (std::size_t i = 2; i + 2 < points.size(); ++i) smooth[i].height = spreadOf(points, i - 2, i + 3, work).median;
+  for (std::size_t i = 2; i + 2 < points.size(); ++i)
+    smooth[i].height = spreadOf(points, {i, i - 2, i + 3}, work).median;
   for (const auto& point : smooth) sums.push_back(sums.back() + point.height);
   DeepestPlace deepest{points.front().position, 0};
-  alongWindows(smooth, levelWidth, true, [&](std::size_t i, std::size_t from, std::size_t to) {
-    const double depth = (sums[to] - sums[from]) / static_cast<double>(to - from) - smooth[i].height;
-    if (depth > deepest.depth) deepest = {smooth[i].position, depth};
+  alongWindows(smooth, levelWidth, true, [&](const Window& window) {
+    const double level = (sums[window.to] - sums[window.from]) / static_cast<double>(window.to - window.from);
+    const auto& point = smooth[window.at];
+    if (level - point.height > deepest.depth) deepest = {point.position, level - point.height};
   });
   return deepest;
 }
