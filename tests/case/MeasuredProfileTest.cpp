@@ -185,7 +185,8 @@ TEST(MeasuredProfile, WhatDoesNotFitIsSaid) {
 TEST(MeasuredProfile, ALongScanIsRefusedWithTheStretchToTake) {
   auto description =
       caseOf(sampled(0, 0.001, 20001, [](double x) { return 5e-5 * std::sin(x) + dip(x - 7.3, 0.05, 2e-4); }));
-  EXPECT_THAT(textOf(validate(description).problems), AllOf(HasSubstr("20 m long"), HasSubstr("defect.from = 7.05"), HasSubstr("defect.to = 7.55")));
+  EXPECT_THAT(textOf(validate(description).problems),
+              AllOf(HasSubstr("20 m long"), HasSubstr("defect.from = 7.05"), HasSubstr("defect.to = 7.55")));
   description.defect.from = 7.05, description.defect.to = 7.55;
   EXPECT_EQ(textOf(validate(description).problems) + textOf(validate(description).warnings), "");
   // The slow wave bends by 5e-5 m / m^2 (0.25 m)^2 / 2 = 1.6 um within the stretch, whose ends are its level.
