@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "case/CaseDescription.h"
@@ -22,9 +23,9 @@ using scenario::deepestPlace;
 using scenario::pointApart;
 using testing::AllOf;
 using testing::HasSubstr;
+using std::numbers::pi;
 using Points = std::vector<ProfilePoint>;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double roundOff = 1e-18;  // of heights of 1e-4 m, a few units in the last place
 
 template <typename Height>

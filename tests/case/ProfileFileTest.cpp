@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "core/Errors.h"
 
@@ -200,11 +201,10 @@ TEST(ProfileFile, DropoutsAreNamedOrLeftOut) {
 
 // 10 m at 0.1 mm with a dip at 7.3 m, on a slow wave: more rows than a case holds.
 TEST(ProfileFile, LongScansNameTheStretchToTake) {
-  constexpr double pi = 3.14159265358979323846;
   std::string text = "chainage [m];height [mm]\n";
   for (int i = 0; i <= 100000; ++i) {
     const double x = i * 1e-4, s = (x - 7.3) / 0.05;
-    const double height = std::sin(x) - (std::abs(s) < 0.5 ? 0.1 * (1 + std::cos(2 * pi * s)) : 0);
+    const double height = std::sin(x) - (std::abs(s) < 0.5 ? 0.1 * (1 + std::cos(2 * std::numbers::pi * s)) : 0);
     char row[64];
     std::snprintf(row, sizeof row, "%.4f;%.6f\n", 100 + x, height);
     text += row;
