@@ -243,6 +243,8 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
         "It is measured from the nearest sleeper: at most half of track.sleeper_spacing");
   const double centre = trackCentre(c.track, c.motion);
   const std::string unit = unitHint(c, surface);
+  const bool isScan = c.defect.shape == DefectShape::profile && unit.empty();
+  const std::string shorter = isScan ? ", or take a stretch of the profile with defect.from and defect.to" : unit;
   if (c.motion.runUp > half - centre - endMargin)
     add(findings, c, Severity::problem, {"motion.run_up", "track.length"},
         limitText("motion.run_up", "at most", half - centre - endMargin),
@@ -254,7 +256,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   if (surface.first() < centre - half || surface.last() > centre + half)
     add(findings, c, Severity::problem, {"track.length", "defect.length", "defect.points", "defect.file"},
         limitText("track.length", "at least", 2 * std::max(centre - surface.first(), surface.last() - centre)),
-        "The defect extends beyond the track" + unit);
+        std::string("The defect extends beyond the track") + (isScan ? ": increase track.length" : "") + shorter);
   // Beyond a creepage of 1 % friction is exhausted all over the patch.
   const double rolling = c.motion.speed / c.wheelset.radius;
   if (c.motion.angularVelocity > 0 && std::abs(c.motion.angularVelocity / rolling - 1) > 0.01)
@@ -266,7 +268,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   if (c.motion.runUp < patch - surface.first())
     add(findings, c, Severity::problem, {"motion.run_up", "defect.length", "defect.points", "defect.file"},
         limitText("motion.run_up", "at least", patch - surface.first()),
-        "The wheel would start on the defect: increase the run-up" + unit);
+        "The wheel would start on the defect: increase the run-up" + shorter);
   if (c.motion.beyond < surface.last())
     add(findings, c, Severity::warning, {"motion.beyond", "defect.length", "defect.points", "defect.file"},
         limitText("motion.beyond", "at least", surface.last()),
@@ -312,11 +314,15 @@ std::string steepestPlace(const std::vector<ProfilePoint>& points) {
            std::abs(slope(i + 1)) > 0.5 * std::abs(slope(i));
   };
   const auto at = [&](std::size_t i) { return rounded(1e3 * points[i].position) + " mm"; };
-  for (const std::size_t i : {steepest, steepest - 1})
-    if (isAlone(i))
-      return ", at " + at(i) +
-             ", where one point stands apart from its neighbours: a measuring error? "
+  const auto apart = scenario::pointsApart(points);
+  for (const std::size_t i : {steepest, steepest - 1}) {
+    if (!isAlone(i)) continue;
+    if (std::count(apart.begin(), apart.end(), i) > 0 || points.size() < 7)
+      return ", at " + at(i) + ", where one point stands apart from its neighbours: a measuring error? " +
              "defect.filter = \"outliers\" replaces such points";
+    return ", at " + at(i) + ", where heights go up and down from point to point: noise? " +
+           "defect.filter = \"median\" smooths it";
+  }
   return ", between " + at(steepest - 1) + " and " + at(steepest);
 }
 

@@ -25,14 +25,16 @@ void checkStretch(const CaseDescription& c, const std::vector<ProfilePoint>& poi
 }
 
 void checkApart(const CaseDescription& c, const std::vector<ProfilePoint>& points, std::vector<Finding>& findings) {
-  const auto apart = scenario::pointApart(points);
-  if (!apart) return;
-  const auto& point = points[*apart];
-  const double off = point.height - 0.5 * (points[*apart - 1].height + points[*apart + 1].height);
+  const auto apart = scenario::pointsApart(points);
+  if (apart.empty()) return;
+  const std::size_t i = apart.front();
+  const double off = points[i].height - 0.5 * (points[i - 1].height + points[i + 1].height);
+  const std::string others = apart.size() > 1 ? ", one of " + std::to_string(apart.size()) + " such points," : "";
   add(findings, c, Severity::warning, {"defect.filter", "defect.points", "defect.lines", "defect.file"},
       "outliers where a point is a measuring error",
-      "The point at " + formatDecimal(point.position, -3) + " mm stands " + millimetres(std::abs(off)) +
-          (off < 0 ? " below" : " above") + " its neighbours: defect.filter = \"outliers\" replaces such points");
+      "The point at " + formatDecimal(points[i].position, -3) + " mm" + others + " stands " +
+          millimetres(std::abs(off)) + (off < 0 ? " below" : " above") +
+          " its neighbours: defect.filter = \"outliers\" replaces such points");
 }
 
 void checkFilter(const CaseDescription& c, const std::vector<ProfilePoint>& points, std::vector<Finding>& findings) {

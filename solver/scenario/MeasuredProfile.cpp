@@ -76,13 +76,26 @@ Points withoutOutliers(const Points& points, double width) {
   return result;
 }
 
+// The line between the medians of the first and of the last window is taken off meanwhile, so that the one-sided
+// windows at the ends have no slope in them.
 Points medians(const Points& points, double width) {
-  Points result = points;
   std::vector<double> work;
-  alongWindows(points, width, true, [&](const Window& window) {
-    takeHeights(points, window, work);
-    result[window.at].height = medianOf(work);
-  });
+  std::vector<Window> windows;
+  alongWindows(points, width, false, [&](const Window& window) { windows.push_back(window); });
+  const auto middle = [&](const Window& window) {
+    return ProfilePoint{0.5 * (points[window.from].position + points[window.to - 1].position),
+                        spreadOf(points, window, work).median};
+  };
+  const auto first = middle(windows.front()), last = middle(windows.back());
+  const bool isLong = last.position - first.position > width;
+  const double grade = isLong ? (last.height - first.height) / (last.position - first.position) : 0;
+  Points level = points;
+  for (auto& point : level) point.height -= first.height + grade * (point.position - first.position);
+  Points result = points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    takeHeights(level, windows[i], work);
+    result[i].height = medianOf(work) + first.height + grade * (points[i].position - first.position);
+  }
   return result;
 }
 
@@ -99,10 +112,10 @@ std::vector<ProfilePoint> countedPoints(const std::vector<ProfilePoint>& points,
   return defect.filter == ProfileFilter::median ? medians(counted, defect.filterWidth) : counted;
 }
 
-std::optional<std::size_t> pointApart(const std::vector<ProfilePoint>& points) {
+std::vector<std::size_t> pointsApart(const std::vector<ProfilePoint>& points) {
   constexpr double farthest = 10, finest = 1e-6;  // standard deviations; [m]
   constexpr std::size_t half = 3;
-  if (points.size() < 2 * half + 1) return std::nullopt;
+  if (points.size() < 2 * half + 1) return {};
   std::vector<double> off, deviations, work;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto spread = spreadOf(points, {i, i < half ? 0 : i - half, std::min(i + half + 1, points.size())}, work);
@@ -111,15 +124,17 @@ std::optional<std::size_t> pointApart(const std::vector<ProfilePoint>& points) {
   }
   work = off;
   const double usual = std::max(finest, normalDeviation * medianOf(work));
-  std::optional<std::size_t> apart;
-  double most = farthest;
+  std::vector<std::pair<double, std::size_t>> apart;
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
     const double before = points[i].height - points[i - 1].height, behind = points[i].height - points[i + 1].height;
     const double times = off[i] / std::max(usual, deviations[i]);
     const bool alone = before * behind > 0 && std::min(std::abs(before), std::abs(behind)) > 0.7 * off[i];
-    if (alone && times > most) apart = i, most = times;
+    if (alone && times > farthest) apart.emplace_back(-times, i);
   }
-  return apart;
+  std::sort(apart.begin(), apart.end());
+  std::vector<std::size_t> found;
+  for (const auto& [times, i] : apart) found.push_back(i);
+  return found;
 }
 
 DeepestPlace deepestPlace(const std::vector<ProfilePoint>& points) {
