@@ -38,9 +38,9 @@ void checkApart(const CaseDescription& c, const std::vector<ProfilePoint>& point
 }
 
 void checkFilter(const CaseDescription& c, const std::vector<ProfilePoint>& points, std::vector<Finding>& findings) {
-  constexpr double fewestSteps = 4, sensible = 0.05;  // five points; share of the depth
+  constexpr double fewestSteps = 4, sensible = 0.05, roundOff = 1e-9;  // five points; share of the depth; [m]
   const double step = scenario::typicalStep(points);
-  if (c.defect.filterWidth < fewestSteps * step) {
+  if (c.defect.filterWidth < fewestSteps * step - roundOff) {
     add(findings, c, Severity::problem, {"defect.filter_width", "defect.filter", "defect.file"},
         limitText("defect.filter_width", "at least four steps of the profile:", fewestSteps * step),
         "Its points are " + millimetres(step) + " apart: a filter needs five of them");

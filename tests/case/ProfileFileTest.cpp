@@ -41,6 +41,12 @@ std::string refusalOfProfile(const std::string& text) {
   return {};
 }
 
+Defect filtered() {
+  Defect defect;
+  defect.filter = ProfileFilter::outliers;
+  return defect;
+}
+
 TEST(ProfileFile, Delimiters) {
   expectDip("position [mm],height [mm]\n-5.5,0\n0,-0.15\n5,0\n");
   expectDip("position [mm];height [mm]\n-5.5;0\n0;-0.15\n5;0\n");
@@ -138,6 +144,34 @@ TEST(ProfileFile, DepthsArePositiveDownwards) {
   }
 }
 
+// "Profile" and "level" alone do not say which way is up; a depth of either is a depth.
+TEST(ProfileFile, ADepthOfAProfileIsADepth) {
+  for (const char* name : {"Profiltiefe", "profile depth", "depth below level", "profondeur du profil"})
+    EXPECT_DOUBLE_EQ(parseProfile("x [mm];" + std::string(name) + " [mm]\n0;0\n5;0.1\n10;0\n", "dip.csv")[1].height,
+                     -1e-4)
+        << name;
+  for (const char* name : {"profile", "height of the profile", "level", "hauteur du profil"})
+    EXPECT_DOUBLE_EQ(parseProfile("x [mm];" + std::string(name) + " [mm]\n0;0\n5;-0.1\n10;0\n", "dip.csv")[1].height,
+                     -1e-4)
+        << name;
+}
+
+// Scans against the chainage, as loggers write them: depths, a row of units, kilometres and metres, dropouts.
+TEST(ProfileFile, FallingPositionsOfOtherMakes) {
+  for (const char* text : {"Linie 2\nStationierung;Tiefe\nm;mm\n1200,010;0\n1200,005;0,15\n1200,0;-0,02\n",
+                           "pk\tprofondeur [um]\n1+200.010\t0\n1+200.005\t150\n1+200.000\t-20\n"}) {
+    const auto points = parseProfile(text, "p.csv");
+    ASSERT_EQ(points.size(), 3u) << text;
+    EXPECT_DOUBLE_EQ(points[0].position, 1200) << text;
+    EXPECT_DOUBLE_EQ(points[0].height, 2e-5) << text;
+    EXPECT_DOUBLE_EQ(points[1].position, 1200.005) << text;
+    EXPECT_DOUBLE_EQ(points[1].height, -1.5e-4) << text;
+  }
+  const auto points = parseProfile("x [mm] z [mm]\n10 0\n8 nan\n5 -0.1\n2 0\n0 0.02\n", "p.csv", filtered());
+  ASSERT_EQ(points.size(), 4u);
+  EXPECT_DOUBLE_EQ(points[2].position, 0.005);
+}
+
 TEST(ProfileFile, PositionsMayFall) {
   const auto points = parseProfile("position [mm];height [mm]\n10;0\n5;-0.1\n0;0.02\n", "dip.csv");
   ASSERT_EQ(points.size(), 3u);
@@ -170,12 +204,6 @@ TEST(ProfileFile, RefusesTooFewAndAbsurdPoints) {
 TEST(ProfileFile, RefusesOtherEncodings) {
   EXPECT_THAT(refusalOfProfile(std::string("\xFF\xFEx\0;\0z\0", 8)), HasSubstr("UTF-16"));
   EXPECT_THAT(refusalOfProfile(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("not a text file"));
-}
-
-Defect filtered() {
-  Defect defect;
-  defect.filter = ProfileFilter::outliers;
-  return defect;
 }
 
 // Marks for no value as instruments write them: refused with the place, left out where a filter is asked for.

@@ -95,7 +95,7 @@ TEST(DefectKeys, ProfilePassesThroughItsPoints) {
 // Two dips in one scan: each has its stretch. The filter takes the point of 0.3 mm away; over 20 mm it also takes the
 // dip of three points.
 TEST(DefectKeys, AStretchAndAFilterOfMeasuredPoints) {
-  Values scan{{"defect.shape", "profile"}, {"defect.points", ""}};
+  Values scan{{"motion.run_up", "0.2"}, {"defect.shape", "profile"}, {"defect.points", ""}};
   std::string& points = scan.back().second;
   for (int i = 0; i <= 100; ++i) {
     const char* height = i == 20 ? "-0.1" : i == 19 || i == 21 ? "-0.05" : i == 70 ? "-0.2" : i == 85 ? "-0.3" : "0";
