@@ -77,17 +77,18 @@ std::string columnsWhere(std::size_t count, std::size_t expected) {
 // One text on its way from a table to lengths.
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& origin, bool leavesOut)
-      : text_(text), origin_(origin), leavesOut_(leavesOut) {}
+  Reader(std::string_view text, const std::string& origin, bool leavesOut) : text_(text), leavesOut_(leavesOut) {
+    result_.origin = origin;
+  }
 
   ProfileTable read() {
     auto lines = textLines();
     std::string_view line;
     if (!lines.nextRow(line)) fail(0, "empty file", "Write a header with units and at least two points");
     if (!lines.nextRow(line)) fail(0, "fewer than two points", twoPoints);
-    layout_ = text::layoutOf(text_, origin_, 0, 0);
+    layout_ = text::layoutOf(text_, result_.origin, 0, 0);
     if (layout_.names.empty()) failForHeading();
-    table_ = text::parseDelimitedTable(text_, origin_);
+    table_ = text::parseDelimitedTable(text_, result_.origin);
     result_.headLine = layout_.headLine;
     findRoles();
     findRows();
@@ -95,12 +96,11 @@ class Reader {
   }
 
  private:
-  // `line` from 1; 0: of the whole text.
   [[noreturn]] void fail(std::size_t line, const std::string& what, const std::string& advice) const {
-    throw FileError(origin_, line > 0 ? "line " + std::to_string(line) : std::string(), what, advice);
+    result_.fail(line, what, advice);
   }
 
-  text::Lines textLines() const { return {text_, origin_, "Export the profile as CSV"}; }
+  text::Lines textLines() const { return {text_, result_.origin, "Export the profile as CSV"}; }
 
   // The rows have no heading, or one of another number of columns.
   [[noreturn]] void failForHeading() const {
@@ -218,7 +218,6 @@ class Reader {
   }
 
   std::string_view text_;
-  const std::string& origin_;
   bool leavesOut_;
   text::TableLayout layout_;
   text::DelimitedTable table_;
@@ -226,6 +225,10 @@ class Reader {
 };
 
 }  // namespace
+
+void ProfileTable::fail(std::size_t line, const std::string& what, const std::string& advice) const {
+  throw FileError(origin, line > 0 ? "line " + std::to_string(line) : std::string(), what, advice);
+}
 
 double LengthColumn::metres(std::size_t row) const { return metresIn(values[row], factor); }
 

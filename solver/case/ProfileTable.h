@@ -18,12 +18,16 @@ struct LengthColumn {
 };
 
 struct ProfileTable {
+  std::string origin;  // names the text in messages
   LengthColumn position;
   std::vector<LengthColumn> heights;
   std::vector<double> laterals;      // [m] of each column of heights; 0 of one that stands alone
   bool areDepths = false;            // the one column of heights is called a depth
   std::size_t headLine = 0;          // from 1
   std::vector<std::uint32_t> lines;  // of the rows that count, from 1
+
+  // Throws FileError; `line` from 1, 0: of the whole text.
+  [[noreturn]] void fail(std::size_t line, const std::string& what, const std::string& advice) const;
 };
 
 // Rules and errors: ProfileFile.h. `leavesOut`: rows without all their numbers do not count; otherwise the first is an
