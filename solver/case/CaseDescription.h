@@ -34,6 +34,7 @@ using scenario::Motion;
 using scenario::Output;
 using scenario::Pad;
 using scenario::ProfileCurve;
+using scenario::ProfileFilter;
 using scenario::ProfileLine;
 using scenario::ProfilePoint;
 using scenario::Rail;

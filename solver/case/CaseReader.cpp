@@ -207,7 +207,7 @@ void readProfile(CaseDescription& description, const CaseOverrides& overrides, c
   // What is typed on the command line is relative to where it is typed.
   const auto path = named.is_absolute() || fileSet ? named : folder / named;
   try {
-    auto profile = readProfileLines(path);
+    auto profile = readProfileLines(path, defect);
     defect.points.clear(), defect.lines.clear();
     if (profile.size() == 1)
       defect.points = std::move(profile.front().points);

@@ -6,9 +6,11 @@
 
 #include "case/DecimalNumber.h"
 #include "case/ParameterValue.h"
+#include "case/ProfileStretch.h"
 #include "case/Resolve.h"
 #include "geometry/RailSection.h"
 #include "scenario/DefectSurface.h"
+#include "scenario/MeasuredProfile.h"
 #include "scenario/SleeperHeight.h"
 #include "scenario/TrackCentre.h"
 #include "scenario/WheelsetMass.h"
@@ -26,9 +28,9 @@ std::string withUnit(const std::string& text, const Parameter& parameter) {
   return parameter.unit.empty() || parameter.unit == "-" ? text : text + " " + parameter.unit;
 }
 
-// Four digits, to the side that is allowed: what a message names must be accepted.
-enum class Side { nearest, below, above };
-std::string rounded(double value, Side side = Side::nearest) {
+}  // namespace
+
+std::string rounded(double value, Side side) {
   if (value == 0 || !std::isfinite(value)) return formatDecimal(value);
   const double scale = std::pow(10.0, 3 - std::floor(std::log10(std::abs(value)))), digits = value * scale;
   constexpr double roundOff = 1e-6;
@@ -38,7 +40,6 @@ std::string rounded(double value, Side side = Side::nearest) {
   return formatDecimal(kept / scale);
 }
 
-// `limit` in SI, shown in the unit of `key`.
 std::string limitText(const std::string& key, const char* relation, double limit) {
   const Parameter& parameter = *findParameter(key);
   const std::string words = relation;
@@ -55,12 +56,16 @@ void add(std::vector<Finding>& findings, const Case& description, Severity sever
   findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});
 }
 
-// A profile that is longer than any defect is most likely given in another unit.
+namespace {
+
+// A profile that is longer than any defect is given in another unit, or a scan of which a stretch is meant.
 std::string unitHint(const Case& c, const DefectSurface& surface) {
   constexpr double longest = 3;  // [m]; instruments measure 1 to 1.2 m at once
   const double length = surface.last() - surface.first();
   if (c.defect.shape != DefectShape::profile || length <= longest) return {};
-  return ". The profile is " + rounded(length) + " m long: check the unit of its positions";
+  const auto& points = c.defect.lines.empty() ? c.defect.points : c.defect.lines.front().points;
+  return ". The profile is " + rounded(length) + " m long: check the unit of its positions, or take a stretch. " +
+         stretchAdvice(scenario::countedPoints(points, c.defect));
 }
 
 }  // namespace
@@ -239,6 +244,8 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
         "It is measured from the nearest sleeper: at most half of track.sleeper_spacing");
   const double centre = trackCentre(c.track, c.motion);
   const std::string unit = unitHint(c, surface);
+  const bool isScan = c.defect.shape == DefectShape::profile && unit.empty();
+  const std::string shorter = isScan ? ", or take a stretch of the profile with defect.from and defect.to" : unit;
   if (c.motion.runUp > half - centre - endMargin)
     add(findings, c, Severity::problem, {"motion.run_up", "track.length"},
         limitText("motion.run_up", "at most", half - centre - endMargin),
@@ -250,7 +257,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   if (surface.first() < centre - half || surface.last() > centre + half)
     add(findings, c, Severity::problem, {"track.length", "defect.length", "defect.points", "defect.file"},
         limitText("track.length", "at least", 2 * std::max(centre - surface.first(), surface.last() - centre)),
-        "The defect extends beyond the track" + unit);
+        std::string("The defect extends beyond the track") + (isScan ? ": increase track.length" : "") + shorter);
   // Beyond a creepage of 1 % friction is exhausted all over the patch.
   const double rolling = c.motion.speed / c.wheelset.radius;
   if (c.motion.angularVelocity > 0 && std::abs(c.motion.angularVelocity / rolling - 1) > 0.01)
@@ -262,7 +269,7 @@ void checkTrackAndRun(const Case& c, std::vector<Finding>& findings) {
   if (c.motion.runUp < patch - surface.first())
     add(findings, c, Severity::problem, {"motion.run_up", "defect.length", "defect.points", "defect.file"},
         limitText("motion.run_up", "at least", patch - surface.first()),
-        "The wheel would start on the defect: increase the run-up" + unit);
+        "The wheel would start on the defect: increase the run-up" + shorter);
   if (c.motion.beyond < surface.last())
     add(findings, c, Severity::warning, {"motion.beyond", "defect.length", "defect.points", "defect.file"},
         limitText("motion.beyond", "at least", surface.last()),
@@ -312,8 +319,15 @@ std::string steepestPlace(const std::vector<ProfilePoint>& points) {
            std::abs(slope(i + 1)) > 0.5 * std::abs(slope(i));
   };
   const auto at = [&](std::size_t i) { return rounded(1e3 * points[i].position) + " mm"; };
-  for (const std::size_t i : {steepest, steepest - 1})
-    if (isAlone(i)) return ", at " + at(i) + ", where one point stands apart from its neighbours: a measuring error?";
+  const auto apart = scenario::pointsApart(points);
+  for (const std::size_t i : {steepest, steepest - 1}) {
+    if (!isAlone(i)) continue;
+    if (std::count(apart.begin(), apart.end(), i) > 0 || points.size() < 7)
+      return ", at " + at(i) + ", where one point stands apart from its neighbours: a measuring error? " +
+             "defect.filter = \"outliers\" replaces such points";
+    return ", at " + at(i) + ", where heights go up and down from point to point: noise? " +
+           "defect.filter = \"median\" smooths it";
+  }
   return ", between " + at(steepest - 1) + " and " + at(steepest);
 }
 
@@ -324,6 +338,7 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   if (sampled && d.points.size() < 2 && d.lines.empty())
     add(findings, c, Severity::problem, {"defect.points", "defect.lines", "defect.file", "defect.shape"},
         "at least two points", "Give a CSV file as defect.file, or write the points into the case");
+  if (sampled) checkMeasuredProfile(c, findings);
   if (sampled && !d.lines.empty() && d.lateral != LateralShape::uniform)
     add(findings, c, Severity::problem, {"defect.lateral", "defect.lines"}, "uniform if defect.lines is given",
         "The lines already define the shape across the rail");
@@ -338,7 +353,7 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   // A face that drops more than half its length would fold the elements below it.
   constexpr double steepestPossible = 0.5, steepestSensible = 0.1;
   const std::string found = " (its maximum slope is " + rounded(surface.steepest()) +
-                            (sampled ? steepestPlace(d.points) : std::string()) + ")";
+                            (sampled ? steepestPlace(scenario::countedPoints(d.points, d)) : std::string()) + ")";
   if (surface.steepest() > steepestPossible)
     add(findings, c, Severity::problem, {depthKey, "defect.length", "defect.ramp", "defect.file"}, "slopes up to 0.5",
         "The profile is too steep for the mesh" + found + ": make it longer or shallower");
@@ -362,7 +377,8 @@ void checkDefect(const Case& c, std::vector<Finding>& findings) {
   if (sampled && surface.depth() == 0)
     add(findings, c, Severity::warning, {pointsKey, "defect.file"}, "below the surface somewhere",
         "The profile has no point below the surface: heights are positive upwards");
-  const auto endsAway = [](const std::vector<ProfilePoint>& points) {
+  const auto endsAway = [&](const std::vector<ProfilePoint>& all) {
+    const auto points = scenario::countedPoints(all, d);
     return points.size() > 1 && (points.front().height != 0 || points.back().height != 0);
   };
   const bool away = d.lines.empty() ? endsAway(d.points)

@@ -86,6 +86,24 @@ void addProfile(Rows& rows) {
       "CSV file of the profile: position and height, or heights at several lateral positions; relative to the case "
       "file; not read if the case contains defect.points or defect.lines",
       assumed)));
+  rows.push_back(profile(number(
+      "defect.from", metre, 0, {-1e6, 1e6}, [](Case& c) -> double& { return c.defect.from; },
+      "start of the stretch of the profile that counts, in its own positions; equal to defect.to: all of it",
+      "0 and 0: all that was measured")));
+  rows.push_back(profile(number(
+      "defect.to", metre, 0, {-1e6, 1e6}, [](Case& c) -> double& { return c.defect.to; },
+      "end of the stretch of the profile that counts", "0 and 0: all that was measured")));
+  rows.push_back(profile(choice(
+      "defect.filter", {"none", "outliers", "median"}, ProfileFilter::none,
+      +[](Case& c) -> ProfileFilter& { return c.defect.filter; },
+      "filter of the measured heights: outliers replaces points that stand apart, median smooths noise as well; with "
+      "either, rows of the file without a number are left out",
+      "none: as measured")));
+  rows.push_back(profile(appliesUnless(
+      "defect.filter", {"none"},
+      number(
+          "defect.filter_width", millimetre, 5, {0.01, 50}, [](Case& c) -> double& { return c.defect.filterWidth; },
+          "length of the window of the filter", "assumed: a tenth of a light defect"))));
   rows.push_back(profile(boolean(
       "defect.level", true, [](Case& c) -> bool& { return c.defect.level; },
       "take the line through the first and last point as the undisturbed surface", assumed)));

@@ -10,22 +10,25 @@
 
 namespace squat::cases {
 
-// Two columns, position and height, in the order of the header or, where its words do not tell, in this order. The
-// header names the units m, mm or um after each name: "position [mm]; height (um)", "position, mm". A table without
-// header, or with a unit missing, is refused: a profile read in the wrong unit would go unnoticed. Delimiter `,` `;` or
-// tab; decimal point, or decimal comma where the delimiter is not a comma; byte-order mark, CRLF, empty lines and lines
-// that begin with # or % are skipped. Any step; positions ascend or fall strictly. Heights up positive. Returns metres,
-// as measured: neither levelled nor shifted. Independent of the locale. Throws FileError with path, line and advice;
-// limits: 200 MB, 1 MB a line, 80,000 points, 50 mm of height.
-std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path);
-
-// The same for text that stands in memory; `origin` names it in messages.
-std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin);
+// A table of text as every other one (text/TableLayout.h: lines above the heading, a row of units below it, any
+// delimiter, decimal comma, remarks), with two columns, position and height, in the order of the header or, where its
+// words do not tell, in this order; of more columns, the one that names a position and the one that names a height or a
+// depth, in English, German, Dutch or French. Each names a unit of length (text/Units.h): a table without header, or
+// with a unit missing, is refused: a profile read in the wrong unit would go unnoticed. Any step; positions ascend or
+// fall strictly. Heights up positive, depths down. Returns metres, as measured and exact to the last digit: neither
+// levelled nor shifted. Throws FileError with path, line and advice; limits: 200 MB, 80,000 points, 50 mm of height.
+// `origin` names the text in messages.
+//
+// Of `asked` three keys count here. `from` and `to` cut a scan with more points than allowed; all others come whole,
+// for DefectSurface to cut. With a `filter`, rows that have no number are left out, up to a quarter of them: an empty
+// field, "nan", or a mark for no value such as -9999 (one of the usual ones, and far beyond all other values); without,
+// the first is an error.
+std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin, const Defect& asked = {});
 
 // As above, or several profiles side by side: a column of positions first, then one of heights for each lateral
 // position, which its header names: "position [mm]; y = -10 mm [um]; y = 0 mm [um]". Lateral positions ascend, on the
 // crown from its middle outwards. One line with lateral position zero where the file holds a single profile.
-std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path);
-std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin);
+std::vector<ProfileLine> readProfileLines(const std::filesystem::path& path, const Defect& asked = {});
+std::vector<ProfileLine> parseProfileLines(std::string_view text, const std::string& origin, const Defect& asked = {});
 
 }  // namespace squat::cases

@@ -8,6 +8,7 @@ namespace squat::scenario {
 
 enum class DefectShape { none, cut, cosine, wshape, dipWithWave, profile };
 enum class LateralShape { uniform, parabolic };
+enum class ProfileFilter { none, outliers, median };
 
 struct ProfilePoint {
   double position = 0;  // [m] along the track
@@ -34,10 +35,13 @@ struct Defect {
   std::string file;                  // path of the profile as the case names it
   std::vector<ProfilePoint> points;  // the profile as read, shape == profile
   std::vector<ProfileLine> lines;    // several profiles side by side; they count before points
-  double lateralCentre = 0;          // [m] sideways shift of the whole defect on the crown
-  double heightScale = 0;            // [-] profile: factor on all heights
-  bool level = false;                // profile: the line through its first and last point is the undisturbed surface
-  bool moveNodes = false;            // surface nodes moved (true) or the profile as a term of the gap function (false)
+  double from = 0, to = 0;           // [m] stretch of the profile that counts, in its own positions; equal: all of it
+  ProfileFilter filter = ProfileFilter::none;  // of the points (MeasuredProfile.h)
+  double filterWidth = 0;                      // [m] of its window
+  double lateralCentre = 0;                    // [m] sideways shift of the whole defect on the crown
+  double heightScale = 0;                      // [-] profile: factor on all heights
+  bool level = false;      // profile: the line through its first and last point is the undisturbed surface
+  bool moveNodes = false;  // surface nodes moved (true) or the profile as a term of the gap function (false)
 };
 
 }  // namespace squat::scenario

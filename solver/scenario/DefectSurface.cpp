@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenario/MeasuredProfile.h"
+
 namespace squat::scenario {
 
 namespace {
@@ -71,9 +73,10 @@ DefectSurface::DefectSurface(const Defect& defect) : defect_(defect) {
       last_ = 0.5 * defect.length + (defect.waveDepth > 0 ? defect.waveCount * defect.waveLength : 0);
       break;
     case DefectShape::profile:
-      if (defect.lines.empty()) curves_.emplace_back(defect.points, defect.heightScale, defect.level);
+      if (defect.lines.empty())
+        curves_.emplace_back(countedPoints(defect.points, defect), defect.heightScale, defect.level);
       for (const auto& line : defect.lines) {
-        curves_.emplace_back(line.points, defect.heightScale, defect.level);
+        curves_.emplace_back(countedPoints(line.points, defect), defect.heightScale, defect.level);
         lateral_.push_back(line.lateral + defect.lateralCentre);
       }
       takeLines();

@@ -6,7 +6,9 @@
 //   w-shape        four half cosines of length/4: down to -depth, up to -depth (1 - middleHeight), down, up to zero;
 //                  its first bottom is at x = 0
 //   dip-with-wave  the cosine dip, behind it waveCount dips -waveDepth/2 (1 - cos(2 pi s / waveLength))
-//   profile        through the points of one line or of several side by side (ProfileCurve.h); heights are multiplied
+//   profile        through the points of one line or of several side by side (ProfileCurve.h), those of the stretch
+//   that
+//                  counts, filtered where the defect says so (MeasuredProfile.h); heights are multiplied
 //                  by heightScale, positions shifted so that the deepest point of all lines lies at x = 0. With `level`
 //                  the line through first and last point of each is taken off; without it ends that are not at zero
 //                  run out over 20 mm. Between lines the monotone cubic of the lines' heights at the same x; beyond the

@@ -14,22 +14,15 @@
 namespace squat::text {
 namespace {
 
-// Outside quotes.
-std::ptrdiff_t countOutsideQuotes(std::string_view line, char sign) {
-  std::ptrdiff_t count = 0;
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    if (c == sign && !quoted) ++count;
-  }
-  return count;
-}
-
+// The sign that parts the heading into most fields; none in quotes counts.
 char delimiterOf(std::string_view heading) {
   constexpr std::array<char, 3> signs{',', ';', '\t'};
-  return *std::max_element(signs.begin(), signs.end(), [&](char a, char b) {
-    return countOutsideQuotes(heading, a) < countOutsideQuotes(heading, b);
-  });
+  const auto fields = [&](char sign) {
+    std::vector<std::string_view> parts;
+    splitFields(heading, sign, parts);
+    return parts.size();
+  };
+  return *std::max_element(signs.begin(), signs.end(), [&](char a, char b) { return fields(a) < fields(b); });
 }
 
 // "0,99" is a number where no cell of the table is one with a point.

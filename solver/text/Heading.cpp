@@ -64,7 +64,10 @@ Heading bracketedHeading(std::string_view text) {
   return {std::string(text), {}};
 }
 
-Heading headingOf(std::string_view text) {
+namespace {
+
+// `quantity`: the SI unit of what the column holds, where it is known; empty: as the name says.
+Heading partedHeading(std::string_view text, std::string_view quantity) {
   text = trimmed(text);
   if (auto heading = bracketedHeading(text); !heading.unit.empty()) return heading;
   // From the front, so that "speed km/h" is parted ahead of "km/h".
@@ -74,10 +77,16 @@ Heading headingOf(std::string_view text) {
     auto last = trimmed(text.substr(at + 1));
     for (const std::string_view joining : {"in ", "en ", "_"})
       if (last.substr(0, joining.size()) == joining) last = trimmed(last.substr(joining.size()));
-    const auto unit = unitFor(last, siUnitOfName(name));
+    const auto unit = unitFor(last, quantity.empty() ? siUnitOfName(name) : quantity);
     if (!name.empty() && !unit.empty()) return {std::string(name), unit};
   }
   return {std::string(text), {}};
 }
+
+}  // namespace
+
+Heading headingOf(std::string_view text) { return partedHeading(text, {}); }
+
+Heading headingOf(std::string_view text, std::string_view siUnit) { return partedHeading(text, siUnit); }
 
 }  // namespace squat::text

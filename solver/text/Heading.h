@@ -14,6 +14,9 @@ struct Heading {
 // counts only where it is one of the quantity that the name stands for: "time_ms" is time in ms, "left_v" is a name.
 Heading headingOf(std::string_view text);
 
+// The same of a column that is known to hold what has this SI unit, whatever its name: "x mm" of one of lengths.
+Heading headingOf(std::string_view text, std::string_view siUnit);
+
 // The same of a name whose unit stands elsewhere: only brackets part it.
 Heading bracketedHeading(std::string_view text);
 

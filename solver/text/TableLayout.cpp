@@ -62,11 +62,16 @@ std::string_view withoutMarker(std::string_view line) {
   return line;
 }
 
-// "time [ms]  aba [g]" between blanks: a unit in brackets belongs to the name before it.
-void joinBrackets(std::vector<std::string_view>& fields) {
+// A unit that the delimiter parts from its name belongs to it: one in brackets where blanks are the delimiter, "time
+// [ms] aba [g]", and a known one behind each name, "time, ms, aba, g".
+void joinUnits(std::vector<std::string_view>& fields, const TableLayout& layout) {
+  bool pairs = fields.size() == 2 * layout.fields;
+  for (std::size_t i = 1; pairs && i < fields.size(); i += 2) pairs = findUnit(bareUnit(fields[i])) != nullptr;
+  if (!pairs && layout.delimiter != ' ') return;
   std::vector<std::string_view> joined;
-  for (const auto field : fields)
-    if (!joined.empty() && !field.empty() && (field.front() == '[' || field.front() == '('))
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    if (const auto field = fields[i];
+        pairs ? i % 2 == 1 : i > 0 && !field.empty() && (field.front() == '[' || field.front() == '('))
       joined.back() = {joined.back().data(),
                        static_cast<std::size_t>(field.data() + field.size() - joined.back().data())};
     else
@@ -78,14 +83,16 @@ void joinBrackets(std::vector<std::string_view>& fields) {
 // heading may have a name, of a column that is empty.
 void readHeader(const std::vector<std::string_view>& lines, bool closed, std::size_t headLine, TableLayout& layout) {
   std::vector<std::vector<std::string>> rows;
+  std::vector<std::size_t> rowLines;  // from 1
   std::vector<std::string_view> fields;
   for (std::size_t i = headLine > 0 ? headLine - 1 : 0; i < layout.firstLine; ++i) {
     splitRow(withoutMarker(lines[i]), layout, fields);
-    if (layout.delimiter == ' ' && fields.size() > layout.fields) joinBrackets(fields);
+    if (fields.size() > layout.fields) joinUnits(fields, layout);
     if (closed && fields.size() == layout.fields + 1) fields.pop_back();
     if (fields.size() != layout.fields && i + 1 == headLine) return;
     if (fields.size() != layout.fields) continue;
     auto& row = rows.emplace_back();
+    rowLines.push_back(i + 1);
     for (const auto field : fields) row.push_back(asUtf8(trimmed(field)));
     if (headLine > 0 && i + 1 > headLine) break;  // the line below it may hold the units
   }
@@ -100,6 +107,14 @@ void readHeader(const std::vector<std::string_view>& lines, bool closed, std::si
     rows.pop_back();
   }
   if (headLine > 0) rows.resize(1);
+  // Remarks between a heading with units and the numbers may have as many fields.
+  const auto namesUnits = [&](std::size_t row) {
+    return std::any_of(rows[row].begin(), rows[row].end(), [](const auto& f) { return !headingOf(f).unit.empty(); });
+  };
+  std::size_t names = rows.size() - 1;
+  while (headLine == 0 && names > 0 && isComment(lines[rowLines[names] - 1]) && !namesUnits(names)) --names;
+  if (namesUnits(names)) rows.resize(names + 1);
+  layout.headLine = rowLines[rows.size() - 1];
   for (std::size_t column = 0; column < layout.fields; ++column) {
     // A unit in the row of units stands before one that the name may end with.
     const auto heading = units[column].empty() ? headingOf(rows.back()[column]) : bracketedHeading(rows.back()[column]);

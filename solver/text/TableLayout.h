@@ -16,6 +16,7 @@ struct TableLayout {
   char decimal = '.';
   std::size_t fields = 0;
   std::size_t firstLine = 0;                       // index into the lines of the first row of numbers
+  std::size_t headLine = 0;                        // line of the names, from 1; 0: without header
   std::vector<std::string> names;                  // per column, in UTF-8; empty without header
   std::vector<std::string> units;                  // per column; empty texts where none
   std::vector<bool> numeric;                       // columns that held numbers at the end of the lines looked at

@@ -10,7 +10,7 @@
 namespace squat::text {
 namespace {
 
-constexpr std::array<Unit, 61> units{{{"s", 1, "s"},
+constexpr std::array<Unit, 62> units{{{"s", 1, "s"},
                                       {"sec", 1, "s"},
                                       {"ms", 1e-3, "s"},
                                       {"us", 1e-6, "s"},
@@ -41,6 +41,7 @@ constexpr std::array<Unit, 61> units{{{"s", 1, "s"},
                                       {"dm", 1e-1, "m"},
                                       {"um", 1e-6, "m"},
                                       {"\xC2\xB5m", 1e-6, "m"},
+                                      {"\xCE\xBCm", 1e-6, "m"},
                                       {"mi", 1609.344, "m"},
                                       {"mile", 1609.344, "m"},
                                       {"miles", 1609.344, "m"},

@@ -128,6 +128,7 @@ TEST(Applicability, AKeyOfTheDefectChangesTheSurfaceWhereItAppliesAndOnlyThere) 
         const bool isNumber = parameter->kind == Kind::number;
         setValue(changed, parameter->key,
                  !isNumber                      ? "false"
+                 : parameter->unit == "m"       ? "0.01"  // amid the points
                  : parameter->defaultValue == 0 ? "3"
                  : parameter->integer           ? "2"
                                                 : formatDecimal(0.8 * parameter->defaultValue));

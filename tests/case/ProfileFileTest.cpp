@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
 #include "core/Errors.h"
 
 namespace squat::cases {
@@ -37,6 +41,12 @@ std::string refusalOfProfile(const std::string& text) {
   return {};
 }
 
+Defect filtered() {
+  Defect defect;
+  defect.filter = ProfileFilter::outliers;
+  return defect;
+}
+
 TEST(ProfileFile, Delimiters) {
   expectDip("position [mm],height [mm]\n-5.5,0\n0,-0.15\n5,0\n");
   expectDip("position [mm];height [mm]\n-5.5;0\n0;-0.15\n5;0\n");
@@ -55,6 +65,32 @@ TEST(ProfileFile, UnitsInBracketsParenthesesOrBehindACommaOrABlank) {
   expectDip("x mm;z \xB5m\n-5.5;0\n0;-150\n5;0\n");  // Latin-1
   expectDip("position, mm, height, mm\n-5.5,0\n0,-0.15\n5,0\n");
   expectDip("\"Position [MM]\";\"Height [ mm ]\"\n-5.5;0\n0;-0.15\n5;0\n");
+}
+
+// As devices and offices write tables: lines above the heading, a row of units below it, other delimiters, more
+// columns.
+TEST(ProfileFile, TablesOfAnyMake) {
+  expectDip("Device;RM1200\nOperator: A. N.\n\nPosition;Height\nmm;um\n-5.5;0\n0;-150\n5;0\n");
+  expectDip("Position;Tiefe\n[mm];[\xC2\xB5m]\n-5,5;0\n0;150\n5;0\n");
+  expectDip("# position [mm]; height [mm]\n-5.5;0\n0;-0.15\n5;0\n");
+  expectDip("position [mm];height [mm]\n# scanned;3 March\n-5.5;0\n0;-0.15\n5;0\n");
+  expectDip("position_mm height_mm\n-5.5 0\n0 -0.15\n5 0\n");
+  expectDip("position [mm] | height [mm]\n-5.5 | 0\n0 | -0.15\n5 | 0\n");
+  expectDip("Nr;Stationierung [m];H\xC3\xB6he [mm];Bemerkung\n1;-0,0055;0;\n2;0;-0,15;Delle\n3;0,005;0;\n");
+  expectDip("afstand [cm];diepte [mm]\n-0.55;0\n0;0.15\n0.5;0\n");
+  expectDip("\"hauteur, mm\";\"abscisse, mm\"\n\"0\";\"-5,5\"\n\"-0,15\";\"0\"\n\"0\";\"5\"\n");
+  expectDip("position [mm],height [um],lower [um],upper [um],felt\n-5.5,0,-1,1,1\n0,-150,-160,-140,1\n5,0,-1,1,0\n");
+}
+
+// The inch is 25.4 mm by definition (1959); chainages as kilometres and metres.
+TEST(ProfileFile, OtherUnitsOfLength) {
+  const auto inches = parseProfile("position [inch];height [in]\n0;0\n2;-0.01\n4;0\n", "p.csv");
+  ASSERT_EQ(inches.size(), 3u);
+  EXPECT_DOUBLE_EQ(inches[1].position, 0.0508);
+  EXPECT_DOUBLE_EQ(inches[1].height, -0.000254);
+  const auto chainage = parseProfile("km;height [mm]\n12+345.500;0\n12+345.505;-0.1\n12+345.510;0\n", "p.csv");
+  ASSERT_EQ(chainage.size(), 3u);
+  EXPECT_DOUBLE_EQ(chainage[1].position, 12345.505);
 }
 
 TEST(ProfileFile, HeightMayComeFirst) { expectDip("height [mm]; position [mm]\n0;-5.5\n-0.15;0\n0;5\n"); }
@@ -108,6 +144,34 @@ TEST(ProfileFile, DepthsArePositiveDownwards) {
   }
 }
 
+// "Profile" and "level" alone do not say which way is up; a depth of either is a depth.
+TEST(ProfileFile, ADepthOfAProfileIsADepth) {
+  for (const char* name : {"Profiltiefe", "profile depth", "depth below level", "profondeur du profil"})
+    EXPECT_DOUBLE_EQ(parseProfile("x [mm];" + std::string(name) + " [mm]\n0;0\n5;0.1\n10;0\n", "dip.csv")[1].height,
+                     -1e-4)
+        << name;
+  for (const char* name : {"profile", "height of the profile", "level", "hauteur du profil"})
+    EXPECT_DOUBLE_EQ(parseProfile("x [mm];" + std::string(name) + " [mm]\n0;0\n5;-0.1\n10;0\n", "dip.csv")[1].height,
+                     -1e-4)
+        << name;
+}
+
+// Scans against the chainage, as loggers write them: depths, a row of units, kilometres and metres, dropouts.
+TEST(ProfileFile, FallingPositionsOfOtherMakes) {
+  for (const char* text : {"Linie 2\nStationierung;Tiefe\nm;mm\n1200,010;0\n1200,005;0,15\n1200,0;-0,02\n",
+                           "pk\tprofondeur [um]\n1+200.010\t0\n1+200.005\t150\n1+200.000\t-20\n"}) {
+    const auto points = parseProfile(text, "p.csv");
+    ASSERT_EQ(points.size(), 3u) << text;
+    EXPECT_DOUBLE_EQ(points[0].position, 1200) << text;
+    EXPECT_DOUBLE_EQ(points[0].height, 2e-5) << text;
+    EXPECT_DOUBLE_EQ(points[1].position, 1200.005) << text;
+    EXPECT_DOUBLE_EQ(points[1].height, -1.5e-4) << text;
+  }
+  const auto points = parseProfile("x [mm] z [mm]\n10 0\n8 nan\n5 -0.1\n2 0\n0 0.02\n", "p.csv", filtered());
+  ASSERT_EQ(points.size(), 4u);
+  EXPECT_DOUBLE_EQ(points[2].position, 0.005);
+}
+
 TEST(ProfileFile, PositionsMayFall) {
   const auto points = parseProfile("position [mm];height [mm]\n10;0\n5;-0.1\n0;0.02\n", "dip.csv");
   ASSERT_EQ(points.size(), 3u);
@@ -122,7 +186,7 @@ TEST(ProfileFile, PositionsMayFall) {
 TEST(ProfileFile, RefusesHeadersWithoutUnits) {
   EXPECT_THAT(refusalOfProfile("0;0\n5;0\n"), AllOf(HasSubstr("line 1"), HasSubstr("no header")));
   EXPECT_THAT(refusalOfProfile("position;height\n0;0\n"), HasSubstr("unit"));
-  EXPECT_THAT(refusalOfProfile("position [mm];height [inch]\n0;0\n"), HasSubstr("unit"));
+  EXPECT_THAT(refusalOfProfile("position [mm];height [furlong]\n0;0\n"), HasSubstr("unit"));
   EXPECT_THAT(refusalOfProfile("position [mm;height [mm]\n0;0\n"), HasSubstr("unit"));
   EXPECT_THAT(refusalOfProfile("position [mm];depth [mm]\n0;0\n5;-0.1\n"), HasSubstr("positive upwards"));
   EXPECT_THAT(refusalOfProfile("position [mm];Tiefe [mm]\n0;-0.08\n5;0.1\n"), HasSubstr("both signs"));
@@ -140,6 +204,48 @@ TEST(ProfileFile, RefusesTooFewAndAbsurdPoints) {
 TEST(ProfileFile, RefusesOtherEncodings) {
   EXPECT_THAT(refusalOfProfile(std::string("\xFF\xFEx\0;\0z\0", 8)), HasSubstr("UTF-16"));
   EXPECT_THAT(refusalOfProfile(std::string("\x89HDF\r\n\x1a\n\0\0", 10)), HasSubstr("not a text file"));
+}
+
+// Marks for no value as instruments write them: refused with the place, left out where a filter is asked for.
+TEST(ProfileFile, DropoutsAreNamedOrLeftOut) {
+  for (const char* mark : {"", "NaN", "n/a", "-", "-9999", "9999", "-999.25", "-99999"}) {
+    const std::string text = "position [mm];height [um]\n-5.5;0.1\n-2;" + std::string(mark) + "\n0;-150\n5;0.2\n8;0\n";
+    EXPECT_THAT(refusalOfProfile(text), AllOf(HasSubstr("line 3"), HasSubstr("defect.filter"))) << mark;
+    const auto points = parseProfile(text, "p.csv", filtered());
+    ASSERT_EQ(points.size(), 4u) << mark;
+    EXPECT_EQ(points[1].position, 0) << mark;
+    EXPECT_EQ(points[1].height, -0.00015) << mark;
+  }
+  EXPECT_THAT(refusalOfProfile("x [mm];z [mm]\n0;0\n1;-9999\n2;0\n3;0\n"), HasSubstr("stands for no value"));
+  // Depths that only look like a mark: others are about as deep.
+  EXPECT_EQ(parseProfile("x [mm];z [um]\n0;0\n1;-700\n2;-999\n3;-650\n4;0\n", "p.csv").size(), 5u);
+  try {
+    parseProfile("x [mm];z [mm]\n0;0\n1;\n2;\n3;0\n", "p.csv", filtered());
+    ADD_FAILURE() << "taken";
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("2 of 4 rows"));
+  }
+}
+
+// 10 m at 0.1 mm with a dip at 7.3 m, on a slow wave: more rows than a case holds.
+TEST(ProfileFile, LongScansNameTheStretchToTake) {
+  std::string text = "chainage [m];height [mm]\n";
+  for (int i = 0; i <= 100000; ++i) {
+    const double x = i * 1e-4, s = (x - 7.3) / 0.05;
+    const double height = std::sin(x) - (std::abs(s) < 0.5 ? 0.1 * (1 + std::cos(2 * std::numbers::pi * s)) : 0);
+    char row[64];
+    std::snprintf(row, sizeof row, "%.4f;%.6f\n", 100 + x, height);
+    text += row;
+  }
+  EXPECT_THAT(refusalOfProfile(text), AllOf(HasSubstr("100001 rows"), HasSubstr("80000 points"), HasSubstr("at 107.3"),
+                                            HasSubstr("defect.from = 107.05"), HasSubstr("defect.to = 107.5")));
+  Defect asked;
+  asked.from = 107.05, asked.to = 107.55;
+  const auto points = parseProfile(text, "p.csv", asked);
+  ASSERT_EQ(points.size(), 5001u);
+  EXPECT_EQ(points.front().position, 107.05);
+  asked.from = 200, asked.to = 201;
+  EXPECT_THROW(parseProfile(text, "p.csv", asked), FileError);
 }
 
 // Several profiles side by side: the headers name their lateral positions.

@@ -92,6 +92,33 @@ TEST(DefectKeys, ProfilePassesThroughItsPoints) {
   EXPECT_NEAR(raw.height(0.01), 6e-5, 1e-15);
 }
 
+// Two dips in one scan: each has its stretch. The filter takes the point of 0.3 mm away; over 20 mm it also takes the
+// dip of three points.
+TEST(DefectKeys, AStretchAndAFilterOfMeasuredPoints) {
+  Values scan{{"motion.run_up", "0.2"}, {"defect.shape", "profile"}, {"defect.points", ""}};
+  std::string& points = scan.back().second;
+  for (int i = 0; i <= 100; ++i) {
+    const char* height = i == 20 ? "-0.1" : i == 19 || i == 21 ? "-0.05" : i == 70 ? "-0.2" : i == 85 ? "-0.3" : "0";
+    const char* beside = i == 69 || i == 71 ? "-0.1" : height;
+    points += (i ? ", [" : "[[") + std::to_string(2 * i) + ", " + beside + "]";
+  }
+  points += "]";
+  const auto depthWith = [&](const Values& more) {
+    Values all = scan;
+    all.insert(all.end(), more.begin(), more.end());
+    return surfaceOf(all).depth();
+  };
+  EXPECT_NEAR(depthWith({}), 3e-4, roundOff);
+  EXPECT_NEAR(depthWith({{"defect.from", "0.02"}, {"defect.to", "0.06"}}), 1e-4, roundOff);
+  EXPECT_NEAR(depthWith({{"defect.from", "0.12"}, {"defect.to", "0.16"}}), 2e-4, roundOff);
+  EXPECT_NEAR(depthWith({{"defect.filter", "outliers"},
+                         {"defect.filter_width", "8"},
+                         {"defect.from", "0.16"},
+                         {"defect.to", "0.18"}}),
+              0, roundOff);
+  EXPECT_NEAR(depthWith({{"defect.filter", "median"}, {"defect.filter_width", "20"}}), 0, roundOff);
+}
+
 TEST(DefectKeys, LinesStandSideBySide) {
   const auto surface =
       surfaceOf({{"defect.shape", "profile"},

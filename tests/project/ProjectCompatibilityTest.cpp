@@ -80,5 +80,23 @@ TEST(ProjectCompatibility, Schema3) {
   EXPECT_EQ(fromCaseOn(projectText(project, frozen)), fromCaseOn(readWholeFile(path, 100000)));
 }
 
+// A project that the program of 0.2.0 has written.
+TEST(ProjectCompatibility, Version020) {
+  const auto project = readProject(frozen + "/version-0.2.0.squat-project");
+  EXPECT_EQ(project.open.name, "dip");
+  EXPECT_EQ(project.open.path, frozen + "/dip.toml");
+  EXPECT_TRUE(project.open.modified);
+  EXPECT_NO_THROW(cases::parseUnfinishedCase(project.open.toml, "dip"));
+  ASSERT_EQ(project.entries.size(), 2U);
+  EXPECT_EQ(project.entries[0].path, "/elsewhere/dip.h5");
+  EXPECT_EQ(project.entries[1].kind, Kind::measured);
+  EXPECT_EQ(project.entries[1].path, frozen + "/measured.csv");
+  EXPECT_EQ(project.entries[1].digest, "0123abcd");
+  EXPECT_EQ(project.entries[1].gain, 1.25);
+  EXPECT_EQ(project.reference, 1);
+  EXPECT_EQ(project.notes, "a note\n");
+  EXPECT_EQ(project.views, (std::vector<std::string>{"psd"}));
+}
+
 }  // namespace
 }  // namespace squat::project

@@ -59,6 +59,21 @@ TEST(DelimitedTable, preambleHeaderAndUnits) {
   EXPECT_THAT(table.columns[1].values, ElementsAre(1.5, 2.5));
 }
 
+// A delimiter before the units as well; a remark below the heading that happens to have as many fields.
+TEST(DelimitedTable, headingsOfOtherMakes) {
+  for (const char* text : {"time, ms, aba, g\n0,1\n1,2\n", "time [ms],aba [g]\n# cleaned,3 March\n0,1\n1,2\n",
+                           "# by hand,3 March\n# time [ms],aba [g]\n0,1\n1,2\n"}) {
+    const auto table = parseDelimitedTable(text, "test");
+    ASSERT_EQ(table.columns.size(), 2U) << text;
+    EXPECT_EQ(table.columns[0].name, "time") << text;
+    EXPECT_EQ(table.columns[0].unit, "ms") << text;
+    EXPECT_EQ(table.columns[1].name, "aba") << text;
+    EXPECT_EQ(table.columns[1].unit, "g") << text;
+  }
+  // Without units, the remark nearest to the numbers stays the heading.
+  EXPECT_EQ(parseDelimitedTable("# made,today\n# time,aba\n0,1\n1,2\n", "test").columns[1].name, "aba");
+}
+
 TEST(DelimitedTable, unitsInTheHeader) {
   const auto table = parseDelimitedTable("time [ms], aba (g), km\n0,1,12+000.0\n1,2,12+000.5\n", "test");
   EXPECT_EQ(table.columns[0].name, "time");

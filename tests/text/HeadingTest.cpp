@@ -45,6 +45,13 @@ TEST(Heading, AWordThatIsNoUnitOfTheQuantityStaysInTheName) {
   }
 }
 
+TEST(Heading, OfAKnownQuantityAnyUnitOfItCounts) {
+  EXPECT_EQ(headingOf("x mm", "m").unit, "mm");
+  EXPECT_EQ(headingOf("z, \xCE\xBCm", "m").name, "z");
+  EXPECT_EQ(headingOf("left_g", "m").unit, "");
+  EXPECT_EQ(headingOf("height", "m").name, "height");
+}
+
 TEST(Heading, WithARowOfUnitsOnlyBracketsPart) {
   EXPECT_EQ(bracketedHeading("time_ms").name, "time_ms");
   EXPECT_EQ(bracketedHeading("time [ms]").unit, "ms");

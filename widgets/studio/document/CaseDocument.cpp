@@ -26,8 +26,8 @@ bool isShipped(const QString& path) {
 // A case keeps the points that it rolls over beside the name of the file that they are from.
 std::optional<CaseProblem> readProfile(cases::CaseDescription& description, const QString& path) {
   try {
-    auto lines = cases::readProfileLines(path.toStdString());
     auto& defect = description.defect;
+    auto lines = cases::readProfileLines(path.toStdString(), defect);
     defect.points.clear(), defect.lines.clear();
     if (lines.size() == 1)
       defect.points = std::move(lines.front().points);

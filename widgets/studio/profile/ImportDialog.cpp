@@ -56,7 +56,8 @@ void ImportDialog::makeControls() {
   delimiter_ = box(
       this,
       {{tr("comma"), ','}, {tr("semicolon"), ';'}, {tr("tab"), '\t'}, {tr("space"), ' '}, {tr("vertical bar"), '|'}});
-  const QList<QPair<QString, QVariant>> units{{"m", 1.0}, {"mm", 1e-3}, {"µm", 1e-6}};
+  const QList<QPair<QString, QVariant>> units{{"m", 1.0},  {"cm", 1e-2},     {"mm", 1e-3},  {"µm", 1e-6},
+                                              {"km", 1e3}, {"inch", 0.0254}, {"ft", 0.3048}};
   positionUnit_ = box(this, units);
   heightUnit_ = box(this, units);
   levelling_ = box(this, {{tr("line through the ends"), 1}, {tr("least-squares line"), 2}, {tr("none"), 0}});

@@ -221,6 +221,8 @@ void ProfileEditor::importFile(const QString& path) {
       after.defect.file.clear();
       after.defect.level = dialog->levelsThroughEnds();  // what was levelled otherwise stays as it was seen
       after.defect.heightScale = 1;
+      after.defect.from = after.defect.to = 0;
+      after.defect.filter = cases::ProfileFilter::none;
       document_.edit(tr("Import a profile"), after);
       plot_->choose(std::nullopt);  // even where one point alone differs from the profile before
       plot_->fit();

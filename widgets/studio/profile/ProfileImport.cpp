@@ -1,17 +1,18 @@
 #include "studio/profile/ProfileImport.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "core/Errors.h"
+#include "text/Heading.h"
 #include "text/Lines.h"
 #include "text/Numbers.h"
 #include "text/TableLayout.h"
 #include "text/Text.h"
+#include "text/Units.h"
 
 namespace squat::studio {
 namespace {
@@ -46,32 +47,10 @@ std::optional<std::pair<double, double>> numbersOf(const std::vector<std::string
   return std::pair{*position, *height};
 }
 
-// The first line that is no remark; where that holds numbers already, the remark above it.
-std::string_view headingOf(const std::vector<std::string_view>& lines, const ImportChoices& choices) {
-  std::string_view above;
-  for (const auto line : lines) {
-    if (text::trimmed(line).empty()) continue;
-    if (!text::isComment(line))
-      return numbersOf(cellsOf(line, choices.delimiter), choices, choices.decimalComma) ? above : line;
-    above = line;
-  }
-  return above;
-}
-
 text::TableLayout layoutOf(std::vector<std::string_view> lines, char delimiter) {
   constexpr std::size_t looked = 200;
   if (lines.size() > looked) lines.resize(looked);
   return text::findLayout(lines, delimiter, 0);
-}
-
-// "height [mm]", "z (um)", "z_mm", not the letters within "Column" or "maximum".
-bool hasWord(const std::string& text, const std::string& word) {
-  const auto isLetter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || (c & 0x80); };
-  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    const auto end = at + word.size();
-    if ((at == 0 || !isLetter(text[at - 1])) && (end == text.size() || !isLetter(text[end]))) return true;
-  }
-  return false;
 }
 
 void level(std::vector<cases::ProfilePoint>& points, Levelling levelling) {
@@ -113,18 +92,17 @@ std::vector<cases::ProfilePoint> resampled(const std::vector<cases::ProfilePoint
 
 ImportChoices suggestedChoices(const std::string& text) try {
   ImportChoices choices;
-  const auto lines = linesOf(text);
-  const auto layout = layoutOf(lines, 0);
+  const auto layout = layoutOf(linesOf(text), 0);
   choices.delimiter = layout.delimiter;
   choices.decimalComma = layout.decimal == ',';
-  const auto header = cellsOf(headingOf(lines, choices), choices.delimiter);
-  const auto unitOf = [](const std::string& cell, double standard) {
-    for (const auto& [name, metres] : {std::pair{"um", 1e-6}, {"µm", 1e-6}, {"mm", 1e-3}, {"m", 1.0}})
-      if (hasWord(cell, name)) return metres;
-    return standard;
+  const auto unitOf = [&](std::size_t column, double otherwise) {
+    if (column >= layout.names.size()) return otherwise;
+    const auto& stated = layout.units[column];
+    const auto* unit = text::findUnit(stated.empty() ? text::headingOf(layout.names[column], "m").unit : stated);
+    return unit && unit->si == "m" ? unit->factor : otherwise;
   };
-  if (!header.empty()) choices.positionUnit = unitOf(header[0], 1e-3);
-  if (header.size() > 1) choices.heightUnit = unitOf(header[1], 1e-3);
+  choices.positionUnit = unitOf(0, 1e-3);
+  choices.heightUnit = unitOf(1, 1e-3);
   return choices;
 } catch (const FileError&) {  // importProfile says what is wrong
   return {};

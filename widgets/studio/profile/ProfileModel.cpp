@@ -129,6 +129,8 @@ cases::CaseDescription asPoints(const cases::CaseDescription& description) {
   result.defect.lines.clear();
   result.defect.file.clear();
   result.defect.heightScale = 1;
+  result.defect.from = result.defect.to = 0;
+  result.defect.filter = cases::ProfileFilter::none;
   result.defect.level = true;
   return result;
 }
