@@ -47,6 +47,8 @@ using scenario::Support;
 using scenario::Suspension;
 using scenario::Track;
 using scenario::trackCentre;
+using scenario::TreadDeviation;
+using scenario::TreadShape;
 using scenario::Wheelset;
 
 struct CaseDescription : scenario::Inputs {
@@ -54,6 +56,7 @@ struct CaseDescription : scenario::Inputs {
   std::string note;
   std::string wheelsetPreset, trackPreset;  // where values came from (InputPresets.h); they stand in the other members
   Defect defect;
+  TreadShape tread;
 };
 
 }  // namespace squat::cases
