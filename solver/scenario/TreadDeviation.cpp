@@ -64,14 +64,15 @@ void TreadDeviation::measure(double radius) {
   }
   const double shallow = highest_ - 0.05 * (highest_ - lowest_);
   const auto& deepest = curves_[deepestCurve_];
-  const double step = std::min(1e-3 / radius, 0.01), pi = std::numbers::pi;
+  const double step = std::min(1e-3 / radius, 0.01), halfTurn = std::numbers::pi;
   double before = 0, behind = 0;
-  while (before < pi && deepest.at(-before).height < shallow) before += step;
-  while (behind < pi && deepest.at(behind).height < shallow) behind += step;
+  while (before < halfTurn && deepest.at(-before).height < shallow) before += step;
+  while (behind < halfTurn && deepest.at(behind).height < shallow) behind += step;
   dipBefore_ = before * radius, dipBehind_ = behind * radius;
   const auto& nodes = deepest.nodes();
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-    if (std::remainder(nodes[i + 1].angle, 2 * pi) > -before && std::remainder(nodes[i].angle, 2 * pi) < behind)
+    if (std::remainder(nodes[i + 1].angle, 2 * halfTurn) > -before &&
+        std::remainder(nodes[i].angle, 2 * halfTurn) < behind)
       spacing_ = std::max(spacing_, (nodes[i + 1].angle - nodes[i].angle) * radius);
 }
 

@@ -34,7 +34,7 @@ Stand standAt(double x, const std::string& mesh = "tiny") {
   Stand s;
   s.model = model::buildModel(cases::loadScenario(
       tests::fixtureCase("smooth-rail"),
-      {mesh, {{"wheelset.tread_points", chordFlat()}, {"mesh.contact_size", "2.5"}, {"mesh.rolling_size", "5"}}}));
+      {mesh, {{"wheelset.tread_points", chordFlat()}, {"motion.run_up", "0.2"}, {"mesh.contact_size", "2.5"}, {"mesh.rolling_size", "5"}}}));
   ThreadTeam team(1);
   Monitor quiet;
   s.equilibrium = findEquilibrium(s.model, elasticity::kernelsFor(""), team, x,
@@ -67,7 +67,8 @@ TEST(TreadEquilibrium, OffTheFlatTheWheelIsRound) {
     const auto model = model::buildModel(
         cases::loadScenario(tests::fixtureCase("smooth-rail"),
                             {"tiny",
-                             {{"mesh.contact_size", "2.5"},
+                             {{"motion.run_up", "0.2"},
+                              {"mesh.contact_size", "2.5"},
                               {"mesh.rolling_size", "5"},
                               {"mesh.zone_before", std::to_string(1e3 * standAt(0).model.scenario.tread.dipBefore())},
                               {"mesh.zone_behind", std::to_string(1e3 * standAt(0).model.scenario.tread.dipBehind())}}}));
