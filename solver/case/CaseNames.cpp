@@ -20,8 +20,7 @@ constexpr std::size_t maximumNamed = 4;  // values in a name: more of them nobod
 
 // What a case is called, and where its values are from, change no result.
 bool changesResults(const Parameter& parameter) {
-  return parameter.key != "title" && parameter.key != "note" && !namesTable(parameter) &&
-         !isInputPreset(parameter.key);
+  return parameter.key != "title" && parameter.key != "note" && !namesTable(parameter) && !isInputPreset(parameter.key);
 }
 
 bool isOfPreset(const CaseDescription& description, const Parameter& parameter, const std::string& text) {
@@ -64,8 +63,8 @@ ComparedValue comparedValue(const CaseDescription& description, const Parameter&
   if (isOfPreset(description, parameter, text)) return {};
   if (!isList(parameter)) return {text, text};
   if (isEmptyList(description, parameter)) return {};
-  const auto &defect = description.defect;
-  const auto &tread = description.tread;
+  const auto& defect = description.defect;
+  const auto& tread = description.tread;
   return {text, parameter.group == "defect" ? extentOf(defect.file, defect.points, defect.lines)
                                             : "tread " + extentOf(tread.file, tread.points, tread.lines)};
 }

@@ -35,8 +35,8 @@ std::string limitText(const std::string& key, const char* relation, double limit
   return words + " " + withUnit(rounded(limit * std::pow(10.0, -parameter.powerOfTen), side), parameter);
 }
 
-void add(std::vector<Finding>& findings, const CaseDescription& description, Severity severity, Keys keys, std::string allowed,
-         std::string advice) {
+void add(std::vector<Finding>& findings, const CaseDescription& description, Severity severity, Keys keys,
+         std::string allowed, std::string advice) {
   const Parameter& parameter = *findParameter(keys.front());
   const std::string value = isList(parameter) ? "" : withUnit(valueText(description, parameter), parameter);
   findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});

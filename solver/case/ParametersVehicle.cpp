@@ -63,13 +63,13 @@ void addTread(Rows& rows) {
       "where material is missing, or deviations at several lateral positions; relative to the case file; not read if "
       "the case contains wheelset.tread_points or wheelset.tread_lines",
       "none: a round wheel"));
-  rows.push_back(appliesIf("wheelset.tread_lines", {"[]"},
-                           points(
-                               "wheelset.tread_points",
-                               [](Case& c) -> std::vector<ProfilePoint>& { return c.tread.points; },
-                               "pairs of arc length along the tread, in the order in which it meets the rail, and "
-                               "radial deviation from wheelset.radius, negative where material is missing",
-                               "none: a round wheel")));
+  rows.push_back(
+      appliesIf("wheelset.tread_lines", {"[]"},
+                points(
+                    "wheelset.tread_points", [](Case& c) -> std::vector<ProfilePoint>& { return c.tread.points; },
+                    "pairs of arc length along the tread, in the order in which it meets the rail, and "
+                    "radial deviation from wheelset.radius, negative where material is missing",
+                    "none: a round wheel")));
   rows.push_back(lines(
       "wheelset.tread_lines", [](Case& c) -> std::vector<ProfileLine>& { return c.tread.lines; },
       "several such lines side by side, each with its lateral position, from the wheel plane outwards",

@@ -17,8 +17,7 @@ DefectZone defectZone(const CaseDescription& description) {
 scenario::Scenario resolve(const CaseDescription& d) {
   scenario::Scenario resolved{
       static_cast<const scenario::Inputs&>(d), surfaceOf(d),
-      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction,
-      treadOf(d)};
+      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction, treadOf(d)};
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
   return resolved;
 }

@@ -35,12 +35,12 @@ std::optional<AngleUnit> angleUnitOf(std::string_view text, const std::string& o
   const std::string_view unit = field.substr(before + 1);
   constexpr double degree = std::numbers::pi / 180;
   constexpr std::array<std::pair<std::string_view, double>, 7> angles{{{"rad", 1},
-                                                                      {"radian", 1},
-                                                                      {"radians", 1},
-                                                                      {"deg", degree},
-                                                                      {"degree", degree},
-                                                                      {"degrees", degree},
-                                                                      {"\xC2\xB0", degree}}};
+                                                                       {"radian", 1},
+                                                                       {"radians", 1},
+                                                                       {"deg", degree},
+                                                                       {"degree", degree},
+                                                                       {"degrees", degree},
+                                                                       {"\xC2\xB0", degree}}};
   for (const auto& [name, radians] : angles)
     if (text::lowerCase(unit) == name)
       return AngleUnit{static_cast<std::size_t>(unit.data() - text.data()), unit.size(), radians};

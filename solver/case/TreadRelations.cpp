@@ -36,7 +36,8 @@ bool checkTable(const CaseDescription& c, const std::string& table, std::vector<
         "The table is " + millimetresOf(length) +
             " long, more than the circumference of the wheel: check the unit of the arc length, or cut it to one turn");
   if (deviation > largest)
-    add(findings, c, Severity::problem, {table, "wheelset.tread_deviation"}, "deviations up to " + millimetresOf(largest),
+    add(findings, c, Severity::problem, {table, "wheelset.tread_deviation"},
+        "deviations up to " + millimetresOf(largest),
         "A deviation of " + millimetresOf(deviation) +
             " is found: give the deviation from wheelset.radius, not the radius, and check its unit");
   return length <= turn * (1 + closes) && deviation <= largest;

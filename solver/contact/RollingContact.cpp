@@ -34,9 +34,8 @@ Slip slipAt(const Surfaces& s, const TouchPoint& t, const elasticity::SweptBlock
   // Along the tread's own lateral tangent, cos e_y - sin e_r: with the cone the wheel spins on the patch.
   slip.across = s.treadCosine * (treadLateral(rim, t, velocity) - railY);
   if (s.treadSine != 0)
-    slip.across -=
-        s.treadSine * (wheel.speed * t.sine + wheel.angularVelocity * t.radius * t.tiltSine +
-                       treadRadial(rim, t, velocity) - (t.sine * railX - t.cosine * railZ));
+    slip.across -= s.treadSine * (wheel.speed * t.sine + wheel.angularVelocity * t.radius * t.tiltSine +
+                                  treadRadial(rim, t, velocity) - (t.sine * railX - t.cosine * railZ));
   return slip;
 }
 

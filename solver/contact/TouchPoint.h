@@ -33,8 +33,8 @@ struct WheelPlacement {
 // leans against e_alpha by the tilt, tan tilt = r'(a) / (R + r). The touch point's basis is that of the tread: its
 // sine and cosine belong to the angle of the normal, and the penetration is taken along it, cos tilt times the radial
 // one. What is left out is of the second order in the tilt: 0.4 % of the penetration at the slope of 0.09 of a deep
-// flat. The rim's mesh stays round. Neither a rotation of the wheel's displacement field about the axle nor a translation is felt
-// but for where it takes the material.
+// flat. The rim's mesh stays round. Neither a rotation of the wheel's displacement field about the axle nor a
+// translation is felt but for where it takes the material.
 struct TouchPoint {
   std::size_t point = 0;
   double penetration = 0;

@@ -169,7 +169,8 @@ double Rolling::positionOf(const contact::WheelRolling& wheel) const {
 }
 
 // Points that may touch soon are looked for some microseconds ahead. Surfaces approach each other with the rolling, by
-// speed times reach over radius (and the slope of a tread that is not round), and with a metre per second or two as elements spring and bodies bounce.
+// speed times reach over radius (and the slope of a tread that is not round), and with a metre per second or two as
+// elements spring and bodies bounce.
 void Rolling::listNearPoints(const contact::WheelPlacement& wheel) {
   if (state_.step < nearUntil_) return;
   constexpr double ahead = 5e-6, bounce = 8;  // [s], [m/s]

@@ -44,7 +44,9 @@ std::string renamedProfile(const std::string& path, const std::string& profile, 
     if (at == std::string::npos) continue;
     text.replace(at, written.size(), quote + name + quote);
     const auto after = cases::parseCase(text, path, fs::path(profile).parent_path());
-    return (after.defect.file == name || after.tread.file == name) && cases::caseHash(after) == cases::caseHash(before) ? text : std::string();
+    return (after.defect.file == name || after.tread.file == name) && cases::caseHash(after) == cases::caseHash(before)
+               ? text
+               : std::string();
   }
   return {};
 }

@@ -1,7 +1,7 @@
 // solver/scenario/MonotoneCubic.h - slope and value of the cubic that is monotone between sampled points.
 //
-// After Fritsch and Carlson (SIAM J. Numer. Anal. 17, 1980), slopes after Fritsch and Butland (SIAM J. Sci. Stat.
-// Comput. 5, 1984): continuous slope, no overshoot, so the deepest point is a measured one.
+// After Fritsch and Carlson (1980), slopes after Fritsch and Butland (1984), both in journals of SIAM:
+// continuous slope, no overshoot, so the deepest point is a measured one.
 #pragma once
 
 namespace squat::scenario {

@@ -22,9 +22,7 @@ TreadCurve::TreadCurve(std::vector<Node> nodes) : nodes_(std::move(nodes)) {
   const auto width = [&](std::size_t i) {
     return i + 1 < n ? nodes_[i + 1].angle - nodes_[i].angle : nodes_[0].angle + fullTurn - nodes_[i].angle;
   };
-  const auto secant = [&](std::size_t i) {
-    return (nodes_[(i + 1) % n].deviation - nodes_[i].deviation) / width(i);
-  };
+  const auto secant = [&](std::size_t i) { return (nodes_[(i + 1) % n].deviation - nodes_[i].deviation) / width(i); };
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t before = (i + n - 1) % n;
     nodes_[i].slope = innerSlope(width(before), width(i), secant(before), secant(i));

@@ -72,7 +72,7 @@ void describeModes(const scenario::Scenario& scenario, results::RunResult& resul
 
 void describeProfile(const scenario::Scenario& d, results::RunResult& result) {
   const auto& surface = d.defectSurface;
-  const double y = contact::seatOf(d).touchY;  // along the line on which the wheel runs
+  const double y = contact::seatOf(d).touchY;        // along the line on which the wheel runs
   const double treadY = y - d.motion.lateralOffset;  // but for terms of the rail's lean
   double first = surface.first(), last = surface.last();
   if (d.tread.isLocal()) {

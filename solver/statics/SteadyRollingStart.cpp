@@ -55,8 +55,8 @@ SteadyRollingStart prepareSteadyRollingStart(const model::Model& model, const el
   model::TurnedStations turned;
   model::turnStations(model.blocks[model.body], 0, turned);
   const double wheelRate = model::ringMean(model, model.centre, turned, start.velocity.data()).z;
-  const double rate = railRate(model, start.equilibrium.displacement, start.velocity, start.equilibrium.wheelX) +
-                      treadRate(model);
+  const double rate =
+      railRate(model, start.equilibrium.displacement, start.velocity, start.equilibrium.wheelX) + treadRate(model);
   addVerticalMotion(model, 0, rate - wheelRate, start.velocity);
   for (double& value : start.velocity) value *= d.motion.speed;
   model::removeMeanRotation(model, model::meanRotation(model, start.velocity.data()), start.velocity.data());

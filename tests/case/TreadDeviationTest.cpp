@@ -51,8 +51,8 @@ TEST(TreadDeviation, AChordFlatLowersARigidWheelByTheKnownFormula) {
 }
 
 // A wheel with the deviation A cos(k s) rises as on a rail with that irregularity: at long waves by the irregularity
-// itself and, since it touches on the slope, by R d'(s)^2 / 2 more, up to 0.39 um here. Tolerance 0.03 um: the next order
-// is A k^2 R = 0.008 of that, and steps of 0.2 mm in the search miss 0.01 um.
+// itself and, since it touches on the slope, by R d'(s)^2 / 2 more, up to 0.39 um here. Tolerance 0.03 um: the next
+// order is A k^2 R = 0.008 of that, and steps of 0.2 mm in the search miss 0.01 um.
 TEST(TreadDeviation, AWaveLiftsTheWheelAsTheSameWaveOnTheRail) {
   constexpr int order = 6;
   const double k = order / radius, amplitude = 1e-4;
@@ -109,18 +109,18 @@ TEST(TreadDeviation, LinesSideBySide) {
   shape.lines = {{-0.01, {{0, 0}, {0.02, -1e-3}, {0.04, 0}}}, {0.01, {{0, 0}, {0.02, -4e-4}, {0.04, 0}}}};
   const TreadDeviation tread(shape, radius);
   EXPECT_DOUBLE_EQ(tread.curveAt(-0.01).at(0).height, -1e-3);
-  EXPECT_DOUBLE_EQ(tread.curveAt(0.02).at(0).height, -4e-4);     // beyond: as the outermost
-  EXPECT_NEAR(tread.curveAt(0).at(0).height, -7e-4, 1e-9);       // half way between two level ends
+  EXPECT_DOUBLE_EQ(tread.curveAt(0.02).at(0).height, -4e-4);  // beyond: as the outermost
+  EXPECT_NEAR(tread.curveAt(0).at(0).height, -7e-4, 1e-9);    // half way between two level ends
   EXPECT_DOUBLE_EQ(tread.lowest(), -1e-3);
 }
 
 // CONTACT's static answer for the scanned flat (program CONTACT, example wheelflat): how far the wheelset comes down as
-// it turns over the flat, 13 positions 2 degrees apart. Elastic deflection changes it by some 0.03 mm. Tolerance 0.07 mm:
-// CONTACT has the whole scan, and the wheel stands 8 mm off the middle of the rail; a rigid wheel with the scanned
+// it turns over the flat, 13 positions 2 degrees apart. Elastic deflection changes it by some 0.03 mm. Tolerance 0.07
+// mm: CONTACT has the whole scan, and the wheel stands 8 mm off the middle of the rail; a rigid wheel with the scanned
 // profile there agrees with CONTACT to 0.013 mm, the tape circle alone to 0.064 mm.
-// In the middle of the flat (pitch -0.6458) the tape circle cannot do it: the wheel stands on the outer edge of the flat,
-// which is 35 mm wide, 20 mm beside the tape circle, and comes down by 0.71 mm. A wheel with this flat all across its
-// tread stands on its ends, at -18 mm, and comes down by 1.23 mm, d - x^2 / 2R of the file by hand.
+// In the middle of the flat (pitch -0.6458) the tape circle cannot do it: the wheel stands on the outer edge of the
+// flat, which is 35 mm wide, 20 mm beside the tape circle, and comes down by 0.71 mm. A wheel with this flat all across
+// its tread stands on its ends, at -18 mm, and comes down by 1.23 mm, d - x^2 / 2R of the file by hand.
 TEST(TreadDeviation, TheScannedFlatLowersTheWheelAsContactSays) {
   struct Position {
     double pitch, lowering;  // [rad], [mm] relative to the round part

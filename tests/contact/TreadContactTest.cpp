@@ -21,11 +21,12 @@ model::Model dipModel() {
     const double depth = -0.3 * (1 + std::cos(3.14159265358979 * i / 30));
     points += (points.empty() ? "[[" : ", [") + std::to_string(i) + ", " + std::to_string(depth) + "]";
   }
-  return model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny",
-                                                                                   {{"wheelset.tread_points", points + "]"},
-                                                                                    {"wheelset.tread_position", "0"},
-                                                                                    {"mesh.contact_size", "2"},
-                                                                                    {"mesh.rolling_size", "4"}}}));
+  return model::buildModel(
+      cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny",
+                                                              {{"wheelset.tread_points", points + "]"},
+                                                               {"wheelset.tread_position", "0"},
+                                                               {"mesh.contact_size", "2"},
+                                                               {"mesh.rolling_size", "4"}}}));
 }
 
 class TreadContact : public testing::Test {

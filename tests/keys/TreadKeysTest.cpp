@@ -45,8 +45,8 @@ TEST(TreadKeys, LinesStandSideBySide) {
 // A wheel that rolls freely from the start to that position has turned until its deepest point is below the axis.
 TEST(TreadKeys, ThePositionIsWhereTheDeepestPointMeetsTheRail) {
   for (const double position : {-0.1, 0.0, 0.2}) {
-    const auto model = modelWith(
-        {{"wheelset.tread_points", points}, {"wheelset.tread_position", std::to_string(position)}});
+    const auto model =
+        modelWith({{"wheelset.tread_points", points}, {"wheelset.tread_position", std::to_string(position)}});
     const auto& s = model.surfaces;
     const double rotation = (position - model.startX) / s.radius;
     EXPECT_NEAR(rotation + s.treadAhead, 0, 1e-12);

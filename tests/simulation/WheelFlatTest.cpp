@@ -41,13 +41,12 @@ std::string cosineDip(double length, double depth) {  // [mm]
 
 // The relative motion of wheel and rail is that of their deviations together, whichever of them has it: the moving
 // irregularity of theory. A dip in the tread shakes the wheel as the same dip in the rail. Not to the bit: the wheel
-// with the dip rolls on its lower side, by 0.15 mm of 460, and friction has another lever. Tolerance 3 % of the peak: of
-// the slopes 0.01 that tilt the normal here and not there (force), and of the mesh, 5 mm under a dip of 50.
+// with the dip rolls on its lower side, by 0.15 mm of 460, and friction has another lever. Tolerance 3 % of the peak:
+// of the slopes 0.01 that tilt the normal here and not there (force), and of the mesh, 5 mm under a dip of 50.
 TEST(WheelFlat, ADipInTheTreadShakesTheWheelAsTheSameDipInTheRail) {
   const Settings common{{"motion.torque", "0"}};
   auto onRail = common, onWheel = common;
-  onRail.insert(onRail.end(),
-                {{"defect.shape", "profile"}, {"defect.points", cosineDip(50, 0.15)}});
+  onRail.insert(onRail.end(), {{"defect.shape", "profile"}, {"defect.points", cosineDip(50, 0.15)}});
   onWheel.push_back({"wheelset.tread_points", cosineDip(50, 0.15)});
   const auto rail = runOf(tests::fixtureCase("smooth-rail"), onRail);
   const auto wheel = runOf(tests::fixtureCase("smooth-rail"), onWheel);

@@ -32,9 +32,12 @@ struct Stand {
 // At x, turned as far as the wheel has rolled.
 Stand standAt(double x, const std::string& mesh = "tiny") {
   Stand s;
-  s.model = model::buildModel(cases::loadScenario(
-      tests::fixtureCase("smooth-rail"),
-      {mesh, {{"wheelset.tread_points", chordFlat()}, {"motion.run_up", "0.2"}, {"mesh.contact_size", "2.5"}, {"mesh.rolling_size", "5"}}}));
+  s.model =
+      model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {mesh,
+                                                                                {{"wheelset.tread_points", chordFlat()},
+                                                                                 {"motion.run_up", "0.2"},
+                                                                                 {"mesh.contact_size", "2.5"},
+                                                                                 {"mesh.rolling_size", "5"}}}));
   ThreadTeam team(1);
   Monitor quiet;
   s.equilibrium = findEquilibrium(s.model, elasticity::kernelsFor(""), team, x,
@@ -43,7 +46,8 @@ Stand standAt(double x, const std::string& mesh = "tiny") {
 }
 
 // Rigid: pivoting about the flat's edge, R (1 - cos(half - |x| / R)); 0.98 mm on the flat itself. Tolerance 15 um, a
-// contact point every 1.2 mm and the corner's rounding between points. The load is carried whatever the wheel stands on.
+// contact point every 1.2 mm and the corner's rounding between points. The load is carried whatever the wheel stands
+// on.
 TEST(TreadEquilibrium, TheWheelComesDownOnItsFlat) {
   const double radius = 0.46, half = std::asin(0.030 / radius);
   for (const double x : {0.0, 0.012}) {
@@ -64,18 +68,18 @@ TEST(TreadEquilibrium, OffTheFlatTheWheelIsRound) {
   const auto flat = standAt(-0.15);
   EXPECT_NEAR(flat.equilibrium.rigidHeight, 0, 2e-6);  // a contact point within 1.2 mm: x^2 / 2R below 1.6 um
   const auto round = [] {
-    const auto model = model::buildModel(
-        cases::loadScenario(tests::fixtureCase("smooth-rail"),
-                            {"tiny",
-                             {{"motion.run_up", "0.2"},
-                              {"mesh.contact_size", "2.5"},
-                              {"mesh.rolling_size", "5"},
-                              {"mesh.zone_before", std::to_string(1e3 * standAt(0).model.scenario.tread.dipBefore())},
-                              {"mesh.zone_behind", std::to_string(1e3 * standAt(0).model.scenario.tread.dipBehind())}}}));
+    const auto model = model::buildModel(cases::loadScenario(
+        tests::fixtureCase("smooth-rail"),
+        {"tiny",
+         {{"motion.run_up", "0.2"},
+          {"mesh.contact_size", "2.5"},
+          {"mesh.rolling_size", "5"},
+          {"mesh.zone_before", std::to_string(1e3 * standAt(0).model.scenario.tread.dipBefore())},
+          {"mesh.zone_behind", std::to_string(1e3 * standAt(0).model.scenario.tread.dipBehind())}}}));
     ThreadTeam team(1);
     Monitor quiet;
-    return findEquilibrium(model, elasticity::kernelsFor(""), team, -0.15, (-0.15 - model.startX) / model.surfaces.radius,
-                           {}, quiet);
+    return findEquilibrium(model, elasticity::kernelsFor(""), team, -0.15,
+                           (-0.15 - model.startX) / model.surfaces.radius, {}, quiet);
   }();
   // The same mesh and load: equal to what the equilibrium is solved to, 1e-7 of the load, and the first touch of 2 um.
   EXPECT_NEAR(flat.equilibrium.peakPressure, round.peakPressure, 1e-4 * round.peakPressure);

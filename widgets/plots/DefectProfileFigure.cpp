@@ -54,8 +54,8 @@ void addLines(Figure& figure, const results::RunResult& result) {
   }
 }
 
-// The tread of a wheel that is not round, unrolled: at each position the material that lies below the axle there, at the
-// middle of the running band. Returns the stretch of its dip [m]; empty where the wheel is round.
+// The tread of a wheel that is not round, unrolled: at each position the material that lies below the axle there, at
+// the middle of the running band. Returns the stretch of its dip [m]; empty where the wheel is round.
 Extent addTread(Figure& figure, const results::RunResult& result) {
   if (!result.resolvedCase) return {};
   const auto& scenario = result.resolvedCase->scenario;
