@@ -74,10 +74,11 @@ void TreadDeviation::measure(double radius) {
     if (std::remainder(nodes[i + 1].angle, 2 * halfTurn) > -before &&
         std::remainder(nodes[i].angle, 2 * halfTurn) < behind)
       spacing_ = std::max(spacing_, (nodes[i + 1].angle - nodes[i].angle) * radius);
-}
-
-bool TreadDeviation::isLocal() const {
-  return !isRound() && lowest_ < highest_ && dipBefore_ + dipBehind_ < longestLocalDip;
+  isLocal_ = lowest_ < highest_ && dipBefore_ + dipBehind_ < longestLocalDip &&
+             std::none_of(nodes.begin(), nodes.end(), [&](const auto& node) {
+               const double angle = std::remainder(node.angle, 2 * halfTurn);
+               return (angle < -before || angle > behind) && node.deviation < 0.5 * (lowest_ + highest_);
+             });
 }
 
 double TreadDeviation::touchReach(double radius) const {

@@ -45,8 +45,8 @@ class TreadDeviation {
   // Ends of the dip about the deepest point, where 95 % of lowest to highest are regained: lengths of arc from there.
   double dipBefore() const { return dipBefore_; }
   double dipBehind() const { return dipBehind_; }
-  // Whether that is one place of the tread, such as a flat, and no wave that goes all round.
-  bool isLocal() const;
+  // Whether that is one place of the tread, such as a flat: shorter than 0.3 m, and nothing half as deep elsewhere.
+  bool isLocal() const { return isLocal_; }
   // [m] from below the axis beyond which a wheel of this radius with this tread does not touch a plane rail: where the
   // tangent is level, x = R dr/ds, and never farther down than the deviation varies, x^2/2R.
   double touchReach(double radius) const;
@@ -58,6 +58,7 @@ class TreadDeviation {
   std::vector<TreadCurve> curves_;  // one a line
   std::vector<double> lateral_;     // of several lines
   std::size_t deepestCurve_ = 0;
+  bool isLocal_ = false;
   double position_ = 0, lowest_ = 0, highest_ = 0, steepest_ = 0, spacing_ = 0, dipBefore_ = 0, dipBehind_ = 0;
 };
 

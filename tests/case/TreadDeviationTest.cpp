@@ -66,6 +66,17 @@ TEST(TreadDeviation, AWaveLiftsTheWheelAsTheSameWaveOnTheRail) {
   }
 }
 
+// A flat is one place; a polygon is none, however short its waves.
+TEST(TreadDeviation, AFlatIsLocalAndAPolygonIsNot) {
+  EXPECT_TRUE(TreadDeviation(chordFlat(0.06), radius).isLocal());
+  EXPECT_TRUE(loadScenario("wheel-flat").tread.isLocal());
+  TreadShape polygon;
+  for (int i = 0; i < 2000; ++i) polygon.points.push_back({turn * i / 2000, 1e-4 * std::cos(25 * 2 * pi * i / 2000)});
+  const TreadDeviation tread(polygon, radius);
+  EXPECT_LT(tread.dipBefore() + tread.dipBehind(), turn / 25);
+  EXPECT_FALSE(tread.isLocal());
+}
+
 TEST(TreadDeviation, ComesAgainEveryTurn) {
   const TreadDeviation tread(chordFlat(0.06), radius);
   const auto curve = tread.curveAt(0);
