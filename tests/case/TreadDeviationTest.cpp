@@ -150,9 +150,9 @@ TEST(TreadDeviation, TheScannedFlatLowersTheWheelAsContactSays) {
   EXPECT_NEAR(loweringAt(-0.6458), 1.227, 0.02);  // points of the file 1 mm apart, slope 0.04, rough by 0.01 mm
 }
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using TreadSettings = std::vector<std::pair<std::string, std::string>>;
 
-std::vector<CaseProblem> warningsOf(const Settings& settings) {
+std::vector<CaseProblem> warningsOf(const TreadSettings& settings) {
   return validate(loadCase(tests::fixtureCase("smooth-rail"), {"draft", settings})).warnings;
 }
 
@@ -203,7 +203,7 @@ TEST(TreadFile, CountsInTheHashByItsPoints) {
 }
 
 TEST(TreadValidation, SaysWhatIsWrong) {
-  const auto problems = [](const Settings& settings) {
+  const auto problems = [](const TreadSettings& settings) {
     try {
       loadCase(tests::fixtureCase("smooth-rail"), {"draft", settings});
     } catch (const CaseError& error) {
