@@ -51,7 +51,7 @@ int estimate(EstimateCommandOptions options) {
   definition.longest = 1e-3 * options.longest;
   const auto outputs =
       options.each ? std::vector{estimation::estimatesFile(options.folder)} : estimation::estimateFiles(options.folder);
-  auto inputs = cases::filesOfCase(options.caseOptions.name, description.defect.file);
+  auto inputs = cases::filesOfCase(options.caseOptions.name, description);
   inputs.insert(inputs.end(), definition.files.begin(), definition.files.end());
   keepInputs(inputs, outputs);
   shareCores(options);

@@ -30,7 +30,7 @@ int examples(const ExamplesOptions& options) {
   const auto description = readCase(options.caseOptions);
   auto examples = options.examples;
   examples.jobs = options.jobs > 0 ? options.jobs : studies::coresHere();
-  keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), {options.file});
+  keepInputs(cases::filesOfCase(options.caseOptions.name, description), {options.file});
   std::optional<OutputFolder> folder;
   if (!examples.passages.empty()) folder.emplace(examples.passages);
   const InterruptGuard interrupt;

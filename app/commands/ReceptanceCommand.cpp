@@ -99,7 +99,7 @@ int computeReceptance(const ReceptanceCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const auto name = stemOf(options.caseOptions), stem = options.folder + "/" + name;
   const auto tables = receptance::receptanceFiles(stem);
-  keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), tables);
+  keepInputs(cases::filesOfCase(options.caseOptions.name, description), tables);
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);

@@ -36,7 +36,7 @@ bool concerns(const FileError& error, const std::string& checkpoint) {
 }  // namespace
 
 void keepInputsOfRun(const RunFiles& files, const std::string& caseName, const cases::CaseDescription& description) {
-  keepInputs(cases::filesOfCase(caseName, description.defect.file),
+  keepInputs(cases::filesOfCase(caseName, description),
              {files.result(), files.signals(), files.partialResult(), files.partialSignals(), files.checkpoint(),
               files.checkpoint() + ".previous"});
 }

@@ -36,7 +36,7 @@ void printWarmState(const std::string& path, const simulation::WarmState& warm) 
 int warm(const WarmCommandOptions& options) {
   const auto description = readCase(options.caseOptions);
   const RunFiles files{options.folder, stemOf(options.caseOptions)};
-  keepInputs(cases::filesOfCase(options.caseOptions.name, description.defect.file), {files.warmState()});
+  keepInputs(cases::filesOfCase(options.caseOptions.name, description), {files.warmState()});
   const OutputFolder folder(options.folder);
   prepareFolder(files);
   const FolderLock owner(options.folder, "squat warm " + options.caseOptions.name);

@@ -31,7 +31,7 @@ std::string calibratedCaseFile(const std::string& folder, const std::string& ste
 void keepInputsOf(const CalibrationDefinition& definition, const std::vector<std::string>& targetFiles,
                   const std::string& folder, const std::string& stem) {
   const auto description = cases::loadCase(definition.caseName, definition.overrides);
-  auto inputs = cases::filesOfCase(definition.caseName, description.defect.file);
+  auto inputs = cases::filesOfCase(definition.caseName, description);
   inputs.insert(inputs.end(), targetFiles.begin(), targetFiles.end());
   const auto& targets = definition.targets;
   for (const auto& target : targets.signals) inputs.insert(inputs.end(), target.files.begin(), target.files.end());

@@ -10,8 +10,9 @@
 namespace squat::cases {
 
 bool countsBeforeDefect(const Parameter& parameter) {
-  constexpr std::array<std::string_view, 8> others = {"title",
+  constexpr std::array<std::string_view, 9> others = {"title",
                                                       "note",
+                                                      "wheelset.tread_deviation",
                                                       "wheelset.preset",
                                                       "track.preset",
                                                       "mesh.zone_before",

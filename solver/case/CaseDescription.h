@@ -49,6 +49,8 @@ using scenario::Support;
 using scenario::Suspension;
 using scenario::Track;
 using scenario::trackCentre;
+using scenario::TreadDeviation;
+using scenario::TreadShape;
 using scenario::Wheelset;
 
 struct CaseDescription : scenario::Inputs {
@@ -56,6 +58,7 @@ struct CaseDescription : scenario::Inputs {
   std::string note;
   std::string wheelsetPreset, trackPreset;  // where values came from (InputPresets.h); they stand in the other members
   Defect defect;
+  TreadShape tread;
 };
 
 }  // namespace squat::cases

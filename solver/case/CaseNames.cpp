@@ -20,8 +20,7 @@ constexpr std::size_t maximumNamed = 4;  // values in a name: more of them nobod
 
 // What a case is called, and where its values are from, change no result.
 bool changesResults(const Parameter& parameter) {
-  return parameter.key != "title" && parameter.key != "note" && parameter.key != "defect.file" &&
-         !isInputPreset(parameter.key);
+  return parameter.key != "title" && parameter.key != "note" && !namesTable(parameter) && !isInputPreset(parameter.key);
 }
 
 bool isOfPreset(const CaseDescription& description, const Parameter& parameter, const std::string& text) {
@@ -41,10 +40,11 @@ std::string threeDigits(double millimetres) {
 }
 
 // The file that it is from, else how deep and long it is.
-std::string extentOf(const Defect& defect) {
-  if (!defect.file.empty()) return std::filesystem::path(defect.file).stem().string();
-  std::vector<const std::vector<ProfilePoint>*> curves{&defect.points};
-  for (const auto& line : defect.lines) curves.push_back(&line.points);
+std::string extentOf(const std::string& file, const std::vector<ProfilePoint>& own,
+                     const std::vector<ProfileLine>& lines) {
+  if (!file.empty()) return std::filesystem::path(file).stem().string();
+  std::vector<const std::vector<ProfilePoint>*> curves{&own};
+  for (const auto& line : lines) curves.push_back(&line.points);
   double deepest = 0, first = 0, last = 0;  // [m]
   bool any = false;
   for (const auto* points : curves)
@@ -62,7 +62,11 @@ ComparedValue comparedValue(const CaseDescription& description, const Parameter&
   const std::string text = valueText(description, parameter);
   if (isOfPreset(description, parameter, text)) return {};
   if (!isList(parameter)) return {text, text};
-  return isEmptyList(description, parameter) ? ComparedValue{} : ComparedValue{text, extentOf(description.defect)};
+  if (isEmptyList(description, parameter)) return {};
+  const auto& defect = description.defect;
+  const auto& tread = description.tread;
+  return {text, parameter.group == "defect" ? extentOf(defect.file, defect.points, defect.lines)
+                                            : "tread " + extentOf(tread.file, tread.points, tread.lines)};
 }
 
 int importance(const Parameter& parameter) {

@@ -9,6 +9,7 @@
 #include "case/ParameterValue.h"
 #include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
+#include "case/TreadFile.h"
 #include "case/Validation.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -229,6 +230,25 @@ void placeDynamicPads(CaseDescription& description, const CaseOverrides& overrid
       (typed ? std::filesystem::absolute(file) : std::filesystem::absolute(folder / file)).lexically_normal().string();
 }
 
+// The same of the wheel's tread.
+void readTread(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
+               Problems& problems) {
+  TreadShape& tread = description.tread;
+  if (tread.file.empty()) return;
+  const bool fileSet = overrideOf(overrides, "wheelset.tread_deviation") != nullptr;
+  const bool sampledSet =
+      overrideOf(overrides, "wheelset.tread_points") || overrideOf(overrides, "wheelset.tread_lines");
+  if (!tread.isRound() && !(fileSet && !sampledSet)) return;
+  const std::filesystem::path named = tread.file;
+  try {
+    const auto path = named.is_absolute() || fileSet ? named : folder / named;
+    setTread(tread, readTreadLines(path, description.wheelset.radius));
+  } catch (const FileError&) {
+    if (problems.empty()) throw;
+    problems.throwIfAny();
+  }
+}
+
 struct Reading {
   bool finished = true;    // relations between values hold
   bool opensFiles = true;  // of presets; a profile is opened where the case names one
@@ -249,6 +269,7 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   if (reading.finished) checkProfileIsUsed(description, stated, overrides, problems);
   readProfile(description, overrides, folder, problems);
   placeDynamicPads(description, overrides, folder);
+  readTread(description, overrides, folder, problems);
   for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
       const Stated* one = find(stated, finding.problem.key);
@@ -270,7 +291,7 @@ CaseDescription parseUnfinishedCase(std::string_view text, const std::string& or
 }
 
 CaseDescription parseCaseOfResult(std::string_view text, const std::string& origin) {
-  return parse(text, origin, {}, {{}, {{"defect.file", ""}}}, {true, false});
+  return parse(text, origin, {}, {{}, {{"defect.file", ""}, {"wheelset.tread_deviation", ""}}}, {true, false});
 }
 
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides) {
@@ -281,10 +302,11 @@ CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& ove
   return readCase(findCase(nameOrPath), overrides);
 }
 
-std::vector<std::string> filesOfCase(const std::string& nameOrPath, const std::string& profile) {
+std::vector<std::string> filesOfCase(const std::string& nameOrPath, const CaseDescription& description) {
   const auto file = findCase(nameOrPath);
   std::vector<std::string> files{file.string()};
-  if (!profile.empty()) files.insert(files.end(), {(file.parent_path() / profile).string(), profile});
+  for (const auto& table : {description.defect.file, description.tread.file})
+    if (!table.empty()) files.insert(files.end(), {(file.parent_path() / table).string(), table});
   return files;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "case/DecimalNumber.h"
+#include "case/Findings.h"
+#include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "case/ProfileStretch.h"
 #include "case/Resolve.h"
@@ -22,41 +24,6 @@ namespace {
 constexpr double endMargin = 0.3;  // [m] of rail that must be left beyond the run
 
 using Case = CaseDescription;
-using Keys = std::vector<std::string>;
-
-std::string withUnit(const std::string& text, const Parameter& parameter) {
-  return parameter.unit.empty() || parameter.unit == "-" ? text : text + " " + parameter.unit;
-}
-
-}  // namespace
-
-std::string rounded(double value, Side side) {
-  if (value == 0 || !std::isfinite(value)) return formatDecimal(value);
-  const double scale = std::pow(10.0, 3 - std::floor(std::log10(std::abs(value)))), digits = value * scale;
-  constexpr double roundOff = 1e-6;
-  const double kept = side == Side::nearest ? std::round(digits)
-                      : side == Side::below ? std::floor(digits + roundOff)
-                                            : std::ceil(digits - roundOff);
-  return formatDecimal(kept / scale);
-}
-
-std::string limitText(const std::string& key, const char* relation, double limit) {
-  const Parameter& parameter = *findParameter(key);
-  const std::string words = relation;
-  const Side side = words.find("at most") != std::string::npos    ? Side::below
-                    : words.find("at least") != std::string::npos ? Side::above
-                                                                  : Side::nearest;
-  return words + " " + withUnit(rounded(limit * std::pow(10.0, -parameter.powerOfTen), side), parameter);
-}
-
-void add(std::vector<Finding>& findings, const Case& description, Severity severity, Keys keys, std::string allowed,
-         std::string advice) {
-  const Parameter& parameter = *findParameter(keys.front());
-  const std::string value = isList(parameter) ? "" : withUnit(valueText(description, parameter), parameter);
-  findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});
-}
-
-namespace {
 
 // A profile that is longer than any defect is given in another unit, or a scan of which a stretch is meant.
 std::string unitHint(const Case& c, const DefectSurface& surface) {

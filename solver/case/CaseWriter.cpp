@@ -87,18 +87,21 @@ constexpr LaterKey laterKeys[] = {
     {"defect.to", "defect.to"},
     {"defect.filter", "defect.filter"},
     {"defect.filter_width", "defect.filter"},
+    {"wheelset.tread_points", "wheelset.tread_points"},
+    {"wheelset.tread_lines", "wheelset.tread_lines"},
+    {"wheelset.tread_position", "wheelset.tread_position"},
     {"wheelset.brake_discs", "wheelset.brake_discs"},
     {"wheelset.brake_disc_mass", "wheelset.brake_discs"},
     {"wheelset.brake_disc_position", "wheelset.brake_discs"},
 };
 
 bool countsInHash(const CaseDescription& description, const Parameter& parameter) {
-  if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file") return false;
+  if (parameter.key == "title" || parameter.key == "note" || namesTable(parameter)) return false;
   if (isInputPreset(parameter.key)) return false;  // its values count
   for (const auto& [key, decidedBy] : laterKeys)
     if (key == parameter.key) {
       const Parameter& deciding = *findParameter(decidedBy);
-      return valueText(description, deciding) != deciding.defaultText;
+      return valueText(description, deciding) != defaultTextOf(deciding);
     }
   return true;
 }

@@ -54,6 +54,36 @@ void addWheel(Rows& rows) {
       "width of the hub along the axle, centred on the wheel plane", steps));
 }
 
+// A tread that is not round: what its deviation was read from, and where it meets the rail.
+void addTread(Rows& rows) {
+  using Relation = Requirement::Relation;
+  rows.push_back(text(
+      "wheelset.tread_deviation", [](Case& c) -> std::string& { return c.tread.file; },
+      "CSV file of the tread's deviation from round: angle (rad, deg) or length of arc, and radial deviation, negative "
+      "where material is missing, or deviations at several lateral positions; relative to the case file; not read if "
+      "the case contains wheelset.tread_points or wheelset.tread_lines",
+      "none: a round wheel"));
+  rows.push_back(
+      appliesIf("wheelset.tread_lines", {"[]"},
+                points(
+                    "wheelset.tread_points", [](Case& c) -> std::vector<ProfilePoint>& { return c.tread.points; },
+                    "pairs of arc length along the tread, in the order in which it meets the rail, and "
+                    "radial deviation from wheelset.radius, negative where material is missing",
+                    "none: a round wheel")));
+  rows.push_back(lines(
+      "wheelset.tread_lines", [](Case& c) -> std::vector<ProfileLine>& { return c.tread.lines; },
+      "several such lines side by side, each with its lateral position, from the wheel plane outwards",
+      "none: a round wheel"));
+  Parameter position = number(
+      "wheelset.tread_position", metre, 0, {-10, 10}, [](Case& c) -> double& { return c.tread.position; },
+      "where along the track the deepest point of the tread's deviation meets the rail, from the deepest point of the "
+      "defect; negative: before it",
+      "0: where the defect would be");
+  position.condition = {{{"wheelset.tread_points", Relation::isNot, {"[]"}}},
+                        {{"wheelset.tread_lines", Relation::isNot, {"[]"}}}};
+  rows.push_back(std::move(position));
+}
+
 void addBrakeDiscs(Rows& rows) {
   const auto withDiscs = [&](Parameter parameter) {
     rows.push_back(appliesUnless("wheelset.brake_discs", {"0"}, std::move(parameter)));
@@ -168,6 +198,7 @@ void addSuspension(Rows& rows) {
 Rows vehicleRows() {
   Rows rows;
   addWheel(rows);
+  addTread(rows);
   addAxle(rows);
   addWheelsetDamping(rows);
   addSuspension(rows);

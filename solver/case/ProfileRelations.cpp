@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "case/CaseRelations.h"
+#include "case/Findings.h"
 #include "case/DecimalNumber.h"
 #include "case/Resolve.h"
 #include "scenario/MeasuredProfile.h"

@@ -12,6 +12,8 @@ scenario::Scenario resolve(const CaseDescription& description);
 // The surface of the defect that the case describes: of a profile with its height scale. The one way from a case to a
 // surface, for all who ask about a case that is not run yet.
 scenario::DefectSurface surfaceOf(const CaseDescription& description);
+// The same of the wheel's tread.
+scenario::TreadDeviation treadOf(const CaseDescription& description);
 
 // The finely meshed stretch of rail that its defect needs.
 DefectZone defectZone(const CaseDescription& description);

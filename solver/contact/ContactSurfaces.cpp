@@ -33,10 +33,12 @@ CrownArc crownOf(scenario::RailSection section, double y) {
 }  // namespace
 
 // On a slope the wheel touches radius times slope beside its lowest point, though not farther than the defect goes; the
-// patch, 7 mm each way, comes on top. On smooth rail 20 mm hold any patch.
-double reachAlong(const scenario::DefectSurface& defect, double radius) {
+// patch, 7 mm each way, comes on top. On smooth rail 20 mm hold any patch. A tread that is not round touches farther
+// off by what its own slopes add.
+double reachAlong(const scenario::DefectSurface& defect, const scenario::TreadDeviation& tread, double radius) {
   constexpr double minimum = 0.020, patch = 0.012;  // [m]
-  return std::max(minimum, std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first())) + patch);
+  const double onDefect = std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first()));
+  return std::max(minimum, onDefect + tread.touchReach(radius) + patch);
 }
 
 Seat seatOf(const scenario::Scenario& d) {
@@ -112,15 +114,19 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
       s.treadRadius.push_back(treadRadius(y));
       int column = static_cast<int>(std::upper_bound(s.treadY.begin(), s.treadY.end(), y) - s.treadY.begin()) - 1;
       column = std::clamp(column, 0, static_cast<int>(s.treadY.size()) - 2);
+      if (!scenario.tread.isRound()) s.treadCurve.push_back(scenario.tread.curveAt(y));
       s.treadColumn.push_back(column);
       s.treadFraction.push_back((y - s.treadY[column]) / (s.treadY[column + 1] - s.treadY[column]));
     }
-  layDefect(s, rail, scenario.defectSurface);
+  s.treadAhead = scenario.tread.angleAt(-scenario.motion.runUp, s.radius);
+  s.treadHighest = std::max(0.0, scenario.tread.highest()), s.treadSteepest = scenario.tread.steepest();
+  layDefect(s, rail, scenario);
   return s;
 }
 
-void layDefect(Surfaces& s, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect) {
-  s.reach = reachAlong(defect, s.radius);
+void layDefect(Surfaces& s, const elasticity::SweptBlock& rail, const scenario::Scenario& scenario) {
+  const auto& defect = scenario.defectSurface;
+  s.reach = reachAlong(defect, scenario.tread, s.radius);
   s.height.clear(), s.area.clear(), s.pointX.clear(), s.pointY.clear();
   for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
     for (int j = 0; j < s.columns; ++j)

@@ -7,6 +7,7 @@
 
 #include "elasticity/SweptBlock.h"
 #include "scenario/ScenarioDeclaration.h"
+#include "scenario/TreadCurve.h"
 
 namespace squat::contact {
 
@@ -33,6 +34,10 @@ struct Surfaces {
   std::vector<double> height, area, pointX, pointY;
   std::vector<int> treadColumn;  // per column and lateral Gauss point
   std::vector<double> treadFraction, treadRadius;
+  // A tread that is not round: its deviation for each of those; none: round. Curves count from the deviation's deepest
+  // point, which stands `treadAhead` [rad] before the material below the axis of a wheel that has not turned yet.
+  std::vector<scenario::TreadCurve> treadCurve;
+  double treadAhead = 0, treadHighest = 0, treadSteepest = 0;  // [rad], [m], [-]
 
   std::size_t pointIndex(int interval, int column, int point) const {
     return (static_cast<std::size_t>(interval - firstInterval) * columns + (column - firstColumn)) * 4 + point;
@@ -58,11 +63,12 @@ Seat seatOf(const scenario::Scenario& scenario);
 // Section nodes of the rail on R300 and R80 of its crown, ascending in y.
 std::vector<int> runningLine(const elasticity::SweptBlock& rail, scenario::RailSection section);
 
-// Gives surfaces, which have all but their contact points, this profile: their reach, heights, areas and places.
-void layDefect(Surfaces& surfaces, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect);
+// Gives surfaces, which have all but their contact points, the defect of a scenario: their reach, heights, areas and
+// places.
+void layDefect(Surfaces& surfaces, const elasticity::SweptBlock& rail, const scenario::Scenario& scenario);
 
-// Surfaces::reach [m] for a wheel of this radius [m].
-double reachAlong(const scenario::DefectSurface& defect, double radius);
+// Surfaces::reach [m] for a wheel of this radius [m] and tread.
+double reachAlong(const scenario::DefectSurface& defect, const scenario::TreadDeviation& tread, double radius);
 
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
                       int rimBlock, const scenario::Scenario& scenario, double from, double to);

@@ -25,17 +25,17 @@ struct Slip {
 };
 
 Slip slipAt(const Surfaces& s, const TouchPoint& t, const elasticity::SweptBlock& rail,
-            const elasticity::SweptBlock& rim, const WheelRolling& wheel, const double* velocity, double radius) {
+            const elasticity::SweptBlock& rim, const WheelRolling& wheel, const double* velocity) {
   const double railX = railValue(rail, t, velocity, 0);
   const auto [railY, railZ] = railAcross(s, rail, t, velocity);
   Slip slip;
-  slip.along = wheel.speed * t.cosine - wheel.angularVelocity * radius + treadAlong(rim, t, velocity) -
+  slip.along = wheel.speed * t.cosine - wheel.angularVelocity * t.radius * t.tiltCosine + treadAlong(rim, t, velocity) -
                (t.cosine * railX + t.sine * railZ);
   // Along the tread's own lateral tangent, cos e_y - sin e_r: with the cone the wheel spins on the patch.
   slip.across = s.treadCosine * (treadLateral(rim, t, velocity) - railY);
   if (s.treadSine != 0)
-    slip.across -=
-        s.treadSine * (wheel.speed * t.sine + treadRadial(rim, t, velocity) - (t.sine * railX - t.cosine * railZ));
+    slip.across -= s.treadSine * (wheel.speed * t.sine + wheel.angularVelocity * t.radius * t.tiltSine +
+                                  treadRadial(rim, t, velocity) - (t.sine * railX - t.cosine * railZ));
   return slip;
 }
 
@@ -146,8 +146,7 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
     TouchPoint t;
     if (!evaluatePoint(s, rail, rim, displaced, placement, i, j, point, nearGap, t) || t.penetration <= 0) continue;
     const double pressure = law.normalPenalty * t.penetration, area = s.area[t.point];
-    const double radius = s.treadRadius[2 * (j - s.firstColumn) + point / 2];
-    const Slip slip = slipAt(s, t, rail, rim, wheel, velocity, radius);
+    const Slip slip = slipAt(s, t, rail, rim, wheel, velocity);
     double* traction = &history.traction[2 * t.point];
     double along = traction[0] + law.tangentialPenalty * step * slip.along;
     double across = traction[1] + law.tangentialPenalty * step * slip.across;
@@ -172,7 +171,7 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
     addToRim(rim, t, area, force, rimForces);
     if (closed) addShares(t, area, *closed);
     patch.vertical -= force.z, patch.longitudinal += force.x, patch.lateral += force.y;
-    patch.rotationMoment += radius * area * (along + force.outwards * t.lead);
+    patch.rotationMoment += t.radius * area * (along * t.tiltCosine + force.outwards * (t.lead - t.tiltSine));
     const double x = s.pointX[t.point] - placement.centreX - placement.hubX, y = s.pointY[t.point], n = pressure * area;
     sums.n += n, sums.x1 += n * x, sums.y1 += n * y, sums.x2 += n * x * x, sums.y2 += n * y * y;
     if (points) points->push_back({x, y, pressure, along, across, area, slips});

@@ -61,6 +61,18 @@ void meet(const Surfaces& s, const elasticity::SweptBlock& rim, int lateral, int
   }
 }
 
+// From the basis at the touch point's angle to that of the tread, whose normal leans back by the tilt.
+void lean(double slope, TouchPoint& t) {
+  const double size = std::hypot(1.0, slope), c = 1 / size, s = slope / size;
+  t.tiltCosine = c, t.tiltSine = s;
+  const double sine = t.sine, cosine = t.cosine;
+  t.sine = sine * c - cosine * s, t.cosine = cosine * c + sine * s;
+  for (int side = 0; side < 2; ++side) {
+    const double turnCosine = t.turnCosine[side], turnSine = t.turnSine[side];
+    t.turnCosine[side] = turnCosine * c - turnSine * s, t.turnSine[side] = turnSine * c + turnCosine * s;
+  }
+}
+
 }  // namespace
 
 double treadAlong(const elasticity::SweptBlock& rim, const TouchPoint& t, const double* state) {
@@ -121,7 +133,7 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   const int lateral = 2 * (column - s.firstColumn) + point / 2;
   const double radius = s.treadRadius[lateral];
   // (R^2 - x^2 - z^2) / 2R is the penetration but for terms of its square over 2R.
-  if (radius * radius - x0 * x0 - z0 * z0 < -near * 2 * radius) return false;
+  if (radius * radius - x0 * x0 - z0 * z0 < -(near + s.treadHighest) * 2 * radius) return false;
   constexpr double gauss = 0.57735026918962576;
   const double along = 0.5 * (1 + (point % 2 ? gauss : -gauss)), across = 0.5 * (1 + (point / 2 ? gauss : -gauss));
   t.railNode[0] = s.railLine[column], t.railNode[1] = s.railLine[column + 1];
@@ -145,7 +157,15 @@ bool evaluatePoint(const Surfaces& s, const elasticity::SweptBlock& rail, const 
   meet(s, rim, lateral, k, material, t.lead, t);
   const double radial = treadRadial(rim, t, state) - (wheel.hubX * t.sine - wheel.hubZ * t.cosine);
   const double behind = t.lead + wheel.turnAhead;  // at the instant of the displacements
-  t.penetration = s.treadCosine * (radius * (1 - 0.5 * behind * behind) - distance + radial);
+  double depth = radius * (1 - 0.5 * behind * behind) - distance + radial;
+  t.radius = radius, t.tiltSine = 0, t.tiltCosine = 1;
+  if (!s.treadCurve.empty()) {
+    const auto [deviation, slope] = s.treadCurve[lateral].at(material + s.treadAhead);
+    t.radius += deviation;
+    lean(slope / t.radius, t);
+    depth = t.tiltCosine * (depth + deviation);
+  }
+  t.penetration = s.treadCosine * depth;
   if (s.treadSine != 0) t.penetration += s.treadSine * (treadLateral(rim, t, state) - moved.y);
   return true;
 }

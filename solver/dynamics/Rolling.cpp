@@ -169,13 +169,15 @@ double Rolling::positionOf(const contact::WheelRolling& wheel) const {
 }
 
 // Points that may touch soon are looked for some microseconds ahead. Surfaces approach each other with the rolling, by
-// speed times reach over radius, and with a metre per second or two as elements spring and bodies bounce.
+// speed times reach over radius (and the slope of a tread that is not round), and with a metre per second or two as
+// elements spring and bodies bounce.
 void Rolling::listNearPoints(const contact::WheelPlacement& wheel) {
   if (state_.step < nearUntil_) return;
   constexpr double ahead = 5e-6, bounce = 8;  // [s], [m/s]
   const auto& s = model_.surfaces;
   const auto steps = std::max(1L, std::lround(ahead / step_));
-  const double approach = bounce + std::abs(model_.scenario.motion.speed) * s.reach / s.radius;
+  const double speed = std::abs(model_.scenario.motion.speed);
+  const double approach = bounce + speed * s.reach / s.radius + speed * s.treadSteepest;
   near_ = pointsWithin(approach * static_cast<double>(steps) * step_, s, model_.blocks[model_.rail],
                        model_.blocks[model_.rim], wheel, state_.displaced.data());
   nearUntil_ = state_.step + steps;

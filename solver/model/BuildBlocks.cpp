@@ -63,7 +63,7 @@ namespace {
 
 // Where the fine zone of the defect begins, at or behind that of the start [m].
 double fineStart(const scenario::Scenario& d) {
-  const double before = scenario::defectZone(d.defectSurface, d.mesh).before;
+  const double before = scenario::defectZone(d.defectSurface, d.tread, d.mesh).before;
   return std::max(-d.motion.runUp - d.mesh.fineStart, -before - d.mesh.fineBefore);
 }
 
@@ -163,7 +163,7 @@ RollingStretch laidStretch(const scenario::Scenario& d, double railStart, double
 
 RollingStretch rollingStretch(const scenario::Scenario& d, double railStart, double railEnd) {
   const double end = d.motion.beyond + patchEnd;
-  const double behind = scenario::defectZone(d.defectSurface, d.mesh).behind;
+  const double behind = scenario::defectZone(d.defectSurface, d.tread, d.mesh).behind;
   const double fineTo = std::max(behind + d.mesh.fineBefore, fineStart(d) + d.mesh.contactSize);
   // Fine stations share their inertia in whole groups, which begin at whole groups from the rail's end: the time step
   // is as long as the smallest group of the finest allows. The tiny mesh has no elements to spare for that.

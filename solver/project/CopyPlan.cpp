@@ -44,7 +44,9 @@ std::string renamedProfile(const std::string& path, const std::string& profile, 
     if (at == std::string::npos) continue;
     text.replace(at, written.size(), quote + name + quote);
     const auto after = cases::parseCase(text, path, fs::path(profile).parent_path());
-    return after.defect.file == name && cases::caseHash(after) == cases::caseHash(before) ? text : std::string();
+    return (after.defect.file == name || after.tread.file == name) && cases::caseHash(after) == cases::caseHash(before)
+               ? text
+               : std::string();
   }
   return {};
 }
@@ -97,28 +99,41 @@ class Planner {
     if (path.empty()) return {};
     if (const auto known = placed_.find(path); known != placed_.end()) return known->second;
     if (!isReadable(path)) return missing(path);
-    std::string profile;
+    std::vector<fs::path> beside;  // tables that the case names by a path relative to its own
+    std::string full;              // and the one by a full path
     try {
-      profile = cases::readCase(path).defect.file;
+      const auto description = cases::readCase(path);
+      for (const auto& table : {description.defect.file, description.tread.file}) {
+        const fs::path at = (fs::path(path).parent_path() / table).lexically_normal();
+        if (table.empty() || !isReadable(at)) continue;  // the case has the points of the table itself
+        if (fs::path(table).is_relative())
+          beside.push_back(at);
+        else if (full.empty() && beside.empty())
+          full = table;
+        else
+          plan_.problems.push_back(path + " still names a table by its full path, " + table);
+      }
     } catch (const std::exception& error) {
       plan_.problems.push_back(path + " is copied without the profile that it may name: " + error.what());
     }
-    const fs::path folder = fs::path(path).parent_path();
-    const fs::path beside = (folder / profile).lexically_normal();
-    if (profile.empty() || !isReadable(beside)) return place(path, "cases");  // it has the points of the profile itself
-    return fs::path(profile).is_absolute() ? placeRewritten(path, profile) : placeTogether(path, beside);
+    if (!full.empty() && beside.empty()) return placeRewritten(path, full);
+    if (!full.empty()) plan_.problems.push_back(path + " still names a table by its full path, " + full);
+    return beside.empty() ? place(path, "cases") : placeTogether(path, beside);
   }
 
   // As many folders above the case come along as the profile is away from it.
-  std::string placeTogether(const fs::path& path, const fs::path& profile) {
+  std::string placeTogether(const fs::path& path, const std::vector<fs::path>& tables) {
     fs::path root = path.parent_path();
-    while (root.has_relative_path() && *profile.lexically_relative(root).begin() == "..") root = root.parent_path();
+    for (const auto& table : tables)
+      while (root.has_relative_path() && *table.lexically_relative(root).begin() == "..") root = root.parent_path();
     for (int number = 1;; ++number) {
       const fs::path to = numbered("cases", number);
-      const fs::path caseTo = to / path.lexically_relative(root), profileTo = to / profile.lexically_relative(root);
-      if (!isFree(caseTo, path) || !isFree(profileTo, profile)) continue;
-      add(profile, profileTo);
-      return add(path, caseTo);
+      const auto placeOf = [&](const fs::path& file) { return to / file.lexically_relative(root); };
+      if (!isFree(placeOf(path), path) ||
+          !std::all_of(tables.begin(), tables.end(), [&](const auto& table) { return isFree(placeOf(table), table); }))
+        continue;
+      for (const auto& table : tables) add(table, placeOf(table));
+      return add(path, placeOf(path));
     }
   }
 
@@ -131,8 +146,8 @@ class Planner {
     }
     if (path == plan_.project.open.path) {
       auto open = cases::parseUnfinishedCase(plan_.project.open.toml, plan_.project.open.name);
-      if (open.defect.file == profile) {
-        open.defect.file = name;
+      if (open.defect.file == profile || open.tread.file == profile) {
+        (open.defect.file == profile ? open.defect.file : open.tread.file) = name;
         plan_.project.open.toml = cases::writeCase(open);
       }
     }

@@ -17,20 +17,6 @@ double endSlope(double h0, double h1, double d0, double d1) {
   return slope;
 }
 
-// Slope within: zero at an extremum of the points, so that it is one of the curve.
-double innerSlope(double h0, double h1, double d0, double d1) {
-  if (d0 * d1 <= 0) return 0;
-  const double w1 = 2 * h1 + h0, w2 = h1 + 2 * h0;
-  return (w1 + w2) / (w1 / d0 + w2 / d1);
-}
-
-HeightAndSlope hermite(double s, double h, double a, double b, double slopeA, double slopeB) {
-  const double t = s / h, u = 1 - t;
-  const double height = u * u * ((1 + 2 * t) * a + t * h * slopeA) + t * t * ((1 + 2 * u) * b - u * h * slopeB);
-  const double slope = 6 * t * u * (b - a) / h + u * (1 - 3 * t) * slopeA + t * (1 - 3 * u) * slopeB;
-  return {height, slope};
-}
-
 }  // namespace
 
 ProfileCurve::ProfileCurve(const std::vector<ProfilePoint>& points, double scale, bool ends) {

@@ -1,19 +1,14 @@
 // solver/scenario/ProfileCurve.h - a smooth curve through sampled heights, as defects are made of.
 //
-// Piecewise cubic that is monotone between the points (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980; slopes after
-// Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5, 1984): continuous slope, no overshoot, so the deepest point is a
-// measured one.
+// Piecewise cubic that is monotone between the points (MonotoneCubic.h).
 #pragma once
 
 #include <vector>
 
 #include "scenario/Defect.h"
+#include "scenario/MonotoneCubic.h"
 
 namespace squat::scenario {
-
-struct HeightAndSlope {
-  double height = 0, slope = 0;
-};
 
 class ProfileCurve {
  public:

@@ -10,6 +10,7 @@
 #include "scenario/Motion.h"
 #include "scenario/Output.h"
 #include "scenario/Track.h"
+#include "scenario/TreadDeviation.h"
 #include "scenario/Vehicle.h"
 
 namespace squat::scenario {
@@ -36,6 +37,7 @@ struct Inputs {
 struct Scenario : Inputs {
   DefectSurface defectSurface{Defect{}};
   DefectModel defectModel = DefectModel::gapFunction;
+  TreadDeviation tread;
 };
 
 }  // namespace squat::scenario

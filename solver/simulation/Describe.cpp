@@ -72,10 +72,16 @@ void describeModes(const scenario::Scenario& scenario, results::RunResult& resul
 
 void describeProfile(const scenario::Scenario& d, results::RunResult& result) {
   const auto& surface = d.defectSurface;
-  const double y = contact::seatOf(d).touchY;  // along the line on which the wheel runs
-  const double from = std::max(-d.motion.runUp, std::min(-0.1, surface.first() - 0.03));
-  const double to = std::min(d.motion.beyond, std::max(0.15, surface.last() + 0.03)), step = 0.5e-3;
-  for (const auto& point : scenario::rigidWheelPath(surface, d.wheelset.radius, from, to, step, y)) {
+  const double y = contact::seatOf(d).touchY;        // along the line on which the wheel runs
+  const double treadY = y - d.motion.lateralOffset;  // but for terms of the rail's lean
+  double first = surface.first(), last = surface.last();
+  if (d.tread.isLocal()) {
+    first = std::min(first, d.tread.position() - d.tread.dipBefore());
+    last = std::max(last, d.tread.position() + d.tread.dipBehind());
+  }
+  const double from = std::max(-d.motion.runUp, std::min(-0.1, first - 0.03));
+  const double to = std::min(d.motion.beyond, std::max(0.15, last + 0.03)), step = 0.5e-3;
+  for (const auto& point : scenario::rigidWheelPath(surface, d.tread, d.wheelset.radius, from, to, step, y, treadY)) {
     result.profilePosition.push_back(point.position);
     result.profileHeight.push_back(surface.height(point.position, y));
     result.wheelPath.push_back(point.height);

@@ -48,7 +48,7 @@ void checkZone(const WarmState& warm, const char* key, double own, bool set, dou
 
 // Contact is looked for, and a rail may yield, this far from below the axis [m].
 double reachOf(const scenario::Scenario& scenario) {
-  return contact::reachAlong(scenario.defectSurface, contact::seatOf(scenario).radius);
+  return contact::reachAlong(scenario.defectSurface, scenario.tread, contact::seatOf(scenario).radius);
 }
 
 void checkDefect(const WarmState& warm, const cases::CaseDescription& description, std::vector<CaseProblem>& problems) {
@@ -126,7 +126,10 @@ struct Looks {
   explicit Looks(const OpenRun& run) {
     const double perStep = run.scenario.motion.speed * run.rolling->stepSize();
     steps = std::clamp(static_cast<long>(stride / perStep), 1L, run.steps.stepsPerSample);
-    margin = untouched + static_cast<double>(steps) * perStep * 0.020 / run.model.surfaces.radius;
+    const auto& s = run.model.surfaces;
+    margin = untouched + static_cast<double>(steps) * perStep * 0.020 / s.radius;
+    // The deviation of a tread that is not round turns towards it as well.
+    if (!s.treadCurve.empty()) margin += static_cast<double>(steps) * perStep * s.treadSteepest;
   }
   long steps = 1;
   double margin = 0;

@@ -31,7 +31,9 @@ ClosedContact evaluateContact(const model::Model& model, const model::TurnedStat
   const auto hub = ringMean(model, model.centre, turned, u);
   const contact::WheelPlacement wheel{wheelX, model.wheelset.centreHeight, rotation, hub.x, hub.z};
   ClosedContact closed;
-  const auto [first, last] = contact::reachableIntervals(s, rail, wheelX, patchReach);
+  // A wheel that is not round may stand on two places with nothing between them.
+  const double reach = s.treadCurve.empty() ? patchReach : std::max(patchReach, s.reach);
+  const auto [first, last] = contact::reachableIntervals(s, rail, wheelX, reach);
   for (int i = first; i < last; ++i)
     for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
       for (int point = 0; point < 4; ++point) {
@@ -45,6 +47,26 @@ ClosedContact evaluateContact(const model::Model& model, const model::TurnedStat
         closed.lateral += force * s.treadSine;
       }
   return closed;
+}
+
+// How far the rigid wheel overlaps the rigid rail [m]; negative where its tread has less than the nominal radius.
+double rigidOverlap(const model::Model& model, double wheelX, double rotation) {
+  const auto& s = model.surfaces;
+  if (s.treadCurve.empty()) return 0;
+  const auto &rail = model.blocks[model.rail], &rim = model.blocks[model.rim];
+  const AlignedVector rest(model.stateSize, 0.0);
+  const contact::WheelPlacement wheel{wheelX, model.wheelset.centreHeight, rotation, 0, 0};
+  double largest = -1;  // [m]
+  const auto [first, last] = contact::reachableIntervals(s, rail, wheelX, s.reach);
+  for (int i = first; i < last; ++i)
+    for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
+      for (int point = 0; point < 4; ++point) {
+        contact::TouchPoint t;
+        constexpr double anywhere = 0.1;  // [m]
+        if (!evaluatePoint(s, rail, rim, rest.data(), wheel, i, j, point, anywhere, t)) continue;
+        largest = std::max(largest, t.penetration / (s.treadCosine * t.cosine));
+      }
+  return largest;
 }
 
 void addContactForces(const ClosedContact& closed, double* r) {
@@ -123,11 +145,12 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
   model::StaticOperator op(model, kernels, team, rotation, 1e8, true);
   CoarseSpace coarse(model, op);
   const std::size_t n = model.stateSize;
+  e.rigidHeight = rigidOverlap(model, wheelX, rotation);
   e.displacement.assign(n, 0.0);
   if (options.guess)
     e.displacement = *options.guess;
   else
-    addVerticalMotion(model, rotation, -1e-4, e.displacement);  // closes the contact
+    addVerticalMotion(model, rotation, e.rigidHeight - 1e-4, e.displacement);  // closes the contact
   const AlignedVector weight = gravityForces(model, rotation);
   if (!coarse.assemble(op, monitor)) {
     e.cancelled = true;
@@ -187,6 +210,7 @@ Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelS
     for (std::size_t i = 0; i < n; ++i) e.displacement[i] += change[i];
   }
   complete(model, op, e);
+  e.approach += e.rigidHeight;
   return e;
 }
 

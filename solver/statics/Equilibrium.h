@@ -28,7 +28,9 @@ struct Equilibrium {
   double lateralForce = 0;          // [N] of the wheel on the rail, outwards
   double centreLateral = 0;         // [m] y of the pressure's centre
   double residual = 0;              // 2-norm relative to the wheel load
-  double approach = 0;  // [m] deflection of the rail's section under the wheel, mean over its mass, less the hub's
+  double rigidHeight = 0;  // [m] at which the wheel would stand by its tread's deviation alone, rigid on a rigid rail
+  double approach = 0;  // [m] deflection of the rail's section under the wheel, mean over its mass, less the hub's over
+                        // that height
   double halfAxisRolling = 0, halfAxisLateral = 0;  // [m] sqrt(5 <x^2>), sqrt(5 <y^2>) of the pressure
   double peakPressure = 0;                          // [Pa] 3 N / (2 pi a b)
   double strainEnergy = 0;                          // [J] solids, springs and contact

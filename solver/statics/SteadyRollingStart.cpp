@@ -11,7 +11,7 @@ namespace {
 // Rolled over single elements, a patch of few points comes and goes: the approach of wheel and rail ripples by a micron
 // or two within an element. Its slope is part of the equilibrium's rate, and as a velocity of the whole vehicle it
 // would shake the wheel for the length of the run-up. Under a constant load the approach is constant: the wheel rises
-// and falls with the deflected rail, averaged over more than an element.
+// and falls with the deflected rail, averaged over more than an element, and with its tread where that is not round.
 constexpr double window = 0.025;  // [m] to either side of the wheel: longer than the patch and the elements of any mesh
 
 double verticalAt(const model::Model& model, const AlignedVector& u, double x) {
@@ -30,6 +30,16 @@ double railRate(const model::Model& model, const AlignedVector& u, const Aligned
   return sum + (verticalAt(model, u, x + window) - verticalAt(model, u, x - window)) / (2 * window);
 }
 
+// Rise of a wheel that is not round, per metre rolled [1].
+double treadRate(const model::Model& model) {
+  const auto& d = model.scenario;
+  if (d.tread.isRound()) return 0;
+  constexpr double step = 0.005;  // [m] about the half length of the patch, which rolls over shorter waves
+  const auto path = scenario::rigidWheelPath(scenario::DefectSurface(), d.tread, model.surfaces.radius,
+                                             model.startX - step, model.startX + 1.01 * step, 2 * step, 0, 0);
+  return (path.back().height - path.front().height) / (2 * step);
+}
+
 }  // namespace
 
 SteadyRollingStart prepareSteadyRollingStart(const model::Model& model, const elasticity::KernelSet& kernels,
@@ -45,7 +55,8 @@ SteadyRollingStart prepareSteadyRollingStart(const model::Model& model, const el
   model::TurnedStations turned;
   model::turnStations(model.blocks[model.body], 0, turned);
   const double wheelRate = model::ringMean(model, model.centre, turned, start.velocity.data()).z;
-  const double rate = railRate(model, start.equilibrium.displacement, start.velocity, start.equilibrium.wheelX);
+  const double rate =
+      railRate(model, start.equilibrium.displacement, start.velocity, start.equilibrium.wheelX) + treadRate(model);
   addVerticalMotion(model, 0, rate - wheelRate, start.velocity);
   for (double& value : start.velocity) value *= d.motion.speed;
   model::removeMeanRotation(model, model::meanRotation(model, start.velocity.data()), start.velocity.data());

@@ -107,9 +107,10 @@ cases::CaseDescription caseAt(const StudyDefinition& definition, const cases::Ca
 
 StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOverrides& overrides, const CaseRunner& run,
                         const StudyOptions& options, Monitor& monitor) {
-  auto inputs = cases::filesOfCase(definition.caseName, cases::loadCase(definition.caseName, overrides).defect.file);
+  auto inputs = cases::filesOfCase(definition.caseName, cases::loadCase(definition.caseName, overrides));
   for (const auto& variation : definition.variations)
-    if (variation.key == "defect.file") inputs.insert(inputs.end(), variation.values.begin(), variation.values.end());
+    if (const auto* parameter = cases::findParameter(variation.key); parameter && cases::namesTable(*parameter))
+      inputs.insert(inputs.end(), variation.values.begin(), variation.values.end());
   keepInputs(inputs, studyFiles(options.folder, options.part));
   const StudyRunner runner = [&](const StudyPoint& point, Monitor& own) -> std::optional<FeatureRow> {
     // The case is read anew for every point: an edit in between would mix two cases in one table.

@@ -54,6 +54,26 @@ void addLines(Figure& figure, const results::RunResult& result) {
   }
 }
 
+// The tread of a wheel that is not round, unrolled: at each position the material that lies below the axle there, at
+// the middle of the running band. Returns the stretch of its dip [m]; empty where the wheel is round.
+Extent addTread(Figure& figure, const results::RunResult& result) {
+  if (!result.resolvedCase) return {};
+  const auto& scenario = result.resolvedCase->scenario;
+  const auto& tread = scenario.tread;
+  if (tread.isRound()) return {};
+  const auto curve = tread.curveAt(0);
+  Curve drawn;
+  for (const double x : result.profilePosition)
+    drawn.y.push_back(curve.at(tread.angleAt(x, scenario.wheelset.radius)).height * 1e6);
+  drawn.x = scaled(result.profilePosition, 1e3);
+  drawn.label = "tread of the wheel, unrolled";
+  drawn.colour = 3;
+  drawn.width = 1.3;
+  addCurve(figure, drawn);
+  if (!tread.isLocal()) return {};
+  return {tread.position() - tread.dipBefore(), tread.position() + tread.dipBehind()};
+}
+
 }  // namespace
 
 std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style) {
@@ -61,12 +81,12 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   figure->xAxis->setLabel("Position along the rail [mm]");
   figure->yAxis->setLabel("Height [µm]");
   double from = -0.1, to = 0.1;
-  const Extent defect = defectExtent(result);
-  if (defect.empty()) {
+  const Extent defect = defectExtent(result), flat = addTread(*figure, result);
+  if (defect.empty() && flat.empty()) {
     addNotice(*figure, "smooth rail: no defect");
   } else {
-    from = defect.from - surroundings;
-    to = defect.to + surroundings;
+    from = std::min(defect.empty() ? flat.from : defect.from, flat.empty() ? defect.from : flat.from) - surroundings;
+    to = std::max(defect.empty() ? flat.to : defect.to, flat.empty() ? defect.to : flat.to) + surroundings;
   }
   const std::vector<double> x = scaled(result.profilePosition, 1e3);
   figure->xAxis->setRange(from * 1e3, to * 1e3);

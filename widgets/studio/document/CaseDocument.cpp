@@ -10,6 +10,7 @@
 #include "case/ParameterValue.h"
 #include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
+#include "case/TreadFile.h"
 #include "core/Errors.h"
 #include "studio/document/CaseCommand.h"
 
@@ -36,6 +37,16 @@ std::optional<CaseProblem> readProfile(cases::CaseDescription& description, cons
     return std::nullopt;
   } catch (const FileError& error) {
     return CaseProblem{"defect.file", path.toStdString(), "a profile file", error.what()};
+  }
+}
+
+std::optional<CaseProblem> readTread(cases::CaseDescription& description, const QString& path) {
+  try {
+    cases::setTread(description.tread, cases::readTreadLines(path.toStdString(), description.wheelset.radius));
+    return std::nullopt;
+  } catch (const FileError& error) {
+    return CaseProblem{"wheelset.tread_deviation", path.toStdString(), "a table of the tread's deviation",
+                       error.what()};
   }
 }
 
@@ -109,6 +120,12 @@ std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, co
   if (cases::valueText(after, *parameter) == cases::valueText(description(), *parameter)) return std::nullopt;
   if (key == "defect.file" && !text.empty()) {
     if (auto problem = readProfile(after, QFileInfo(path_).dir().filePath(QString::fromStdString(text))))
+      return problem;
+  }
+  if (key == "wheelset.tread_deviation") {
+    if (text.empty())
+      after.tread.points.clear(), after.tread.lines.clear();  // round again
+    else if (auto problem = readTread(after, QFileInfo(path_).dir().filePath(QString::fromStdString(text))))
       return problem;
   }
   if (key == "mesh.preset") takePreset(after, description());

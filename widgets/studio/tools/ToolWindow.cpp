@@ -235,7 +235,7 @@ void ToolWindow::start() {
   showFigures();
   ToolInput input{document_.name().toStdString(), document_.description(), folder.toStdString(), {}};
   if (const auto path = document_.path().toStdString(); !path.empty())
-    input.files = cases::filesOfCase(path, document_.description().defect.file);
+    input.files = cases::filesOfCase(path, document_.description());
   const auto made = std::make_shared<ToolResult>();
   result_ = made;
   if (form_->view()) tabs_->setCurrentWidget(form_->view());
