@@ -10,10 +10,11 @@
 namespace squat::cases {
 
 bool countsBeforeDefect(const Parameter& parameter) {
-  constexpr std::array<std::string_view, 8> others = {"title",
+  constexpr std::array<std::string_view, 9> others = {"title",
                                                       "note",
                                                       "wheelset.preset",
                                                       "track.preset",
+                                                      "rail.irregularity_file",
                                                       "mesh.zone_before",
                                                       "mesh.zone_behind",
                                                       "output.filter_cutoff",

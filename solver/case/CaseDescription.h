@@ -25,6 +25,9 @@ using scenario::ElementPrecision;
 using scenario::ForcePoint;
 using scenario::Hardening;
 using scenario::HeightAndSlope;
+using scenario::Irregularity;
+using scenario::IrregularityKind;
+using scenario::IrregularSurface;
 using scenario::LateralShape;
 using scenario::Material;
 using scenario::MeshPreset;
@@ -47,6 +50,7 @@ using scenario::Support;
 using scenario::Suspension;
 using scenario::Track;
 using scenario::trackCentre;
+using scenario::WavelengthLevel;
 using scenario::Wheelset;
 
 struct CaseDescription : scenario::Inputs {

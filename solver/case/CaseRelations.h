@@ -11,6 +11,7 @@ void checkMaterials(const CaseDescription& description, std::vector<Finding>& fi
 void checkWheelset(const CaseDescription& description, std::vector<Finding>& findings);
 void checkTrackAndRun(const CaseDescription& description, std::vector<Finding>& findings);
 void checkDefect(const CaseDescription& description, std::vector<Finding>& findings);
+void checkIrregularity(const CaseDescription& description, std::vector<Finding>& findings);
 void checkSeat(const CaseDescription& description, std::vector<Finding>& findings);
 void checkMesh(const CaseDescription& description, std::vector<Finding>& findings);
 void checkTraction(const CaseDescription& description, std::vector<Finding>& findings);

@@ -77,13 +77,23 @@ constexpr LaterKey laterKeys[] = {
     {"mesh.zone_behind", "mesh.zone_behind"},
     {"sleeper.middle_height", "sleeper.middle_height"},
     {"sleeper.middle_half_length", "sleeper.middle_height"},
+    {"rail.irregularity", "rail.irregularity"},
+    {"rail.irregularity_levels", "rail.irregularity"},
+    {"rail.irregularity_points", "rail.irregularity"},
+    {"rail.irregularity_position", "rail.irregularity"},
+    {"rail.irregularity_seed", "rail.irregularity"},
+    {"rail.irregularity_shortest", "rail.irregularity"},
+    {"rail.irregularity_longest", "rail.irregularity"},
+    {"rail.irregularity_offset", "rail.irregularity"},
     {"wheelset.brake_discs", "wheelset.brake_discs"},
     {"wheelset.brake_disc_mass", "wheelset.brake_discs"},
     {"wheelset.brake_disc_position", "wheelset.brake_discs"},
 };
 
 bool countsInHash(const CaseDescription& description, const Parameter& parameter) {
-  if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file") return false;
+  if (parameter.key == "title" || parameter.key == "note" || parameter.key == "defect.file" ||
+      parameter.key == "rail.irregularity_file")
+    return false;
   if (isInputPreset(parameter.key)) return false;  // its values count
   for (const auto& [key, decidedBy] : laterKeys)
     if (key == parameter.key) {

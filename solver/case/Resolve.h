@@ -13,6 +13,10 @@ scenario::Scenario resolve(const CaseDescription& description);
 // surface, for all who ask about a case that is not run yet.
 scenario::DefectSurface surfaceOf(const CaseDescription& description);
 
+// The irregularity of its rail, and the levels that it is made from where it is random.
+IrregularSurface irregularityOf(const CaseDescription& description);
+std::vector<WavelengthLevel> levelsOf(const Irregularity& rail);
+
 // The finely meshed stretch of rail that its defect needs.
 DefectZone defectZone(const CaseDescription& description);
 

@@ -14,6 +14,7 @@ std::vector<Finding> validateRelations(const CaseDescription& description) {
   relations::checkWheelset(description, findings);
   relations::checkTrackAndRun(description, findings);
   relations::checkDefect(description, findings);
+  relations::checkIrregularity(description, findings);
   relations::checkSeat(description, findings);
   relations::checkMesh(description, findings);
   relations::checkTraction(description, findings);

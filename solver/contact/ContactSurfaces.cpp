@@ -1,6 +1,7 @@
 #include "contact/ContactSurfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/Errors.h"
@@ -32,9 +33,11 @@ CrownArc crownAt(double y) { return {geometry::crownHeight54E1(y), std::atan(geo
 
 // On a slope the wheel touches radius times slope beside its lowest point, though not farther than the defect goes; the
 // patch, 7 mm each way, comes on top. On smooth rail 20 mm hold any patch.
-double reachAlong(const scenario::DefectSurface& defect, double radius) {
+double reachAlong(const scenario::DefectSurface& defect, const scenario::IrregularSurface& irregularity,
+                  double radius) {
   constexpr double minimum = 0.020, patch = 0.012;  // [m]
-  return std::max(minimum, std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first())) + patch);
+  return std::max(minimum, std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first())) + patch +
+                               radius * irregularity.steepest());
 }
 
 Seat seatOf(const scenario::Scenario& d) {
@@ -106,25 +109,40 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
       s.treadColumn.push_back(column);
       s.treadFraction.push_back((y - s.treadY[column]) / (s.treadY[column + 1] - s.treadY[column]));
     }
-  layDefect(s, rail, scenario.defectSurface);
+  layDefect(s, rail, scenario.defectSurface, scenario.irregularity);
   return s;
 }
 
-void layDefect(Surfaces& s, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect) {
-  s.reach = reachAlong(defect, s.radius);
+namespace {
+
+// Of the irregularity at both Gauss points along an interval, the same in all columns [m].
+std::array<double, 2> heightsIn(const elasticity::SweptBlock& rail, int interval,
+                                const scenario::IrregularSurface& irregularity) {
+  const double x0 = rail.positions[interval], x1 = rail.positions[interval + 1];
+  const double middle = 0.5 * (x0 + x1), half = gauss * 0.5 * (x1 - x0);
+  return {irregularity.height(middle - half), irregularity.height(middle + half)};
+}
+
+}  // namespace
+
+void layDefect(Surfaces& s, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect,
+               const scenario::IrregularSurface& irregularity) {
+  s.reach = reachAlong(defect, irregularity, s.radius);
   s.height.clear(), s.area.clear(), s.pointX.clear(), s.pointY.clear();
-  for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
+  for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i) {
+    const std::array<double, 2> along = heightsIn(rail, i, irregularity);
     for (int j = 0; j < s.columns; ++j)
       for (int point = 0; point < 4; ++point) {
         const double x0 = rail.positions[i], x1 = rail.positions[i + 1];
         const double y0 = s.railY[s.firstColumn + j], y1 = s.railY[s.firstColumn + j + 1];
         const double x = 0.5 * (x0 + x1) + (point % 2 ? gauss : -gauss) * 0.5 * (x1 - x0);
         const double y = 0.5 * (y0 + y1) + (point / 2 ? gauss : -gauss) * 0.5 * (y1 - y0);
-        const double z = geometry::crownHeight54E1(y) + defect.height(x, y);
+        const double z = geometry::crownHeight54E1(y) + defect.height(x, y) + along[point % 2];
         s.pointX.push_back(x), s.pointY.push_back(y * s.railCosine - z * s.railSine);
         s.height.push_back(y * s.railSine + z * s.railCosine);
         s.area.push_back((x1 - x0) * (y1 - y0) * std::hypot(1.0, geometry::crownSlope54E1(y)) / 4);
       }
+  }
 }
 
 }  // namespace squat::contact

@@ -54,11 +54,13 @@ struct Seat {
 // Throws CaseError where they touch beyond the arcs of the crown.
 Seat seatOf(const scenario::Scenario& scenario);
 
-// Gives surfaces, which have all but their contact points, this profile: their reach, heights, areas and places.
-void layDefect(Surfaces& surfaces, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect);
+// Gives surfaces, which have all but their contact points, defect and irregularity of the rail: their reach, heights,
+// areas and places.
+void layDefect(Surfaces& surfaces, const elasticity::SweptBlock& rail, const scenario::DefectSurface& defect,
+               const scenario::IrregularSurface& irregularity);
 
 // Surfaces::reach [m] for a wheel of this radius [m].
-double reachAlong(const scenario::DefectSurface& defect, double radius);
+double reachAlong(const scenario::DefectSurface& defect, const scenario::IrregularSurface& irregularity, double radius);
 
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
                       int rimBlock, const scenario::Scenario& scenario, double from, double to);

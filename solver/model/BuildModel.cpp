@@ -207,7 +207,7 @@ void addSleeperShapes(const Model& model, const double* u, double* result) {
 
 Model withDefect(Model model, const scenario::Scenario& scenario) {
   model.scenario = scenario;
-  contact::layDefect(model.surfaces, model.blocks[model.rail], scenario.defectSurface);
+  contact::layDefect(model.surfaces, model.blocks[model.rail], scenario.defectSurface, scenario.irregularity);
   return model;
 }
 

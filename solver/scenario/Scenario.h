@@ -6,6 +6,7 @@
 #pragma once
 
 #include "scenario/DefectSurface.h"
+#include "scenario/Irregularity.h"
 #include "scenario/MeshSizes.h"
 #include "scenario/Motion.h"
 #include "scenario/Output.h"
@@ -36,6 +37,7 @@ struct Inputs {
 struct Scenario : Inputs {
   DefectSurface defectSurface{Defect{}};
   DefectModel defectModel = DefectModel::gapFunction;
+  IrregularSurface irregularity;  // of the rail, always a term of the gap
 };
 
 }  // namespace squat::scenario

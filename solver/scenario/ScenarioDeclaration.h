@@ -4,6 +4,7 @@
 namespace squat::scenario {
 
 class DefectSurface;
+class IrregularSurface;
 struct ForcePoint;
 struct ProfileLine;
 struct ProfilePoint;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "scenario/Irregularity.h"
 #include "scenario/Material.h"
 
 namespace squat::scenario {
@@ -33,6 +34,7 @@ struct Rail {
   double yieldStress = 0, tangentModulus = 0, plasticDepth = 0;  // [Pa], [Pa], [m]
   Hardening hardening = Hardening::isotropic;
   bool plastic = false;
+  Irregularity irregularity;
 };
 
 // Spring and damper per rail seat (pad) or per half sleeper (ballast), spread over the footprint.

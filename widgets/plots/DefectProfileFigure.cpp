@@ -54,6 +54,20 @@ void addLines(Figure& figure, const results::RunResult& result) {
   }
 }
 
+// What the wheel rolls on where the rail is not smooth.
+void addIrregularity(Figure& figure, const results::RunResult& result) {
+  if (!result.resolvedCase || result.resolvedCase->scenario.irregularity.isSmooth()) return;
+  const auto& irregularity = result.resolvedCase->scenario.irregularity;
+  Curve curve;
+  for (std::size_t i = 0; i < result.profilePosition.size(); ++i)
+    curve.y.push_back(1e6 * (result.profileHeight[i] + irregularity.height(result.profilePosition[i])));
+  curve.x = scaled(result.profilePosition, 1e3);
+  curve.label = "with the irregularity of the rail";
+  curve.colour = 4;
+  curve.width = 0.9;
+  addCurve(figure, curve);
+}
+
 }  // namespace
 
 std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style) {
@@ -63,7 +77,8 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   double from = -0.1, to = 0.1;
   const Extent defect = defectExtent(result);
   if (defect.empty()) {
-    addNotice(*figure, "smooth rail: no defect");
+    const bool rough = result.resolvedCase && !result.resolvedCase->scenario.irregularity.isSmooth();
+    addNotice(*figure, rough ? "no defect" : "smooth rail: no defect");
   } else {
     from = defect.from - surroundings;
     to = defect.to + surroundings;
@@ -74,6 +89,7 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   if (result.wheelPath.size() == x.size() && !x.empty())
     addCurve(*figure, {x, scaled(result.wheelPath, 1e6), "path of a rigid wheel", 1, 1.0, Qt::DashLine});
   addLines(*figure, result);
+  addIrregularity(*figure, result);
   fitValues(*figure, 0.1);
   const QCPRange range = figure->yAxis->range();
   figure->yAxis->setRange(range.lower - stripHeight * range.size(), range.upper);
