@@ -12,6 +12,7 @@
 #include "detection/DetectionFiles.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
+#include "roughness/RoughnessFiles.h"
 #include "statements/Judge.h"
 #include "studies/StudyTable.h"
 
@@ -57,6 +58,10 @@ std::vector<std::string> writeValidationFigure(const std::vector<statements::Jud
 // FOLDER/NAME.FORMAT; title and hash of the case stand in the caption.
 std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance& receptance, const std::string& name,
                                                const std::string& title, const std::string& hash,
+                                               const std::string& folder, const FigureChoice& choice);
+
+// NAME_roughness of each signal.
+std::vector<std::string> writeRoughnessFigures(const std::vector<roughness::NamedRoughness>& roughness,
                                                const std::string& folder, const FigureChoice& choice);
 
 struct PaperResults {

@@ -55,6 +55,11 @@ std::vector<std::string> writeReceptanceFigure(const receptance::TrackReceptance
   return none(choice);
 }
 
+std::vector<std::string> writeRoughnessFigures(const std::vector<roughness::NamedRoughness>&, const std::string&,
+                                               const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writePaperFigures(const PaperResults&, const std::string&, const FigureChoice& choice) {
   return none(choice);
 }

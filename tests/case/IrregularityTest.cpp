@@ -19,9 +19,9 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::vector<WavelengthLevel> kTable{{0.01, -8.0}, {0.02, -6.2}, {0.04, -3.2}};
+const std::vector<WavelengthLevel> kLevels{{0.01, -8.0}, {0.02, -6.2}, {0.04, -3.2}};
 
-Irregularity asked(double seed = 7) {
+Irregularity askedLevels(double seed = 7) {
   Irregularity options;
   options.kind = IrregularityKind::spectrum;
   options.seed = seed, options.shortest = 0.01, options.longest = 0.04;
@@ -32,7 +32,7 @@ Irregularity asked(double seed = 7) {
 // written out (Matsumoto and Nishimura, mt19937-64; its 10000th output for seed 5489 is 9981545732273789042).
 // Cosines and powers of two libraries differ in the last digits: 1e-12 of some micrometres.
 TEST(Irregularity, IsTheSumThatItsHeaderSays) {
-  const auto surface = IrregularSurface::ofSpectrum(kTable, asked(), -0.3);
+  const auto surface = IrregularSurface::ofSpectrum(kLevels, askedLevels(), -0.3);
   ASSERT_EQ(surface.harmonics().size(), 7u * 64);
   EXPECT_NEAR(surface.harmonics().front().wavenumber, 560.703283509824, 1e-9);
   EXPECT_NEAR(surface.harmonics().front().amplitude, 7.219187249034692e-08, 1e-19);
@@ -51,9 +51,9 @@ TEST(Irregularity, IsTheSumThatItsHeaderSays) {
 // 12.6, 15.8, 25.1 and 31.6 mm lie on the straight lines between those of the table, nearly: thirds of the way in the
 // logarithm, from the table's nominal wavelengths.
 TEST(Irregularity, EveryThirdOctaveHasItsLevel) {
-  auto options = asked();
+  auto options = askedLevels();
   options.offset = 12;
-  const auto surface = IrregularSurface::ofSpectrum(kTable, options, -0.3);
+  const auto surface = IrregularSurface::ofSpectrum(kLevels, options, -0.3);
   const double expected[] = {-8, -7.4, -6.8, -6.2, -5.2, -4.2, -3.2};
   for (int band = 0; band < 7; ++band) {
     double power = 0;
@@ -69,7 +69,7 @@ TEST(Irregularity, EveryThirdOctaveHasItsLevel) {
 
 // Laid heights themselves, over 400 m: the mean square of 448 harmonics comes out to some tenths of a per cent there.
 TEST(Irregularity, HeightsHaveThePowerOfTheirHarmonics) {
-  const auto surface = IrregularSurface::ofSpectrum(kTable, asked(), -1);
+  const auto surface = IrregularSurface::ofSpectrum(kLevels, askedLevels(), -1);
   double expected = 0, mean = 0, square = 0;
   for (const auto& h : surface.harmonics()) expected += 0.5 * h.amplitude * h.amplitude;
   constexpr int count = 100000;
@@ -81,18 +81,18 @@ TEST(Irregularity, HeightsHaveThePowerOfTheirHarmonics) {
 }
 
 TEST(Irregularity, OtherLimitsLeaveTheWavesBetweenThem) {
-  auto shorter = asked();
+  auto shorter = askedLevels();
   shorter.longest = 0.02;
-  const auto all = IrregularSurface::ofSpectrum(kTable, asked(), 0),
-             some = IrregularSurface::ofSpectrum(kTable, shorter, 0);
+  const auto all = IrregularSurface::ofSpectrum(kLevels, askedLevels(), 0),
+             some = IrregularSurface::ofSpectrum(kLevels, shorter, 0);
   ASSERT_EQ(some.harmonics().size(), 4u * 64);
   for (std::size_t i = 0; i < some.harmonics().size(); ++i)
     EXPECT_EQ(some.harmonics()[i].phase, all.harmonics()[i].phase);
-  EXPECT_NE(IrregularSurface::ofSpectrum(kTable, asked(8), 0).harmonics()[0].phase, all.harmonics()[0].phase);
+  EXPECT_NE(IrregularSurface::ofSpectrum(kLevels, askedLevels(8), 0).harmonics()[0].phase, all.harmonics()[0].phase);
 }
 
 TEST(Irregularity, StartsLevelAtZero) {
-  const auto surface = IrregularSurface::ofSpectrum(kTable, asked(), -0.2);
+  const auto surface = IrregularSurface::ofSpectrum(kLevels, askedLevels(), -0.2);
   for (double x = -0.25; x <= -0.19; x += 0.001) EXPECT_EQ(surface.height(x), 0);
   EXPECT_NE(surface.height(-0.15), 0);
 }
@@ -164,30 +164,30 @@ TEST(LevelsTable, RefusesWhatIsNone) {
   EXPECT_THAT(refusal("wavelength [mm],level [dB]\n10,2\n10,3\n"), HasSubstr("appear twice"));
 }
 
-CaseDescription caseWith(const std::vector<std::pair<std::string, std::string>>& values) {
+CaseDescription roughCase(const std::vector<std::pair<std::string, std::string>>& values) {
   return loadCase(tests::fixtureCase("smooth-rail"), {"draft", values});
 }
 
-std::string warningsOf(const CaseDescription& description) {
+std::string warningsOfRough(const CaseDescription& description) {
   std::string all;
   for (const auto& warning : validate(description).warnings) all += toText(warning) + "\n";
   return all;
 }
 
 TEST(IrregularityOfACase, SaysWhatTheMeshCannotShow) {
-  const auto coarse = warningsOf(caseWith({{"rail.irregularity", "iso-3095"}}));
+  const auto coarse = warningsOfRough(roughCase({{"rail.irregularity", "iso-3095"}}));
   EXPECT_THAT(coarse, HasSubstr("rail.irregularity_shortest"));
   EXPECT_THAT(coarse, HasSubstr("2 elements a wave"));
-  EXPECT_THAT(warningsOf(caseWith({{"rail.irregularity", "iso-3095"}, {"mesh.rolling_size", "2.5 mm"}})),
+  EXPECT_THAT(warningsOfRough(roughCase({{"rail.irregularity", "iso-3095"}, {"mesh.rolling_size", "2.5 mm"}})),
               testing::Not(HasSubstr("elements a wave")));
-  EXPECT_THAT(warningsOf(caseWith({{"rail.irregularity", "iso-3095"}, {"rail.irregularity_longest", "1000"}})),
+  EXPECT_THAT(warningsOfRough(roughCase({{"rail.irregularity", "iso-3095"}, {"rail.irregularity_longest", "1000"}})),
               HasSubstr("The spectrum ends there"));
 }
 
 TEST(IrregularityOfACase, RefusesWhatCannotBe) {
   const auto refusal = [](const std::vector<std::pair<std::string, std::string>>& values) -> std::string {
     try {
-      caseWith(values);
+      roughCase(values);
     } catch (const CaseError& error) {
       return error.what();
     }
@@ -207,14 +207,14 @@ TEST(IrregularityOfACase, RefusesWhatCannotBe) {
 
 // A written case holds the numbers: it needs no file, and what was computed before there were such keys keeps its hash.
 TEST(IrregularityOfACase, IsKeptInTheWrittenCase) {
-  const auto rough = caseWith({{"rail.irregularity", "spectrum"}, {"rail.irregularity_levels", "20: -6.2, 40: -3.2"}});
+  const auto rough = roughCase({{"rail.irregularity", "spectrum"}, {"rail.irregularity_levels", "20: -6.2, 40: -3.2"}});
   const auto again = parseCase(writeCase(rough), "x.toml");
   const auto one = resolve(rough).irregularity, other = resolve(again).irregularity;
   for (const double x : {-0.2, 0.0, 0.1}) EXPECT_EQ(one.height(x), other.height(x));
   EXPECT_EQ(caseHash(rough), caseHash(again));
-  const auto smooth = caseWith({});
+  const auto smooth = roughCase({});
   EXPECT_NE(caseHash(rough), caseHash(smooth));
-  EXPECT_EQ(caseHash(smooth), caseHash(caseWith({{"rail.irregularity_seed", "5"}})));
+  EXPECT_EQ(caseHash(smooth), caseHash(roughCase({{"rail.irregularity_seed", "5"}})));
   EXPECT_TRUE(resolve(smooth).irregularity.isSmooth());
 }
 

@@ -102,7 +102,9 @@ TEST(IrregularityKeys, ARunStartsQuietlyAndFollowsTheRail) {
   double moved = 0, disturbed = 0;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     // Patch, 7 mm, and delay of the filters keep what begins at 10 mm from the first 2 mm.
-    if (rough.position[i] < -0.098) EXPECT_EQ(after[i], before[i]) << i;
+    if (rough.position[i] < -0.098) {
+      EXPECT_EQ(after[i], before[i]) << i;
+    }
     moved = std::max(moved, std::abs(heights[i]));
     disturbed = std::max(disturbed, std::abs(after[i] - before[i]));
   }

@@ -1,0 +1,2 @@
+// Placeholder until the run is chosen.
+#include <gtest/gtest.h>
