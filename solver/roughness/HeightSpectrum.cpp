@@ -24,6 +24,14 @@ signals::PowerSpectrum stretchSpectrumOf(const std::vector<double>& values, doub
   return signals::powerSpectrum({0, 1 / rate, values, {}, {}}, options);
 }
 
+signals::PowerSpectrum quietSpectrumOf(const std::vector<double>& values, double rate) {
+  signals::PowerSpectrumOptions options;
+  options.window = signals::Window::boxcar;
+  options.detrend = signals::Detrend::none;
+  options.transformLength = signals::fastLength(4 * values.size());
+  return signals::powerSpectrum({0, 1 / rate, values, {}, {}}, options);
+}
+
 std::vector<double> bandSquares(const signals::PowerSpectrum& spectrum, const std::vector<WavelengthBand>& bands,
                                 double speed) {
   std::vector<double> squares;

@@ -18,6 +18,9 @@ std::vector<WavelengthBand> wavelengthBands(double shortest, double longest);
 // Hann's window, four points a line of its resolution.
 signals::PowerSpectrum stretchSpectrumOf(const std::vector<double>& values, double rate);
 
+// The same without a window, of one that begins and ends at rest.
+signals::PowerSpectrum quietSpectrumOf(const std::vector<double>& values, double rate);
+
 // Mean squares of heights [m2] in these bands; spectrum over wavenumber [1/m], or over frequency at `speed` [m/s].
 // Not-a-number where the spectrum ends below the band.
 std::vector<double> bandSquares(const signals::PowerSpectrum& spectrum, const std::vector<WavelengthBand>& bands,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "signals/FourierTransform.h"
@@ -19,8 +20,30 @@ constexpr double steadiness = 0.1;     // largest change of speed within a stret
 constexpr double highestShare = 0.45;  // of the sampling rate that a band may reach to
 constexpr double weakest = 0.1;        // of the band's mean that the power of the response counts at least
 constexpr std::size_t smallest = 64;   // samples of a stretch
+constexpr double wavesInStretch = 8;
 
 double squared(double value) { return value * value; }
+
+// Mean of the response's power between two frequencies [1/s4].
+double meanPower(const TransferFunction& transfer, double low, double high) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < transfer.frequency.size(); ++i)
+    if (transfer.frequency[i] >= low && transfer.frequency[i] <= high) sum += std::norm(transfer.response[i]), ++count;
+  return count > 0 ? sum / count : 0;
+}
+
+// What keeps an antiresonance from being divided by [1/s4].
+double leastOf(double mean) { return std::max(1e-3 * mean, 1e-300); }
+
+std::vector<double> levelWindow(std::size_t size) {
+  std::vector<double> window(size, 1.0);
+  const std::size_t edge = size / 20;
+  for (std::size_t i = 0; i < edge; ++i)
+    window[i] = window[size - 1 - i] =
+        0.5 - 0.5 * std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(edge));
+  return window;
+}
 
 }  // namespace
 
@@ -34,7 +57,7 @@ RoughnessMeter::RoughnessMeter(const TransferFunction& transfer, double rate, co
 }
 
 void RoughnessMeter::setSize(double speed) {
-  const double stretch = options_.stretch > 0 ? options_.stretch : 4 * options_.longest;
+  const double stretch = options_.stretch > 0 ? options_.stretch : wavesInStretch * options_.longest;
   const double samples = rate_ * stretch / std::max(std::abs(speed), slowest);
   size_ = signals::fastLength(std::max(smallest, 2 * static_cast<std::size_t>(samples / 2)));
   size_ += size_ % 2;
@@ -50,7 +73,7 @@ void RoughnessMeter::add(const std::vector<double>& acceleration, const std::vec
 void RoughnessMeter::breakHere() {
   takeStretches(true);
   const double way = std::accumulate(speed_.begin(), speed_.end(), 0.0) / rate_;
-  releaseHeights(heights_[0].size(), std::abs(way));
+  releaseHeights(heights_[0].size(), std::abs(way), false);
   for (auto& meter : meters_) meter.skip(0);
   acceleration_.clear(), speed_.clear();
   size_ = 0;
@@ -58,13 +81,13 @@ void RoughnessMeter::breakHere() {
 
 // A piece that is shorter than a stretch is one by itself; what a longer one leaves at its end is not seen.
 void RoughnessMeter::takeStretches(bool last) {
-  while (size_ > 0 && acceleration_.size() >= size_) takeStretch(size_);
+  while (size_ > 0 && acceleration_.size() >= size_) takeStretch(size_, false);
   const bool seen = taken_ > 0;
-  if (last && !seen && acceleration_.size() >= smallest) takeStretch(acceleration_.size());
+  if (last && !seen && acceleration_.size() >= smallest) takeStretch(acceleration_.size(), true);
   if (last) taken_ = 0;
 }
 
-void RoughnessMeter::takeStretch(std::size_t size) {
+void RoughnessMeter::takeStretch(std::size_t size, bool alone) {
   const auto end = static_cast<std::ptrdiff_t>(size);
   const std::vector<double> values(acceleration_.begin(), acceleration_.begin() + end);
   const auto [least, most] = std::minmax_element(speed_.begin(), speed_.begin() + end);
@@ -79,17 +102,20 @@ void RoughnessMeter::takeStretch(std::size_t size) {
   if (usable) {
     const auto level = [&] {
       auto copy = values;
-      signals::removeTrend(copy.data(), copy.size(), signals::Detrend::linear);
+      if (!options_.quietEnds) signals::removeTrend(copy.data(), copy.size(), signals::Detrend::linear);
       return copy;
     }();
     addLevels(level, std::abs(speed), whole);
-    addHeights(level, std::abs(speed));
+    addHeights(level, std::abs(speed), alone);
     length_ += whole, time_ += whole / std::abs(speed);
   } else {
     left_ += whole;
   }
   ++taken_;
-  releaseHeights(step, way);
+  if (alone)
+    releaseHeights(size, 2 * way, usable);
+  else  // before the middle of the first one, its window alone counts
+    releaseHeights(step, way, usable && taken_ > 1);
   acceleration_.erase(acceleration_.begin(), acceleration_.begin() + static_cast<std::ptrdiff_t>(step));
   speed_.erase(speed_.begin(), speed_.begin() + static_cast<std::ptrdiff_t>(step));
 }
@@ -100,7 +126,8 @@ double RoughnessMeter::transferIndex(double frequency) const {
 }
 
 void RoughnessMeter::addLevels(const std::vector<double>& acceleration, double speed, double way) {
-  const auto spectrum = stretchSpectrumOf(acceleration, rate_);
+  const auto spectrum =
+      options_.quietEnds ? quietSpectrumOf(acceleration, rate_) : stretchSpectrumOf(acceleration, rate_);
   const double limit = std::min(transfer_.frequency.back(), highestShare * rate_);
   const auto powerAt = [&](const std::vector<double>& power, double f) {
     const double at = transferIndex(f);
@@ -147,19 +174,20 @@ void RoughnessMeter::addLevels(const std::vector<double>& acceleration, double s
   }
 }
 
-// Overlapping Hann windows add up to one, so the sum of the filtered stretches is the filtered record.
-void RoughnessMeter::addHeights(const std::vector<double>& acceleration, double speed) {
+// Overlapping Hann windows add up to one, so the sum of the filtered stretches is the filtered record. One that stands
+// alone is level but for a twentieth at each end.
+void RoughnessMeter::addHeights(const std::vector<double>& acceleration, double speed, bool alone) {
   const std::size_t n = acceleration.size();
-  const auto window = signals::windowWeights(signals::Window::hann, n);
+  const auto window = alone ? levelWindow(n) : signals::windowWeights(signals::Window::hann, n);
   const signals::ComplexTransform forward(n, signals::Direction::forward), backward(n, signals::Direction::backward);
   std::vector<signals::Complex> spectrum(n);
   for (std::size_t i = 0; i < n; ++i) spectrum[i] = acceleration[i] * window[i];
   forward.inPlace(spectrum.data());
   const double limit = std::min(transfer_.frequency.back(), highestShare * rate_);
-  double mean = 0;
-  for (const auto& value : transfer_.response) mean += std::norm(value) / static_cast<double>(transfer_.response.size());
   for (std::size_t b = 0; b < heights_.size(); ++b) {
     auto passed = spectrum;
+    const auto& band = corrugationBands()[b];
+    const double least = leastOf(meanPower(transfer_, speed / band.longest, speed / band.shortest));
     for (std::size_t k = 0; k < n; ++k) {
       const double f = static_cast<double>(std::min(k, n - k)) * rate_ / static_cast<double>(n);
       if (f < transfer_.frequency.front() || f > limit) {
@@ -173,8 +201,7 @@ void RoughnessMeter::addHeights(const std::vector<double>& acceleration, double 
       if (2 * k > n) response = std::conj(response);
       // Not divided by less than a third of what the patch lets through where it lets through least, nor by nothing.
       const double filter = std::max(contactFilter(options_.filter, speed / f, transfer_.halfPatch), 0.3);
-      const double least = 1e-4 * mean;
-      passed[k] *= passedByBand(corrugationBands()[b], speed / f) * std::conj(response) /
+      passed[k] *= passedByBand(band, speed / f) * std::conj(response) /
                    ((std::norm(response) + least) * filter * static_cast<double>(n));
     }
     backward.inPlace(passed.data());
@@ -182,11 +209,13 @@ void RoughnessMeter::addHeights(const std::vector<double>& acceleration, double 
   }
 }
 
-void RoughnessMeter::releaseHeights(std::size_t count, double way) {
+void RoughnessMeter::releaseHeights(std::size_t count, double way, bool known) {
   count = std::min(count, heights_[0].size());
   if (count == 0) return;
   for (std::size_t b = 0; b < heights_.size(); ++b) {
-    for (std::size_t i = 0; i < count; ++i) meters_[b].add(heights_[b][i], way / static_cast<double>(count));
+    for (std::size_t i = 0; known && i < count; ++i)
+      meters_[b].add(heights_[b][i], way / static_cast<double>(count));
+    if (!known) meters_[b].skip(way);
     heights_[b].erase(heights_[b].begin(), heights_[b].begin() + static_cast<std::ptrdiff_t>(count));
   }
 }
@@ -207,13 +236,14 @@ RecordRoughness RoughnessMeter::finish() {
     const auto change = [&](double other) { return std::isfinite(other) ? 10 * std::log10(other / s.central) : 0.0; };
     level.track = 0.5 * std::abs(change(s.sleeper) - change(s.midspan));
     level.pads = std::max(std::abs(change(s.soft)), std::abs(change(s.stiff)));
-    const bool once = s.way <= 2.5 * 4 * options_.longest;
+    const bool once = s.way <= 2.5 * wavesInStretch * options_.longest;
     const auto count = countSpread(degreesOfFreedom(bands_[b], s.way, once));
     level.lowest = level.level - std::hypot(level.track, level.pads, count.below);
     level.highest = level.level + std::hypot(level.track, level.pads, count.above);
     result.levels.push_back(level);
   }
-  for (const auto& meter : meters_) result.corrugation.push_back(meter.index());
+  for (std::size_t b = 0; b < meters_.size(); ++b)
+    if (corrugationBands()[b].longest <= 1.05 * options_.longest) result.corrugation.push_back(meters_[b].index());
   return result;
 }
 

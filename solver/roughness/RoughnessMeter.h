@@ -24,9 +24,10 @@
 namespace squat::roughness {
 
 struct MeterOptions {
-  double shortest = 0.010, longest = 0.315;  // [m] middles of the outermost third octaves
+  double shortest = 0.010, longest = 1.0;  // [m] middles of the outermost third octaves
   ContactFilter filter = ContactFilter::remington;
-  double stretch = 0;  // [m] about the length of a stretch; 0: four times the longest wave
+  bool quietEnds = false;  // the record begins and ends at rest and is one stretch: no window
+  double stretch = 0;  // [m] about the length of a stretch; 0: eight times the longest wave
 };
 
 struct RoughnessLevel {
@@ -41,7 +42,7 @@ struct RoughnessLevel {
 
 struct RecordRoughness {
   std::vector<RoughnessLevel> levels;
-  std::vector<CorrugationIndex> corrugation;  // largestAt: way from the start of the record
+  std::vector<CorrugationIndex> corrugation;  // largestAt: way from the start; of bands within what is asked for
   ContactFilter filter = ContactFilter::remington;
   double length = 0, speed = 0;  // [m] that was analysed, [m/s] mean
   double left = 0;               // [m] that was not: too slow, speed changing, not a number
@@ -65,10 +66,10 @@ class RoughnessMeter {
   };
   void setSize(double speed);
   void takeStretches(bool last);
-  void takeStretch(std::size_t size);
+  void takeStretch(std::size_t size, bool alone);
   void addLevels(const std::vector<double>& acceleration, double speed, double way);
-  void addHeights(const std::vector<double>& acceleration, double speed);
-  void releaseHeights(std::size_t count, double way);
+  void addHeights(const std::vector<double>& acceleration, double speed, bool alone);
+  void releaseHeights(std::size_t count, double way, bool known);
   double transferIndex(double frequency) const;
 
   const TransferFunction& transfer_;
