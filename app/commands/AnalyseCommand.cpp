@@ -11,9 +11,11 @@
 #include "commands/FigureSheets.h"
 #include "commands/Interrupt.h"
 #include "commands/NumberRange.h"
+#include "commands/RoughnessOptions.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "core/Errors.h"
+#include "roughness/RecordRoughness.h"
 #include "text/Numbers.h"
 #include "text/TextTable.h"
 #include "text/Units.h"
@@ -31,6 +33,7 @@ struct AnalyseOptions {
   SignalOptions signal;
   analysis::AnalysisOptions analysis;
   FigureChoice figures;
+  RoughnessOptions roughness;
   bool noAlignment = false, json = false, amplitude = false;
 };
 
@@ -74,6 +77,17 @@ void printAnalysis(const analysis::Analysis& analysis) {
   for (const auto& note : analysis.notes) std::printf("note: %s\n", note.c_str());
 }
 
+// Of the signals as they were read, before any filter.
+std::vector<roughness::NamedRoughness> roughnessOfAll(const analysis::Analysis& analysis,
+                                                      const roughness::TransferFunction& transfer,
+                                                      const RoughnessOptions& options) {
+  std::vector<roughness::NamedRoughness> all;
+  if (!transfer.complete) return all;
+  for (const auto& signal : analysis.signals)
+    all.emplace_back(signal.run, roughness::roughnessOf(signal.passage, transfer, meterOptions(options)));
+  return all;
+}
+
 int analyse(const AnalyseOptions& given) {
   auto options = given.analysis;
   options.file = fileOptions(given.signal);
@@ -89,20 +103,28 @@ int analyse(const AnalyseOptions& given) {
     options.features.bands.push_back(std::move(band));
   }
 
+  if (given.roughness.asked()) meterOptions(given.roughness);  // what is wrong with it is said before the work
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   const auto analysis = analysis::analyse(given.files, options, monitor);
+  roughness::TransferFunction transfer;
+  if (given.roughness.asked() && !InterruptGuard::asked()) transfer = transferFunctionOf(given.roughness, 0, monitor);
   monitor.clearLine();
+  const auto rough = roughnessOfAll(analysis, transfer, given.roughness);
   if (given.json)
     std::printf("%s\n", analysis::featureJson(analysis).c_str());
   else
     printAnalysis(analysis);
+  printRoughness(rough, given.json ? stderr : stdout);
   if (InterruptGuard::asked()) return kCancelled;
   if (given.folder.empty()) return kDone;
   const auto tables = analysis::writeAnalysis(analysis, given.folder);
   std::FILE* const list = given.json ? stderr : stdout;
   std::fprintf(list, "\nwritten:\n");
   for (const auto& path : tables) std::fprintf(list, "  %s\n", path.c_str());
+  if (!rough.empty())
+    for (const auto& path : writeRoughnessOutput(rough, transfer, given.roughness, given.folder, given.figures))
+      std::fprintf(list, "  %s\n", path.c_str());
   for (const auto& path : writeAnalysisFigures(analysis, given.folder, given.figures))
     std::fprintf(list, "  %s\n", path.c_str());
   return kDone;
@@ -154,6 +176,7 @@ void addAnalyseCommand(CLI::App& program, Action& action) {
   command->add_flag("--amplitude", options->amplitude,
                     "Amplitude scalogram: a tone of amplitude 1 gives 1 (default: equation 1 of the paper)");
   command->add_flag("--no-alignment", options->noAlignment, "Do not align repeated runs");
+  addRoughnessOptions(*command, options->roughness);
   addFigureOptions(*command, options->figures);
   command->add_flag("--json", options->json, "Print the features as JSON");
   command->callback([options, &action] { action = [options] { return analyse(*options); }; });

@@ -12,6 +12,7 @@
 #include "commands/Interrupt.h"
 #include "commands/NumberRange.h"
 #include "commands/OutputFolder.h"
+#include "commands/RoughnessOptions.h"
 #include "commands/SignalOptions.h"
 #include "commands/TerminalMonitor.h"
 #include "core/DurableFile.h"
@@ -20,6 +21,7 @@
 #include "detection/DetectionSummary.h"
 #include "detection/ExampleSource.h"
 #include "detection/RcmDxEvents.h"
+#include "roughness/RecordRoughness.h"
 #include "studies/Jobs.h"
 
 namespace squat::commands {
@@ -32,6 +34,7 @@ struct DetectCommandOptions {
   CaseOptions caseOptions;
   SignalOptions signal;
   FigureChoice figures;
+  RoughnessOptions roughness;
   detection::DetectOptions detect;
   detection::SeverityLimits limits;
   double diameter = 0;  // [m] of the wheel
@@ -98,6 +101,12 @@ int conclude(const DetectCommandOptions& options, std::vector<detection::RecordD
   return kDone;
 }
 
+int notWritten(TerminalMonitor& monitor) {
+  monitor.clearLine();
+  std::fprintf(stderr, "cancelled: no file written\n");
+  return kCancelled;
+}
+
 int detect(DetectCommandOptions options) {
   if (options.diameter > 0) options.detect.surroundings.circumference = M_PI * options.diameter;
   if (options.folder.empty()) options.folder = ".";
@@ -105,6 +114,7 @@ int detect(DetectCommandOptions options) {
   const auto search = searchOf(options);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  if (options.roughness.asked()) meterOptions(options.roughness);  // what is wrong with it is said before the work
   if (!options.partition.empty()) return searchPart(search, studies::partitionFromText(options.partition), monitor);
 
   const OutputFolder folder(options.folder);
@@ -112,18 +122,35 @@ int detect(DetectCommandOptions options) {
   keepInputs(search.records,
              {options.folder + "/squats.csv", options.folder + "/squats.json", options.folder + "/squats.rcmdx"});
   if (options.collect) return conclude(options, collectRecords(search), monitor);
+  roughness::TransferFunction transfer;
+  if (options.roughness.asked()) {
+    transfer = transferFunctionOf(options.roughness, options.detect.threads, monitor);
+    if (!transfer.complete) return notWritten(monitor);
+  }
+  std::vector<roughness::NamedRoughness> rough;
   std::vector<detection::RecordDetection> records;
   for (auto rest = search.records; !rest.empty();) {
-    const auto stream = records::openRide(rest, search.read, togetherOf(options));
-    records.push_back(detection::findCandidates(*stream, search.options, monitor));
-    if (records.back().cancelled) {
-      monitor.clearLine();
-      std::fprintf(stderr, "cancelled: no file written\n");
-      return kCancelled;
+    auto stream = records::openRide(rest, search.read, togetherOf(options));
+    roughness::MeteredStream* metered = nullptr;
+    if (transfer.complete) {
+      auto own =
+          std::make_unique<roughness::MeteredStream>(std::move(stream), transfer, meterOptions(options.roughness));
+      metered = own.get();
+      stream = std::move(own);
     }
+    records.push_back(detection::findCandidates(*stream, search.options, monitor));
+    if (records.back().cancelled) return notWritten(monitor);
+    if (metered)
+      for (auto& each : metered->finish()) rough.push_back(std::move(each));
     rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(stream->layout().files.size()));
   }
-  return conclude(options, std::move(records), monitor);
+  const int code = conclude(options, std::move(records), monitor);
+  if (code != kDone || rough.empty()) return code;
+  std::FILE* const list = options.json ? stderr : stdout;
+  printRoughness(rough, list);
+  for (const auto& path : writeRoughnessOutput(rough, transfer, options.roughness, options.folder, options.figures))
+    std::fprintf(list, "  %s\n", path.c_str());
+  return kDone;
 }
 
 }  // namespace
@@ -191,6 +218,7 @@ void addDetectCommand(CLI::App& program, Action& action) {
   command->add_flag("--passes", options->passes, "Every file is a pass by itself")->excludes(consecutive);
   command->add_flag("--collect", options->collect, "Search no record: judge and combine what all parts have found")
       ->excludes(partition);
+  addRoughnessOptions(*command, options->roughness);
   addFigureOptions(*command, options->figures);
   command->add_flag("--json", options->json, "Print the list as JSON");
   options->caseOptions.mesh = "tiny";

@@ -11,6 +11,7 @@
 #include "plots/EstimateFigure.h"
 #include "plots/PaperFigures.h"
 #include "plots/ReceptanceFigures.h"
+#include "plots/RoughnessFigure.h"
 #include "plots/StudyFigures.h"
 #include "plots/ValidationFigure.h"
 
@@ -104,6 +105,15 @@ std::vector<std::string> writeDecayFigure(const receptance::DecayRates& rates,
   if (choice.none) return {};
   std::vector<plots::FigureSheet> sheets;
   sheets.push_back(plots::decayFigures(rates, measured, name, title, hash, styleOf(choice)));
+  return write(sheets, folder, choice);
+}
+
+std::vector<std::string> writeRoughnessFigures(const std::vector<roughness::NamedRoughness>& roughness,
+                                               const std::string& folder, const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  for (std::size_t i = 0; i < roughness.size(); ++i)
+    sheets.push_back(plots::roughnessFigure(roughness[i].second, roughness::fileStem(roughness, i), styleOf(choice)));
   return write(sheets, folder, choice);
 }
 

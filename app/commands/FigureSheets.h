@@ -13,6 +13,7 @@
 #include "receptance/DecayFiles.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
+#include "roughness/RoughnessFiles.h"
 #include "statements/Judge.h"
 #include "studies/StudyTable.h"
 
@@ -64,6 +65,10 @@ std::vector<std::string> writeDecayFigure(const receptance::DecayRates& rates,
                                           const receptance::MeasuredDecayRates* measured, const std::string& name,
                                           const std::string& title, const std::string& hash, const std::string& folder,
                                           const FigureChoice& choice);
+
+// NAME_roughness of each signal.
+std::vector<std::string> writeRoughnessFigures(const std::vector<roughness::NamedRoughness>& roughness,
+                                               const std::string& folder, const FigureChoice& choice);
 
 struct PaperResults {
   const results::RunResult *light = nullptr, *squat = nullptr, *modified = nullptr;

@@ -61,6 +61,11 @@ std::vector<std::string> writeDecayFigure(const receptance::DecayRates&, const r
   return none(choice);
 }
 
+std::vector<std::string> writeRoughnessFigures(const std::vector<roughness::NamedRoughness>&, const std::string&,
+                                               const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writePaperFigures(const PaperResults&, const std::string&, const FigureChoice& choice) {
   return none(choice);
 }

@@ -15,6 +15,7 @@ bool countsBeforeDefect(const Parameter& parameter) {
                                                       "wheelset.tread_deviation",
                                                       "wheelset.preset",
                                                       "track.preset",
+                                                      "rail.irregularity_file",
                                                       "mesh.zone_before",
                                                       "mesh.zone_behind",
                                                       "output.filter_cutoff",

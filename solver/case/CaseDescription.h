@@ -25,6 +25,9 @@ using scenario::ElementPrecision;
 using scenario::ForcePoint;
 using scenario::Hardening;
 using scenario::HeightAndSlope;
+using scenario::Irregularity;
+using scenario::IrregularityKind;
+using scenario::IrregularSurface;
 using scenario::LateralShape;
 using scenario::Material;
 using scenario::MeshPreset;
@@ -51,6 +54,7 @@ using scenario::Track;
 using scenario::trackCentre;
 using scenario::TreadDeviation;
 using scenario::TreadShape;
+using scenario::WavelengthLevel;
 using scenario::Wheelset;
 
 struct CaseDescription : scenario::Inputs {

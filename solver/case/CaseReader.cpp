@@ -5,6 +5,7 @@
 #include "case/CaseFile.h"
 #include "case/CaseStatements.h"
 #include "case/InputPresets.h"
+#include "case/LevelsText.h"
 #include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
 #include "case/ProfileFile.h"
@@ -249,6 +250,29 @@ void readTread(CaseDescription& description, const CaseOverrides& overrides, con
   }
 }
 
+// The same of an irregularity: heights or levels, as its kind asks for.
+void readIrregularity(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
+                      Problems& problems) {
+  Irregularity& rail = description.rail.irregularity;
+  const bool heights = rail.kind == IrregularityKind::heights;
+  if (rail.file.empty() || !(heights || rail.kind == IrregularityKind::spectrum)) return;
+  const bool fileSet = overrideOf(overrides, "rail.irregularity_file") != nullptr;
+  const bool valuesSet = overrideOf(overrides, heights ? "rail.irregularity_points" : "rail.irregularity_levels");
+  const bool given = heights ? !rail.points.empty() : !rail.levels.empty();
+  if (given && !(fileSet && !valuesSet)) return;
+  const std::filesystem::path named = rail.file;
+  const auto path = named.is_absolute() || fileSet ? named : folder / named;
+  try {
+    if (heights)
+      rail.points = readProfileFile(path);
+    else
+      rail.levels = formatLevels(readLevels(path));
+  } catch (const FileError&) {
+    if (problems.empty()) throw;
+    problems.throwIfAny();
+  }
+}
+
 struct Reading {
   bool finished = true;    // relations between values hold
   bool opensFiles = true;  // of presets; a profile is opened where the case names one
@@ -270,6 +294,7 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   readProfile(description, overrides, folder, problems);
   placeDynamicPads(description, overrides, folder);
   readTread(description, overrides, folder, problems);
+  if (reading.opensFiles) readIrregularity(description, overrides, folder, problems);
   for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
       const Stated* one = find(stated, finding.problem.key);

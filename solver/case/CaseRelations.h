@@ -13,6 +13,7 @@ void checkTrackAndRun(const CaseDescription& description, std::vector<Finding>& 
 void checkDefect(const CaseDescription& description, std::vector<Finding>& findings);
 void checkMeasuredProfile(const CaseDescription& description, std::vector<Finding>& findings);
 void checkTread(const CaseDescription& description, std::vector<Finding>& findings);
+void checkIrregularity(const CaseDescription& description, std::vector<Finding>& findings);
 void checkSeat(const CaseDescription& description, std::vector<Finding>& findings);
 void checkMesh(const CaseDescription& description, std::vector<Finding>& findings);
 void checkTraction(const CaseDescription& description, std::vector<Finding>& findings);

@@ -38,6 +38,8 @@ const std::vector<std::string_view>& keysOfLevel(Level level) {
                                                     "rail.tangent_modulus",
                                                     "rail.plastic_depth",
                                                     "rail.hardening",
+                                                    "rail.irregularity_seed",
+                                                    "rail.irregularity_position",
                                                     "pad.longitudinal_stiffness",
                                                     "pad.longitudinal_damping",
                                                     "pad.lateral_stiffness",

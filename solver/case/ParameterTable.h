@@ -69,7 +69,8 @@ inline bool isList(const Parameter& parameter) {
 
 // The file that a table of points or lines was read from: the table counts, not its file.
 inline bool namesTable(const Parameter& parameter) {
-  return parameter.key == "defect.file" || parameter.key == "wheelset.tread_deviation";
+  return parameter.key == "defect.file" || parameter.key == "wheelset.tread_deviation" ||
+         parameter.key == "rail.irregularity_file";
 }
 
 // The default of a parameter as text; of a list, an empty list.

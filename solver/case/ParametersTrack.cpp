@@ -88,6 +88,59 @@ void addRail(Rows& rows) {
                                "hardening rule of the surface layer", "assumed: the paper does not say")));
 }
 
+Parameter ofSpectrum(Parameter row) { return appliesIf("rail.irregularity", {"iso-3095", "spectrum"}, std::move(row)); }
+
+void addIrregularity(Rows& rows) {
+  rows.push_back(choice(
+      "rail.irregularity", {"none", "iso-3095", "spectrum", "heights"}, IrregularityKind::none,
+      +[](Case& c) -> IrregularityKind& { return c.rail.irregularity.kind; },
+      "unevenness of the rail along the whole rolled length, beside the defect: none, random with the levels of ISO "
+      "3095:2013 or of a spectrum, or given heights; it fades in behind the start",
+      "assumed: smooth, as in the paper"));
+  rows.push_back(
+      appliesIf("rail.irregularity", {"spectrum", "heights"},
+                text(
+                    "rail.irregularity_file", [](Case& c) -> std::string& { return c.rail.irregularity.file; },
+                    "CSV file of the spectrum (wavelength and level of third octaves, dB re 1 \u00B5m) or "
+                    "of the heights (position and height); relative to the case file; not read if the case "
+                    "contains rail.irregularity_levels or rail.irregularity_points",
+                    "assumed")));
+  rows.push_back(
+      appliesIf("rail.irregularity", {"spectrum"},
+                text(
+                    "rail.irregularity_levels", [](Case& c) -> std::string& { return c.rail.irregularity.levels; },
+                    "wavelengths in mm and levels of third octaves in dB re 1 \u00B5m: "
+                    "10: -8, 20: -6.2, 40: -3.2; straight over the logarithm of the wavelength in between",
+                    "assumed")));
+  rows.push_back(appliesIf(
+      "rail.irregularity", {"heights"},
+      points(
+          "rail.irregularity_points", [](Case& c) -> std::vector<ProfilePoint>& { return c.rail.irregularity.points; },
+          "pairs of position and height of the rail, up positive", "assumed")));
+  rows.push_back(appliesIf("rail.irregularity", {"heights"},
+                           number(
+                               "rail.irregularity_position", metre, 0, {-1e6, 1e6},
+                               [](Case& c) -> double& { return c.rail.irregularity.position; },
+                               "position among the heights that lies at the deepest point of the defect", "assumed")));
+  rows.push_back(ofSpectrum(wholeNumber(
+      "rail.irregularity_seed", 1, {0, 1e9}, [](Case& c) -> double& { return c.rail.irregularity.seed; },
+      "of the random phases: another seed gives another rail with the same levels", "any")));
+  rows.push_back(ofSpectrum(number(
+      "rail.irregularity_shortest", millimetre, 10, {2, 3000},
+      [](Case& c) -> double& { return c.rail.irregularity.shortest; },
+      "middle of the third octave with the shortest waves",
+      "assumed: patches of some 12 mm hardly feel shorter waves")));
+  rows.push_back(ofSpectrum(number(
+      "rail.irregularity_longest", millimetre, 400, {2, 3000},
+      [](Case& c) -> double& { return c.rail.irregularity.longest; },
+      "middle of the third octave with the longest waves", "ISO 3095:2013: its limit ends there")));
+  rows.push_back(appliesUnless("rail.irregularity", {"none"},
+                               number(
+                                   "rail.irregularity_offset", decibel, 0, {-60, 40},
+                                   [](Case& c) -> double& { return c.rail.irregularity.offset; },
+                                   "added to all levels; 20 dB make heights ten times as large", "0: as given")));
+}
+
 void addPad(Rows& rows) {
   rows.push_back(number(
       "pad.stiffness", stiffness, 1300, {1, 20000}, [](Case& c) -> double& { return c.pad.stiffness; },
@@ -216,6 +269,7 @@ Rows trackRows() {
   Rows rows;
   addTrack(rows);
   addRail(rows);
+  addIrregularity(rows);
   addPad(rows);
   addSleeper(rows);
   addBallast(rows);

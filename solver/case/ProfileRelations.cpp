@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "case/CaseRelations.h"
-#include "case/Findings.h"
 #include "case/DecimalNumber.h"
+#include "case/Findings.h"
 #include "case/Resolve.h"
 #include "scenario/MeasuredProfile.h"
 

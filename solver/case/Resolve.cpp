@@ -1,5 +1,6 @@
 #include "case/Resolve.h"
 
+#include "case/LevelsText.h"
 #include "scenario/WheelsetMass.h"
 
 namespace squat::cases {
@@ -10,6 +11,19 @@ scenario::TreadDeviation treadOf(const CaseDescription& description) {
   return scenario::TreadDeviation(description.tread, description.wheelset.radius);
 }
 
+IrregularSurface irregularityOf(const CaseDescription& description) {
+  const auto& rail = description.rail.irregularity;
+  const double start = -description.motion.runUp;
+  if (rail.kind == IrregularityKind::none) return {};
+  if (rail.kind == IrregularityKind::heights) return IrregularSurface::ofHeights(rail, start);
+  return IrregularSurface::ofSpectrum(levelsOf(rail), rail, start);
+}
+
+std::vector<WavelengthLevel> levelsOf(const Irregularity& rail) {
+  if (rail.kind == IrregularityKind::iso3095) return scenario::iso3095Limit();
+  return parseLevels(rail.levels).value_or(std::vector<WavelengthLevel>());
+}
+
 DefectZone defectZone(const CaseDescription& description) {
   return scenario::defectZone(surfaceOf(description), treadOf(description), description.mesh);
 }
@@ -17,7 +31,8 @@ DefectZone defectZone(const CaseDescription& description) {
 scenario::Scenario resolve(const CaseDescription& d) {
   scenario::Scenario resolved{
       static_cast<const scenario::Inputs&>(d), surfaceOf(d),
-      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction, treadOf(d)};
+      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction, treadOf(d),
+      irregularityOf(d)};
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
   return resolved;
 }

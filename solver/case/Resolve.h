@@ -15,6 +15,10 @@ scenario::DefectSurface surfaceOf(const CaseDescription& description);
 // The same of the wheel's tread.
 scenario::TreadDeviation treadOf(const CaseDescription& description);
 
+// The irregularity of its rail, and the levels that it is made from where it is random.
+IrregularSurface irregularityOf(const CaseDescription& description);
+std::vector<WavelengthLevel> levelsOf(const Irregularity& rail);
+
 // The finely meshed stretch of rail that its defect needs.
 DefectZone defectZone(const CaseDescription& description);
 

@@ -15,6 +15,7 @@ std::vector<Finding> validateRelations(const CaseDescription& description) {
   relations::checkTrackAndRun(description, findings);
   relations::checkDefect(description, findings);
   relations::checkTread(description, findings);
+  relations::checkIrregularity(description, findings);
   relations::checkSeat(description, findings);
   relations::checkMesh(description, findings);
   relations::checkTraction(description, findings);

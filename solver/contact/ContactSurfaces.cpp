@@ -1,6 +1,7 @@
 #include "contact/ContactSurfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/Errors.h"
@@ -33,12 +34,14 @@ CrownArc crownOf(scenario::RailSection section, double y) {
 }  // namespace
 
 // On a slope the wheel touches radius times slope beside its lowest point, though not farther than the defect goes; the
-// patch, 7 mm each way, comes on top. On smooth rail 20 mm hold any patch. A tread that is not round touches farther
-// off by what its own slopes add.
-double reachAlong(const scenario::DefectSurface& defect, const scenario::TreadDeviation& tread, double radius) {
+// patch, 7 mm each way, comes on top. On smooth rail 20 mm hold any patch. A tread that is not round and a rail that is
+// not smooth touch farther off by what their own slopes add.
+double reachAlong(const scenario::Scenario& scenario, double radius) {
   constexpr double minimum = 0.020, patch = 0.012;  // [m]
+  const auto& defect = scenario.defectSurface;
   const double onDefect = std::min(radius * defect.steepest(), 0.5 * (defect.last() - defect.first()));
-  return std::max(minimum, onDefect + tread.touchReach(radius) + patch);
+  return std::max(minimum,
+                  onDefect + scenario.tread.touchReach(radius) + patch + radius * scenario.irregularity.steepest());
 }
 
 Seat seatOf(const scenario::Scenario& d) {
@@ -124,22 +127,37 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
   return s;
 }
 
+namespace {
+
+// Of the irregularity at both Gauss points along an interval, the same in all columns [m].
+std::array<double, 2> heightsIn(const elasticity::SweptBlock& rail, int interval,
+                                const scenario::IrregularSurface& irregularity) {
+  const double x0 = rail.positions[interval], x1 = rail.positions[interval + 1];
+  const double middle = 0.5 * (x0 + x1), half = gauss * 0.5 * (x1 - x0);
+  return {irregularity.height(middle - half), irregularity.height(middle + half)};
+}
+
+}  // namespace
+
 void layDefect(Surfaces& s, const elasticity::SweptBlock& rail, const scenario::Scenario& scenario) {
   const auto& defect = scenario.defectSurface;
-  s.reach = reachAlong(defect, scenario.tread, s.radius);
+  const auto& irregularity = scenario.irregularity;
+  s.reach = reachAlong(scenario, s.radius);
   s.height.clear(), s.area.clear(), s.pointX.clear(), s.pointY.clear();
-  for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i)
+  for (int i = s.firstInterval; i < s.firstInterval + s.intervals; ++i) {
+    const std::array<double, 2> along = heightsIn(rail, i, irregularity);
     for (int j = 0; j < s.columns; ++j)
       for (int point = 0; point < 4; ++point) {
         const double x0 = rail.positions[i], x1 = rail.positions[i + 1];
         const double y0 = s.railY[s.firstColumn + j], y1 = s.railY[s.firstColumn + j + 1];
         const double x = 0.5 * (x0 + x1) + (point % 2 ? gauss : -gauss) * 0.5 * (x1 - x0);
         const double y = 0.5 * (y0 + y1) + (point / 2 ? gauss : -gauss) * 0.5 * (y1 - y0);
-        const double z = geometry::crownHeight(s.section, y) + defect.height(x, y);
+        const double z = geometry::crownHeight(s.section, y) + defect.height(x, y) + along[point % 2];
         s.pointX.push_back(x), s.pointY.push_back(y * s.railCosine - z * s.railSine);
         s.height.push_back(y * s.railSine + z * s.railCosine);
         s.area.push_back((x1 - x0) * (y1 - y0) * std::hypot(1.0, geometry::crownSlope(s.section, y)) / 4);
       }
+  }
 }
 
 }  // namespace squat::contact

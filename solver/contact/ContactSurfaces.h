@@ -63,12 +63,12 @@ Seat seatOf(const scenario::Scenario& scenario);
 // Section nodes of the rail on R300 and R80 of its crown, ascending in y.
 std::vector<int> runningLine(const elasticity::SweptBlock& rail, scenario::RailSection section);
 
-// Gives surfaces, which have all but their contact points, the defect of a scenario: their reach, heights, areas and
-// places.
+// Gives surfaces, which have all but their contact points, defect and irregularity of a scenario: their reach, heights,
+// areas and places.
 void layDefect(Surfaces& surfaces, const elasticity::SweptBlock& rail, const scenario::Scenario& scenario);
 
-// Surfaces::reach [m] for a wheel of this radius [m] and tread.
-double reachAlong(const scenario::DefectSurface& defect, const scenario::TreadDeviation& tread, double radius);
+// Surfaces::reach [m] for a wheel that touches with this radius [m].
+double reachAlong(const scenario::Scenario& scenario, double radius);
 
 Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const elasticity::SweptBlock& rim,
                       int rimBlock, const scenario::Scenario& scenario, double from, double to);

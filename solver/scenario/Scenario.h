@@ -6,6 +6,7 @@
 #pragma once
 
 #include "scenario/DefectSurface.h"
+#include "scenario/Irregularity.h"
 #include "scenario/MeshSizes.h"
 #include "scenario/Motion.h"
 #include "scenario/Output.h"
@@ -38,6 +39,7 @@ struct Scenario : Inputs {
   DefectSurface defectSurface{Defect{}};
   DefectModel defectModel = DefectModel::gapFunction;
   TreadDeviation tread;
+  IrregularSurface irregularity;  // of the rail, always a term of the gap
 };
 
 }  // namespace squat::scenario

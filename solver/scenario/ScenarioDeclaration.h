@@ -4,6 +4,7 @@
 namespace squat::scenario {
 
 class DefectSurface;
+class IrregularSurface;
 class TreadDeviation;
 struct ForcePoint;
 struct ProfileLine;

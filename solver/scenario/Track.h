@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenario/Irregularity.h"
 #include "scenario/Material.h"
 
 namespace squat::scenario {
@@ -38,6 +39,7 @@ struct Rail {
   double yieldStress = 0, tangentModulus = 0, plasticDepth = 0;  // [Pa], [Pa], [m]
   Hardening hardening = Hardening::isotropic;
   bool plastic = false;
+  Irregularity irregularity;
 };
 
 // Complex stiffness of a whole pad, as measured. Frequency domain only.

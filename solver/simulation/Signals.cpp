@@ -8,7 +8,7 @@ std::vector<Signal> outputSignals(const dynamics::Rolling& rolling) {
   using dynamics::Rolling;
   const auto& model = rolling.model();
   const double sensor = model.scenario.output.railAccelerometer;
-  return {
+  std::vector<Signal> signals{
       {"aba", "m/s2", "vertical acceleration of the axle box, up positive, anti-aliased",
        [](const Rolling& r) { return r.view().boxAcceleration.z; }, "aba_filtered"},
       {"aba_longitudinal", "m/s2", "longitudinal acceleration of the axle box, rolling direction positive",
@@ -31,6 +31,11 @@ std::vector<Signal> outputSignals(const dynamics::Rolling& rolling) {
       {"position", "m", "wheel centre relative to the deepest point of the defect",
        [](const Rolling& r) { return r.view().position; }},
   };
+  if (!model.scenario.irregularity.isSmooth())
+    signals.insert(signals.end() - 1,
+                   {"irregularity", "m", "height of the rail's irregularity below the wheel centre, up positive",
+                    [](const Rolling& r) { return r.model().scenario.irregularity.height(r.view().position); }});
+  return signals;
 }
 
 }  // namespace squat::simulation

@@ -48,7 +48,7 @@ void checkZone(const WarmState& warm, const char* key, double own, bool set, dou
 
 // Contact is looked for, and a rail may yield, this far from below the axis [m].
 double reachOf(const scenario::Scenario& scenario) {
-  return contact::reachAlong(scenario.defectSurface, scenario.tread, contact::seatOf(scenario).radius);
+  return contact::reachAlong(scenario, contact::seatOf(scenario).radius);
 }
 
 void checkDefect(const WarmState& warm, const cases::CaseDescription& description, std::vector<CaseProblem>& problems) {

@@ -74,6 +74,20 @@ Extent addTread(Figure& figure, const results::RunResult& result) {
   return {tread.position() - tread.dipBefore(), tread.position() + tread.dipBehind()};
 }
 
+// What the wheel rolls on where the rail is not smooth.
+void addIrregularity(Figure& figure, const results::RunResult& result) {
+  if (!result.resolvedCase || result.resolvedCase->scenario.irregularity.isSmooth()) return;
+  const auto& irregularity = result.resolvedCase->scenario.irregularity;
+  Curve curve;
+  for (std::size_t i = 0; i < result.profilePosition.size(); ++i)
+    curve.y.push_back(1e6 * (result.profileHeight[i] + irregularity.height(result.profilePosition[i])));
+  curve.x = scaled(result.profilePosition, 1e3);
+  curve.label = "with the irregularity of the rail";
+  curve.colour = 4;
+  curve.width = 0.9;
+  addCurve(figure, curve);
+}
+
 }  // namespace
 
 std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style) {
@@ -83,7 +97,8 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   double from = -0.1, to = 0.1;
   const Extent defect = defectExtent(result), flat = addTread(*figure, result);
   if (defect.empty() && flat.empty()) {
-    addNotice(*figure, "smooth rail: no defect");
+    const bool rough = result.resolvedCase && !result.resolvedCase->scenario.irregularity.isSmooth();
+    addNotice(*figure, rough ? "no defect" : "smooth rail: no defect");
   } else {
     from = std::min(defect.empty() ? flat.from : defect.from, flat.empty() ? defect.from : flat.from) - surroundings;
     to = std::max(defect.empty() ? flat.to : defect.to, flat.empty() ? defect.to : flat.to) + surroundings;
@@ -94,6 +109,7 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   if (result.wheelPath.size() == x.size() && !x.empty())
     addCurve(*figure, {x, scaled(result.wheelPath, 1e6), "path of a rigid wheel", 1, 1.0, Qt::DashLine});
   addLines(*figure, result);
+  addIrregularity(*figure, result);
   fitValues(*figure, 0.1);
   const QCPRange range = figure->yAxis->range();
   figure->yAxis->setRange(range.lower - stripHeight * range.size(), range.upper);

@@ -1,0 +1,105 @@
+#include "roughness/TransferFunction.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "contact/ContactSurfaces.h"
+#include "contact/Hertz.h"
+#include "receptance/Receptance.h"
+#include "scenario/Scenario.h"
+#include "scenario/WheelsetMass.h"
+
+namespace squat::roughness {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Values = std::vector<Complex>;
+
+constexpr double frequencyStep = 2;       // [Hz]
+constexpr double receptanceLimit = 2000;  // [Hz] that the track's mesh is made for
+
+// Of the box per height with one receptance of the track.
+Values responseWith(const TransferFunction& transfer, const std::vector<WheelsetReceptance>& wheel,
+                    const Values& track) {
+  Values response;
+  for (std::size_t i = 0; i < transfer.frequency.size(); ++i) {
+    const double omega = 2 * std::numbers::pi * transfer.frequency[i];
+    response.push_back(-omega * omega * wheel[i].box / (wheel[i].contact + track[i] + 1 / transfer.contactStiffness));
+  }
+  return response;
+}
+
+TransferVariant variantOf(const char* name, const Values& response) {
+  TransferVariant variant{name, {}};
+  for (const auto& value : response) variant.power.push_back(std::norm(value));
+  return variant;
+}
+
+TransferVariant meanOf(const char* name, const Values& one, const Values& other) {
+  TransferVariant variant{name, {}};
+  for (std::size_t i = 0; i < one.size(); ++i) variant.power.push_back(0.5 * (std::norm(one[i]) + std::norm(other[i])));
+  return variant;
+}
+
+scenario::Scenario withPads(scenario::Scenario scenario, double factor) {
+  scenario.pad.stiffness *= factor;
+  for (auto& point : scenario.pad.curve) point.force *= factor;
+  scenario.pad.preload *= factor;
+  for (auto& seat : scenario.track.seats)
+    if (seat.padStiffness) *seat.padStiffness *= factor;
+  return scenario;
+}
+
+void addContact(const scenario::Scenario& scenario, TransferFunction& transfer) {
+  const auto seat = contact::seatOf(scenario);
+  transfer.wheelsetMass = scenario::wheelsetMass(scenario.wheelset);
+  transfer.load = (transfer.wheelsetMass + scenario.suspension.sprungMass) * scenario.motion.gravity;
+  const auto& steel = scenario.rail.material;
+  const auto hertz = contact::hertzContact(seat.radius, seat.crownRadius, steel.young, steel.poisson, transfer.load);
+  transfer.contactStiffness = 1.5 * transfer.load / hertz.approach;
+  transfer.halfPatch = hertz.halfAxisX;
+}
+
+}  // namespace
+
+TransferFunction transferFunction(const scenario::Scenario& scenario, const TransferOptions& options,
+                                  Monitor& monitor) {
+  TransferFunction transfer;
+  addContact(scenario, transfer);
+  receptance::ReceptanceOptions asked;
+  asked.lowest = options.lowest, asked.highest = options.highest, asked.frequencyStep = frequencyStep;
+  asked.threads = options.threads, asked.wheelset = false;
+  const auto track = receptance::trackReceptance(scenario, asked, monitor);
+  if (!track.complete) return transfer;
+  transfer.frequency = track.frequency;
+  transfer.notes = track.notes;
+  const auto wheel = wheelsetReceptances(scenario, transfer.frequency);
+  const auto both = [&](const receptance::TrackReceptance& of) {
+    return std::pair(responseWith(transfer, wheel, of.points[0].receptance),
+                     responseWith(transfer, wheel, of.points[1].receptance));
+  };
+  const auto [sleeper, midspan] = both(track);
+  Values mean;
+  for (std::size_t i = 0; i < transfer.frequency.size(); ++i)
+    mean.push_back(0.5 * (track.points[0].receptance[i] + track.points[1].receptance[i]));
+  transfer.response = responseWith(transfer, wheel, mean);
+  transfer.power = meanOf("", sleeper, midspan).power;
+  transfer.overSleeper = variantOf("over a sleeper", sleeper);
+  transfer.midspan = variantOf("midspan", midspan);
+  for (const bool soft : {true, false}) {
+    if (options.padSpread <= 0) break;
+    const auto other =
+        receptance::trackReceptance(withPads(scenario, 1 + (soft ? -1 : 1) * options.padSpread), asked, monitor);
+    if (!other.complete) return transfer;
+    const auto [over, between] = both(other);
+    (soft ? transfer.softPads : transfer.stiffPads) = meanOf(soft ? "softer pads" : "stiffer pads", over, between);
+  }
+  if (options.highest > receptanceLimit)
+    transfer.notes.push_back("above 2 kHz the mesh of the track's receptance is coarse");
+  transfer.complete = true;
+  return transfer;
+}
+
+}  // namespace squat::roughness
