@@ -21,8 +21,7 @@ constexpr std::size_t maximumNamed = 4;  // values in a name: more of them nobod
 // What a case is called, and where its values are from, change no result.
 bool changesResults(const Parameter& parameter) {
   return parameter.key != "title" && parameter.key != "note" && parameter.key != "defect.file" &&
-         parameter.key != "rail.irregularity_file" &&
-         !isInputPreset(parameter.key);
+         parameter.key != "rail.irregularity_file" && !isInputPreset(parameter.key);
 }
 
 bool isOfPreset(const CaseDescription& description, const Parameter& parameter, const std::string& text) {

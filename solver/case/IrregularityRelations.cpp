@@ -75,8 +75,7 @@ class IrregularityChecks {
     const auto levels = levelsOf(rail_);
     const auto has = [&](double middle) { return std::isfinite(scenario::levelAt(levels, middle)); };
     const auto missing = middles.size() - static_cast<std::size_t>(std::count_if(middles.begin(), middles.end(), has));
-    const std::string range =
-        millimetres(levels.front().wavelength) + " to " + millimetres(levels.back().wavelength);
+    const std::string range = millimetres(levels.front().wavelength) + " to " + millimetres(levels.back().wavelength);
     const bool above = rail_.longest > levels.back().wavelength;
     const std::string key = above ? "rail.irregularity_longest" : "rail.irregularity_shortest";
     if (missing == middles.size())
@@ -108,7 +107,8 @@ class IrregularityChecks {
     const double from = -case_.motion.runUp, to = case_.motion.beyond;
     const std::vector<std::string> keys{"rail.irregularity_position", "rail.irregularity_points",
                                         "rail.irregularity_file", "motion.run_up", "motion.beyond"};
-    const std::string rolled = fourDigits(from, "to ") + fourDigits(to, "m"), there = fourDigits(first, "to ") + fourDigits(last, "m");
+    const std::string rolled = fourDigits(from, "to ") + fourDigits(to, "m"),
+                      there = fourDigits(first, "to ") + fourDigits(last, "m");
     if (last <= from || first >= to)
       add(Severity::problem, keys, "such that the heights lie where the wheel rolls, " + rolled,
           "They lie at " + there + ": set it to the position among the heights that lies at x = 0");
@@ -127,7 +127,8 @@ class IrregularityChecks {
           "at least " + millimetres(0.25 * longestElement()) + " apart",
           "Heights are " + millimetres(spacing) + " apart, the mesh sees them every " +
               millimetres(0.5 * longestElement()) + ": waves shorter than " +
-              millimetres(elementsInWave * longestElement()) + " come out wrong; smooth the heights or refine the mesh");
+              millimetres(elementsInWave * longestElement()) +
+              " come out wrong; smooth the heights or refine the mesh");
   }
 
   const CaseDescription& case_;

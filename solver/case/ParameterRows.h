@@ -18,8 +18,7 @@ struct Unit {
 inline constexpr Unit none{"-", 0}, metre{"m", 0}, millimetre{"mm", -3}, kilogram{"kg", 0}, density{"kg/m\u00B3", 0},
     gigapascal{"GPa", 9}, stiffness{"MN/m", 6}, damping{"kN s/m", 3}, kilonewton{"kN", 3}, speed{"m/s", 0},
     angularSpeed{"rad/s", 0}, torque{"N m", 0}, second{"s", 0}, millisecond{"ms", -3}, microsecond{"\u00B5s", -6},
-    acceleration{"m/s\u00B2", 0}, hertz{"Hz", 0}, kilohertz{"kHz", 3},
-    decibel{"dB", 0};
+    acceleration{"m/s\u00B2", 0}, hertz{"Hz", 0}, kilohertz{"kHz", 3}, decibel{"dB", 0};
 
 // Sources that many rows name.
 inline constexpr const char *table1 = "paper, Table 1", *section2 = "paper, section 2";

@@ -79,9 +79,7 @@ void addRail(Rows& rows) {
                                "hardening rule of the surface layer", "assumed: the paper does not say")));
 }
 
-Parameter ofSpectrum(Parameter row) {
-  return appliesIf("rail.irregularity", {"iso-3095", "spectrum"}, std::move(row));
-}
+Parameter ofSpectrum(Parameter row) { return appliesIf("rail.irregularity", {"iso-3095", "spectrum"}, std::move(row)); }
 
 void addIrregularity(Rows& rows) {
   rows.push_back(choice(
@@ -90,26 +88,26 @@ void addIrregularity(Rows& rows) {
       "unevenness of the rail along the whole rolled length, beside the defect: none, random with the levels of ISO "
       "3095:2013 or of a spectrum, or given heights; it fades in behind the start",
       "assumed: smooth, as in the paper"));
-  rows.push_back(appliesIf("rail.irregularity", {"spectrum", "heights"},
-                           text(
-                               "rail.irregularity_file",
-                               [](Case& c) -> std::string& { return c.rail.irregularity.file; },
-                               "CSV file of the spectrum (wavelength and level of third octaves, dB re 1 \u00B5m) or "
-                               "of the heights (position and height); relative to the case file; not read if the case "
-                               "contains rail.irregularity_levels or rail.irregularity_points",
-                               "assumed")));
-  rows.push_back(appliesIf("rail.irregularity", {"spectrum"},
-                           text(
-                               "rail.irregularity_levels",
-                               [](Case& c) -> std::string& { return c.rail.irregularity.levels; },
-                               "wavelengths in mm and levels of third octaves in dB re 1 \u00B5m: "
-                               "10: -8, 20: -6.2, 40: -3.2; straight over the logarithm of the wavelength in between",
-                               "assumed")));
-  rows.push_back(appliesIf("rail.irregularity", {"heights"},
-                           points(
-                               "rail.irregularity_points",
-                               [](Case& c) -> std::vector<ProfilePoint>& { return c.rail.irregularity.points; },
-                               "pairs of position and height of the rail, up positive", "assumed")));
+  rows.push_back(
+      appliesIf("rail.irregularity", {"spectrum", "heights"},
+                text(
+                    "rail.irregularity_file", [](Case& c) -> std::string& { return c.rail.irregularity.file; },
+                    "CSV file of the spectrum (wavelength and level of third octaves, dB re 1 \u00B5m) or "
+                    "of the heights (position and height); relative to the case file; not read if the case "
+                    "contains rail.irregularity_levels or rail.irregularity_points",
+                    "assumed")));
+  rows.push_back(
+      appliesIf("rail.irregularity", {"spectrum"},
+                text(
+                    "rail.irregularity_levels", [](Case& c) -> std::string& { return c.rail.irregularity.levels; },
+                    "wavelengths in mm and levels of third octaves in dB re 1 \u00B5m: "
+                    "10: -8, 20: -6.2, 40: -3.2; straight over the logarithm of the wavelength in between",
+                    "assumed")));
+  rows.push_back(appliesIf(
+      "rail.irregularity", {"heights"},
+      points(
+          "rail.irregularity_points", [](Case& c) -> std::vector<ProfilePoint>& { return c.rail.irregularity.points; },
+          "pairs of position and height of the rail, up positive", "assumed")));
   rows.push_back(appliesIf("rail.irregularity", {"heights"},
                            number(
                                "rail.irregularity_position", metre, 0, {-1e6, 1e6},

@@ -27,8 +27,7 @@ DefectZone defectZone(const CaseDescription& description) {
 scenario::Scenario resolve(const CaseDescription& d) {
   scenario::Scenario resolved{
       static_cast<const scenario::Inputs&>(d), surfaceOf(d),
-      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction,
-      irregularityOf(d)};
+      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction, irregularityOf(d)};
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
   return resolved;
 }

@@ -1,6 +1,7 @@
 // solver/roughness/ContactFilter.h - what a contact patch passes on of waves that are not long against it.
 //
-// uniform: heights that are the same all across the patch, as those of a computed rail. Linearised elastic contact weighs
+// uniform: heights that are the same all across the patch, as those of a computed rail. Linearised elastic contact
+// weighs
 //   heights with the pressure of a flat punch (reciprocity); across, that sums up to an even weight along the patch:
 //   |C| = |sin(k a) / (k a)|, zero where a wave fits the patch.
 // remington: heights that vary across as they do along, of real rails: |C|^2 = 1 / (1 + pi/4 (k a)^3), after Remington

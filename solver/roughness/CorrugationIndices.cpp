@@ -22,7 +22,7 @@ const std::array<CorrugationBand, 4>& corrugationBands() {
   return bands;
 }
 
-void CorrugationMeter::add(double height, double way) {
+void CorrugationGauge::add(double height, double way) {
   open_.square += height * height * way, open_.way += way;
   square_ += height * height * way, way_ += way, at_ += way;
   if (open_.way < band_.window() / cellsInWindow) return;
@@ -31,12 +31,12 @@ void CorrugationMeter::add(double height, double way) {
   open_ = {};
 }
 
-void CorrugationMeter::skip(double way) {
+void CorrugationGauge::skip(double way) {
   open_ = {0, 0, 0, true};
   at_ += way;
 }
 
-CorrugationIndex CorrugationMeter::index() const {
+CorrugationIndex CorrugationGauge::index() const {
   CorrugationIndex index;
   index.band = band_;
   index.rms = way_ > 0 ? std::sqrt(square_ / way_) : notKnown;
@@ -56,7 +56,8 @@ CorrugationIndex CorrugationMeter::index() const {
   if (moving.empty()) return index;
   std::sort(moving.begin(), moving.end());
   index.typical = moving[moving.size() / 2];
-  index.exceeded = moving[std::min(moving.size() - 1, static_cast<std::size_t>(0.95 * static_cast<double>(moving.size())))];
+  index.exceeded =
+      moving[std::min(moving.size() - 1, static_cast<std::size_t>(0.95 * static_cast<double>(moving.size())))];
   return index;
 }
 
@@ -82,12 +83,13 @@ std::vector<CorrugationIndex> corrugationIndices(const std::vector<double>& heig
     auto passed = spectrum;
     for (std::size_t k = 0; k < n; ++k) {
       const auto cycles = static_cast<double>(std::min(k, n - k));
-      passed[k] *= k == 0 ? 0.0 : passedByBand(band, static_cast<double>(n) * spacing / cycles) / static_cast<double>(n);
+      passed[k] *=
+          k == 0 ? 0.0 : passedByBand(band, static_cast<double>(n) * spacing / cycles) / static_cast<double>(n);
     }
     backward.inPlace(passed.data());
-    CorrugationMeter meter(band);
-    for (const auto& value : passed) meter.add(value.real(), spacing);
-    indices.push_back(meter.index());
+    CorrugationGauge gauge(band);
+    for (const auto& value : passed) gauge.add(value.real(), spacing);
+    indices.push_back(gauge.index());
   }
   return indices;
 }

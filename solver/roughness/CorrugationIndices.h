@@ -1,9 +1,9 @@
-// solver/roughness/CorrugationIndices.h - corrugation as track maintenance counts it: the root mean square of band-passed
-// heights over moving windows.
+// solver/roughness/CorrugationIndices.h - corrugation as track maintenance counts it: the root mean square of
+// band-passed heights over moving windows.
 //
-// Bands 10 to 30, 30 to 100, 100 to 300 and 300 to 1000 mm; windows of five times the longest wavelength (0.15, 0.5, 1.5,
-// 5 m), moved by a quarter of it. Bands and windows follow common practice with EN 13231-3, from memory; to be checked
-// against the standard before an acceptance rests on them.
+// Bands 10 to 30, 30 to 100, 100 to 300 and 300 to 1000 mm; windows of five times the longest wavelength (0.15,
+// 0.5, 1.5, 5 m), moved by a quarter of it. Bands and windows follow common practice with EN 13231-3, from memory; to
+// be checked against the standard before an acceptance rests on them.
 #pragma once
 
 #include <array>
@@ -29,9 +29,9 @@ struct CorrugationIndex {
 };
 
 // Takes heights that are band-passed already, piece by piece.
-class CorrugationMeter {
+class CorrugationGauge {
  public:
-  explicit CorrugationMeter(const CorrugationBand& band) : band_(band) {}
+  explicit CorrugationGauge(const CorrugationBand& band) : band_(band) {}
 
   void add(double height, double way);  // [m] the way that this height stands for
   void skip(double way);                // nothing is known there: no window reaches across

@@ -66,15 +66,15 @@ std::vector<double> magnitudes(const std::vector<double>& power) {
 
 std::string roughnessSummary(const NamedRoughness& named) {
   const auto& [name, roughness] = named;
-  std::string text = "roughness that " + (name.empty() ? std::string("the signal") : name) + " implies: " +
-                     formatted("%.4g m", roughness.length) + formatted(" at %.3g m/s", roughness.speed) +
+  std::string text = "roughness that " + (name.empty() ? std::string("the signal") : name) +
+                     " implies: " + formatted("%.4g m", roughness.length) + formatted(" at %.3g m/s", roughness.speed) +
                      ", contact filter " + toText(roughness.filter) + "\n";
   text::TextTable levels({"wavelength", "dB re 1 µm", "from", "to", "ISO 3095", "track", "pads", "waves", "weak"});
   for (const auto& row : roughness.levels)
     if (std::isfinite(row.level))
-      levels.add({wavelengthText(row.band.middle), levelText(row.level), levelText(row.lowest),
-                  levelText(row.highest), levelText(limitAt(row.band.middle)), levelText(row.track),
-                  levelText(row.pads), formatted("%.0f", row.waves), formatted("%.0f %%", 100 * row.weak)});
+      levels.add({wavelengthText(row.band.middle), levelText(row.level), levelText(row.lowest), levelText(row.highest),
+                  levelText(limitAt(row.band.middle)), levelText(row.track), levelText(row.pads),
+                  formatted("%.0f", row.waves), formatted("%.0f %%", 100 * row.weak)});
   if (levels.empty()) text += "  no third octave lies within what the record and the transfer function reach\n";
   if (!levels.empty()) text += levels.text();
   text::TextTable corrugation({"corrugation", "window", "rms [µm]", "median", "5 % exceed", "largest", "after"});

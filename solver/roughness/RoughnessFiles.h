@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "roughness/RoughnessMeter.h"
+#include "roughness/RoughnessGauge.h"
 
 namespace squat::roughness {
 
@@ -19,7 +19,8 @@ std::string roughnessSummary(const NamedRoughness& roughness);
 std::string roughnessCsv(const RecordRoughness& roughness);
 // frequency [Hz], real and imaginary part of the mean response [1/s2], then magnitudes [1/s2] of all variants.
 std::string transferCsv(const TransferFunction& transfer);
-// {"schema": "squat-roughness", "schema_version": 1, "case", "transfer": {...}, "signals": [{name, levels, corrugation}]}
+// {"schema": "squat-roughness", "schema_version": 1, "case", "transfer": {...}, "signals": [{name, levels,
+// corrugation}]}
 std::string roughnessJson(const std::vector<NamedRoughness>& roughness, const TransferFunction& transfer,
                           const std::string& caseName);
 

@@ -17,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using Values = std::vector<Complex>;
 
-constexpr double frequencyStep = 2;      // [Hz]
+constexpr double frequencyStep = 2;       // [Hz]
 constexpr double receptanceLimit = 2000;  // [Hz] that the track's mesh is made for
 
 // Of the box per height with one receptance of the track.
@@ -26,8 +26,7 @@ Values responseWith(const TransferFunction& transfer, const std::vector<Wheelset
   Values response;
   for (std::size_t i = 0; i < transfer.frequency.size(); ++i) {
     const double omega = 2 * std::numbers::pi * transfer.frequency[i];
-    response.push_back(-omega * omega * wheel[i].box /
-                       (wheel[i].contact + track[i] + 1 / transfer.contactStiffness));
+    response.push_back(-omega * omega * wheel[i].box / (wheel[i].contact + track[i] + 1 / transfer.contactStiffness));
   }
   return response;
 }
@@ -58,8 +57,7 @@ void addContact(const scenario::Scenario& scenario, TransferFunction& transfer) 
   transfer.wheelsetMass = scenario::wheelsetMass(scenario.wheelset);
   transfer.load = (transfer.wheelsetMass + scenario.suspension.sprungMass) * scenario.motion.gravity;
   const auto& steel = scenario.rail.material;
-  const auto hertz =
-      contact::hertzContact(seat.radius, seat.crownRadius, steel.young, steel.poisson, transfer.load);
+  const auto hertz = contact::hertzContact(seat.radius, seat.crownRadius, steel.young, steel.poisson, transfer.load);
   transfer.contactStiffness = 1.5 * transfer.load / hertz.approach;
   transfer.halfPatch = hertz.halfAxisX;
 }

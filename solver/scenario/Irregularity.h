@@ -65,7 +65,7 @@ class IrregularSurface {
   static IrregularSurface ofHeights(const Irregularity& options, double start);
 
   bool isSmooth() const { return harmonics_.empty() && curve_.empty(); }
-  double height(double x) const;                // [m] as laid
+  double height(double x) const;                 // [m] as laid
   double steepest() const { return steepest_; }  // bound of |dh/dx|, of a spectrum five times its root mean square
 
   struct Harmonic {

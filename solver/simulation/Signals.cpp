@@ -34,7 +34,7 @@ std::vector<Signal> outputSignals(const dynamics::Rolling& rolling) {
   if (!model.scenario.irregularity.isSmooth())
     signals.insert(signals.end() - 1,
                    {"irregularity", "m", "height of the rail's irregularity below the wheel centre, up positive",
-                       [](const Rolling& r) { return r.model().scenario.irregularity.height(r.view().position); }});
+                    [](const Rolling& r) { return r.model().scenario.irregularity.height(r.view().position); }});
   return signals;
 }
 

@@ -126,7 +126,8 @@ TEST(LevelsText, ReadsWhatItWrites) {
   EXPECT_EQ(formatLevels(*levels), "10: -8, 20: -6.2, 40: -3.2");
   EXPECT_EQ((*levels)[1].wavelength, 0.02);
   EXPECT_TRUE(parseLevels("")->empty());
-  for (const char* wrong : {"10", "10: x", "10: -8,", "10: -8: 3", "; 10: -8"}) EXPECT_FALSE(parseLevels(wrong)) << wrong;
+  for (const char* wrong : {"10", "10: x", "10: -8,", "10: -8: 3", "; 10: -8"})
+    EXPECT_FALSE(parseLevels(wrong)) << wrong;
 }
 
 TEST(LevelsTable, OneThirdOctaveARow) {
@@ -142,8 +143,8 @@ TEST(LevelsTable, OneThirdOctaveARow) {
 
 // Columns named by their wavelengths, a measurement a row: mean squares of 0 and 10 dB are 1 and 10 um2.
 TEST(LevelsTable, OneMeasurementARow) {
-  const auto levels = parseLevelsTable(
-      "site,rail,1 cm [dB re 1 um],1.2589 cm [dB re 1 um]\nB2,L,0,nan\nB2,R,10,3\n", "s.csv");
+  const auto levels =
+      parseLevelsTable("site,rail,1 cm [dB re 1 um],1.2589 cm [dB re 1 um]\nB2,L,0,nan\nB2,R,10,3\n", "s.csv");
   ASSERT_EQ(levels.size(), 2u);
   EXPECT_NEAR(levels[0].level, 10 * std::log10(5.5), 1e-12);
   EXPECT_NEAR(levels[1].wavelength, 0.012589, 1e-15);

@@ -56,8 +56,7 @@ TEST(IrregularityKeys, ReadFiles) {
                                    {"rail.irregularity_longest", "40"}});
   EXPECT_NEAR(levelOf(rough.irregularity), 5, 1e-9);
   const auto heights = writtenFile("heights.csv", "position [m], height [um]\n-1, 0\n0, 0\n0.05, 30\n1, 0\n");
-  const auto given =
-      scenarioWith({{"rail.irregularity", "heights"}, {"rail.irregularity_file", heights}}).irregularity;
+  const auto given = scenarioWith({{"rail.irregularity", "heights"}, {"rail.irregularity_file", heights}}).irregularity;
   EXPECT_NEAR(given.height(0.05), 30e-6, 1e-15);
 }
 
@@ -93,9 +92,8 @@ TEST(IrregularityKeys, ARunStartsQuietlyAndFollowsTheRail) {
     return simulation::runCase(cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", values}), options, silent);
   };
   const auto smooth = rolled({});
-  const auto rough = rolled({{"rail.irregularity", "iso-3095"},
-                             {"rail.irregularity_shortest", "40"},
-                             {"rail.irregularity_offset", "10"}});
+  const auto rough = rolled(
+      {{"rail.irregularity", "iso-3095"}, {"rail.irregularity_shortest", "40"}, {"rail.irregularity_offset", "10"}});
   EXPECT_FALSE(smooth.signal("irregularity"));
   const auto& heights = *rough.signal("irregularity");
   const auto &before = *smooth.signal("contact_force"), &after = *rough.signal("contact_force");

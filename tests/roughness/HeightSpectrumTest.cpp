@@ -16,8 +16,8 @@ TEST(WavelengthBands, AreThirdOctaves) {
   for (std::size_t i = 1; i < bands.size(); ++i) EXPECT_NEAR(bands[i].shortest, bands[i - 1].longest, 1e-15);
 }
 
-// 20 lg(A / sqrt 2 / 1 um) in the sine's own band. Hann's main lobe, four lines of 0.2 1/m, lies within the band, 5.8 1/m
-// wide, and its side lobes fall below -31 dB: 0.02 dB within, and bands a third octave away 25 dB lower.
+// 20 lg(A / sqrt 2 / 1 um) in the sine's own band. Hann's main lobe, four lines of 0.2 1/m, lies within the band, 5.8
+// 1/m wide, and its side lobes fall below -31 dB: 0.02 dB within, and bands a third octave away 25 dB lower.
 TEST(HeightLevels, OfASine) {
   constexpr double wavelength = 0.04, amplitude = 20e-6, spacing = 0.001;
   std::vector<double> heights;
@@ -50,8 +50,8 @@ TEST(HeightLevels, SinesAddUpWithinABand) {
 }
 
 TEST(HeightLevels, EndWhereTheSamplesDo) {
-  EXPECT_TRUE(std::isnan(heightLevels(std::vector<double>{0, 1, 0, -1, 0, 1, 0, 2, 3, 1}, 0.01,
-                                      wavelengthBands(0.01, 0.01))[0]));
+  EXPECT_TRUE(std::isnan(
+      heightLevels(std::vector<double>{0, 1, 0, -1, 0, 1, 0, 2, 3, 1}, 0.01, wavelengthBands(0.01, 0.01))[0]));
 }
 
 // Quantiles of chi-square, 2.5 and 97.5 %, from tables: 10 degrees 3.247 and 20.483, 100 degrees 74.222 and 129.561.

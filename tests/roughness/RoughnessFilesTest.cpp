@@ -25,8 +25,7 @@ RecordRoughness someRoughness() {
 }
 
 TEST(RoughnessFiles, TablesHaveTheLimitBesideTheLevels) {
-  EXPECT_THAT(roughnessCsv(someRoughness()),
-              HasSubstr("\n39.810717055349734,3.25,1,6,-3.2,"));
+  EXPECT_THAT(roughnessCsv(someRoughness()), HasSubstr("\n39.810717055349734,3.25,1,6,-3.2,"));
   const auto json = roughnessJson({{"aba", someRoughness()}}, {}, "some-case");
   EXPECT_THAT(json, HasSubstr("\"schema\": \"squat-roughness\""));
   EXPECT_THAT(json, HasSubstr("\"iso_3095_db\": -3.2"));

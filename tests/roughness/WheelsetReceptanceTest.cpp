@@ -22,8 +22,7 @@ TEST(WheelsetReceptance, IsARigidMassOnItsSuspensionAtLowFrequencies) {
   const double mass = scenario::wheelsetMass(scenario.wheelset);
   double flexibility = 0;
   for (const auto& mode : model::wheelsetModes(scenario, 6000, 6))
-    flexibility +=
-        std::pow((std::abs(mode.contactShare) + std::abs(mode.boxShare)) / (2 * M_PI * mode.frequency), 2);
+    flexibility += std::pow((std::abs(mode.contactShare) + std::abs(mode.boxShare)) / (2 * M_PI * mode.frequency), 2);
   for (const double f : {9.0, 12.0}) {
     const double omega = 2 * M_PI * f;
     const std::complex<double> spring(scenario.suspension.stiffness, omega * scenario.suspension.damping);

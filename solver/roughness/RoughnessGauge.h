@@ -1,11 +1,11 @@
-// solver/roughness/RoughnessMeter.h - the roughness that a record of axle box acceleration implies.
+// solver/roughness/RoughnessGauge.h - the roughness that a record of axle box acceleration implies.
 //
 // The record goes by in stretches under Hann's window, half over each other. Each has its own speed v; a third octave
 // of wavelength is the band f = v / wavelength of its spectrum, and its mean square of heights
 //   integral of S_a(f) / (|H(f)|^2 C(v/f)^2) df,   H: TransferFunction.h, C: ContactFilter.h.
 // Where H is small against its mean in the band (an antiresonance, a zero of C) there is little to divide: H^2 C^2 is
-// not taken below a tenth of the band's mean. Stretches weigh by their length. Heights for corrugation indices come from
-// the same stretches, through H with its phase.
+// not taken below a tenth of the band's mean. Stretches weigh by their length. Heights for corrugation indices come
+// from the same stretches, through H with its phase.
 //
 // What is seen is what excites the wheel: roughness of rail and wheel together, and as well sleepers that pass, joints,
 // squats. Nothing of that can be told apart here.
@@ -23,21 +23,21 @@
 
 namespace squat::roughness {
 
-struct MeterOptions {
+struct GaugeOptions {
   double shortest = 0.010, longest = 1.0;  // [m] middles of the outermost third octaves
   ContactFilter filter = ContactFilter::remington;
   bool quietEnds = false;  // the record begins and ends at rest and is one stretch: no window
-  double stretch = 0;  // [m] about the length of a stretch; 0: eight times the longest wave
+  double stretch = 0;      // [m] about the length of a stretch; 0: eight times the longest wave
 };
 
 struct RoughnessLevel {
   WavelengthBand band;
-  double level = 0;              // [dB re 1 um]; not-a-number where the record or the transfer function does not reach
+  double level = 0;  // [dB re 1 um]; not-a-number where the record or the transfer function does not reach
   double lowest = 0, highest = 0;  // [dB re 1 um] with what is not known, the roots of squares added
-  double track = 0;              // [dB] half the difference between over a sleeper and midspan
-  double pads = 0;               // [dB] the larger change with softer or stiffer pads
-  double length = 0, waves = 0;  // [m] that was seen, and how many wavelengths that is
-  double weak = 0;               // share of the band where the response is below a tenth of its mean, 0 to 1
+  double track = 0;                // [dB] half the difference between over a sleeper and midspan
+  double pads = 0;                 // [dB] the larger change with softer or stiffer pads
+  double length = 0, waves = 0;    // [m] that was seen, and how many wavelengths that is
+  double weak = 0;                 // share of the band where the response is below a tenth of its mean, 0 to 1
 };
 
 struct RecordRoughness {
@@ -49,10 +49,10 @@ struct RecordRoughness {
   std::vector<std::string> notes;
 };
 
-class RoughnessMeter {
+class RoughnessGauge {
  public:
-  // `rate` [Hz] of the record. The transfer function must outlive the meter.
-  RoughnessMeter(const TransferFunction& transfer, double rate, const MeterOptions& options);
+  // `rate` [Hz] of the record. The transfer function must outlive the gauge.
+  RoughnessGauge(const TransferFunction& transfer, double rate, const GaugeOptions& options);
 
   // Samples of acceleration [m/s2, up positive or negative] and the speed at each [m/s], which may be negative.
   void add(const std::vector<double>& acceleration, const std::vector<double>& speed);
@@ -74,13 +74,13 @@ class RoughnessMeter {
 
   const TransferFunction& transfer_;
   double rate_;
-  MeterOptions options_;
+  GaugeOptions options_;
   std::vector<WavelengthBand> bands_;
   std::size_t size_ = 0;  // samples of a stretch
   std::vector<double> acceleration_, speed_;
   std::array<std::vector<double>, 4> heights_;  // of the corrugation bands, as stretches add up
   std::vector<Sums> sums_;
-  std::vector<CorrugationMeter> meters_;
+  std::vector<CorrugationGauge> gauges_;
   std::vector<std::size_t> stretches_;
   std::size_t taken_ = 0;
   double length_ = 0, time_ = 0, left_ = 0;
