@@ -84,7 +84,7 @@ std::vector<roughness::NamedRoughness> roughnessOfAll(const analysis::Analysis& 
   std::vector<roughness::NamedRoughness> all;
   if (!transfer.complete) return all;
   for (const auto& signal : analysis.signals)
-    all.emplace_back(signal.run, roughness::roughnessOf(signal.passage, transfer, meterOptions(options)));
+    all.emplace_back(signal.run, roughness::roughnessOf(signal.passage, transfer, gaugeOptions(options)));
   return all;
 }
 
@@ -103,7 +103,7 @@ int analyse(const AnalyseOptions& given) {
     options.features.bands.push_back(std::move(band));
   }
 
-  if (given.roughness.asked()) meterOptions(given.roughness);  // what is wrong with it is said before the work
+  if (given.roughness.asked()) gaugeOptions(given.roughness);  // what is wrong with it is said before the work
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   const auto analysis = analysis::analyse(given.files, options, monitor);

@@ -114,7 +114,7 @@ int detect(DetectCommandOptions options) {
   const auto search = searchOf(options);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
-  if (options.roughness.asked()) meterOptions(options.roughness);  // what is wrong with it is said before the work
+  if (options.roughness.asked()) gaugeOptions(options.roughness);  // what is wrong with it is said before the work
   if (!options.partition.empty()) return searchPart(search, studies::partitionFromText(options.partition), monitor);
 
   const OutputFolder folder(options.folder);
@@ -131,17 +131,17 @@ int detect(DetectCommandOptions options) {
   std::vector<detection::RecordDetection> records;
   for (auto rest = search.records; !rest.empty();) {
     auto stream = records::openRide(rest, search.read, togetherOf(options));
-    roughness::MeteredStream* metered = nullptr;
+    roughness::GaugedStream* gauged = nullptr;
     if (transfer.complete) {
       auto own =
-          std::make_unique<roughness::MeteredStream>(std::move(stream), transfer, meterOptions(options.roughness));
-      metered = own.get();
+          std::make_unique<roughness::GaugedStream>(std::move(stream), transfer, gaugeOptions(options.roughness));
+      gauged = own.get();
       stream = std::move(own);
     }
     records.push_back(detection::findCandidates(*stream, search.options, monitor));
     if (records.back().cancelled) return notWritten(monitor);
-    if (metered)
-      for (auto& each : metered->finish()) rough.push_back(std::move(each));
+    if (gauged)
+      for (auto& each : gauged->finish()) rough.push_back(std::move(each));
     rest.erase(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(stream->layout().files.size()));
   }
   const int code = conclude(options, std::move(records), monitor);

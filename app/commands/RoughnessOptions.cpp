@@ -46,11 +46,11 @@ void addRoughnessOptions(CLI::App& command, RoughnessOptions& options) {
       ->needs(asked);
 }
 
-roughness::MeterOptions meterOptions(const RoughnessOptions& options) {
-  roughness::MeterOptions meter;
-  std::tie(meter.shortest, meter.longest) = wavesFrom(options.waves);
-  meter.filter = roughness::contactFilterFromText(options.filter, "--contact-filter");
-  return meter;
+roughness::GaugeOptions gaugeOptions(const RoughnessOptions& options) {
+  roughness::GaugeOptions gauge;
+  std::tie(gauge.shortest, gauge.longest) = wavesFrom(options.waves);
+  gauge.filter = roughness::contactFilterFromText(options.filter, "--contact-filter");
+  return gauge;
 }
 
 roughness::TransferFunction transferFunctionOf(const RoughnessOptions& options, int threads, TerminalMonitor& monitor) {

@@ -24,7 +24,7 @@ struct RoughnessOptions {
 void addRoughnessOptions(CLI::App& command, RoughnessOptions& options);
 
 // Throws CaseError for --contact-filter and --waves.
-roughness::MeterOptions meterOptions(const RoughnessOptions& options);
+roughness::GaugeOptions gaugeOptions(const RoughnessOptions& options);
 
 // Of the case's vehicle and track; not complete where it was cancelled.
 roughness::TransferFunction transferFunctionOf(const RoughnessOptions& options, int threads, TerminalMonitor& monitor);

@@ -10,7 +10,7 @@
 namespace squat::cases {
 
 bool countsBeforeDefect(const Parameter& parameter) {
-  constexpr std::array<std::string_view, 9> others = {"title",
+  constexpr std::array<std::string_view, 10> others = {"title",
                                                       "note",
                                                       "wheelset.tread_deviation",
                                                       "wheelset.preset",

@@ -26,6 +26,8 @@ std::string rounded(double value, Side side) {
   return formatDecimal(kept / scale);
 }
 
+std::string millimetres(double metres) { return rounded(1e3 * metres) + " mm"; }
+
 std::string limitText(const std::string& key, const char* relation, double limit) {
   const Parameter& parameter = *findParameter(key);
   const std::string words = relation;

@@ -14,6 +14,9 @@ using Keys = std::vector<std::string>;
 enum class Side { nearest, below, above };
 std::string rounded(double value, Side side = Side::nearest);
 
+// "12.5 mm", four digits.
+std::string millimetres(double metres);
+
 // `limit` in SI, shown in the unit of `key`.
 std::string limitText(const std::string& key, const char* relation, double limit);
 

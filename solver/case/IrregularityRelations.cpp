@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "case/CaseRelations.h"
+#include "case/Findings.h"
 #include "case/LevelsText.h"
 #include "case/ParameterValue.h"
 #include "case/Resolve.h"
@@ -19,7 +20,6 @@ std::string fourDigits(double value, const char* unit) {
   std::snprintf(text, sizeof text, "%.4g %s", value, unit);
   return text;
 }
-std::string millimetres(double metres) { return fourDigits(1e3 * metres, "mm"); }
 
 class IrregularityChecks {
  public:

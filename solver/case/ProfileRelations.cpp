@@ -12,7 +12,6 @@ namespace squat::cases::relations {
 
 namespace {
 
-std::string millimetres(double length) { return rounded(1e3 * length) + " mm"; }
 
 void checkStretch(const CaseDescription& c, const std::vector<ProfilePoint>& points, std::vector<Finding>& findings) {
   const auto& d = c.defect;

@@ -12,7 +12,6 @@ namespace squat::cases::relations {
 
 namespace {
 
-std::string millimetresOf(double metres) { return rounded(1e3 * metres) + " mm"; }
 
 std::vector<const std::vector<ProfilePoint>*> tablesOf(const TreadShape& shape) {
   std::vector<const std::vector<ProfilePoint>*> tables;
@@ -32,13 +31,13 @@ bool checkTable(const CaseDescription& c, const std::string& table, std::vector<
   }
   if (length > turn * (1 + closes))
     add(findings, c, Severity::problem, {table, "wheelset.radius", "wheelset.tread_deviation"},
-        "at most one turn, " + millimetresOf(turn),
-        "The table is " + millimetresOf(length) +
+        "at most one turn, " + millimetres(turn),
+        "The table is " + millimetres(length) +
             " long, more than the circumference of the wheel: check the unit of the arc length, or cut it to one turn");
   if (deviation > largest)
     add(findings, c, Severity::problem, {table, "wheelset.tread_deviation"},
-        "deviations up to " + millimetresOf(largest),
-        "A deviation of " + millimetresOf(deviation) +
+        "deviations up to " + millimetres(largest),
+        "A deviation of " + millimetres(deviation) +
             " is found: give the deviation from wheelset.radius, not the radius, and check its unit");
   return length <= turn * (1 + closes) && deviation <= largest;
 }
@@ -68,8 +67,8 @@ void checkResolution(const CaseDescription& c, const TreadDeviation& tread, cons
         "The meshes of rail and rim are too coarse to resolve the deviation of the tread");
   if (tread.spacing() > dip / 8)
     add(findings, c, Severity::warning, {table, "wheelset.tread_deviation"},
-        "sampled with points at most " + millimetresOf(dip / 8) + " apart",
-        "Points of the table are " + millimetresOf(tread.spacing()) +
+        "sampled with points at most " + millimetres(dip / 8) + " apart",
+        "Points of the table are " + millimetres(tread.spacing()) +
             " apart, more than an eighth of the dip: between them its shape is interpolated (monotone cubic)");
 }
 

@@ -22,7 +22,7 @@ const std::array<CorrugationBand, 4>& corrugationBands() {
   return bands;
 }
 
-void CorrugationMeter::add(double height, double way) {
+void CorrugationGauge::add(double height, double way) {
   open_.square += height * height * way, open_.way += way;
   square_ += height * height * way, way_ += way, at_ += way;
   if (open_.way < band_.window() / cellsInWindow) return;
@@ -31,12 +31,12 @@ void CorrugationMeter::add(double height, double way) {
   open_ = {};
 }
 
-void CorrugationMeter::skip(double way) {
+void CorrugationGauge::skip(double way) {
   open_ = {0, 0, 0, true};
   at_ += way;
 }
 
-CorrugationIndex CorrugationMeter::index() const {
+CorrugationIndex CorrugationGauge::index() const {
   CorrugationIndex index;
   index.band = band_;
   index.rms = way_ > 0 ? std::sqrt(square_ / way_) : notKnown;
@@ -87,9 +87,9 @@ std::vector<CorrugationIndex> corrugationIndices(const std::vector<double>& heig
           k == 0 ? 0.0 : passedByBand(band, static_cast<double>(n) * spacing / cycles) / static_cast<double>(n);
     }
     backward.inPlace(passed.data());
-    CorrugationMeter meter(band);
-    for (const auto& value : passed) meter.add(value.real(), spacing);
-    indices.push_back(meter.index());
+    CorrugationGauge gauge(band);
+    for (const auto& value : passed) gauge.add(value.real(), spacing);
+    indices.push_back(gauge.index());
   }
   return indices;
 }

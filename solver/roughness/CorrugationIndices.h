@@ -29,9 +29,9 @@ struct CorrugationIndex {
 };
 
 // Takes heights that are band-passed already, piece by piece.
-class CorrugationMeter {
+class CorrugationGauge {
  public:
-  explicit CorrugationMeter(const CorrugationBand& band) : band_(band) {}
+  explicit CorrugationGauge(const CorrugationBand& band) : band_(band) {}
 
   void add(double height, double way);  // [m] the way that this height stands for
   void skip(double way);                // nothing is known there: no window reaches across

@@ -20,39 +20,39 @@ std::vector<double> speedsOf(const std::vector<double>& position, double rate) {
 }
 
 RecordRoughness roughnessOf(const signals::Passage& passage, const TransferFunction& transfer,
-                            const MeterOptions& options) {
+                            const GaugeOptions& options) {
   const auto& series = passage.series;
   if (series.unit != "m/s2" && !series.unit.empty())
     throw CaseError({{"--roughness", series.name + " [" + series.unit + "]", "a signal in m/s2",
                       "Name the column of the axle box acceleration with --column"}});
-  RoughnessMeter meter(transfer, series.rate(), options);
-  meter.add(series.values, speedsOf(passage.position, series.rate()));
-  auto result = meter.finish();
+  RoughnessGauge gauge(transfer, series.rate(), options);
+  gauge.add(series.values, speedsOf(passage.position, series.rate()));
+  auto result = gauge.finish();
   if (series.unit.empty()) result.notes.push_back("the signal states no unit: taken as m/s2");
   return result;
 }
 
-MeteredStream::MeteredStream(std::unique_ptr<records::RecordStream> stream, const TransferFunction& transfer,
-                             const MeterOptions& options)
+GaugedStream::GaugedStream(std::unique_ptr<records::RecordStream> stream, const TransferFunction& transfer,
+                           const GaugeOptions& options)
     : stream_(std::move(stream)), transfer_(transfer), options_(options) {}
 
-bool MeteredStream::next(records::RecordBlock& block) {
+bool GaugedStream::next(records::RecordBlock& block) {
   if (!stream_->next(block)) return false;
-  if (meters_.empty())
+  if (gauges_.empty())
     for (std::size_t i = 0; i < block.values.size(); ++i)
-      meters_.emplace_back(transfer_, stream_->layout().rate, options_);
-  for (std::size_t i = 0; i < meters_.size() && i < block.values.size(); ++i) {
-    if (!block.follows) meters_[i].breakHere();
-    meters_[i].add(block.values[i], block.speed);
+      gauges_.emplace_back(transfer_, stream_->layout().rate, options_);
+  for (std::size_t i = 0; i < gauges_.size() && i < block.values.size(); ++i) {
+    if (!block.follows) gauges_[i].breakHere();
+    gauges_[i].add(block.values[i], block.speed);
   }
   return true;
 }
 
-std::vector<std::pair<std::string, RecordRoughness>> MeteredStream::finish() {
+std::vector<std::pair<std::string, RecordRoughness>> GaugedStream::finish() {
   std::vector<std::pair<std::string, RecordRoughness>> list;
   const auto& channels = stream_->layout().channels;
-  for (std::size_t i = 0; i < meters_.size(); ++i)
-    list.emplace_back(i < channels.size() ? channels[i].name : std::string(), meters_[i].finish());
+  for (std::size_t i = 0; i < gauges_.size(); ++i)
+    list.emplace_back(i < channels.size() ? channels[i].name : std::string(), gauges_[i].finish());
   return list;
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "roughness/RoughnessMeter.h"
+#include "roughness/RoughnessGauge.h"
 
 namespace squat::roughness {
 

@@ -61,12 +61,12 @@ TEST(RoughnessOfAComputedRecord, ComesBack) {
   const auto transfer = transferFunction(cases::resolve(description), options, silent);
   ASSERT_TRUE(transfer.complete);
   const double rate = 1 / (result.time[1] - result.time[0]);
-  MeterOptions meter;
-  meter.shortest = 0.02, meter.longest = 0.315, meter.filter = ContactFilter::uniform;
-  meter.stretch = 100, meter.quietEnds = true;
+  GaugeOptions gauge;
+  gauge.shortest = 0.02, gauge.longest = 0.315, gauge.filter = ContactFilter::uniform;
+  gauge.stretch = 100, gauge.quietEnds = true;
   const auto found =
-      roughnessOf({{0, 1 / rate, *result.signal("aba"), "aba", "m/s2"}, result.position}, transfer, meter);
-  const auto bands = wavelengthBands(meter.shortest, meter.longest);
+      roughnessOf({{0, 1 / rate, *result.signal("aba"), "aba", "m/s2"}, result.position}, transfer, gauge);
+  const auto bands = wavelengthBands(gauge.shortest, gauge.longest);
   const auto squares = bandSquares(quietSpectrumOf(*result.signal("irregularity"), rate), bands, speed);
   ASSERT_EQ(found.levels.size(), bands.size());
   for (std::size_t i = 0; i < bands.size(); ++i) {

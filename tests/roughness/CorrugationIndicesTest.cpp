@@ -55,15 +55,15 @@ TEST(CorrugationBands, ShareWhatLiesAtTheirLimits) {
   EXPECT_EQ(passedByBand(bands[1], 0.2), 0);
 }
 
-TEST(CorrugationMeter, DoesNotReachAcrossAGap) {
-  CorrugationMeter meter(corrugationBands()[0]);
+TEST(CorrugationGauge, DoesNotReachAcrossAGap) {
+  CorrugationGauge gauge(corrugationBands()[0]);
   for (int piece = 0; piece < 2; ++piece) {
-    for (int i = 0; i < 60; ++i) meter.add(1e-6, spacing);  // 0.12 m, less than a window of 0.15 m
-    meter.skip(0.1);
+    for (int i = 0; i < 60; ++i) gauge.add(1e-6, spacing);  // 0.12 m, less than a window of 0.15 m
+    gauge.skip(0.1);
   }
-  EXPECT_EQ(meter.index().windows, 0u);
-  EXPECT_TRUE(std::isnan(meter.index().largest));
-  EXPECT_NEAR(meter.index().rms, 1e-6, 1e-15);
+  EXPECT_EQ(gauge.index().windows, 0u);
+  EXPECT_TRUE(std::isnan(gauge.index().largest));
+  EXPECT_NEAR(gauge.index().rms, 1e-6, 1e-15);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "plots/FigureSheet.h"
-#include "roughness/RoughnessMeter.h"
+#include "roughness/RoughnessGauge.h"
 
 namespace squat::plots {
 

@@ -1,4 +1,4 @@
-// solver/roughness/RoughnessMeter.h - the roughness that a record of axle box acceleration implies.
+// solver/roughness/RoughnessGauge.h - the roughness that a record of axle box acceleration implies.
 //
 // The record goes by in stretches under Hann's window, half over each other. Each has its own speed v; a third octave
 // of wavelength is the band f = v / wavelength of its spectrum, and its mean square of heights
@@ -23,7 +23,7 @@
 
 namespace squat::roughness {
 
-struct MeterOptions {
+struct GaugeOptions {
   double shortest = 0.010, longest = 1.0;  // [m] middles of the outermost third octaves
   ContactFilter filter = ContactFilter::remington;
   bool quietEnds = false;  // the record begins and ends at rest and is one stretch: no window
@@ -49,10 +49,10 @@ struct RecordRoughness {
   std::vector<std::string> notes;
 };
 
-class RoughnessMeter {
+class RoughnessGauge {
  public:
-  // `rate` [Hz] of the record. The transfer function must outlive the meter.
-  RoughnessMeter(const TransferFunction& transfer, double rate, const MeterOptions& options);
+  // `rate` [Hz] of the record. The transfer function must outlive the gauge.
+  RoughnessGauge(const TransferFunction& transfer, double rate, const GaugeOptions& options);
 
   // Samples of acceleration [m/s2, up positive or negative] and the speed at each [m/s], which may be negative.
   void add(const std::vector<double>& acceleration, const std::vector<double>& speed);
@@ -74,13 +74,13 @@ class RoughnessMeter {
 
   const TransferFunction& transfer_;
   double rate_;
-  MeterOptions options_;
+  GaugeOptions options_;
   std::vector<WavelengthBand> bands_;
   std::size_t size_ = 0;  // samples of a stretch
   std::vector<double> acceleration_, speed_;
   std::array<std::vector<double>, 4> heights_;  // of the corrugation bands, as stretches add up
   std::vector<Sums> sums_;
-  std::vector<CorrugationMeter> meters_;
+  std::vector<CorrugationGauge> gauges_;
   std::vector<std::size_t> stretches_;
   std::size_t taken_ = 0;
   double length_ = 0, time_ = 0, left_ = 0;

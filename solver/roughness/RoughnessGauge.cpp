@@ -1,4 +1,4 @@
-#include "roughness/RoughnessMeter.h"
+#include "roughness/RoughnessGauge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,47 +47,47 @@ std::vector<double> levelWindow(std::size_t size) {
 
 }  // namespace
 
-RoughnessMeter::RoughnessMeter(const TransferFunction& transfer, double rate, const MeterOptions& options)
+RoughnessGauge::RoughnessGauge(const TransferFunction& transfer, double rate, const GaugeOptions& options)
     : transfer_(transfer),
       rate_(rate),
       options_(options),
       bands_(wavelengthBands(options.shortest, options.longest)),
       sums_(bands_.size()) {
-  for (const auto& band : corrugationBands()) meters_.emplace_back(band);
+  for (const auto& band : corrugationBands()) gauges_.emplace_back(band);
 }
 
-void RoughnessMeter::setSize(double speed) {
+void RoughnessGauge::setSize(double speed) {
   const double stretch = options_.stretch > 0 ? options_.stretch : wavesInStretch * options_.longest;
   const double samples = rate_ * stretch / std::max(std::abs(speed), slowest);
   size_ = signals::fastLength(std::max(smallest, 2 * static_cast<std::size_t>(samples / 2)));
   size_ += size_ % 2;
 }
 
-void RoughnessMeter::add(const std::vector<double>& acceleration, const std::vector<double>& speed) {
+void RoughnessGauge::add(const std::vector<double>& acceleration, const std::vector<double>& speed) {
   acceleration_.insert(acceleration_.end(), acceleration.begin(), acceleration.end());
   speed_.insert(speed_.end(), speed.begin(), speed.end());
   if (size_ == 0 && !speed_.empty()) setSize(speed_[speed_.size() / 2]);
   takeStretches(false);
 }
 
-void RoughnessMeter::breakHere() {
+void RoughnessGauge::breakHere() {
   takeStretches(true);
   const double way = std::accumulate(speed_.begin(), speed_.end(), 0.0) / rate_;
   releaseHeights(heights_[0].size(), std::abs(way), false);
-  for (auto& meter : meters_) meter.skip(0);
+  for (auto& gauge : gauges_) gauge.skip(0);
   acceleration_.clear(), speed_.clear();
   size_ = 0;
 }
 
 // A piece that is shorter than a stretch is one by itself; what a longer one leaves at its end is not seen.
-void RoughnessMeter::takeStretches(bool last) {
+void RoughnessGauge::takeStretches(bool last) {
   while (size_ > 0 && acceleration_.size() >= size_) takeStretch(size_, false);
   const bool seen = taken_ > 0;
   if (last && !seen && acceleration_.size() >= smallest) takeStretch(acceleration_.size(), true);
   if (last) taken_ = 0;
 }
 
-void RoughnessMeter::takeStretch(std::size_t size, bool alone) {
+void RoughnessGauge::takeStretch(std::size_t size, bool alone) {
   const auto end = static_cast<std::ptrdiff_t>(size);
   const std::vector<double> values(acceleration_.begin(), acceleration_.begin() + end);
   const auto [least, most] = std::minmax_element(speed_.begin(), speed_.begin() + end);
@@ -120,12 +120,12 @@ void RoughnessMeter::takeStretch(std::size_t size, bool alone) {
   speed_.erase(speed_.begin(), speed_.begin() + static_cast<std::ptrdiff_t>(step));
 }
 
-double RoughnessMeter::transferIndex(double frequency) const {
+double RoughnessGauge::transferIndex(double frequency) const {
   const auto& f = transfer_.frequency;
   return (frequency - f.front()) / (f.back() - f.front()) * static_cast<double>(f.size() - 1);
 }
 
-void RoughnessMeter::addLevels(const std::vector<double>& acceleration, double speed, double way) {
+void RoughnessGauge::addLevels(const std::vector<double>& acceleration, double speed, double way) {
   const auto spectrum =
       options_.quietEnds ? quietSpectrumOf(acceleration, rate_) : stretchSpectrumOf(acceleration, rate_);
   const double limit = std::min(transfer_.frequency.back(), highestShare * rate_);
@@ -176,7 +176,7 @@ void RoughnessMeter::addLevels(const std::vector<double>& acceleration, double s
 
 // Overlapping Hann windows add up to one, so the sum of the filtered stretches is the filtered record. One that stands
 // alone is level but for a twentieth at each end.
-void RoughnessMeter::addHeights(const std::vector<double>& acceleration, double speed, bool alone) {
+void RoughnessGauge::addHeights(const std::vector<double>& acceleration, double speed, bool alone) {
   const std::size_t n = acceleration.size();
   const auto window = alone ? levelWindow(n) : signals::windowWeights(signals::Window::hann, n);
   const signals::ComplexTransform forward(n, signals::Direction::forward), backward(n, signals::Direction::backward);
@@ -209,17 +209,17 @@ void RoughnessMeter::addHeights(const std::vector<double>& acceleration, double 
   }
 }
 
-void RoughnessMeter::releaseHeights(std::size_t count, double way, bool known) {
+void RoughnessGauge::releaseHeights(std::size_t count, double way, bool known) {
   count = std::min(count, heights_[0].size());
   if (count == 0) return;
   for (std::size_t b = 0; b < heights_.size(); ++b) {
-    for (std::size_t i = 0; known && i < count; ++i) meters_[b].add(heights_[b][i], way / static_cast<double>(count));
-    if (!known) meters_[b].skip(way);
+    for (std::size_t i = 0; known && i < count; ++i) gauges_[b].add(heights_[b][i], way / static_cast<double>(count));
+    if (!known) gauges_[b].skip(way);
     heights_[b].erase(heights_[b].begin(), heights_[b].begin() + static_cast<std::ptrdiff_t>(count));
   }
 }
 
-RecordRoughness RoughnessMeter::finish() {
+RecordRoughness RoughnessGauge::finish() {
   breakHere();
   RecordRoughness result;
   result.filter = options_.filter;
@@ -241,8 +241,8 @@ RecordRoughness RoughnessMeter::finish() {
     level.highest = level.level + std::hypot(level.track, level.pads, count.above);
     result.levels.push_back(level);
   }
-  for (std::size_t b = 0; b < meters_.size(); ++b)
-    if (corrugationBands()[b].longest <= 1.05 * options_.longest) result.corrugation.push_back(meters_[b].index());
+  for (std::size_t b = 0; b < gauges_.size(); ++b)
+    if (corrugationBands()[b].longest <= 1.05 * options_.longest) result.corrugation.push_back(gauges_[b].index());
   return result;
 }
 

@@ -1,7 +1,7 @@
 // Roughness back from records that formulas make: a mass m on a contact spring k with a damper c over a rigid track,
 //   m u'' = -k (u - r) - c (u' - r'),   H = -w^2 (k + i w c) / (k + i w c - m w^2),
 // rolls over a sum of harmonics, each of which answers by itself.
-#include "roughness/RoughnessMeter.h"
+#include "roughness/RoughnessGauge.h"
 
 #include <gtest/gtest.h>
 
@@ -75,18 +75,18 @@ MadeRecord made(double speed, double rate, double length, ContactFilter filter) 
 }
 
 RecordRoughness measured(const MadeRecord& record, double rate, const TransferFunction& transfer,
-                         const MeterOptions& options) {
+                         const GaugeOptions& options) {
   return roughnessOf({{0, 1 / rate, record.acceleration, "aba", "m/s2"}, record.position}, transfer, options);
 }
 
 // 60 m at 20 m/s: 10 mm are 2000 Hz, 0.4 m 50 Hz. Heights and record go through the same windows, which weigh what the
 // record has of them alike but for the slope of H within a line's width; the slope of the
 // spectrum does the rest.
-TEST(RoughnessMeter, GivesTheHeightsBack) {
+TEST(RoughnessGauge, GivesTheHeightsBack) {
   constexpr double rate = 8192;
   const auto transfer = transferOfMass();
   const auto record = made(20, rate, 60, ContactFilter::remington);
-  MeterOptions options;
+  GaugeOptions options;
   options.longest = 0.4;
   const auto found = measured(record, rate, transfer, options);
   EXPECT_NEAR(found.length, 60, 1.0);
@@ -112,11 +112,11 @@ TEST(RoughnessMeter, GivesTheHeightsBack) {
             found.levels.back().highest - found.levels.back().level);
 }
 
-TEST(RoughnessMeter, GivesCorrugationBack) {
+TEST(RoughnessGauge, GivesCorrugationBack) {
   constexpr double rate = 8192;
   const auto transfer = transferOfMass();
   const auto record = made(20, rate, 60, ContactFilter::none);
-  MeterOptions options;
+  GaugeOptions options;
   options.filter = ContactFilter::none;
   const auto found = measured(record, rate, transfer, options).corrugation;
   // The first and the last half of a stretch of 8 m are under a single window and do not count.
@@ -132,18 +132,18 @@ TEST(RoughnessMeter, GivesCorrugationBack) {
 }
 
 // A speed of its own in every stretch: another frequency for the same wave.
-TEST(RoughnessMeter, FollowsTheSpeed) {
+TEST(RoughnessGauge, FollowsTheSpeed) {
   constexpr double rate = 8192;
   const auto transfer = transferOfMass();
-  MeterOptions options;
+  GaugeOptions options;
   options.longest = 0.25;
-  RoughnessMeter meter(transfer, rate, options);
+  RoughnessGauge gauge(transfer, rate, options);
   for (const double speed : {12.0, 22.0}) {
     const auto record = made(speed, rate, 40, ContactFilter::remington);
-    meter.add(record.acceleration, std::vector<double>(record.acceleration.size(), speed));
-    meter.breakHere();
+    gauge.add(record.acceleration, std::vector<double>(record.acceleration.size(), speed));
+    gauge.breakHere();
   }
-  const auto found = meter.finish();
+  const auto found = gauge.finish();
   for (const auto& level : found.levels) {
     const double expected = scenario::levelAt({{0.01, -8}, {0.04, -3.2}, {0.4, 17.1}}, level.band.middle);
     // Of two times 40 m, in expectation: what chance does to 80 m of waves, as the bounds say it.
@@ -152,17 +152,17 @@ TEST(RoughnessMeter, FollowsTheSpeed) {
   }
 }
 
-TEST(RoughnessMeter, LeavesOutWhatItCannotUse) {
+TEST(RoughnessGauge, LeavesOutWhatItCannotUse) {
   constexpr double rate = 8192;
   const auto transfer = transferOfMass();
   auto record = made(20, rate, 30, ContactFilter::remington);
-  MeterOptions options;
+  GaugeOptions options;
   options.longest = 0.1;
   for (std::size_t i = 4000; i < 4010; ++i) record.acceleration[i] = std::nan("");
   const auto found = measured(record, rate, transfer, options);
   EXPECT_GT(found.left, 0);
   for (const auto& level : found.levels) EXPECT_TRUE(std::isfinite(level.level)) << level.band.middle;
-  RoughnessMeter standing(transfer, rate, options);
+  RoughnessGauge standing(transfer, rate, options);
   standing.add(record.acceleration, std::vector<double>(record.acceleration.size(), 0.1));
   const auto nothing = standing.finish();
   EXPECT_EQ(nothing.length, 0);
@@ -170,7 +170,7 @@ TEST(RoughnessMeter, LeavesOutWhatItCannotUse) {
 }
 
 // Half the sampling rate, and the ends of the transfer function.
-TEST(RoughnessMeter, EndsWhereTheRecordDoes) {
+TEST(RoughnessGauge, EndsWhereTheRecordDoes) {
   constexpr double rate = 2048;
   const auto transfer = transferOfMass();
   const auto record = made(20, rate, 30, ContactFilter::remington);
@@ -179,12 +179,12 @@ TEST(RoughnessMeter, EndsWhereTheRecordDoes) {
 }
 
 // A stream that hands out blocks gives what the whole gives.
-TEST(RoughnessMeter, DoesNotMindBlocks) {
+TEST(RoughnessGauge, DoesNotMindBlocks) {
   constexpr double rate = 8192;
   const auto transfer = transferOfMass();
   const auto record = made(20, rate, 30, ContactFilter::remington);
   const std::vector<double> speed(record.acceleration.size(), 20);
-  RoughnessMeter whole(transfer, rate, {}), pieces(transfer, rate, {});
+  RoughnessGauge whole(transfer, rate, {}), pieces(transfer, rate, {});
   whole.add(record.acceleration, speed);
   for (std::size_t i = 0; i < speed.size(); i += 1000) {
     const auto end = static_cast<std::ptrdiff_t>(std::min(speed.size(), i + 1000)),
