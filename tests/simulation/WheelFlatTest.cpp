@@ -44,7 +44,7 @@ std::string cosineDip(double length, double depth) {  // [mm]
 // with the dip rolls on its lower side, by 0.15 mm of 460, and friction has another lever. Tolerance 3 % of the peak:
 // of the slopes 0.01 that tilt the normal here and not there (force), and of the mesh, 5 mm under a dip of 50.
 TEST(WheelFlat, ADipInTheTreadShakesTheWheelAsTheSameDipInTheRail) {
-  const Settings common{{"motion.torque", "0"}};
+  const Settings common{{"motion.torque", "0"}, {"mesh.zone_before", "30"}, {"mesh.zone_behind", "30"}};
   auto onRail = common, onWheel = common;
   onRail.insert(onRail.end(), {{"defect.shape", "profile"}, {"defect.points", cosineDip(50, 0.15)}});
   onWheel.push_back({"wheelset.tread_points", cosineDip(50, 0.15)});
