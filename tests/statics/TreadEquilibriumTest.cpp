@@ -99,7 +99,9 @@ TEST(TreadEquilibrium, TheStartRisesWithAnEccentricTread) {
     ThreadTeam team(1);
     Monitor quiet;
     const auto start = prepareSteadyRollingStart(model, elasticity::kernelsFor(""), team, quiet);
-    return std::pair{start.velocity[model.sprungZ], model.startX};
+    model::TurnedStations turned;
+    model::turnStations(model.blocks[model.body], 0, turned);
+    return std::pair{model::ringMean(model, model.centre, turned, start.velocity.data()).z, model.startX};
   };
   const auto [round, x] = startOf({});
   const auto [eccentric, same] = startOf({{"wheelset.tread_points", points + "]"}});
