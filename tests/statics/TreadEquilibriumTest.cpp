@@ -108,8 +108,8 @@ TEST(TreadEquilibrium, TheStartRisesWithAnEccentricTread) {
   const double angle = x / 0.46, speed = 30;  // deepest point at x = 0
   const double expected = speed * eccentricity * 1e-3 / 0.46 * std::sin(angle);
   EXPECT_GT(std::abs(expected), 0.005);
-  // 720 points a turn, 25 from the deepest: the monotone cubic's slope errs by 1 / (4 25^2) there, the difference of the
-  // path over 10 mm less; 1 % for how the rail's deflection differs.
+  // 720 points a turn, 25 from the deepest: the monotone cubic's slope errs by 1 / (4 25^2) there, the difference of
+  // the path over 10 mm less; 1 % for how the rail's deflection differs.
   EXPECT_NEAR(eccentric - round, expected, 0.02 * std::abs(expected));
 }
 
