@@ -67,15 +67,15 @@ TEST(TreadEquilibrium, TheWheelComesDownOnItsFlat) {
 TEST(TreadEquilibrium, OffTheFlatTheWheelIsRound) {
   const auto flat = standAt(-0.15);
   EXPECT_NEAR(flat.equilibrium.rigidHeight, 0, 2e-6);  // a contact point within 1.2 mm: x^2 / 2R below 1.6 um
-  const auto round = [] {
-    const auto model = model::buildModel(cases::loadScenario(
-        tests::fixtureCase("smooth-rail"),
-        {"tiny",
-         {{"motion.run_up", "0.2"},
-          {"mesh.contact_size", "2.5"},
-          {"mesh.rolling_size", "5"},
-          {"mesh.zone_before", std::to_string(1e3 * standAt(0).model.scenario.tread.dipBefore())},
-          {"mesh.zone_behind", std::to_string(1e3 * standAt(0).model.scenario.tread.dipBehind())}}}));
+  const auto round = [&] {
+    const auto model = model::buildModel(
+        cases::loadScenario(tests::fixtureCase("smooth-rail"),
+                            {"tiny",
+                             {{"motion.run_up", "0.2"},
+                              {"mesh.contact_size", "2.5"},
+                              {"mesh.rolling_size", "5"},
+                              {"mesh.zone_before", std::to_string(1e3 * flat.model.scenario.tread.dipBefore())},
+                              {"mesh.zone_behind", std::to_string(1e3 * flat.model.scenario.tread.dipBehind())}}}));
     ThreadTeam team(1);
     Monitor quiet;
     return findEquilibrium(model, elasticity::kernelsFor(""), team, -0.15,
