@@ -11,15 +11,15 @@ namespace squat::cases {
 
 bool countsBeforeDefect(const Parameter& parameter) {
   constexpr std::array<std::string_view, 10> others = {"title",
-                                                      "note",
-                                                      "wheelset.tread_deviation",
-                                                      "wheelset.preset",
-                                                      "track.preset",
-                                                      "rail.irregularity_file",
-                                                      "mesh.zone_before",
-                                                      "mesh.zone_behind",
-                                                      "output.filter_cutoff",
-                                                      "output.cwt_voices"};
+                                                       "note",
+                                                       "wheelset.tread_deviation",
+                                                       "wheelset.preset",
+                                                       "track.preset",
+                                                       "rail.irregularity_file",
+                                                       "mesh.zone_before",
+                                                       "mesh.zone_behind",
+                                                       "output.filter_cutoff",
+                                                       "output.cwt_voices"};
   return parameter.group != "defect" && std::find(others.begin(), others.end(), parameter.key) == others.end();
 }
 

@@ -20,6 +20,7 @@ namespace squat::cases {
 namespace {
 
 constexpr std::size_t largestCaseFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
+constexpr std::size_t largestHeightsFile = 200'000'000;
 constexpr std::size_t maximumProblems = 50;
 
 std::string lineNote(std::size_t line) { return line == 0 ? "" : " (line " + std::to_string(line) + ")"; }
@@ -264,7 +265,7 @@ void readIrregularity(CaseDescription& description, const CaseOverrides& overrid
   const auto path = named.is_absolute() || fileSet ? named : folder / named;
   try {
     if (heights)
-      rail.points = readProfileFile(path);
+      rail.points = parseProfile(readWholeFile(path.string(), largestHeightsFile), path.string());
     else
       rail.levels = formatLevels(readLevels(path));
   } catch (const FileError&) {

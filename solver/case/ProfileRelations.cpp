@@ -12,7 +12,6 @@ namespace squat::cases::relations {
 
 namespace {
 
-
 void checkStretch(const CaseDescription& c, const std::vector<ProfilePoint>& points, std::vector<Finding>& findings) {
   const auto& d = c.defect;
   if (d.from > d.to)

@@ -12,7 +12,6 @@ namespace squat::cases::relations {
 
 namespace {
 
-
 std::vector<const std::vector<ProfilePoint>*> tablesOf(const TreadShape& shape) {
   std::vector<const std::vector<ProfilePoint>*> tables;
   for (const auto& line : shape.lines) tables.push_back(&line.points);
@@ -35,8 +34,7 @@ bool checkTable(const CaseDescription& c, const std::string& table, std::vector<
         "The table is " + millimetres(length) +
             " long, more than the circumference of the wheel: check the unit of the arc length, or cut it to one turn");
   if (deviation > largest)
-    add(findings, c, Severity::problem, {table, "wheelset.tread_deviation"},
-        "deviations up to " + millimetres(largest),
+    add(findings, c, Severity::problem, {table, "wheelset.tread_deviation"}, "deviations up to " + millimetres(largest),
         "A deviation of " + millimetres(deviation) +
             " is found: give the deviation from wheelset.radius, not the radius, and check its unit");
   return length <= turn * (1 + closes) && deviation <= largest;
