@@ -72,7 +72,7 @@ int computeDecay(const ReceptanceCommandOptions& options) {
   const std::string table = options.folder + "/" + name + ".csv";
   std::optional<receptance::MeasuredDecayRates> measured;
   if (!options.measured.empty()) measured = receptance::readMeasuredDecayRates(options.measured);
-  auto inputs = cases::filesOfCase(options.caseOptions.name, description.defect.file);
+  auto inputs = cases::filesOfCase(options.caseOptions.name, description);
   if (measured) inputs.push_back(options.measured);
   keepInputs(inputs, {table});
   const OutputFolder folder(options.folder);

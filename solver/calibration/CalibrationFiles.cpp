@@ -36,6 +36,7 @@ void keepInputsOf(const CalibrationDefinition& definition, const std::vector<std
   const auto& targets = definition.targets;
   for (const auto& target : targets.signals) inputs.insert(inputs.end(), target.files.begin(), target.files.end());
   for (const auto& target : targets.receptances) inputs.push_back(target.file);
+  for (const auto& target : targets.decays) inputs.push_back(target.file);
   for (const auto& run : targets.runs) inputs.push_back(run.caseName);
   auto outputs = calibrationFiles(folder);
   outputs.insert(outputs.end(), {calibratedCaseFile(folder, stem), summaryFile(folder)});

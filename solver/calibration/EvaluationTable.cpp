@@ -61,6 +61,10 @@ Json identityOf(const CalibrationDefinition& definition) {
     addNumbers({target.weight, target.lowest, target.highest, target.tolerance});
     addFile(target.file);
   }
+  for (const auto& target : definition.targets.decays) {
+    addNumbers({target.weight, target.lowest, target.highest, target.tolerance});
+    addFile(target.file);
+  }
   json["targets"] = definition.targets.names();
   json["data_hash"] = cases::shortHash(data);
   json["meshes"] = {definition.searchMesh, definition.confirmMesh};

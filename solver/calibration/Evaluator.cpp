@@ -42,6 +42,7 @@ MeasuredData readMeasuredData(const Targets& targets) {
   MeasuredData data;
   for (const auto& target : targets.signals) data.signals.push_back(readMeasured(target));
   for (const auto& target : targets.receptances) data.receptances.push_back(readMeasuredReceptance(target));
+  for (const auto& target : targets.decays) data.decays.push_back(readMeasuredDecays(target));
   return data;
 }
 
@@ -94,6 +95,20 @@ bool Evaluator::computeReceptances(const Values& values, std::vector<TargetValue
   return true;
 }
 
+bool Evaluator::computeDecays(const Values& values, std::vector<TargetValue>& targets, Monitor& monitor) const {
+  receptance::DecayOptions options;
+  options.track.threads = options_.threads;
+  options.lowest = 1e9, options.highest = 0;
+  for (const auto& measured : data_.decays) {
+    options.lowest = std::min(options.lowest, measured.target.lowest);
+    options.highest = std::max(options.highest, measured.target.highest);
+  }
+  const auto computed = receptance::trackDecayRates(cases::resolve(caseOf(own_, values)), options, monitor);
+  if (!computed.complete) return false;
+  for (const auto& measured : data_.decays) targets.push_back(decayValue(measured, computed));
+  return true;
+}
+
 std::optional<Evaluation> Evaluator::evaluate(const Values& values, Monitor& monitor) const {
   giveBackFreeMemory();
   // The case is read anew for every point: an edit in between would mix two cases in one table.
@@ -115,6 +130,7 @@ std::optional<Evaluation> Evaluator::evaluate(const Values& values, Monitor& mon
     for (const auto& measured : data_.signals)
       evaluation.targets.push_back(signalValue(measured, results.at(measured.target.run)));
     if (!data_.receptances.empty() && !computeReceptances(values, evaluation.targets, monitor)) return std::nullopt;
+    if (!data_.decays.empty() && !computeDecays(values, evaluation.targets, monitor)) return std::nullopt;
   } catch (const CaseError& error) {
     return failed(mesh_, values, error.what());
   } catch (const RunError& error) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "calibration/Calibration.h"
+#include "calibration/DecayResiduals.h"
 #include "calibration/ReceptanceResiduals.h"
 #include "calibration/SignalResiduals.h"
 #include "studies/SharedStart.h"
@@ -17,6 +18,7 @@ namespace squat::calibration {
 struct MeasuredData {
   std::vector<MeasuredSignal> signals;
   std::vector<MeasuredReceptance> receptances;
+  std::vector<MeasuredDecays> decays;
 };
 MeasuredData readMeasuredData(const Targets& targets);
 
@@ -40,6 +42,7 @@ class Evaluator {
   bool isUsed(const std::string& run) const;
   cases::CaseDescription caseOf(const Run& run, const Values& values) const;
   bool computeReceptances(const Values& values, std::vector<TargetValue>& targets, Monitor& monitor) const;
+  bool computeDecays(const Values& values, std::vector<TargetValue>& targets, Monitor& monitor) const;
 
   const CalibrationDefinition& definition_;
   const MeasuredData& data_;

@@ -38,8 +38,9 @@ void checkPair(const Statement& a, const Statement& b, const std::string& path) 
 
 void checkTargets(const Targets& targets) {
   if (targets.count() == 0)
-    throw FileError(targets.path, "", "holds no target",
-                    "List statements, signals or receptance; see the page about calibration in the manual");
+    throw FileError(
+        targets.path, "", "holds no target",
+        "List statements, signals, receptance or decay rates; see the page about calibration in the manual");
   for (const auto& signal : targets.signals)
     if (std::none_of(targets.runs.begin(), targets.runs.end(), [&](const auto& run) { return run.name == signal.run; }))
       throw FileError(targets.path, "signals '" + signal.name + "'", "run '" + signal.run + "' is not listed",

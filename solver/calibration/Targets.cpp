@@ -53,6 +53,7 @@ class TargetFile {
       addAll(all, "paper", [&](const json& entry) { addPaper(entry); });
       addAll(all, "signals", [&](const json& entry) { addSignal(entry); });
       addAll(all, "receptance", [&](const json& entry) { addReceptance(entry); });
+      addAll(all, "decay", [&](const json& entry) { addDecay(entry); });
     } catch (const json::exception& error) {
       throw FileError(path_, location_, error.what(), kAdvice);
     } catch (const std::invalid_argument& error) {
@@ -177,6 +178,18 @@ class TargetFile {
     targets_.receptances.push_back(std::move(target));
   }
 
+  void addDecay(const json& entry) {
+    DecayTarget target;
+    target.file = beside(entry.at("file"));
+    target.name = entry.value("name", std::filesystem::path(target.file).stem().string());
+    target.weight = weightOf(entry);
+    target.lowest = entry.value("lowest", target.lowest), target.highest = entry.value("highest", target.highest);
+    target.tolerance = entry.value("tolerance", target.tolerance);
+    if (!(target.lowest >= 50 && target.lowest <= target.highest && target.highest <= 5000 && target.tolerance > 0))
+      throw std::invalid_argument("lowest and highest must be third octaves from 50 to 5000 Hz, tolerance positive");
+    targets_.decays.push_back(std::move(target));
+  }
+
   void addRun(const ReferenceRun& run) {
     const auto same = [&](const ReferenceRun& other) { return other.name == run.name; };
     if (std::none_of(targets_.runs.begin(), targets_.runs.end(), same)) targets_.runs.push_back(run);
@@ -235,6 +248,7 @@ std::vector<std::string> Targets::names() const {
   for (const auto& target : statements) all.push_back(target.statement.name);
   for (const auto& target : signals) all.push_back(target.name);
   for (const auto& target : receptances) all.push_back(target.name);
+  for (const auto& target : decays) all.push_back(target.name);
   return all;
 }
 
@@ -243,6 +257,7 @@ std::vector<double> Targets::weights() const {
   for (const auto& target : statements) all.push_back(target.weight);
   for (const auto& target : signals) all.push_back(target.weight);
   for (const auto& target : receptances) all.push_back(target.weight);
+  for (const auto& target : decays) all.push_back(target.weight);
   return all;
 }
 

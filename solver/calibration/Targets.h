@@ -36,16 +36,25 @@ struct ReceptanceTarget {
   double tolerance = 1;                // [dB] of the magnitude; 6.6 degrees of phase go with 1 dB
 };
 
+// Measured track decay rates: a table as receptance/DecayFiles.h reads it.
+struct DecayTarget {
+  std::string name, file;
+  double weight = 1;
+  double lowest = 100, highest = 5000;  // [Hz] third octaves that are compared
+  double tolerance = 1;                 // [dB]
+};
+
 struct Targets {
   std::string path;
   std::vector<statements::ReferenceRun> runs;  // that statements and signals are about
   std::vector<StatementTarget> statements;
   std::vector<SignalTarget> signals;
   std::vector<ReceptanceTarget> receptances;
+  std::vector<DecayTarget> decays;
   std::vector<std::string> notes;  // what was left out, and why
 
-  std::size_t count() const { return statements.size() + signals.size() + receptances.size(); }
-  std::vector<std::string> names() const;  // statements, then signals, then receptances
+  std::size_t count() const { return statements.size() + signals.size() + receptances.size() + decays.size(); }
+  std::vector<std::string> names() const;  // statements, signals, receptances, decay rates
   std::vector<double> weights() const;
 };
 
@@ -55,6 +64,7 @@ struct Targets {
 //   paper        {"run": NAME, "sections": ["3"], "weight": 1}: the statements of paper.json about that run alone
 //   signals      {"files": [...], "run", "weight", "noise", "before", "after", "cutoff", "column", "speed", "rate"}
 //   receptance   {"file", "point", "weight", "lowest", "highest", "tolerance"}
+//   decay        {"file", "weight", "lowest", "highest", "tolerance"}
 // "light-defect" names the shipped targets of the paper's section 3, "paper" all of its statements.
 // A reference file (paper.json) serves as it is: its statements on runs of the calibrated case. A table of signals or,
 // where its first column is a frequency, of receptance over a sleeper is a target by itself.

@@ -148,7 +148,10 @@ TrackReceptance sleeperByItself(const scenario::Scenario& scenario, const Recept
   auto grid = options;
   grid.endless = true;
   result.frequency = frequenciesOf(grid);
-  result.points.push_back({{"rail seat of a sleeper"}, sleeperReceptance(scenario, result.frequency, options.rails)});
+  PointReceptance seat;
+  seat.name = "rail seat of a sleeper";
+  seat.receptance = sleeperReceptance(scenario, result.frequency, options.rails);
+  result.points.push_back(std::move(seat));
   result.solutions = static_cast<int>(result.frequency.size());
   result.complete = !monitor.cancelled();
   return result;

@@ -32,13 +32,13 @@ Reference referenceOf(receptance::ReceptanceQuantity quantity) {
 
 std::unique_ptr<Figure> magnitudes(const receptance::TrackReceptance& r, receptance::ReceptanceQuantity quantity,
                                    const Style& style) {
-  const auto reference = referenceOf(quantity);
-  auto figure = std::make_unique<Figure>(reference.name, style);
-  figure->yAxis->setLabel(reference.label);
+  const auto zero = referenceOf(quantity);
+  auto figure = std::make_unique<Figure>(zero.name, style);
+  figure->yAxis->setLabel(zero.label);
   for (std::size_t i = 0; i < r.points.size(); ++i) {
     Curve curve{r.frequency, {}, QString::fromStdString(r.points[i].name), i};
     for (const auto& value : receptance::asQuantity(r.frequency, r.points[i].receptance, quantity))
-      curve.y.push_back(20 * std::log10(std::abs(value) / reference.value));
+      curve.y.push_back(20 * std::log10(std::abs(value) / zero.value));
     addCurve(*figure, curve);
   }
   setFrequencyAxis(*figure, r);
