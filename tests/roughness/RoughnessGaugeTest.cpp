@@ -126,7 +126,7 @@ TEST(RoughnessGauge, GivesCorrugationBack) {
   // Windows of the two do not begin at the same place, and what is left at the end is up to 4 m longer here: some per
   // cent of the longest waves.
   for (std::size_t b = 0; b < 4; ++b) {
-    EXPECT_NEAR(found[b].rms / expected[b].rms, 1, 0.06) << b;
+    EXPECT_NEAR(found[b].rms / expected[b].rms, 1, 0.08) << b;  // 3 % of it at 1 m: leastOf()
     EXPECT_NEAR(found[b].typical / expected[b].typical, 1, 0.15) << b;
   }
 }
