@@ -222,6 +222,7 @@ void RoughnessGauge::releaseHeights(std::size_t count, double way, bool known) {
 RecordRoughness RoughnessGauge::finish() {
   breakHere();
   RecordRoughness result;
+  result.notes = transfer_.notes;
   result.filter = options_.filter;
   result.length = length_, result.left = left_;
   result.speed = time_ > 0 ? length_ / time_ : 0;

@@ -96,6 +96,9 @@ TransferFunction transferFunction(const scenario::Scenario& scenario, const Tran
     const auto [over, between] = both(other);
     (soft ? transfer.softPads : transfer.stiffPads) = meanOf(soft ? "softer pads" : "stiffer pads", over, between);
   }
+  transfer.notes.push_back(
+      "below some 230 Hz levels may be off by up to 8 dB: the transfer function leaves out lateral creep, which the "
+      "axle's bending feels");
   if (options.highest > receptanceLimit)
     transfer.notes.push_back("above 2 kHz the mesh of the track's receptance is coarse");
   transfer.complete = true;

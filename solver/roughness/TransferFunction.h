@@ -7,6 +7,7 @@
 //                    modes (model/WheelsetModes.h) and the primary suspension with the sprung mass at the box
 //   a_rail           receptance of the track (receptance/Receptance.h), over a sleeper and at midspan
 //   a_contact        2/3 of approach over load of Hertz's contact at the static load
+// Vertical alone: lateral creep, which resists the tilting wheel where the axle bends (some 70 Hz), is left out.
 // Linear, no rotation of the wheel, no moving load: what changes as the wheel passes sleepers is in the spread between
 // over a sleeper and midspan. Loss of contact and strong non-linearity are outside.
 #pragma once

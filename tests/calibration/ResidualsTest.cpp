@@ -120,7 +120,8 @@ TEST(SignalResidual, OtherUnitsAreRefused) {
 // A mass on a spring with a damper.
 receptance::TrackReceptance computed(double scale = 1) {
   receptance::TrackReceptance result;
-  receptance::PointReceptance point{"over a sleeper", 0, {}};
+  receptance::PointReceptance point;
+  point.name = "over a sleeper";
   for (double f = 50; f <= 1500; f += 1) {
     const std::complex<double> w(0, 2 * std::numbers::pi * f);
     result.frequency.push_back(f);

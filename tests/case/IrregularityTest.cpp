@@ -103,8 +103,9 @@ TEST(Irregularity, GoesThroughItsHeights) {
   options.points = {{100, 1e-5}, {100.1, 2e-5}, {100.2, -3e-5}, {100.5, 0}};
   options.position = 100.1, options.offset = 20 * std::log10(2.0);
   const auto surface = IrregularSurface::ofHeights(options, -0.1);  // starts on the first point
-  EXPECT_NEAR(surface.height(0), 2e-5, 1e-18);                      // 2 (20 um - 10 um)
-  EXPECT_NEAR(surface.height(0.1), -8e-5, 1e-18);
+  // Positions of 100 m are known to 1.4e-14 m: times a slope of 1e-3.
+  EXPECT_NEAR(surface.height(0), 2e-5, 1e-16);  // 2 (20 um - 10 um)
+  EXPECT_NEAR(surface.height(0.1), -8e-5, 1e-16);
   EXPECT_GE(surface.steepest(), 2 * 5e-5 / 0.1);
 }
 
@@ -179,7 +180,8 @@ TEST(IrregularityOfACase, SaysWhatTheMeshCannotShow) {
   const auto coarse = warningsOfRough(roughCase({{"rail.irregularity", "iso-3095"}}));
   EXPECT_THAT(coarse, HasSubstr("rail.irregularity_shortest"));
   EXPECT_THAT(coarse, HasSubstr("2 elements a wave"));
-  EXPECT_THAT(warningsOfRough(roughCase({{"rail.irregularity", "iso-3095"}, {"mesh.rolling_size", "2.5 mm"}})),
+  EXPECT_THAT(warningsOfRough(roughCase(
+                  {{"rail.irregularity", "iso-3095"}, {"mesh.rolling_size", "2.5"}, {"mesh.contact_size", "2.5"}})),
               testing::Not(HasSubstr("elements a wave")));
   EXPECT_THAT(warningsOfRough(roughCase({{"rail.irregularity", "iso-3095"}, {"rail.irregularity_longest", "1000"}})),
               HasSubstr("The spectrum ends there"));

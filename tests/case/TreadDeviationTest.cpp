@@ -20,12 +20,12 @@
 namespace squat::cases {
 namespace {
 
-constexpr double pi = std::numbers::pi, radius = 0.46, turn = 2 * pi * radius;
+constexpr double treadRadius = 0.46, treadTurn = 2 * std::numbers::pi * treadRadius;
 
 // A chord of length L cut off a circle: what is missing at the arc s from its middle.
 double missing(double s, double length) {
-  const double half = std::asin(0.5 * length / radius), angle = s / radius;
-  return std::abs(angle) < half ? radius * (1 - std::cos(half) / std::cos(angle)) : 0;
+  const double half = std::asin(0.5 * length / treadRadius), angle = s / treadRadius;
+  return std::abs(angle) < half ? treadRadius * (1 - std::cos(half) / std::cos(angle)) : 0;
 }
 
 TreadShape chordFlat(double length) {
@@ -38,16 +38,16 @@ TreadShape chordFlat(double length) {
 // itself, R (1 - cos half) = L^2 / 8R. Tolerance 15 um: between points 0.5 mm apart the curve rounds the edge, at a
 // slope of 0.087, by up to 0.15 of 43 um, and edges are looked for every 0.2 mm.
 TEST(TreadDeviation, AChordFlatLowersARigidWheelByTheKnownFormula) {
-  const double length = 0.08, half = std::asin(0.5 * length / radius);
-  const TreadDeviation tread(chordFlat(length), radius);
+  const double length = 0.08, half = std::asin(0.5 * length / treadRadius);
+  const TreadDeviation tread(chordFlat(length), treadRadius);
   double lowest = 0;
-  for (const auto& point : scenario::rigidWheelPath(DefectSurface(), tread, radius, -0.08, 0.08, 0.001)) {
-    const double turned = std::abs(point.position) / radius;
-    const double expected = turned < half ? radius * (std::cos(half - turned) - 1) : 0;
+  for (const auto& point : scenario::rigidWheelPath(DefectSurface(), tread, treadRadius, -0.08, 0.08, 0.001)) {
+    const double turned = std::abs(point.position) / treadRadius;
+    const double expected = turned < half ? treadRadius * (std::cos(half - turned) - 1) : 0;
     EXPECT_NEAR(point.height, expected, 15e-6) << point.position;
     lowest = std::min(lowest, point.height);
   }
-  EXPECT_NEAR(lowest, -length * length / (8 * radius), 15e-6);
+  EXPECT_NEAR(lowest, -length * length / (8 * treadRadius), 15e-6);
 }
 
 // A wheel with the deviation A cos(k s) rises as on a rail with that irregularity: at long waves by the irregularity
@@ -55,42 +55,44 @@ TEST(TreadDeviation, AChordFlatLowersARigidWheelByTheKnownFormula) {
 // order is A k^2 R = 0.008 of that, and steps of 0.2 mm in the search miss 0.01 um.
 TEST(TreadDeviation, AWaveLiftsTheWheelAsTheSameWaveOnTheRail) {
   constexpr int order = 6;
-  const double k = order / radius, amplitude = 1e-4;
+  const double k = order / treadRadius, amplitude = 1e-4;
   TreadShape shape;
-  for (int i = 0; i < 2000; ++i) shape.points.push_back({turn * i / 2000, -amplitude * std::cos(k * turn * i / 2000)});
-  const TreadDeviation tread(shape, radius);
+  for (int i = 0; i < 2000; ++i)
+    shape.points.push_back({treadTurn * i / 2000, -amplitude * std::cos(k * treadTurn * i / 2000)});
+  const TreadDeviation tread(shape, treadRadius);
   EXPECT_FALSE(tread.isLocal());
-  for (const auto& point : scenario::rigidWheelPath(DefectSurface(), tread, radius, -1, 1, 0.05)) {
+  for (const auto& point : scenario::rigidWheelPath(DefectSurface(), tread, treadRadius, -1, 1, 0.05)) {
     const double x = point.position, slope = amplitude * k * std::sin(k * x);
-    EXPECT_NEAR(point.height, -amplitude * std::cos(k * x) + 0.5 * radius * slope * slope, 0.03e-6) << x;
+    EXPECT_NEAR(point.height, -amplitude * std::cos(k * x) + 0.5 * treadRadius * slope * slope, 0.03e-6) << x;
   }
 }
 
 // A flat is one place; a polygon is none, however short its waves.
 TEST(TreadDeviation, AFlatIsLocalAndAPolygonIsNot) {
-  EXPECT_TRUE(TreadDeviation(chordFlat(0.06), radius).isLocal());
+  EXPECT_TRUE(TreadDeviation(chordFlat(0.06), treadRadius).isLocal());
   EXPECT_TRUE(loadScenario("wheel-flat").tread.isLocal());
   TreadShape polygon;
-  for (int i = 0; i < 2000; ++i) polygon.points.push_back({turn * i / 2000, 1e-4 * std::cos(25 * 2 * pi * i / 2000)});
-  const TreadDeviation tread(polygon, radius);
-  EXPECT_LT(tread.dipBefore() + tread.dipBehind(), turn / 25);
+  for (int i = 0; i < 2000; ++i)
+    polygon.points.push_back({treadTurn * i / 2000, 1e-4 * std::cos(25 * 2 * std::numbers::pi * i / 2000)});
+  const TreadDeviation tread(polygon, treadRadius);
+  EXPECT_LT(tread.dipBefore() + tread.dipBehind(), treadTurn / 25);
   EXPECT_FALSE(tread.isLocal());
 }
 
 TEST(TreadDeviation, ComesAgainEveryTurn) {
-  const TreadDeviation tread(chordFlat(0.06), radius);
+  const TreadDeviation tread(chordFlat(0.06), treadRadius);
   const auto curve = tread.curveAt(0);
   for (const double angle : {-0.02, 0.0, 0.03, 1.0})
     for (const int turns : {-2, 1, 40})
       // 40 turns: an angle of 250 rad is known to 3e-14 rad; slope 0.09 times 0.46 m
-      EXPECT_NEAR(curve.at(angle + 2 * pi * turns).height, curve.at(angle).height, 1e-14);
+      EXPECT_NEAR(curve.at(angle + 2 * std::numbers::pi * turns).height, curve.at(angle).height, 1e-14);
 }
 
 // Goes through its points wherever the table begins, its slope is that of its heights, and it stays between them.
 TEST(TreadDeviation, TheCurveIsContinuousAllRound) {
   TreadShape shape;
-  for (int i = 0; i < 36; ++i) shape.points.push_back({turn * (i + 7) / 36, 1e-4 * std::sin(i * 1.7)});
-  const TreadDeviation tread(shape, radius);
+  for (int i = 0; i < 36; ++i) shape.points.push_back({treadTurn * (i + 7) / 36, 1e-4 * std::sin(i * 1.7)});
+  const TreadDeviation tread(shape, treadRadius);
   const auto curve = tread.curveAt(0);
   double deepest = 0;
   for (const auto& point : shape.points) deepest = std::min(deepest, point.height);
@@ -108,17 +110,17 @@ TEST(TreadDeviation, TheCurveIsContinuousAllRound) {
 TEST(TreadDeviation, IsRoundWhereTheTableEnds) {
   TreadShape shape;
   shape.points = {{0, 2e-5}, {0.03, -1e-3}, {0.06, 0}};
-  const auto curve = TreadDeviation(shape, radius).curveAt(0);
-  EXPECT_EQ(curve.at(0.031 / radius).height, 0);
-  EXPECT_EQ(curve.at(pi).height, 0);
-  EXPECT_NEAR(curve.at(-0.03 / radius).height, 2e-5, 1e-15);
-  EXPECT_EQ(curve.at(-0.0501 / radius).height, 0);  // runs out over 20 mm
+  const auto curve = TreadDeviation(shape, treadRadius).curveAt(0);
+  EXPECT_EQ(curve.at(0.031 / treadRadius).height, 0);
+  EXPECT_EQ(curve.at(std::numbers::pi).height, 0);
+  EXPECT_NEAR(curve.at(-0.03 / treadRadius).height, 2e-5, 1e-15);
+  EXPECT_EQ(curve.at(-0.0501 / treadRadius).height, 0);  // runs out over 20 mm
 }
 
 TEST(TreadDeviation, LinesSideBySide) {
   TreadShape shape;
   shape.lines = {{-0.01, {{0, 0}, {0.02, -1e-3}, {0.04, 0}}}, {0.01, {{0, 0}, {0.02, -4e-4}, {0.04, 0}}}};
-  const TreadDeviation tread(shape, radius);
+  const TreadDeviation tread(shape, treadRadius);
   EXPECT_DOUBLE_EQ(tread.curveAt(-0.01).at(0).height, -1e-3);
   EXPECT_DOUBLE_EQ(tread.curveAt(0.02).at(0).height, -4e-4);  // beyond: as the outermost
   EXPECT_NEAR(tread.curveAt(0).at(0).height, -7e-4, 1e-9);    // half way between two level ends
@@ -159,21 +161,21 @@ std::vector<CaseProblem> warningsOf(const TreadSettings& settings) {
 MATCHER_P2(Says, key, words, "") { return arg.key == key && arg.advice.find(words) != std::string::npos; }
 
 TEST(TreadFile, ReadsArcAngleAndLines) {
-  const auto arc = parseTreadLines("arc_length_mm,radial_deviation_mm\n0,0\n10,-0.5\n20,0\n", "x", radius);
+  const auto arc = parseTreadLines("arc_length_mm,radial_deviation_mm\n0,0\n10,-0.5\n20,0\n", "x", treadRadius);
   ASSERT_EQ(arc.size(), 1u);
   EXPECT_DOUBLE_EQ(arc[0].points[1].position, 0.010);
   EXPECT_DOUBLE_EQ(arc[0].points[1].height, -0.5e-3);
   for (const char* heading : {"angle [deg]; deviation [mm]", "angle_deg; deviation_mm", "angle (°); deviation (mm)"}) {
-    const auto lines = parseTreadLines(std::string(heading) + "\n-1; 0\n0; -0.5\n1; 0\n", "x", radius);
-    EXPECT_DOUBLE_EQ(lines[0].points[2].position, pi / 180 * radius) << heading;
+    const auto lines = parseTreadLines(std::string(heading) + "\n-1; 0\n0; -0.5\n1; 0\n", "x", treadRadius);
+    EXPECT_DOUBLE_EQ(lines[0].points[2].position, std::numbers::pi / 180 * treadRadius) << heading;
   }
   const auto lines =
-      parseTreadLines("angle [rad]; y = -10 mm [um]; y = 10 mm [um]\n0; 0; 0\n0.1; -100; -50\n", "x", radius);
+      parseTreadLines("angle [rad]; y = -10 mm [um]; y = 10 mm [um]\n0; 0; 0\n0.1; -100; -50\n", "x", treadRadius);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_DOUBLE_EQ(lines[1].lateral, 0.010);
-  EXPECT_DOUBLE_EQ(lines[1].points[1].position, 0.1 * radius);
+  EXPECT_DOUBLE_EQ(lines[1].points[1].position, 0.1 * treadRadius);
   EXPECT_DOUBLE_EQ(lines[1].points[1].height, -50e-6);
-  EXPECT_THROW(parseTreadLines("angle [deg]; deviation\n0; 0\n1; 0\n", "x", radius), FileError);
+  EXPECT_THROW(parseTreadLines("angle [deg]; deviation\n0; 0\n1; 0\n", "x", treadRadius), FileError);
 }
 
 TEST(TreadFile, IsReadIntoTheCaseAndStaysThere) {
@@ -220,7 +222,7 @@ TEST(TreadValidation, SaysWhatIsWrong) {
     std::string points;
     for (int i = 0; i <= 20; ++i)
       points += (points.empty() ? "[[" : ", [") + std::to_string(length * i / 20) + ", " +
-                std::to_string(-0.5 * depth * (1 - std::cos(2 * pi * i / 20))) + "]";
+                std::to_string(-0.5 * depth * (1 - std::cos(2 * std::numbers::pi * i / 20))) + "]";
     return points + "]";
   };
   const std::string flat = cosine(40, 0.9);

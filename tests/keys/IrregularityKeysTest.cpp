@@ -39,7 +39,7 @@ TEST(IrregularityKeys, SetLevelsAndWavelengths) {
   const auto one = scenarioWith(iso).irregularity,
              other = scenarioWith({{"rail.irregularity", "iso-3095"}, {"rail.irregularity_seed", "2"}}).irregularity;
   EXPECT_NE(one.height(0.05), other.height(0.05));
-  EXPECT_EQ(levelOf(one), levelOf(other));
+  EXPECT_NEAR(levelOf(one), levelOf(other), 1e-9);
 }
 
 std::string writtenFile(const char* name, const char* text) {
@@ -101,7 +101,7 @@ TEST(IrregularityKeys, ARunStartsQuietlyAndFollowsTheRail) {
   for (std::size_t i = 0; i < heights.size(); ++i) {
     // Patch, 7 mm, and delay of the filters keep what begins at 10 mm from the first 2 mm.
     if (rough.position[i] < -0.098) {
-      EXPECT_EQ(after[i], before[i]) << i;
+      EXPECT_NEAR(after[i], before[i], 2) << i;  // equilibrium is solved to some 1e-6 of the load
     }
     moved = std::max(moved, std::abs(heights[i]));
     disturbed = std::max(disturbed, std::abs(after[i] - before[i]));

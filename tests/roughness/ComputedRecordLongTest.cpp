@@ -39,6 +39,8 @@ cases::CaseDescription roughCase() {
                          {"tiny",
                           {{"mesh.contact_size", "5"},
                            {"mesh.rolling_size", "5"},
+                           {"mesh.section_size", "16"},
+                           {"mesh.wheel_sectors", "48"},
                            {"motion.run_up", "1"},
                            {"motion.beyond", "1.2"},
                            {"motion.speed", "20"},
@@ -62,7 +64,9 @@ TEST(RoughnessOfAComputedRecord, ComesBack) {
   ASSERT_TRUE(transfer.complete);
   const double rate = 1 / (result.time[1] - result.time[0]);
   GaugeOptions gauge;
-  gauge.shortest = 0.02, gauge.longest = 0.315, gauge.filter = ContactFilter::uniform;
+  // 250 to 800 Hz. Below, lateral creep, which the transfer function leaves out, is felt in the axle's bending; above,
+  // sleepers under the wheel change the response by 10 dB (pinned-pinned mode).
+  gauge.shortest = 0.025, gauge.longest = 0.08, gauge.filter = ContactFilter::uniform;
   gauge.stretch = 100, gauge.quietEnds = true;
   const auto found =
       roughnessOf({{0, 1 / rate, *result.signal("aba"), "aba", "m/s2"}, result.position}, transfer, gauge);
@@ -73,6 +77,7 @@ TEST(RoughnessOfAComputedRecord, ComesBack) {
     const double difference = found.levels[i].level - levelOfSquare(squares[i]);
     std::printf("%6.1f mm  %5.1f dB  %+.1f dB, track %.1f dB, pads %.1f dB\n", 1e3 * bands[i].middle,
                 levelOfSquare(squares[i]), difference, found.levels[i].track, found.levels[i].pads);
+    // Seen: 1.3 dB. Half the difference between over a sleeper and midspan is 0.8 to 5.3 dB here.
     EXPECT_LT(std::abs(difference), 2) << bands[i].middle;
   }
 }

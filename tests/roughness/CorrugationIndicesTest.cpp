@@ -8,15 +8,15 @@
 namespace squat::roughness {
 namespace {
 
-constexpr double spacing = 0.002;  // [m]
+constexpr double sampleSpacing = 0.002;  // [m]
 
 // Root mean square of a sine is A / sqrt 2, in every window of whole waves; windows of 5 upper limits hold 8 to 15
 // waves, and what is no whole wave is at most a quarter of a wave's square: 3 %.
 TEST(CorrugationIndices, OfASineStandInItsBand) {
   for (const auto& [wavelength, own] : {std::pair{0.018, 0}, {0.055, 1}, {0.17, 2}, {0.55, 3}}) {
     std::vector<double> heights;
-    for (int i = 0; i < 30000; ++i) heights.push_back(1e-5 * std::sin(2 * M_PI * i * spacing / wavelength));
-    const auto indices = corrugationIndices(heights, spacing);
+    for (int i = 0; i < 30000; ++i) heights.push_back(1e-5 * std::sin(2 * M_PI * i * sampleSpacing / wavelength));
+    const auto indices = corrugationIndices(heights, sampleSpacing);
     ASSERT_EQ(indices.size(), 4u);
     for (int b = 0; b < 4; ++b) {
       const auto& index = indices[static_cast<std::size_t>(b)];
@@ -32,10 +32,10 @@ TEST(CorrugationIndices, OfASineStandInItsBand) {
 TEST(CorrugationIndices, FindWhereItIsLargest) {
   std::vector<double> heights;
   for (int i = 0; i < 30000; ++i) {
-    const double x = i * spacing;
+    const double x = i * sampleSpacing;
     heights.push_back((x > 40 && x < 45 ? 5e-5 : 1e-6) * std::sin(2 * M_PI * x / 0.05));
   }
-  const auto index = corrugationIndices(heights, spacing)[1];
+  const auto index = corrugationIndices(heights, sampleSpacing)[1];
   EXPECT_NEAR(index.largest, 5e-5 / std::sqrt(2.0), 0.1e-5);
   EXPECT_GT(index.largestAt, 40);
   EXPECT_LT(index.largestAt, 45);
@@ -58,7 +58,7 @@ TEST(CorrugationBands, ShareWhatLiesAtTheirLimits) {
 TEST(CorrugationGauge, DoesNotReachAcrossAGap) {
   CorrugationGauge gauge(corrugationBands()[0]);
   for (int piece = 0; piece < 2; ++piece) {
-    for (int i = 0; i < 60; ++i) gauge.add(1e-6, spacing);  // 0.12 m, less than a window of 0.15 m
+    for (int i = 0; i < 60; ++i) gauge.add(1e-6, sampleSpacing);  // 0.12 m, less than a window of 0.15 m
     gauge.skip(0.1);
   }
   EXPECT_EQ(gauge.index().windows, 0u);

