@@ -42,11 +42,11 @@ class TreadContact : public testing::Test {
     }
   }
 
-  // The wheel as a rigid body, its axis `lowered` below and `ahead` of where it stands at x, turned as far as it rolled
+  // The wheel as a rigid body, its axis `sunk` below and `ahead` of where it stands at x, turned as far as it rolled
   // to there and by `turned` more. Displacements stay at rest: the reference of the axis is moved.
-  PatchState press(double x, double lowered, double turned = 0, double ahead = 0) {
+  PatchState press(double x, double sunk, double turned = 0, double ahead = 0) {
     WheelRolling wheel;
-    wheel.placement = {x + ahead, model_.wheelset.centreHeight - lowered,
+    wheel.placement = {x + ahead, model_.wheelset.centreHeight - sunk,
                        (x - model_.startX) / model_.surfaces.radius + turned, 0, 0};
     FrictionHistory history;
     history.traction.assign(2 * model_.surfaces.points(), 0.0);
@@ -65,18 +65,20 @@ class TreadContact : public testing::Test {
 // and by turning the wheel are the vertical force, the force along and less the moment. Tolerance 1 % of the largest:
 // points that close and open within the difference, and delta's own second order in the tilt, tilt^2 = 0.1 %.
 TEST_F(TreadContact, ForcesAndMomentAreTheDerivativesOfTheEnergy) {
-  constexpr double step = 1e-7;  // [m]
+  constexpr double difference = 1e-7;  // [m]
   const double radius = model_.surfaces.radius;
   double largestMoment = 0;
   for (const double x : {-0.030, -0.015, 0.012, 0.020}) {
     // So far down that the pressed wheel closes dozens of points: found by lowering it.
-    double lowered = 0;
-    while (press(x, lowered).vertical < 5e4) lowered += 1e-5;
-    const auto state = press(x, lowered);
-    const auto slope = [&](auto&& at) { return (at(step).storedEnergy - at(-step).storedEnergy) / (2 * step); };
-    const double down = slope([&](double s) { return press(x, lowered + s); });
-    const double along = slope([&](double s) { return press(x, lowered, 0, s); });
-    const double turning = slope([&](double s) { return press(x, lowered, s / radius); });
+    double sunk = 0;
+    while (press(x, sunk).vertical < 5e4) sunk += 1e-5;
+    const auto state = press(x, sunk);
+    const auto slope = [&](auto&& at) {
+      return (at(difference).storedEnergy - at(-difference).storedEnergy) / (2 * difference);
+    };
+    const double down = slope([&](double s) { return press(x, sunk + s); });
+    const double along = slope([&](double s) { return press(x, sunk, 0, s); });
+    const double turning = slope([&](double s) { return press(x, sunk, s / radius); });
     EXPECT_NEAR(state.vertical, down, 0.01 * down) << x;
     EXPECT_NEAR(state.longitudinal, along, 0.01 * down) << x;
     EXPECT_NEAR(state.rotationMoment, -turning * radius, 0.01 * down * 0.04) << x;
@@ -91,9 +93,9 @@ TEST_F(TreadContact, ForcesAndMomentAreTheDerivativesOfTheEnergy) {
 // sine of the angle of contact, 0.02 to 0.04.
 TEST_F(TreadContact, PlaneRailPushesUpwards) {
   for (const double x : {-0.025, -0.015, 0.015, 0.025}) {
-    double lowered = 0;
-    while (press(x, lowered).vertical < 5e4) lowered += 1e-5;
-    const auto state = press(x, lowered);
+    double sunk = 0;
+    while (press(x, sunk).vertical < 5e4) sunk += 1e-5;
+    const auto state = press(x, sunk);
     EXPECT_LT(std::abs(state.longitudinal), 3e-3 * state.vertical) << x;
   }
 }
@@ -106,10 +108,10 @@ TEST_F(TreadContact, TheGapHasTheDeviation) {
     const double d = std::abs(x) < 0.03 ? -0.3e-3 * (1 + std::cos(3.14159265358979 * x / 0.03)) : 0.0;
     expected = std::max(expected, d - x * x / (2 * radius));
   }
-  double lowered = 0;
-  while (press(0, lowered).points == 0) lowered += 1e-6;
+  double sunk = 0;
+  while (press(0, sunk).points == 0) sunk += 1e-6;
   // Contact points stand 1.2 mm apart: at 0.02 mm they miss x^2 / 2R = 1 um here; steps of 1 um.
-  EXPECT_NEAR(lowered, -expected, 4e-6);
+  EXPECT_NEAR(sunk, -expected, 4e-6);
 }
 
 }  // namespace
