@@ -155,11 +155,13 @@ void addFrequencies(CLI::App& command, ReceptanceCommandOptions& options) {
       {"receptance", receptance::ReceptanceQuantity::receptance},
       {"mobility", receptance::ReceptanceQuantity::mobility},
       {"accelerance", receptance::ReceptanceQuantity::accelerance}};
+  CLI::CheckedTransformer named(quantities);
+  named.description("");  // the help has the names in its own words
   command
       .add_option("--quantity", options.quantity,
                   "Displacement, velocity or acceleration over force: receptance (default), mobility or accelerance")
       ->type_name("NAME")
-      ->transform(CLI::CheckedTransformer(quantities));
+      ->transform(named);
 }
 
 }  // namespace

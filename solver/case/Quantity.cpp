@@ -65,6 +65,7 @@ constexpr std::array units{
     UnitRow{"\u03BCs", "s", -6},
     UnitRow{"m/s2", "m/s2", 0},
     UnitRow{"m/s\u00B2", "m/s2", 0},
+    UnitRow{"dB", "dB", 0},
     UnitRow{"Hz", "Hz", 0},
     UnitRow{"kHz", "Hz", 3},
     UnitRow{"-", "-", 0},

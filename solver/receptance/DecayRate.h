@@ -15,7 +15,7 @@ struct EndlessTrackOptions {
   double shapeTolerance = 5e-3;  // of the rail's section shapes (SectionShapes.h)
   int sleeperIntervals = 24;     // along a half sleeper, a multiple of 8
   StruckRails rails = StruckRails::one;
-  bool wholeSection = false;  // strike and read the mean of the section in place of the head's
+  bool wholeSection = false;  // as PeriodicTrack has it
   int threads = 0;            // 0: all cores
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace squat::receptance {
@@ -37,6 +38,13 @@ PeriodicTrack::Local PeriodicTrack::localOf(const RailPlace& place) const {
 VectorXd PeriodicTrack::reading(const Local& place) const {
   const auto direction = static_cast<RailDirection>(place.direction);
   if (wholeSection_ && direction == RailDirection::vertical) return cell_.sectionMean(place.position);
+  return cell_.headMean(place.position, direction);
+}
+
+VectorXd PeriodicTrack::loading(const Local& place) const {
+  constexpr double square = 0.010;  // [m] of the running surface, as on a track of finite length (Receptance.h)
+  const auto direction = static_cast<RailDirection>(place.direction);
+  if (wholeSection_ && direction == RailDirection::vertical) return cell_.load(place.position, square);
   return cell_.headMean(place.position, direction);
 }
 
@@ -101,22 +109,22 @@ class MovedCells {
 
 std::vector<std::vector<std::complex<double>>> PeriodicTrack::response(double omega,
                                                                        const std::vector<PlaceResponse>& wanted) const {
-  // One vector for every place that differs from the others within its cell.
-  std::map<std::pair<long, int>, Index> columns;  // by position to the micrometre, and direction
+  // One vector for every place that differs from the others within its cell, and for what is struck.
+  std::map<std::tuple<long, int, bool>, Index> columns;  // by position to the micrometre, direction, struck
   MatrixXd vectors(cell_.groups().unknowns(), 0);
-  const auto columnOf = [&](const RailPlace& place) {
+  const auto columnOf = [&](const RailPlace& place, bool struck) {
     const Local local = localOf(place);
-    const auto [entry, fresh] =
-        columns.try_emplace({std::lround(1e6 * local.position), local.direction}, static_cast<Index>(columns.size()));
+    const auto [entry, fresh] = columns.try_emplace({std::lround(1e6 * local.position), local.direction, struck},
+                                                    static_cast<Index>(columns.size()));
     if (fresh) {
       vectors.conservativeResize(Eigen::NoChange, entry->second + 1);
-      vectors.col(entry->second) = reading(local);
+      vectors.col(entry->second) = struck ? loading(local) : reading(local);
     }
     return entry->second;
   };
   for (const auto& one : wanted) {
-    columnOf(one.struck);
-    for (const auto& place : one.read) columnOf(place);
+    columnOf(one.struck, true);
+    for (const auto& place : one.read) columnOf(place, false);
   }
   const auto cell = stiffness_.condense(omega, vectors);
   const Index n = cell.stiffness.rows() / 2;
@@ -126,11 +134,11 @@ std::vector<std::vector<std::complex<double>>> PeriodicTrack::response(double om
   const Eigen::PartialPivLU<MatrixXcd> solver(loaded);
   std::vector<std::vector<std::complex<double>>> answers;
   for (const auto& one : wanted) {
-    const Index load = columnOf(one.struck);
+    const Index load = columnOf(one.struck, true);
     MovedCells moved(cell.stiffness, halves, solver.solve(cell.loads.col(load)));
     auto& row = answers.emplace_back();
     for (const auto& place : one.read) {
-      const Index column = columnOf(place);
+      const Index column = columnOf(place, false);
       const int away = localOf(place).cell - localOf(one.struck).cell;
       const std::complex<double> own = away == 0 ? cell.between(column, load) : 0;
       row.push_back(own + cell.loads.col(column).cwiseProduct(moved[away]).sum());

@@ -27,8 +27,8 @@ struct PlaceResponse {
 
 class PeriodicTrack {
  public:
-  // A system of model::buildTrackCell(); its rail head is struck and read (TrackSystem::headMean), or its whole section
-  // is read and struck where `wholeSection`.
+  // A system of model::buildTrackCell(); its rail head is struck and read (TrackSystem::headMean), or, where
+  // `wholeSection`, downwards a square of the running surface struck and the whole section read (Receptance.h).
   PeriodicTrack(const TrackSystem& cell, double bay, bool wholeSection = false);
 
   // Receptance [m/N] of each place that is read, one row an element of `wanted`. Safe to call from several threads.
@@ -41,6 +41,7 @@ class PeriodicTrack {
   };
   Local localOf(const RailPlace& place) const;
   Eigen::VectorXd reading(const Local& place) const;
+  Eigen::VectorXd loading(const Local& place) const;
 
   const TrackSystem& cell_;
   double bay_;

@@ -4,8 +4,8 @@
 // midspan near the middle of the track, or at other places. Vertical force spread over 10 x 10 mm of the running
 // surface, response the mean displacement of the section: what a beam theory can be compared with; sideways both are
 // those of the head. Pads, ballast, absorbing ends and loss factors damp; the material's own damping of the rolling
-// run, some 1e-4 of critical at 1 kHz by default, is left out. On an endless track (PeriodicTrack.h) the vertical force
-// is spread over the section, and frequencies stand in equal ratios.
+// run, some 1e-4 of critical at 1 kHz by default, is left out. On an endless track (PeriodicTrack.h) frequencies stand
+// in equal ratios.
 #pragma once
 
 #include <complex>

@@ -197,6 +197,7 @@ TEST(CaseHash, StandsForWhatThePhysicsSees) {
     if (parameter.key == "pad.preload") setValue(plain, "pad.curve", "[[0, 0], [0.1, 20]]");
     if (parameter.key == "sleeper.middle_half_length") setValue(plain, "sleeper.middle_height", "0.1");
     if (parameter.key.rfind("wheelset.brake_disc_", 0) == 0) setValue(plain, "wheelset.brake_discs", "1");
+    if (parameter.key.rfind("rail.irregularity_", 0) == 0) setValue(plain, "rail.irregularity", "iso-3095");
     if (parameter.key == "defect.filter_width") setValue(plain, "defect.filter", "median");
     CaseDescription changed = plain;
     setValue(changed, parameter.key,

@@ -90,7 +90,7 @@ studies::StudyTable severity() {
 // Two masses on springs, each by itself, and three modes.
 receptance::TrackReceptance oneMassTrack() {
   receptance::TrackReceptance track;
-  track.points = {{"over a sleeper", 0, {}}, {"midspan", -0.3, {}}};
+  track.points = {{{"over a sleeper", 0, 0}, {}}, {{"midspan", -0.3, -0.3}, {}}};
   for (double f = 50; f <= 2000; f += 2) track.frequency.push_back(f);
   const double natural[] = {530, 1020};  // [Hz]
   for (std::size_t p = 0; p < 2; ++p)

@@ -65,6 +65,7 @@ TEST(EndlessTrack, IsTheMiddleOfALongOne) {
                                {"track.rail_ends", "absorbing"},
                                {"pad.loss_factor", "0.3"},
                                {"rail.loss_factor", "0.05"},
+                               {"sleeper.loss_factor", "0.2"},
                                {"ballast.loss_factor", "1"}});
   ReceptanceOptions options;
   options.lowest = 200, options.highest = 700, options.wheelset = false;
@@ -73,6 +74,7 @@ TEST(EndlessTrack, IsTheMiddleOfALongOne) {
   const auto whole = trackReceptance(scenario, options, quiet);
   EndlessTrackOptions endless;
   endless.rails = StruckRails::both, endless.wholeSection = true, endless.shapeTolerance = 2e-2;
+  endless.sleeperIntervals = 32;  // as there
   const auto response =
       endlessTrackResponse(scenario, whole.frequency, {{{0}, {{0}}}, {{-0.3}, {{-0.3}}}}, endless, quiet);
   for (std::size_t p = 0; p < 2; ++p)

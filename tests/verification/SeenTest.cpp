@@ -9,6 +9,7 @@
 #include <set>
 
 #include "arch/Page.h"
+#include "text/Text.h"
 
 namespace squat::verification {
 namespace {
@@ -47,7 +48,8 @@ std::vector<std::string> cellsOf(const std::string& line) {
   std::vector<std::string> cells;
   for (std::size_t from = 1; from < line.size();) {
     const auto to = std::min(line.find('|', from), line.size());
-    cells.push_back(line.substr(from + 1, to - from - 2));
+    const auto cell = text::trimmed(std::string_view(line).substr(from, to - from));
+    cells.emplace_back(cell);
     from = to + 1;
   }
   return cells;

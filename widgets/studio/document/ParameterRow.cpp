@@ -80,7 +80,7 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   grid->addWidget(why_, 2, 0, 1, 4);
   grid->setColumnStretch(0, wide ? 1 : 5);
   grid->setColumnStretch(1, wide ? 6 : 4);
-  name_->setMinimumWidth(wide ? 40 : 120);
+  name_->setMinimumWidth(wide ? name_->sizeHint().width() : 120);
   name_->setWordWrap(!wide);  // long names take a second line, not the room of the whole form
   connect(reset_, &QToolButton::clicked, this, [this] {
     dropRefused();

@@ -96,20 +96,20 @@ ReceptanceForm::ReceptanceForm(QWidget* parent)
   endless_->setObjectName("endless");
   measured_->setObjectName("measured");
   measured_->setAccessibleName(tr("Measured decay rates"));
-  measured_->setPlaceholderText(tr("none"));
-  auto* browse = new QPushButton(tr("Choose…"), this);
+  measured_->setPlaceholderText(tr("measured decay rates"));
+  auto* browse = new QPushButton(tr("&Measured…"), this);
   connect(browse, &QPushButton::clicked, this, &ReceptanceForm::chooseMeasured);
   auto* struck = new QHBoxLayout;
   for (auto* box : {lateral_, oneRail_, endless_}) struck->addWidget(box);
   struck->addStretch(1);
   auto* beside = new QHBoxLayout;
+  beside->addWidget(quantity_);
   beside->addWidget(measured_, 1);
   beside->addWidget(browse);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addRow(tr("Compute:"), quantity_);
+  layout->addRow(tr("Compute:"), beside);
   layout->addRow(tr("Strike:"), struck);
-  layout->addRow(tr("Measured:"), beside);
   // Decay rates are those of one rail of an endless track, in both directions.
   const auto show = [this, browse](int chosen) {
     const bool decay = chosen == decayRates;
