@@ -23,7 +23,8 @@ class RandomWheelsets {
  public:
   explicit RandomWheelsets(unsigned long seed) : random_(seed) {
     for (const auto& parameter : cases::parameterTable())
-      if (parameter.group == "wheelset" && parameter.kind == cases::Kind::number && (parameter.unit == "mm" || parameter.unit == "m"))
+      if (parameter.group == "wheelset" && parameter.kind == cases::Kind::number &&
+          (parameter.unit == "mm" || parameter.unit == "m"))
         lengths_.push_back(&parameter);
   }
 

