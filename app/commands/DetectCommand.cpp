@@ -216,9 +216,12 @@ void addDetectCommand(CLI::App& program, Action& action) {
                                      "The files are one ride, in the order of their numbers, else as given")
                           ->excludes(partition);
   command->add_flag("--passes", options->passes, "Every file is a pass by itself")->excludes(consecutive);
-  command->add_flag("--collect", options->collect, "Search no record: judge and combine what all parts have found")
-      ->excludes(partition);
+  auto* collect =
+      command->add_flag("--collect", options->collect, "Search no record: judge and combine what all parts have found")
+          ->excludes(partition);
   addRoughnessOptions(*command, options->roughness);
+  // Of whole records only: a part keeps candidates, from which no roughness follows.
+  command->get_option("--roughness")->excludes(partition)->excludes(collect);
   addFigureOptions(*command, options->figures);
   command->add_flag("--json", options->json, "Print the list as JSON");
   options->caseOptions.mesh = "tiny";

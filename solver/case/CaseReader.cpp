@@ -328,11 +328,19 @@ CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& ove
   return readCase(findCase(nameOrPath), overrides);
 }
 
+std::vector<std::string*> tableFilesOf(CaseDescription& description) {
+  return {&description.defect.file, &description.tread.file, &description.rail.irregularity.file};
+}
+
 std::vector<std::string> filesOfCase(const std::string& nameOrPath, const CaseDescription& description) {
   const auto file = findCase(nameOrPath);
   std::vector<std::string> files{file.string()};
-  for (const auto& table : {description.defect.file, description.tread.file})
+  const auto add = [&](const std::string& table) {
     if (!table.empty()) files.insert(files.end(), {(file.parent_path() / table).string(), table});
+  };
+  auto named = description;
+  for (const auto* table : tableFilesOf(named)) add(*table);
+  add(description.pad.dynamicFile);
   return files;
 }
 

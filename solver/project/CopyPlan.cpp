@@ -32,6 +32,16 @@ fs::path numbered(const std::string& kind, int number) {
   return number == 1 ? fs::path(kind) : fs::path(kind) / std::to_string(number);
 }
 
+// The table that has this name in a case gets another; false: none has.
+bool renameTable(cases::CaseDescription& description, const std::string& from, const std::string& to) {
+  for (auto* table : cases::tableFilesOf(description))
+    if (*table == from) {
+      *table = to;
+      return true;
+    }
+  return false;
+}
+
 // The text of a case with `profile`, which it names by a full path, named `name` instead; empty where that path is not
 // written plainly.
 std::string renamedProfile(const std::string& path, const std::string& profile, const std::string& name) {
@@ -43,10 +53,8 @@ std::string renamedProfile(const std::string& path, const std::string& profile, 
     const auto at = text.find(written);
     if (at == std::string::npos) continue;
     text.replace(at, written.size(), quote + name + quote);
-    const auto after = cases::parseCase(text, path, fs::path(profile).parent_path());
-    return (after.defect.file == name || after.tread.file == name) && cases::caseHash(after) == cases::caseHash(before)
-               ? text
-               : std::string();
+    auto after = cases::parseCase(text, path, fs::path(profile).parent_path());
+    return renameTable(after, name, name) && cases::caseHash(after) == cases::caseHash(before) ? text : std::string();
   }
   return {};
 }
@@ -102,8 +110,9 @@ class Planner {
     std::vector<fs::path> beside;  // tables that the case names by a path relative to its own
     std::string full;              // and the one by a full path
     try {
-      const auto description = cases::readCase(path);
-      for (const auto& table : {description.defect.file, description.tread.file}) {
+      auto description = cases::readCase(path);
+      for (const auto* named : cases::tableFilesOf(description)) {
+        const auto& table = *named;
         const fs::path at = (fs::path(path).parent_path() / table).lexically_normal();
         if (table.empty() || !isReadable(at)) continue;  // the case has the points of the table itself
         if (fs::path(table).is_relative())
@@ -146,10 +155,7 @@ class Planner {
     }
     if (path == plan_.project.open.path) {
       auto open = cases::parseUnfinishedCase(plan_.project.open.toml, plan_.project.open.name);
-      if (open.defect.file == profile || open.tread.file == profile) {
-        (open.defect.file == profile ? open.defect.file : open.tread.file) = name;
-        plan_.project.open.toml = cases::writeCase(open);
-      }
+      if (renameTable(open, profile, name)) plan_.project.open.toml = cases::writeCase(open);
     }
     for (int number = 1;; ++number) {
       const fs::path to = numbered("cases", number);
