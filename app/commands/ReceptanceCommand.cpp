@@ -189,7 +189,11 @@ void addReceptanceCommand(CLI::App& program, Action& action) {
       ->excludes(decay);
   addThreads(*command, options->receptance.threads);
   addFigureOptions(*command, options->figures);
-  command->callback([options, &action] { action = [options] { return computeReceptance(*options); }; });
+  command->callback([options, &action] {
+    if (!(options->receptance.lowest < options->receptance.highest))
+      throw CLI::ValidationError("--to", "must be above --from");
+    action = [options] { return computeReceptance(*options); };
+  });
 }
 
 }  // namespace squat::commands
