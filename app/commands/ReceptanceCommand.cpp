@@ -17,7 +17,7 @@
 #include "receptance/DecayFiles.h"
 #include "receptance/ReceptanceFiles.h"
 #include "receptance/ReceptanceSummary.h"
-#include "text/Units.h"
+#include "text/Numbers.h"
 
 namespace squat::commands {
 
@@ -41,10 +41,10 @@ std::vector<receptance::ReceptancePlace> placesOf(const ReceptanceCommandOptions
   const std::string way = options.lateral ? "lateral, " : "";
   std::vector<receptance::ReceptancePlace> places;
   for (const double x : options.at) {
-    const auto position = text::roundedText(x, "m");
+    const auto position = text::numberText(x) + " m";
     if (options.between)
-      places.push_back({way + "at " + position + " struck at " + text::roundedText(options.struck, "m"), options.struck,
-                        x, direction});
+      places.push_back({way + "at " + position + " struck at " + text::numberText(options.struck) + " m",
+                        options.struck, x, direction});
     else
       places.push_back({way + "at " + position, x, x, direction});
   }
@@ -135,7 +135,7 @@ void addPlaces(CLI::App& command, ReceptanceCommandOptions& options) {
   command.add_flag("--one-rail", options.oneRail,
                    "Strike one rail, as a hammer does (default: both alike, as in a rolling run)");
   command.add_flag("--endless", options.receptance.endless,
-                   "Take an endless track of equal bays in place of the case's length, whose ends throw waves back");
+                   "Take an endless track of equal bays in place of the case's length, whose ends reflect waves");
 }
 
 void addFrequencies(CLI::App& command, ReceptanceCommandOptions& options) {
@@ -183,10 +183,16 @@ void addReceptanceCommand(CLI::App& program, Action& action) {
                    "With --decay: table of measured decay rates to stand beside the computed ones")
       ->type_name("FILE")
       ->needs(decay);
-  command
-      ->add_flag("--sleeper", options->sleeper,
-                 "Compute the receptance of a sleeper by itself on its ballast at the rail seat instead")
-      ->excludes(decay);
+  auto* sleeper =
+      command
+          ->add_flag("--sleeper", options->sleeper,
+                     "Compute the receptance of a sleeper by itself on its ballast at the rail seat instead")
+          ->excludes(decay);
+  // What has no effect is refused.
+  for (const char* name : {"--at", "--struck", "--lateral", "--endless", "--step"})
+    command->get_option(name)->excludes(decay)->excludes(sleeper);
+  for (const char* name : {"--one-rail", "--from", "--to", "--quantity"}) command->get_option(name)->excludes(decay);
+  command->get_option("--step")->excludes(command->get_option("--endless"));
   addThreads(*command, options->receptance.threads);
   addFigureOptions(*command, options->figures);
   command->callback([options, &action] {

@@ -10,12 +10,13 @@
 namespace squat::cases {
 
 bool countsBeforeDefect(const Parameter& parameter) {
-  constexpr std::array<std::string_view, 10> others = {"title",
+  constexpr std::array<std::string_view, 11> others = {"title",
                                                        "note",
                                                        "wheelset.tread_deviation",
                                                        "wheelset.preset",
                                                        "track.preset",
                                                        "rail.irregularity_file",
+                                                       "pad.dynamic",
                                                        "mesh.zone_before",
                                                        "mesh.zone_behind",
                                                        "output.filter_cutoff",

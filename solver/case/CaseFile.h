@@ -45,9 +45,6 @@ CaseDescription parseCaseOfResult(std::string_view text, const std::string& orig
 // A path to a case file, or the name of a shipped case ("light-defect").
 CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& overrides = {});
 
-// Where a description keeps the names of tables whose numbers it holds as well: profile, tread, irregularity.
-std::vector<std::string*> tableFilesOf(CaseDescription& description);
-
 // The files that a case is read from: its own, and the tables that it names, which are looked for beside the case, or
 // here where --set names them.
 std::vector<std::string> filesOfCase(const std::string& nameOrPath, const CaseDescription& description);

@@ -10,6 +10,7 @@
 #include "case/DecimalNumber.h"
 #include "case/InputPresets.h"
 #include "case/MeshPresets.h"
+#include "case/NamedTables.h"
 #include "case/ParameterValue.h"
 
 namespace squat::cases {
@@ -65,6 +66,8 @@ ComparedValue comparedValue(const CaseDescription& description, const Parameter&
   if (isEmptyList(description, parameter)) return {};
   const auto& defect = description.defect;
   const auto& tread = description.tread;
+  const auto& rail = description.rail.irregularity;
+  if (parameter.group == "rail") return {text, "rail " + extentOf(rail.file, rail.points, {})};
   return {text, parameter.group == "defect" ? extentOf(defect.file, defect.points, defect.lines)
                                             : "tread " + extentOf(tread.file, tread.points, tread.lines)};
 }

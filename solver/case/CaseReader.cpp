@@ -5,12 +5,10 @@
 #include "case/CaseFile.h"
 #include "case/CaseStatements.h"
 #include "case/InputPresets.h"
-#include "case/LevelsText.h"
 #include "case/MeshPresets.h"
+#include "case/NamedTables.h"
 #include "case/ParameterValue.h"
-#include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
-#include "case/TreadFile.h"
 #include "case/Validation.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -20,7 +18,6 @@ namespace squat::cases {
 namespace {
 
 constexpr std::size_t largestCaseFile = 4'000'000;  // bytes; toml++ takes about fifty times that in memory at worst
-constexpr std::size_t largestHeightsFile = 200'000'000;
 constexpr std::size_t maximumProblems = 50;
 
 std::string lineNote(std::size_t line) { return line == 0 ? "" : " (line " + std::to_string(line) + ")"; }
@@ -198,85 +195,29 @@ void checkProfileIsUsed(const CaseDescription& description, const std::vector<St
   }
 }
 
-// Points in the case override the file; a file given by --set overrides points of the case.
-void readProfile(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
-                 Problems& problems) {
-  Defect& defect = description.defect;
-  if (defect.shape != DefectShape::profile || defect.file.empty()) return;
-  const bool fileSet = overrideOf(overrides, "defect.file") != nullptr;
-  const bool sampledSet = overrideOf(overrides, "defect.points") || overrideOf(overrides, "defect.lines");
-  if (!(defect.points.empty() && defect.lines.empty()) && !(fileSet && !sampledSet)) return;
-  const std::filesystem::path named = defect.file;
-  // What is typed on the command line is relative to where it is typed.
-  const auto path = named.is_absolute() || fileSet ? named : folder / named;
-  try {
-    auto profile = readProfileLines(path, defect);
-    defect.points.clear(), defect.lines.clear();
-    if (profile.size() == 1)
-      defect.points = std::move(profile.front().points);
-    else
-      defect.lines = std::move(profile);
-  } catch (const FileError&) {
-    if (problems.empty()) throw;
-    problems.throwIfAny();  // errors of the case first: the file may be one of them
-  }
-}
-
-// It is opened by who needs it, from wherever the program then is.
-void placeDynamicPads(CaseDescription& description, const CaseOverrides& overrides,
-                      const std::filesystem::path& folder) {
-  auto& file = description.pad.dynamicFile;
-  if (file.empty() || folder.empty() || std::filesystem::path(file).is_absolute()) return;
-  const bool typed = overrideOf(overrides, "pad.dynamic") != nullptr;
-  file =
-      (typed ? std::filesystem::absolute(file) : std::filesystem::absolute(folder / file)).lexically_normal().string();
-}
-
-// The same of the wheel's tread.
-void readTread(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
-               Problems& problems) {
-  TreadShape& tread = description.tread;
-  if (tread.file.empty()) return;
-  const bool fileSet = overrideOf(overrides, "wheelset.tread_deviation") != nullptr;
-  const bool sampledSet =
-      overrideOf(overrides, "wheelset.tread_points") || overrideOf(overrides, "wheelset.tread_lines");
-  if (!tread.isRound() && !(fileSet && !sampledSet)) return;
-  const std::filesystem::path named = tread.file;
-  try {
-    const auto path = named.is_absolute() || fileSet ? named : folder / named;
-    setTread(tread, readTreadLines(path, description.wheelset.radius));
-  } catch (const FileError&) {
-    if (problems.empty()) throw;
-    problems.throwIfAny();
-  }
-}
-
-// The same of an irregularity: heights or levels, as its kind asks for.
-void readIrregularity(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
-                      Problems& problems) {
-  Irregularity& rail = description.rail.irregularity;
-  const bool heights = rail.kind == IrregularityKind::heights;
-  if (rail.file.empty() || !(heights || rail.kind == IrregularityKind::spectrum)) return;
-  const bool fileSet = overrideOf(overrides, "rail.irregularity_file") != nullptr;
-  const bool valuesSet = overrideOf(overrides, heights ? "rail.irregularity_points" : "rail.irregularity_levels");
-  const bool given = heights ? !rail.points.empty() : !rail.levels.empty();
-  if (given && !(fileSet && !valuesSet)) return;
-  const std::filesystem::path named = rail.file;
-  const auto path = named.is_absolute() || fileSet ? named : folder / named;
-  try {
-    if (heights)
-      rail.points = parseProfile(readWholeFile(path.string(), largestHeightsFile), path.string());
-    else
-      rail.levels = formatLevels(readLevels(path));
-  } catch (const FileError&) {
-    if (problems.empty()) throw;
-    problems.throwIfAny();
+// Numbers in the case override the file; a file given by --set overrides numbers of the case.
+void readNamedTables(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
+                     Problems& problems) {
+  for (const auto& table : namedTables()) {
+    if (!table.isWanted(description)) continue;
+    const bool fileSet = overrideOf(overrides, table.fileKey) != nullptr;
+    const bool valuesSet = std::any_of(table.valueKeys.begin(), table.valueKeys.end(),
+                                       [&](const auto& key) { return overrideOf(overrides, key) != nullptr; });
+    if (table.isFilled(description) && (!fileSet || valuesSet)) continue;
+    const std::filesystem::path named = table.file(description);
+    try {
+      // What is typed on the command line is relative to where it is typed.
+      table.read(description, named.is_absolute() || fileSet ? named : folder / named);
+    } catch (const FileError&) {
+      if (problems.empty()) throw;
+      problems.throwIfAny();  // errors of the case first: the file may be one of them
+    }
   }
 }
 
 struct Reading {
   bool finished = true;    // relations between values hold
-  bool opensFiles = true;  // of presets; a profile is opened where the case names one
+  bool opensFiles = true;  // of presets, and tables that the case names
 };
 
 CaseDescription parse(std::string_view text, const std::string& origin, const std::filesystem::path& folder,
@@ -292,10 +233,7 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   applyStated(description, stated, presets, problems);
   applyOverrides(description, overrides, problems);
   if (reading.finished) checkProfileIsUsed(description, stated, overrides, problems);
-  readProfile(description, overrides, folder, problems);
-  placeDynamicPads(description, overrides, folder);
-  readTread(description, overrides, folder, problems);
-  if (reading.opensFiles) readIrregularity(description, overrides, folder, problems);
+  if (reading.opensFiles) readNamedTables(description, overrides, folder, problems);
   for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
       const Stated* one = find(stated, finding.problem.key);
@@ -317,7 +255,9 @@ CaseDescription parseUnfinishedCase(std::string_view text, const std::string& or
 }
 
 CaseDescription parseCaseOfResult(std::string_view text, const std::string& origin) {
-  return parse(text, origin, {}, {{}, {{"defect.file", ""}, {"wheelset.tread_deviation", ""}}}, {true, false});
+  CaseOverrides unnamed;  // a result holds the numbers; where they are from may be gone
+  for (const auto& table : namedTables()) unnamed.values.emplace_back(table.fileKey, "");
+  return parse(text, origin, {}, unnamed, {true, false});
 }
 
 CaseDescription readCase(const std::filesystem::path& path, const CaseOverrides& overrides) {
@@ -328,19 +268,13 @@ CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& ove
   return readCase(findCase(nameOrPath), overrides);
 }
 
-std::vector<std::string*> tableFilesOf(CaseDescription& description) {
-  return {&description.defect.file, &description.tread.file, &description.rail.irregularity.file};
-}
-
 std::vector<std::string> filesOfCase(const std::string& nameOrPath, const CaseDescription& description) {
   const auto file = findCase(nameOrPath);
   std::vector<std::string> files{file.string()};
-  const auto add = [&](const std::string& table) {
-    if (!table.empty()) files.insert(files.end(), {(file.parent_path() / table).string(), table});
-  };
   auto named = description;
-  for (const auto* table : tableFilesOf(named)) add(*table);
-  add(description.pad.dynamicFile);
+  for (const auto& table : namedTables())
+    if (const auto& path = table.file(named); !path.empty())
+      files.insert(files.end(), {(file.parent_path() / path).string(), path});
   return files;
 }
 

@@ -14,6 +14,7 @@ void checkDefect(const CaseDescription& description, std::vector<Finding>& findi
 void checkMeasuredProfile(const CaseDescription& description, std::vector<Finding>& findings);
 void checkTread(const CaseDescription& description, std::vector<Finding>& findings);
 void checkIrregularity(const CaseDescription& description, std::vector<Finding>& findings);
+void checkLosses(const CaseDescription& description, std::vector<Finding>& findings);
 void checkSeat(const CaseDescription& description, std::vector<Finding>& findings);
 void checkMesh(const CaseDescription& description, std::vector<Finding>& findings);
 void checkTraction(const CaseDescription& description, std::vector<Finding>& findings);

@@ -3,6 +3,7 @@
 
 #include "case/CaseFile.h"
 #include "case/InputPresets.h"
+#include "case/NamedTables.h"
 #include "case/ParameterValue.h"
 #include "case/ShortHash.h"
 #include "core/DurableFile.h"
@@ -73,7 +74,7 @@ constexpr LaterKey laterKeys[] = {
     {"track.seats", "track.seats"},
     {"rail.loss_factor", "rail.loss_factor"},
     {"pad.loss_factor", "pad.loss_factor"},
-    {"pad.dynamic", "pad.dynamic"},
+    {"pad.dynamic_values", "pad.dynamic_values"},
     {"sleeper.loss_factor", "sleeper.loss_factor"},
     {"sleeper.fixed", "sleeper.fixed"},
     {"ballast.loss_factor", "ballast.loss_factor"},

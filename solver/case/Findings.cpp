@@ -40,7 +40,9 @@ std::string limitText(const std::string& key, const char* relation, double limit
 void add(std::vector<Finding>& findings, const CaseDescription& description, Severity severity, Keys keys,
          std::string allowed, std::string advice) {
   const Parameter& parameter = *findParameter(keys.front());
-  const std::string value = isList(parameter) ? "" : withUnit(valueText(description, parameter), parameter);
+  constexpr std::size_t shownAtMost = 60;  // signs of a table as text
+  std::string value = isList(parameter) ? "" : withUnit(valueText(description, parameter), parameter);
+  if (value.size() > shownAtMost) value = value.substr(0, shownAtMost) + "...";
   findings.push_back({severity, {keys.front(), value, std::move(allowed), std::move(advice)}, std::move(keys)});
 }
 

@@ -1,12 +1,11 @@
 // Relations between the keys of an irregular rail and those of run and mesh.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
 #include "case/CaseRelations.h"
 #include "case/Findings.h"
 #include "case/LevelsText.h"
-#include "case/ParameterValue.h"
 #include "case/Resolve.h"
 
 namespace squat::cases::relations {
@@ -14,12 +13,6 @@ namespace squat::cases::relations {
 namespace {
 
 constexpr double elementsInWave = 4;  // with two contact points each: eight points a wave
-
-std::string fourDigits(double value, const char* unit) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4g %s", value, unit);
-  return text;
-}
 
 class IrregularityChecks {
  public:
@@ -35,13 +28,8 @@ class IrregularityChecks {
   }
 
  private:
-  void add(Severity severity, std::vector<std::string> keys, std::string allowed, std::string advice) {
-    const Parameter& parameter = *findParameter(keys.front());
-    std::string value = isList(parameter) ? "" : valueText(case_, parameter);
-    if (value.size() > 60) value = value.substr(0, 60) + "...";
-    if (!value.empty() && !parameter.unit.empty() && parameter.unit != "-") value += " " + parameter.unit;
-    findings_.push_back(
-        {severity, {keys.front(), std::move(value), std::move(allowed), std::move(advice)}, std::move(keys)});
+  void add(Severity severity, Keys keys, std::string allowed, std::string advice) {
+    relations::add(findings_, case_, severity, std::move(keys), std::move(allowed), std::move(advice));
   }
 
   double longestElement() const { return std::max(case_.mesh.contactSize, case_.mesh.rollingSize); }
@@ -91,9 +79,9 @@ class IrregularityChecks {
     const double size = longestElement();
     if (wavelength >= elementsInWave * size * (1 - 1e-9)) return;
     add(Severity::warning, std::move(keys), "at least " + millimetres(elementsInWave * size),
-        "Elements of " + millimetres(size) + " are too coarse for the shortest waves, " +
-            fourDigits(wavelength / size, "elements a wave, where ") + fourDigits(elementsInWave, "are needed") +
-            ": refine mesh.rolling_size or leave shorter waves out");
+        "Elements of " + millimetres(size) + " are too coarse for the shortest waves, " + rounded(wavelength / size) +
+            " elements a wave, where " + rounded(elementsInWave) +
+            " are needed: refine mesh.rolling_size or leave shorter waves out");
   }
 
   void checkHeights() {
@@ -107,8 +95,8 @@ class IrregularityChecks {
     const double from = -case_.motion.runUp, to = case_.motion.beyond;
     const std::vector<std::string> keys{"rail.irregularity_position", "rail.irregularity_points",
                                         "rail.irregularity_file", "motion.run_up", "motion.beyond"};
-    const std::string rolled = fourDigits(from, "to ") + fourDigits(to, "m"),
-                      there = fourDigits(first, "to ") + fourDigits(last, "m");
+    const std::string rolled = rounded(from) + " to " + rounded(to) + " m",
+                      there = rounded(first) + " to " + rounded(last) + " m";
     if (last <= from || first >= to)
       add(Severity::problem, keys, "such that the heights lie where the wheel rolls, " + rolled,
           "They lie at " + there + ": set it to the position among the heights that lies at x = 0");
@@ -119,7 +107,7 @@ class IrregularityChecks {
     constexpr double steepestPossible = 0.5;
     if (steepest > steepestPossible)
       add(Severity::problem, {"rail.irregularity_points", "rail.irregularity_file"}, "slopes up to 0.5",
-          "The heights are too steep (slope " + fourDigits(steepest, ")") + ": check their unit");
+          "The heights are too steep (slope " + rounded(steepest) + "): check their unit");
     // Between two contact points of an element, finer heights would be skipped.
     const double spacing = (points.back().position - points.front().position) / static_cast<double>(points.size() - 1);
     if (spacing < 0.25 * longestElement())

@@ -67,12 +67,6 @@ inline bool isList(const Parameter& parameter) {
   return parameter.kind == Kind::points || parameter.kind == Kind::lines;
 }
 
-// The file that a table of points or lines was read from: the table counts, not its file.
-inline bool namesTable(const Parameter& parameter) {
-  return parameter.key == "defect.file" || parameter.key == "wheelset.tread_deviation" ||
-         parameter.key == "rail.irregularity_file";
-}
-
 // The default of a parameter as text; of a list, an empty list.
 inline std::string defaultTextOf(const Parameter& parameter) {
   return isList(parameter) ? "[]" : parameter.defaultText;

@@ -179,9 +179,13 @@ void addPad(Rows& rows) {
   rows.push_back(text(
       "pad.dynamic", [](Case& c) -> std::string& { return c.pad.dynamicFile; },
       "table of the complex stiffness of a whole pad against the frequency (real and imaginary part, vertical and, if "
-      "it has that, lateral), taken in place of stiffness, damping and loss factor by receptance and decay rates "
-      "alone; "
-      "the path is relative to the case file",
+      "it has that, lateral), used in place of stiffness, damping and loss factor by receptance and decay rates only; "
+      "relative to the case file; not read if the case contains pad.dynamic_values",
+      "assumed: none"));
+  rows.push_back(text(
+      "pad.dynamic_values", [](Case& c) -> std::string& { return c.pad.dynamicValues; },
+      "numbers of pad.dynamic: frequency in Hz, real and imaginary part of the vertical and, if measured, of the "
+      "lateral stiffness in MN/m: 200: 3863 608 155 24, 400: 4100 650 164 26",
       "assumed: none"));
   rows.push_back(number(
       "pad.length", metre, 0.16, {0.02, 0.4}, [](Case& c) -> double& { return c.pad.length; },

@@ -113,4 +113,8 @@ std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string&
   return std::move(lines.front().points);
 }
 
+std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path) {
+  return parseProfile(readWholeFile(path.string(), largestProfileFile), path.string());
+}
+
 }  // namespace squat::cases

@@ -25,6 +25,9 @@ namespace squat::cases {
 // the first is an error.
 std::vector<ProfilePoint> parseProfile(std::string_view text, const std::string& origin, const Defect& asked = {});
 
+// The same of a file.
+std::vector<ProfilePoint> readProfileFile(const std::filesystem::path& path);
+
 // As above, or several profiles side by side: a column of positions first, then one of heights for each lateral
 // position, which its header names: "position [mm]; y = -10 mm [um]; y = 0 mm [um]". Lateral positions ascend, on the
 // crown from its middle outwards. One line with lateral position zero where the file holds a single profile.

@@ -1,5 +1,6 @@
 #include "case/Resolve.h"
 
+#include "case/DynamicPads.h"
 #include "case/LevelsText.h"
 #include "scenario/WheelsetMass.h"
 
@@ -33,6 +34,7 @@ scenario::Scenario resolve(const CaseDescription& d) {
       static_cast<const scenario::Inputs&>(d), surfaceOf(d),
       d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction, treadOf(d),
       irregularityOf(d)};
+  resolved.pad.dynamic = parseDynamicStiffness(d.pad.dynamicValues).value_or(std::vector<scenario::DynamicStiffness>());
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
   return resolved;
 }

@@ -65,12 +65,4 @@ std::vector<ProfileLine> readTreadLines(const std::filesystem::path& path, doubl
   return parseTreadLines(readWholeFile(path.string(), largestTreadFile), path.string(), radius);
 }
 
-void setTread(TreadShape& tread, std::vector<ProfileLine> lines) {
-  tread.points.clear(), tread.lines.clear();
-  if (lines.size() == 1)
-    tread.points = std::move(lines.front().points);
-  else
-    tread.lines = std::move(lines);
-}
-
 }  // namespace squat::cases

@@ -17,7 +17,4 @@ namespace squat::cases {
 std::vector<ProfileLine> readTreadLines(const std::filesystem::path& path, double radius);
 std::vector<ProfileLine> parseTreadLines(std::string_view text, const std::string& origin, double radius);
 
-// Puts such lines into a tread: one alone as its points.
-void setTread(TreadShape& tread, std::vector<ProfileLine> lines);
-
 }  // namespace squat::cases

@@ -76,8 +76,12 @@ void checkPlace(const CaseDescription& c, const TreadDeviation& tread, std::vect
   const Keys keys{"wheelset.tread_position", "motion.run_up", "motion.beyond"};
   const double from = -c.motion.runUp, to = c.motion.beyond;
   if (tread.position() > to || tread.position() + tread.dipBehind() < from) {
+    const double turn = 2 * std::numbers::pi * c.wheelset.radius;
+    const double met = tread.position() + turn * std::ceil((from - tread.position()) / turn);
     add(findings, c, Severity::warning, keys, rounded(from) + " to " + rounded(to) + " m, where the wheel rolls",
-        "The deepest point of the tread's deviation does not meet the rail in this run");
+        met > to ? "The deepest point of the tread's deviation does not meet the rail in this run"
+                 : "The flat meets the rail at " + rounded(met) +
+                       " m, another turn of the wheel, where the mesh is coarse: give this position");
     return;
   }
   constexpr double patch = 0.01;  // [m]

@@ -16,6 +16,7 @@ std::vector<Finding> validateRelations(const CaseDescription& description) {
   relations::checkDefect(description, findings);
   relations::checkTread(description, findings);
   relations::checkIrregularity(description, findings);
+  relations::checkLosses(description, findings);
   relations::checkSeat(description, findings);
   relations::checkMesh(description, findings);
   relations::checkTraction(description, findings);

@@ -16,7 +16,7 @@ void layOutForces(Model& model);
 // Fills model.forceElements, force slots included.
 void addForceElements(Model& model);
 
-// Pads and ballast alone, without force slots: for who solves in the frequency domain.
+// Pads and ballast alone, without force slots: for solutions in the frequency domain.
 void addSupports(Model& model);
 
 // Fixes the ends of the rail where they are clamped.

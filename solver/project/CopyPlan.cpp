@@ -9,6 +9,7 @@
 
 #include "case/CaseDescription.h"
 #include "case/CaseFile.h"
+#include "case/NamedTables.h"
 #include "core/DurableFile.h"
 
 namespace squat::project {
@@ -34,9 +35,9 @@ fs::path numbered(const std::string& kind, int number) {
 
 // The table that has this name in a case gets another; false: none has.
 bool renameTable(cases::CaseDescription& description, const std::string& from, const std::string& to) {
-  for (auto* table : cases::tableFilesOf(description))
-    if (*table == from) {
-      *table = to;
+  for (const auto& table : cases::namedTables())
+    if (table.file(description) == from) {
+      table.file(description) = to;
       return true;
     }
   return false;
@@ -111,8 +112,8 @@ class Planner {
     std::string full;              // and the one by a full path
     try {
       auto description = cases::readCase(path);
-      for (const auto* named : cases::tableFilesOf(description)) {
-        const auto& table = *named;
+      for (const auto& named : cases::namedTables()) {
+        const auto& table = named.file(description);
         const fs::path at = (fs::path(path).parent_path() / table).lexically_normal();
         if (table.empty() || !isReadable(at)) continue;  // the case has the points of the table itself
         if (fs::path(table).is_relative())

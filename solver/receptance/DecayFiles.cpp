@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/Errors.h"
+#include "receptance/ThirdOctaves.h"
 #include "text/Cells.h"
 #include "text/Csv.h"
 #include "text/Heading.h"
@@ -23,13 +24,21 @@ using Values = std::map<double, std::vector<double>>;  // by third octave
 
 std::optional<RailDirection> directionIn(const std::string& word) {
   const auto name = text::lowerCase(word);
-  if (name == "v" || name.starts_with("vert")) return RailDirection::vertical;
-  if (name == "h" || name == "l" || name.starts_with("lat") || name.starts_with("hori") || name.starts_with("quer"))
-    return RailDirection::lateral;
+  for (const char* vertical : {"v", "vertical", "vertikal"})
+    if (name == vertical) return RailDirection::vertical;
+  for (const char* lateral : {"h", "l", "lateral", "horizontal", "quer"})
+    if (name == lateral) return RailDirection::lateral;
   return std::nullopt;
 }
 
-// The third octave that a heading such as "100 Hz [dB/m]" names.
+// The third octave of a frequency [Hz] in a file.
+double bandOf(double frequency, const std::string& path, const std::string& where) {
+  if (const auto band = nominalThirdOctave(frequency)) return *band;
+  throw FileError(path, where, text::formatted("%.4g Hz", frequency) + " is not the middle of a third octave",
+                  "Decay rates are read in third octaves from 50 to 5000 Hz");
+}
+
+// The frequency [Hz] that a heading such as "100 Hz [dB/m]" names.
 std::optional<double> bandIn(const std::string& heading) {
   auto name = text::lowerCase(text::bracketedHeading(heading).name);
   const std::size_t hertz = name.find("hz");
@@ -49,7 +58,8 @@ void addRate(Values& values, double band, const std::string& cell, const std::st
   if (field.empty() || field == "nan" || field == "-") return;
   const auto rate = text::numberIn(cell, '.');
   if (!rate || !(*rate >= 0 && *rate < 1000))
-    throw FileError(path, "line " + std::to_string(line), text::shown(cell) + " is not a decay rate in dB/m");
+    throw FileError(path, "line " + std::to_string(line), text::shown(cell) + " is not a decay rate in dB/m",
+                    "Write numbers from 0 to 1000; leave the field empty where nothing was measured");
   values[band].push_back(*rate);
 }
 
@@ -76,7 +86,8 @@ void readRows(const text::Cells& cells, std::size_t direction, Values& vertical,
     for (std::size_t i = 0; i < std::min(fields.size(), heading.size()); ++i)
       if (const auto band = bandIn(heading[i])) {
         requireRate(heading[i], path);
-        addRate(*way == RailDirection::vertical ? vertical : lateral, *band, fields[i], path, cells.lines[row]);
+        addRate(*way == RailDirection::vertical ? vertical : lateral,
+                bandOf(*band, path, "column '" + heading[i] + "'"), fields[i], path, cells.lines[row]);
       }
   }
 }
@@ -84,14 +95,19 @@ void readRows(const text::Cells& cells, std::size_t direction, Values& vertical,
 // One row a third octave.
 void readColumns(const text::Cells& cells, Values& vertical, Values& lateral, const std::string& path) {
   const auto& heading = cells.rows.front();
+  if (text::lowerCase(text::bracketedHeading(heading.front()).unit) != "hz")
+    throw FileError(path, "column '" + heading.front() + "'", "must be the frequency in Hz",
+                    "Write frequency [Hz], vertical [dB/m], lateral [dB/m]");
   for (std::size_t row = 1; row < cells.rows.size(); ++row) {
     const auto& fields = cells.rows[row];
-    const auto band = fields.empty() ? std::nullopt : text::numberIn(fields[0], '.');
-    if (!band) throw FileError(path, "line " + std::to_string(cells.lines[row]), "has no frequency");
+    const std::string where = "line " + std::to_string(cells.lines[row]);
+    const auto frequency = fields.empty() ? std::nullopt : text::numberIn(fields[0], '.');
+    if (!frequency) throw FileError(path, where, "has no frequency", "Begin each line with the third octave in Hz");
+    const double band = bandOf(*frequency, path, where);
     for (std::size_t i = 1; i < std::min(fields.size(), heading.size()); ++i)
-      if (const auto way = directionIn(heading[i])) {
+      if (const auto way = directionIn(text::bracketedHeading(heading[i]).name)) {
         requireRate(heading[i], path);
-        addRate(*way == RailDirection::vertical ? vertical : lateral, *band, fields[i], path, cells.lines[row]);
+        addRate(*way == RailDirection::vertical ? vertical : lateral, band, fields[i], path, cells.lines[row]);
       }
   }
 }
@@ -186,6 +202,7 @@ std::string decaySummary(const DecayRates& rates, const MeasuredDecayRates* meas
   if (measured)
     text += "Within what was measured: vertical " + std::to_string(within[0]) + " of " + std::to_string(known[0]) +
             " third octaves, lateral " + std::to_string(within[1]) + " of " + std::to_string(known[1]) + "\n";
+  for (const auto& note : rates.notes) text += "note: " + note + "\n";
   return text;
 }
 

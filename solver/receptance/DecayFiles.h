@@ -22,8 +22,8 @@ struct MeasuredDecayRates {
 };
 
 // One row a measurement: a column "direction" (vertical, v; lateral, horizontal, l, h) and one a third octave, "100 Hz
-// [dB/m]"; or one row a third octave: frequency [Hz], vertical [dB/m], lateral [dB/m]. Empty fields and "nan" are left
-// out. Throws FileError.
+// [dB/m]"; or one row a third octave: frequency [Hz], vertical [dB/m], lateral [dB/m], other columns left out. Nominal
+// and exact middles of third octaves from 50 to 5000 Hz. Empty fields and "nan" are left out. Throws FileError.
 MeasuredDecayRates readMeasuredDecayRates(const std::string& path);
 
 // frequency [Hz], vertical, lateral [dB/m], lower limits of ISO 3095; with measurements, their range.

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
 
 #include "core/Errors.h"
 #include "core/ThreadTeam.h"
-#include "receptance/DynamicPads.h"
 #include "receptance/Receptance.h"
+#include "receptance/ThirdOctaves.h"
+#include "receptance/TrackLosses.h"
 
 namespace squat::receptance {
 
@@ -23,6 +25,28 @@ struct CellWay {
   PeriodicTrack track;
 };
 
+// Calls `solve` with the index and the angular frequency [rad/s] of each, shared among the threads; false where it was
+// cancelled. Throws what `solve` throws.
+bool overFrequencies(const char* phase, const std::vector<double>& frequency, int threads, Monitor& monitor,
+                     const std::function<void(std::size_t, double)>& solve) {
+  ThreadTeam team(threadCount(threads));
+  std::atomic<std::size_t> next{0}, done{0};
+  std::atomic<bool> cancelled{false};
+  team.run([&](int index) {
+    for (std::size_t f = next++; f < frequency.size() && !cancelled; f = next++) {
+      solve(f, 2 * std::numbers::pi * frequency[f]);
+      ++done;
+      if (index != 0) continue;  // one thread talks to the monitor
+      if (monitor.cancelled()) cancelled = true;
+      Progress progress;
+      progress.phase = phase;
+      progress.fraction = static_cast<double>(done.load()) / static_cast<double>(frequency.size());
+      monitor.report(progress);
+    }
+  });
+  return !cancelled;
+}
+
 }  // namespace
 
 EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& asked, const std::vector<double>& frequency,
@@ -32,7 +56,7 @@ EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& asked, const
     throw CaseError({{"track.seats", std::to_string(asked.track.seats.size()) + " seats that differ",
                       "none: an endless track has equal bays",
                       "Leave them out, or compute the receptance of the track of finite length"}});
-  const auto scenario = withDynamicPads(receptanceCase(asked));
+  const auto scenario = receptanceCase(asked);
   const auto model = model::buildTrackCell(scenario, options.stationLength, options.sleeperIntervals);
   const auto shapes = railShapes(model, options.shapeTolerance);
   const double bay = scenario.track.sleeperSpacing;
@@ -46,52 +70,42 @@ EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& asked, const
   result.unknowns = static_cast<std::size_t>(ways.front()->system.groups().unknowns());
   for (const auto& one : wanted)
     result.values.emplace_back(one.read.size(), std::vector<std::complex<double>>(frequency.size()));
-  ThreadTeam team(threadCount(options.threads));
-  std::atomic<std::size_t> next{0}, done{0};
-  std::atomic<bool> cancelled{false};
-  team.run([&](int index) {
-    for (std::size_t f = next++; f < frequency.size() && !cancelled; f = next++) {
-      const double omega = 2 * std::numbers::pi * frequency[f];
-      for (const auto& way : ways) {
-        const auto answers = way->track.response(omega, wanted);
-        for (std::size_t w = 0; w < answers.size(); ++w)
-          for (std::size_t p = 0; p < answers[w].size(); ++p)
-            result.values[w][p][f] += answers[w][p] / static_cast<double>(ways.size());
-      }
-      ++done;
-      if (index != 0) continue;  // one thread talks to the monitor
-      if (monitor.cancelled()) cancelled = true;
-      Progress progress;
-      progress.phase = "endless track";
-      progress.fraction = static_cast<double>(done.load()) / static_cast<double>(frequency.size());
-      monitor.report(progress);
+  const auto solve = [&](std::size_t f, double omega) {
+    for (const auto& way : ways) {
+      const auto answers = way->track.response(omega, wanted);
+      for (std::size_t w = 0; w < answers.size(); ++w)
+        for (std::size_t p = 0; p < answers[w].size(); ++p)
+          result.values[w][p][f] += answers[w][p] / static_cast<double>(ways.size());
     }
-  });
-  result.complete = !cancelled;
+  };
+  result.complete = overFrequencies("endless track", frequency, options.threads, monitor, solve);
   return result;
 }
 
 std::vector<std::complex<double>> sleeperReceptance(const scenario::Scenario& asked,
                                                     const std::vector<double>& frequency, StruckRails rails,
-                                                    int sleeperIntervals) {
-  auto scenario = receptanceCase(asked);
-  scenario.pad.dynamicFile.clear();  // no pad is in it
-  const auto model = model::buildTrackCell(scenario, scenario.track.sleeperSpacing / 8, sleeperIntervals);
-  constexpr double coarse = 0.1;  // the rail is there and free, and not coupled
+                                                    int threads, Monitor& monitor) {
+  constexpr int intervals = 32;   // along a half sleeper
+  constexpr double coarse = 0.1;  // shapes of the rail, which is there, free, and coupled with nothing
+  if (asked.sleeper.fixed)
+    throw CaseError({{"sleeper.fixed", "true", "false for the receptance of a sleeper", "Leave it out"}});
+  const auto scenario = receptanceCase(asked);
+  const auto model = model::buildTrackCell(scenario, scenario.track.sleeperSpacing / 8, intervals);
   const auto shapes = railShapes(model, coarse);
-  std::vector<std::complex<double>> receptance(frequency.size());
-  const auto ways = symmetriesOf(rails);
-  for (const auto way : ways) {
-    const TrackSystem track(model, shapes, way);
-    const DynamicStiffness stiffness(track.termsWithoutPads());
-    const Eigen::MatrixXd seat = track.sleeperSeat();
-    for (std::size_t f = 0; f < frequency.size(); ++f) {
-      const auto moved = stiffness.factor(2 * std::numbers::pi * frequency[f]).solve(seat.cast<std::complex<double>>());
-      receptance[f] +=
-          seat.col(0).cast<std::complex<double>>().cwiseProduct(moved.col(0)).sum() / static_cast<double>(ways.size());
-    }
+  std::vector<std::unique_ptr<TrackSystem>> ways;
+  std::vector<DynamicStiffness> stiffness;
+  for (const auto symmetry : symmetriesOf(rails)) {
+    ways.push_back(std::make_unique<TrackSystem>(model, shapes, symmetry));
+    stiffness.emplace_back(ways.back()->termsWithoutPads());
   }
-  return receptance;
+  const Eigen::MatrixXcd seat = ways.front()->sleeperSeat().cast<std::complex<double>>();
+  std::vector<std::complex<double>> receptance(frequency.size());
+  const bool finished = overFrequencies("sleeper", frequency, threads, monitor, [&](std::size_t f, double omega) {
+    for (const auto& way : stiffness)
+      receptance[f] +=
+          seat.col(0).cwiseProduct(way.factor(omega).solve(seat).col(0)).sum() / static_cast<double>(stiffness.size());
+  });
+  return finished ? receptance : std::vector<std::complex<double>>();
 }
 
 // EN 15461:2008+A1:2010, Figure 2: every quarter bay at first, then ever farther apart.
@@ -129,14 +143,14 @@ double decayLimit(double band, RailDirection direction) {
 DecayRates trackDecayRates(const scenario::Scenario& scenario, const DecayOptions& options, Monitor& monitor) {
   DecayRates rates;
   std::vector<double> frequency;
-  for (const double band : {50.,  63.,  80.,   100.,  125.,  160.,  200.,  250.,  315.,  400., 500.,
-                            630., 800., 1000., 1250., 1600., 2000., 2500., 3150., 4000., 5000.}) {
+  for (const double band : nominalThirdOctaves()) {
     if (band < options.lowest || band > options.highest) continue;
     rates.band.push_back(band);
-    const double middle = std::pow(10, std::round(10 * std::log10(band)) / 10);
     for (int i = 0; i < options.linesPerBand; ++i)
-      frequency.push_back(middle * std::pow(10, ((i + 0.5) / options.linesPerBand - 0.5) / 10));
+      frequency.push_back(middleOfThirdOctave(band) *
+                          std::pow(kThirdOctaveEdge, 2 * (i + 0.5) / options.linesPerBand - 1));
   }
+  rates.notes = lossNotes(scenario);
   const double bay = scenario.track.sleeperSpacing;
   rates.smallest = 4.343 / (decayPositions().back() * bay);
   std::vector<PlaceResponse> wanted;

@@ -27,16 +27,17 @@ struct EndlessTrackResponse {
   bool complete = false;
 };
 
-// Throws CaseError where the case has seats that differ, FileError for a file of pads.
+// Throws CaseError where the case has seats that differ, RunError where nothing damps the track.
 EndlessTrackResponse endlessTrackResponse(const scenario::Scenario& scenario, const std::vector<double>& frequency,
                                           const std::vector<PlaceResponse>& wanted, const EndlessTrackOptions& options,
                                           Monitor& monitor);
 
 // Receptance of a sleeper by itself on its ballast at the rail seat [m/N], one a frequency: struck and read over the
 // footprint of a pad, one end or, as mirror images, both.
+// Throws CaseError where sleepers are fixed; empty where it was cancelled.
 std::vector<std::complex<double>> sleeperReceptance(const scenario::Scenario& scenario,
                                                     const std::vector<double>& frequency, StruckRails rails,
-                                                    int sleeperIntervals = 32);
+                                                    int threads, Monitor& monitor);
 
 // The 29 positions of EN 15461 in bays from the accelerometer at midspan, its own first.
 const std::vector<double>& decayPositions();
@@ -52,6 +53,7 @@ struct DecayRates {
   std::vector<double> vertical, lateral;  // [dB/m]
   double smallest = 0;  // [dB/m] 4.343 / x_max: what the positions can tell; twice that counts as measured (clause 7)
   int sectionShapes = 0;
+  std::vector<std::string> notes;
   bool complete = false;
 };
 

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/Errors.h"
+
 namespace squat::receptance {
 
 namespace {
@@ -42,9 +44,8 @@ VectorXd PeriodicTrack::reading(const Local& place) const {
 }
 
 VectorXd PeriodicTrack::loading(const Local& place) const {
-  constexpr double square = 0.010;  // [m] of the running surface, as on a track of finite length (Receptance.h)
   const auto direction = static_cast<RailDirection>(place.direction);
-  if (wholeSection_ && direction == RailDirection::vertical) return cell_.load(place.position, square);
+  if (wholeSection_ && direction == RailDirection::vertical) return cell_.load(place.position);
   return cell_.headMean(place.position, direction);
 }
 
@@ -64,6 +65,11 @@ HalfTracks halfTracks(const MatrixXcd& cell) {
     last -= across.transpose() * solved.rightCols(n);
     across = -(across * solved.rightCols(n)).eval();
   }
+  if (across.norm() > silent * whole)
+    throw RunError(
+        "waves do not decay along the endless track: nothing damps them. Set pad.damping, ballast.damping or a "
+        "loss factor",
+        0, 0, "");
   return {last, first};
 }
 

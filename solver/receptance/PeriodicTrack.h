@@ -29,6 +29,7 @@ class PeriodicTrack {
  public:
   // A system of model::buildTrackCell(); its rail head is struck and read (TrackSystem::headMean), or, where
   // `wholeSection`, downwards a square of the running surface struck and the whole section read (Receptance.h).
+  // The cell must outlive the track; `bay` [m].
   PeriodicTrack(const TrackSystem& cell, double bay, bool wholeSection = false);
 
   // Receptance [m/N] of each place that is read, one row an element of `wanted`. Safe to call from several threads.
@@ -53,7 +54,8 @@ class PeriodicTrack {
 struct HalfTracks {
   Eigen::MatrixXcd before, behind;
 };
-// Of a cell's condensed stiffness, unknowns of its first end, then those of its last one, as many.
+// Of a cell's condensed stiffness, unknowns of its first end, then those of its last one, as many. Throws RunError
+// where waves do not decay.
 HalfTracks halfTracks(const Eigen::MatrixXcd& cell);
 
 }  // namespace squat::receptance

@@ -6,18 +6,13 @@
 
 #include "core/Errors.h"
 #include "receptance/DecayRate.h"
-#include "receptance/DynamicPads.h"
 #include "receptance/HarmonicResponse.h"
 #include "receptance/TrackLosses.h"
 #include "receptance/TrackSystem.h"
 
 namespace squat::receptance {
 
-namespace {
-
-constexpr double loadedSquare = 0.010;  // [m]
-
-}  // namespace
+namespace {}  // namespace
 
 scenario::Scenario receptanceCase(const scenario::Scenario& scenario) {
   auto d = scenario;
@@ -77,6 +72,7 @@ bool solveEndless(const scenario::Scenario& scenario, const ReceptanceOptions& o
                   Monitor& monitor) {
   EndlessTrackOptions endless;
   endless.rails = options.rails, endless.wholeSection = true, endless.threads = options.threads;
+  endless.shapeTolerance = options.shapeTolerance;
   std::vector<PlaceResponse> wanted;
   for (const auto& point : result.points)
     wanted.push_back({{point.struck, point.direction}, {{point.read, point.direction}}});
@@ -108,7 +104,7 @@ bool solveWholeTrack(const scenario::Scenario& own, const ReceptanceOptions& opt
     for (Eigen::Index p = 0; p < loads.cols(); ++p) {
       const auto& place = result.points[static_cast<std::size_t>(p)];
       const bool vertical = place.direction == RailDirection::vertical;
-      loads.col(p) = vertical ? track.load(place.struck, loadedSquare) : track.headMean(place.struck, place.direction);
+      loads.col(p) = vertical ? track.load(place.struck) : track.headMean(place.struck, place.direction);
       means.col(p) = vertical ? track.sectionMean(place.read) : track.headMean(place.read, place.direction);
     }
     const auto response = harmonicResponse(track.terms(), loads, means, result.frequency, harmonic, team, monitor);
@@ -129,13 +125,29 @@ bool solveWholeTrack(const scenario::Scenario& own, const ReceptanceOptions& opt
 
 }  // namespace
 
+namespace {
+
+std::string howOf(const ReceptanceOptions& options) {
+  const auto& places = options.places;
+  const bool lateral = !places.empty() && places.front().direction == RailDirection::lateral;
+  return std::string("track without wheelset, ") +
+         (options.endless ? "endless, solved at every frequency; "
+                          : "of the case's length, direct harmonic solution; ") +
+         (options.rails == StruckRails::one ? "one rail struck; " : "both rails struck alike; ") +
+         (lateral ? "force and displacement sideways, over the section of the rail's head"
+                  : "force spread over 10 x 10 mm of the running surface, mean displacement of the section");
+}
+
+}  // namespace
+
 TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options,
                                 Monitor& monitor) {
-  const auto own = withDynamicPads(receptanceCase(scenario));
+  const auto own = receptanceCase(scenario);
   TrackReceptance result;
   result.frequency = frequenciesOf(options);
   for (const auto& place : placesOf(options, own)) result.points.push_back({place, {}});
   result.notes = lossNotes(own);
+  result.how = howOf(options);
   if (!(options.endless ? solveEndless : solveWholeTrack)(own, options, result, monitor)) return {};
   if (options.wheelset) result.modes = model::wheelsetModes(scenario, options.highest, 3);
   result.complete = true;
@@ -148,12 +160,17 @@ TrackReceptance sleeperByItself(const scenario::Scenario& scenario, const Recept
   auto grid = options;
   grid.endless = true;
   result.frequency = frequenciesOf(grid);
+  result.notes = lossNotes(scenario);
+  result.how = std::string("sleeper on its ballast without pads, ") +
+               (options.rails == StruckRails::one ? "one rail seat struck" : "both rail seats struck alike") +
+               "; force and mean displacement over the footprint of a pad";
   PointReceptance seat;
   seat.name = "rail seat of a sleeper";
-  seat.receptance = sleeperReceptance(scenario, result.frequency, options.rails);
+  seat.receptance = sleeperReceptance(scenario, result.frequency, options.rails, options.threads, monitor);
+  if (seat.receptance.empty()) return {};
   result.points.push_back(std::move(seat));
   result.solutions = static_cast<int>(result.frequency.size());
-  result.complete = !monitor.cancelled();
+  result.complete = true;
   return result;
 }
 
@@ -176,21 +193,6 @@ std::vector<std::complex<double>> asQuantity(const std::vector<double>& frequenc
     for (int n = 0; n < static_cast<int>(quantity); ++n)
       values[i] *= std::complex<double>(0, 2 * std::numbers::pi * frequency[i]);
   return values;
-}
-
-ThirdOctaves thirdOctaves(const std::vector<double>& frequency, const std::vector<std::complex<double>>& values) {
-  ThirdOctaves bands;
-  const double edge = std::pow(10, 0.05);
-  for (int n = -20; n <= 10; ++n) {
-    const double middle = 1000 * std::pow(10, n / 10.0);
-    if (middle / edge < frequency.front() * (1 - 1e-9) || middle * edge > frequency.back() * (1 + 1e-9)) continue;
-    double sum = 0;
-    int count = 0;
-    for (std::size_t i = 0; i < frequency.size(); ++i)
-      if (frequency[i] >= middle / edge && frequency[i] < middle * edge) sum += std::norm(values[i]), ++count;
-    if (count > 0) bands.band.push_back(middle), bands.value.push_back(std::sqrt(sum / count));
-  }
-  return bands;
 }
 
 std::vector<double> resonances(const std::vector<double>& frequency, const std::vector<std::complex<double>>& values,

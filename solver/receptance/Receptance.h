@@ -49,6 +49,7 @@ struct TrackReceptance {
   int sectionShapes = 0;                   // of the rail
   int solutions = 0;                       // frequencies that were solved directly
   double difference = 0;                   // largest of direct solutions from what is interpolated between them
+  std::string how;                         // what was struck and read, in words
   std::vector<std::string> notes;
   bool complete = false;
 };
@@ -57,19 +58,13 @@ struct TrackReceptance {
 // elsewhere, no defect; the section as the case has it, but not finer than 12 mm. The wheel plays no part.
 scenario::Scenario receptanceCase(const scenario::Scenario& scenario);
 
-// Throws CaseError where the case cannot be meshed. A cancelled call returns what it has, with complete == false.
+// Throws CaseError where the case cannot be meshed or a place lies beyond the rail, RunError where nothing damps an
+// endless track. A cancelled call returns an empty result with complete == false.
 TrackReceptance trackReceptance(const scenario::Scenario& scenario, const ReceptanceOptions& options, Monitor& monitor);
 
-// The same of a sleeper by itself on its ballast, struck and read at the rail seat, one end or both; places count for
-// nothing and there are no wheelset modes.
+// The same of a sleeper by itself on its ballast, struck and read at the rail seat, one end or both, at frequencies in
+// equal ratios; no wheelset modes. Throws CaseError where sleepers are fixed.
 TrackReceptance sleeperByItself(const scenario::Scenario& scenario, const ReceptanceOptions& options, Monitor& monitor);
-
-// Root mean squares of the magnitude in third octaves that lie within the frequencies as a whole.
-struct ThirdOctaves {
-  std::vector<double> band;   // [Hz] exact middles, 1000 * 10^(n/10)
-  std::vector<double> value;  // in the unit of the values
-};
-ThirdOctaves thirdOctaves(const std::vector<double>& frequency, const std::vector<std::complex<double>>& values);
 
 // What the values stand for: displacement, velocity or acceleration over force.
 enum class ReceptanceQuantity { receptance, mobility, accelerance };

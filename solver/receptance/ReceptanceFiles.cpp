@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/DurableFile.h"
+#include "receptance/ThirdOctaves.h"
 #include "results/Hdf5.h"
 #include "text/Csv.h"
 
@@ -54,9 +55,7 @@ void writeReceptance(const std::string& path, const TrackReceptance& receptance,
   results::setAttribute(tree.attributes, "schema", std::string("squat-receptance"));
   results::setAttribute(tree.attributes, "schema_version", std::int64_t{1});
   results::setAttribute(tree.attributes, "case", caseToml);
-  results::setAttribute(tree.attributes, "how",
-                        std::string("track without wheelset, direct harmonic solution; force spread over 10 x 10 mm of "
-                                    "the running surface, mean displacement of the section"));
+  results::setAttribute(tree.attributes, "how", receptance.how);
   results::setAttribute(tree.attributes, "unknowns", static_cast<std::int64_t>(receptance.unknowns));
   results::setAttribute(tree.attributes, "section_shapes", static_cast<std::int64_t>(receptance.sectionShapes));
   results::setAttribute(tree.attributes, "direct_solutions", static_cast<std::int64_t>(receptance.solutions));

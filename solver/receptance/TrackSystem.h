@@ -24,6 +24,8 @@ enum class RailDirection { vertical, lateral };
 // one, with another condition in the middle of the sleepers. Sleepers bend and rock in both.
 enum class StruckRails { one, both };
 
+inline constexpr double loadedSquare = 0.010;  // [m] of the running surface over which a vertical force is spread
+
 // The solutions whose mean is the answer.
 std::vector<TrackSymmetry> symmetriesOf(StruckRails rails);
 
@@ -46,7 +48,7 @@ class TrackSystem {
   std::vector<int> lastStation() const;
 
   // 1 N downwards, spread evenly over a square of the running surface above the rail's axis at `position` [m].
-  Eigen::VectorXd load(double position, double side) const;
+  Eigen::VectorXd load(double position, double side = loadedSquare) const;
   // Mean displacement of the rail's section there, weighed by mass, downwards.
   Eigen::VectorXd sectionMean(double position) const;
   // The same of the rail's head alone, in either direction. As a load: 1 N spread over the head.

@@ -97,7 +97,9 @@ IrregularSurface IrregularSurface::ofHeights(const Irregularity& options, double
   surface.curve_ = ProfileCurve(options.points, std::pow(10.0, options.offset / 20), false);
   surface.curve_.finish(options.position);
   const auto nodes = surface.curve_.points();
-  for (std::size_t i = 1; i < nodes.size(); ++i)  // a monotone cubic is at most three times as steep as its chord
+  // Slopes at the nodes are means of the chords beside them (MonotoneCubic.h): nowhere between is the curve more than
+  // 1.5 times as steep as the steepest chord.
+  for (std::size_t i = 1; i < nodes.size(); ++i)
     surface.steepest_ = std::max(surface.steepest_, 1.5 * std::abs((nodes[i].height - nodes[i - 1].height) /
                                                                    (nodes[i].position - nodes[i - 1].position)));
   surface.settle(start);

@@ -62,8 +62,9 @@ struct Pad : Support {
   double length = 0, width = 0;   // [m] footprint along and across the rail
   std::vector<ForcePoint> curve;  // vertical, both ascending; empty: linear
   double preload = 0;             // [N] clamping force of the fastening: where on the curve the unloaded track stands
-  std::vector<DynamicStiffness> dynamic;  // ascending; empty: stiffness and loss factor or damping
-  std::string dynamicFile;                // where it is from, as the case names it
+  std::string dynamicFile;        // of measured stiffness, as the case names it
+  std::string dynamicValues;      // the same as text (case/DynamicPads.h)
+  std::vector<DynamicStiffness> dynamic;  // the same, resolved; ascending; empty: stiffness and loss factor or damping
 };
 
 struct Sleeper {

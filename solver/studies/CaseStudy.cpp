@@ -6,6 +6,7 @@
 #include "analysis/FeatureTable.h"
 #include "case/Applicability.h"
 #include "case/CaseDescription.h"
+#include "case/NamedTables.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "core/DurableFile.h"

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
+#include "TemporaryFolder.h"
 #include "calibration/DecayResiduals.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -15,19 +15,15 @@ class DecayTargets : public testing::Test {
  protected:
   // 100 Hz: 4 dB/m twice; 200 Hz: 1 and 100 dB/m, mean 50.5, half of their range of 20 dB; sideways nothing.
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "decay-targets";
-    std::filesystem::create_directories(folder_);
-    writeDurably((folder_ / "rates.csv").string(),
-                 std::string_view("direction,100 Hz [dB/m],200 Hz [dB/m]\nv,4,1\nv,4,100\n"));
-    writeDurably((folder_ / "targets.json").string(),
-                 std::string_view(R"({"schema": "squat-targets", "schema_version": 1,
+    writeDurably(folder_ / "rates.csv", std::string_view("direction,100 Hz [dB/m],200 Hz [dB/m]\nv,4,1\nv,4,100\n"));
+    writeDurably(folder_ / "targets.json", std::string_view(R"({"schema": "squat-targets", "schema_version": 1,
                    "decay": [{"file": "rates.csv", "weight": 2, "tolerance": 2}]})"));
   }
-  std::filesystem::path folder_;
+  tests::TemporaryFolder folder_;
 };
 
 TEST_F(DecayTargets, AreReadFromATargetFile) {
-  const auto targets = readTargets({(folder_ / "targets.json").string()}, "light-defect");
+  const auto targets = readTargets({folder_ / "targets.json"}, "light-defect");
   ASSERT_EQ(targets.decays.size(), 1u);
   EXPECT_EQ(targets.count(), 1u);
   EXPECT_EQ(targets.weights(), std::vector<double>{2});
@@ -35,7 +31,7 @@ TEST_F(DecayTargets, AreReadFromATargetFile) {
 }
 
 TEST_F(DecayTargets, ResidualsAreDecibelsOverToleranceOrHalfTheRange) {
-  const auto targets = readTargets({(folder_ / "targets.json").string()}, "light-defect");
+  const auto targets = readTargets({folder_ / "targets.json"}, "light-defect");
   receptance::DecayRates computed;
   computed.band = {100, 200}, computed.vertical = {8, 5.05}, computed.lateral = {1, 1};
   const auto value = decayValue(readMeasuredDecays(targets.decays[0]), computed);
@@ -47,7 +43,7 @@ TEST_F(DecayTargets, ResidualsAreDecibelsOverToleranceOrHalfTheRange) {
 }
 
 TEST_F(DecayTargets, WithoutAThirdOctaveWithinTheLimitsIsAnError) {
-  auto targets = readTargets({(folder_ / "targets.json").string()}, "light-defect");
+  auto targets = readTargets({folder_ / "targets.json"}, "light-defect");
   targets.decays[0].lowest = 1000;
   EXPECT_THROW(readMeasuredDecays(targets.decays[0]), FileError);
 }

@@ -105,6 +105,7 @@ TEST(CaseRoundTrip, EveryValueComesBackBitForBit) {
       randomise(description, parameter, random);
       // A case that names a table carries it.
       if (!description.tread.file.empty()) description.tread.points = {{0, 0}, {0.02, -0.5e-3}, {0.04, 0}};
+      if (!description.pad.dynamicFile.empty()) description.pad.dynamicValues = "200: 300 30, 400: 310 31";
       try {
         const CaseDescription back = readBack(writeCase(description));
         ASSERT_EQ(valueText(back, parameter), valueText(description, parameter)) << parameter.key;

@@ -3,14 +3,14 @@
 
 #include <cmath>
 #include <complex>
-#include <filesystem>
 #include <numbers>
 #include <set>
 
+#include "TemporaryFolder.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "keys/Keys.h"
 #include "receptance/DecayRate.h"
-#include "receptance/DynamicPads.h"
 #include "receptance/TrackLosses.h"
 
 namespace squat {
@@ -37,13 +37,25 @@ TEST(LossKeys, MakeStiffnessComplex) {
 
 // The table's stiffness, whatever the case states; sideways the case's, with the table's loss factor of 0.1.
 TEST(LossKeys, DynamicPadsTakeThePlaceOfTheStiffness) {
-  const auto path = (std::filesystem::path(testing::TempDir()) / "pads.csv").string();
+  const tests::TemporaryFolder folder;
+  const auto path = folder / "pads.csv";
   writeDurably(path, std::string_view("frequency [Hz], stiffness real [MN/m], stiffness imag [MN/m]\n"
                                       "100, 400, 40\n1000, 400, 40\n"));
-  const auto scenario =
-      receptance::withDynamicPads(tests::scenarioWith({{"pad.dynamic", path}, {"pad.stiffness", "200"}}));
+  const auto scenario = tests::scenarioWith({{"pad.dynamic", path}, {"pad.stiffness", "200"}});
   EXPECT_LT(std::abs(factorOf(scenario, TrackPart::padsVertical) - std::complex<double>(2, 0.2)), 1e-12);
   EXPECT_LT(std::abs(factorOf(scenario, TrackPart::padsHorizontal) - std::complex<double>(1, 0.1)), 1e-12);
+}
+
+// A table with lateral values, 100 + 5 i for a case of 50 MN/m: twice, and a loss factor of 0.05.
+TEST(LossKeys, DynamicValuesAreTheTable) {
+  const auto scenario = tests::scenarioWith({{"pad.dynamic_values", "100: 400 40 100 5, 1000: 400 40 100 5"},
+                                             {"pad.stiffness", "200"},
+                                             {"pad.lateral_stiffness", "50"}});
+  EXPECT_LT(std::abs(factorOf(scenario, TrackPart::padsVertical) - std::complex<double>(2, 0.2)), 1e-12);
+  EXPECT_LT(std::abs(factorOf(scenario, TrackPart::padsHorizontal) - std::complex<double>(2, 0.1)), 1e-12);
+  EXPECT_THROW(tests::scenarioWith({{"pad.dynamic_values", "100: 400 40, 50: 400 40"}}), CaseError);
+  EXPECT_THROW(tests::scenarioWith({{"pad.dynamic_values", "100: 400"}}), CaseError);
+  EXPECT_THROW(tests::scenarioWith({{"pad.dynamic_values", " "}}), CaseError);
 }
 
 // Every unknown of a fixed sleeper is fixed.

@@ -1,35 +1,14 @@
-// A small result with every member filled, a folder that goes away again, and what reading a result refuses.
+// A small result with every member filled, and what reading a result refuses.
 #pragma once
 
-#include <stdlib.h>
-
 #include <cmath>
-#include <filesystem>
 #include <string>
 
+#include "TemporaryFolder.h"
 #include "core/Errors.h"
 #include "results/ResultFile.h"
 
 namespace squat::tests {
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    auto pattern = (std::filesystem::temp_directory_path() / "squat-test-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 inline results::RunResult sampleResult(int samples = 300) {
   results::RunResult result;

@@ -3,22 +3,25 @@
 
 #include <cmath>
 #include <complex>
-#include <filesystem>
 #include <numbers>
 
 #include "FixtureCase.h"
+#include "TemporaryFolder.h"
 #include "case/CaseFile.h"
+#include "case/DynamicPads.h"
 #include "case/Resolve.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "receptance/DecayFiles.h"
-#include "receptance/DynamicPads.h"
 #include "receptance/Receptance.h"
 #include "receptance/TrackLosses.h"
+#include "scenario/ComplexStiffness.h"
 
 namespace squat::receptance {
 namespace {
 
+using scenario::padStiffness;
+using scenario::viscousEquivalent;
 using Complex = std::complex<double>;
 
 scenario::Scenario track(std::vector<std::pair<std::string, std::string>> keys) {
@@ -125,10 +128,13 @@ TEST(ViscousEquivalent, OfASpringAndADashpotIsThese) {
 class DecayFile : public testing::Test {
  protected:
   std::string written(const std::string& text) {
-    const auto path = (std::filesystem::path(testing::TempDir()) / "decay-file.csv").string();
+    const auto path = folder_ / "table.csv";
     writeDurably(path, std::string_view(text));
     return path;
   }
+
+ private:
+  tests::TemporaryFolder folder_;
 };
 
 TEST_F(DecayFile, RowsOfMeasurements) {
@@ -156,7 +162,7 @@ TEST_F(DecayFile, AsksForTheUnitAndTheDirection) {
 
 // Between the rows linear in the logarithm of the frequency; 200 is half-way from 100 to 400.
 TEST_F(DecayFile, DynamicPads) {
-  const auto table = readDynamicStiffness(
+  const auto table = cases::readDynamicStiffness(
       written("frequency [Hz], stiffness real [MN/m], stiffness imaginary [MN/m]\n100, 300, 30\n400, 500, 70\n"));
   ASSERT_EQ(table.size(), 2u);
   EXPECT_EQ(table[1].vertical, Complex(500e6, 70e6));
@@ -168,10 +174,11 @@ TEST_F(DecayFile, DynamicPads) {
 
 // A published file gives N/mm for what can only be N/m: 3.9e12 N/m is no pad.
 TEST_F(DecayFile, DynamicPadsOfAnImpossibleStiffness) {
-  EXPECT_THROW(readDynamicStiffness(written("FREQ [Hz],vertical stiffness Real [N/mm],vertical stiffness Imaginary "
-                                            "[N/mm]\n200,3862823784,608114861\n")),
-               FileError);
-  EXPECT_THROW(readDynamicStiffness(written("f [Hz],real,imaginary\n200,300,30\n")), FileError);
+  EXPECT_THROW(
+      cases::readDynamicStiffness(written("FREQ [Hz],vertical stiffness Real [N/mm],vertical stiffness Imaginary "
+                                          "[N/mm]\n200,3862823784,608114861\n")),
+      FileError);
+  EXPECT_THROW(cases::readDynamicStiffness(written("f [Hz],real,imaginary\n200,300,30\n")), FileError);
 }
 
 }  // namespace

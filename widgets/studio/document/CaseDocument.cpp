@@ -6,11 +6,10 @@
 #include "case/CaseFile.h"
 #include "case/InputPresets.h"
 #include "case/MeshPresets.h"
+#include "case/NamedTables.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
-#include "case/ProfileFile.h"
 #include "case/ShippedCases.h"
-#include "case/TreadFile.h"
 #include "core/Errors.h"
 #include "studio/document/CaseCommand.h"
 
@@ -24,30 +23,31 @@ bool isShipped(const QString& path) {
          QFileInfo(path).canonicalFilePath().startsWith(QFileInfo(resources).canonicalFilePath() + "/");
 }
 
-// A case keeps the points that it rolls over beside the name of the file that they are from.
-std::optional<CaseProblem> readProfile(cases::CaseDescription& description, const QString& path) {
+// A case keeps the numbers of a table beside the name of the file that they are from. `folder` is that of the case.
+std::optional<CaseProblem> readTable(cases::CaseDescription& description, const cases::NamedTable& table,
+                                     const QDir& folder) {
+  const std::string named = table.file(description);
+  const auto path = folder.filePath(QString::fromStdString(named)).toStdString();
   try {
-    auto& defect = description.defect;
-    auto lines = cases::readProfileLines(path.toStdString(), defect);
-    defect.points.clear(), defect.lines.clear();
-    if (lines.size() == 1)
-      defect.points = std::move(lines.front().points);
-    else
-      defect.lines = std::move(lines);
+    table.read(description, path);
     return std::nullopt;
   } catch (const FileError& error) {
-    return CaseProblem{"defect.file", path.toStdString(), "a profile file", error.what()};
+    return CaseProblem{table.fileKey, path, table.holds, error.what()};
   }
 }
 
-std::optional<CaseProblem> readTread(cases::CaseDescription& description, const QString& path) {
-  try {
-    cases::setTread(description.tread, cases::readTreadLines(path.toStdString(), description.wheelset.radius));
-    return std::nullopt;
-  } catch (const FileError& error) {
-    return CaseProblem{"wheelset.tread_deviation", path.toStdString(), "a table of the tread's deviation",
-                       error.what()};
+// What the change of a key asks for: the file that it names, or one that was named before and counts now.
+std::optional<CaseProblem> readTables(cases::CaseDescription& after, const cases::CaseDescription& before,
+                                      const std::string& key, const QDir& folder) {
+  for (const auto& table : cases::namedTables()) {
+    const bool isNamed = key == table.fileKey;
+    if (isNamed && key != "defect.file") table.clear(after);  // a profile stays as it was drawn
+    const bool nowWanted = table.isWanted(after) && !table.isWanted(before) && !table.isFilled(after);
+    const bool named = isNamed && !table.file(after).empty() && (table.isWanted(after) || key == "defect.file");
+    if (!named && !nowWanted) continue;
+    if (auto problem = readTable(after, table, folder)) return problem;
   }
+  return std::nullopt;
 }
 
 // What differs from the preset before was set by the user and stays, as where the command line chooses another preset.
@@ -118,16 +118,7 @@ std::optional<CaseProblem> CaseDocument::setParameter(const std::string& key, co
   cases::CaseDescription after = description();
   if (auto problem = cases::trySetValue(after, *parameter, text)) return problem;
   if (cases::valueText(after, *parameter) == cases::valueText(description(), *parameter)) return std::nullopt;
-  if (key == "defect.file" && !text.empty()) {
-    if (auto problem = readProfile(after, QFileInfo(path_).dir().filePath(QString::fromStdString(text))))
-      return problem;
-  }
-  if (key == "wheelset.tread_deviation") {
-    if (text.empty())
-      after.tread.points.clear(), after.tread.lines.clear();  // round again
-    else if (auto problem = readTread(after, QFileInfo(path_).dir().filePath(QString::fromStdString(text))))
-      return problem;
-  }
+  if (auto problem = readTables(after, description(), key, QFileInfo(path_).dir())) return problem;
   if (key == "mesh.preset") takePreset(after, description());
   if (cases::isInputPreset(key)) {
     if (auto problem = takeInputPreset(after, key, text)) return problem;
@@ -142,6 +133,7 @@ void CaseDocument::resetParameter(const std::string& key) {
   if (!parameter) return;
   cases::CaseDescription after = description();
   cases::setToDefault(after, *parameter);
+  if (const auto* table = cases::namedTable(key); table && key != "defect.file") table->clear(after);
   if (key == "mesh.preset") takePreset(after, description());
   edit(tr("Reset %1").arg(QString::fromStdString(key)), after);
   if (key == "mesh.preset") notePreset();

@@ -29,6 +29,7 @@ constexpr int decayRates = 3;  // in the list, behind the quantities
 ToolResult computeReceptance(receptance::ReceptanceOptions options, ReceptanceQuantity quantity, bool lateral,
                              const ToolInput& input, Monitor& monitor) {
   makeFolder(input.folder);  // whether it can be written is known before it takes time
+  keepInputs(input.files, receptance::receptanceFiles(input.folder + "/" + input.name));
   if (lateral) {
     const double midspan = -input.description.track.sleeperSpacing / 2;
     options.places = {{"lateral, over a sleeper", 0, 0, receptance::RailDirection::lateral},
