@@ -2,8 +2,7 @@
 // band-passed heights over moving windows.
 //
 // Bands 10 to 30, 30 to 100, 100 to 300 and 300 to 1000 mm; windows of five times the longest wavelength (0.15,
-// 0.5, 1.5, 5 m), moved by a quarter of it. Bands and windows are the usual ones with EN 13231-3, from memory; to
-// be checked against the standard before an acceptance rests on them.
+// 0.5, 1.5, 5 m), moved by a quarter of it: in common use, not compared with EN 13231-3.
 #pragma once
 
 #include <array>

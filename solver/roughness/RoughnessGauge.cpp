@@ -57,26 +57,46 @@ RoughnessGauge::RoughnessGauge(const TransferFunction& transfer, double rate, co
 }
 
 void RoughnessGauge::setSize(double speed) {
+  sizeSpeed_ = std::max(std::abs(speed), slowest);
   const double stretch = options_.stretch > 0 ? options_.stretch : wavesInStretch * options_.longest;
-  const double samples = rate_ * stretch / std::max(std::abs(speed), slowest);
+  const double samples = rate_ * stretch / sizeSpeed_;
   size_ = signals::fastLength(std::max(smallest, 2 * static_cast<std::size_t>(samples / 2)));
   size_ += size_ % 2;
 }
 
+// In pieces, each with stretches of a size for its speed: where that changes much, a new row of stretches begins.
 void RoughnessGauge::add(const std::vector<double>& acceleration, const std::vector<double>& speed) {
-  acceleration_.insert(acceleration_.end(), acceleration.begin(), acceleration.end());
-  speed_.insert(speed_.end(), speed.begin(), speed.end());
-  if (size_ == 0 && !speed_.empty()) setSize(speed_[speed_.size() / 2]);
-  takeStretches(false);
+  constexpr std::size_t piece = 16384;  // samples
+  for (std::size_t from = 0; from < acceleration.size(); from += piece) {
+    const auto first = static_cast<std::ptrdiff_t>(from);
+    const auto last = static_cast<std::ptrdiff_t>(std::min(from + piece, acceleration.size()));
+    const double own = std::max(std::abs(speed[static_cast<std::size_t>(first + (last - first) / 2)]), slowest);
+    if (size_ > 0 && std::isfinite(own) && std::max(own / sizeSpeed_, sizeSpeed_ / own) > 1.5) breakHere();
+    if (size_ == 0 && std::isfinite(own)) setSize(own);
+    acceleration_.insert(acceleration_.end(), acceleration.begin() + first, acceleration.begin() + last);
+    speed_.insert(speed_.end(), speed.begin() + first, speed.begin() + last);
+    takeStretches(false);
+  }
 }
 
 void RoughnessGauge::breakHere() {
   takeStretches(true);
   const double way = std::accumulate(speed_.begin(), speed_.end(), 0.0) / rate_;
-  releaseHeights(heights_[0].size(), std::abs(way), false);
+  releaseHeights(heights_[0].size(), std::abs(way), {});
   for (auto& gauge : gauges_) gauge.skip(0);
   acceleration_.clear(), speed_.clear();
-  size_ = 0;
+  size_ = 0, lastKnown_ = {};
+}
+
+// The bands whose frequencies at this speed lie within record and transfer function.
+RoughnessGauge::PerBand RoughnessGauge::reachedBands(double speed) const {
+  PerBand reached{};
+  const double limit = std::min(transfer_.frequency.back(), highestShare * rate_);
+  for (std::size_t b = 0; b < reached.size(); ++b) {
+    const auto& band = corrugationBands()[b];
+    reached[b] = speed / band.shortest <= limit && speed / band.longest >= transfer_.frequency.front();
+  }
+  return reached;
 }
 
 // A piece that is shorter than a stretch is one by itself; what a longer one leaves at its end is not seen.
@@ -112,10 +132,14 @@ void RoughnessGauge::takeStretch(std::size_t size, bool alone) {
     left_ += whole;
   }
   ++taken_;
+  const PerBand known = usable ? reachedBands(std::abs(speed)) : PerBand{};
+  PerBand both{};  // where two windows lie over each other, both stretches must be known
+  for (std::size_t b = 0; b < both.size(); ++b) both[b] = known[b] && lastKnown_[b];
   if (alone)
-    releaseHeights(size, 2 * way, usable);
-  else  // before the middle of the first one, its window alone counts
-    releaseHeights(step, way, usable && taken_ > 1);
+    releaseHeights(size, 2 * way, known);
+  else
+    releaseHeights(step, way, both);
+  lastKnown_ = known;
   acceleration_.erase(acceleration_.begin(), acceleration_.begin() + static_cast<std::ptrdiff_t>(step));
   speed_.erase(speed_.begin(), speed_.begin() + static_cast<std::ptrdiff_t>(step));
 }
@@ -209,12 +233,13 @@ void RoughnessGauge::addHeights(const std::vector<double>& acceleration, double 
   }
 }
 
-void RoughnessGauge::releaseHeights(std::size_t count, double way, bool known) {
+void RoughnessGauge::releaseHeights(std::size_t count, double way, const PerBand& known) {
   count = std::min(count, heights_[0].size());
   if (count == 0) return;
   for (std::size_t b = 0; b < heights_.size(); ++b) {
-    for (std::size_t i = 0; known && i < count; ++i) gauges_[b].add(heights_[b][i], way / static_cast<double>(count));
-    if (!known) gauges_[b].skip(way);
+    for (std::size_t i = 0; known[b] && i < count; ++i)
+      gauges_[b].add(heights_[b][i], way / static_cast<double>(count));
+    if (!known[b]) gauges_[b].skip(way);
     heights_[b].erase(heights_[b].begin(), heights_[b].begin() + static_cast<std::ptrdiff_t>(count));
   }
 }
@@ -243,7 +268,9 @@ RecordRoughness RoughnessGauge::finish() {
     result.levels.push_back(level);
   }
   for (std::size_t b = 0; b < gauges_.size(); ++b)
-    if (corrugationBands()[b].longest <= 1.05 * options_.longest) result.corrugation.push_back(gauges_[b].index());
+    if (corrugationBands()[b].longest <= 1.05 * options_.longest &&
+        corrugationBands()[b].shortest >= 0.95 * options_.shortest)
+      result.corrugation.push_back(gauges_[b].index());
   return result;
 }
 

@@ -42,7 +42,9 @@ struct RoughnessLevel {
 
 struct RecordRoughness {
   std::vector<RoughnessLevel> levels;
-  std::vector<CorrugationIndex> corrugation;  // largestAt: way from the start; of bands within what is asked for
+  // largestAt: way from the start. Of bands within what is asked for; without windows where record or transfer function
+  // do not reach over the whole band.
+  std::vector<CorrugationIndex> corrugation;
   ContactFilter filter = ContactFilter::remington;
   double length = 0, speed = 0;  // [m] that was analysed, [m/s] mean
   double left = 0;               // [m] that was not: too slow, speed changing, not a number
@@ -69,7 +71,9 @@ class RoughnessGauge {
   void takeStretch(std::size_t size, bool alone);
   void addLevels(const std::vector<double>& acceleration, double speed, double way);
   void addHeights(const std::vector<double>& acceleration, double speed, bool alone);
-  void releaseHeights(std::size_t count, double way, bool known);
+  using PerBand = std::array<bool, 4>;  // corrugation bands
+  PerBand reachedBands(double speed) const;
+  void releaseHeights(std::size_t count, double way, const PerBand& known);
   double transferIndex(double frequency) const;
 
   const TransferFunction& transfer_;
@@ -81,8 +85,9 @@ class RoughnessGauge {
   std::array<std::vector<double>, 4> heights_;  // of the corrugation bands, as stretches add up
   std::vector<Sums> sums_;
   std::vector<CorrugationGauge> gauges_;
-  std::vector<std::size_t> stretches_;
   std::size_t taken_ = 0;
+  double sizeSpeed_ = 0;  // [m/s] that the size of the stretches was chosen for
+  PerBand lastKnown_{};   // of the stretch before, which lies half under the next one
   double length_ = 0, time_ = 0, left_ = 0;
 };
 

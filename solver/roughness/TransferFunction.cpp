@@ -45,6 +45,7 @@ TransferVariant meanOf(const char* name, const Values& one, const Values& other)
 
 scenario::Scenario withPads(scenario::Scenario scenario, double factor) {
   scenario.pad.stiffness *= factor;
+  for (auto& row : scenario.pad.dynamic) row.vertical *= factor;
   for (auto& point : scenario.pad.curve) point.force *= factor;
   scenario.pad.preload *= factor;
   for (auto& seat : scenario.track.seats)
@@ -97,8 +98,7 @@ TransferFunction transferFunction(const scenario::Scenario& scenario, const Tran
     (soft ? transfer.softPads : transfer.stiffPads) = meanOf(soft ? "softer pads" : "stiffer pads", over, between);
   }
   transfer.notes.push_back(
-      "below some 230 Hz levels may be off by up to 8 dB: the transfer function leaves out lateral creep, which the "
-      "axle's bending feels");
+      "below some 230 Hz the levels of a computed record deviated by up to 8 dB (manual, roughness)");
   if (options.highest > receptanceLimit)
     transfer.notes.push_back("above 2 kHz the mesh of the track's receptance is coarse");
   transfer.complete = true;
