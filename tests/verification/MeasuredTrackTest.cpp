@@ -21,8 +21,8 @@ scenario::Scenario measuredTrack(const std::string& name) {
   return cases::loadScenario(measurements + name + ".toml", {});
 }
 
-// 16 vertical and 15 lateral measurements of one track: within their range lies a computed rate that no measurement of
-// a single place could tell from them. The task set for it: 16 and 12 of 18 third octaves.
+// 16 vertical and 15 lateral measurements at one site: a computed rate within their range could be one of them. At
+// least 16 and 12 of 18 third octaves are wanted; three values of the case are fitted (resources/measurements).
 TEST(MeasuredTrack, DecayRatesOfNiederwangen) {
   Monitor quiet;
   const auto rates = receptance::trackDecayRates(measuredTrack("niederwangen"), {}, quiet);
@@ -63,7 +63,7 @@ struct Feature {
 };
 
 // Point mobility over a support, Timoshenko rail on discrete supports, from the file that Rolland ships. 2 % and 1 dB
-// are what the task allows for a solid rail, whose foot bends and whose web gives way, beside a beam.
+// are accepted, since the foot of a solid rail bends and its web deforms, which a beam does not.
 TEST(MeasuredTrack, MobilityOfRolland) {
   const Feature features[] = {{96, 4.991e-6, true},    {245, 1.679e-6, false}, {501, 1.340e-5, true},
                               {1101, 6.648e-7, false}, {1266, 6.700e-6, true}, {2861, 1.969e-6, false}};

@@ -153,7 +153,7 @@ TEST(RailModes, VerticalBendingAfterTimoshenko) {
 
 // With the published area 76.70 cm2 and moment 3038.3 cm4: this coarse section has 1.9 % more area and 0.7 % more
 // moment, which lowers the frequencies by 0.6 %. Tolerance 1.5 %.
-TEST(RailModes, VerticalBendingOf60E1) {
+TEST(Rail60E1Modes, VerticalBending) {
   const auto vertical = timoshenkoModes(76.70e-4, 3038.3e-8, 0.40, 3);
   std::vector<double> found;
   for (const RailMode& mode : railModes(geometry::RailSection::rail60E1, 12))

@@ -26,6 +26,7 @@ std::map<std::string, Worst>& worstOf() {
 }
 
 void compare(const std::string& test, const std::string& what, const Worst& worst) {
+  if (std::isnan(worst.value)) ADD_FAILURE() << what << " is not a number";
   const auto& all = statedFigures();
   const auto stated = std::find_if(all.begin(), all.end(), [&](const Stated& each) {
     return each.test == test && each.quantity == what && each.unit == worst.unit;
@@ -76,7 +77,8 @@ void seen(const std::string& what, double value, const std::string& unit, Worse 
   }();
   static_cast<void>(listens);
   value = std::abs(value);
-  std::printf("seen: %s | %.3g | %s\n", what.c_str(), value, unit.c_str());
+  std::printf("seen: %s | %.3g | %s%s\n", what.c_str(), value, unit.c_str(),
+              worse == Worse::smaller ? " | smaller is worse" : "");
   const auto [at, isFirst] = worstOf().try_emplace(what, Worst{value, unit, worse});
   if (!isFirst && (worse == Worse::larger) == (value > at->second.value)) at->second.value = value;
   if (std::isnan(value)) at->second.value = value;
@@ -87,11 +89,13 @@ void seenDeviation(const std::string& what, double found, double expected) {
 }
 
 std::string judgedAsStated(double worst, double stated, Worse worse, bool& good) {
-  const double ratio = worse == Worse::larger ? worst / stated : stated / worst;
-  good = ratio * kStatedWithin < 1;
-  if (ratio <= kStatedWithin) return {};  // not so of NaN
+  const bool isLarger = worse == Worse::larger;
+  const double bad = isLarger ? worst : stated, fine = isLarger ? stated : worst;
+  good = bad * kStatedWithin < fine;
+  if (bad < kStatedWithin * fine || bad == fine) return {};  // not so of NaN; none seen and none stated are alike
   std::ostringstream text;
-  text << worst << " is seen, " << stated << " is stated, and at most a factor of " << kStatedWithin << " is accepted";
+  text << worst << " is seen, " << stated << " is stated, and less than " << kStatedWithin
+       << " times as bad is accepted";
   return text.str();
 }
 
