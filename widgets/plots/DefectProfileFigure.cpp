@@ -88,6 +88,12 @@ void addIrregularity(Figure& figure, const results::RunResult& result) {
   addCurve(figure, curve);
 }
 
+// The path is that over the defect (simulation/Describe.cpp).
+QString pathLabel(const results::RunResult& result) {
+  const bool rough = result.resolvedCase && !result.resolvedCase->scenario.irregularity.isSmooth();
+  return rough ? "path of a rigid wheel, without the irregularity" : "path of a rigid wheel";
+}
+
 }  // namespace
 
 std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, const Style& style) {
@@ -107,7 +113,7 @@ std::unique_ptr<Figure> defectProfileFigure(const results::RunResult& result, co
   figure->xAxis->setRange(from * 1e3, to * 1e3);
   if (!x.empty()) addCurve(*figure, {x, scaled(result.profileHeight, 1e6), "rail surface", 0, 1.3});
   if (result.wheelPath.size() == x.size() && !x.empty())
-    addCurve(*figure, {x, scaled(result.wheelPath, 1e6), "path of a rigid wheel", 1, 1.0, Qt::DashLine});
+    addCurve(*figure, {x, scaled(result.wheelPath, 1e6), pathLabel(result), 1, 1.0, Qt::DashLine});
   addLines(*figure, result);
   addIrregularity(*figure, result);
   fitValues(*figure, 0.1);
