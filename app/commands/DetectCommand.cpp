@@ -195,7 +195,12 @@ void addDetectCommand(CLI::App& program, Action& action) {
                    "Diameter of the wheel in metres, for wheel flats (default: found from the record)")
       ->check(between(0.3, 1.5))
       ->type_name("M");
-  command->add_option("--threshold", options->detect.threshold, "Evidence that makes an event (default: 14)")
+  command
+      ->add_option("--false-alarms", options->detect.falseAlarms,
+                   "Events a kilometre that the background of the record may make by itself (default: 0.1)")
+      ->check(CLI::Range(1e-6, 100.0))
+      ->type_name("N");
+  command->add_option("--threshold", options->detect.threshold, "Least evidence of any event (default: 14)")
       ->check(between(1.0, 1e6))
       ->type_name("N");
   command

@@ -50,14 +50,16 @@ int examples(const ExamplesOptions& options) {
 
 void addExamplesCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand(
-      "examples", "Compute passages over known squats, joints and welds, from which squat detect takes kinds");
+      "examples", "Compute passages over known squats and other irregularities, from which squat detect takes kinds");
   auto options = std::make_shared<ExamplesOptions>();
   addCaseOptions(*command, options->caseOptions);
   command->add_option("-o,--output", options->file, "Table of the examples (default: examples.csv)")->type_name("FILE");
   command->add_option("--squats", options->examples.squats, "Passages over squats (default: 45)")
       ->check(CLI::Range(3, 10000))
       ->type_name("N");
-  command->add_option("--others", options->examples.others, "Passages over joints and welds (default: 12)")
+  command
+      ->add_option("--others", options->examples.others,
+                   "Passages over joints, welds, crossings, corrugation (default: 16)")
       ->check(CLI::Range(0, 10000))
       ->type_name("N");
   command->add_option("--seed", options->examples.seed, "Another choice of defects (default: 1)")->type_name("N");

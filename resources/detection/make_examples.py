@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Computes the table of examples that squat detect ships: passages over known squats, joints and welds.
+"""Computes the table of examples that squat detect ships: passages over known squats and other irregularities.
 
     make_examples.py FOLDER [--vehicles N] [--first K] [--squat PROGRAM] [--seed S] [--passages]
 
@@ -56,7 +56,7 @@ def main():
     parser.add_argument("--vehicles", type=int, default=24)
     parser.add_argument("--first", type=int, default=0, help="number of the first vehicle")
     parser.add_argument("--squats", type=int, default=15, help="passages over squats of each vehicle")
-    parser.add_argument("--others", type=int, default=6, help="passages over joints and welds")
+    parser.add_argument("--others", type=int, default=6, help="passages over joints, welds, crossings, corrugation")
     parser.add_argument("--squat", default="squat", help="the program")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--passages", action="store_true", help="keep the signals")

@@ -19,7 +19,7 @@ namespace {
 
 // CBOR (RFC 8949) behind a line with name, version of the layout, and checksum: small, and exact for every number.
 using PlainJson = nlohmann::json;
-constexpr const char* kMagic = "squat-candidates 1 ";
+constexpr const char* kMagic = "squat-candidates 2 ";
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 constexpr const char* kAdvice = "Delete the file and compute its record again";
 
@@ -85,11 +85,22 @@ void fields(auto& visit, Is<Piece> auto& value) {
   visit("position", value.position);
   visit("rms", value.rms);
   visit("peak", value.peak);
+  visit("evidence", value.evidence);
+}
+void fields(auto& visit, Is<WavyStretch> auto& value) {
+  visit("time", value.time);
+  visit("from", value.from);
+  visit("to", value.to);
+  visit("wavelength", value.wavelength);
+  visit("share", value.share);
+  visit("slowest", value.slowest);
+  visit("fastest", value.fastest);
 }
 void fields(auto& visit, Is<ChannelDetection> auto& value) {
   visit("name", value.name);
   visit("events", value.events);
   visit("pieces", value.pieces);
+  visit("waves", value.waves);
 }
 void fields(auto& visit, Is<RecordDetection> auto& value) {
   visit("layout", value.layout);

@@ -8,6 +8,7 @@
 
 #include "core/Errors.h"
 #include "core/ThreadTeam.h"
+#include "detection/BackgroundSections.h"
 #include "detection/BandPower.h"
 #include "text/Numbers.h"
 
@@ -48,6 +49,7 @@ class Pipeline {
       auto& channel = result_.channels[c];
       for (auto& event : found[c].events) channel.events.push_back(std::move(event));
       channel.pieces.insert(channel.pieces.end(), found[c].pieces.begin(), found[c].pieces.end());
+      channel.waves.insert(channel.waves.end(), found[c].waves.begin(), found[c].waves.end());
     }
   }
 
@@ -68,8 +70,19 @@ void takeLabel(Event& event, const SeverityLimits& limits) {
   event.judgement.severitySureness = 1;
 }
 
+// Drops what the background makes more often than the user accepts; labels stay.
+void dropBackground(ChannelDetection& channel, double falseAlarms) {
+  const auto sections = backgroundSections(channel.pieces);
+  for (auto& event : channel.events) {
+    const auto* own = sectionAt(sections, event.position);
+    if (own) event.falseAlarms = own->tail.alarmsPerKilometre(event.score);
+  }
+  std::erase_if(channel.events, [&](const Event& event) { return !event.label && event.falseAlarms > falseAlarms; });
+}
+
 bool judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOptions& options, bool falling,
                   ThreadTeam& team, Monitor& monitor) {
+  dropBackground(channel, options.falseAlarms);
   std::vector<EventFeatures> features;
   std::vector<std::optional<Label>> labels;
   for (const auto& event : channel.events) features.push_back(event.features), labels.push_back(event.label);
@@ -169,6 +182,7 @@ RecordDetection findCandidates(records::RecordStream& stream, const DetectOption
   }
   if (!result.cancelled) pipeline.add(cutter.finish());
   pipeline.finish();
+  for (auto& channel : result.channels) channel.waves = joined(channel.waves);
   result.layout = stream.layout();
   if (auto note = bandsNotShown(result.layout.rate); !note.empty()) result.layout.notes.push_back(std::move(note));
   result.faults = stream.faults();

@@ -13,9 +13,10 @@
 namespace squat::detection {
 
 struct DetectOptions {
-  double threshold = 14;    // evidence that makes a candidate (Candidates.h)
-  int threads = 0;          // 0: all cores
-  double leastShare = 0.9;  // of a record's samples that must be readable; below it FileError
+  double threshold = 14;     // least evidence that makes a candidate (Candidates.h)
+  double falseAlarms = 0.1;  // [1/km] of the background: what it reaches more often is no event
+  int threads = 0;           // 0: all cores
+  double leastShare = 0.9;   // of a record's samples that must be readable; below it FileError
   SurroundingsOptions surroundings;
 };
 
@@ -24,6 +25,7 @@ struct ChannelDetection {
   std::vector<Event> events;  // in the order of travel
   std::vector<Piece> pieces;  // along the track
   double circumference = 0;   // [m] at which flats repeat; 0: none
+  std::vector<WavyStretch> waves = {};
 };
 
 struct RecordDetection {

@@ -30,6 +30,16 @@ double powerOf(const Event& event, std::size_t band) {
   return std::max(0.0, event.features.energy[band] - event.features.noise[band]) / seconds;
 }
 
+// Two digits, and 0 below one in a billion kilometres.
+double roundedDown(double alarms) {
+  if (alarms < 1e-9) return 0;
+  const double unit = std::pow(10.0, std::floor(std::log10(alarms)) - 1);
+  return std::round(alarms / unit) * unit;
+}
+
+// [m] of a stretch; else of the neighbourhood that is at least a tenth as loud.
+double extentOf(const Event& event) { return event.extent > 0 ? event.extent : event.features.reach; }
+
 bool isSquat(const Event& event) { return event.kind == Kind::squat; }
 
 std::string head() {
@@ -37,7 +47,9 @@ std::string head() {
   for (const auto& band : detectionBands()) text += ",power " + band.name + " [(m/s2)2]";
   return text +
          ",wavelength [mm],length [mm],length low [mm],length high [mm],depth [mm],depth low [mm],"
-         "depth high [mm],passes,passes there,latitude [deg],longitude [deg],reason,passage\n";
+         "depth high [mm],passes,passes there,latitude [deg],longitude [deg],false alarms [1/km],extent "
+         "[m],light,moderate,"
+         "severe,reason,passage\n";
 }
 
 // Of an event, by its row in the table. Empty for what is no squat.
@@ -95,6 +107,9 @@ std::string row(const DetectionReport& report, std::size_t index) {
   cells.push_back(std::to_string(event.passesThere));
   cells.push_back(text::fixedText(event.latitude, 7));
   cells.push_back(text::fixedText(event.longitude, 7));
+  cells.push_back(event.extent > 0 ? "" : text::numberText(roundedDown(event.falseAlarms)));
+  cells.push_back(text::fixedText(extentOf(event), 2));
+  for (const double severity : judged.severities) cells.push_back(isSquat(event) ? text::fixedText(severity, 2) : "");
   cells.push_back(event.reason);
   cells.push_back(passageFile(report, index));
   std::string text;
@@ -123,12 +138,16 @@ Json jsonOf(const DetectionReport& report, const CombinedEvent& combined) {
   if (isSquat(event)) {
     json["severity"] = toText(judged.severity);
     json["severity_sureness"] = rounded(judged.severitySureness, 1e-2);
+    for (std::size_t s = 0; s < judged.severities.size(); ++s)
+      json["severities"][toText(static_cast<Severity>(s))] = rounded(judged.severities[s], 1e-2);
     json["length_mm"] = {rounded(1e3 * judged.length, 1), rounded(1e3 * judged.lengthLow, 1),
                          rounded(1e3 * judged.lengthHigh, 1)};
     json["depth_mm"] = {rounded(1e3 * judged.depth, 1e-3), rounded(1e3 * judged.depthLow, 1e-3),
                         rounded(1e3 * judged.depthHigh, 1e-3)};
   }
   if (std::isfinite(event.latitude)) json["latitude_deg"] = event.latitude, json["longitude_deg"] = event.longitude;
+  json["extent_m"] = rounded(extentOf(event), 0.01);
+  if (event.extent == 0) json["false_alarms_per_km"] = roundedDown(event.falseAlarms);
   if (!event.reason.empty()) json["reason"] = event.reason;
   return json;
 }

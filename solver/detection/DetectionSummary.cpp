@@ -56,7 +56,9 @@ std::string detectionSummary(const DetectionReport& report) {
             formatted("%.1f s", record.duration) + ", " + std::to_string(channels) +
             (channels == 1 ? " channel at " : " channels at ") + formatted("%.0f Hz", record.layout.rate) + "\n";
   }
-  text += "kinds and severities from: " + report.examples + "\n\n";
+  text += "kinds and severities from: " + report.examples + "\n";
+  for (const auto& note : report.notes) text += note + "\n";
+  text += "\n";
   if (report.events.empty()) return text + "nothing that stands out of its surroundings\n";
   text::TextTable table(
       {"position [m]", "channel", "kind", "sure", "severity", "length [mm]", "depth [mm]", "peak [m/s²]", "passes"});

@@ -18,6 +18,7 @@ struct Event {
   double travelled = 0;                // [m] along the run, from an arbitrary zero
   double latitude = 0, longitude = 0;  // [deg]; not-a-number where the record has none
   double score = 0;                    // evidence (Candidates.h)
+  double falseAlarms = 0;              // [1/km] how often the background alone makes as much (EvidenceTail.h)
   double peak = 0;                     // [unit] largest absolute value around, up to 2 kHz
   EventFeatures features;
   Judgement judgement;
@@ -25,6 +26,7 @@ struct Event {
   double sureness = 0;
   std::string reason;           // where it was not the signal: "repeats every 2.89 m", "as labelled"
   std::optional<Label> label;   // decides kind and severity
+  double extent = 0;            // [m] along the track from its position, of a stretch of corrugation; else 0
   signals::TimeSeries passage;  // the signal half a metre ahead of it to a metre behind
   std::size_t passes = 1;       // that have it, of those that passed there
   std::size_t passesThere = 1;

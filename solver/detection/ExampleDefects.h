@@ -24,10 +24,14 @@ struct ExampleDefect {
 // are left out: no signal tells them from shallower ones.
 std::vector<ExampleDefect> exampleSquats(std::size_t count, std::uint32_t seed);
 
-// Half joints, half welds.
-//   joint  a gap of 5 to 9 mm, rail ends that dip to it by 0.1 to 0.8 mm over 120 to 350 mm, a step up to 0.2 mm
-//   weld   a smooth dip or hump of 120 to 600 mm and 0.08 to 0.4 mm, with a waviness of up to 0.03 mm inside
-// Dimensions from memory of what railways tolerate; unverified.
-std::vector<ExampleDefect> exampleJointsAndWelds(std::size_t count, std::uint32_t seed);
+// In turn, an eighth of each but for joints, which have two:
+//   joint        gap 5 to 20 mm, ends that meet at 5 to 20 mrad over 80 to 400 mm, step to 0.3 mm, worn behind the gap
+//   insulated    a joint as well: filled gap 4 to 8 mm, 1 to 6 mrad
+//   weld         dip or hump, smooth or peaked: 0.1 to 1 m, and 20 to 100 mm, slopes of 1 to 10 mrad, up to 0.5 mm
+//   crossing     kind other: 5 to 20 mrad over 0.12 to 0.5 m and a worn nose
+//   corrugation  3 to 20 waves of 25 to 80 mm, no longer than 1.2 m, 0.02 to 0.12 mm from crest to valley
+//   squats       two or three of 20 to 70 mm, 50 to 250 mm apart; length and depth are those of the deepest
+// Dimensions are assumed from what railways tolerate and repair; none comes from a measurement.
+std::vector<ExampleDefect> exampleOthers(std::size_t count, std::uint32_t seed);
 
 }  // namespace squat::detection

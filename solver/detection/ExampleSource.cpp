@@ -7,6 +7,7 @@
 #include "case/CaseFile.h"
 #include "case/ShippedCases.h"
 #include "core/DurableFile.h"
+#include "detection/ChannelNotes.h"
 #include "detection/MakeExamples.h"
 
 namespace squat::detection {
@@ -62,13 +63,68 @@ void addLabels(const std::vector<Label>& labels, const std::string& file, std::v
     for (std::size_t i = 0; i < labels.size(); ++i) isFound[i] = isFound[i] || isHere[i];
     for (auto& example : labelledExamples(record, kLabelWeight)) {
       const bool isSquat = example.kind == Kind::squat;
-      if (hasSize(example)) source.own.push_back(example);
-      if (!isSquat || hasSize(example)) source.examples.push_back(std::move(example));
+      if (hasSize(example)) source.own.push_back(example), ++source.ownFromLabels;
+      if (!isSquat || hasSize(example)) source.examples.push_back(std::move(example)), ++source.fromLabels;
     }
   }
   source.words += ", and " + std::to_string(labels.size()) + (labels.size() == 1 ? " label of " : " labels of ") + file;
   const auto missed = std::count(isFound.begin(), isFound.end(), false);
   if (missed > 0) source.words += " (" + std::to_string(missed) + " without an event within 0.5 m)";
+}
+
+// What concerns more than a metre, and what is to be said of each channel.
+void addStretches(DetectionReport& report, std::size_t index, const DetectOptions& options) {
+  auto& record = report.records[index];
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    const auto& channel = record.channels[c];
+    for (auto& note : channelNotes(channel, options)) record.notes.push_back(std::move(note));
+    const auto unit = c < record.layout.channels.size() ? record.layout.channels[c].unit : std::string();
+    for (auto& event : stretchEvents(channel, unit)) report.events.push_back({std::move(event), {index}, 0});
+  }
+  std::stable_sort(report.events.begin(), report.events.end(),
+                   [](const CombinedEvent& a, const CombinedEvent& b) { return a.event.position < b.event.position; });
+}
+
+// As if there were no labels: the events keep theirs, which decide nothing for others then.
+std::optional<std::vector<RecordDetection>> judgedWithoutLabels(std::vector<RecordDetection> records,
+                                                                const ExampleSource& source,
+                                                                const DetectOptions& options, Monitor& monitor) {
+  auto examples = source.examples, own = source.own;
+  examples.resize(examples.size() - source.fromLabels), own.resize(own.size() - source.ownFromLabels);
+  for (auto& record : records)
+    for (auto& channel : record.channels)
+      for (auto& event : channel.events) event.label.reset();
+  const Judge judge(std::move(examples), source.judgement, source.sizes, std::move(own));
+  for (auto& record : records)
+    if (!judgeCandidates(record, judge, options, monitor)) return std::nullopt;
+  return records;
+}
+
+struct Changes {
+  std::size_t events = 0, kinds = 0, severities = 0;  // of those without a label
+};
+
+Changes changesBetween(const std::vector<RecordDetection>& before, const std::vector<RecordDetection>& after) {
+  Changes changes;
+  for (std::size_t r = 0; r < after.size(); ++r)
+    for (std::size_t c = 0; c < after[r].channels.size(); ++c)
+      for (const auto& event : after[r].channels[c].events) {
+        if (event.label) continue;
+        ++changes.events;
+        const auto& all = before[r].channels[c].events;
+        const auto same =
+            std::find_if(all.begin(), all.end(), [&](const Event& each) { return each.time == event.time; });
+        if (same == all.end() || same->kind != event.kind)
+          ++changes.kinds;
+        else if (event.kind == Kind::squat && same->judgement.severity != event.judgement.severity)
+          ++changes.severities;
+      }
+  return changes;
+}
+
+std::string changesText(const Changes& changes) {
+  return "of the " + std::to_string(changes.events) + " events without a label, the labels changed the kind of " +
+         std::to_string(changes.kinds) + " and the severity of " + std::to_string(changes.severities);
 }
 
 }  // namespace
@@ -101,13 +157,20 @@ std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::ve
 std::optional<DetectionReport> judged(std::vector<RecordDetection> records, const ExampleSource& source,
                                       const DetectOptions& options, Monitor& monitor) {
   DetectionReport report;
+  std::optional<std::vector<RecordDetection>> before;
+  if (source.fromLabels + source.ownFromLabels > 0) {
+    before = judgedWithoutLabels(records, source, options, monitor);
+    if (!before) return std::nullopt;
+  }
   report.records = std::move(records);
   report.examples = source.words;
   report.limits = source.judgement.limits;
   const Judge judge(source.examples, source.judgement, source.sizes, source.own);
   for (auto& record : report.records)
     if (!judgeCandidates(record, judge, options, monitor)) return std::nullopt;
+  if (before) report.notes.push_back(changesText(changesBetween(*before, report.records)));
   report.events = combine(report.records);
+  for (std::size_t r = 0; r < report.records.size(); ++r) addStretches(report, r, options);
   return report;
 }
 

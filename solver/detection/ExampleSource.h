@@ -30,6 +30,7 @@ struct ExampleSource {
   SizeModel sizes;             // of many vehicles
   std::vector<Example> own;    // passages of the records' own vehicle: of its case, of a table of one vehicle, labels
   std::string words;           // where they come from, and how many labels match no event
+  std::size_t fromLabels = 0, ownFromLabels = 0;  // of `examples` and of `own`, at their ends
 };
 
 // Passages of a vehicle are computed once for the typical speed of the records and kept as
@@ -38,7 +39,8 @@ struct ExampleSource {
 std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::vector<RecordDetection>& records,
                                            Monitor& monitor);
 
-// Judges the candidates of all records and combines their passes. Nothing where it was cancelled.
+// Judges the candidates of all records and combines their passes. With labels, a note says of how many other events
+// they changed kind or severity. Nothing where it was cancelled.
 std::optional<DetectionReport> judged(std::vector<RecordDetection> records, const ExampleSource& source,
                                       const DetectOptions& options, Monitor& monitor);
 

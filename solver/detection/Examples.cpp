@@ -17,7 +17,8 @@ constexpr std::size_t formColumn = fixedColumns + bandCount + 2;  // tables of v
 constexpr std::size_t columns = formColumn + 5;
 constexpr std::array shapeNames{std::pair{scenario::DefectShape::cosine, "cosine"},
                                 std::pair{scenario::DefectShape::wshape, "w-shape"},
-                                std::pair{scenario::DefectShape::dipWithWave, "dip-with-wave"}};
+                                std::pair{scenario::DefectShape::dipWithWave, "dip-with-wave"},
+                                std::pair{scenario::DefectShape::profile, "profile"}};
 
 std::string headLine() {
   std::string head = "kind,vehicle,length [mm],depth [mm],speed [m/s],offset [mm],weight";
@@ -49,7 +50,7 @@ SquatForm formFrom(const std::vector<std::string>& row, const std::string& path,
     if (row[formColumn] == name) form.shape = shape;
   if (form.shape == scenario::DefectShape::none)
     throw FileError(path, "line " + std::to_string(line), "'" + row[formColumn] + "' is no shape",
-                    "Write cosine, w-shape, dip-with-wave or nothing");
+                    "Write cosine, w-shape, dip-with-wave, profile or nothing");
   const auto number = [&](std::size_t column) { return numberAt(row, formColumn + column, path, line); };
   form.middleHeight = number(1), form.waveLength = 1e-3 * number(2), form.waveDepth = 1e-3 * number(3);
   form.waveCount = number(4);

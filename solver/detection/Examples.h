@@ -1,6 +1,7 @@
 // solver/detection/Examples.h - passages whose cause is known: what an event is taken for is what they were.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,9 @@ struct Judgement {
   double length = 0, lengthLow = 0, lengthHigh = 0;  // [m] median and 90 % range, of squats
   double depth = 0, depthLow = 0, depthHigh = 0;     // [m]
   double offset = 0;                                 // [m] mean, to be taken from the anchor's position
+  std::array<double, 3> severities{};                // probability of each, if it is a squat
+  // [0..1] how well the record's events go with an axle box as the examples have them; the kinds count as much.
+  double axleBox = 1;
 };
 
 struct JudgementOptions {
@@ -74,7 +78,7 @@ class Judge {
   // Weights and vehicle: nothing where it was cancelled.
   std::optional<std::vector<double>> vehicleWeights(const std::vector<EventFeatures>& events, ThreadTeam& team,
                                                     Monitor& monitor) const;
-  void takeKind(const EventFeatures& event, const Vehicle& vehicle, double asSquat, const KindDensity& densities,
+  void takeKind(const EventFeatures& event, const Vehicle& vehicle, const SquatSize& size, const KindDensity& densities,
                 Judgement& judgement) const;
   std::optional<Vehicle> vehicleOf(const std::vector<EventFeatures>& events,
                                    const std::vector<std::optional<Label>>& labels, std::vector<Judgement> judgements,

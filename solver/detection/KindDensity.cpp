@@ -21,22 +21,39 @@ std::vector<const PathSpectrum*> pointersTo(const std::vector<PathSpectrum>& pat
 
 KindDensity::KindDensity(const SizeModel& model, const std::vector<Example>& examples, const PossibleDefects& possible,
                          const std::vector<EventFeatures>& events, ThreadTeam& team, Monitor& monitor)
-    : betweenPassages_(model.betweenPassages()),
-      joints_(model, pointersTo(possible.joints), events, team, monitor),
-      welds_(model, pointersTo(possible.welds), events, team, monitor) {
+    : betweenPassages_(model.betweenPassages()) {
+  for (const auto& [kind, paths] : possible.others) {
+    if (monitor.cancelled()) return;
+    paths_.try_emplace(kind, model, pointersTo(paths), events, team, monitor);
+  }
   for (const auto& example : examples) {
     const auto* deviation = model.deviation(example.vehicle);
     Passage passage{measuredEnergies(example), deviation != nullptr, example.speed, example.weight};
     if (deviation) passage.energies -= *deviation;
     passages_[example.kind].push_back(passage);
+    reaches_[example.kind].push_back(example.reach);
   }
 }
 
 double KindDensity::of(Kind kind, const EventFeatures& event, const Vehicle& vehicle) const {
   const double examples = ofExamples(kind, event, vehicle);
-  if (kind != Kind::joint && kind != Kind::weld) return examples;
-  const double paths = ofPaths(kind == Kind::joint ? joints_ : welds_, event, vehicle);
-  return logSum({examples, paths}) - std::log(2.0);
+  const auto paths = paths_.find(kind);
+  if (paths == paths_.end()) return examples;
+  std::vector<double> parts{ofPaths(paths->second, event, vehicle)};
+  if (std::isfinite(examples)) parts.push_back(examples);
+  if (kind == Kind::other) parts.push_back(ofNoneKnown(event, vehicle));
+  return logSum(parts) - std::log(static_cast<double>(parts.size()));
+}
+
+double KindDensity::logReach(Kind kind, const EventFeatures& event) const {
+  // Of a kind with few examples as of one that is loud over any length up to two metres, twice.
+  constexpr double longest = 2, unseen = 2;
+  const double asFar = std::clamp(1 - event.reach / longest, 0.05, 1.0);
+  const auto found = reaches_.find(kind);
+  if (found == reaches_.end()) return std::log(asFar);
+  const auto count = std::count_if(found->second.begin(), found->second.end(),
+                                   [&](double reach) { return reach >= event.reach - 1e-9; });
+  return std::log((static_cast<double>(count) + unseen * asFar) / (static_cast<double>(found->second.size()) + unseen));
 }
 
 double KindDensity::ofExamples(Kind kind, const EventFeatures& event, const Vehicle& vehicle) const {
@@ -61,6 +78,22 @@ double KindDensity::ofPaths(const ExpectedBySpeed& paths, const EventFeatures& e
   for (const auto& expected : paths.at(event.speed))
     logs.push_back(logDensityOf(matchOf(event, expected, vehicle, scatter)));
   return logSum(logs) - std::log(static_cast<double>(logs.size()));
+}
+
+double KindDensity::ofNoneKnown(const EventFeatures& event, const Vehicle& vehicle) const {
+  constexpr double wider = 1.5, byItself = 0.5;  // of all together; of each band, in decades of energy
+  BandValues mean = BandValues::Zero();
+  BandMatrix squares = BandMatrix::Zero();
+  double count = 0;
+  for (const auto& [kind, paths] : paths_) {
+    const auto& moments = paths.momentsAt(event.speed);
+    mean += moments.sum, squares += moments.squares, count += moments.count;
+  }
+  mean /= count;
+  const BandMatrix spread = squares / count - mean * mean.transpose();
+  BandMatrix scatter = wider * wider * spread + betweenPassages_ + vehicle.covariance;
+  scatter.diagonal().array() += byItself * byItself;
+  return logDensityOf(matchOf(event, mean, vehicle, scatter));
 }
 
 }  // namespace squat::detection

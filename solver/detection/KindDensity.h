@@ -14,8 +14,9 @@ namespace squat::detection {
 inline constexpr double speedSpread = 0.15;
 
 // Density of an event's energies, on one scale with SquatSize::logDensity, by the examples of a kind, each freed of its
-// own vehicle and taken to that of the record. For joints and welds one half comes from the paths of many possible
-// ones, since the examples have few of each form.
+// own vehicle and taken to that of the record. For what is no squat one half comes from the paths of many possible
+// irregularities, since the examples have few of each form. For the kind other a third more comes from a normal density
+// as wide as all of them and half as wide again: what resembles none of them is nothing known.
 class KindDensity {
  public:
   // `events`: those that it will be asked of. Not to be used once it was cancelled.
@@ -24,6 +25,9 @@ class KindDensity {
 
   // Logarithm; minus infinity for a kind without examples and paths.
   double of(Kind kind, const EventFeatures& event, const Vehicle& vehicle) const;
+  // Logarithm of the share of a kind's examples that are loud at least as far (EventFeatures::reach). Noise hides the
+  // ends of an event and never adds to them, so that a short reach tells nothing.
+  double logReach(Kind kind, const EventFeatures& event) const;
 
  private:
   struct Passage {
@@ -33,10 +37,12 @@ class KindDensity {
   };
   double ofExamples(Kind kind, const EventFeatures& event, const Vehicle& vehicle) const;
   double ofPaths(const ExpectedBySpeed& paths, const EventFeatures& event, const Vehicle& vehicle) const;
+  double ofNoneKnown(const EventFeatures& event, const Vehicle& vehicle) const;
 
   BandMatrix betweenPassages_;
   std::map<Kind, std::vector<Passage>> passages_;
-  ExpectedBySpeed joints_, welds_;
+  std::map<Kind, std::vector<double>> reaches_;  // [m] of the examples
+  std::map<Kind, ExpectedBySpeed> paths_;
 };
 
 }  // namespace squat::detection

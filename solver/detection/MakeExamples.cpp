@@ -182,7 +182,7 @@ Example exampleOf(const results::RunResult& result, Kind kind, double length, do
 std::optional<std::vector<Example>> makeExamples(const cases::CaseDescription& description,
                                                  const ExampleOptions& options, Monitor& monitor) {
   const auto squats = exampleSquats(options.squats, options.seed);
-  const auto others = exampleJointsAndWelds(options.others, options.seed + 1);
+  const auto others = exampleOthers(options.others, options.seed + 1);
   Runs runs(options, squats.size() + others.size(), monitor);
   if (!runs.add(description, squats, 0.4) || !runs.add(description, others, 0.6)) return std::nullopt;
   if (runs.examples.empty()) throw RunError("no example came to its end: " + runs.failure, 0, 0, "");

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double speedStep = 0.02;  // of the logarithm: energies are computed for speeds this far apart
 // With 700 squats the rarer sizes lie so far apart that some severe ones look more like joints.
-constexpr std::size_t possibleSquats = 2000, possibleJointsAndWelds = 1000;
+constexpr std::size_t possibleSquats = 2000, possibleOthers = 1600;
 
 long stepOf(double speed) { return std::lround(std::log(speed) / speedStep); }
 
@@ -39,8 +39,8 @@ std::vector<const PathSpectrum*> PossibleSquats::paths() const {
 
 PossibleDefects::PossibleDefects(const SeverityLimits& limits) : squats(possibleSquats, limits) {
   constexpr std::uint32_t seed = 998;
-  for (const auto& example : exampleJointsAndWelds(possibleJointsAndWelds, seed))
-    (example.kind == Kind::joint ? joints : welds).emplace_back(example.defect);
+  for (const auto& example : exampleOthers(possibleOthers, seed))
+    if (example.kind != Kind::squat) others[example.kind].emplace_back(example.defect);
 }
 
 ExpectedBySpeed::ExpectedBySpeed(const SizeModel& model, const std::vector<const PathSpectrum*>& paths,
@@ -52,9 +52,15 @@ ExpectedBySpeed::ExpectedBySpeed(const SizeModel& model, const std::vector<const
     team.forEach(paths.size(), [&, &values = expected](std::size_t i) {
       values[i] = model.expected(pathEnergies(*paths[i], speed), speed);
     });
+    auto& moments = moments_[step];
+    for (const auto& each : expected) {
+      moments.sum += each, moments.squares += each * each.transpose();
+      moments.count += 1;
+    }
   }
 }
 
 const std::vector<BandValues>& ExpectedBySpeed::at(double speed) const { return expected_.at(stepOf(speed)); }
+const ExpectedBySpeed::Moments& ExpectedBySpeed::momentsAt(double speed) const { return moments_.at(stepOf(speed)); }
 
 }  // namespace squat::detection

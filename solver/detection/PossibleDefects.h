@@ -1,4 +1,5 @@
-// solver/detection/PossibleDefects.h - what an event may be: squats, joints and welds of all sizes, and their paths.
+// solver/detection/PossibleDefects.h - what an event may be: squats of all sizes, joints, welds and the rest, and their
+// paths.
 #pragma once
 
 #include <cstddef>
@@ -32,12 +33,12 @@ class PossibleSquats {
   std::vector<Squat> squats_;
 };
 
-// Joints and welds are those that exampleJointsAndWelds() draws.
+// What is no squat: the kinds that exampleOthers() draws.
 struct PossibleDefects {
   explicit PossibleDefects(const SeverityLimits& limits);
 
   PossibleSquats squats;
-  std::vector<PathSpectrum> joints, welds;
+  std::map<Kind, std::vector<PathSpectrum>> others;
 };
 
 // y of SizeModel.h without u, of many paths, for the speeds of some events.
@@ -49,8 +50,16 @@ class ExpectedBySpeed {
   // Of each path; `speed` [m/s]: that of one of the events.
   const std::vector<BandValues>& at(double speed) const;
 
+  struct Moments {
+    BandValues sum = BandValues::Zero();
+    BandMatrix squares = BandMatrix::Zero();
+    double count = 0;
+  };
+  const Moments& momentsAt(double speed) const;
+
  private:
   std::map<long, std::vector<BandValues>> expected_;
+  std::map<long, Moments> moments_;
 };
 
 }  // namespace squat::detection

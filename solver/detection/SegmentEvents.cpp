@@ -79,7 +79,9 @@ Event eventAt(const Segment& segment, std::size_t channel, const std::vector<dou
   return event;
 }
 
-std::vector<Piece> piecesOf(const Segment& segment, std::size_t channel) {
+// `evidence`: a value for each `cell` samples; empty: there is none.
+std::vector<Piece> piecesOf(const Segment& segment, std::size_t channel, const std::vector<double>& evidence,
+                            std::size_t cell) {
   std::vector<Piece> pieces;
   const auto& series = segment.channels[channel];
   double way = pieceLength, squares = 0;
@@ -93,12 +95,14 @@ std::vector<Piece> piecesOf(const Segment& segment, std::size_t channel) {
     if (time < segment.coreStart || time >= segment.coreEnd) continue;
     if (way >= pieceLength) {
       close();
-      pieces.push_back({segment.position[i], 0, 0});
+      pieces.push_back({segment.position[i], 0, 0, 0});
       way = std::fmod(way, pieceLength);
     }
     way += std::max(0.0, segment.speed[i]) * series.step;
     squares += series.values[i] * series.values[i], ++count;
     pieces.back().peak = std::max(pieces.back().peak, std::abs(series.values[i]));
+    if (const auto at = i / cell; at < evidence.size())
+      pieces.back().evidence = std::max(pieces.back().evidence, evidence[at]);
   }
   close();
   return pieces;
@@ -120,12 +124,16 @@ std::size_t passageAnchor(const BandPower& power, const Evidence& silence) {
 SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold) {
   SegmentEvents found;
   const auto& series = segment.channels[channel];
-  found.pieces = piecesOf(segment, channel);
-  if (isStill(series)) return found;
+  if (isStill(series)) {
+    found.pieces = piecesOf(segment, channel, {}, 1);
+    return found;
+  }
   const auto power = bandPower(series);
   const auto speed = atCells(segment.speed, power);
   const auto travelled = travelledBy(speed, power.step);
   const auto evidence = evidenceOf(power, series.rate(), speed, silentCells(series, power));
+  found.pieces = piecesOf(segment, channel, evidence.value, power.cell);
+  found.waves = wavyStretches(segment, channel, power);
   for (const auto& candidate : candidatesIn(power, evidence, travelled, threshold)) {
     const double time = power.timeAt(candidate.anchor);
     if (time < segment.coreStart || time >= segment.coreEnd || speed[candidate.anchor] < minimumSpeed) continue;

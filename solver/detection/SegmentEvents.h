@@ -5,23 +5,25 @@
 
 #include "detection/Event.h"
 #include "detection/Segments.h"
+#include "detection/WavyStretches.h"
 
 namespace squat::detection {
 
-// Root mean square and largest value of one channel over equal pieces of the way, for the overview along the track.
+// Root mean square, largest value and largest evidence (Candidates.h) of one channel over equal pieces of the way: for
+// the overview along the track, and for what the record reaches where nothing happens (EvidenceTail.h).
 struct Piece {
   double position = 0;  // [m] of its beginning, as the record counts
   double rms = 0, peak = 0;
+  double evidence = 0;
 };
 
 struct SegmentEvents {
   std::vector<Event> events;  // in the segment's core, in their order
   std::vector<Piece> pieces;
+  std::vector<WavyStretch> waves;  // of the core, not joined yet
 };
 
-// Stretches slower than `minimumSpeed` are passed over: a wheel that barely moves excites nothing that can be judged.
-inline constexpr double minimumSpeed = 3;  // [m/s]
-inline constexpr double pieceLength = 1;   // [m]
+inline constexpr double pieceLength = 1;  // [m]
 
 SegmentEvents segmentEvents(const Segment& segment, std::size_t channel, double threshold);
 

@@ -10,6 +10,9 @@
 
 namespace squat::detection {
 
+// Stretches slower than this are passed over: a wheel that barely moves excites nothing that can be judged.
+inline constexpr double minimumSpeed = 3;  // [m/s]
+
 // A stretch of a record at the reduced rate of the detection, with what it shares with its neighbours at both ends.
 struct Segment {
   std::vector<signals::TimeSeries> channels;

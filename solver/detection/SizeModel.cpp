@@ -56,7 +56,11 @@ Table tableOf(const std::vector<Example>& examples) {
 
 }  // namespace
 
-bool hasSize(const Example& example) { return example.kind == Kind::squat && example.length > 0 && example.depth > 0; }
+bool hasSize(const Example& example) {
+  // Several squats as one profile: the size of the deepest does not give their path.
+  if (example.form.shape == scenario::DefectShape::profile) return false;
+  return example.kind == Kind::squat && example.length > 0 && example.depth > 0;
+}
 
 BandValues pathEnergies(const PathSpectrum& path, double speed) {
   BandValues values;

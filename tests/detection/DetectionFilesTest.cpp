@@ -123,7 +123,7 @@ TEST(DetectionFiles, LabelsAreReadAsSpreadsheetsSaveThem) {
 TEST(DetectionFiles, TheTableServesAsLabels) {
   const auto path = (std::filesystem::temp_directory_path() / "labels-test.csv").string();
   auto text = detectionCsv(reportWith(53));
-  text.replace(text.find("moderate"), 8, "severe");
+  text.replace(text.rfind(",moderate,") + 1, 8, "severe");
   std::ofstream(path) << text;
   const auto labels = readLabels(path);
   ASSERT_EQ(labels.size(), 2U);

@@ -1,7 +1,8 @@
 // What the user has seen decides, whatever the signal says.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "detection/Detect.h"
+#include "detection/ExampleSource.h"
 #include "detection/Passes.h"
 
 namespace squat::detection {
@@ -22,7 +23,7 @@ Judge lightSquatOrLoudWeld() {
 
 Event eventAt(double position, double energy) {
   Event event;
-  event.channel = "left", event.position = event.travelled = position;
+  event.channel = "left", event.position = event.travelled = position, event.time = position / 30;
   event.features.speed = 30, event.features.reach = 0.5;
   event.features.energy.fill(energy + 0.01), event.features.noise.fill(0.01), event.features.freedom.fill(20);
   return event;
@@ -80,6 +81,23 @@ TEST(Labels, BelongToTheNearestEventOfTheirChannel) {
   EXPECT_EQ(examples[0].kind, Kind::joint);
   EXPECT_EQ(examples[0].weight, 5);
   EXPECT_NEAR(examples[0].energy[0], 100, 1e-9) << "of the event at 20 m, freed of its noise";
+}
+
+// One of two equal events is labelled a joint: the other, a weld until then, becomes one. The squat stays.
+TEST(Labels, SayWhatTheyChange) {
+  std::vector<RecordDetection> records(1);
+  records[0].channels.push_back({"left", {eventAt(10, 1), eventAt(20, 100), eventAt(25, 100)}, {}, 0});
+  attachLabels(records[0], {labelAt(20, Kind::joint)});
+  ExampleSource source;
+  source.judgement.commonSpread = 0.05;
+  source.examples = {exampleOf(Kind::squat, 1), exampleOf(Kind::weld, 100)};
+  for (auto& example : labelledExamples(records[0], 5)) source.examples.push_back(example), ++source.fromLabels;
+  Monitor unwatched;
+  const auto report = judged(std::move(records), source, {}, unwatched);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->records[0].channels[0].events[2].kind, Kind::joint);
+  EXPECT_THAT(report->notes, ::testing::ElementsAre("of the 2 events without a label, the labels changed the kind of 1 "
+                                                    "and the severity of 0"));
 }
 
 // The counter of a second pass stands 3.7 m ahead: the labels are in the chainage of the first.

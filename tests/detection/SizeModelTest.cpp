@@ -293,7 +293,7 @@ TEST(Judge, StopsWheneverItIsCancelled) {
                              patient.asked - count, patient.asked}) {
     Impatient monitor(patience);
     EXPECT_FALSE(judge.judge(events, {}, alone, monitor)) << "cancelled when asked for time " << patience;
-    EXPECT_LE(monitor.asked, patience + 3) << "paths of joints, paths of welds, and who made them ask once more";
+    EXPECT_LE(monitor.asked, patience + 3) << "paths of a kind, and who made them, ask once more";
   }
   Impatient late(patient.asked - count + 1);
   EXPECT_FALSE(judge.judge(events, {}, alone, late));

@@ -275,6 +275,10 @@ QString RecordView::passageOfChosen() {
   const int event = chosen();
   if (event < 0) return {};
   const auto& combined = model_->at(event);
+  if (combined.event.extent > 0) {
+    Q_EMIT failed(tr("A stretch of corrugation is too long to be shown as a passage: choose an event."));
+    return {};
+  }
   const std::string file =
       folder_.toStdString() + "/" + detection::passageName(combined, static_cast<std::size_t>(event));
   const bool hasSignal = !combined.event.passage.values.empty();  // else the list was read from its file

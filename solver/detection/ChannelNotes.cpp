@@ -1,0 +1,79 @@
+#include "detection/ChannelNotes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "detection/BackgroundSections.h"
+#include "text/Numbers.h"
+
+namespace squat::detection {
+namespace {
+
+using text::formatted;
+
+// A wavelength and a frequency are told apart by a speed that varies. Of neither it is known how often it is wrong: one
+// measured track with corrugation and one without were at hand.
+constexpr double variedSpeed = 1.2, surenessVaried = 0.7, surenessSteady = 0.5;
+
+bool isVaried(const WavyStretch& stretch) { return stretch.fastest > variedSpeed * stretch.slowest; }
+
+// Of those that were passed at one speed.
+std::string resonanceNote(const ChannelDetection& channel) {
+  double lowest = 1e9, highest = 0;
+  for (const auto& stretch : channel.waves) {
+    if (isVaried(stretch)) continue;
+    const double frequency = 0.5 * (stretch.slowest + stretch.fastest) / stretch.wavelength;
+    lowest = std::min(lowest, frequency), highest = std::max(highest, frequency);
+  }
+  if (!(highest > 0)) return {};
+  return channel.name + ": its stretches of corrugation were passed at one speed; " +
+         (highest - lowest < 1 ? formatted("a resonance at %.0f Hz", highest)
+                               : formatted("a resonance at %.0f", lowest) + formatted(" to %.0f Hz", highest)) +
+         " would look the same";
+}
+
+}  // namespace
+
+std::vector<Event> stretchEvents(const ChannelDetection& channel, const std::string& unit) {
+  std::vector<Event> events;
+  for (const auto& stretch : channel.waves) {
+    Event event;
+    event.channel = channel.name, event.unit = unit;
+    event.time = stretch.time;
+    event.position = std::min(stretch.from, stretch.to), event.extent = std::abs(stretch.to - stretch.from);
+    event.latitude = event.longitude = std::numeric_limits<double>::quiet_NaN();
+    event.kind = event.judgement.kind = Kind::corrugation;
+    event.features.speed = 0.5 * (stretch.slowest + stretch.fastest);
+    event.features.wavelength = stretch.wavelength;
+    for (const auto& piece : channel.pieces)
+      if (piece.position >= event.position && piece.position < event.position + event.extent)
+        event.peak = std::max(event.peak, piece.peak);
+    event.sureness = event.judgement.sureness = isVaried(stretch) ? surenessVaried : surenessSteady;
+    event.reason = formatted("%.0f m of waves", event.extent) + formatted(" of %.0f mm", 1e3 * stretch.wavelength);
+    events.push_back(std::move(event));
+  }
+  return events;
+}
+
+std::vector<std::string> channelNotes(const ChannelDetection& channel, const DetectOptions& options) {
+  constexpr double restless = 3, doubtful = 0.5;
+  std::vector<std::string> notes;
+  const double quiet = EvidenceTail({}).evidenceOf(options.falseAlarms);
+  const auto sections = backgroundSections(channel.pieces);
+  const auto loud = std::max_element(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
+    return a.tail.evidenceOf(options.falseAlarms) < b.tail.evidenceOf(options.falseAlarms);
+  });
+  if (loud != sections.end())
+    if (const double evidence = loud->tail.evidenceOf(options.falseAlarms); evidence > restless * quiet)
+      notes.push_back(channel.name + ": the background swells and fades; " +
+                      formatted("up to a score of %.0f ", evidence) + formatted("(in quiet noise %.0f) ", quiet) +
+                      "nothing is told from it at this rate of false alarms");
+  if (auto note = resonanceNote(channel); !note.empty()) notes.push_back(std::move(note));
+  if (!channel.events.empty() && channel.events.front().judgement.axleBox < doubtful)
+    notes.push_back(channel.name + ": its events are not as strong as at an axle box, or not alike in all bands: the " +
+                    "sensor may be elsewhere, the unit another, the speed wrong. Kinds are not told");
+  return notes;
+}
+
+}  // namespace squat::detection
