@@ -64,9 +64,7 @@ ExampleDefect joint(Shares& shares) {
   const auto ends = endsWith(shares, {5e-3, 20e-3}, {0.08, 0.40}, 0.3e-3);
   const double gap = shares.within({5e-3, 20e-3}), batter = shares.within({0.02e-3, 0.3e-3});
   const double worn = shares.between(0.04, 0.12);
-  const auto surface = [=](double x) {
-    return ends.height(x) - (x > 0 ? batter * std::max(0.0, 1 - x / worn) : 0.0);
-  };
+  const auto surface = [=](double x) { return ends.height(x) - (x > 0 ? batter * std::max(0.0, 1 - x / worn) : 0.0); };
   // A wheel of 0.46 m reaches 0.1 mm into a gap of 20 mm: its floor is lower, and no steeper than the contact can take.
   const double floor = 0.05e-3 + 0.01 * gap;
   const auto height = [=](double x) {

@@ -108,8 +108,8 @@ std::vector<WavyStretch> wavyStretches(const Segment& segment, std::size_t chann
     const bool isPinned = peak.frequency > pinnedFrom && peak.frequency < pinnedTo;
     if (peak.share >= (isPinned ? leastPinnedShare : leastShare) &&
         steadiness(bandPower, peak.frequency, series.timeAt(from), series.timeAt(from + 2 * half)) >= leastSteadiness)
-      pieces.push_back(
-          {series.timeAt(first), segment.position[first], segment.position[i - 1], speed / peak.frequency, peak.share, speed, speed});
+      pieces.push_back({series.timeAt(first), segment.position[first], segment.position[i - 1], speed / peak.frequency,
+                        peak.share, speed, speed});
   }
   return pieces;
 }

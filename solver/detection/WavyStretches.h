@@ -13,7 +13,7 @@ namespace squat::detection {
 // spectrum: a wavelength holds a large share of the power above 30 Hz. So does a resonance, at one frequency: only a
 // speed that varies tells them apart.
 struct WavyStretch {
-  double time = 0;          // [s] at which it begins
+  double time = 0;                  // [s] at which it begins
   double from = 0, to = 0;          // [m] as the record counts, in the order of travel
   double wavelength = 0;            // [m]
   double share = 0;                 // [0..1] of the power within 15 % of the wavelength

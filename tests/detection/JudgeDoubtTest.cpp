@@ -52,8 +52,8 @@ TEST(JudgeDoubt, VehiclesThatItHasNotSeenAreAxleBoxes) {
   EXPECT_GE(believed, 5);
 }
 
-// Accelerations in g that were taken for m/s2 have a ninety-sixth of the energy. Light squats of a soft wheelset make as
-// little: a few events may still be called squats, none of them surely, where three quarters of them are.
+// Accelerations in g that were taken for m/s2 have a ninety-sixth of the energy. Light squats of a soft wheelset make
+// as little: a few events may still be called squats, none of them surely, where three quarters of them are.
 TEST(JudgeDoubt, AWrongUnitIsNoSquatSurely) {
   std::size_t squats = 0, all = 0;
   for (const auto& vehicle : someVehicles(3))
