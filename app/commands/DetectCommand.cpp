@@ -197,10 +197,11 @@ void addDetectCommand(CLI::App& program, Action& action) {
       ->type_name("M");
   command
       ->add_option("--false-alarms", options->detect.falseAlarms,
-                   "Events a kilometre that the background of the record may make by itself (default: 0.1)")
+                   "False alarms a kilometre that are accepted from the background (default: 0.1)")
       ->check(CLI::Range(1e-6, 100.0))
       ->type_name("N");
-  command->add_option("--threshold", options->detect.threshold, "Least evidence of any event (default: 14)")
+  command
+      ->add_option("--threshold", options->detect.threshold, "Smallest evidence that counts as an event (default: 14)")
       ->check(between(1.0, 1e6))
       ->type_name("N");
   command

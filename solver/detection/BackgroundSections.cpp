@@ -5,7 +5,13 @@
 
 namespace squat::detection {
 
-std::vector<BackgroundSection> backgroundSections(const std::vector<Piece>& pieces) {
+std::vector<BackgroundSection> backgroundSections(const std::vector<Piece>& pieces, std::vector<Way> leftOut) {
+  std::sort(leftOut.begin(), leftOut.end(), [](const Way& a, const Way& b) { return a.from < b.from; });
+  const auto isLeftOut = [&](double position) {  // ways are of one length: the first that ends behind it decides
+    const auto way = std::lower_bound(leftOut.begin(), leftOut.end(), position,
+                                      [](const Way& each, double value) { return each.to < value; });
+    return way != leftOut.end() && way->from < position + pieceLength;
+  };
   constexpr std::size_t usual = 1000;  // pieces
   const std::size_t count = std::max<std::size_t>(1, (pieces.size() + usual / 2) / usual);
   std::vector<BackgroundSection> sections;
@@ -13,7 +19,8 @@ std::vector<BackgroundSection> backgroundSections(const std::vector<Piece>& piec
     std::vector<double> maxima;
     const auto first = pieces.begin() + static_cast<std::ptrdiff_t>(s * pieces.size() / count);
     const auto end = pieces.begin() + static_cast<std::ptrdiff_t>((s + 1) * pieces.size() / count);
-    for (auto piece = first; piece != end; ++piece) maxima.push_back(piece->evidence);
+    for (auto piece = first; piece != end; ++piece)
+      if (piece->evidence > 0 && !isLeftOut(piece->position)) maxima.push_back(piece->evidence);
     const auto [low, high] =
         std::minmax_element(first, end, [](const Piece& a, const Piece& b) { return a.position < b.position; });
     sections.push_back({low->position, high->position + pieceLength, EvidenceTail(maxima)});

@@ -92,6 +92,8 @@ void fields(auto& visit, Is<WavyStretch> auto& value) {
   visit("from", value.from);
   visit("to", value.to);
   visit("wavelength", value.wavelength);
+  visit("shortest", value.shortest);
+  visit("longest", value.longest);
   visit("share", value.share);
   visit("slowest", value.slowest);
   visit("fastest", value.fastest);

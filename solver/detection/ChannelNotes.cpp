@@ -59,20 +59,22 @@ std::vector<Event> stretchEvents(const ChannelDetection& channel, const std::str
 std::vector<std::string> channelNotes(const ChannelDetection& channel, const DetectOptions& options) {
   constexpr double restless = 3, doubtful = 0.5;
   std::vector<std::string> notes;
-  const double quiet = EvidenceTail({}).evidenceOf(options.falseAlarms);
+  const double quiet = std::max(options.threshold, EvidenceTail({}).evidenceOf(options.falseAlarms));
   const auto sections = backgroundSections(channel.pieces);
   const auto loud = std::max_element(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
     return a.tail.evidenceOf(options.falseAlarms) < b.tail.evidenceOf(options.falseAlarms);
   });
   if (loud != sections.end())
     if (const double evidence = loud->tail.evidenceOf(options.falseAlarms); evidence > restless * quiet)
-      notes.push_back(channel.name + ": the background swells and fades; " +
-                      formatted("up to a score of %.0f ", evidence) + formatted("(in quiet noise %.0f) ", quiet) +
-                      "nothing is told from it at this rate of false alarms");
+      notes.push_back(channel.name + ": the background swells and fades; " + formatted("from %.0f ", loud->from) +
+                      formatted("to %.0f m ", loud->to) +
+                      formatted("an event needs a score of %.0f to be told from it ", evidence) +
+                      formatted("(%.0f in quiet noise)", quiet));
   if (auto note = resonanceNote(channel); !note.empty()) notes.push_back(std::move(note));
   if (!channel.events.empty() && channel.events.front().judgement.axleBox < doubtful)
-    notes.push_back(channel.name + ": its events are not as strong as at an axle box, or not alike in all bands: the " +
-                    "sensor may be elsewhere, the unit another, the speed wrong. Kinds are not told");
+    notes.push_back(
+        channel.name + ": its events are much weaker or stronger than at an axle box, or shared otherwise " +
+        "among the bands: the sensor may be elsewhere, the unit another, the speed wrong. Kinds are not told");
   return notes;
 }
 

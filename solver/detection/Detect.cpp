@@ -70,19 +70,28 @@ void takeLabel(Event& event, const SeverityLimits& limits) {
   event.judgement.severitySureness = 1;
 }
 
-// Drops what the background makes more often than the user accepts; labels stay.
-void dropBackground(ChannelDetection& channel, double falseAlarms) {
-  const auto sections = backgroundSections(channel.pieces);
-  for (auto& event : channel.events) {
-    const auto* own = sectionAt(sections, event.position);
-    if (own) event.falseAlarms = own->tail.alarmsPerKilometre(event.score);
+// Drops what the background makes more often than the user accepts. Labels stay, and so do strikes of a flat, which no
+// background makes: of the metres in which it rings, none tells of the background.
+void dropBackground(ChannelDetection& channel, const DetectOptions& options, bool falling) {
+  constexpr double ahead = 0.3, ringing = 0.9;  // [m]
+  std::vector<Way> struck;
+  const auto strikes = strikesOfFlats(channel.events, options.surroundings);
+  for (const auto i : strikes) {
+    const double at = channel.events[i].position;
+    struck.push_back(falling ? Way{at - ringing, at + ahead} : Way{at - ahead, at + ringing});
   }
-  std::erase_if(channel.events, [&](const Event& event) { return !event.label && event.falseAlarms > falseAlarms; });
+  const auto sections = backgroundSections(channel.pieces, std::move(struck));
+  for (auto& event : channel.events)
+    if (const auto* own = sectionAt(sections, event.position))
+      event.falseAlarms = own->tail.alarmsPerKilometre(event.score);
+  for (const auto i : strikes) channel.events[i].falseAlarms = 0;
+  std::erase_if(channel.events,
+                [&](const Event& event) { return !event.label && event.falseAlarms > options.falseAlarms; });
 }
 
 bool judgeChannel(ChannelDetection& channel, const Judge& judge, const DetectOptions& options, bool falling,
                   ThreadTeam& team, Monitor& monitor) {
-  dropBackground(channel, options.falseAlarms);
+  dropBackground(channel, options, falling);
   std::vector<EventFeatures> features;
   std::vector<std::optional<Label>> labels;
   for (const auto& event : channel.events) features.push_back(event.features), labels.push_back(event.label);

@@ -31,7 +31,7 @@ double powerOf(const Event& event, std::size_t band) {
 }
 
 // Two digits, and 0 below one in a billion kilometres.
-double roundedDown(double alarms) {
+double withTwoDigits(double alarms) {
   if (alarms < 1e-9) return 0;
   const double unit = std::pow(10.0, std::floor(std::log10(alarms)) - 1);
   return std::round(alarms / unit) * unit;
@@ -107,7 +107,7 @@ std::string row(const DetectionReport& report, std::size_t index) {
   cells.push_back(std::to_string(event.passesThere));
   cells.push_back(text::fixedText(event.latitude, 7));
   cells.push_back(text::fixedText(event.longitude, 7));
-  cells.push_back(event.extent > 0 ? "" : text::numberText(roundedDown(event.falseAlarms)));
+  cells.push_back(event.extent > 0 ? "" : text::numberText(withTwoDigits(event.falseAlarms)));
   cells.push_back(text::fixedText(extentOf(event), 2));
   for (const double severity : judged.severities) cells.push_back(isSquat(event) ? text::fixedText(severity, 2) : "");
   cells.push_back(event.reason);
@@ -147,7 +147,7 @@ Json jsonOf(const DetectionReport& report, const CombinedEvent& combined) {
   }
   if (std::isfinite(event.latitude)) json["latitude_deg"] = event.latitude, json["longitude_deg"] = event.longitude;
   json["extent_m"] = rounded(extentOf(event), 0.01);
-  if (event.extent == 0) json["false_alarms_per_km"] = roundedDown(event.falseAlarms);
+  if (event.extent == 0) json["false_alarms_per_km"] = withTwoDigits(event.falseAlarms);
   if (!event.reason.empty()) json["reason"] = event.reason;
   return json;
 }
@@ -291,6 +291,8 @@ std::vector<Label> readLabels(const std::string& path) {
       if (!number) return std::nullopt;
       return *number * metresOf(names[columnOf(names, column)], usual, path);
     };
+    // Stretches of corrugation, in squats.csv, are no events.
+    if (columnOf(names, "false alarms") < names.size() && cell("false alarms").empty()) continue;
     const auto where = metres("position", 1);
     if (!where) throw FileError(path, place, "'" + cell("position") + "' is not a position");
     Label label;

@@ -24,13 +24,15 @@ struct ExampleDefect {
 // are left out: no signal tells them from shallower ones.
 std::vector<ExampleDefect> exampleSquats(std::size_t count, std::uint32_t seed);
 
-// In turn, an eighth of each but for joints, which have two:
-//   joint        gap 5 to 20 mm, ends that meet at 5 to 20 mrad over 80 to 400 mm, step to 0.3 mm, worn behind the gap
+// In turn, an eighth of each but for joints and welds, which have two:
+//   joint        gap 5 to 20 mm, ends that meet at 5 to 20 mrad over 60 to 560 mm, one up to 1.5 mm
+//                higher, worn behind the gap
 //   insulated    a joint as well: filled gap 4 to 8 mm, 1 to 6 mrad
 //   weld         dip or hump, smooth or peaked: 0.1 to 1 m, and 20 to 100 mm, slopes of 1 to 10 mrad, up to 0.5 mm
 //   crossing     kind other: 5 to 20 mrad over 0.12 to 0.5 m and a worn nose
 //   corrugation  3 to 20 waves of 25 to 80 mm, no longer than 1.2 m, 0.02 to 0.12 mm from crest to valley
-//   squats       two or three of 20 to 70 mm, 50 to 250 mm apart; length and depth are those of the deepest
+//   squats       two or three of 20 to 70 mm, 60 to 290 mm from middle to middle; length and depth are those of the
+//   deepest
 // Dimensions are assumed from what railways tolerate and repair; none comes from a measurement.
 std::vector<ExampleDefect> exampleOthers(std::size_t count, std::uint32_t seed);
 

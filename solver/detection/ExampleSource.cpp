@@ -73,13 +73,17 @@ void addLabels(const std::vector<Label>& labels, const std::string& file, std::v
 }
 
 // What concerns more than a metre, and what is to be said of each channel.
-void addStretches(DetectionReport& report, std::size_t index, const DetectOptions& options) {
+// `shift` [m]: onto the chainage of the first record.
+void addStretchesAndNotes(DetectionReport& report, std::size_t index, double shift, const DetectOptions& options) {
   auto& record = report.records[index];
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     const auto& channel = record.channels[c];
     for (auto& note : channelNotes(channel, options)) record.notes.push_back(std::move(note));
     const auto unit = c < record.layout.channels.size() ? record.layout.channels[c].unit : std::string();
-    for (auto& event : stretchEvents(channel, unit)) report.events.push_back({std::move(event), {index}, 0});
+    for (auto& event : stretchEvents(channel, unit)) {
+      event.position += shift;
+      report.events.push_back({std::move(event), {index}, 0});
+    }
   }
   std::stable_sort(report.events.begin(), report.events.end(),
                    [](const CombinedEvent& a, const CombinedEvent& b) { return a.event.position < b.event.position; });
@@ -98,6 +102,14 @@ std::optional<std::vector<RecordDetection>> judgedWithoutLabels(std::vector<Reco
   for (auto& record : records)
     if (!judgeCandidates(record, judge, options, monitor)) return std::nullopt;
   return records;
+}
+
+bool hasLabels(const std::vector<RecordDetection>& records) {
+  for (const auto& record : records)
+    for (const auto& channel : record.channels)
+      for (const auto& event : channel.events)
+        if (event.label) return true;
+  return false;
 }
 
 struct Changes {
@@ -158,7 +170,7 @@ std::optional<DetectionReport> judged(std::vector<RecordDetection> records, cons
                                       const DetectOptions& options, Monitor& monitor) {
   DetectionReport report;
   std::optional<std::vector<RecordDetection>> before;
-  if (source.fromLabels + source.ownFromLabels > 0) {
+  if (hasLabels(records)) {
     before = judgedWithoutLabels(records, source, options, monitor);
     if (!before) return std::nullopt;
   }
@@ -170,7 +182,8 @@ std::optional<DetectionReport> judged(std::vector<RecordDetection> records, cons
     if (!judgeCandidates(record, judge, options, monitor)) return std::nullopt;
   if (before) report.notes.push_back(changesText(changesBetween(*before, report.records)));
   report.events = combine(report.records);
-  for (std::size_t r = 0; r < report.records.size(); ++r) addStretches(report, r, options);
+  const auto shifts = shiftsOntoFirst(report.records);
+  for (std::size_t r = 0; r < report.records.size(); ++r) addStretchesAndNotes(report, r, shifts[r], options);
   return report;
 }
 

@@ -37,6 +37,7 @@ struct Judgement {
   std::array<double, 3> severities{};                // probability of each, if it is a squat
   // [0..1] how well the record's events go with an axle box as the examples have them; the kinds count as much.
   double axleBox = 1;
+  double otherProbability = 0;
 };
 
 struct JudgementOptions {

@@ -20,16 +20,18 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double minimumVehicleWeight = 0.02;
 constexpr std::size_t kindCount = 6;
-// Prior odds of a squat to each other kind: squats are what is looked for. With 10, as for examples of joints and welds
-// alone, more irregularities of shapes that no example has are called squats, and surer.
+// Prior odds of a squat to each other kind, to the power of `trust` as all the rest: squats are what is looked for.
+// With 10, as for examples of joints and welds alone, more irregularities of shapes that no example has are called
+// squats, and surer.
 constexpr double squatOdds = 3;
+constexpr double rarerOthers = 6;  // than joints or welds: crossings, and what nobody has seen
 // Power of all likelihoods: examples and paths are not all that there is, and what they leave out is not independent
 // from band to band. Chosen so that sureness is a frequency on four vehicles and 106 irregularities that no example
 // has.
 constexpr double trust = 0.85;
-// What it costs to miss a light, a moderate and a severe squat, by a look at something else: so much less probable may
-// a squat be than another kind and still be called one. Its sureness stays its probability.
-constexpr std::array missedCost{0.5, 1.0, 3.0};
+// What it costs to miss a light, a moderate and a severe squat, by a look at something else: the probability of another
+// kind must be so many times a squat's before the event is called that. Its sureness stays its probability.
+constexpr std::array missedCost{0.7, 1.0, 6.0};
 
 // Logarithm of a normal density of log10 energies, band by band added: each band has a variance of its own, and all
 // share a deviation of variance c, so that the covariance is D + c 1 1^T. Its inverse and determinant are closed forms
@@ -115,7 +117,7 @@ void takeSize(const SquatSize& size, Judgement& judgement) {
 }
 
 // Of a record whose events ask for a vehicle that differs so much from the examples': of vehicles as theirs, the share
-// that differs more is p = exp(-x/2) (1 + x/2 + x^2/8), x the squared distance, chi-square with six degrees of freedom.
+// that differs more is p = exp(-x) (1 + x + x^2/2), 2 x the squared distance, chi-square with six degrees of freedom.
 // Against records of something else, which are one in a few hundred: p / (p + 0.002).
 double axleBoxProbability(const BandValues& apart, const BandMatrix& betweenVehicles) {
   static_assert(bandCount == 6);
@@ -125,8 +127,8 @@ double axleBoxProbability(const BandValues& apart, const BandMatrix& betweenVehi
   return share / (share + somethingElse);
 }
 
-// Where the band from 900 Hz is not shown, no kind is surer: in 0.37 km of measured ordinary track, sampled at 2 kHz,
-// seven impacts were squats with more than 90 % otherwise.
+// Where the band from 900 Hz is not shown, no squat, joint or weld is surer: in 0.37 km of measured ordinary track,
+// sampled at 2 kHz, seven impacts were squats with more than 90 % otherwise.
 constexpr double surenessWithoutShortWaves = 0.75;
 constexpr std::size_t bandOfShortWaves = 4;
 
@@ -135,7 +137,7 @@ void takeDoubt(const EventFeatures& event, double axleBox, Judgement& judgement)
   judgement.axleBox = axleBox;
   const double known = axleBox * (event.freedom[bandOfShortWaves] > 0 ? 1.0 : surenessWithoutShortWaves);
   judgement.squatProbability *= known;
-  const double other = 1 - known * (judgement.kind == Kind::other ? 1 - judgement.sureness : 1.0);
+  const double other = 1 - known * (1 - judgement.otherProbability);
   judgement.sureness *= known;
   if (judgement.kind != Kind::other && judgement.sureness >= other) return;
   judgement.kind = Kind::other, judgement.sureness = other;
@@ -286,19 +288,21 @@ void Judge::takeKind(const EventFeatures& event, const Vehicle& vehicle, const S
   // that. By paths alone, two of 146 severe squats of 16 vehicles were called joints.
   auto& ofSquat = logs[static_cast<std::size_t>(Kind::squat)];
   ofSquat = logSum({ofSquat, size.logDensity}) - std::log(2.0) + std::log(squatOdds);
+  logs[static_cast<std::size_t>(Kind::other)] -= std::log(rarerOthers);
   for (std::size_t k = 0; k < kindCount; ++k)
     logs[k] = trust * (logs[k] + densities.logReach(static_cast<Kind>(k), event));
   const double all = logSum(logs);
-  std::array<double, kindCount> probability{}, cost{};
-  for (std::size_t k = 0; k < kindCount; ++k) cost[k] = probability[k] = std::exp(logs[k] - all);
-  auto& missed = cost[static_cast<std::size_t>(Kind::squat)];
+  std::array<double, kindCount> probability{}, weighed{};
+  for (std::size_t k = 0; k < kindCount; ++k) weighed[k] = probability[k] = std::exp(logs[k] - all);
+  auto& missed = weighed[static_cast<std::size_t>(Kind::squat)];
   missed = 0;
   for (std::size_t s = 0; s < size.severity.size(); ++s)
     missed += missedCost[s] * size.severity[s] * probability[static_cast<std::size_t>(Kind::squat)];
-  const auto best = static_cast<std::size_t>(std::max_element(cost.begin(), cost.end()) - cost.begin());
+  const auto best = static_cast<std::size_t>(std::max_element(weighed.begin(), weighed.end()) - weighed.begin());
   judgement.kind = static_cast<Kind>(best);
   judgement.sureness = probability[best];
   judgement.squatProbability = probability[static_cast<std::size_t>(Kind::squat)];
+  judgement.otherProbability = probability[static_cast<std::size_t>(Kind::other)];
 }
 
 // A squat of known size is among the passages of the own vehicle: it does not count twice.

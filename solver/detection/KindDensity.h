@@ -15,8 +15,8 @@ inline constexpr double speedSpread = 0.15;
 
 // Density of an event's energies, on one scale with SquatSize::logDensity, by the examples of a kind, each freed of its
 // own vehicle and taken to that of the record. For what is no squat one half comes from the paths of many possible
-// irregularities, since the examples have few of each form. For the kind other a third more comes from a normal density
-// as wide as all of them and half as wide again: what resembles none of them is nothing known.
+// irregularities, since the examples have few of each form. For the kind other, thirds come from examples, paths and a
+// normal density as wide as all paths and half as wide again: what resembles none of them is nothing known.
 class KindDensity {
  public:
   // `events`: those that it will be asked of. Not to be used once it was cancelled.

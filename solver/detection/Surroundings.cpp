@@ -79,10 +79,12 @@ double markFlats(std::vector<Event>& events, const SurroundingsOptions& options)
   if (!(circumference > 0)) return 0;
   const auto found = chains(events, circumference);
   double turns = 0, way = 0;
-  for (const auto& chain : found) {
-    const double length = events[chain.back()].travelled - events[chain.front()].travelled;
-    way += length, turns += std::round(length / circumference);
-  }
+  for (const auto& chain :
+       found)  // link by link: over many turns the first guess of the length would count some too many
+    for (std::size_t k = 1; k < chain.size(); ++k) {
+      const double length = events[chain[k]].travelled - events[chain[k - 1]].travelled;
+      way += length, turns += std::round(length / circumference);
+    }
   for (const auto& chain : found) {
     const double middle = medianStrength(events, chain);
     for (const auto i : chain) {
@@ -95,6 +97,16 @@ double markFlats(std::vector<Event>& events, const SurroundingsOptions& options)
     }
   }
   return turns > 0 ? way / turns : 0;
+}
+
+std::vector<std::size_t> strikesOfFlats(const std::vector<Event>& events, const SurroundingsOptions& options) {
+  constexpr std::size_t longChain = 10;
+  std::vector<std::size_t> strikes;
+  const double circumference = likeliestCircumference(events, options);
+  if (!(circumference > 0)) return strikes;
+  for (const auto& chain : chains(events, circumference))
+    if (chain.size() >= longChain) strikes.insert(strikes.end(), chain.begin(), chain.end());
+  return strikes;
 }
 
 void markCorrugation(std::vector<Event>& events) {

@@ -18,6 +18,10 @@ struct SurroundingsOptions {
 // one channel, in the order of travel, judged. Returns the circumference [m], 0 where there is no flat.
 double markFlats(std::vector<Event>& events, const SurroundingsOptions& options);
 
+// Indices of the events that belong to long chains of strikes, ten and more: a flat that strikes in every turn, which
+// is no background. Events need not be judged.
+std::vector<std::size_t> strikesOfFlats(const std::vector<Event>& events, const SurroundingsOptions& options);
+
 // Corrugation excites a stretch: an event whose neighbourhood is as loud over two metres and more.
 void markCorrugation(std::vector<Event>& events);
 

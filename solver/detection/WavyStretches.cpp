@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "signals/FourierTransform.h"
@@ -28,7 +29,7 @@ std::vector<double> medianSpectrum(const std::vector<double>& values, std::size_
                                    std::size_t length, const signals::RealTransform& transform) {
   std::vector<double> window(length), piece(length);
   for (std::size_t i = 0; i < length; ++i)
-    window[i] = 0.5 - 0.5 * std::cos(2 * 3.14159265358979323846 * static_cast<double>(i) / static_cast<double>(length));
+    window[i] = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length));
   std::vector<std::vector<double>> lines(length / 2 + 1);
   std::vector<signals::Complex> spectrum(length / 2 + 1);
   for (std::size_t first = from; first + length <= to; first += length / 2) {
@@ -98,6 +99,7 @@ std::vector<WavyStretch> wavyStretches(const Segment& segment, std::size_t chann
     const double speed = segment.speed[(first + i) / 2];
     if (speed < minimumSpeed || way < 0.5 * pieceOfWay) continue;
     const auto wished = static_cast<std::size_t>(windowOfWay / speed / series.step);
+    if (wished < 64) continue;  // a speed that no train has
     if (!transform || transform->size() < wished || transform->size() > wished + wished / 8)
       transform.emplace(signals::fastLength(wished));
     const auto half = static_cast<std::size_t>(0.5 * windowsOver / speed / series.step);
@@ -107,9 +109,11 @@ std::vector<WavyStretch> wavyStretches(const Segment& segment, std::size_t chann
     const auto peak = peakOf(power, series.rate() / static_cast<double>(transform->size()), speed);
     const bool isPinned = peak.frequency > pinnedFrom && peak.frequency < pinnedTo;
     if (peak.share >= (isPinned ? leastPinnedShare : leastShare) &&
-        steadiness(bandPower, peak.frequency, series.timeAt(from), series.timeAt(from + 2 * half)) >= leastSteadiness)
-      pieces.push_back({series.timeAt(first), segment.position[first], segment.position[i - 1], speed / peak.frequency,
+        steadiness(bandPower, peak.frequency, series.timeAt(from), series.timeAt(from + 2 * half)) >= leastSteadiness) {
+      const double wave = speed / peak.frequency;
+      pieces.push_back({series.timeAt(first), segment.position[first], segment.position[i - 1], wave, wave, wave,
                         peak.share, speed, speed});
+    }
   }
   return pieces;
 }
@@ -118,16 +122,18 @@ std::vector<WavyStretch> joined(const std::vector<WavyStretch>& pieces) {
   std::vector<WavyStretch> stretches;
   for (const auto& piece : pieces) {
     const bool follows = !stretches.empty() && std::abs(piece.from - stretches.back().to) < 1.5 * pieceOfWay &&
-                         isSameWave(piece.wavelength, stretches.back().wavelength);
+                         isSameWave(piece.wavelength, stretches.back().shortest) &&
+                         isSameWave(piece.wavelength, stretches.back().longest);
     if (!follows) {
       stretches.push_back(piece);
       continue;
     }
     auto& last = stretches.back();
     const double before = std::abs(last.to - last.from), added = std::abs(piece.to - piece.from);
-    const double weight = added / (before + added);
+    const double weight = added / std::max(before + added, 1e-9);
     last.wavelength += weight * (piece.wavelength - last.wavelength);
     last.share += weight * (piece.share - last.share);
+    last.shortest = std::min(last.shortest, piece.wavelength), last.longest = std::max(last.longest, piece.wavelength);
     last.slowest = std::min(last.slowest, piece.slowest), last.fastest = std::max(last.fastest, piece.fastest);
     last.to = piece.to;
   }

@@ -13,19 +13,20 @@ namespace squat::detection {
 // spectrum: a wavelength holds a large share of the power above 30 Hz. So does a resonance, at one frequency: only a
 // speed that varies tells them apart.
 struct WavyStretch {
-  double time = 0;                  // [s] at which it begins
-  double from = 0, to = 0;          // [m] as the record counts, in the order of travel
-  double wavelength = 0;            // [m]
-  double share = 0;                 // [0..1] of the power within 15 % of the wavelength
-  double slowest = 0, fastest = 0;  // [m/s] speeds over which the wavelength was the same
+  double time = 0;                   // [s] at which it begins
+  double from = 0, to = 0;           // [m] as the record counts, in the order of travel
+  double wavelength = 0;             // [m] mean
+  double shortest = 0, longest = 0;  // [m] of its pieces
+  double share = 0;                  // [0..1] of the power within 15 % of the wavelength
+  double slowest = 0, fastest = 0;   // [m/s] speeds over which the wavelength was the same
 };
 
-// Of one channel within the segment's core, 16 m and longer; wavelengths from 20 mm to 0.4 m, so that sleepers are left
-// out. Each 8 m are judged by the median spectrum of windows of 4 m within 16 m: single impacts do not count.
-// `power` of the channel: that of the wavelength's band must be there all the time, as impacts that repeat are not.
+// Pieces of 8 m of one channel within the segment's core; wavelengths from 20 mm to 0.4 m, so that sleepers are left
+// out. Each is judged by the median spectrum of windows of 4 m within 16 m: single impacts do not count. `power` of the
+// channel: that of the wavelength's band must be there all the time, as impacts that repeat are not.
 std::vector<WavyStretch> wavyStretches(const Segment& segment, std::size_t channel, const BandPower& power);
 
-// Joins those that follow each other with the same wavelength, and drops what is shorter than 16 m.
+// Joins those that follow each other with the same wavelength, and drops what is not about 16 m long.
 std::vector<WavyStretch> joined(const std::vector<WavyStretch>& pieces);
 
 }  // namespace squat::detection

@@ -131,6 +131,8 @@ TEST(DetectionFiles, TheTableServesAsLabels) {
   EXPECT_FALSE(labels[0].hasSize()) << "the table's sizes are estimates";
   EXPECT_EQ(labels[1].kind, Kind::weld);
   EXPECT_EQ(labels[0].severity, Severity::severe);
+  std::ofstream(path) << "position [m],kind,false alarms [1/km]\n12,squat,0\n20,corrugation,\n";
+  EXPECT_EQ(readLabels(path).size(), 1U) << "a stretch of corrugation is no event";
   std::ofstream(path) << "position [m],kind,length [mm],depth [mm]\n12,squat,50,0.12\n";
   EXPECT_NEAR(readLabels(path).at(0).length, 0.05, 1e-12) << "measured on site";
   EXPECT_EQ(readLabels(path).at(0).severityBy({}), Severity::moderate);

@@ -1,6 +1,7 @@
 // What the judgement says where it does not know.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "case/ShippedCases.h"
@@ -96,7 +97,8 @@ TEST(JudgeDoubt, WithoutShortWavesNoKindIsSurerThanThreeQuarters) {
 TEST(JudgeDoubt, EachSeverityHasAProbability) {
   for (const auto& judgement : judgedByOthers(someVehicles(1).front(), 1)) {
     EXPECT_NEAR(judgement.severities[0] + judgement.severities[1] + judgement.severities[2], 1, 1e-9);
-    EXPECT_EQ(judgement.severities[static_cast<std::size_t>(judgement.severity)], judgement.severitySureness);
+    EXPECT_EQ(judgement.severities[static_cast<std::size_t>(judgement.severity)],
+              *std::max_element(judgement.severities.begin(), judgement.severities.end()));
   }
 }
 

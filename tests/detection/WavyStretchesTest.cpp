@@ -47,6 +47,22 @@ TEST(WavyStretches, ImpactsThatRepeatAreNone) {
   EXPECT_TRUE(stretchesOf(std::move(values)).empty());
 }
 
+// A resonance at 400 Hz while the train speeds up from 15 to 20 m/s: what looks like one wavelength is so over a speed
+// that varies by the 15 % which are one wavelength, and no more. Waves of 50 mm are one stretch at any speed.
+TEST(WavyStretches, AResonanceDoesNotKeepItsWavelength) {
+  std::vector<WavyStretch> resonance, waves;
+  for (int i = 0; i < 60; ++i) {
+    const double own = 15 + 5.0 * i / 59, from = 8.0 * i, wave = own / 400;
+    resonance.push_back({from / own, from, from + 8, wave, wave, wave, 0.6, own, own});
+    waves.push_back({from / own, from, from + 8, 0.05, 0.05, 0.05, 0.6, own, own});
+  }
+  for (const auto& stretch : joined(resonance)) EXPECT_LT(stretch.fastest, 1.16 * stretch.slowest);
+  const auto found = joined(waves);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].fastest, 20);
+  EXPECT_EQ(found[0].to, 480);
+}
+
 // Sleepers 0.6 m apart are no corrugation.
 TEST(WavyStretches, SleepersAreNone) {
   auto values = normalNoise(static_cast<std::size_t>(10 * rate), 0.5, 7);
