@@ -268,7 +268,9 @@ std::vector<std::string> writeDetection(const DetectionReport& report, const std
 
 std::vector<Label> readLabels(const std::string& path) {
   constexpr std::size_t largest = std::size_t{64} << 20;
-  const auto [rows, lines] = text::readCells(path, largest);
+  const auto table = text::readCells(path, largest);
+  const auto& rows = table.rows;
+  const auto& lines = table.lines;
   const auto names = rows.empty() ? std::vector<std::string>{} : rows.front();
   const auto position = columnOf(names, "position"), kind = columnOf(names, "kind");
   if (position == names.size() || kind == names.size())
