@@ -12,8 +12,8 @@ namespace {
 
 using text::formatted;
 
-// A wavelength and a frequency are told apart by a speed that varies. Of neither it is known how often it is wrong: one
-// measured track with corrugation and one without were at hand.
+// Only a speed that varies distinguishes a wavelength from a frequency. Both values are assumed: one measured track
+// with corrugation and one without are too few to count errors.
 constexpr double variedSpeed = 1.2, surenessVaried = 0.7, surenessSteady = 0.5;
 
 bool isVaried(const WavyStretch& stretch) { return stretch.fastest > variedSpeed * stretch.slowest; }
@@ -68,13 +68,13 @@ std::vector<std::string> channelNotes(const ChannelDetection& channel, const Det
     if (const double evidence = loud->tail.evidenceOf(options.falseAlarms); evidence > restless * quiet)
       notes.push_back(channel.name + ": the background swells and fades; " + formatted("from %.0f ", loud->from) +
                       formatted("to %.0f m ", loud->to) +
-                      formatted("an event needs a score of %.0f to be told from it ", evidence) +
+                      formatted("an event needs a score of %.0f to stand out ", evidence) +
                       formatted("(%.0f in quiet noise)", quiet));
   if (auto note = resonanceNote(channel); !note.empty()) notes.push_back(std::move(note));
   if (!channel.events.empty() && channel.events.front().judgement.axleBox < doubtful)
     notes.push_back(
         channel.name + ": its events are much weaker or stronger than at an axle box, or shared otherwise " +
-        "among the bands: the sensor may be elsewhere, the unit another, the speed wrong. Kinds are not told");
+        "among the bands: the sensor may be elsewhere, the unit another, the speed wrong. Kinds are not reported");
   return notes;
 }
 

@@ -12,8 +12,6 @@
 
 namespace squat::receptance {
 
-namespace {}  // namespace
-
 scenario::Scenario receptanceCase(const scenario::Scenario& scenario) {
   auto d = scenario;
   const double spacing = d.track.sleeperSpacing;
