@@ -7,6 +7,7 @@
 #include "analysis/RunFeatures.h"
 #include "commands/ValidationText.h"
 #include "receptance/ReceptanceSummary.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 #include "statements/JudgeRun.h"
 #include "statements/Measures.h"
@@ -180,8 +181,8 @@ std::vector<PaperRow> rowsOf(const RunResult& result, const statements::Referenc
                              const statements::RunJudgement& run) {
   std::vector<PaperRow> rows;
   if (run.nearest) addChangedKeys(rows, *run.nearest);
-  addPeak(rows, result, "aba_filtered", "axle box acceleration, maximum / minimum");
-  addPeak(rows, result, "wheel_acceleration_filtered", "wheel centre acceleration, maximum / minimum");
+  addPeak(rows, result, signals::names::axleBoxFiltered, "axle box acceleration, maximum / minimum");
+  addPeak(rows, result, signals::names::wheelFiltered, "wheel centre acceleration, maximum / minimum");
   addAnchor(rows, result);
   addLines(rows, result);
   addWavelength(rows, result);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "analysis/RunFeatures.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 #include "text/Text.h"
 
@@ -69,7 +70,7 @@ std::string unitIn(const std::string& column) {
 
 std::vector<std::pair<std::string, double>> featureTable(const results::RunResult& result) {
   auto row = signals::featureRow(runFeatures(result));
-  if (const auto* force = result.signal("contact_force"); force && !force->empty()) {
+  if (const auto* force = result.signal(signals::names::contactForce); force && !force->empty()) {
     const auto [low, high] = std::minmax_element(force->begin(), force->end());
     row.emplace_back("smallest contact force [N]", *low);
     row.emplace_back("largest contact force [N]", *high);

@@ -4,6 +4,7 @@
 
 #include "core/Errors.h"
 #include "signals/Butterworth.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 
 namespace squat::analysis {
@@ -11,8 +12,8 @@ namespace {
 
 signals::Passage passageIn(const signals::Record& signal) {
   try {
-    if (signal.signals.size() > 1 && !signal.position.empty() && signal.channel("aba"))
-      return signals::passageOf(signal, "aba");
+    if (signal.signals.size() > 1 && !signal.position.empty() && signal.channel(signals::names::axleBox))
+      return signals::passageOf(signal, signals::names::axleBox);
     return readers::passageWithPositions(signal);
   } catch (const signals::SignalError& error) {
     throw FileError(signal.file, signal.run, error.what());

@@ -24,9 +24,9 @@ struct FileComparison {
   std::vector<std::string> notes;
 };
 
-// A signal as it is compared: "aba" of a record that has several, else its first; with its positions, and low-passed
-// where its rate allows it (0: as it is), else `notes` says so. Throws FileError, and CaseError where neither speed nor
-// position is known.
+// A signal as it is compared: the axle box acceleration of a record that has several, else its first; with its
+// positions, and low-passed where its rate allows it (0: as it is), else `notes` says so. Throws FileError, and
+// CaseError where neither speed nor position is known.
 signals::Passage comparedPassage(const signals::Record& signal, double lowPass, std::vector<std::string>& notes);
 
 // The (only) signal of the first file with every run of the others. Throws FileError and CaseError.

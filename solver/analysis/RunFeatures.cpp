@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 
 namespace squat::analysis {
@@ -14,14 +15,14 @@ signals::Features runFeatures(const signals::Record& record, const signals::Feat
 
 RunDigest runDigest(const signals::Record& record) {
   RunDigest digest;
-  const auto* values = record.signal("aba_filtered");
+  const auto* values = record.signal(signals::names::axleBoxFiltered);
   if (!values) return digest;
   for (const double value : *values)
     if (std::isfinite(value)) digest.peak = std::max(digest.peak, std::abs(value));
   try {
     const signals::FeatureOptions usual;
-    const auto spectrum =
-        signals::stretchSpectrum(signals::passageOf(record, "aba_filtered"), -usual.before, usual.after);
+    const auto spectrum = signals::stretchSpectrum(signals::passageOf(record, signals::names::axleBoxFiltered),
+                                                   -usual.before, usual.after);
     for (const auto& line : signals::namedLines(spectrum)) digest.lines.push_back(line.frequency);
   } catch (const signals::SignalError&) {
     // Too short, or it ends before the defect: no lines.

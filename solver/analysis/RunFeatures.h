@@ -6,6 +6,7 @@
 
 #include "signals/Features.h"
 #include "signals/Record.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::analysis {
 
@@ -13,7 +14,7 @@ namespace squat::analysis {
 // as the largest value may be a later swing of the ringing; in a record that ends before, the largest value.
 // Throws SignalError where the record has no such channel or is too short.
 signals::Features runFeatures(const signals::Record& record, const signals::FeatureOptions& options = {},
-                              const std::string& channel = "aba_filtered");
+                              const std::string& channel = signals::names::axleBoxFiltered);
 
 // What a list of runs shows of each, made in a few milliseconds: without wavelets. Zero and empty where the record does
 // not hold it.

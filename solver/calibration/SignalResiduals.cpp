@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/Errors.h"
-#include "signals/Butterworth.h"
 #include "signals/Features.h"
 #include "signals/PowerSpectrum.h"
 #include "signals/Resample.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 #include "text/Numbers.h"
 
@@ -16,7 +16,7 @@ namespace squat::calibration {
 namespace {
 
 signals::Passage filtered(signals::Passage passage, double cutoff) {
-  if (cutoff < 0.49 * passage.series.rate()) passage.series = signals::lowPass(passage.series, cutoff);
+  passage.series = signals::filteredPartner(passage.series, cutoff);
   return passage;
 }
 
@@ -39,7 +39,7 @@ std::vector<signals::Passage> runsOf(const SignalTarget& target, std::vector<std
                         "Choose the column of the axle box acceleration with \"column\"");
       for (const auto& note : record.notes) notes.push_back(target.name + ": " + note);
       auto passage = readers::passageWithPositions(record);
-      if (!(target.cutoff < 0.49 * passage.series.rate()))
+      if (!signals::carriesFilter(passage.series, target.cutoff))
         throw FileError(file, record.run,
                         "is sampled at " + text::roundedText(passage.series.rate()) +
                             " Hz, too slowly for a cut-off at " + text::roundedText(target.cutoff) + " Hz",
@@ -131,7 +131,7 @@ TargetValue signalValue(const MeasuredSignal& measured, const results::RunResult
   value.misfit = kMissingResidual * kMissingResidual * 4;
   try {
     const auto& target = measured.target;
-    auto computed = filtered(signals::passageOf(result, "aba"), target.cutoff);
+    auto computed = filtered(signals::passageOf(result, signals::names::axleBox), target.cutoff);
     signals::AlignmentOptions options;
     options.before = target.before, options.after = target.after;
     options.anchor = signals::timeAtPosition(computed, 0.0);

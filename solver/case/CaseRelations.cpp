@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "case/DecimalNumber.h"
 #include "case/Findings.h"
@@ -75,7 +76,7 @@ void checkAxleBending(const Case& c, std::vector<Finding>& findings) {
   if (!(w.boreRadius < w.axleRadius)) return;
   const double moment = c.suspension.sprungMass * c.motion.gravity * w.bearingCentre;
   const double outer = std::pow(w.axleRadius, 4), inner = std::pow(w.boreRadius, 4);
-  const double stress = moment * 4 * w.axleRadius / (std::acos(-1.0) * (outer - inner));
+  const double stress = moment * 4 * w.axleRadius / (std::numbers::pi * (outer - inner));
   if (stress > yield)
     add(findings, c, Severity::warning,
         {"wheelset.axle_radius", "wheelset.bore_radius", "wheelset.bearing_centre", "suspension.sprung_mass"},

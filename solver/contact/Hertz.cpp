@@ -1,6 +1,7 @@
 #include "contact/Hertz.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace squat::contact {
@@ -18,7 +19,7 @@ std::pair<double, double> ellipticIntegrals(double m) {
     sum += power * c * c;
     power *= 2;
   }
-  const double first = std::acos(-1.0) / (2 * a);
+  const double first = std::numbers::pi / (2 * a);
   return {first, first * (1 - sum)};
 }
 
@@ -27,7 +28,7 @@ std::pair<double, double> ellipticIntegrals(double m) {
 HertzContact hertzContact(double radiusX, double radiusY, double young, double poisson, double load) {
   const bool alongX = radiusX >= radiusY;  // the long axis lies along the larger radius
   const double large = alongX ? radiusX : radiusY, small = alongX ? radiusY : radiusX;
-  const double pi = std::acos(-1.0), modulus = young / (2 * (1 - poisson * poisson));
+  const double pi = std::numbers::pi, modulus = young / (2 * (1 - poisson * poisson));
   // B/A = (a^2/b^2 E - K) / (K - E), rising with e from 1.
   double low = 1e-9, high = 1 - 1e-12;
   for (int i = 0; i < 200; ++i) {

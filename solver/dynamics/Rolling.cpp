@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -144,7 +145,7 @@ double Rolling::torqueAt(double time) const {
   const auto& m = model_.scenario.motion;
   const double full = m.tractionCoefficient != 0 ? m.tractionCoefficient * load_ * model_.surfaces.radius : m.torque;
   if (time >= m.torqueRamp) return full;
-  return full * 0.5 * (1 - std::cos(std::acos(-1.0) * time / m.torqueRamp));
+  return full * 0.5 * (1 - std::cos(std::numbers::pi * time / m.torqueRamp));
 }
 
 contact::WheelRolling Rolling::wheelRolling(const double* displaced) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 namespace squat::elasticity {
@@ -48,7 +49,7 @@ Location alongLine(const std::vector<double>& master, double at) {
 // On an arc the point r e(alpha) is sought as r' ((1 - t) e(alpha1) + t e(alpha2)): t and r' / r follow from the two
 // components; r' exceeds r, that is the extrapolation beyond the chord.
 Location aroundArc(const SweptBlock& master, double at, double radius, double layer) {
-  const double full = 2 * std::acos(-1.0);
+  const double full = 2 * std::numbers::pi;
   const double start = master.positions.front();
   at = start + std::fmod(std::fmod(at - start, full) + full, full);
   int k = 0;

@@ -7,6 +7,7 @@
 #include "core/Errors.h"
 #include "signals/Record.h"
 #include "signals/Resample.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::estimation {
 
@@ -90,10 +91,11 @@ std::optional<PositionSeries> PassageModel::run(const ProfilePoints& points, Mon
     return std::nullopt;
   }
   if (!result.complete) return std::nullopt;
-  const auto series = signals::seriesOf(result, "aba_filtered");
+  const auto series = signals::seriesOf(result, signals::names::axleBoxFiltered);
   const auto last = static_cast<double>(result.position.size() - 1);
   const PositionSeries own{result.position.front() + deepestPosition(points),
-                           (result.position.back() - result.position.front()) / last, series.values, "aba", "m/s2"};
+                           (result.position.back() - result.position.front()) / last, series.values,
+                           signals::names::axleBox, "m/s2"};
   return signals::resample(own, positionStep(description_.motion.speed, description_.output.filterCutoff));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace squat::geometry {
 
@@ -178,7 +179,7 @@ RailOutline railOutline(RailSection section) {
   const Point2 webCentre{p.webHalf + p.webRadius, p.webMiddle};
   const double headLine = angleOf(head.centre, head.onLine), headWeb = angleOf(head.centre, head.onWeb);
   // The arc from the underside (pointing up) to the web (pointing inwards, angle near pi) is taken the short way.
-  const auto unwrapped = [](double angle) { return angle < 0 ? angle + 2 * std::acos(-1.0) : angle; };
+  const auto unwrapped = [](double angle) { return angle < 0 ? angle + 2 * std::numbers::pi : angle; };
   const double headMiddle = 0.5 * (unwrapped(headLine) + unwrapped(headWeb));
   addArc(out.underside, head.centre, p.headFillet, headMiddle, unwrapped(headLine));
   out.underside.push_back(lowerCorner);

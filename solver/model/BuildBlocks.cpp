@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "contact/ContactSurfaces.h"
 #include "core/Errors.h"
@@ -69,7 +70,7 @@ double fineStart(const scenario::Scenario& d) {
 
 // The rim rolls with the stations of the rail; the rest of the circumference is coarser.
 geometry::Stations rimStations(const scenario::Scenario& d, const RollingStretch& stretch, double startX) {
-  const double radius = d.wheelset.radius, circumference = 2 * std::acos(-1.0) * radius;
+  const double radius = d.wheelset.radius, circumference = 2 * std::numbers::pi * radius;
   const double rolled = stretch.to - stretch.from, rest = circumference - rolled;
   const double coarse = std::max(4 * d.mesh.sectionSize, 2 * d.mesh.rollingSize);
   if (rest < 0.1 * circumference)
@@ -221,7 +222,7 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   body.kind = elasticity::SweepKind::aroundAxis;
   body.section = geometry::wheelBodySectionMesh(d.wheelset, sizes);
   const int sectors = (d.mesh.wheelSectors + 7) / 8 * 8;
-  body.stations = {0, true, {{sectors, 2 * std::acos(-1.0) / sectors}}};
+  body.stations = {0, true, {{sectors, 2 * std::numbers::pi / sectors}}};
   body.material = d.wheelset.material;
   body.origin = {model.startX, seat.wheelY, seat.centreHeight};
   model.body = 2;

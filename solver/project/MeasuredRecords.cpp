@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "core/Errors.h"
-#include "signals/Butterworth.h"
-#include "signals/SignalError.h"
+#include "signals/SignalCatalogue.h"
 #include "text/Numbers.h"
 
 namespace squat::project {
@@ -40,14 +39,10 @@ RecordPointer shown(signals::Record record, const std::string& path, double spee
     throw FileError(path, raw.name, "is in " + raw.unit + ", not an acceleration", "overlay a signal in m/s2 or g");
   givePositions(record, speed);
   multiply(raw.values, reading.gain);
-  signals::Channel filtered{"aba_filtered", "m/s2", "measured, low-passed", raw.values};
-  raw = {"aba", "m/s2", "measured", std::move(raw.values)};
-  try {
-    const auto series = signals::seriesOf(record);
-    if (series.rate() > 2.5 * alignmentCutoff) filtered.values = signals::lowPass(series, alignmentCutoff).values;
-  } catch (const signals::SignalError&) {
-    // Too short to be filtered: shown as it is.
-  }
+  signals::Channel filtered{signals::names::axleBoxFiltered, "m/s2", "measured, low-passed", raw.values};
+  raw = {signals::names::axleBox, "m/s2", "measured", std::move(raw.values)};
+  if (record.time.size() > 1)
+    filtered.values = signals::filteredPartner(signals::seriesOf(record), alignmentCutoff).values;
   const double shift = impact - record.position[largest(filtered.values)];
   for (double& position : record.position) position += shift;
   // Positions rise: what lies near the impact is one stretch.
@@ -69,7 +64,7 @@ std::string nameWithGain(const std::string& name, const MeasuredReading& reading
 }
 
 double impactOf(const signals::Record* run) {
-  const auto* values = run ? run->signal("aba_filtered") : nullptr;
+  const auto* values = run ? run->signal(signals::names::axleBoxFiltered) : nullptr;
   if (!values || values->empty() || values->size() != run->position.size()) return 0;
   return run->position[largest(*values)];
 }

@@ -31,8 +31,8 @@ struct MeasuredRecord {
 // Position of the largest filtered acceleration of a run; 0 without one: at the defect.
 double impactOf(const signals::Record* run);
 
-// Reads measured axle box accelerations, one or more runs, as "aba" and "aba_filtered" (low-passed at 2 kHz where the
-// rate allows), and puts the largest value of each at `reading.impact`. Only 5 m on both sides of it are kept. Where
+// Reads measured axle box accelerations, one or more runs, with their filtered partners (2 kHz, SignalCatalogue.h), and
+// puts the largest value of each at `reading.impact`. Only 5 m on both sides of it are kept. Where
 // neither file nor options give a speed, `speed` [m/s] links time and position. Throws FileError, also for signals that
 // are no accelerations.
 std::vector<MeasuredRecord> measuredRecords(const std::string& path, double speed, const MeasuredReading& reading);

@@ -12,6 +12,7 @@
 #include "readers/ColumnRoles.h"
 #include "readers/TableRoles.h"
 #include "results/ResultTree.h"
+#include "signals/SignalCatalogue.h"
 #include "text/Heading.h"
 #include "text/Text.h"
 #include "text/Units.h"
@@ -166,7 +167,7 @@ class Finder {
       return;
     }
     for (const Array* array : all_)
-      if (text::lowerCase(nameOf(array->path)) == "aba") {
+      if (text::lowerCase(nameOf(array->path)) == signals::names::axleBox) {
         group_ = parentOf(array->path);
         return;
       }
@@ -183,7 +184,8 @@ class Finder {
     for (const Array* array : all_) {
       if (parentOf(array->path) != group_) continue;
       const std::string name = text::lowerCase(nameOf(array->path));
-      if (name == (options_.column.empty() ? "aba" : text::lowerCase(options_.column))) return lengthOf(*array);
+      if (name == (options_.column.empty() ? signals::names::axleBox : text::lowerCase(options_.column)))
+        return lengthOf(*array);
       if (roleOf(*array) == Role::signal) longest = std::max(longest, lengthOf(*array));
     }
     return longest;

@@ -14,6 +14,7 @@
 #include "readers/SampledColumns.h"
 #include "readers/TableFile.h"
 #include "readers/TableRoles.h"
+#include "signals/SignalCatalogue.h"
 #include "text/Numbers.h"
 #include "text/Text.h"
 #include "text/Units.h"
@@ -27,7 +28,7 @@ std::vector<std::size_t> signalsIn(const text::DelimitedTable& table, const Tabl
   auto signals = signalsNamed(table, roles, options);
   if (!options.column.empty()) return signals;
   if (roles.rest.size() == 1) return roles.rest;
-  const std::size_t aba = columnNamed(table, "aba");
+  const std::size_t aba = columnNamed(table, signals::names::axleBox);
   if (std::find(roles.rest.begin(), roles.rest.end(), aba) == roles.rest.end())
     throw FileError(table.path, "",
                     roles.rest.empty() ? "has no column besides its axes" : "has several columns of values",

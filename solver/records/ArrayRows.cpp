@@ -13,6 +13,7 @@
 #include "records/PandasFrames.h"
 #include "results/Hdf5.h"
 #include "results/ResultTree.h"
+#include "signals/SignalCatalogue.h"
 #include "text/Text.h"
 
 namespace squat::records {
@@ -24,7 +25,7 @@ std::string parentOf(const std::string& path) { return path.substr(0, path.rfind
 std::string longestGroup(const results::ArrayTree& tree) {
   std::map<std::string, std::size_t> longest;
   for (const auto& array : tree.arrays) {
-    if (text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == "aba") return {};
+    if (text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == signals::names::axleBox) return {};
     if (std::holds_alternative<std::vector<std::string>>(array.values)) continue;
     for (const std::size_t extent : array.shape) {
       auto& maximum = longest[parentOf(array.path)];

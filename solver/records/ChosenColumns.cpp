@@ -7,6 +7,7 @@
 #include "core/Errors.h"
 #include "readers/ColumnRoles.h"
 #include "readers/TableRoles.h"
+#include "signals/SignalCatalogue.h"
 #include "text/Heading.h"
 #include "text/Text.h"
 #include "text/Units.h"
@@ -75,7 +76,7 @@ std::vector<std::size_t> channelsOf(const text::DelimitedTable& head, const read
   if (!channels.empty()) return channels;
   if (roles.rest.size() == 1) return roles.rest;
   if (!everyAcceleration)
-    if (const auto aba = readers::columnNamed(head, "aba"); aba != readers::noColumn) return {aba};
+    if (const auto aba = readers::columnNamed(head, signals::names::axleBox); aba != readers::noColumn) return {aba};
   const auto isStated = [&](std::size_t c) {
     return readers::scaleOf(head.columns[c].unit, "", Role::signal).unit == "m/s2";
   };

@@ -99,7 +99,7 @@ class Mapper {
   }
 
  private:
-  // "aba" for ("/signals", "/signals/aba"); empty for others and for what lies deeper.
+  // Of what lies in the group, "NAME" for ("/signals", "/signals/NAME"); empty for others and for what lies deeper.
   static std::string nameIn(const std::string& group, const std::string& path) {
     if (path.size() <= group.size() + 1 || path.compare(0, group.size(), group) != 0 || path[group.size()] != '/')
       return {};

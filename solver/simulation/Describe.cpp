@@ -9,6 +9,7 @@
 #include "model/WheelsetModes.h"
 #include "scenario/DefectSurface.h"
 #include "signals/Features.h"
+#include "signals/SignalCatalogue.h"
 #include "simulation/Describe.h"
 
 namespace squat::simulation {
@@ -119,7 +120,7 @@ std::string addSpectra(const scenario::Scenario& d, results::RunResult& result) 
            " are needed; raise output.rate or lengthen motion.run_up and motion.beyond";
   };
   constexpr std::size_t minimumRecord = 64, minimumWindow = 32;
-  const auto* filtered = result.signal("aba_filtered");
+  const auto* filtered = result.signal(signals::names::axleBoxFiltered);
   if (!filtered) return "no spectra: nothing was recorded";
   if (filtered->size() < minimumRecord) return tooShort(filtered->size(), "in the record", minimumRecord);
   // Window of the paper's figures: from 0.1 m before to 0.28 m beyond the defect, as far as the record goes.
@@ -132,14 +133,15 @@ std::string addSpectra(const scenario::Scenario& d, results::RunResult& result) 
     const auto spectrumOf = [&](const char* channel) {
       return signals::stretchSpectrum(signals::passageOf(result, channel), result.psdFrom, result.psdTo);
     };
-    auto spectrum = spectrumOf("aba_filtered");
+    auto spectrum = spectrumOf(signals::names::axleBoxFiltered);
     result.frequency = std::move(spectrum.frequency), result.psd = std::move(spectrum.density);
     result.psdWindow = spectrum.window;
-    result.psdWheel = spectrumOf("wheel_acceleration_filtered").density;
+    result.psdWheel = spectrumOf(signals::names::wheelFiltered).density;
     signals::WaveletOptions wavelet;
     wavelet.voicesPerOctave = d.output.cwtVoices > 0 ? d.output.cwtVoices : 16;
     std::vector<std::string> notes;
-    const auto scalogram = analysis::scalogramMap(signals::seriesOf(result, "aba_filtered"), wavelet, notes);
+    const auto scalogram =
+        analysis::scalogramMap(signals::seriesOf(result, signals::names::axleBoxFiltered), wavelet, notes);
     result.scalogramFrequency = scalogram.frequency, result.scalogramTime = scalogram.time;
     result.scalogramPower = scalogram.power, result.coneOfInfluence = scalogram.coneOfInfluence;
     for (const double t : scalogram.time)

@@ -1,5 +1,7 @@
 #include "simulation/ProgressReporter.h"
 
+#include "signals/SignalCatalogue.h"
+
 #include <algorithm>
 
 namespace squat::simulation {
@@ -27,7 +29,7 @@ void ProgressReporter::onStep(const dynamics::Rolling& rolling) {
   p.elementUpdatesPerSecond = rate * static_cast<double>(rolling.model().elements());
   p.position = rolling.view().position;
   p.contactForce = rolling.view().patch.vertical;
-  p.axleBoxAcceleration = signals_.latest("aba");
+  p.axleBoxAcceleration = signals_.latest(signals::names::axleBox);
   p.accelerationPosition = p.simulatedTime > signals_.wait() ? signals_.latest("position") : p.position;
   p.energyResidual = balance_.relativeResidual();
   monitor_.report(p);

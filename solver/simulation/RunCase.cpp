@@ -10,6 +10,7 @@
 #include "analysis/FeatureTable.h"
 #include "core/Errors.h"
 #include "results/Checkpoint.h"
+#include "signals/SignalCatalogue.h"
 #include "simulation/Describe.h"
 #include "simulation/OpenRun.h"
 #include "simulation/SurfaceFields.h"
@@ -79,7 +80,7 @@ constexpr double slipping = 0.01;
 
 void markRotation(OpenRun& run, double radius) {
   auto& r = run.result;
-  const auto* angularVelocity = r.signal("wheel_speed");
+  const auto* angularVelocity = r.signal(signals::names::wheelSpeed);
   if (!angularVelocity) return;
   double maximum = 0;
   for (const double rate : *angularVelocity)

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/Errors.h"
-#include "signals/Butterworth.h"
 #include "signals/SignalError.h"
 
 namespace squat::simulation {
@@ -47,7 +46,7 @@ void SignalRecorder::store(results::RunResult& result, std::size_t samples, doub
     const auto& signal = signals_[c];
     if (signal.filteredName) {
       // Filtered with what the record holds beyond its end, then cut.
-      auto values = series[c].values.size() > 30 ? signals::lowPass(series[c], cutoff).values : series[c].values;
+      auto values = signals::filteredPartner(series[c], cutoff).values;
       values.resize(kept);
       filtered.push_back({signal.filteredName, signal.unit,
                           std::string(signal.name) + ", Butterworth of order 4 forward and back", std::move(values)});

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "geometry/RailSection.h"
 #include "simulation/VonMises.h"
@@ -112,7 +113,7 @@ results::SurfaceSnapshot SurfaceFields::snapshot(const std::string& name, const 
     for (int c = 0; c < 3; ++c) shot.displacement[3 * i + c] = static_cast<float>(global[c]);
   }
   std::vector<float> count(locations_.size(), 0.0f);
-  const double full = 2 * std::acos(-1.0);
+  const double full = 2 * std::numbers::pi;
   for (int b : {model_.rail, model_.rim, model_.body}) {
     const auto& block = model_.blocks[b];
     const auto hooke = elasticity::elasticityMatrix(block.material);

@@ -7,6 +7,7 @@
 
 #include "analysis/RunFeatures.h"
 #include "signals/BandDecay.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 #include "statements/RunChecks.h"
 
@@ -18,7 +19,7 @@ using results::RunResult;
 using Measure = std::function<std::optional<double>(const RunResult&, const Statement&)>;
 
 std::string channelOf(const Statement& statement) {
-  return statement.point == wheelCentre ? "wheel_acceleration_filtered" : "aba_filtered";
+  return statement.point == wheelCentre ? signals::names::wheelFiltered : signals::names::axleBoxFiltered;
 }
 
 bool judgesLowLines(const Statement& statement) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "results/RunResult.h"
+#include "signals/SignalCatalogue.h"
 #include "statements/Reference.h"
 
 namespace squat::statements {
@@ -18,7 +19,7 @@ struct ResidualVibration {
 // Over the last 0.2 m, or what there is of it, before the rail is no longer smooth; at the latest 40 mm before the
 // deepest point of the defect. Nothing without the signal or with fewer than two samples there.
 std::optional<ResidualVibration> residualVibration(const results::RunResult& result,
-                                                   const std::string& channel = "aba_filtered");
+                                                   const std::string& channel = signals::names::axleBoxFiltered);
 
 // [m/s2] The limit stands in the statement about it; nothing where the reference has none.
 std::optional<double> residualVibrationLimit(const Reference& reference);

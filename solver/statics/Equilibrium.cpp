@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/Errors.h"
@@ -90,7 +91,7 @@ void describePatch(const ClosedContact& closed, Equilibrium& e) {
   e.halfAxisLateral = std::sqrt(5 * std::max(0.0, y2 / n - y1 * y1 / n / n));
   e.centreLateral = y1 / n;
   const double axes = e.halfAxisRolling * e.halfAxisLateral;  // 0 where the points stand in one line
-  e.peakPressure = axes > 0 ? 3 * n / (2 * std::acos(-1.0) * axes) : 0;
+  e.peakPressure = axes > 0 ? 3 * n / (2 * std::numbers::pi * axes) : 0;
 }
 
 // Vertical displacement of the rail section under the wheel, mean over its nodes' masses.

@@ -11,6 +11,7 @@
 #include "plots/ShownStretch.h"
 #include "plots/UnitText.h"
 #include "signals/Resample.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -58,7 +59,7 @@ results::AnalysedRecord aroundImpact(const analysis::SignalAnalysis& signal) {
   const auto& position = signal.passage.position;
   const double zero = signals::positionAtTime(signal.passage, signal.features.impactTime);
   const double margin = 0.5 * windowSeconds * record.speed;
-  results::Channel aba{"aba_filtered", series.unit, "", {}};
+  results::Channel aba{signals::names::axleBoxFiltered, series.unit, "", {}};
   for (std::size_t i = 0; i < std::min(position.size(), series.values.size()); ++i) {
     const double fromImpact = position[i] - zero;
     if (fromImpact < -shownBefore - margin || fromImpact > shownAfter + margin) continue;

@@ -2,6 +2,7 @@
 
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 
@@ -12,11 +13,11 @@ std::unique_ptr<Figure> contactForceFigure(const results::RunResult& result, con
   figure->xAxis->setLabel("Wheel position relative to the defect [mm]");
   figure->yAxis->setLabel("Force on the rail [kN]");
   figure->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
-  if (const auto* vertical = result.signal("contact_force"))
+  if (const auto* vertical = result.signal(signals::names::contactForce))
     addCurve(*figure, {position, scaled(*vertical, 1e-3), "vertical", 0, 1.2, Qt::SolidLine, true});
   else
     addNotice(*figure, "no contact force in this result");
-  if (const auto* creep = result.signal("creep_force"))
+  if (const auto* creep = result.signal(signals::names::creepForce))
     addCurve(*figure, {position, scaled(*creep, 1e-3), "longitudinal", 1, 0.9});
   for (const auto& scalar : result.equilibrium) {
     if (scalar.name != "contact_force" || position.empty()) continue;

@@ -9,6 +9,7 @@
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
 #include "plots/UnitText.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -84,7 +85,7 @@ results::AnalysedRecord recordOf(const CombinedEvent& combined) {
   record.speed = event.features.speed;
   const auto& series = event.passage;
   const double zero = event.time - event.judgement.offset / std::max(event.features.speed, 1.0);
-  results::Channel aba{"aba_filtered", series.unit, "", series.values};
+  results::Channel aba{signals::names::axleBoxFiltered, series.unit, "", series.values};
   for (std::size_t i = 0; i < series.values.size(); ++i) {
     record.time.push_back(series.timeAt(i));
     record.position.push_back((series.timeAt(i) - zero) * event.features.speed);

@@ -3,6 +3,7 @@
 #include "plots/FigureBuilders.h"
 #include "plots/FigureRegistry.h"
 #include "plots/Overlays.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -20,20 +21,21 @@ std::unique_ptr<Figure> shortTime(const RunResult& result, const Style& style, c
 }
 
 bool hasAcceleration(const RunResult& result) {
-  return result.signal("aba_filtered") || result.signal("aba") || result.signal("wheel_acceleration_filtered");
+  return result.signal(signals::names::axleBoxFiltered) || result.signal(signals::names::axleBox) ||
+         result.signal(signals::names::wheelFiltered);
 }
 bool hasSpectrum(const RunResult& result) {
   return result.frequency.size() > 1 && result.psd.size() == result.frequency.size();
 }
 bool hasShortTime(const RunResult& result) {
-  const auto* values = result.signal("aba_filtered");
+  const auto* values = result.signal(signals::names::axleBoxFiltered);
   return values && values->size() == result.time.size() && values->size() > FigureSettings{}.segment;
 }
 bool hasScalogram(const RunResult& result) { return !result.scalogramPower.empty(); }
-bool hasForce(const RunResult& result) { return result.signal("contact_force") != nullptr; }
+bool hasForce(const RunResult& result) { return result.signal(signals::names::contactForce) != nullptr; }
 bool hasPatch(const RunResult& result) { return shownPatch(result) != nullptr; }
 bool hasTrackside(const RunResult& result) {
-  return result.signal("rail_acceleration") || result.signal("sleeper_acceleration");
+  return result.signal(signals::names::rail) || result.signal(signals::names::sleeper);
 }
 bool hasProfile(const RunResult& result) { return !result.profilePosition.empty(); }
 bool hasPlasticFlow(const RunResult& result) { return !result.permanent.empty(); }
@@ -41,16 +43,16 @@ bool hasSurface(const RunResult& result) { return !result.surface.quads.empty();
 bool mayYield(const cases::CaseDescription& description) { return description.rail.plastic; }
 
 Curve boxAgainstPosition(const OverlaidRun& other, const RunResult&, const FigureSettings&) {
-  return againstPosition(*other.record, "aba_filtered");
+  return againstPosition(*other.record, signals::names::axleBoxFiltered);
 }
 Curve boxAgainstTime(const OverlaidRun& other, const RunResult& shown, const FigureSettings&) {
-  return againstTime(*other.record, shown, "aba_filtered");
+  return againstTime(*other.record, shown, signals::names::axleBoxFiltered);
 }
 Curve forceAgainstPosition(const OverlaidRun& other, const RunResult&, const FigureSettings&) {
-  return againstPosition(*other.record, "contact_force", 1e-3);
+  return againstPosition(*other.record, signals::names::contactForce, 1e-3);
 }
 Curve railAgainstPosition(const OverlaidRun& other, const RunResult&, const FigureSettings&) {
-  return againstPosition(*other.record, "rail_acceleration");
+  return againstPosition(*other.record, signals::names::rail);
 }
 Curve spectrum(const OverlaidRun& other, const RunResult&, const FigureSettings& settings) {
   return spectrumCurve(other.spectrum.frequency, other.spectrum.density, settings.spectrum);

@@ -5,6 +5,7 @@
 
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -45,7 +46,7 @@ void leaveEmpty(Figure& figure, const char* caseName) {
 }
 
 const std::vector<double>* acceleration(const results::AnalysedRecord* run) {
-  const auto* values = run ? run->signal("aba_filtered") : nullptr;
+  const auto* values = run ? run->signal(signals::names::axleBoxFiltered) : nullptr;
   return values && values->size() == run->position.size() && values->size() == run->time.size() ? values : nullptr;
 }
 
@@ -236,7 +237,7 @@ FigureSheet figure6(const PaperRuns& runs, const Style& style) {
 FigureSheet squatFigure(const std::string& name, const QString& title, const results::RunResult* run,
                         const char* caseName, const Measured& passages, const QString& statement, const Style& style) {
   FigureSheet sheet{name, {}, 2};
-  auto history = std::make_unique<Figure>("aba", style);
+  auto history = std::make_unique<Figure>(signals::names::axleBox, style);
   history->xAxis->setLabel("Position from the deepest point [mm]");
   history->yAxis->setLabel("ABA [m/s²]");
   history->xAxis->setRange(positionFrom, positionTo);

@@ -11,6 +11,7 @@
 #include "plots/FigureRegistry.h"
 #include "plots/Figures.h"
 #include "signals/Features.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -21,8 +22,8 @@ constexpr int objectType = QTextFormat::UserObject, indexProperty = QTextFormat:
 signals::PowerSpectrum spectrumOf(const signals::Record& record, const results::RunResult& shown) {
   try {
     const auto window = shown.psdWindow.substr(0, shown.psdWindow.find(','));  // "hann, 183 samples, ..."
-    return signals::stretchSpectrum(signals::passageOf(record, "aba_filtered"), shown.psdFrom, shown.psdTo,
-                                    signals::windowFromText(window));
+    return signals::stretchSpectrum(signals::passageOf(record, signals::names::axleBoxFiltered), shown.psdFrom,
+                                    shown.psdTo, signals::windowFromText(window));
   } catch (const std::exception&) {
     return {};
   }

@@ -9,6 +9,7 @@
 #include "plots/ScalogramGrid.h"
 #include "plots/UnitText.h"
 #include "signals/Resample.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -137,7 +138,7 @@ namespace {
 // That of the signal that the map was made from: a measured one may be no acceleration.
 std::string signalUnit(const results::AnalysedRecord& result) {
   for (const auto& channel : result.signals)
-    if (channel.name == "aba_filtered") return channel.unit;
+    if (channel.name == signals::names::axleBoxFiltered) return channel.unit;
   return "m/s2";
 }
 
@@ -166,14 +167,14 @@ std::unique_ptr<Figure> stftFigure(const results::AnalysedRecord& result, const 
   local.psdFrom = result.psdFrom;
   local.psdTo = result.psdTo;
   local.position = result.position;
-  const std::vector<double>* values = result.signal("aba_filtered");
+  const std::vector<double>* values = result.signal(signals::names::axleBoxFiltered);
   if (values && values->size() == result.time.size() && values->size() > segment && result.time.size() > 1) {
     signals::StftOptions options;
     options.segment = segment;
     options.hop = std::max(hop > 0 ? hop : std::max<std::size_t>(1, segment / 32), values->size() / maximumColumns);
     options.transformLength = 8 * segment;
     std::vector<std::string> notes;
-    const auto stft = *analysis::stftMap(signals::seriesOf(result, "aba_filtered"), options, notes);
+    const auto stft = *analysis::stftMap(signals::seriesOf(result, signals::names::axleBoxFiltered), options, notes);
     // Row 0 is the mean, which has no place on a logarithmic axis.
     local.scalogramFrequency.assign(stft.frequency.begin() + 1, stft.frequency.end());
     local.scalogramPower.assign(stft.density.begin() + static_cast<std::ptrdiff_t>(stft.time.size()),

@@ -3,6 +3,7 @@
 
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -24,9 +25,9 @@ QString labelWithExtremes(const QString& label, const std::vector<double>& x, co
 
 void addAccelerations(Figure& figure, const results::RunResult& result, const std::vector<double>& x, double from,
                       double to) {
-  const auto* wheel = result.signal("wheel_acceleration_filtered");
-  const auto* box = result.signal("aba_filtered");
-  if (!box) box = result.signal("aba");
+  const auto* wheel = result.signal(signals::names::wheelFiltered);
+  const auto* box = result.signal(signals::names::axleBoxFiltered);
+  if (!box) box = result.signal(signals::names::axleBox);
   if (box) addCurve(figure, {x, *box, labelWithExtremes("axle box", x, *box, from, to), 0, 1.2, Qt::SolidLine, true});
   if (wheel) addCurve(figure, {x, *wheel, labelWithExtremes("wheel centre", x, *wheel, from, to), 1, 0.8});
   if (!box && !wheel) addNotice(figure, "no acceleration in this result");

@@ -1,6 +1,7 @@
 #include "case/Resolve.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -27,8 +28,8 @@ std::unique_ptr<Figure> tracksideFigure(const results::RunResult& result, const 
   figure->xAxis->setLabel("Wheel position relative to the defect [mm]");
   figure->yAxis->setLabel("Vertical acceleration [m/s²]");
   figure->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
-  const auto* rail = result.signal("rail_acceleration");
-  const auto* sleeper = result.signal("sleeper_acceleration");
+  const auto* rail = result.signal(signals::names::rail);
+  const auto* sleeper = result.signal(signals::names::sleeper);
   if (rail) addCurve(*figure, {position, *rail, "rail foot", 0, 0.9});
   if (sleeper) addCurve(*figure, {position, *sleeper, "nearest sleeper", 1, 1.1, Qt::SolidLine, true});
   if (!rail && !sleeper) addNotice(*figure, "no trackside sensor in this result");

@@ -1,6 +1,7 @@
 #include "studio/preview/GrowingCurve.h"
 
 #include "signals/Butterworth.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 #include "simulation/SignalRecorder.h"
 
@@ -10,7 +11,7 @@ GrowingCurve::GrowingCurve(const simulation::WarmState& state, double rate, doub
     : rate_(rate),
       cutoff_(cutoff),
       position_(simulation::recordedIn(state.state, "position")),
-      acceleration_(simulation::recordedIn(state.state, "aba")) {}
+      acceleration_(simulation::recordedIn(state.state, signals::names::axleBox)) {}
 
 void GrowingCurve::add(double position, double acceleration) {
   position_.push_back(position);

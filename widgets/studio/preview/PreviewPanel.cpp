@@ -11,6 +11,7 @@
 #include "plots/FigureRegistry.h"
 #include "plots/LineFigure.h"
 #include "signals/Features.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 #include "studio/preview/CurvePlot.h"
 #include "studio/preview/PreviewController.h"
@@ -178,7 +179,7 @@ void PreviewPanel::showResult(const results::RunResult& result) {
 
 void PreviewPanel::showReference() {
   const ResultPointer last = store_.currentResult();
-  const auto* filtered = last ? last->signal("aba_filtered") : nullptr;
+  const auto* filtered = last ? last->signal(signals::names::axleBoxFiltered) : nullptr;
   if (!filtered || last->position.size() != filtered->size())
     acceleration_->setReference({}, {}, {});
   else
@@ -189,10 +190,10 @@ void PreviewPanel::showReference() {
 // Over the same stretch: the density of an impact depends on how much of what is still around it is taken in.
 void PreviewPanel::compareSpectra() {
   const ResultPointer last = store_.currentResult();
-  if (!last || !shown_ || !last->signal("aba_filtered")) return spectrum_->setReference({}, {}, {});
+  if (!last || !shown_ || !last->signal(signals::names::axleBoxFiltered)) return spectrum_->setReference({}, {}, {});
   try {
-    const auto spectrum =
-        signals::stretchSpectrum(signals::passageOf(*last, "aba_filtered"), shown_->psdFrom, shown_->psdTo);
+    const auto spectrum = signals::stretchSpectrum(signals::passageOf(*last, signals::names::axleBoxFiltered),
+                                                   shown_->psdFrom, shown_->psdTo);
     spectrum_->setReference(spectrum.frequency, spectrum.density, {});
   } catch (const signals::SignalError&) {  // its record does not reach so far
     spectrum_->setReference({}, {}, {});

@@ -6,6 +6,7 @@
 #include "case/BeforeDefect.h"
 #include "case/Resolve.h"
 #include "core/Errors.h"
+#include "signals/SignalCatalogue.h"
 #include "studio/common/ThreadPriority.h"
 #include "studio/preview/GrowingCurve.h"
 #include "studio/preview/PreviewCase.h"
@@ -213,7 +214,7 @@ void PreviewWorker::preview(const Wish& wish) {
   auto picture = pictureOf(description);
   picture.phase = PreviewPhase::done;
   picture.position = result.position;
-  if (const auto* filtered = result.signal("aba_filtered")) picture.acceleration = *filtered;
+  if (const auto* filtered = result.signal(signals::names::axleBoxFiltered)) picture.acceleration = *filtered;
   picture.result = std::make_shared<const results::RunResult>(std::move(result));
   publish(wish, std::move(picture));
 }

@@ -13,6 +13,7 @@
 #include "readers/ArrayFile.h"
 #include "readers/ArraySignals.h"
 #include "readers/TableFile.h"
+#include "signals/SignalCatalogue.h"
 #include "text/Lines.h"
 #include "text/Numbers.h"
 #include "text/Text.h"
@@ -82,7 +83,7 @@ void readWhole(MeasuredHead& head, const readers::SignalFileOptions& options) {
 std::string groupOf(const std::string& object) { return object.substr(0, object.rfind('/')); }
 
 bool isAba(const results::Array& array) {
-  return text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == "aba";
+  return text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == signals::names::axleBox;
 }
 
 // Arrays of numbers of one or two dimensions; a single number is no signal.
@@ -188,7 +189,7 @@ readers::TableRoles rolesIn(const MeasuredHead& head, const readers::SignalFileO
 std::size_t clearSignal(const MeasuredHead& head, const readers::TableRoles& roles) {
   if (roles.rest.size() == 1) return roles.rest.front();
   try {
-    const std::size_t aba = readers::columnNamed(head.table, "aba");
+    const std::size_t aba = readers::columnNamed(head.table, signals::names::axleBox);
     if (std::find(roles.rest.begin(), roles.rest.end(), aba) != roles.rest.end()) return aba;
   } catch (const FileError&) {
     // Two of that name.

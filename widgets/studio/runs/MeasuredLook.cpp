@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/Errors.h"
+#include "signals/SignalCatalogue.h"
 #include "text/Numbers.h"
 
 namespace squat::studio {
@@ -76,7 +77,7 @@ MeasuredLook lookAt(const MeasuredChoice& choice, const MeasuredHead& head) {
     look.records = recordsOf(choice);
     for (std::size_t i = 0; i < std::min(look.records.size(), maximumCurves); ++i) {
       const auto& record = *look.records[i].record;
-      look.curves.push_back(thinned(record.position, *record.signal("aba"), stretchesOfACurve));
+      look.curves.push_back(thinned(record.position, *record.signal(signals::names::axleBox), stretchesOfACurve));
     }
     return look;
   } catch (const std::bad_alloc&) {

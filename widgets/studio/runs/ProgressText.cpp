@@ -1,5 +1,7 @@
 #include "studio/runs/ProgressText.h"
 
+#include "signals/SignalCatalogue.h"
+
 #include <QObject>
 #include <QStringList>
 #include <algorithm>
@@ -25,12 +27,12 @@ QString progressText(const Progress& progress) {
 
 QString completionText(const results::RunResult& result, bool resumed) {
   QStringList found;
-  const auto* box = result.signal("aba_filtered");
+  const auto* box = result.signal(signals::names::axleBoxFiltered);
   if (box && !box->empty()) {
     const auto [low, high] = std::minmax_element(box->begin(), box->end());
     found << QObject::tr("axle box acceleration %1 to %2 m/s²").arg(*low, 0, 'f', 1).arg(*high, 0, 'f', 1);
   }
-  const auto* force = result.signal("contact_force");
+  const auto* force = result.signal(signals::names::contactForce);
   if (force && !force->empty())
     found << QObject::tr("contact force up to %1 kN")
                  .arg(1e-3 * *std::max_element(force->begin(), force->end()), 0, 'f', 1);

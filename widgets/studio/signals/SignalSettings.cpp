@@ -7,6 +7,7 @@
 #include "signals/Butterworth.h"
 #include "signals/Features.h"
 #include "signals/Resample.h"
+#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 
 namespace squat::studio {
@@ -54,8 +55,8 @@ SignalSettings settingsOf(const project::FigureChoices& choices) {
 }
 
 void filterAnew(signals::Record& record, const SignalSettings& settings) {
-  filter(record, "aba", "aba_filtered", settings.cutoff);
-  filter(record, "wheel_acceleration", "wheel_acceleration_filtered", settings.cutoff);
+  for (const auto& row : signals::signalCatalogue())
+    if (row.filteredName) filter(record, row.name, row.filteredName, settings.cutoff);
 }
 
 signals::PowerSpectrum spectrumOf(const signals::Record& record, const SignalSettings& settings,
@@ -75,12 +76,12 @@ std::shared_ptr<const results::RunResult> analysed(const results::RunResult& res
     problem = error.what();
     return std::make_shared<const results::RunResult>(result);
   }
-  if (!changed->channel("aba_filtered") || changed->time.size() < 2) return changed;
+  if (!changed->channel(signals::names::axleBoxFiltered) || changed->time.size() < 2) return changed;
   try {
     auto box = spectrumOf(*changed, settings);
     std::vector<double> wheel;
-    if (changed->channel("wheel_acceleration_filtered"))
-      wheel = spectrumOf(*changed, settings, "wheel_acceleration_filtered").density;
+    if (changed->channel(signals::names::wheelFiltered))
+      wheel = spectrumOf(*changed, settings, signals::names::wheelFiltered).density;
     changed->frequency = std::move(box.frequency);
     changed->psd = std::move(box.density);
     changed->psdWheel = std::move(wheel);
@@ -94,14 +95,15 @@ std::shared_ptr<const results::RunResult> analysed(const results::RunResult& res
 std::shared_ptr<const results::RunResult> withScalogram(const results::RunResult& result) {
   auto changed = std::make_shared<results::RunResult>(result);
   constexpr std::size_t fewest = 64;  // samples, as for a run
-  if (!changed->channel("aba_filtered") || changed->position.size() != changed->time.size() ||
+  if (!changed->channel(signals::names::axleBoxFiltered) || changed->position.size() != changed->time.size() ||
       changed->time.size() < fewest)
     return changed;
   try {
     signals::WaveletOptions options;
     options.cell = 0;
     std::vector<std::string> notes;
-    signals::Scalogram anew = analysis::scalogramMap(signals::seriesOf(*changed, "aba_filtered"), options, notes);
+    signals::Scalogram anew =
+        analysis::scalogramMap(signals::seriesOf(*changed, signals::names::axleBoxFiltered), options, notes);
     changed->scalogramFrequency = std::move(anew.frequency);
     changed->scalogramTime = std::move(anew.time);
     changed->scalogramPower = std::move(anew.power);

@@ -8,6 +8,7 @@
 #include "project/Project.h"
 #include "results/RunResult.h"
 #include "signals/PowerSpectrum.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::studio {
 
@@ -30,7 +31,7 @@ void filterAnew(signals::Record& record, const SignalSettings& settings);
 
 // The spectrum of aba_filtered, or of another channel, over the chosen stretch. Throws SignalError with what is wrong.
 signals::PowerSpectrum spectrumOf(const signals::Record& record, const SignalSettings& settings,
-                                  const std::string& channel = "aba_filtered");
+                                  const std::string& channel = signals::names::axleBoxFiltered);
 
 // The result with filtered channels and both spectra computed anew. Where that cannot be done these stay as they are
 // and `problem` says why; where only the stretch of the spectra is wrong, only they do. The stretch that other figures

@@ -6,6 +6,7 @@
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "signals/SignalCatalogue.h"
 #include "studio/runs/RunStore.h"
 #include "text/Csv.h"
 
@@ -119,7 +120,7 @@ std::vector<std::string> writeMeasured(const ChosenTargets& chosen, const std::s
   for (const auto& [name, record] : chosen.measured) {
     paths.push_back(folder + "/case/measured-" + std::to_string(paths.size() + 1) + ".csv");
     const auto text = text::csvColumns({"time [s]", "position [m]", "aba [m/s2]"},
-                                       {&record->time, &record->position, record->signal("aba")});
+                                       {&record->time, &record->position, record->signal(signals::names::axleBox)});
     made.push_back(text);
   }
   const bool isUsed = !table.empty() && std::filesystem::exists(table);
