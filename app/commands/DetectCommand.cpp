@@ -30,7 +30,7 @@ namespace {
 
 struct DetectCommandOptions {
   std::vector<std::string> files;
-  std::string folder, chainage, examples, labels, partition, light, moderate;
+  std::string folder, chainage, examples, labels, learned, partition, light, moderate;
   CaseOptions caseOptions;
   SignalOptions signal;
   FigureChoice figures;
@@ -52,6 +52,7 @@ detection::SourceOptions sourceOf(const DetectCommandOptions& options) {
   source.vehicleName = options.caseOptions.name;
   source.folder = options.folder;
   source.examplesFile = options.examples, source.labelsFile = options.labels;
+  source.learnedFile = options.learned;
   source.limits = options.limits;
   source.jobs = studies::coresHere();
   return source;
@@ -98,6 +99,13 @@ int conclude(const DetectCommandOptions& options, std::vector<detection::RecordD
     std::fprintf(list, "  %s\n", path.c_str());
   for (const auto& path : writeDetectionFigures(report, options.folder, options.figures))
     std::fprintf(list, "  %s\n", path.c_str());
+  if (options.learned.empty() || options.labels.empty()) return kDone;
+  detection::keepLearned(*source, options.learned);
+  if (source->learned.empty())
+    std::fprintf(stderr, "%s is not written: no label has an event that teaches something (squats need a size)\n",
+                 options.learned.c_str());
+  else
+    std::fprintf(list, "  %s (events that labels have taught: %zu)\n", options.learned.c_str(), source->learned.size());
   return kDone;
 }
 
@@ -112,6 +120,7 @@ int detect(DetectCommandOptions options) {
   if (options.folder.empty()) options.folder = ".";
   options.limits = detection::severityLimitsFromText(options.light, options.moderate);
   const auto search = searchOf(options);
+  if (!options.learned.empty() && options.labels.empty()) detection::readExamples(options.learned);  // before the work
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   if (options.roughness.asked()) gaugeOptions(options.roughness);  // what is wrong with it is said before the work
@@ -119,8 +128,8 @@ int detect(DetectCommandOptions options) {
 
   const OutputFolder folder(options.folder);
   const FolderLock owner(options.folder, "squat detect");
-  keepInputs(search.records,
-             {options.folder + "/squats.csv", options.folder + "/squats.json", options.folder + "/squats.rcmdx"});
+  keepInputs(search.records, {options.learned, options.folder + "/squats.csv", options.folder + "/squats.json",
+                              options.folder + "/squats.rcmdx"});
   if (options.collect) return conclude(options, collectRecords(search), monitor);
   roughness::TransferFunction transfer;
   if (options.roughness.asked()) {
@@ -185,6 +194,10 @@ void addDetectCommand(CLI::App& program, Action& action) {
       ->type_name("FILE")
       ->excludes(vehicle);
   command->add_option("--labels", options->labels, "Events that you know: position, kind, severity or length and depth")
+      ->type_name("FILE");
+  command
+      ->add_option("--learned", options->learned,
+                   "What labels taught on records of the same train: read where the file exists, written with --labels")
       ->type_name("FILE");
   command->add_option("--light", options->light, "Longest and deepest light squat in mm (default: 35x0.10)")
       ->type_name("LENGTHxDEPTH");

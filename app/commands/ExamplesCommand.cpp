@@ -62,6 +62,9 @@ void addExamplesCommand(CLI::App& program, Action& action) {
                    "Passages over joints, welds, crossings, corrugation (default: 16)")
       ->check(CLI::Range(0, 10000))
       ->type_name("N");
+  command->add_option("--flats", options->examples.flats, "Passages of wheels with a flat (default: 4)")
+      ->check(CLI::Range(0, 10000))
+      ->type_name("N");
   command->add_option("--seed", options->examples.seed, "Another choice of defects (default: 1)")->type_name("N");
   command->add_option("--jobs", options->jobs, "Parallel runs (default: all cores)")
       ->check(CLI::Range(1, 256))

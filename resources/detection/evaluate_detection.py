@@ -128,8 +128,11 @@ def compare(truth, events):
     return rows, false
 
 
-def calibration(rows):
+def calibration(rows, title):
     """How often events of each sureness are right. "other" is right for what is no squat: it claims no more."""
+    if not rows:
+        return
+    print(f"{title}:")
     right = lambda row: row["found"] == row["kind"] or (row["found"] == "other" and row["kind"] != "squat")
     error = 0
     for low in range(0, 10):
@@ -139,7 +142,7 @@ def calibration(rows):
         stated, seen = numpy.mean([row["sureness"] for row in own]), numpy.mean([right(row) for row in own])
         error += len(own) / len(rows) * abs(stated - seen)
         print(f"  sureness {stated:.2f}: right {seen:.2f} of {len(own)}")
-    print(f"expected calibration error: {error:.3f}")
+    print(f"  expected calibration error: {error:.3f}")
 
 
 def report(rows, false):
@@ -155,7 +158,9 @@ def report(rows, false):
         called = [row["found"] or "nothing" for row in others if row["kind"] == kind]
         print(f"  {kind}: " + ", ".join(f"{name} {called.count(name)}" for name in sorted(set(called))))
     print(f"false alarms: {len(false)}")
-    calibration([row for row in rows if row["found"]])
+    listed = [row for row in rows if row["found"]]
+    calibration(listed, "all")
+    calibration([row for row in listed if row["found"] != "other"], "those that are not called other")
     called = [row for row in squats if "called" in row]
     off = [abs(row["called"] - row["severity"]) for row in called]
     print(f"severity right: {100 * off.count(0) / len(off):.1f} % of {len(off)}; two classes off: {off.count(2)}; "
@@ -165,8 +170,10 @@ def report(rows, false):
     inside = numpy.mean([row["inside"] for row in called], axis=0)
     print(f"true length, depth in the range given: {100 * inside[0]:.0f} %, {100 * inside[1]:.0f} %")
     for row in rows:
-        if (row["kind"] == "squat") != (row["found"] == "squat"):
-            print(f"  {row['kind']} {row['name']} ({row['vehicle']}): {row['found'] or 'not found'}")
+        is_sure = row["found"] != row["kind"] and row["found"] not in ("", "other") and row["sureness"] >= 0.8
+        if is_sure or (row["kind"] == "squat") != (row["found"] == "squat"):
+            print(f"  {row['kind']} {row['name']} ({row['vehicle']}): {row['found'] or 'not found'}"
+                  f" {row.get('sureness', '')}")
 
 
 def main():

@@ -40,7 +40,7 @@ def vehicle(rng):
 
 def compute(arguments, index, path):
     call = [arguments.squat, "examples", "light-defect", "--mesh", "tiny", "--squats", str(arguments.squats),
-            "--others", str(arguments.others), "--seed", str(1000 * arguments.seed + index), "-o", str(path)]
+            "--others", str(arguments.others), "--flats", str(arguments.flats), "--seed", str(1000 * arguments.seed + index), "-o", str(path)]
     if arguments.passages:
         call += ["--passages", str(path.with_suffix(""))]
     for key, value in vehicle(random.Random(1000 * arguments.seed + index)).items():
@@ -57,6 +57,7 @@ def main():
     parser.add_argument("--first", type=int, default=0, help="number of the first vehicle")
     parser.add_argument("--squats", type=int, default=15, help="passages over squats of each vehicle")
     parser.add_argument("--others", type=int, default=6, help="passages over joints, welds, crossings, corrugation")
+    parser.add_argument("--flats", type=int, default=2, help="passages of wheels with a flat")
     parser.add_argument("--squat", default="squat", help="the program")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--passages", action="store_true", help="keep the signals")

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "detection/BackgroundSections.h"
+#include "detection/Stretches.h"
 #include "text/Numbers.h"
 
 namespace squat::detection {
@@ -12,17 +11,11 @@ namespace {
 
 using text::formatted;
 
-// Only a speed that varies distinguishes a wavelength from a frequency. Both values are assumed: one measured track
-// with corrugation and one without are too few to count errors.
-constexpr double variedSpeed = 1.2, surenessVaried = 0.7, surenessSteady = 0.5;
-
-bool isVaried(const WavyStretch& stretch) { return stretch.fastest > variedSpeed * stretch.slowest; }
-
 // Of those that were passed at one speed.
 std::string resonanceNote(const ChannelDetection& channel) {
   double lowest = 1e9, highest = 0;
   for (const auto& stretch : channel.waves) {
-    if (isVaried(stretch)) continue;
+    if (areVaried(stretch.slowest, stretch.fastest)) continue;  // only such a speed shows a wavelength
     const double frequency = 0.5 * (stretch.slowest + stretch.fastest) / stretch.wavelength;
     lowest = std::min(lowest, frequency), highest = std::max(highest, frequency);
   }
@@ -35,32 +28,11 @@ std::string resonanceNote(const ChannelDetection& channel) {
 
 }  // namespace
 
-std::vector<Event> stretchEvents(const ChannelDetection& channel, const std::string& unit) {
-  std::vector<Event> events;
-  for (const auto& stretch : channel.waves) {
-    Event event;
-    event.channel = channel.name, event.unit = unit;
-    event.time = stretch.time;
-    event.position = std::min(stretch.from, stretch.to), event.extent = std::abs(stretch.to - stretch.from);
-    event.latitude = event.longitude = std::numeric_limits<double>::quiet_NaN();
-    event.kind = event.judgement.kind = Kind::corrugation;
-    event.features.speed = 0.5 * (stretch.slowest + stretch.fastest);
-    event.features.wavelength = stretch.wavelength;
-    for (const auto& piece : channel.pieces)
-      if (piece.position >= event.position && piece.position < event.position + event.extent)
-        event.peak = std::max(event.peak, piece.peak);
-    event.sureness = event.judgement.sureness = isVaried(stretch) ? surenessVaried : surenessSteady;
-    event.reason = formatted("%.0f m of waves", event.extent) + formatted(" of %.0f mm", 1e3 * stretch.wavelength);
-    events.push_back(std::move(event));
-  }
-  return events;
-}
-
 std::vector<std::string> channelNotes(const ChannelDetection& channel, const DetectOptions& options) {
   constexpr double restless = 3, doubtful = 0.5;
   std::vector<std::string> notes;
   const double quiet = std::max(options.threshold, EvidenceTail({}).evidenceOf(options.falseAlarms));
-  const auto sections = backgroundSections(channel.pieces);
+  const auto& sections = channel.background;
   const auto loud = std::max_element(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
     return a.tail.evidenceOf(options.falseAlarms) < b.tail.evidenceOf(options.falseAlarms);
   });

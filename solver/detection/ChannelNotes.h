@@ -8,9 +8,6 @@
 
 namespace squat::detection {
 
-// Stretches of corrugation as events of their own: position is where they begin, `extent` how long they are.
-std::vector<Event> stretchEvents(const ChannelDetection& channel, const std::string& unit);
-
 // Of a judged channel: a background that is restless, events that are not those of an axle box.
 std::vector<std::string> channelNotes(const ChannelDetection& channel, const DetectOptions& options);
 

@@ -80,9 +80,9 @@ void dropBackground(ChannelDetection& channel, const DetectOptions& options, boo
     const double at = channel.events[i].position;
     struck.push_back(falling ? Way{at - ringing, at + ahead} : Way{at - ahead, at + ringing});
   }
-  const auto sections = backgroundSections(channel.pieces, std::move(struck));
+  channel.background = backgroundSections(channel.pieces, std::move(struck));
   for (auto& event : channel.events)
-    if (const auto* own = sectionAt(sections, event.position))
+    if (const auto* own = sectionAt(channel.background, event.position))
       event.falseAlarms = own->tail.alarmsPerKilometre(event.score);
   for (const auto i : strikes) channel.events[i].falseAlarms = 0;
   std::erase_if(channel.events,

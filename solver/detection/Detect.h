@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/Monitor.h"
+#include "detection/BackgroundSections.h"
 #include "detection/Event.h"
 #include "detection/SegmentEvents.h"
 #include "detection/Surroundings.h"
@@ -26,6 +27,7 @@ struct ChannelDetection {
   std::vector<Piece> pieces;  // along the track
   double circumference = 0;   // [m] at which flats repeat; 0: none
   std::vector<WavyStretch> waves = {};
+  std::vector<BackgroundSection> background = {};  // once it is judged
 };
 
 struct RecordDetection {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -30,11 +31,10 @@ double powerOf(const Event& event, std::size_t band) {
   return std::max(0.0, event.features.energy[band] - event.features.noise[band]) / seconds;
 }
 
-// Two digits, and 0 below one in a billion kilometres.
+// To two digits, and 0 below one in a billion kilometres.
 double withTwoDigits(double alarms) {
   if (alarms < 1e-9) return 0;
-  const double unit = std::pow(10.0, std::floor(std::log10(alarms)) - 1);
-  return std::round(alarms / unit) * unit;
+  return std::stod(text::formatted("%.2g", alarms));
 }
 
 // [m] of a stretch; else of the neighbourhood that is at least a tenth as loud.

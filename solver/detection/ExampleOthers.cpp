@@ -30,19 +30,16 @@ double bell(double x, double length) {
   return std::abs(x) < 0.5 * length ? 0.5 * (1 + std::cos(2 * std::numbers::pi * x / length)) : 0.0;
 }
 
-// Half of a dip whose sides meet at an angle: slope at the middle, reach to where it ends, bent as x^power.
-double side(double x, double slope, double reach, double power) {
-  return -slope * reach / power * std::pow(std::max(0.0, 1 - x / reach), power);
-}
-
+// Two sides that dip to each other, each bent as x^power. They meet at one depth: slope times reach is the same.
 struct Ends {
   double angle = 0;  // [rad] between both sides
   double before = 0, behind = 0, power = 1.5;
   double step = 0;  // [m] by which the end behind is higher
 
+  double depth() const { return angle * before * behind / (before + behind) / power; }
   double height(double x) const {
-    if (x < 0) return side(-x, 0.5 * angle, before, power);
-    return side(x, 0.5 * angle, behind, power) + step * std::max(0.0, 1 - x / behind);
+    if (x < 0) return -depth() * std::pow(std::max(0.0, 1 + x / before), power);
+    return -depth() * std::pow(std::max(0.0, 1 - x / behind), power) + step * std::max(0.0, 1 - x / behind);
   }
   double half() const { return std::max(before, behind) + 0.02; }
 };
@@ -59,6 +56,12 @@ ExampleDefect irregularity(Kind kind, const Height& height, double half, double 
   return {kind, 0, 0, profileOf(height, half, step), 0, 0};
 }
 
+// Impacts crush the ballast below a joint.
+double crushed(Shares& shares, double often) {
+  const double rest = shares.between(0.15, 0.6);
+  return shares() < often ? rest : 1.0;
+}
+
 // A gap between rail ends that dip to it, one higher than the other, the far one worn by impacts.
 ExampleDefect joint(Shares& shares) {
   const auto ends = endsWith(shares, {5e-3, 20e-3}, {0.08, 0.40}, 0.3e-3);
@@ -72,7 +75,9 @@ ExampleDefect joint(Shares& shares) {
     const double share = x / gap + 0.5;
     return std::lerp(surface(-0.5 * gap), surface(0.5 * gap), share) - 4 * floor * share * (1 - share);
   };
-  return irregularity(Kind::joint, height, ends.half());
+  auto example = irregularity(Kind::joint, height, ends.half());
+  example.support = crushed(shares, 0.4);
+  return example;
 }
 
 // Ends held by glued bars: a narrow filled gap, little dip.
@@ -84,14 +89,17 @@ ExampleDefect insulatedJoint(Shares& shares) {
     const double share = x / gap + 0.5;
     return std::lerp(ends.height(-0.5 * gap), ends.height(0.5 * gap), share) - 4 * low * share * (1 - share);
   };
-  return irregularity(Kind::joint, height, ends.half());
+  auto example = irregularity(Kind::joint, height, ends.half());
+  example.support = crushed(shares, 0.2);
+  return example;
 }
 
 // A smooth dip or hump, wavy or peaked inside. Short ones are low: their slopes stay below 10 mrad.
 ExampleDefect weldOf(Shares& shares, Range lengths) {
   const double length = shares.within(lengths), steepest = shares.within({1e-3, 10e-3});
   const double size = std::min(0.5e-3, steepest * length / std::numbers::pi) * (shares() < 0.6 ? -1 : 1);
-  const double wave = shares.between(0.05, 0.15), ripple = shares.between(0, 0.03e-3);
+  // Two and a half waves at most: from three on it would be corrugation.
+  const double wave = length / shares.between(1.2, 2.5), ripple = shares.between(0, 0.03e-3);
   const bool isPeaked = shares() < 0.4;
   const auto height = [=](double x) {
     if (std::abs(x) >= 0.5 * length) return 0.0;
@@ -160,10 +168,29 @@ ExampleDefect closeSquats(Shares& shares) {
   return example;
 }
 
+// Between chord and what rolling rounds it to: -depth (1 - (2 s/length)^2)^power, with slopes up to 4 depth/length at
+// the ends of the fresh one.
+ExampleDefect flat(Shares& shares) {
+  constexpr double radius = 0.46;
+  const double chord = shares.within({15e-3, 60e-3}), worn = shares();
+  const double depth = chord * chord / (8 * radius) * (1 - 0.4 * worn);
+  const double length = chord * (1 + worn), power = 1 + worn;
+  const auto height = [=](double s) {
+    return -depth * std::pow(std::max(0.0, 1 - 4 * s * s / (length * length)), power);
+  };
+  return irregularity(Kind::flat, height, 0.5 * length + 5e-3, 1e-3);
+}
+
 double deepestOf(const scenario::Defect& defect) {
   const auto lowest = std::min_element(defect.points.begin(), defect.points.end(),
                                        [](const auto& a, const auto& b) { return a.height < b.height; });
   return lowest->position;
+}
+
+void takeReach(ExampleDefect& example) {
+  const double deepest = deepestOf(example.defect);
+  example.before = deepest - example.defect.points.front().position;
+  example.behind = example.defect.points.back().position - deepest;
 }
 
 }  // namespace
@@ -174,10 +201,17 @@ std::vector<ExampleDefect> exampleOthers(std::size_t count, std::uint32_t seed) 
   std::vector<ExampleDefect> examples;
   for (std::size_t i = 0; i < count; ++i) {
     examples.push_back(makers[i % makers.size()](shares));
-    auto& example = examples.back();
-    const double deepest = deepestOf(example.defect);
-    example.before = deepest - example.defect.points.front().position;
-    example.behind = example.defect.points.back().position - deepest;
+    takeReach(examples.back());
+  }
+  return examples;
+}
+
+std::vector<ExampleDefect> exampleFlats(std::size_t count, std::uint32_t seed) {
+  Shares shares(seed);
+  std::vector<ExampleDefect> examples;
+  for (std::size_t i = 0; i < count; ++i) {
+    examples.push_back(flat(shares));
+    takeReach(examples.back());
   }
   return examples;
 }

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "case/CaseFile.h"
 #include "case/ShippedCases.h"
 #include "core/DurableFile.h"
 #include "detection/ChannelNotes.h"
 #include "detection/MakeExamples.h"
+#include "detection/Stretches.h"
 
 namespace squat::detection {
 
@@ -51,10 +53,26 @@ std::optional<std::vector<Example>> ownExamples(const SourceOptions& options, do
   return made;
 }
 
+// Squats tell something where their size is known, all else by its kind.
+void learn(Example example, ExampleSource& source) {
+  const bool isSquat = example.kind == Kind::squat;
+  if (isSquat && !hasSize(example)) return;
+  source.learned.push_back(example);
+  if (isSquat) source.own.push_back(example), ++source.ownFromLabels;
+  source.examples.push_back(std::move(example)), ++source.fromLabels;
+}
+
+// Whether a list has the example already, as from a record that is searched once more.
+bool holds(const std::vector<Example>& examples, const Example& example) {
+  return std::any_of(examples.begin(), examples.end(),
+                     [&](const Example& each) { return each.speed == example.speed && each.energy == example.energy; });
+}
+
 // Records of one location share their labels, whose positions are those of the first; records of other locations do
 // not: a label is missed where no record has its event.
+// `earlier`: examples learned before; those of the same events give way.
 void addLabels(const std::vector<Label>& labels, const std::string& file, std::vector<RecordDetection>& records,
-               ExampleSource& source) {
+               std::vector<Example>& earlier, ExampleSource& source) {
   std::vector<bool> isFound(labels.size(), false);
   const auto shifts = shiftsOntoFirst(records);
   for (std::size_t r = 0; r < records.size(); ++r) {
@@ -62,9 +80,8 @@ void addLabels(const std::vector<Label>& labels, const std::string& file, std::v
     const auto isHere = attachLabels(record, labels, shifts[r]);
     for (std::size_t i = 0; i < labels.size(); ++i) isFound[i] = isFound[i] || isHere[i];
     for (auto& example : labelledExamples(record, kLabelWeight)) {
-      const bool isSquat = example.kind == Kind::squat;
-      if (hasSize(example)) source.own.push_back(example), ++source.ownFromLabels;
-      if (!isSquat || hasSize(example)) source.examples.push_back(std::move(example)), ++source.fromLabels;
+      std::erase_if(earlier, [&](const Example& each) { return holds({example}, each); });
+      learn(std::move(example), source);
     }
   }
   source.words += ", and " + std::to_string(labels.size()) + (labels.size() == 1 ? " label of " : " labels of ") + file;
@@ -73,18 +90,12 @@ void addLabels(const std::vector<Label>& labels, const std::string& file, std::v
 }
 
 // What concerns more than a metre, and what is to be said of each channel.
-// `shift` [m]: onto the chainage of the first record.
-void addStretchesAndNotes(DetectionReport& report, std::size_t index, double shift, const DetectOptions& options) {
-  auto& record = report.records[index];
-  for (std::size_t c = 0; c < record.channels.size(); ++c) {
-    const auto& channel = record.channels[c];
-    for (auto& note : channelNotes(channel, options)) record.notes.push_back(std::move(note));
-    const auto unit = c < record.layout.channels.size() ? record.layout.channels[c].unit : std::string();
-    for (auto& event : stretchEvents(channel, unit)) {
-      event.position += shift;
-      report.events.push_back({std::move(event), {index}, 0});
-    }
-  }
+void addStretchesAndNotes(DetectionReport& report, const DetectOptions& options) {
+  for (auto& record : report.records)
+    for (const auto& channel : record.channels)
+      for (auto& note : channelNotes(channel, options)) record.notes.push_back(std::move(note));
+  for (auto& stretch : combinedStretches(report.records, shiftsOntoFirst(report.records)))
+    report.events.push_back(std::move(stretch));
   std::stable_sort(report.events.begin(), report.events.end(),
                    [](const CombinedEvent& a, const CombinedEvent& b) { return a.event.position < b.event.position; });
 }
@@ -119,23 +130,24 @@ struct Changes {
 Changes changesBetween(const std::vector<RecordDetection>& before, const std::vector<RecordDetection>& after) {
   Changes changes;
   for (std::size_t r = 0; r < after.size(); ++r)
-    for (std::size_t c = 0; c < after[r].channels.size(); ++c)
+    for (std::size_t c = 0; c < after[r].channels.size(); ++c) {
+      std::map<double, const Event*> all;
+      for (const auto& event : before[r].channels[c].events) all.emplace(event.time, &event);
       for (const auto& event : after[r].channels[c].events) {
         if (event.label) continue;
         ++changes.events;
-        const auto& all = before[r].channels[c].events;
-        const auto same =
-            std::find_if(all.begin(), all.end(), [&](const Event& each) { return each.time == event.time; });
-        if (same == all.end() || same->kind != event.kind)
+        const auto same = all.find(event.time);
+        if (same == all.end() || same->second->kind != event.kind)
           ++changes.kinds;
-        else if (event.kind == Kind::squat && same->judgement.severity != event.judgement.severity)
+        else if (event.kind == Kind::squat && same->second->judgement.severity != event.judgement.severity)
           ++changes.severities;
       }
+    }
   return changes;
 }
 
 std::string changesText(const Changes& changes) {
-  return "of the " + std::to_string(changes.events) + " events without a label, the labels changed the kind of " +
+  return "of the " + std::to_string(changes.events) + " events without a label, labels changed the kind of " +
          std::to_string(changes.kinds) + " and the severity of " + std::to_string(changes.severities);
 }
 
@@ -161,16 +173,27 @@ std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::ve
   source.sizes = SizeModel(source.examples);
   if (isOfOneVehicle(source.examples)) source.own = source.examples;
   if (!source.sizes.isKnown()) source.sizes = SizeModel(readExamples(generalExamples()));
-  if (options.labelsFile.empty()) return source;
-  addLabels(readLabels(options.labelsFile), options.labelsFile, records, source);
+  std::vector<Example> earlier;
+  const bool mayBeNew = !options.labelsFile.empty();
+  if (!options.learnedFile.empty() && (!mayBeNew || std::filesystem::exists(options.learnedFile)))
+    earlier = readExamples(options.learnedFile);
+  if (!options.labelsFile.empty())
+    addLabels(readLabels(options.labelsFile), options.labelsFile, records, earlier, source);
+  if (!earlier.empty())
+    source.words += ", and " + std::to_string(earlier.size()) + " learned earlier, of " + options.learnedFile;
+  for (auto& example : earlier) learn(std::move(example), source);
   return source;
+}
+
+void keepLearned(const ExampleSource& source, const std::string& path) {
+  if (!source.learned.empty()) writeDurably(path, examplesText(source.learned));
 }
 
 std::optional<DetectionReport> judged(std::vector<RecordDetection> records, const ExampleSource& source,
                                       const DetectOptions& options, Monitor& monitor) {
   DetectionReport report;
   std::optional<std::vector<RecordDetection>> before;
-  if (hasLabels(records)) {
+  if (hasLabels(records) || source.fromLabels > 0) {
     before = judgedWithoutLabels(records, source, options, monitor);
     if (!before) return std::nullopt;
   }
@@ -182,8 +205,7 @@ std::optional<DetectionReport> judged(std::vector<RecordDetection> records, cons
     if (!judgeCandidates(record, judge, options, monitor)) return std::nullopt;
   if (before) report.notes.push_back(changesText(changesBetween(*before, report.records)));
   report.events = combine(report.records);
-  const auto shifts = shiftsOntoFirst(report.records);
-  for (std::size_t r = 0; r < report.records.size(); ++r) addStretchesAndNotes(report, r, shifts[r], options);
+  addStretchesAndNotes(report, options);
   return report;
 }
 

@@ -20,6 +20,7 @@ struct SourceOptions {
   std::string folder;                             // where its examples are kept
   std::string examplesFile;                       // in place of the shipped ones; empty: those
   std::string labelsFile;                         // empty: none
+  std::string learnedFile;  // keepLearned() wrote it for earlier records of this train; with labels, it may be absent
   SeverityLimits limits;
   int jobs = 1;  // runs at once, of passages that are computed
 };
@@ -30,7 +31,8 @@ struct ExampleSource {
   SizeModel sizes;             // of many vehicles
   std::vector<Example> own;    // passages of the records' own vehicle: of its case, of a table of one vehicle, labels
   std::string words;           // where they come from, and how many labels match no event
-  std::size_t fromLabels = 0, ownFromLabels = 0;  // of `examples` and of `own`, at their ends
+  std::size_t fromLabels = 0, ownFromLabels = 0;  // of `examples` and of `own`, at their ends, learned ones included
+  std::vector<Example> learned;                   // from labels, earlier ones and these
 };
 
 // Passages of a vehicle are computed once for the typical speed of the records and kept as
@@ -39,8 +41,11 @@ struct ExampleSource {
 std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::vector<RecordDetection>& records,
                                            Monitor& monitor);
 
+// Writes what labels have taught, for records of the same train that follow. Throws FileError.
+void keepLearned(const ExampleSource& source, const std::string& path);
+
 // Judges the candidates of all records and combines their passes. With labels, a note says of how many other events
-// they changed kind or severity. Nothing where it was cancelled.
+// they, or those learned from earlier, changed kind or severity. Nothing where it was cancelled.
 std::optional<DetectionReport> judged(std::vector<RecordDetection> records, const ExampleSource& source,
                                       const DetectOptions& options, Monitor& monitor);
 

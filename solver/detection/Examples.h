@@ -38,6 +38,8 @@ struct Judgement {
   // [0..1] how well the record's events go with an axle box as the examples have them; the kinds count as much.
   double axleBox = 1;
   double otherProbability = 0;
+  // [0..1] of a wheel flat, against all else, by the signal alone. It is no kind: what does not repeat is no flat.
+  double flatProbability = 0.5;
 };
 
 struct JudgementOptions {

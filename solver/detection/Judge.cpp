@@ -31,7 +31,7 @@ constexpr double rarerOthers = 6;  // than joints or welds: crossings, and what 
 constexpr double trust = 0.85;
 // What it costs to miss a light, a moderate and a severe squat, by a look at something else: the probability of another
 // kind must be so many times a squat's before the event is called that. Its sureness stays its probability.
-constexpr std::array missedCost{0.7, 1.0, 6.0};
+constexpr std::array missedCost{0.6, 0.8, 3.0};
 
 // Logarithm of a normal density of log10 energies, band by band added: each band has a variance of its own, and all
 // share a deviation of variance c, so that the covariance is D + c 1 1^T. Its inverse and determinant are closed forms
@@ -243,6 +243,8 @@ Judgement Judge::weigh(const EventFeatures& event, const std::vector<double>& ve
   std::vector<double> logs = logLikelihoods(event);
   for (std::size_t i = 0; i < logs.size(); ++i)
     logs[i] += std::log(vehicles[vehicleOf_[i]] * static_cast<double>(vehicles_.size()));
+  for (std::size_t i = 0; i < logs.size(); ++i)
+    if (examples_[i].kind == Kind::flat) logs[i] = -std::numeric_limits<double>::infinity();
   const double nothing = logNothing(event), some = logSum(logs);
   Judgement judgement;
   judgement.nothing = 1 / (1 + std::exp(some - nothing));
@@ -291,6 +293,9 @@ void Judge::takeKind(const EventFeatures& event, const Vehicle& vehicle, const S
   logs[static_cast<std::size_t>(Kind::other)] -= std::log(rarerOthers);
   for (std::size_t k = 0; k < kindCount; ++k)
     logs[k] = trust * (logs[k] + densities.logReach(static_cast<Kind>(k), event));
+  auto& ofFlat = logs[static_cast<std::size_t>(Kind::flat)];
+  if (std::isfinite(ofFlat)) judgement.flatProbability = std::exp(ofFlat - logSum(logs));
+  ofFlat = -std::numeric_limits<double>::infinity();
   const double all = logSum(logs);
   std::array<double, kindCount> probability{}, weighed{};
   for (std::size_t k = 0; k < kindCount; ++k) weighed[k] = probability[k] = std::exp(logs[k] - all);

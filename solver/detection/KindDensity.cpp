@@ -39,10 +39,16 @@ double KindDensity::of(Kind kind, const EventFeatures& event, const Vehicle& veh
   const double examples = ofExamples(kind, event, vehicle);
   const auto paths = paths_.find(kind);
   if (paths == paths_.end()) return examples;
+  // Few examples are no density.
+  constexpr double enough = 40;
+  const auto found = passages_.find(kind);
+  const double count = found == passages_.end() ? 0 : static_cast<double>(found->second.size());
+  const double ofThese = count / (count + enough);
   std::vector<double> parts{ofPaths(paths->second, event, vehicle)};
-  if (std::isfinite(examples)) parts.push_back(examples);
-  if (kind == Kind::other) parts.push_back(ofNoneKnown(event, vehicle));
-  return logSum(parts) - std::log(static_cast<double>(parts.size()));
+  double weights = 1;
+  if (std::isfinite(examples)) parts.push_back(std::log(ofThese) + examples), weights += ofThese;
+  if (kind == Kind::other) parts.push_back(ofNoneKnown(event, vehicle)), weights += 1;
+  return logSum(parts) - std::log(weights);
 }
 
 double KindDensity::logReach(Kind kind, const EventFeatures& event) const {

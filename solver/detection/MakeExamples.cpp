@@ -13,6 +13,7 @@
 #include "detection/ExampleDefects.h"
 #include "detection/SegmentEvents.h"
 #include "signals/Record.h"
+#include "signals/SignalCatalogue.h"
 #include "simulation/WarmState.h"
 #include "text/Csv.h"
 #include "text/Numbers.h"
@@ -33,10 +34,14 @@ class QuietMonitor : public Monitor {
   Monitor& outer_;
 };
 
-// What the example does not state has its default.
+// What the example does not state has its default. Where the wheel has a flat, the rail is smooth.
 scenario::Defect defectOf(const ExampleDefect& example) {
   const auto& own = example.defect;
   auto defect = cases::defaultCase().defect;
+  if (example.kind == Kind::flat) {
+    defect.shape = scenario::DefectShape::none;
+    return defect;
+  }
   defect.shape = own.shape;
   defect.points = own.points;
   if (own.shape == scenario::DefectShape::profile) return defect;
@@ -45,6 +50,19 @@ scenario::Defect defectOf(const ExampleDefect& example) {
   if (own.shape == scenario::DefectShape::dipWithWave)
     defect.waveLength = own.waveLength, defect.waveDepth = own.waveDepth, defect.waveCount = own.waveCount;
   return defect;
+}
+
+// A flat is on the wheel; crushed ballast lies below the two sleepers between which the defect is.
+void takeExample(cases::CaseDescription& description, const ExampleDefect& example) {
+  description.defect = defectOf(example);
+  if (example.kind == Kind::flat) description.tread.points = example.defect.points;
+  if (!(example.support < 1)) return;
+  auto& seats = description.track.seats;
+  for (const int sleeper : {0, description.track.defectFromSleeper < 0 ? -1 : 1}) {
+    auto seat = std::find_if(seats.begin(), seats.end(), [&](const auto& each) { return each.sleeper == sleeper; });
+    if (seat == seats.end()) seat = seats.insert(seats.end(), cases::Seat{sleeper, {}, {}, {}, {}, {}});
+    seat->ballastStiffness = example.support * seat->ballastStiffness.value_or(description.ballast.stiffness);
+  }
 }
 
 // One case for all of the group: zone of the mesh, and room ahead of the longest and behind.
@@ -59,6 +77,7 @@ cases::CaseDescription baseOf(cases::CaseDescription description, const std::vec
   description.track.length =
       std::max(description.track.length, description.motion.runUp + description.motion.beyond + 2.5);
   description.rail.plastic = false;
+  description.tread = {};
   description.defect = defectOf(group.front());
   return description;
 }
@@ -74,11 +93,13 @@ class Runs {
     const auto base = baseOf(description, group, beyond);
     simulation::RunOptions run;
     run.isa = options_.isa, run.wheelsetModes = false, run.snapshots = false;
-    run.threads = std::max(1, options_.jobs);
-    QuietMonitor quiet(monitor_);
-    auto made = simulation::makeWarmState(base, run, quiet);
-    if (!made) return false;
-    run.warm = std::make_shared<const simulation::WarmState>(*std::move(made));
+    if (group.front().kind != Kind::flat) {  // the wheels of flats differ
+      run.threads = std::max(1, options_.jobs);
+      QuietMonitor quiet(monitor_);
+      auto made = simulation::makeWarmState(base, run, quiet);
+      if (!made) return false;
+      run.warm = std::make_shared<const simulation::WarmState>(*std::move(made));
+    }
     run.threads = 1;
     std::atomic<std::size_t> next{0};
     std::vector<std::optional<Example>> found(group.size());
@@ -100,7 +121,7 @@ class Runs {
  private:
   std::optional<Example> passage(cases::CaseDescription description, const ExampleDefect& defect, std::size_t index,
                                  const simulation::RunOptions& run) {
-    description.defect = defectOf(defect);
+    takeExample(description, defect);
     QuietMonitor quiet(monitor_);
     std::optional<Example> example;
     try {
@@ -119,7 +140,7 @@ class Runs {
   }
 
   void keepPassage(const results::RunResult& result, const Example& example, std::size_t index) const {
-    const auto passage = signals::passageOf(result, "aba");
+    const auto passage = signals::passageOf(result, signals::names::axleBox);
     std::vector<double> time;
     for (std::size_t i = 0; i < passage.series.values.size(); ++i) time.push_back(passage.series.timeAt(i));
     const std::string kind = toText(example.kind), number = std::to_string(index + 1);
@@ -131,10 +152,10 @@ class Runs {
                                       {&time, &passage.position, &passage.series.values}));
   }
 
-  // A hump may be felt ahead of the warm state: such a case runs whole.
+  // Another track or wheel is not that of the warm state, and a hump may be felt ahead of it: such a case runs whole.
   static results::RunResult resultOf(const cases::CaseDescription& description, const simulation::RunOptions& run,
                                      Monitor& monitor) {
-    if (!simulation::fits(*run.warm, description)) return whole(description, run, monitor);
+    if (!run.warm || !simulation::fits(*run.warm, description)) return whole(description, run, monitor);
     try {
       return simulation::runCase(description, run, monitor);
     } catch (const CaseError&) {
@@ -168,7 +189,7 @@ class Runs {
 }  // namespace
 
 Example exampleOf(const results::RunResult& result, Kind kind, double length, double depth) {
-  const auto passage = signals::passageOf(result, "aba");
+  const auto passage = signals::passageOf(result, signals::names::axleBox);
   Example example;
   example.kind = kind;
   example.length = length, example.depth = depth;
@@ -183,8 +204,10 @@ std::optional<std::vector<Example>> makeExamples(const cases::CaseDescription& d
                                                  const ExampleOptions& options, Monitor& monitor) {
   const auto squats = exampleSquats(options.squats, options.seed);
   const auto others = exampleOthers(options.others, options.seed + 1);
-  Runs runs(options, squats.size() + others.size(), monitor);
-  if (!runs.add(description, squats, 0.4) || !runs.add(description, others, 0.6)) return std::nullopt;
+  const auto flats = exampleFlats(options.flats, options.seed + 2);
+  Runs runs(options, squats.size() + others.size() + flats.size(), monitor);
+  if (!runs.add(description, squats, 0.4) || !runs.add(description, others, 0.6) || !runs.add(description, flats, 0.6))
+    return std::nullopt;
   if (runs.examples.empty()) throw RunError("no example came to its end: " + runs.failure, 0, 0, "");
   const auto vehicle = cases::caseHash(description);
   for (auto& example : runs.examples) example.vehicle = vehicle;

@@ -132,6 +132,13 @@ std::vector<double> shiftsOntoFirst(const std::vector<RecordDetection>& detectio
   return shifts;
 }
 
+std::size_t passesAt(const std::vector<RecordDetection>& detections, const std::vector<double>& shifts,
+                     double position) {
+  std::size_t passes = 0;
+  for (std::size_t r = 0; r < detections.size(); ++r) passes += covers(extentOf(detections[r]), position - shifts[r]);
+  return passes;
+}
+
 std::vector<CombinedEvent> combine(const std::vector<RecordDetection>& detections) {
   const auto shifts = shiftsOntoFirst(detections);
   std::vector<Found> all;

@@ -25,4 +25,8 @@ std::vector<double> shiftsOntoFirst(const std::vector<RecordDetection>& detectio
 // are listed one behind the other.
 std::vector<CombinedEvent> combine(const std::vector<RecordDetection>& detections);
 
+// How many of the records pass a position [m] in the first one's chainage. `shifts`: shiftsOntoFirst().
+std::size_t passesAt(const std::vector<RecordDetection>& detections, const std::vector<double>& shifts,
+                     double position);
+
 }  // namespace squat::detection

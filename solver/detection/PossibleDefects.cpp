@@ -12,7 +12,7 @@ namespace {
 
 constexpr double speedStep = 0.02;  // of the logarithm: energies are computed for speeds this far apart
 // With 700 squats the rarer sizes lie so far apart that some severe ones look more like joints.
-constexpr std::size_t possibleSquats = 2000, possibleOthers = 1600;
+constexpr std::size_t possibleSquats = 2000, possibleOthers = 1600, possibleFlats = 200;
 
 long stepOf(double speed) { return std::lround(std::log(speed) / speedStep); }
 
@@ -41,6 +41,7 @@ PossibleDefects::PossibleDefects(const SeverityLimits& limits) : squats(possible
   constexpr std::uint32_t seed = 998;
   for (const auto& example : exampleOthers(possibleOthers, seed))
     if (example.kind != Kind::squat) others[example.kind].emplace_back(example.defect);
+  for (const auto& example : exampleFlats(possibleFlats, seed)) others[example.kind].emplace_back(example.defect);
 }
 
 ExpectedBySpeed::ExpectedBySpeed(const SizeModel& model, const std::vector<const PathSpectrum*>& paths,

@@ -33,7 +33,7 @@ class PossibleSquats {
   std::vector<Squat> squats_;
 };
 
-// What is no squat: the kinds that exampleOthers() draws.
+// What is no squat: the kinds that exampleOthers() and exampleFlats() draw.
 struct PossibleDefects {
   explicit PossibleDefects(const SeverityLimits& limits);
 

@@ -30,7 +30,8 @@ std::vector<std::size_t> followers(const std::vector<Event>& events, double circ
 }
 
 // The chains of strikes, each as indices of events.
-std::vector<std::vector<std::size_t>> chains(const std::vector<Event>& events, double circumference) {
+std::vector<std::vector<std::size_t>> chains(const std::vector<Event>& events, double circumference,
+                                             std::size_t least = minimumStrikes) {
   const auto next = followers(events, circumference);
   std::vector<bool> isTaken(events.size(), false);
   std::vector<std::vector<std::size_t>> found;
@@ -41,7 +42,7 @@ std::vector<std::vector<std::size_t>> chains(const std::vector<Event>& events, d
       isTaken[k] = true;
       chain.push_back(k);
     }
-    if (chain.size() >= minimumStrikes) found.push_back(std::move(chain));
+    if (chain.size() >= least) found.push_back(std::move(chain));
   }
   return found;
 }
@@ -64,6 +65,16 @@ double likeliestCircumference(const std::vector<Event>& events, const Surroundin
   return best;
 }
 
+// That a chain is a flat: by chance half as likely with each strike, and as its strikes look.
+double surenessOf(const std::vector<Event>& events, const std::vector<std::size_t>& chain) {
+  double odds = static_cast<double>(chain.size()) * std::log(2.0);
+  for (const auto i : chain) {
+    const double like = std::clamp(events[i].judgement.flatProbability, 1e-9, 1 - 1e-9);
+    odds += std::clamp(std::log(like / (1 - like)), -0.25, 0.5);
+  }
+  return 1 - std::exp(-odds);
+}
+
 double medianStrength(const std::vector<Event>& events, const std::vector<std::size_t>& chain) {
   std::vector<double> values;
   for (const auto i : chain) values.push_back(strengthOf(events[i]));
@@ -77,7 +88,11 @@ double medianStrength(const std::vector<Event>& events, const std::vector<std::s
 double markFlats(std::vector<Event>& events, const SurroundingsOptions& options) {
   const double circumference = likeliestCircumference(events, options);
   if (!(circumference > 0)) return 0;
-  const auto found = chains(events, circumference);
+  constexpr std::size_t leastStrikes = 3;
+  constexpr double leastSureness =
+      0.88;  // not reached by three strikes whose look tells nothing, nor by four like no flat
+  auto found = chains(events, circumference, leastStrikes);
+  std::erase_if(found, [&](const auto& chain) { return surenessOf(events, chain) < leastSureness; });
   double turns = 0, way = 0;
   for (const auto& chain :
        found)  // link by link: over many turns the first guess of the length would count some too many
@@ -90,7 +105,7 @@ double markFlats(std::vector<Event>& events, const SurroundingsOptions& options)
     for (const auto i : chain) {
       if (strengthOf(events[i]) > 4 * middle) continue;
       events[i].kind = Kind::flat;
-      events[i].sureness = 1 - std::exp2(-static_cast<double>(chain.size()));
+      events[i].sureness = surenessOf(events, chain);
       char text[64];
       std::snprintf(text, sizeof text, "repeats every %.2f m, %zu times", way / turns, chain.size());
       events[i].reason = text;

@@ -14,8 +14,10 @@ struct SurroundingsOptions {
 };
 
 // A wheel flat strikes once a turn: four events or more, of which each has another one circumference away (two where
-// one is missed). Those of them that are four times as strong as the middle one are something else on top. Events of
-// one channel, in the order of travel, judged. Returns the circumference [m], 0 where there is no flat.
+// one is missed). Four that look like no flat (Judgement::flatProbability) are none; three that look like flats are one
+// where the circumference is known, as from another flat. Those of them that are four times as strong as the middle one
+// are something else on top. Events of one channel, in the order of travel, judged. Returns the circumference [m], 0
+// where there is no flat.
 double markFlats(std::vector<Event>& events, const SurroundingsOptions& options);
 
 // Indices of the events that belong to long chains of strikes, ten and more: a flat that strikes in every turn, which

@@ -18,7 +18,10 @@ constexpr double nearby = 1.15;                                      // ratio of
 // Of the power at one wavelength. On 20 s of measured corrugated track, 0.39 to 0.84 in each second; on ordinary track
 // 0.12 to 0.44 in 38 of 40 channels' seconds.
 constexpr double leastShare = 0.45;
-constexpr double shortestStretch = 16;  // [m]
+// By how much the wavelength's power in each hertz exceeds that of either side, up to 1.6 times as far: 1.6 to 15 on
+// the corrugated track. Rough rails without waves have broad swells of 2 dB, 1.6.
+constexpr double leastProminence = 1.5, leastMeanProminence = 2, aside = 1.6;  // of a piece, of a stretch
+constexpr double shortestStretch = 16;                                         // [m]
 constexpr double leastSteadiness = 0.1;
 // Between these the rail vibrates between its sleepers (pinned-pinned) wherever it lies: a peak there is corrugation
 // only where it holds nearly all.
@@ -43,7 +46,7 @@ std::vector<double> medianSpectrum(const std::vector<double>& values, std::size_
 }
 
 struct Peak {
-  double frequency = 0, share = 0;
+  double frequency = 0, share = 0, prominence = 0;
 };
 
 Peak peakOf(const std::vector<double>& power, double lineWidth, double speed) {
@@ -55,6 +58,9 @@ Peak peakOf(const std::vector<double>& power, double lineWidth, double speed) {
     for (std::size_t k = lineAt(low); k < lineAt(high); ++k) total += power[k];
     return total;
   };
+  const auto density = [&](double low, double high) {
+    return sum(low, high) / std::max(1.0, static_cast<double>(lineAt(high) - lineAt(low)));
+  };
   const double highest = lineWidth * static_cast<double>(power.size());
   const auto first = lineAt(std::max(lowestFrequency, speed / longestWave)), end = lineAt(speed / shortestWave);
   if (first >= end) return {};
@@ -62,7 +68,11 @@ Peak peakOf(const std::vector<double>& power, double lineWidth, double speed) {
                                    power.begin() + static_cast<std::ptrdiff_t>(end));
   const double frequency = lineWidth * static_cast<double>(at - power.begin());
   const double all = sum(lowestFrequency, highest);
-  return {frequency, all > 0 ? sum(frequency / nearby, frequency * nearby) / all : 0};
+  if (!(all > 0)) return {};
+  const double around = density(frequency / nearby, frequency * nearby);
+  const double sides =
+      std::max(density(frequency / aside, frequency / nearby), density(frequency * nearby, frequency * aside));
+  return {frequency, sum(frequency / nearby, frequency * nearby) / all, sides > 0 ? around / sides : 1e9};
 }
 
 // The value that the power of a frequency's band exceeds three quarters of the way, by its mean: some 0.3 for noise,
@@ -108,11 +118,11 @@ std::vector<WavyStretch> wavyStretches(const Segment& segment, std::size_t chann
                                       transform->size(), *transform);
     const auto peak = peakOf(power, series.rate() / static_cast<double>(transform->size()), speed);
     const bool isPinned = peak.frequency > pinnedFrom && peak.frequency < pinnedTo;
-    if (peak.share >= (isPinned ? leastPinnedShare : leastShare) &&
+    if (peak.share >= (isPinned ? leastPinnedShare : leastShare) && peak.prominence >= leastProminence &&
         steadiness(bandPower, peak.frequency, series.timeAt(from), series.timeAt(from + 2 * half)) >= leastSteadiness) {
       const double wave = speed / peak.frequency;
       pieces.push_back({series.timeAt(first), segment.position[first], segment.position[i - 1], wave, wave, wave,
-                        peak.share, speed, speed});
+                        peak.share, speed, speed, peak.prominence});
     }
   }
   return pieces;
@@ -133,12 +143,14 @@ std::vector<WavyStretch> joined(const std::vector<WavyStretch>& pieces) {
     const double weight = added / std::max(before + added, 1e-9);
     last.wavelength += weight * (piece.wavelength - last.wavelength);
     last.share += weight * (piece.share - last.share);
+    last.prominence += weight * (piece.prominence - last.prominence);
     last.shortest = std::min(last.shortest, piece.wavelength), last.longest = std::max(last.longest, piece.wavelength);
     last.slowest = std::min(last.slowest, piece.slowest), last.fastest = std::max(last.fastest, piece.fastest);
     last.to = piece.to;
   }
-  std::erase_if(stretches,
-                [](const WavyStretch& each) { return std::abs(each.to - each.from) < 0.9 * shortestStretch; });
+  std::erase_if(stretches, [](const WavyStretch& each) {
+    return std::abs(each.to - each.from) < 0.9 * shortestStretch || each.prominence < leastMeanProminence;
+  });
   return stretches;
 }
 

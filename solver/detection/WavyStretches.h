@@ -19,14 +19,17 @@ struct WavyStretch {
   double shortest = 0, longest = 0;  // [m] of its pieces
   double share = 0;                  // [0..1] of the power within 15 % of the wavelength
   double slowest = 0, fastest = 0;   // [m/s] speeds over which the wavelength was the same
+  double prominence = 0;             // power a hertz within 15 % of the wavelength by that of the stronger side
 };
 
 // Pieces of 8 m of one channel within the segment's core; wavelengths from 20 mm to 0.4 m, so that sleepers are left
-// out. Each is judged by the median spectrum of windows of 4 m within 16 m: single impacts do not count. `power` of the
+// out. Each is judged by the median spectrum of windows of 4 m within 16 m: single impacts do not count. The wavelength
+// must stand out of those beside it, as a broad swell of the roughness does not. `power` of the
 // channel: that of the wavelength's band must be there all the time, as impacts that repeat are not.
 std::vector<WavyStretch> wavyStretches(const Segment& segment, std::size_t channel, const BandPower& power);
 
-// Joins those that follow each other with the same wavelength, and drops what is not about 16 m long.
+// Joins those that follow each other with the same wavelength, and drops what is not about 16 m long or does not stand
+// out from the wavelengths beside it.
 std::vector<WavyStretch> joined(const std::vector<WavyStretch>& pieces);
 
 }  // namespace squat::detection

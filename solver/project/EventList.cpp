@@ -26,6 +26,9 @@ ListedEvent eventIn(const JsonNode& node, const std::vector<std::string>& record
   event.sureness = node.at("sureness").number(0, 1);
   event.peak = node.at("peak_m_s2").number(0, largestNumber);
   event.speed = node.at("speed_m_s").number(0, largestNumber);
+  // Events say as well how often the background alone makes them; older lists have neither.
+  if (node.has("extent_m") && !node.has("false_alarms_per_km"))
+    event.extent = node.at("extent_m").number(0, largestNumber);
   constexpr int maximumPasses = 1000000;
   event.passes = node.at("passes").whole(0, maximumPasses);
   event.passesThere = node.at("passes_there").whole(0, maximumPasses);

@@ -17,6 +17,7 @@ struct ListedEvent {
   double peak = 0;               // [m/s2]
   double speed = 0;              // [m/s]
   double length = 0, depth = 0;  // [m] of a squat
+  double extent = 0;             // [m] of a stretch of corrugation; else 0
   int passes = 1, passesThere = 1;
 };
 

@@ -6,6 +6,7 @@
 #include "detection/ChannelNotes.h"
 #include "detection/ExampleSource.h"
 #include "detection/RecordMaker.h"
+#include "detection/Stretches.h"
 
 namespace squat::detection {
 namespace {
@@ -37,6 +38,7 @@ TEST(Background, AFlatInEveryTurnIsNone) {
   const auto report = reportOf(std::move(values));
   EXPECT_GE(countOf(report, Kind::flat), 330);
   EXPECT_NEAR(report.records[0].channels[0].circumference, 2.89, 0.01);
+  EXPECT_THAT(report.records[0].notes, ::testing::Not(::testing::Contains(::testing::HasSubstr("swells"))));
   const auto isThere = [](const CombinedEvent& each) {
     return std::abs(each.event.position - (2 + 100.5 * 2.89)) < 0.3 && each.event.kind != Kind::flat;
   };
@@ -67,9 +69,11 @@ TEST(Background, FewerFalseAlarmsListLess) {
 TEST(ChannelNotes, SayWhereTheBackgroundIsRestless) {
   ChannelDetection channel{"left", {}, {}, 0};
   for (int i = 0; i < 1000; ++i) channel.pieces.push_back({1.0 * i, 1, 1, std::exp(0.006 * i)});
+  channel.background = backgroundSections(channel.pieces);
   EXPECT_THAT(channelNotes(channel, {}),
               ::testing::ElementsAre(::testing::HasSubstr("swells and fades; from 0 to 1000 m")));
   for (auto& piece : channel.pieces) piece.evidence = 1 + 0.001 * piece.position;
+  channel.background = backgroundSections(channel.pieces);
   EXPECT_THAT(channelNotes(channel, {}), ::testing::IsEmpty());
 }
 

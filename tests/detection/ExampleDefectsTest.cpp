@@ -51,5 +51,45 @@ TEST(ExampleOthers, CorrugationHasTheWavelengthsStated) {
   }
 }
 
+// Both sides of a joint meet at one depth but for the step stated, 0.3 mm; some lie on crushed ballast.
+TEST(ExampleOthers, EndsOfJointsMeet) {
+  int crushed = 0, joints = 0;
+  for (const auto& example : exampleOthers(400, 8)) {
+    if (example.kind != Kind::joint) continue;
+    ++joints;
+    crushed += example.support < 1;
+    EXPECT_GE(example.support, 0.15);
+    const auto& points = example.defect.points;
+    // Just outside the largest gap, 20 mm, the sides have risen by 10 mm times 10 mrad at most; batter is 0.3 mm.
+    const auto heightAt = [&](double x) {
+      return std::min_element(
+                 points.begin(), points.end(),
+                 [x](const auto& a, const auto& b) { return std::abs(a.position - x) < std::abs(b.position - x); })
+          ->height;
+    };
+    EXPECT_LT(std::abs(heightAt(-0.011) - heightAt(0.011)), 0.8e-3);
+  }
+  EXPECT_NEAR(1.0 * crushed / joints, (2 * 0.4 + 0.2) / 3, 0.1) << "of 150, three standard deviations";
+}
+
+// The chord of a flat of length L lies L^2/8R below the circle; worn ones are shallower than their length would allow.
+TEST(ExampleFlats, AreChordsOrWornOnes) {
+  for (const auto& example : exampleFlats(100, 3)) {
+    EXPECT_EQ(example.kind, Kind::flat);
+    const auto& points = example.defect.points;
+    const auto lowest = std::min_element(points.begin(), points.end(),
+                                         [](const auto& a, const auto& b) { return a.height < b.height; });
+    EXPECT_NEAR(lowest->position, 0, 1e-3);
+    double length = 0;
+    for (const auto& point : points)
+      if (point.height < -1e-9) length = std::max(length, 2 * std::abs(point.position) + 2e-3);
+    EXPECT_LE(-lowest->height, length * length / (8 * 0.46) + 1e-6);
+    EXPECT_GE(-lowest->height, 0.6 * 0.015 * 0.015 / (8 * 0.46) - 1e-6);
+    EXPECT_LE(-lowest->height, 0.060 * 0.060 / (8 * 0.46) + 1e-6);
+    EXPECT_EQ(points.front().height, 0);
+    EXPECT_EQ(points.back().height, 0);
+  }
+}
+
 }  // namespace
 }  // namespace squat::detection

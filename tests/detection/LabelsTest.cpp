@@ -1,6 +1,8 @@
 // What the user has seen decides, whatever the signal says.
 #include <gmock/gmock.h>
 
+#include "TemporaryFolder.h"
+#include "core/DurableFile.h"
 #include "detection/Detect.h"
 #include "detection/ExampleSource.h"
 #include "detection/Passes.h"
@@ -96,8 +98,41 @@ TEST(Labels, SayWhatTheyChange) {
   const auto report = judged(std::move(records), source, {}, unwatched);
   ASSERT_TRUE(report);
   EXPECT_EQ(report->records[0].channels[0].events[2].kind, Kind::joint);
-  EXPECT_THAT(report->notes, ::testing::ElementsAre("of the 2 events without a label, the labels changed the kind of 1 "
-                                                    "and the severity of 0"));
+  EXPECT_THAT(report->notes, ::testing::ElementsAre("of the 2 events without a label, labels changed the kind of 1 and"
+                                                    " the severity of 0"));
+}
+
+// What a label taught on one record is kept, and judges the next of the same train: a joint there too. An event that
+// is labelled once more is not learned twice.
+TEST(Labels, TeachTheNextRecord) {
+  const tests::TemporaryFolder folder;
+  writeDurably(folder / "labels.csv", std::string_view("position [m],kind\n20,joint\n"));
+  writeDurably(folder / "examples.csv", examplesText({exampleOf(Kind::squat, 1), exampleOf(Kind::weld, 100)}));
+  SourceOptions options;
+  options.examplesFile = folder / "examples.csv", options.labelsFile = folder / "labels.csv";
+  options.learnedFile = folder / "learned.csv";
+  Monitor unwatched;
+  for (int call = 0; call < 2; ++call) {
+    std::vector<RecordDetection> first{detection()};
+    const auto source = exampleSource(options, first, unwatched);
+    ASSERT_TRUE(source);
+    keepLearned(*source, options.learnedFile);
+    const auto learned = readExamples(options.learnedFile);
+    ASSERT_EQ(learned.size(), 1U) << "call " << call;
+    EXPECT_EQ(learned[0].kind, Kind::joint);
+  }
+  options.labelsFile.clear();
+  std::vector<RecordDetection> next(1);
+  next[0].channels.push_back({"left", {eventAt(10, 100), eventAt(20, 100)}, {}, 0});
+  auto source = exampleSource(options, next, unwatched);
+  ASSERT_TRUE(source);
+  EXPECT_THAT(source->words, ::testing::HasSubstr("1 learned earlier"));
+  EXPECT_EQ(source->fromLabels, 1U);
+  source->sizes = {}, source->judgement.commonSpread = 0.05;
+  const auto report = judged(std::move(next), *source, {}, unwatched);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->records[0].channels[0].events[1].kind, Kind::joint) << "a weld by the examples alone";
+  EXPECT_THAT(report->notes, ::testing::ElementsAre(::testing::HasSubstr("labels changed the kind of 2")));
 }
 
 // The counter of a second pass stands 3.7 m ahead: the labels are in the chainage of the first.

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "detection/RecordMaker.h"
+#include "detection/Stretches.h"
 
 namespace squat::detection {
 namespace {
@@ -90,6 +91,29 @@ TEST(Passes, RecordsOfOtherPlacesAreListedOneBehindTheOther) {
   const auto events = combine({passWith({10, 33.3}, 0, 30), passWith({10, 33.3}, 5000, 30)});
   ASSERT_EQ(events.size(), 4U);
   EXPECT_EQ(events[0].event.passesThere, 1U);
+}
+
+RecordDetection withWaves(double from, double to, double wavelength, double speed) {
+  auto detection = passWith({}, 0, speed);
+  detection.channels[0].waves = {{1, from, to, wavelength, wavelength, wavelength, 0.6, speed, speed}};
+  return detection;
+}
+
+// Two passes see one stretch; at speeds that differ by a fifth its waves are none of a resonance. Other waves, and
+// those somewhere else, are another stretch.
+TEST(Stretches, OfSeveralPassesAreOne) {
+  const std::vector<RecordDetection> steady{withWaves(10, 50, 0.05, 20), withWaves(18, 62, 0.052, 21)};
+  auto stretches = combinedStretches(steady, {0, 0});
+  ASSERT_EQ(stretches.size(), 1U);
+  EXPECT_NEAR(stretches[0].event.position, 10, 1e-9);
+  EXPECT_NEAR(stretches[0].event.extent, 52, 1e-9);
+  EXPECT_EQ(stretches[0].event.passes, 2U);
+  EXPECT_EQ(stretches[0].event.passesThere, 2U);
+  const std::vector<RecordDetection> varied{withWaves(10, 50, 0.05, 20), withWaves(18, 62, 0.052, 28)};
+  EXPECT_GT(combinedStretches(varied, {0, 0})[0].event.sureness, stretches[0].event.sureness);
+  EXPECT_EQ(combinedStretches({withWaves(10, 50, 0.05, 20), withWaves(18, 62, 0.06, 21)}, {0, 0}).size(), 2U);
+  EXPECT_EQ(combinedStretches({withWaves(10, 50, 0.05, 20), withWaves(45, 80, 0.05, 21)}, {0, 0}).size(), 2U);
+  EXPECT_EQ(combinedStretches(steady, {0, 40}).size(), 2U) << "another chainage";
 }
 
 }  // namespace

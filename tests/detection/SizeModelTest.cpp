@@ -208,23 +208,30 @@ TEST(SizeModel, SeveritiesOfVehiclesThatItHasNotSeen) {
   EXPECT_GE(depth.share(), 0.79);
 }
 
-// At most 3 % of squats are missed and 5 % of joints and welds called squats; two standard deviations of the latter in
-// 90 of them are another 5 %.
+// At most 3 % of squats are missed. Of joints and long welds, which is all that the earlier vehicles have, at most 5 %
+// are called squats; two standard deviations in 90 of them are another 5 %. With insulated joints, corrugation and
+// welds as short as a squat is long it is 10 %, and two standard deviations in 140 are another 5 %.
 TEST(Judge, TellsSquatsFromJointsAndWeldsOfVehiclesThatItHasNotSeen) {
-  Count squats, others;
+  Count squats, jointsAndWelds, others;
   for (const auto& [vehicle, all] : leftOut()) {
     const auto rest = without(vehicle);
     const Judge judge(rest, {}, SizeModel(rest));
     std::vector<EventFeatures> events;
     for (const auto& example : all) events.push_back(eventOf(example));
     const auto judged = judge.judge(events);
+    const bool hasAll =
+        std::any_of(all.begin(), all.end(), [](const Example& each) { return each.kind == Kind::corrugation; });
     for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].kind == Kind::flat) continue;  // one strike of a flat looks as a squat of its length does: it repeats
       auto& count = all[i].kind == Kind::squat ? squats : others;
-      count.right += (judged[i].kind == Kind::squat) == (all[i].kind == Kind::squat), ++count.all;
+      const bool isRight = (judged[i].kind == Kind::squat) == (all[i].kind == Kind::squat);
+      count.right += isRight, ++count.all;
+      if (!hasAll && all[i].kind != Kind::squat) jointsAndWelds.right += isRight, ++jointsAndWelds.all;
     }
   }
   EXPECT_GE(squats.share(), 0.97) << squats.right << " of " << squats.all;
-  EXPECT_GE(others.share(), 0.90) << others.right << " of " << others.all;
+  EXPECT_GE(jointsAndWelds.share(), 0.90) << jointsAndWelds.right << " of " << jointsAndWelds.all;
+  EXPECT_GE(others.share(), 0.85) << others.right << " of " << others.all;
 }
 
 std::vector<EventFeatures> eventsOf(const std::vector<Example>& examples) {

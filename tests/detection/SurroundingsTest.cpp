@@ -57,6 +57,26 @@ TEST(Flats, ASquatUnderOneStaysASquat) {
   EXPECT_EQ(flatsIn(events), 9);
 }
 
+// Four strikes are a flat unless they look like none; three only where they look like one and the wheel is known.
+TEST(Flats, AreKnownByTheirLookAsWell) {
+  const auto strikes = [](int count, double flat) {
+    auto events = withFlats(2.89, count, 0.01);
+    for (auto& event : events) event.judgement.flatProbability = flat;
+    return events;
+  };
+  SurroundingsOptions known;
+  known.circumference = 2.89;
+  auto four = strikes(4, 0.5), unlike = strikes(4, 0.01), three = strikes(3, 0.9), any = strikes(3, 0.5);
+  auto unknown = three;
+  markFlats(four, known), markFlats(unlike, known), markFlats(three, known), markFlats(any, known);
+  EXPECT_EQ(flatsIn(four), 4);
+  EXPECT_EQ(flatsIn(unlike), 0);
+  EXPECT_EQ(flatsIn(three), 3);
+  EXPECT_EQ(flatsIn(any), 0);
+  markFlats(unknown, {});
+  EXPECT_EQ(flatsIn(unknown), 0);
+}
+
 // Twelve squats in 200 m, at places without a pattern.
 TEST(Flats, SquatsAtRandomAreNone) {
   std::vector<Event> events;

@@ -53,14 +53,31 @@ TEST(WavyStretches, AResonanceDoesNotKeepItsWavelength) {
   std::vector<WavyStretch> resonance, waves;
   for (int i = 0; i < 60; ++i) {
     const double own = 15 + 5.0 * i / 59, from = 8.0 * i, wave = own / 400;
-    resonance.push_back({from / own, from, from + 8, wave, wave, wave, 0.6, own, own});
-    waves.push_back({from / own, from, from + 8, 0.05, 0.05, 0.05, 0.6, own, own});
+    resonance.push_back({from / own, from, from + 8, wave, wave, wave, 0.6, own, own, 5});
+    waves.push_back({from / own, from, from + 8, 0.05, 0.05, 0.05, 0.6, own, own, 5});
   }
   for (const auto& stretch : joined(resonance)) EXPECT_LT(stretch.fastest, 1.16 * stretch.slowest);
   const auto found = joined(waves);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].fastest, 20);
   EXPECT_EQ(found[0].to, 480);
+}
+
+// A broad swell of roughness, 1.5 times as strong as below and five times as strong as above: half of the power lies
+// within 15 % of its middle, but what is beside it is nearly as strong.
+TEST(WavyStretches, BroadSwellsAreNone) {
+  std::vector<double> values(static_cast<std::size_t>(10 * rate), 0.0);
+  constexpr int lines = 774;
+  const auto phases = normalNoise(lines, 100, 11);
+  for (int line = 0; line < lines; ++line) {
+    const double frequency = 248 + 0.5 * line;
+    const double power = frequency < 347 ? 0.68 : frequency < 460 ? 1 : 0.2;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] += 0.1 * std::sqrt(power) *
+                   std::sin(2 * std::numbers::pi * frequency * static_cast<double>(i) / rate +
+                            phases[static_cast<std::size_t>(line)]);
+  }
+  EXPECT_TRUE(stretchesOf(std::move(values)).empty());
 }
 
 // Sleepers 0.6 m apart are no corrugation.

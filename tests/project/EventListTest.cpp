@@ -31,7 +31,9 @@ detection::DetectionReport madeUp() {
   joint.event.kind = detection::Kind::joint, joint.event.position = -7, joint.event.reason = "stands beside a weld";
   for (auto* event : {&squat.event, &joint.event})
     event->latitude = event->longitude = std::numeric_limits<double>::quiet_NaN();
-  report.events = {squat, joint};
+  detection::CombinedEvent stretch = joint;
+  stretch.event.kind = detection::Kind::corrugation, stretch.event.extent = 64, stretch.event.reason.clear();
+  report.events = {squat, joint, stretch};
   return report;
 }
 
@@ -56,8 +58,8 @@ TEST(EventList, whatASearchWroteIsRead) {
   detection::writeDetection(madeUp(), folder.path());
   const auto list = readEventList(folder.path("squats.json"));
   EXPECT_EQ(list.records, (std::vector<std::string>{"/rides/day 1.csv", "/rides/day 2.csv"}));
-  ASSERT_EQ(list.events.size(), 2U);
-  const auto &squat = list.events[0], &joint = list.events[1];
+  ASSERT_EQ(list.events.size(), 3U);
+  const auto &squat = list.events[0], &joint = list.events[1], &stretch = list.events[2];
   EXPECT_NEAR(squat.position, 12345.678, 1e-9);  // to the millimetre
   EXPECT_NEAR(squat.time, 10.5, 1e-9);
   EXPECT_EQ(squat.record, "/rides/day 1.csv");
@@ -75,6 +77,8 @@ TEST(EventList, whatASearchWroteIsRead) {
   EXPECT_EQ(joint.kind, "joint");
   EXPECT_EQ(joint.severity, "");
   EXPECT_EQ(joint.reason, "stands beside a weld");
+  EXPECT_EQ(joint.extent, 0);
+  EXPECT_EQ(stretch.extent, 64);
 }
 
 TEST(EventList, saysWhatIsWrongAndWhere) {

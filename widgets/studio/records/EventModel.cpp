@@ -55,6 +55,7 @@ detection::CombinedEvent eventOf(const project::ListedEvent& listed, std::size_t
   event.reason = listed.reason;
   event.passes = static_cast<std::size_t>(listed.passes);
   event.passesThere = static_cast<std::size_t>(listed.passesThere);
+  event.extent = listed.extent;
   if (event.kind != Kind::squat) return combined;
   event.judgement.severity = severityFromText(listed.severity);
   event.judgement.length = listed.length, event.judgement.depth = listed.depth;
@@ -109,6 +110,7 @@ int EventModel::nearest(const std::string& onChannel, double metres) const {
   for (int row = 0; row < rowCount(); ++row) {
     const auto& event = at(row).event;
     const double away = std::abs(event.position - metres);
+    if (event.extent > 0) continue;  // a stretch of corrugation is no event
     if (event.channel == onChannel && away < distance) found = row, distance = away;
   }
   return found;
