@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/DenseAlgebra.h"
@@ -23,7 +24,7 @@ elasticity::SweptBlock wholeWheelset(const scenario::Wheelset& w) {
   block.kind = elasticity::SweepKind::aroundAxis;
   block.section = geometry::wheelBodySectionMesh(w, {sectionSize, 0, sectionSize, 1.5, 0});
   block.material = w.material;
-  block.stations = {0, true, {{sectors, 2 * std::acos(-1.0) / sectors}}};
+  block.stations = {0, true, {{sectors, 2 * std::numbers::pi / sectors}}};
   elasticity::prepareBlock(block);
   return block;
 }
@@ -117,7 +118,7 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
     const int boxAt = 3 * block.nodes, size = boxAt + 1;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
     matrix.topLeftCorner(boxAt, boxAt) =
-        elasticity::standingWaveStiffness(interval, harmonic * std::acos(-1.0) / sectors);
+        elasticity::standingWaveStiffness(interval, harmonic * std::numbers::pi / sectors);
     std::vector<double> inertia(size, w.axleBoxMass / whole);
     for (int i = 0; i < boxAt; ++i) inertia[i] = mass[i / 3];
     std::vector<int> kept;
@@ -132,9 +133,9 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
     for (std::size_t i = 0; i < kept.size(); ++i)
       for (std::size_t j = 0; j < kept.size(); ++j)
         scaled(i, j) = matrix(kept[i], kept[j]) / std::sqrt(inertia[kept[i]] * inertia[kept[j]]);
-    const auto lowest = lowestPairs(scaled, std::pow(2 * std::acos(-1.0) * highest, 2));
+    const auto lowest = lowestPairs(scaled, std::pow(2 * std::numbers::pi * highest, 2));
     for (Eigen::Index k = 0; k < lowest.values.size(); ++k) {
-      const double frequency = std::sqrt(std::max(0.0, lowest.values[k])) / (2 * std::acos(-1.0));
+      const double frequency = std::sqrt(std::max(0.0, lowest.values[k])) / (2 * std::numbers::pi);
       if (frequency < 1) continue;  // rigid
       ModeShape found;
       found.shape.assign(size, 0.0);
@@ -142,13 +143,15 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
         found.shape[kept[i]] = lowest.vectors(static_cast<Eigen::Index>(i), k) / std::sqrt(inertia[kept[i]] * whole);
       found.box = found.shape[boxAt];
       found.shape.resize(boxAt);
-      found.mode = {frequency, harmonic, 0, 0, 0};
+      found.mode = {frequency, harmonic, 0, 0, 0, 0};
       if (harmonic == 1) {
         found.mode.boxShare = onSpring ? found.box : ringShare(bearing, found.shape);
         found.mode.wheelShare = ringShare(centre, found.shape);
       }
-      for (std::size_t i = 0; i < tread.nodes.size(); ++i)
+      for (std::size_t i = 0; i < tread.nodes.size(); ++i) {
         found.mode.contactShare -= tread.weight[i] * found.shape[3 * tread.nodes[i] + 1];
+        found.mode.lateralShare += tread.weight[i] * found.shape[3 * tread.nodes[i] + 2];
+      }
       shapes.modes.push_back(std::move(found));
     }
   }

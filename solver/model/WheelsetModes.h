@@ -19,6 +19,7 @@ struct HarmonicMode {
   double boxShare = 0;      // vertical mass-normalised amplitude at the axle box [1/sqrt(kg)]
   double wheelShare = 0;    // at the wheel centre
   double contactShare = 0;  // at the tread, upwards
+  double lateralShare = 0;  // at the tread where it meets the rail, outwards
 };
 
 // Modes up to `highest` [Hz] of harmonics 0 to `lastHarmonic`, ascending; rigid motions are left out.

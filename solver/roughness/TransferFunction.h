@@ -7,7 +7,12 @@
 //                    modes (model/WheelsetModes.h) and the primary suspension with the sprung mass at the box
 //   a_rail           receptance of the track (receptance/Receptance.h), over a sleeper and at midspan
 //   a_contact        2/3 of approach over load of Hertz's contact at the static load
-// Vertical alone: lateral creep, which resists the tilting wheel where the axle bends (some 70 Hz), is left out.
+// Where the axle bends (some 60 Hz) the wheel tilts, and its tread moves sideways over the rail. Lateral creep resists:
+//   Q = -G a b C22 v_y / v of Kalker's linear theory, v_y between tread and rail, which gives way by its lateral
+// receptance a_y. With Q on the wheel alone, a_wheel and a_box are smaller by a_zy^2 and a_zy a_by over
+//   a_yy + a_y + a_shear + v / (2 pi i f G a b C22),
+// a_shear of the contact by Mindlin.
+// Cross terms of the rail, spin and tractions near saturation, where creep resists less, are left out.
 // Linear, no rotation of the wheel, no moving load: what changes as the wheel passes sleepers is in the spread between
 // over a sleeper and midspan. Loss of contact and strong non-linearity are outside.
 #pragma once
@@ -41,6 +46,7 @@ struct TransferFunction {
   double load = 0;              // [N] static, of the wheel
   double contactStiffness = 0;  // [N/m]
   double halfPatch = 0;         // [m] half the length of the patch along the rail
+  double lateralCreep = 0;      // [N] G a b C22
   double wheelsetMass = 0;      // [kg] half wheelset
   std::vector<std::string> notes;
   bool complete = false;  // false: cancelled
@@ -49,9 +55,10 @@ struct TransferFunction {
 TransferFunction transferFunction(const scenario::Scenario& scenario, const TransferOptions& options, Monitor& monitor);
 
 // Receptances of the half wheelset at one frequency [m/N]: contact upwards, and box, for a unit force upwards at the
-// contact.
+// contact; of the contact outwards, upwards and of the box for a unit force outwards there.
 struct WheelsetReceptance {
   std::complex<double> contact, box;
+  std::complex<double> lateral, contactLateral, boxLateral;
 };
 std::vector<WheelsetReceptance> wheelsetReceptances(const scenario::Scenario& scenario,
                                                     const std::vector<double>& frequency);

@@ -35,6 +35,7 @@ std::vector<WheelsetReceptance> wheelsetReceptances(const scenario::Scenario& sc
     const double omega = 2 * std::numbers::pi * f;
     const Complex rigid = -1 / (omega * omega * mass);
     Complex contact = rigid, across = rigid, box = rigid;  // contact to contact, to box; box to box
+    Complex lateral, tilting, boxTilting;                  // the mirror at the track centre holds the rigid axle
     for (const auto& mode : modes) {
       const double natural = 2 * std::numbers::pi * mode.frequency;
       const double ratio = mode.frequency < w.dampingLimit ? w.dampingRatio : 0;
@@ -42,10 +43,15 @@ std::vector<WheelsetReceptance> wheelsetReceptances(const scenario::Scenario& sc
       contact += mode.contactShare * mode.contactShare * each;
       across += mode.contactShare * mode.boxShare * each;
       box += mode.boxShare * mode.boxShare * each;
+      lateral += mode.lateralShare * mode.lateralShare * each;
+      tilting += mode.lateralShare * mode.contactShare * each;
+      boxTilting += mode.lateralShare * mode.boxShare * each;
     }
     const Complex stiffness = suspensionStiffness(scenario.suspension, omega);
-    const Complex held = across / (1.0 + box * stiffness);
-    result.push_back({contact - across * stiffness * held, held});
+    const Complex holds = stiffness / (1.0 + box * stiffness);  // what the suspension takes back of a box that moves
+    result.push_back({contact - across * holds * across, across - across * holds * box,
+                      lateral - boxTilting * holds * boxTilting, tilting - across * holds * boxTilting,
+                      boxTilting - box * holds * boxTilting});
   }
   return result;
 }
