@@ -76,7 +76,8 @@ TEST(RoughnessOfAComputedRecord, ComesBack) {
     const double difference = found.levels[i].level - levelOfSquare(squares[i]);
     std::printf("%6.1f mm  %5.1f dB  %+.1f dB, track %.1f dB, pads %.1f dB\n", 1e3 * bands[i].middle,
                 levelOfSquare(squares[i]), difference, found.levels[i].track, found.levels[i].pads);
-    // Seen: XX dB. Half the difference between over a sleeper and midspan is 0.8 to 5.3 dB here.
+    // Seen: 1.9 dB over other heights of this spectrum. Half the difference between over a sleeper and midspan is 0.8
+    // to 5.3 dB here.
     EXPECT_LT(std::abs(difference), 2) << bands[i].middle;
   }
 }

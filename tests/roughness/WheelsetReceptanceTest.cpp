@@ -49,5 +49,20 @@ TEST(WheelsetReceptance, HasThePeaksOfItsModes) {
   }
 }
 
+// A steady force Q outwards at the tread bends the axle by the moment Q R, constant up to the mirror at the track
+// centre: the wheel tilts by Q R L / (E I), its tread moves out by R times that. The seat below the hub is stiffer than
+// the axle body, so that L ends between the hub's inner face and its middle. The web is as thick as the hub here: its
+// own bending adds little.
+TEST(WheelsetReceptance, TreadGivesWayAsTheAxleBends) {
+  auto scenario = wheelsetOf();
+  auto& w = scenario.wheelset;
+  w.webThickness = 0.12, w.webHubThickness = 0, w.webOffset = 0;
+  const double inertia = M_PI / 4 * (std::pow(w.axleRadius, 4) - std::pow(w.boreRadius, 4));
+  const auto tilted = [&](double length) { return w.radius * w.radius * length / (w.material.young * inertia); };
+  const auto found = wheelsetReceptances(scenario, {2.0}).front();
+  EXPECT_GT(found.lateral.real(), tilted(w.trackCentre - w.hubWidth / 2));
+  EXPECT_LT(found.lateral.real(), 1.2 * tilted(w.trackCentre));
+}
+
 }  // namespace
 }  // namespace squat::roughness
