@@ -102,10 +102,10 @@ int conclude(const DetectCommandOptions& options, std::vector<detection::RecordD
   if (options.learned.empty() || options.labels.empty()) return kDone;
   detection::keepLearned(*source, options.learned);
   if (source->learned.empty())
-    std::fprintf(stderr, "%s is not written: no label has an event that teaches something (squats need a size)\n",
+    std::fprintf(stderr, "%s is not written: no labelled event serves as an example (squats need length and depth)\n",
                  options.learned.c_str());
   else
-    std::fprintf(list, "  %s (events that labels have taught: %zu)\n", options.learned.c_str(), source->learned.size());
+    std::fprintf(list, "  %s (labelled events: %zu)\n", options.learned.c_str(), source->learned.size());
   return kDone;
 }
 
@@ -196,8 +196,9 @@ void addDetectCommand(CLI::App& program, Action& action) {
   command->add_option("--labels", options->labels, "Events that you know: position, kind, severity or length and depth")
       ->type_name("FILE");
   command
-      ->add_option("--learned", options->learned,
-                   "What labels taught on records of the same train: read where the file exists, written with --labels")
+      ->add_option(
+          "--learned", options->learned,
+          "Labelled events of earlier records of the same train: read if the file exists, extended with --labels")
       ->type_name("FILE");
   command->add_option("--light", options->light, "Longest and deepest light squat in mm (default: 35x0.10)")
       ->type_name("LENGTHxDEPTH");

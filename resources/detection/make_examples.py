@@ -7,7 +7,8 @@ For each of N vehicles and tracks (presets of the program, their inputs varied w
 distance from the sleeper) one call of squat examples on the mesh tiny writes FOLDER/vehicle-NNN.csv; a vehicle whose
 table stands there already is not computed again. FOLDER/examples.csv is all of them. With --passages the signals are
 kept in FOLDER/vehicle-NNN, for evaluate_detection.py. Ranges are assumed; none comes
-from a measurement. Needs Python 3 and squat; a vehicle takes a minute on two cores.
+from a measurement. Needs Python 3 and squat. A vehicle with
+15 squats, six others and two flats takes some minutes on two cores, more where others run on a track of their own.
 """
 import argparse
 import math
@@ -40,7 +41,8 @@ def vehicle(rng):
 
 def compute(arguments, index, path):
     call = [arguments.squat, "examples", "light-defect", "--mesh", "tiny", "--squats", str(arguments.squats),
-            "--others", str(arguments.others), "--flats", str(arguments.flats), "--seed", str(1000 * arguments.seed + index), "-o", str(path)]
+            "--others", str(arguments.others), "--flats", str(arguments.flats),
+            "--seed", str(1000 * arguments.seed + index), "-o", str(path)]
     if arguments.passages:
         call += ["--passages", str(path.with_suffix(""))]
     for key, value in vehicle(random.Random(1000 * arguments.seed + index)).items():

@@ -180,7 +180,7 @@ std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::ve
   if (!options.labelsFile.empty())
     addLabels(readLabels(options.labelsFile), options.labelsFile, records, earlier, source);
   if (!earlier.empty())
-    source.words += ", and " + std::to_string(earlier.size()) + " learned earlier, of " + options.learnedFile;
+    source.words += ", and " + std::to_string(earlier.size()) + " learned earlier (" + options.learnedFile + ")";
   for (auto& example : earlier) learn(std::move(example), source);
   return source;
 }

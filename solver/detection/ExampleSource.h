@@ -41,11 +41,12 @@ struct ExampleSource {
 std::optional<ExampleSource> exampleSource(const SourceOptions& options, std::vector<RecordDetection>& records,
                                            Monitor& monitor);
 
-// Writes what labels have taught, for records of the same train that follow. Throws FileError.
+// Writes the labelled events that serve as examples, for the next records of the same train; no file where there are
+// none. Throws FileError.
 void keepLearned(const ExampleSource& source, const std::string& path);
 
 // Judges the candidates of all records and combines their passes. With labels, a note says of how many other events
-// they, or those learned from earlier, changed kind or severity. Nothing where it was cancelled.
+// they, or those of earlier records, changed kind or severity. Nothing where it was cancelled.
 std::optional<DetectionReport> judged(std::vector<RecordDetection> records, const ExampleSource& source,
                                       const DetectOptions& options, Monitor& monitor);
 

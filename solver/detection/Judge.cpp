@@ -30,7 +30,8 @@ constexpr double rarerOthers = 6;  // than joints or welds: crossings, and what 
 // has.
 constexpr double trust = 0.85;
 // What it costs to miss a light, a moderate and a severe squat, by a look at something else: the probability of another
-// kind must be so many times a squat's before the event is called that. Its sureness stays its probability.
+// kind must be so many times a squat's before the event is called that. Its sureness stays its probability. With six
+// for a severe one, others of vehicles left out were called squats at 17 to 45 %, and no more squats were found.
 constexpr std::array missedCost{0.6, 0.8, 3.0};
 
 // Logarithm of a normal density of log10 energies, band by band added: each band has a variance of its own, and all
@@ -242,9 +243,9 @@ std::optional<std::vector<double>> Judge::vehicleWeights(const std::vector<Event
 Judgement Judge::weigh(const EventFeatures& event, const std::vector<double>& vehicles) const {
   std::vector<double> logs = logLikelihoods(event);
   for (std::size_t i = 0; i < logs.size(); ++i)
-    logs[i] += std::log(vehicles[vehicleOf_[i]] * static_cast<double>(vehicles_.size()));
-  for (std::size_t i = 0; i < logs.size(); ++i)
-    if (examples_[i].kind == Kind::flat) logs[i] = -std::numeric_limits<double>::infinity();
+    logs[i] = examples_[i].kind == Kind::flat
+                  ? -std::numeric_limits<double>::infinity()
+                  : logs[i] + std::log(vehicles[vehicleOf_[i]] * static_cast<double>(vehicles_.size()));
   const double nothing = logNothing(event), some = logSum(logs);
   Judgement judgement;
   judgement.nothing = 1 / (1 + std::exp(some - nothing));

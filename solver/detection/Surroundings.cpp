@@ -89,8 +89,8 @@ double markFlats(std::vector<Event>& events, const SurroundingsOptions& options)
   const double circumference = likeliestCircumference(events, options);
   if (!(circumference > 0)) return 0;
   constexpr std::size_t leastStrikes = 3;
-  constexpr double leastSureness =
-      0.88;  // not reached by three strikes whose look tells nothing, nor by four like no flat
+  // Three strikes whose shape tells nothing do not reach it, nor four that look unlike a flat.
+  constexpr double leastSureness = 0.88;
   auto found = chains(events, circumference, leastStrikes);
   std::erase_if(found, [&](const auto& chain) { return surenessOf(events, chain) < leastSureness; });
   double turns = 0, way = 0;

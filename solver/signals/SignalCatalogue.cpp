@@ -1,9 +1,5 @@
 #include "signals/SignalCatalogue.h"
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-
 #include "signals/Butterworth.h"
 
 namespace squat::signals {
@@ -25,13 +21,6 @@ const std::vector<CatalogueRow>& signalCatalogue() {
       {names::irregularity, "m", "height of the rail's irregularity below the wheel centre, up positive"},
       {names::position, "m", "wheel centre relative to the deepest point of the defect"}};
   return rows;
-}
-
-const CatalogueRow& catalogueRow(std::string_view name) {
-  const auto& rows = signalCatalogue();
-  const auto row = std::find_if(rows.begin(), rows.end(), [name](const auto& each) { return each.name == name; });
-  if (row == rows.end()) throw std::out_of_range("no signal of a run: " + std::string(name));
-  return *row;
 }
 
 bool carriesFilter(const TimeSeries& series, double cutoff) {

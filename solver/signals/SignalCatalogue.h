@@ -2,7 +2,6 @@
 // low-passed partner that is stored beside it.
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "signals/TimeSeries.h"
@@ -36,8 +35,6 @@ struct CatalogueRow {
 
 // In the order in which results store them. To add a signal, add its row here and its probe in simulation/Signals.cpp.
 const std::vector<CatalogueRow>& signalCatalogue();
-// Throws std::out_of_range for a name that is none.
-const CatalogueRow& catalogueRow(std::string_view name);
 
 // The filtered partner: Butterworth of order 4 forward and back. A series that is too short for it, or sampled too
 // slowly for the cut-off [Hz], is its own partner.

@@ -1,8 +1,8 @@
 #include "simulation/ProgressReporter.h"
 
-#include "signals/SignalCatalogue.h"
-
 #include <algorithm>
+
+#include "signals/SignalCatalogue.h"
 
 namespace squat::simulation {
 
@@ -30,7 +30,7 @@ void ProgressReporter::onStep(const dynamics::Rolling& rolling) {
   p.position = rolling.view().position;
   p.contactForce = rolling.view().patch.vertical;
   p.axleBoxAcceleration = signals_.latest(signals::names::axleBox);
-  p.accelerationPosition = p.simulatedTime > signals_.wait() ? signals_.latest("position") : p.position;
+  p.accelerationPosition = p.simulatedTime > signals_.wait() ? signals_.latest(signals::names::position) : p.position;
   p.energyResidual = balance_.relativeResidual();
   monitor_.report(p);
 }

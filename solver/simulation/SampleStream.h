@@ -21,7 +21,8 @@ class SampleStream : public StepObserver {
   void onStep(const dynamics::Rolling&) override {
     const auto count = recorder_.samples();
     if (passed_ == count) return;
-    const auto &position = recorder_.recorded("position"), &acceleration = recorder_.recorded(signals::names::axleBox);
+    const auto &position = recorder_.recorded(signals::names::position),
+               &acceleration = recorder_.recorded(signals::names::axleBox);
     for (; passed_ < count; ++passed_) take_(position[passed_], acceleration[passed_]);
   }
   void load(const results::ArrayTree&, const std::string& /*file*/) override { passed_ = recorder_.samples(); }

@@ -60,7 +60,8 @@ TEST(ExampleOthers, EndsOfJointsMeet) {
     crushed += example.support < 1;
     EXPECT_GE(example.support, 0.15);
     const auto& points = example.defect.points;
-    // Just outside the largest gap, 20 mm, the sides have risen by 10 mm times 10 mrad at most; batter is 0.3 mm.
+    // Just outside the largest gap, 20 mm, each side has risen by 0.1 mm or so (11 mm at half of 20 mrad); 0.3 mm of
+    // step and 0.3 mm of batter are stated.
     const auto heightAt = [&](double x) {
       return std::min_element(
                  points.begin(), points.end(),

@@ -102,12 +102,12 @@ std::shared_ptr<const results::RunResult> withScalogram(const results::RunResult
     signals::WaveletOptions options;
     options.cell = 0;
     std::vector<std::string> notes;
-    signals::Scalogram anew =
+    signals::Scalogram scalogram =
         analysis::scalogramMap(signals::seriesOf(*changed, signals::names::axleBoxFiltered), options, notes);
-    changed->scalogramFrequency = std::move(anew.frequency);
-    changed->scalogramTime = std::move(anew.time);
-    changed->scalogramPower = std::move(anew.power);
-    changed->coneOfInfluence = std::move(anew.coneOfInfluence);
+    changed->scalogramFrequency = std::move(scalogram.frequency);
+    changed->scalogramTime = std::move(scalogram.time);
+    changed->scalogramPower = std::move(scalogram.power);
+    changed->coneOfInfluence = std::move(scalogram.coneOfInfluence);
     changed->scalogramPosition.clear();
     for (const double time : changed->scalogramTime)
       changed->scalogramPosition.push_back(signals::interpolateLinear(changed->time, changed->position, time));
