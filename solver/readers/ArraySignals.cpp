@@ -9,11 +9,13 @@
 #include "core/Errors.h"
 #include "rcmdx/RecordColumns.h"
 #include "readers/ArrayFile.h"
+#include "readers/ArrayItems.h"
 #include "readers/ColumnRoles.h"
 #include "readers/TableRoles.h"
 #include "results/ResultTree.h"
 #include "signals/SignalCatalogue.h"
 #include "text/Heading.h"
+#include "text/Numbers.h"
 #include "text/Text.h"
 #include "text/Units.h"
 
@@ -22,18 +24,6 @@ namespace {
 
 using results::Array;
 using results::ArrayTree;
-
-std::string parentOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
-std::string nameOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }
-
-bool isNumeric(const Array& array) { return !std::holds_alternative<std::vector<std::string>>(array.values); }
-
-// The longest axis counts the samples; MATLAB writes a row vector as n x 1.
-std::size_t lengthOf(const Array& array) {
-  std::size_t length = 0;
-  for (const std::size_t extent : array.shape) length = std::max(length, extent);
-  return array.shape.empty() ? 1 : length;
-}
 
 std::vector<double> numbersOf(const Array& array) {
   return std::visit(
@@ -47,29 +37,21 @@ std::vector<double> numbersOf(const Array& array) {
       array.values);
 }
 
-std::string unitOf(const Array& array) {
-  for (const char* name : {"unit", "units", "Unit", "Units", "unit_string"})
-    if (std::string unit = results::textAttribute(array.attributes, name); !unit.empty()) return unit;
-  return {};
-}
-
-std::string listOf(const std::vector<const Array*>& arrays) {
+std::string listOf(const std::vector<ArrayItem>& items) {
+  std::vector<std::string> paths;
+  for (const auto& item : items)
+    if (lengthOf(*item.array) > 1) paths.push_back(item.path);
   std::string text;
-  for (std::size_t i = 0; i < arrays.size(); ++i) {
-    if (i == 15 && arrays.size() > 17) return text + ", ...";
-    text += (i ? ", " : "") + arrays[i]->path;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (i == 15 && paths.size() > 17) return text + ", ...";
+    text += (i ? ", " : "") + paths[i];
   }
   return text;
 }
 
-Role roleOf(const Array& array) { return readers::roleOf(nameOf(array.path), unitOf(array)); }
-
-bool isNested(const Array& array) {
-  return std::count_if(array.shape.begin(), array.shape.end(), [](auto extent) { return extent > 1; }) > 2;
-}
-
 // A dataset as one column, or one column for each of its runs.
-void addColumns(ArrayColumns& found, const Array& array) {
+void addColumns(ArrayColumns& found, const ArrayItem& item) {
+  const Array& array = *item.array;
   const std::size_t n = lengthOf(array);
   const auto values = numbersOf(array);
   std::size_t runs = n > 0 ? 1 : 0;
@@ -79,44 +61,46 @@ void addColumns(ArrayColumns& found, const Array& array) {
   const bool samplesFirst = array.shape.empty() || array.shape.front() == n;
   for (std::size_t run = 0; run < runs; ++run) {
     text::TableColumn column;
-    const std::string stated = unitOf(array);
-    const auto heading =
-        stated.empty() ? text::headingOf(nameOf(array.path)) : text::Heading{nameOf(array.path), stated};
+    const auto heading = item.unit.empty() ? text::headingOf(item.name) : text::Heading{item.name, item.unit};
     column.name = heading.name + (runs > 1 ? " " + std::to_string(run + 1) : "");
     column.unit = heading.unit;
     column.values.resize(values.empty() ? 0 : n);
     for (std::size_t i = 0; i < column.values.size(); ++i)
-      column.values[i] = samplesFirst ? values[i * runs + run] : values[run * n + i];
+      column.values[i] = results::unpacked(samplesFirst ? values[i * runs + run] : values[run * n + i], item.packing);
     found.table.columns.push_back(std::move(column));
-    found.places.push_back({array.path, run, runs, samplesFirst});
+    found.places.push_back({array.path, run, runs, samplesFirst, item.packing});
   }
 }
 
 class Finder {
  public:
   Finder(const std::string& path, const ArrayTree& tree, const SignalFileOptions& options)
-      : path_(path), tree_(tree), options_(options) {
-    for (const auto& array : tree.arrays)
-      if (isNumeric(array) && lengthOf(array) > 1) all_.push_back(&array);
-    if (all_.empty()) throw FileError(path, "", "contains no numeric dataset");
+      : path_(path), tree_(tree), options_(options), items_(itemsOf(tree)) {
+    if (!options.object.empty() && !choose()) items_ = itemsOf(tree, Channels::asTheyStand);
+    if (std::none_of(items_.begin(), items_.end(), isLong))
+      throw FileError(path, "", "contains no array of numbers",
+                      "Objects (timeseries, tables, strings) are not read: export plain arrays or structures of them");
   }
 
   ArrayColumns columns() {
-    chooseGroup();
+    if (options_.object.empty())
+      chooseGroup();
+    else if (!choose())
+      throw FileError(path_, object(), "is neither a dataset nor a group of datasets", "Available: " + listOf(items_));
     ArrayColumns found;
     found.table.path = path_;
     found.table.rowWord = "sample";
     const std::size_t n = found.samples = chosenLength();
-    for (const Array* array : all_) {
-      if (parentOf(array->path) != group_) continue;
-      if (lengthOf(*array) == n) {
-        if (isNested(*array))
-          throw FileError(path_, array->path, "has more than two dimensions",
+    for (const auto& item : items_) {
+      if (!isLong(item) || item.group != group_) continue;
+      if (lengthOf(*item.array) == n) {
+        if (isNested(*item.array))
+          throw FileError(path_, item.path, "has more than two dimensions",
                           "Store samples, or samples and runs: one or two dimensions");
-        addColumns(found, *array);
-      } else if (roleOf(*array) != Role::signal || nameOf(array->path) == options_.timeColumn) {
-        throw FileError(path_, array->path,
-                        "has " + std::to_string(lengthOf(*array)) + " values, the signal " + std::to_string(n),
+        addColumns(found, item);
+      } else if (roleOf(item.name, item.unit) != Role::signal || item.name == options_.timeColumn) {
+        throw FileError(path_, item.path,
+                        "has " + std::to_string(lengthOf(*item.array)) + " values, the signal " + std::to_string(n),
                         "All datasets of a group must be equally long");
       }
     }
@@ -125,109 +109,146 @@ class Finder {
   }
 
  private:
+  static bool isLong(const ArrayItem& item) { return lengthOf(*item.array) > 1; }
+
   // The options with what the file adds: the chosen dataset, sampling rate and speed.
   SignalFileOptions options(const text::DelimitedTable& table) const {
     SignalFileOptions result = options_;
     if (dataset_ && result.column.empty())
       for (const auto& column : table.columns)
-        if (column.name == nameOf(dataset_->path) || column.name.rfind(nameOf(dataset_->path) + " ", 0) == 0)
+        if (column.name == dataset_->name || column.name.rfind(dataset_->name + " ", 0) == 0)
           result.column += (result.column.empty() ? "" : ",") + column.name;
     const auto has = [&](Role role) {
       return std::any_of(table.columns.begin(), table.columns.end(),
                          [&](const auto& column) { return readers::roleOf(column.name, column.unit) == role; });
     };
     if (result.rate == 0 && !has(Role::time) && result.timeColumn.empty())
-      result.rate = scalar({"fs", "rate", "sampling_rate", "sample_rate", "samplerate", "samplingrate",
-                            "sampling_frequency", "samplingfrequency"});
+      result.rate = statedOnce({"fs", "rate", "sampling_rate", "sample_rate", "samplerate", "samplingrate",
+                                "sampling_frequency", "samplingfrequency"});
     if (result.rate == 0 && !has(Role::time) && result.timeColumn.empty())
-      if (const double step = scalar({"dt", "delta_t", "deltat", "wf_increment", "time_step", "timestep",
-                                      "sampling_interval", "sample_interval", "sampling_period"});
+      if (const double step = statedOnce({"dt", "delta_t", "deltat", "wf_increment", "time_step", "timestep",
+                                          "sampling_interval", "sample_interval", "sampling_period"});
           step > 0)
         result.rate = 1 / step;
-    if (result.speed == 0 && !has(Role::speed)) result.speed = scalar({"speed", "v", "velocity"});
+    if (result.speed == 0 && !has(Role::speed)) result.speed = statedOnce({"speed", "v", "velocity"});
     return result;
+  }
+
+  // Without the slash that may end it.
+  std::string object() const {
+    std::string object = options_.object.front() == '/' ? options_.object : "/" + options_.object;
+    while (object.size() > 1 && object.back() == '/') object.pop_back();
+    return object;
+  }
+
+  // What `options.object` names; false: nothing.
+  bool choose() {
+    dataset_ = nullptr;
+    const std::string wanted = object();
+    for (const auto& item : items_) {
+      if (!isLong(item)) continue;
+      if (item.path == wanted) {
+        dataset_ = &item;
+        group_ = item.group;
+        return true;
+      }
+    }
+    group_ = wanted == "/" ? "" : wanted;
+    return std::any_of(items_.begin(), items_.end(),
+                       [&](const auto& item) { return isLong(item) && item.group == group_; });
   }
 
   void chooseGroup() {
     std::set<std::string> groups;
-    for (const Array* array : all_) groups.insert(parentOf(array->path));
-    if (!options_.object.empty()) {
-      std::string object = options_.object.front() == '/' ? options_.object : "/" + options_.object;
-      while (object.size() > 1 && object.back() == '/') object.pop_back();
-      const auto found =
-          std::find_if(all_.begin(), all_.end(), [&](const Array* array) { return array->path == object; });
-      if (found != all_.end()) {
-        dataset_ = *found;
-        group_ = parentOf(object);
-      } else if (groups.count(object == "/" ? "" : object)) {
-        group_ = object == "/" ? "" : object;
-      } else {
-        throw FileError(path_, object, "is neither a dataset nor a group of datasets", "Available: " + listOf(all_));
-      }
-      return;
-    }
-    for (const Array* array : all_)
-      if (text::lowerCase(nameOf(array->path)) == signals::names::axleBox) {
-        group_ = parentOf(array->path);
+    for (const auto& item : items_) {
+      if (!isLong(item)) continue;
+      groups.insert(item.group);
+      if (text::lowerCase(item.name) == signals::names::axleBox) {
+        group_ = item.group;
         return;
       }
-    if (groups.size() == 1) {
-      group_ = *groups.begin();
-      return;
     }
-    throw FileError(path_, "", "has datasets in several groups", "Name the object to read; available: " + listOf(all_));
+    if (groups.size() != 1)
+      throw FileError(path_, "", "has datasets in several groups",
+                      "Name the object to read; available: " + listOf(items_));
+    group_ = *groups.begin();
   }
 
   std::size_t chosenLength() const {
-    if (dataset_) return lengthOf(*dataset_);
+    if (dataset_) return lengthOf(*dataset_->array);
     std::size_t longest = 0;
-    for (const Array* array : all_) {
-      if (parentOf(array->path) != group_) continue;
-      const std::string name = text::lowerCase(nameOf(array->path));
+    for (const auto& item : items_) {
+      if (!isLong(item) || item.group != group_) continue;
+      const std::string name = text::lowerCase(item.name);
       if (name == (options_.column.empty() ? signals::names::axleBox : text::lowerCase(options_.column)))
-        return lengthOf(*array);
-      if (roleOf(*array) == Role::signal) longest = std::max(longest, lengthOf(*array));
+        return lengthOf(*item.array);
+      if (roleOf(item.name, item.unit) == Role::signal) longest = std::max(longest, lengthOf(*item.array));
     }
     return longest;
   }
 
-  // A single number beside the signal, at the root, or an attribute of either; 0: none.
-  double scalar(const std::vector<std::string>& names) const {
-    const auto wanted = [&](const std::string& name) {
-      return std::find(names.begin(), names.end(), text::lowerCase(name)) != names.end();
+  // A single number or an attribute by one of these names, at the signals or their groups, else at the root; 0: none.
+  // Channels that state different ones cannot be read together.
+  double statedOnce(const std::vector<std::string>& names) const {
+    const auto near = statedNear(names);
+    for (const auto& [where, value] : near)
+      if (std::abs(value - near.front().second) > 1e-9 * near.front().second)
+        throw FileError(path_, where,
+                        "states " + text::roundedText(value) + ", " + near.front().first + " " +
+                            text::roundedText(near.front().second),
+                        "Name the object to read; available: " + listOf(items_));
+    if (!near.empty()) return near.front().second;
+    for (const auto& item : items_)
+      if (item.group.empty())
+        if (const double value = numberOf(item, names); value > 0) return value;
+    return std::max(0.0, attributeOf(tree_.attributes, names));
+  }
+
+  std::vector<std::pair<std::string, double>> statedNear(const std::vector<std::string>& names) const {
+    std::vector<std::pair<std::string, double>> stated;
+    const auto add = [&](const std::string& where, double value) {
+      if (value > 0) stated.emplace_back(where, value);
     };
-    for (const auto& array : tree_.arrays) {
-      const std::string parent = parentOf(array.path);
-      if (!isNumeric(array) || lengthOf(array) != 1 || (parent != group_ && !parent.empty())) continue;
-      const auto values = numbersOf(array);
-      if (!wanted(nameOf(array.path)) || values.size() != 1 || !(values[0] > 0)) continue;
-      const std::string unit = unitOf(array);
-      if (!unit.empty() && !text::isUnit(unit))
-        throw FileError(path_, array.path, "has the unit '" + unit + "', which is not known",
-                        "Give the value in the call");
-      return values[0] * scaleOf(unit, nameOf(array.path), Role::signal).factor;
+    std::set<std::string> groups;
+    for (const auto& item : items_) {
+      if (item.group != group_) continue;
+      if (!dataset_ || parentOf(item.path) == parentOf(dataset_->path)) add(item.path, numberOf(item, names));
+      if (!isLong(item) || (dataset_ && &item != dataset_)) continue;
+      add(item.path, attributeOf(item.array->attributes, names));
+      groups.insert(parentOf(item.array->path));
     }
-    const auto inAttributes = [&](const std::vector<results::Attribute>& attributes) {
-      for (const auto& attribute : attributes)
-        if (wanted(attribute.name)) {
-          if (const auto* number = std::get_if<double>(&attribute.value)) return *number;
-          if (const auto* whole = std::get_if<std::int64_t>(&attribute.value)) return static_cast<double>(*whole);
-        }
-      return 0.0;
-    };
-    for (const auto& array : tree_.arrays)
-      if (parentOf(array.path) == group_)
-        if (const double found = inAttributes(array.attributes); found > 0) return found;
-    if (const auto* group = tree_.findGroup(group_))
-      if (const double found = inAttributes(group->attributes); found > 0) return found;
-    return std::max(0.0, inAttributes(tree_.attributes));
+    for (const auto& group : groups)
+      if (const auto* found = tree_.findGroup(group)) add(group, attributeOf(found->attributes, names));
+    return stated;
+  }
+
+  static bool isOneOf(const std::string& name, const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), text::lowerCase(name)) != names.end();
+  }
+
+  // In SI units; 0: the item is no such number.
+  double numberOf(const ArrayItem& item, const std::vector<std::string>& names) const {
+    if (lengthOf(*item.array) != 1 || !isOneOf(item.name, names)) return 0;
+    const auto values = numbersOf(*item.array);
+    if (values.size() != 1 || !(values[0] > 0)) return 0;
+    if (!item.unit.empty() && !text::isUnit(item.unit))
+      throw FileError(path_, item.path, "has the unit '" + item.unit + "', which is not known",
+                      "Give the value in the call");
+    return values[0] * scaleOf(item.unit, item.name, Role::signal).factor;
+  }
+
+  static double attributeOf(const std::vector<results::Attribute>& attributes, const std::vector<std::string>& names) {
+    for (const auto& attribute : attributes)
+      if (isOneOf(attribute.name, names))
+        if (const double number = results::numberAttribute(attributes, attribute.name); number > 0) return number;
+    return 0;
   }
 
   const std::string& path_;
   const ArrayTree& tree_;
   const SignalFileOptions& options_;
-  std::vector<const Array*> all_;
-  const Array* dataset_ = nullptr;
+  std::vector<ArrayItem> items_;
+  const ArrayItem* dataset_ = nullptr;
   std::string group_;
 };
 

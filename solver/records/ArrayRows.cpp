@@ -9,6 +9,7 @@
 #include "core/Errors.h"
 #include "rcmdx/RecordColumns.h"
 #include "readers/ArrayFile.h"
+#include "readers/ArrayItems.h"
 #include "readers/ArraySignals.h"
 #include "records/PandasFrames.h"
 #include "results/Hdf5.h"
@@ -19,18 +20,13 @@
 namespace squat::records {
 namespace {
 
-std::string parentOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
-
 // The group whose longest dataset is the longest of all; empty where the file has an aba, or two are equally long.
 std::string longestGroup(const results::ArrayTree& tree) {
   std::map<std::string, std::size_t> longest;
-  for (const auto& array : tree.arrays) {
-    if (text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == signals::names::axleBox) return {};
-    if (std::holds_alternative<std::vector<std::string>>(array.values)) continue;
-    for (const std::size_t extent : array.shape) {
-      auto& maximum = longest[parentOf(array.path)];
-      maximum = std::max(maximum, extent);
-    }
+  for (const auto& item : readers::itemsOf(tree)) {
+    if (text::lowerCase(item.name) == signals::names::axleBox) return {};
+    auto& maximum = longest[item.group];
+    maximum = std::max(maximum, readers::lengthOf(*item.array));
   }
   if (longest.empty()) return {};
   const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };

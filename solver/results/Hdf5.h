@@ -17,7 +17,8 @@ struct Hdf5Limits {
   std::size_t rank = 4;
   std::size_t chunkBytes = std::size_t{32} << 20;
   // Files of other programs (measured signals): soft links, named types and datasets that are neither numbers nor text
-  // are passed over instead of refused.
+  // are passed over instead of refused. Datasets of records give an array for each field of numbers, "/dataset/field";
+  // datasets of references give the paths of their objects, with `referencesAttribute`.
   bool skipForeign = false;
   // Datasets with more values than this come without them: their type, shape and attributes alone. Such a tree can
   // not be written again.
@@ -33,6 +34,10 @@ std::vector<std::byte> encodeHdf5(const ArrayTree& tree, const std::string& path
 
 // Attribute of the root of a listed tree (Hdf5Stream.h) whose file is cut off: what is missing, in words.
 inline constexpr const char* truncationAttribute = "file cut off";
+// Attribute of an array of paths that stands for references: cells and arrays of structures in MATLAB 7.3.
+inline constexpr const char* referencesAttribute = "references";
+// A slash in a field's name stands in its path as this character, which looks like one.
+inline constexpr const char* slashInName = "\u2215";
 
 // Reads a file that may come from a stranger. Refused with FileError naming the object: external storage, links other
 // than hard ones, virtual layouts, filters other than shuffle, deflate and checksum, extents beyond the limits or

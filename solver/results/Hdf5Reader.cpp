@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <system_error>
 
+#include "results/Hdf5Fields.h"
 #include "results/Hdf5Handle.h"
 #include "results/Hdf5Truncation.h"
 
@@ -16,6 +18,7 @@ namespace {
 constexpr int kDeepest = 8;
 constexpr std::size_t kLongestFixedText = 4096;
 constexpr std::size_t kMaximumTexts = 100000;
+constexpr std::size_t kMaximumReferences = 10000;
 constexpr std::size_t kMaximumPacked = 1100;  // deflate packs at most 1032 to one
 constexpr const char* kHdf5Advice = "Use a file that this program has written";
 constexpr const char* kForeignAdvice = "Export the signals alone, as plain numbers";
@@ -62,6 +65,7 @@ class Hdf5Walker {
     check(root.get(), path_, "/", "cannot be opened");
     tree.attributes = attributes(root.get(), "/");
     walkGroup(root.get(), "", tree, 0);
+    nameReferences(tree);
     if (missing_ > 0)
       setAttribute(tree.attributes, truncationAttribute,
                    "its last " + std::to_string(missing_) + " bytes are missing" + lost_);
@@ -85,6 +89,7 @@ class Hdf5Walker {
       if (link.type == H5L_TYPE_SOFT) refuse(path, "is a soft link, which is not followed");
       if (link.type == H5L_TYPE_EXTERNAL) refuse(path, "is a link into another file, which is not followed");
       if (link.type != H5L_TYPE_HARD) refuse(path, "is a link of unknown kind");
+      addresses_.emplace(link.u.address, path);
       const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
       if (missing_ > 0 && !object.valid()) {
         noteLost(path);
@@ -96,11 +101,12 @@ class Hdf5Walker {
           addGroup(object.get(), path, tree, depth);
           break;
         case H5I_DATASET:
-          if (limits_.skipForeign && !isPlain(object.get())) break;
           if (isLost(object.get()))
             noteLost(path);
-          else
+          else if (!limits_.skipForeign || isPlain(object.get()))
             tree.arrays.push_back(array(object.get(), path));
+          else
+            addForeign(object.get(), path, tree);
           break;
         default:
           if (!limits_.skipForeign) refuse(path, "is neither a group nor a dataset");
@@ -113,6 +119,62 @@ class Hdf5Walker {
     const auto kind = H5Tget_class(type.get());
     return (kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_STRING) &&
            H5Tget_size(type.get()) <= kLongestFixedText;
+  }
+
+  // Records of named fields, each as an array of its own, and references to other objects, which nameReferences() turns
+  // into their paths.
+  void addForeign(hid_t dataset, const std::string& path, ArrayTree& tree) {
+    const Handle type(H5Dget_type(dataset), H5Tclose);
+    if (H5Tget_class(type.get()) == H5T_COMPOUND)
+      addFields(dataset, type.get(), path, tree);
+    else if (H5Tequal(type.get(), H5T_STD_REF_OBJ) > 0)
+      addReferences(dataset, path, tree);
+  }
+
+  void addFields(hid_t dataset, hid_t type, const std::string& path, ArrayTree& tree) {
+    checkLayout(dataset, path_, path, limits_);
+    const Handle space(H5Dget_space(dataset), H5Sclose);
+    std::vector<std::size_t> shape;
+    const std::size_t count = readShape(space.get(), path, shape);
+    if (count / kMaximumPacked > fileBytes_)
+      refuse(path, "claims more values than the file can hold (" + std::to_string(count) + ")");
+    for (const auto& field : numericFields(type)) {
+      if (++objects_ > limits_.objects) refuse(path, "too many objects");
+      Array array;
+      array.path = path + "/" + field.name;
+      array.shape = shape;
+      if (field.perRow > 1) array.shape.push_back(field.perRow);
+      const bool listed = count > limits_.valuesUpTo / field.perRow;
+      array.values = numbers<double>(dataset, array.path, listed ? 0 : count * field.perRow, field.memory.get());
+      array.attributes = attributes(dataset, path);
+      tree.arrays.push_back(std::move(array));
+    }
+  }
+
+  void addReferences(hid_t dataset, const std::string& path, ArrayTree& tree) {
+    checkLayout(dataset, path_, path, limits_);
+    Array array;
+    array.path = path;
+    const Handle space(H5Dget_space(dataset), H5Sclose);
+    const std::size_t count = readShape(space.get(), path, array.shape);
+    if (count > kMaximumReferences) return;
+    references_.push_back({tree.arrays.size(), numbers<hobj_ref_t>(dataset, path, count, H5T_STD_REF_OBJ)});
+    array.attributes = attributes(dataset, path);
+    setAttribute(array.attributes, referencesAttribute, std::uint8_t{1});
+    array.values = std::vector<std::string>(count);
+    tree.arrays.push_back(std::move(array));
+  }
+
+  // A reference is the address of its object; objects that were not walked stay empty.
+  void nameReferences(ArrayTree& tree) {
+    for (const auto& [index, targets] : references_) {
+      auto& paths = std::get<std::vector<std::string>>(tree.arrays[index].values);
+      for (std::size_t i = 0; i < targets.size(); ++i)
+        if (const auto found = addresses_.find(targets[i]); found != addresses_.end()) {
+          account(found->second.size(), found->second);
+          paths[i] = found->second;
+        }
+    }
   }
 
   // In a file that is cut off: what has no value left, and short arrays that are not whole.
@@ -297,6 +359,12 @@ class Hdf5Walker {
   std::size_t fileBytes_ = 0, objects_ = 0, used_ = 0;
   std::size_t missing_ = 0;  // [bytes] at the end of the file
   std::string lost_;         // arrays that are
+  struct References {
+    std::size_t array;  // in the tree
+    std::vector<hobj_ref_t> targets;
+  };
+  std::vector<References> references_;
+  std::map<haddr_t, std::string> addresses_;  // of the objects by hard links
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "results/ColumnPieces.h"
 #include "results/Hdf5.h"
+#include "results/Hdf5Fields.h"
 #include "results/Hdf5Handle.h"
 #include "results/Hdf5Reader.h"
 #include "results/Hdf5Truncation.h"
@@ -41,22 +42,22 @@ class Dataset {
     const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
     // A chunk is unpacked once, whatever its size: the largest that is read is 32 MB.
     H5Pset_chunk_cache(access.get(), 1009, std::size_t{40} << 20, 1.0);
-    dataset_ = Handle(H5Dopen2(file, name_.c_str(), access.get()), H5Dclose);
-    check(dataset_.get(), path_, name_, "cannot be opened");
-    hdf5::checkLayout(dataset_.get(), path_, name_, foreign());
-    space_ = Handle(H5Dget_space(dataset_.get()), H5Sclose);
+    numbers_ = hdf5::openNumbers(file, name_, access.get());
+    check(numbers_.dataset.get(), path_, name_, "cannot be opened");
+    hdf5::checkLayout(numbers_.dataset.get(), path_, name_, foreign());
+    space_ = Handle(H5Dget_space(numbers_.dataset.get()), H5Sclose);
     const int rank = check(H5Sget_simple_extent_ndims(space_.get()), path_, name_, "has no extents");
     extents_.resize(static_cast<std::size_t>(std::max(rank, 0)));
     if (rank > 0)
       check(H5Sget_simple_extent_dims(space_.get(), extents_.data(), nullptr), path_, name_, "has no extents");
-    std::size_t count = 1;
+    std::size_t count = numbers_.perRow;
     for (std::size_t axis = 0; axis < extents_.size(); ++axis) {
       count *= static_cast<std::size_t>(extents_[axis]);
       if (extents_[axis] == samples && (samplesAxis_ == none || !samplesFirst_)) samplesAxis_ = axis;
     }
     if (samplesAxis_ == none || count != samples * runs_)
       throw FileError(path_, name_, "has changed while it was read");
-    present_ = bytes ? hdf5::presentAlong(dataset_.get(), samplesAxis_, *bytes) : samples;
+    present_ = bytes ? hdf5::presentAlong(numbers_.dataset.get(), samplesAxis_, *bytes) : samples;
   }
 
   // Run after run of samples [from, from + count); not-a-number where the file is cut off.
@@ -82,11 +83,12 @@ class Dataset {
     size[samplesAxis_] = count;
     check(H5Sselect_hyperslab(space_.get(), H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr), path_, name_,
           "cannot be read in parts");
-    const hsize_t all = count * runs_;
+    const hsize_t all = count * runs_ / numbers_.perRow;
     const Handle memory(H5Screate_simple(1, &all, nullptr), H5Sclose);
-    values_.resize(static_cast<std::size_t>(all));
-    check(H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, memory.get(), space_.get(), H5P_DEFAULT, values_.data()), path_,
-          name_, ("cannot be read at sample " + std::to_string(from + 1)).c_str());
+    values_.resize(count * runs_);
+    check(
+        H5Dread(numbers_.dataset.get(), numbers_.memory.get(), memory.get(), space_.get(), H5P_DEFAULT, values_.data()),
+        path_, name_, ("cannot be read at sample " + std::to_string(from + 1)).c_str());
     if (runs_ == 1 || !samplesFirst_) return;
     sorted_.resize(values_.size());
     for (std::size_t i = 0; i < count; ++i)
@@ -98,7 +100,8 @@ class Dataset {
   std::string path_, name_;
   std::size_t runs_, samplesAxis_ = none, present_ = 0;
   bool samplesFirst_;
-  Handle dataset_, space_;
+  hdf5::NumberSource numbers_;
+  Handle space_;
   std::vector<hsize_t> extents_;
   std::vector<double> values_, sorted_;
 };

@@ -15,6 +15,7 @@
 
 #include "core/Errors.h"
 #include "results/ColumnPieces.h"
+#include "text/Utf8Text.h"
 
 namespace squat::results {
 namespace {
@@ -24,6 +25,7 @@ constexpr std::size_t kLargest = std::size_t{4} << 30;   // [bytes] of values in
 constexpr std::size_t kWhole = std::size_t{384} << 20;   // [bytes] of a file that is read whole
 constexpr std::size_t kLibrary = std::size_t{64} << 20;  // [bytes] that the library itself needs
 constexpr std::size_t kObjects = 20000, kDepth = 8, kRank = 4;
+constexpr std::size_t kLongestText = 4096;
 constexpr const char* kMatlabAdvice = "Save it again, with the option -v7.3 if it is large";
 
 using Handler = std::function<void(const std::string& path, mat_t* file, matvar_t* array)>;
@@ -34,6 +36,8 @@ bool isNumeric(const matvar_t& array) {
   return array.class_type >= MAT_C_DOUBLE && array.class_type <= MAT_C_UINT64 && !array.isComplex && array.rank > 0 &&
          static_cast<std::size_t>(array.rank) <= kRank;
 }
+
+bool isText(const matvar_t& array) { return array.class_type == MAT_C_CHAR && array.rank == 2; }
 
 std::size_t countOf(const matvar_t& array) {
   std::size_t count = 1;
@@ -63,7 +67,12 @@ void requireWhole(const std::string& path) {
   }
 }
 
-// Calls `handle` for every array of numbers in the file.
+// "run" of a single structure, "run(2)" of an array of them.
+std::string elementName(const std::string& name, std::size_t index, std::size_t count) {
+  return count == 1 ? name : name + "(" + std::to_string(index + 1) + ")";
+}
+
+// Calls `handle` for every array of numbers and every text in the file.
 class MatlabWalker {
  public:
   MatlabWalker(const std::string& path, const Handler& handle) : path_(path), handle_(handle) {
@@ -87,13 +96,20 @@ class MatlabWalker {
   void visit(const std::string& name, matvar_t* variable, std::size_t depth) {
     if (++objects_ > kObjects || depth > kDepth)
       throw FileError(path_, name, "is one of too many objects", kMatlabAdvice);
-    if (isNumeric(*variable)) return handle_(name, file_.get(), variable);
-    if (variable->class_type != MAT_C_STRUCT || countOf(*variable) != 1) return;
+    if (isNumeric(*variable) || isText(*variable)) return handle_(name, file_.get(), variable);
+    const std::size_t count = countOf(*variable);
+    if (count > kObjects) return;
+    if (variable->class_type == MAT_C_CELL)
+      for (std::size_t i = 0; i < count; ++i)
+        if (auto* cell = Mat_VarGetCell(variable, static_cast<int>(i)))
+          visit(name + "{" + std::to_string(i + 1) + "}", cell, depth + 1);
+    if (variable->class_type != MAT_C_STRUCT) return;
     const unsigned fields = Mat_VarGetNumberOfFields(variable);
     char* const* const names = Mat_VarGetStructFieldnames(variable);
-    for (unsigned i = 0; names && i < fields; ++i)
-      if (auto* field = Mat_VarGetStructFieldByIndex(variable, i, 0); field && names[i])
-        visit(name + "/" + names[i], field, depth + 1);
+    for (std::size_t element = 0; element < count; ++element)
+      for (unsigned i = 0; names && i < fields; ++i)
+        if (auto* field = Mat_VarGetStructFieldByIndex(variable, i, element); field && names[i])
+          visit(elementName(name, element, count) + "/" + names[i], field, depth + 1);
   }
 
   const std::string& path_;
@@ -157,6 +173,22 @@ std::vector<double> valuesOf(const std::string& path, const std::string& name, m
   return values;
 }
 
+// A line of text; empty for longer ones and for several lines.
+std::string textOf(const std::string& path, const std::string& name, mat_t* file, matvar_t* array) {
+  const std::size_t count = countOf(*array);
+  if (count == 0 || count > kLongestText || array->dims[0] != 1) return {};
+  if (Mat_VarReadDataAll(file, array) != 0 || !array->data)
+    throw FileError(path, name, "cannot be read: the file is damaged or cut off", kMatlabAdvice);
+  if (array->data_type == MAT_T_UTF8) return std::string(static_cast<const char*>(array->data), array->nbytes);
+  std::vector<std::uint16_t> characters(count);
+  const std::size_t size = array->data_type == MAT_T_UINT16 || array->data_type == MAT_T_UTF16 ? 2 : 1;
+  if (array->nbytes < count * size) throw FileError(path, name, "is damaged", kMatlabAdvice);
+  for (std::size_t i = 0; i < count; ++i)
+    characters[i] = size == 2 ? static_cast<const std::uint16_t*>(array->data)[i]
+                              : static_cast<const std::uint8_t*>(array->data)[i];
+  return text::utf8FromUtf16(characters);
+}
+
 // In the child.
 ArrayTree treeOf(const std::string& path, std::size_t valuesUpTo) {
   ArrayTree tree;
@@ -164,6 +196,12 @@ ArrayTree treeOf(const std::string& path, std::size_t valuesUpTo) {
   const Handler handle = [&](const std::string& name, mat_t* file, matvar_t* array) {
     Array found;
     found.path = name;
+    if (isText(*array)) {
+      found.shape = {1};
+      found.values = std::vector<std::string>{textOf(path, name, file, array)};
+      tree.arrays.push_back(std::move(found));
+      return;
+    }
     found.shape.assign(array->dims, array->dims + array->rank);
     std::reverse(found.shape.begin(), found.shape.end());
     const std::size_t count = countOf(*array);

@@ -14,9 +14,10 @@ namespace squat::results {
 
 bool isMatlabFile(const std::string& path);
 
-// Real arrays of numbers, those of structures as "/structure/field"; the extents as HDF5 has them in a file of version
-// 7.3, the last one first. Everything else (text, cells, arrays of structures, complex numbers, sparse matrices) is
-// passed over. The library works in a child process, as in readHdf5. Throws FileError.
+// Real arrays of numbers and lines of text, those of structures as "/structure/field", of arrays of structures as
+// "/structure(2)/field", of cells as "/cell{2}"; the extents as HDF5 has them in a file of version 7.3, the last one
+// first. Everything else (objects, complex numbers, sparse matrices) is passed over. The library works in a child
+// process, as in readHdf5. Throws FileError.
 ArrayTree readMatlabFile(const std::string& path);
 // The same, but arrays with more than a few thousand values come without them.
 ArrayTree listMatlabFile(const std::string& path);

@@ -10,7 +10,7 @@
 namespace squat::text {
 namespace {
 
-constexpr std::array<Unit, 62> units{{{"s", 1, "s"},
+constexpr std::array<Unit, 82> units{{{"s", 1, "s"},
                                       {"sec", 1, "s"},
                                       {"ms", 1e-3, "s"},
                                       {"us", 1e-6, "s"},
@@ -71,7 +71,27 @@ constexpr std::array<Unit, 62> units{{{"s", 1, "s"},
                                       {"deg", 1, "deg"},
                                       {"\xC2\xB0", 1, "deg"},
                                       {"%", 1, "%"},
-                                      {"-", 1, "-"}}};
+                                      {"-", 1, "-"},
+                                      {"second", 1, "s"},
+                                      {"seconds", 1, "s"},
+                                      {"milliseconds", 1e-3, "s"},
+                                      {"microseconds", 1e-6, "s"},
+                                      {"nanoseconds", 1e-9, "s"},
+                                      {"minutes", 60, "s"},
+                                      {"h", 3600, "s"},
+                                      {"hours", 3600, "s"},
+                                      {"days", 86400, "s"},
+                                      {"metre", 1, "m"},
+                                      {"metres", 1, "m"},
+                                      {"meter", 1, "m"},
+                                      {"meters", 1, "m"},
+                                      {"m s-1", 1, "m/s"},
+                                      {"m.s-1", 1, "m/s"},
+                                      {"m/sec", 1, "m/s"},
+                                      {"m.s-2", 1, "m/s2"},
+                                      {"m s^-2", 1, "m/s2"},
+                                      {"m/sec2", 1, "m/s2"},
+                                      {"m/sec^2", 1, "m/s2"}}};
 
 }  // namespace
 

@@ -30,16 +30,33 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
+// A letter of the basic plane (RFC 3629).
+void append(std::string& text, unsigned letter) {
+  if (letter < 0x80) {
+    text += static_cast<char>(letter);
+    return;
+  }
+  if (letter < 0x800) {
+    text += static_cast<char>(0xC0u | letter >> 6);
+  } else {
+    text += static_cast<char>(0xE0u | letter >> 12);
+    text += static_cast<char>(0x80u | (letter >> 6 & 0x3Fu));
+  }
+  text += static_cast<char>(0x80u | (letter & 0x3Fu));
+}
+
 }  // namespace
 
 std::string asUtf8(std::string_view text) {
   if (isUtf8(text)) return std::string(text);
   std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const unsigned letter = byteAt(text, i);
-    if (letter >= 0x80) result += static_cast<char>(0xC0u | letter >> 6);
-    result += static_cast<char>(letter < 0x80 ? letter : 0x80u | (letter & 0x3Fu));
-  }
+  for (std::size_t i = 0; i < text.size(); ++i) append(result, byteAt(text, i));
+  return result;
+}
+
+std::string utf8FromUtf16(std::span<const std::uint16_t> letters) {
+  std::string result;
+  for (const unsigned letter : letters) append(result, letter >= 0xD800 && letter < 0xE000 ? '?' : letter);
   return result;
 }
 

@@ -1,13 +1,8 @@
 // Long records (text, HDF5, MATLAB): any bytes give blocks of finite numbers with as many rows as channels, or an error
 // of ours. Array files are read in a child process, whose death is an error too.
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <string>
 
+#include "MemoryFile.h"
 #include "core/Errors.h"
 #include "loggers/LoggerFile.h"
 #include "readers/ArrayFile.h"
@@ -34,10 +29,7 @@ void judge(const squat::records::RecordBlock& block, std::size_t channels, std::
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace squat;
-  static const int file = ::memfd_create("fuzz.csv", 0);
-  require(file >= 0 && ::ftruncate(file, 0) == 0);
-  require(::pwrite(file, data, size, 0) == static_cast<ssize_t>(size));
-  const std::string path = "/proc/self/fd/" + std::to_string(file);
+  const std::string path = tests::memoryFile(data, size);
   records::RecordOptions options;
   options.columns.column = "all";
   options.columns.speed = 30;

@@ -11,6 +11,7 @@
 #include "core/Errors.h"
 #include "loggers/LoggerFile.h"
 #include "readers/ArrayFile.h"
+#include "readers/ArrayItems.h"
 #include "readers/ArraySignals.h"
 #include "readers/TableFile.h"
 #include "signals/SignalCatalogue.h"
@@ -80,49 +81,45 @@ void readWhole(MeasuredHead& head, const readers::SignalFileOptions& options) {
   head.table = std::move(file.table);
 }
 
-std::string groupOf(const std::string& object) { return object.substr(0, object.rfind('/')); }
+bool isAba(const readers::ArrayItem& item) { return text::lowerCase(item.name) == signals::names::axleBox; }
 
-bool isAba(const results::Array& array) {
-  return text::lowerCase(array.path.substr(array.path.rfind('/') + 1)) == signals::names::axleBox;
+// Arrays of one or two dimensions; a single number is no signal.
+bool isSignal(const readers::ArrayItem& item) {
+  return readers::lengthOf(*item.array) > 1 && !readers::isNested(*item.array);
 }
 
-// Arrays of numbers of one or two dimensions; a single number is no signal.
-bool isSignal(const results::Array& array) {
-  const auto extents = std::count_if(array.shape.begin(), array.shape.end(), [](auto extent) { return extent > 1; });
-  return !std::holds_alternative<std::vector<std::string>>(array.values) && extents >= 1 && extents <= 2;
-}
-
-std::vector<ArrayPart> partsOf(const results::ArrayTree& tree) {
+std::vector<ArrayPart> partsOf(const std::vector<readers::ArrayItem>& items) {
   std::vector<ArrayPart> parts;
-  for (const auto& array : tree.arrays) {
-    if (!isSignal(array)) continue;
-    const std::string group = groupOf(array.path);
-    const std::size_t samples = *std::max_element(array.shape.begin(), array.shape.end());
-    const auto same = std::find_if(parts.begin(), parts.end(),
-                                   [&](const auto& part) { return part.group == group && part.samples == samples; });
+  for (const auto& item : items) {
+    if (!isSignal(item)) continue;
+    const std::size_t samples = readers::lengthOf(*item.array);
+    const auto same = std::find_if(parts.begin(), parts.end(), [&](const auto& part) {
+      return part.group == item.group && part.samples == samples;
+    });
     if (same == parts.end())
-      parts.push_back({group, samples, array.path});
-    else if (isAba(array))
-      same->object = array.path;
+      parts.push_back({item.group, samples, item.path});
+    else if (isAba(item))
+      same->object = item.path;
   }
   return parts;
 }
 
 // Groups with a signal called aba; where there is none, all groups with signals.
-std::size_t groupsMeant(const results::ArrayTree& tree) {
+std::size_t groupsMeant(const std::vector<readers::ArrayItem>& items) {
   std::set<std::string> all, withAba;
-  for (const auto& array : tree.arrays) {
-    if (!isSignal(array)) continue;
-    all.insert(groupOf(array.path));
-    if (isAba(array)) withAba.insert(groupOf(array.path));
+  for (const auto& item : items) {
+    if (!isSignal(item)) continue;
+    all.insert(item.group);
+    if (isAba(item)) withAba.insert(item.group);
   }
   return withAba.empty() ? all.size() : withAba.size();
 }
 
 void readArrays(MeasuredHead& head, readers::SignalFileOptions options) {
   const auto tree = readers::listArrays(head.path);
-  head.parts = partsOf(tree);
-  head.severalParts = options.object.empty() && groupsMeant(tree) > 1;
+  const auto items = readers::itemsOf(tree);
+  head.parts = partsOf(items);
+  head.severalParts = options.object.empty() && groupsMeant(items) > 1;
   options.rate = options.speed = 0;
   readers::ArrayColumns found;
   try {
@@ -137,10 +134,11 @@ void readArrays(MeasuredHead& head, readers::SignalFileOptions options) {
   head.samples = found.samples;
   head.rate = found.options.rate, head.speed = found.options.speed;
   head.numeric.assign(head.table.columns.size(), true);
-  for (std::size_t i = 0; i < head.parts.size(); ++i)
-    if (!head.places.empty() && head.parts[i].group == groupOf(head.places[0].path) &&
-        head.parts[i].samples == head.samples)
-      head.part = i;
+  if (head.places.empty()) return;
+  const auto first = std::find_if(items.begin(), items.end(),
+                                  [&](const auto& item) { return item.array->path == head.places[0].path; });
+  for (std::size_t i = 0; first != items.end() && i < head.parts.size(); ++i)
+    if (head.parts[i].group == first->group && head.parts[i].samples == head.samples) head.part = i;
 }
 
 bool isOfRun(const MeasuredHead& head, std::size_t column, const std::string& run) {
