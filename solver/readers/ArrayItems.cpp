@@ -218,8 +218,9 @@ std::vector<ArrayItem> itemsOf(const ArrayTree& tree, Channels channels) {
       if (isWordOfName(nameOf(path)) && words[parentOf(path)].name.empty()) words[parentOf(path)].name = *said;
     } else if (isNumeric(array)) {
       std::string name = nameOf(path);
-      for (std::size_t at; (at = name.find(results::slashInName)) != std::string::npos;)
-        name.replace(at, std::string_view(results::slashInName).size(), "/");
+      const std::string_view slash = results::slashInName;
+      for (auto at = name.find(slash); at != std::string::npos; at = name.find(slash))
+        name.replace(at, slash.size(), "/");
       ArrayItem item{&array, path, parentOf(path), std::move(name), unitOf(array), packingOf(array)};
       if (nameIndex(item)) items.push_back(std::move(item));
     }

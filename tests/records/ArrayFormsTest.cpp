@@ -32,7 +32,7 @@ struct Form {
   double tolerance;  // [m/s2] of a value: what the numbers of the file can hold
 };
 
-void PrintTo(const Form& form, std::ostream* out) { *out << form.file; }
+std::ostream& operator<<(std::ostream& out, const Form& form) { return out << form.file; }
 
 class ArrayForms : public ::testing::TestWithParam<Form> {};
 
