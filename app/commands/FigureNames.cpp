@@ -1,7 +1,6 @@
 #include "commands/FigureNames.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 
 #include "commands/FigureOutput.h"
@@ -42,14 +41,10 @@ void takeSize(const std::string& text, PrintedSize& size) {
   size = taken;
 }
 
-void takeScale(const std::string& text, plots::SpectrumScale& scale) {
-  const auto& names = plots::spectrumScaleNames;
-  const auto found = std::find_if(names.begin(), names.end(), [&](std::string_view name) {
-    return std::equal(name.begin(), name.end(), text.begin(), text.end(),
-                      [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
-  });
-  if (found == names.end()) throw CLI::ValidationError("--spectrum", text + ": linear, log, dB or third-octaves");
-  scale = static_cast<plots::SpectrumScale>(found - names.begin());
+void takeScale(const std::string& text, analysis::SpectrumScale& scale) {
+  const auto found = analysis::spectrumScaleNamed(text);
+  if (!found) throw CLI::ValidationError("--spectrum", text + ": linear, log, dB or third-octaves");
+  scale = *found;
 }
 
 }  // namespace
@@ -74,7 +69,7 @@ void addFigureNames(CLI::App& command, NamedFigures& named) {
   addFigureSize(command, named.size);
   command
       .add_option_function<std::string>(
-          "--spectrum", [&named](const std::string& text) { takeScale(text, named.spectrum); },
+          "--spectrum", [&named](const std::string& text) { takeScale(text, named.settings.spectrum); },
           "Scale of the figure psd: linear, log, dB (of the density) or third-octaves (levels in bands of IEC 61260-1) "
           "(default: linear)")
       ->type_name("SCALE");

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/FigureSettings.h"
 #include "plots/PrintedSize.h"
-#include "plots/SpectrumScale.h"
 
 namespace squat::commands {
 
@@ -20,7 +20,7 @@ void addFigureSize(CLI::App& command, plots::PrintedSize& size);
 struct NamedFigures {
   std::vector<std::string> figures, formats;  // empty: all
   plots::PrintedSize size = {};
-  plots::SpectrumScale spectrum = plots::SpectrumScale::linear;
+  analysis::FigureSettings settings = {};
 };
 
 // --figures, --format, --figure-size, --dpi and --spectrum. The help lists the figures with their titles.

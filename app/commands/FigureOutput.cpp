@@ -17,7 +17,7 @@ plots::FigureRequest requestOf(const NamedFigures& named) {
   request.figures = named.figures;
   if (!named.formats.empty()) request.formats = named.formats;
   request.size = named.size;
-  request.spectrum = named.spectrum;
+  request.settings = named.settings;
   return request;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/FigureSettings.h"
 #include "readers/SignalFile.h"
 #include "signals/Record.h"
 
@@ -81,13 +82,9 @@ struct FigureRange {
   std::optional<AxisRange> x, y;  // none: the whole axis
 };
 
-// How the figures of the signals are computed and drawn.
-struct FigureChoices {
-  double cutoff = 0;        // [Hz] of the low-pass filter
-  double from = 0, to = 0;  // [m] section of the spectrum
-  std::string window, scale, colours;
-  int moment = -1;                       // of the contact patch, index; -1: the impact
-  std::size_t segment = 1, hop = 1;      // [samples] of the short-time Fourier transform
+// How the figures of the signals are computed and drawn, and what of them is seen.
+struct FigureViews {
+  analysis::FigureSettings settings;
   std::vector<FigureRange> ranges = {};  // of the figures that are not seen whole
 };
 
@@ -98,8 +95,8 @@ struct Project {
   std::vector<Entry> entries;
   int current = -1, reference = -1;  // of the entries; -1: none
   std::string notes;
-  std::vector<std::string> views;        // names of the tabs in front
-  std::optional<FigureChoices> figures;  // none: as the program starts
+  std::vector<std::string> views;      // names of the tabs in front
+  std::optional<FigureViews> figures;  // none: as the program starts
   LongRecords records;
   TableOrder runOrder;  // of the list of runs
 };

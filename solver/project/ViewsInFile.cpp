@@ -29,10 +29,18 @@ std::optional<AxisRange> rangeIn(const JsonNode& node, const char* axis) {
 
 }  // namespace
 
-Json jsonOf(const FigureChoices& figures) {
-  Json json{{"cutoff", figures.cutoff}, {"from", figures.from},       {"to", figures.to},
-            {"window", figures.window}, {"scale", figures.scale},     {"colours", figures.colours},
-            {"moment", figures.moment}, {"segment", figures.segment}, {"hop", figures.hop}};
+Json jsonOf(const FigureViews& figures) {
+  const auto& settings = figures.settings;
+  const auto section = settings.section.value_or(analysis::Section{});
+  Json json{{"cutoff", settings.cutoff},
+            {"from", section.from},
+            {"to", section.to},
+            {"window", settings.window},
+            {"scale", nameOf(settings.spectrum)},
+            {"colours", settings.colours},
+            {"moment", settings.moment},
+            {"segment", settings.segment},
+            {"hop", settings.hop}};
   for (const auto& range : figures.ranges) json["ranges"].push_back(jsonOf(range));
   return json;
 }
@@ -41,19 +49,19 @@ Json jsonOf(const TableOrder& order) {
   return {{"sort", order.sort}, {"descending", order.descending}, {"group", order.group}, {"filter", order.filter}};
 }
 
-FigureChoices figuresIn(const JsonNode& node) {
+FigureViews figuresIn(const JsonNode& node) {
   constexpr double highest = 1e12, farthest = 1e12;  // [Hz], [m]
   constexpr int largest = 1 << 30;
-  FigureChoices figures;
-  figures.cutoff = node.at("cutoff").number(0, highest);
-  figures.from = node.at("from").number(-farthest, farthest);
-  figures.to = node.at("to").number(-farthest, farthest);
-  figures.window = node.at("window").text();
-  figures.scale = node.at("scale").text();
-  figures.colours = node.at("colours").text();
-  figures.moment = node.at("moment").whole(-1, largest);
-  figures.segment = static_cast<std::size_t>(node.at("segment").whole(1, largest));
-  figures.hop = static_cast<std::size_t>(node.at("hop").whole(1, largest));
+  FigureViews figures;
+  auto& settings = figures.settings;
+  settings.cutoff = node.at("cutoff").number(0, highest);
+  settings.section = {node.at("from").number(-farthest, farthest), node.at("to").number(-farthest, farthest)};
+  settings.window = node.at("window").text();
+  settings.spectrum = analysis::spectrumScaleNamed(node.at("scale").text()).value_or(analysis::SpectrumScale::linear);
+  settings.colours = node.at("colours").text();
+  settings.moment = node.at("moment").whole(-1, largest);
+  settings.segment = static_cast<std::size_t>(node.at("segment").whole(1, largest));
+  settings.hop = static_cast<std::size_t>(node.at("hop").whole(1, largest));
   if (!node.has("ranges")) return figures;
   for (const auto& range : node.at("ranges").list())
     figures.ranges.push_back({range.at("figure").text(), rangeIn(range, "x"), rangeIn(range, "y")});

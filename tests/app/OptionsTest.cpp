@@ -51,13 +51,13 @@ TEST(Spectrum, IsOneOfFourScalesInAnyCase) {
     NamedFigures named;
     addFigureNames(app, named);
     app.parse(words);
-    return named.spectrum;
+    return named.settings.spectrum;
   };
-  EXPECT_EQ(taken(""), plots::SpectrumScale::linear);
-  EXPECT_EQ(taken("--spectrum linear"), plots::SpectrumScale::linear);
-  EXPECT_EQ(taken("--spectrum log"), plots::SpectrumScale::logarithmic);
-  EXPECT_EQ(taken("--spectrum db"), plots::SpectrumScale::decibel);
-  EXPECT_EQ(taken("--spectrum Third-Octaves"), plots::SpectrumScale::thirdOctaves);
+  EXPECT_EQ(taken(""), analysis::SpectrumScale::linear);
+  EXPECT_EQ(taken("--spectrum linear"), analysis::SpectrumScale::linear);
+  EXPECT_EQ(taken("--spectrum log"), analysis::SpectrumScale::logarithmic);
+  EXPECT_EQ(taken("--spectrum db"), analysis::SpectrumScale::decibel);
+  EXPECT_EQ(taken("--spectrum Third-Octaves"), analysis::SpectrumScale::thirdOctaves);
   for (const std::string wrong : {"d", "decibel", "third", "0"})
     EXPECT_THROW(taken("--spectrum " + wrong), CLI::ParseError) << wrong;
 }

@@ -325,12 +325,12 @@ TEST_F(ProjectOfRuns, keepsHowItsFiguresAreDrawn) {
   EXPECT_EQ(read("day.squat-project"), saved);
   const auto whole = [&] { return window->store().current() == 1 && window->store().at(1).fields == Fields::both; };
   ASSERT_TRUE(tests::passes(whole, 30000));
-  const SignalSettings& settings = window->signalsPanel()->settings();
+  const analysis::FigureSettings& settings = window->signalsPanel()->settings();
   EXPECT_EQ(settings.cutoff, 777);
-  EXPECT_DOUBLE_EQ(settings.from, -0.05);
-  EXPECT_DOUBLE_EQ(settings.to, 0.11);
+  EXPECT_DOUBLE_EQ(settings.section->from, -0.05);
+  EXPECT_DOUBLE_EQ(settings.section->to, 0.11);
   EXPECT_EQ(settings.window, "hamming");
-  EXPECT_EQ(settings.spectrum, plots::SpectrumScale::decibel);
+  EXPECT_EQ(settings.spectrum, analysis::SpectrumScale::decibel);
   EXPECT_EQ(settings.moment, 2);
   EXPECT_EQ(settings.segment, 96U);
   EXPECT_EQ(settings.hop, 7U);
@@ -339,8 +339,8 @@ TEST_F(ProjectOfRuns, keepsHowItsFiguresAreDrawn) {
   EXPECT_EQ(read("day.squat-project"), saved);
   // Another run is first seen with its own section, at its own impact.
   window->store().setCurrent(0);
-  EXPECT_DOUBLE_EQ(settings.from, -0.1);
-  EXPECT_DOUBLE_EQ(settings.to, 0.28);
+  EXPECT_DOUBLE_EQ(settings.section->from, -0.1);
+  EXPECT_DOUBLE_EQ(settings.section->to, 0.28);
   ASSERT_TRUE(tests::passes([&] { return window->store().at(0).fields == Fields::both; }, 30000));
   EXPECT_EQ(settings.moment, 1);
 }
@@ -349,14 +349,15 @@ TEST_F(ProjectOfRuns, keepsHowItsFiguresAreDrawn) {
 TEST_F(ProjectOfRuns, drawsNoFigureInAWayThatThereIsNot) {
   const auto window = open();
   SignalsPanel* panel = window->signalsPanel();
-  project::FigureChoices choices{1e12, -1e12, 1e12, "triangle", "cubic", "plaid", 1 << 30, 1U << 30U, 1U << 30U};
+  project::FigureViews views;
+  views.settings = {1e12, "triangle", {{-1e12, 1e12}}, {}, 1 << 30, 1U << 30U, 1U << 30U, "plaid"};
   const project::AxisRange range{1, 2, "furlong"};
-  choices.ranges = {{"portrait", range, range}, {"psd", range, range}};
-  panel->setChoices(choices, path("one.h5"));
+  views.ranges = {{"portrait", range, range}, {"psd", range, range}};
+  panel->setViews(views, path("one.h5"));
   EXPECT_EQ(panel->settings().cutoff, panel->findChild<QDoubleSpinBox*>("cutoff")->maximum());
-  EXPECT_EQ(panel->settings().from, 1e-3 * panel->findChild<QDoubleSpinBox*>("psdFrom")->minimum());
+  EXPECT_EQ(panel->settings().section->from, 1e-3 * panel->findChild<QDoubleSpinBox*>("psdFrom")->minimum());
   EXPECT_EQ(panel->settings().window, "hann");
-  EXPECT_EQ(panel->settings().spectrum, plots::SpectrumScale::linear);
+  EXPECT_EQ(panel->settings().spectrum, analysis::SpectrumScale::linear);
   EXPECT_EQ(panel->colourMap(), "viridis");
   EXPECT_LE(panel->settings().segment, 8192U);
   window->store().add({std::make_shared<results::RunResult>(tests::syntheticResult()), "run", path("one.h5"), false});

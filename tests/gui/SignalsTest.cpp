@@ -13,6 +13,7 @@
 #include <cmath>
 #include <set>
 
+#include "analysis/SignalViews.h"
 #include "gui/Hands.h"
 #include "plots/FigureRegistry.h"
 #include "render/SyntheticResult.h"
@@ -21,39 +22,10 @@
 #include "studio/signals/CursorPair.h"
 #include "studio/signals/FigureTable.h"
 #include "studio/signals/FigureView.h"
-#include "studio/signals/SignalSettings.h"
 #include "studio/signals/SignalsPanel.h"
 
 namespace squat::studio {
 namespace {
-
-TEST(Signals, aLowerCutoffTakesTheHighLineAway) {
-  std::string problem;
-  SignalSettings settings;
-  const auto wide = analysed(*tests::sharedSyntheticResult(), settings, problem);
-  ASSERT_TRUE(problem.empty()) << problem;
-  settings.cutoff = 500;
-  const auto narrow = analysed(*tests::sharedSyntheticResult(), settings, problem);
-  const auto powerNear = [](const results::RunResult& result, double frequency) {
-    double power = 0;
-    for (std::size_t i = 0; i < result.frequency.size(); ++i)
-      if (std::abs(result.frequency[i] - frequency) < 60) power += result.psd[i];
-    return power;
-  };
-  // Order 4 forward and back: an octave above the cut-off the power falls by 2^-16; 0.01 leaves room for leakage.
-  EXPECT_LT(powerNear(*narrow, 1000), 0.01 * powerNear(*wide, 1000));
-  EXPECT_GT(powerNear(*narrow, 300), 0.5 * powerNear(*wide, 300));
-}
-
-TEST(Signals, whatCannotBeDoneIsSaidAndTheOldStays) {
-  std::string problem;
-  SignalSettings settings;
-  settings.cutoff = 13000;  // above half of 25 kHz
-  const auto result = tests::sharedSyntheticResult();
-  const auto same = analysed(*result, settings, problem);
-  EXPECT_FALSE(problem.empty());
-  EXPECT_EQ(same->psd, result->psd);
-}
 
 // The low-pass has nothing to do with the stretch of the spectrum.
 TEST(Signals, aWrongStretchCostsTheSpectrumAlone) {
@@ -426,7 +398,7 @@ TEST(Signals, theTableOfAFigureHoldsWhatIsSeen) {
   ASSERT_EQ(row.size(), 3);
   EXPECT_NEAR(row[1].toDouble(), 1e3 * *first, 1e-9);
   std::string ignored;
-  const ResultPointer filtered = analysed(*run, panel.settings(), ignored);
+  const ResultPointer filtered = analysis::resultThrough(panel.settings(), *run, ignored);
   EXPECT_NEAR(row[2].toDouble(),
               (*filtered->signal("aba_filtered"))[static_cast<std::size_t>(first - run->position.begin())], 1e-6);
   const QByteArray map = figureTable(*panel.view("scalogram")->figure());

@@ -70,7 +70,7 @@ TEST(ProjectCompatibility, Schema3) {
   const auto project = readProject(path);
   ASSERT_NO_FATAL_FAILURE(expectTheWork(project));
   ASSERT_TRUE(project.figures);
-  EXPECT_EQ(project.figures->cutoff, 1250);
+  EXPECT_EQ(project.figures->settings.cutoff, 1250);
   EXPECT_TRUE(project.figures->ranges.empty());
   EXPECT_EQ(project.records.files, (std::vector<std::string>{frozen + "/records/day 1.csv", "/elsewhere/day 2.h5"}));
   EXPECT_EQ(project.records.seen.at(1).seenAs, "weld");

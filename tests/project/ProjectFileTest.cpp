@@ -46,7 +46,8 @@ Project everything(const std::string& folder) {
   project.reference = 1;
   project.notes = "First line\n\tsecond: µm, \\, \"quoted\"\n";
   project.views = {"profile", "psd"};
-  project.figures = {1250, -0.15, 0.3, "hamming", "third-octaves", "magma", 2, 256, 8};
+  project.figures =
+      FigureViews{{1250, "hamming", {{-0.15, 0.3}}, analysis::SpectrumScale::thirdOctaves, 2, 256, 8, "magma"}, {}};
   project.figures->ranges = {{"aba_position", {}, AxisRange{-50.5, 80, "m/s²"}},
                              {"psd", AxisRange{100, 2500, "Hz"}, AxisRange{1e-6, 0.25, "(m/s²)²/Hz"}}};
   project.runOrder = {"defect.depth", false, "mesh.preset", "Tiefe"};
@@ -93,9 +94,9 @@ TEST(ProjectFile, whatIsWrittenIsRead) {
   EXPECT_EQ(read.entries[1].reading.delimiter, ';');
   EXPECT_EQ(read.notes, project.notes);
   ASSERT_TRUE(read.figures);
-  EXPECT_EQ(read.figures->from, -0.15);
-  EXPECT_EQ(read.figures->scale, "third-octaves");
-  EXPECT_EQ(read.figures->moment, 2);
+  EXPECT_EQ(read.figures->settings.section->from, -0.15);
+  EXPECT_EQ(read.figures->settings.spectrum, analysis::SpectrumScale::thirdOctaves);
+  EXPECT_EQ(read.figures->settings.moment, 2);
   ASSERT_EQ(read.figures->ranges.size(), 2U);
   EXPECT_FALSE(read.figures->ranges[0].x);
   EXPECT_EQ(read.figures->ranges[0].y->low, -50.5);

@@ -9,7 +9,7 @@
 int main(int argc, char** argv) {
   squat::plots::ensureApplication(argc, argv);
   squat::plots::FigureRequest request;
-  if (argc > 2) request.colourMap = argv[2];
+  if (argc > 2) request.settings.colours = argv[2];
   std::vector<std::string> messages;
   for (const auto& path :
        squat::plots::renderFigures(squat::tests::syntheticResult(), argc > 1 ? argv[1] : ".", request, &messages))

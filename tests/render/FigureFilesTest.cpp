@@ -80,16 +80,16 @@ TEST_F(FigureFiles, aChosenSizeAndResolutionAreThoseOfTheFiles) {
 // In files as asked for, and no word of it is lost where the figure is not drawn.
 TEST_F(FigureFiles, theSpectrumHasTheScaleThatIsAskedFor) {
   plots::FigureRequest request{{"psd"}, {"svg"}};
-  const auto textOf = [&](plots::SpectrumScale scale) {
-    request.spectrum = scale;
+  const auto textOf = [&](analysis::SpectrumScale scale) {
+    request.settings.spectrum = scale;
     std::vector<std::string> messages;
     const auto paths = plots::renderFigures(tests::syntheticResult(), tests::freshFolder("scale"), request, &messages);
     EXPECT_THAT(messages, testing::IsEmpty());
     return contents(paths.at(0)).toStdString();
   };
-  EXPECT_THAT(textOf(plots::SpectrumScale::linear), HasSubstr("PSD [(m/s²)²/Hz]"));
-  EXPECT_THAT(textOf(plots::SpectrumScale::decibel), HasSubstr("PSD [dB re (1 µm/s²)²/Hz]"));
-  const auto octaves = textOf(plots::SpectrumScale::thirdOctaves);
+  EXPECT_THAT(textOf(analysis::SpectrumScale::linear), HasSubstr("PSD [(m/s²)²/Hz]"));
+  EXPECT_THAT(textOf(analysis::SpectrumScale::decibel), HasSubstr("PSD [dB re (1 µm/s²)²/Hz]"));
+  const auto octaves = textOf(analysis::SpectrumScale::thirdOctaves);
   EXPECT_THAT(octaves, HasSubstr("Level [dB re 1 µm/s²]"));
   EXPECT_THAT(octaves, HasSubstr(">1600<"));  // a nominal frequency at the axis
   request.figures = {"aba_time"};
@@ -105,9 +105,9 @@ TEST_F(FigureFiles, nothingIsCutAtTheSmallestSize) {
   auto paths = plots::renderFigures(tests::syntheticResult(), tests::freshFolder("smallest"), request);
   plots::FigureRequest spectrum{{"psd"}, {"png"}};
   spectrum.size = request.size;
-  for (const auto scale :
-       {plots::SpectrumScale::logarithmic, plots::SpectrumScale::decibel, plots::SpectrumScale::thirdOctaves}) {
-    spectrum.spectrum = scale;
+  for (const auto scale : {analysis::SpectrumScale::logarithmic, analysis::SpectrumScale::decibel,
+                           analysis::SpectrumScale::thirdOctaves}) {
+    spectrum.settings.spectrum = scale;
     const auto folder = tests::freshFolder("smallest-" + std::to_string(static_cast<int>(scale)));
     for (auto& path : plots::renderFigures(tests::syntheticResult(), folder, spectrum)) paths.push_back(path);
   }
@@ -205,8 +205,10 @@ TEST_F(FigureFiles, anEmptyResultYieldsNoFigureAndSaysSo) {
 
 TEST_F(FigureFiles, wrongNamesAreAllReportedBeforeAnythingIsWritten) {
   const std::string folder = tests::freshFolder("wrong");
+  plots::FigureRequest request{{"psd", "spectrum"}, {"gif"}};
+  request.settings.colours = "rainbow";
   try {
-    plots::renderFigures(tests::syntheticResult(), folder, {{"psd", "spectrum"}, {"gif"}, "rainbow"});
+    plots::renderFigures(tests::syntheticResult(), folder, request);
     FAIL() << "no error";
   } catch (const CaseError& error) {
     ASSERT_EQ(error.problems().size(), 3u);

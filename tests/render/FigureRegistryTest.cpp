@@ -125,14 +125,13 @@ TEST_F(FigureRegistry, overlaidRunsStandOnTheAxisOfTheShownOne) {
   const auto shown = tests::syntheticResult();
   auto other = std::make_shared<results::RunResult>(shown);
   for (double& time : other->time) time += 0.5;
-  FigureSettings settings;
   signals::PowerSpectrum spectrum;
   spectrum.frequency = other->frequency, spectrum.density = other->psd;
-  settings.overlays = {{other, spectrum, "earlier"}};
+  const std::vector<OverlaidRun> overlays{{other, spectrum, "earlier"}};
   for (const auto& row : figureRegistry()) {
     if (!row.overlay) continue;
     const auto alone = buildFigure(row, shown, lightStyle());
-    const auto both = buildFigure(row, shown, lightStyle(), settings);
+    const auto both = buildFigure(row, shown, lightStyle(), {}, overlays);
     ASSERT_EQ(both->graphCount(), alone->graphCount() + 1) << row.name;
     const auto* over = both->graph(both->graphCount() - 1);
     EXPECT_EQ(over->name(), "earlier") << row.name;

@@ -5,9 +5,9 @@
 #include <QByteArray>
 #include <memory>
 
+#include "analysis/FigureSettings.h"
 #include "plots/Figure.h"
 #include "plots/LineFigure.h"
-#include "plots/SpectrumScale.h"
 #include "results/RunResult.h"
 
 namespace squat::plots {
@@ -17,10 +17,11 @@ std::unique_ptr<Figure> abaPositionFigure(const results::RunResult& result, cons
 std::unique_ptr<Figure> abaTimeFigure(const results::RunResult& result, const Style& style);
 // `section` [m]: of the track, that the spectrum was computed from; 0: psdFrom to psdTo.
 std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style,
-                                  SpectrumScale scale = SpectrumScale::linear, double section = 0);
+                                  analysis::SpectrumScale scale = analysis::SpectrumScale::linear, double section = 0);
 // A density [(m/s2)2/Hz] over frequencies [Hz] as it is drawn in a scale, and the range of y that holds such curves.
-Curve spectrumCurve(const std::vector<double>& frequency, const std::vector<double>& density, SpectrumScale scale);
-void fitSpectrum(Figure& figure, SpectrumScale scale);
+Curve spectrumCurve(const std::vector<double>& frequency, const std::vector<double>& density,
+                    analysis::SpectrumScale scale);
+void fitSpectrum(Figure& figure, analysis::SpectrumScale scale);
 std::unique_ptr<Figure> scalogramFigure(const results::AnalysedRecord& result, const Style& style);
 // The same of an amplitude-normalised transform: a tone of amplitude 1 m/s2 gives 1 (m/s2)2.
 std::unique_ptr<Figure> amplitudeScalogramFigure(const results::AnalysedRecord& result, const Style& style);

@@ -9,9 +9,10 @@ namespace {
 
 using results::RunResult;
 
-void addOverlays(Figure& figure, const FigureRow& row, const RunResult& shown, const FigureSettings& settings) {
+void addOverlays(Figure& figure, const FigureRow& row, const RunResult& shown, const FigureSettings& settings,
+                 const std::vector<OverlaidRun>& overlays) {
   bool any = false;
-  for (const auto& run : settings.overlays) {
+  for (const auto& run : overlays) {
     Curve curve = row.overlay(run, shown, settings);
     if (curve.y.empty()) continue;
     curve.label = QString::fromStdString(run.label);
@@ -55,11 +56,11 @@ const FigureRow& figureRow(const std::string& name) {
 }
 
 std::unique_ptr<Figure> buildFigure(const FigureRow& row, const RunResult& result, const Style& style,
-                                    const FigureSettings& settings) {
+                                    const FigureSettings& settings, const std::vector<OverlaidRun>& overlays) {
   if (!row.build)
     throw CaseError({{"--figures", row.name, "a figure that is a plot", "The 3-D picture is written as PNG only"}});
   auto figure = row.build(result, style, settings);
-  if (row.overlay) addOverlays(*figure, row, result, settings);
+  if (row.overlay) addOverlays(*figure, row, result, settings, overlays);
   return figure;
 }
 

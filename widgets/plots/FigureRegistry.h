@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/FigureSettings.h"
 #include "case/CaseDeclaration.h"
 #include "plots/LineFigure.h"
-#include "plots/SpectrumScale.h"
 #include "signals/PowerSpectrum.h"
 
 namespace squat::plots {
@@ -33,14 +33,7 @@ struct OverlaidRun {
   QColor colour = {};
 };
 
-// What a viewer may choose; a file has the defaults.
-struct FigureSettings {
-  std::size_t segment = 128, hop = 0;  // [samples] of the short-time Fourier transform; hop 0: a 32nd of the segment
-  SpectrumScale spectrum = SpectrumScale::linear;
-  double section = 0;                 // [m] that the spectrum was computed from; 0: that of the result
-  int patch = -1;                     // index into the result's patches; -1: the impact
-  std::vector<OverlaidRun> overlays;  // drawn where the row has an overlay
-};
+using analysis::FigureSettings;
 
 struct FigureRow {
   std::string name;   // of the file and of the option: "contact_force"
@@ -76,9 +69,10 @@ const std::vector<FigureRow>& figureRegistry();
 // Throws CaseError (key --figures, with the names that there are) for an unknown name.
 const FigureRow& figureRow(const std::string& name);
 
-// As row.build, with the overlays of the settings. Throws CaseError for a row that is no plot.
+// As row.build, with other runs over it where the row has an overlay. The result has been through
+// analysis::resultThrough() where the settings are not those of the run. Throws CaseError for a row that is no plot.
 std::unique_ptr<Figure> buildFigure(const FigureRow& row, const results::RunResult& result, const Style& style,
-                                    const FigureSettings& settings = {});
+                                    const FigureSettings& settings = {}, const std::vector<OverlaidRun>& overlays = {});
 
 // "  psd              Power spectral density", a line for each row.
 std::string figureList();

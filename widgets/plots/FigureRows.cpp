@@ -61,13 +61,14 @@ void fitSpectra(Figure& figure, const FigureSettings& settings) { fitSpectrum(fi
 void fitForce(Figure& figure, const FigureSettings&) { fitWithZero(figure); }
 
 std::unique_ptr<Figure> spectrumFigure(const RunResult& result, const Style& style, const FigureSettings& settings) {
-  return psdFigure(result, style, settings.spectrum, settings.section);
+  return psdFigure(result, style, settings.spectrum,
+                   settings.section ? settings.section->to - settings.section->from : 0);
 }
 std::unique_ptr<Figure> patch(const RunResult& result, const Style& style, const FigureSettings& settings) {
-  return patchFigure(result, style, settings.patch);
+  return patchFigure(result, style, settings.moment);
 }
 QByteArray patchNumbers(const RunResult& result, const FigureSettings& settings) {
-  return patchTable(result, settings.patch);
+  return patchTable(result, settings.moment);
 }
 
 constexpr const char* kNeedsAcceleration = "Needs the signal aba_filtered, aba or wheel_acceleration_filtered.";

@@ -39,7 +39,7 @@ void check(const FigureRequest& request, const Fits& fits) {
     for (const auto& row : figureRegistry())
       if (row.name == problem.value) problem.advice = row.needs;
   checkAll("--format", request.formats, {"png", "svg", "pdf"}, problems);
-  checkAll("--colours", {request.colourMap}, colours::mapNames(), problems);
+  checkAll("--colours", {request.settings.colours}, colours::mapNames(), problems);
   if (!problems.empty()) throw CaseError(problems);
 }
 
@@ -72,30 +72,29 @@ std::vector<std::string> renderFigures(const results::RunResult& result, const s
   checkRequest(request, result);
   makeFolder(folder);
   Style style = lightStyle();
-  style.colourMap = request.colourMap;
+  style.colourMap = request.settings.colours;
   std::vector<std::string> written;
   const auto say = [&](const std::string& message) {
     if (messages) messages->push_back(message);
   };
   const auto names = request.figures.empty() ? namesWhere(applies) : request.figures;
   if (names.empty()) say("no figure drawn: the result holds nothing that could be shown");
-  if (request.spectrum != SpectrumScale::linear && std::find(names.begin(), names.end(), "psd") == names.end())
+  if (request.settings.spectrum != analysis::SpectrumScale::linear &&
+      std::find(names.begin(), names.end(), "psd") == names.end())
     say("--spectrum has no effect: it is the scale of the figure psd, which is not drawn");
   for (const auto& name : names) {
     const auto& row = figureRow(name);
     const std::string stem = (std::filesystem::path(folder) / name).string();
     if (row.kind == FigureKind::model) {
       const scene::ModelPictureOutcome outcome =
-          scene::writeModelPicture(result, request.colourMap, stem + ".png", modelSize(request.size));
+          scene::writeModelPicture(result, request.settings.colours, stem + ".png", modelSize(request.size));
       if (outcome.written)
         written.push_back(stem + ".png");
       else
         say("figure " + name + " not drawn: " + outcome.reason);
       continue;
     }
-    FigureSettings settings;
-    settings.spectrum = request.spectrum;
-    const std::unique_ptr<Figure> figure = buildFigure(row, result, style, settings);
+    const std::unique_ptr<Figure> figure = buildFigure(row, result, style, request.settings);
     if (request.size.width > 0) figure->setPrintedSize({request.size.width, request.size.height});
     for (const auto& format : request.formats) {
       writeFigure(*figure, format, stem + "." + format, {}, request.size.resolution);

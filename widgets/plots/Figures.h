@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/FigureSettings.h"
 #include "case/CaseDeclaration.h"
 #include "plots/PrintedSize.h"
-#include "plots/SpectrumScale.h"
 #include "results/RunResult.h"
 #include "scene/ModelPicture.h"
 
@@ -15,9 +15,8 @@ namespace squat::plots {
 struct FigureRequest {
   std::vector<std::string> figures;                       // empty: all that the result has something for
   std::vector<std::string> formats{"png", "svg", "pdf"};  // the 3-D picture comes as png whatever stands here
-  std::string colourMap = "viridis";                      // or "cividis", "jet"
+  analysis::FigureSettings settings = {};
   PrintedSize size = {};
-  SpectrumScale spectrum = SpectrumScale::linear;
 };
 
 // Throws CaseError for unknown names of figures, formats and colours and, where a case is given, for figures that a run

@@ -28,10 +28,10 @@ std::vector<signals::SpectralPeak> linesOf(const results::AnalysedRecord& result
 double levelOf(double value) { return value > 0 ? 10 * std::log10(value / (reference * reference)) : NAN; }
 
 // Labels of near lines of about the same height stand back to back, so that they do not touch.
-void addLineLabels(Figure& figure, const std::vector<signals::SpectralPeak>& lines, SpectrumScale scale) {
-  const bool decades = scale == SpectrumScale::logarithmic;
+void addLineLabels(Figure& figure, const std::vector<signals::SpectralPeak>& lines, analysis::SpectrumScale scale) {
+  const bool decades = scale == analysis::SpectrumScale::logarithmic;
   const auto drawn = [&](const signals::SpectralPeak& line) {
-    return scale == SpectrumScale::decibel ? levelOf(line.density) : line.density;
+    return scale == analysis::SpectrumScale::decibel ? levelOf(line.density) : line.density;
   };
   const auto height = [&](double value) { return decades ? std::log10(value) : value; };
   const QCPRange range = figure.yAxis->range();
@@ -47,14 +47,14 @@ void addLineLabels(Figure& figure, const std::vector<signals::SpectralPeak>& lin
   }
 }
 
-QString labelOf(SpectrumScale scale) {
+QString labelOf(analysis::SpectrumScale scale) {
   switch (scale) {
-    case SpectrumScale::decibel:
+    case analysis::SpectrumScale::decibel:
       return QStringLiteral("PSD [dB re (1 µm/s²)²/Hz]");
-    case SpectrumScale::thirdOctaves:
+    case analysis::SpectrumScale::thirdOctaves:
       return QStringLiteral("Level [dB re 1 µm/s²]");
-    case SpectrumScale::linear:
-    case SpectrumScale::logarithmic:
+    case analysis::SpectrumScale::linear:
+    case analysis::SpectrumScale::logarithmic:
       break;
   }
   return QStringLiteral("PSD [(m/s²)²/Hz]");
@@ -130,23 +130,24 @@ void setOctaveAxis(Figure& figure, const results::AnalysedRecord& result, double
 
 }  // namespace
 
-Curve spectrumCurve(const std::vector<double>& frequency, const std::vector<double>& density, SpectrumScale scale) {
-  if (scale == SpectrumScale::thirdOctaves) return octaveCurve(frequency, density);
+Curve spectrumCurve(const std::vector<double>& frequency, const std::vector<double>& density,
+                    analysis::SpectrumScale scale) {
+  if (scale == analysis::SpectrumScale::thirdOctaves) return octaveCurve(frequency, density);
   Curve curve;
   curve.x = frequency;
   curve.y = density;
   for (double& value : curve.y) {
-    if (scale == SpectrumScale::decibel) value = levelOf(value);
-    if (scale == SpectrumScale::logarithmic && !(value > 0)) value = NAN;
+    if (scale == analysis::SpectrumScale::decibel) value = levelOf(value);
+    if (scale == analysis::SpectrumScale::logarithmic && !(value > 0)) value = NAN;
   }
   return curve;
 }
 
-void fitSpectrum(Figure& figure, SpectrumScale scale) {
-  if (scale == SpectrumScale::linear) return fitDensity(figure);
+void fitSpectrum(Figure& figure, analysis::SpectrumScale scale) {
+  if (scale == analysis::SpectrumScale::linear) return fitDensity(figure);
   fitValues(figure, 0);
   const double top = figure.yAxis->range().upper;
-  if (scale == SpectrumScale::logarithmic) {
+  if (scale == analysis::SpectrumScale::logarithmic) {
     const double highest = top > 0 ? top : 1;
     setDecadeTicks(*figure.yAxis, *figure.yAxis2, QSharedPointer<QCPAxisTickerLog>::create());
     figure.yAxis->setNumberFormat("eb");  // powers of ten
@@ -160,8 +161,8 @@ void fitSpectrum(Figure& figure, SpectrumScale scale) {
   figure.yAxis2->setRange(figure.yAxis->range());
 }
 
-std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style, SpectrumScale scale,
-                                  double section) {
+std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const Style& style,
+                                  analysis::SpectrumScale scale, double section) {
   auto figure = std::make_unique<Figure>("psd", style);
   figure->xAxis->setLabel("Frequency [Hz]");
   figure->yAxis->setLabel(labelOf(scale));
@@ -181,7 +182,7 @@ std::unique_ptr<Figure> psdFigure(const results::AnalysedRecord& result, const S
   const double top =
       result.frequency.empty() ? highestShownFrequency : std::min(highestShownFrequency, result.frequency.back());
   figure->xAxis->setRange(0, std::max(top, 1.0));
-  const bool octaves = scale == SpectrumScale::thirdOctaves;
+  const bool octaves = scale == analysis::SpectrumScale::thirdOctaves;
   if (octaves && isThere) setOctaveAxis(*figure, result, section);
   fitSpectrum(*figure, scale);
   if (!octaves) addLineLabels(*figure, linesOf(result), scale);

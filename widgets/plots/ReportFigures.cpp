@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <exception>
 
+#include "analysis/SignalViews.h"
 #include "plots/FigureFiles.h"
 #include "plots/FigureRegistry.h"
 #include "plots/Figures.h"
-#include "signals/Features.h"
-#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -20,10 +19,9 @@ constexpr int objectType = QTextFormat::UserObject, indexProperty = QTextFormat:
 
 // Over the section of the run that is shown; empty where a signal does not reach as far.
 signals::PowerSpectrum spectrumOf(const signals::Record& record, const results::RunResult& shown) {
+  const auto window = shown.psdWindow.substr(0, shown.psdWindow.find(','));  // "hann, 183 samples, ..."
   try {
-    const auto window = shown.psdWindow.substr(0, shown.psdWindow.find(','));  // "hann, 183 samples, ..."
-    return signals::stretchSpectrum(signals::passageOf(record, signals::names::axleBoxFiltered), shown.psdFrom,
-                                    shown.psdTo, signals::windowFromText(window));
+    return analysis::sectionSpectrum(record, {shown.psdFrom, shown.psdTo}, window);
   } catch (const std::exception&) {
     return {};
   }
@@ -73,16 +71,17 @@ std::vector<std::unique_ptr<Figure>> reportPlots(const project::Report& report, 
   std::vector<std::unique_ptr<Figure>> plots;
   if (report.shown < 0) return plots;
   const auto& shown = *report.signals.at(static_cast<std::size_t>(report.shown)).result;
-  checkRequest({options.figures, {"pdf"}, options.colourMap, {}}, shown);
+  FigureSettings settings;
+  settings.colours = options.colourMap;
+  checkRequest({options.figures, {"pdf"}, settings, {}}, shown);
   Style style = lightStyle();
   style.colourMap = options.colourMap;
-  FigureSettings settings;
-  settings.overlays = overlaysOf(report, shown);
+  const auto overlays = overlaysOf(report, shown);
   for (const auto& row : figureRegistry()) {
     const auto& names = options.figures;
     const bool asked = names.empty() || std::find(names.begin(), names.end(), row.name) != names.end();
     if (row.kind == FigureKind::plot && asked && row.applies(shown))
-      plots.push_back(buildFigure(row, shown, style, settings));
+      plots.push_back(buildFigure(row, shown, style, settings, overlays));
   }
   return plots;
 }

@@ -1,42 +1,41 @@
 #include "studio/signals/SignalFigures.h"
 
+#include "analysis/SignalViews.h"
 #include "signals/SignalError.h"
 #include "studio/signals/PeakMarks.h"
 
 namespace squat::studio {
 
-plots::FigureSettings figureSettings(const plots::FigureRow& row, const std::vector<StoredRun>& overlays,
-                                     const SignalSettings& settings) {
-  plots::FigureSettings chosen;
-  chosen.segment = settings.segment;
-  chosen.hop = settings.hop;
-  chosen.spectrum = settings.spectrum;
-  chosen.section = settings.to - settings.from;
-  chosen.patch = settings.moment;
-  if (!row.overlay) return chosen;
-  for (const StoredRun& run : overlays) {
+namespace {
+
+std::vector<plots::OverlaidRun> seenThrough(const analysis::FigureSettings& settings, const results::RunResult& shown,
+                                            const std::vector<StoredRun>& runs) {
+  std::vector<plots::OverlaidRun> overlays;
+  for (const StoredRun& run : runs) {
     auto record = std::make_shared<signals::Record>(*run.record);
     signals::PowerSpectrum spectrum;
     try {
-      filterAnew(*record, settings);
-      spectrum = spectrumOf(*record, settings);
+      analysis::filterPartners(*record, settings.cutoff);
+      spectrum = analysis::sectionSpectrum(
+          *record, settings.section.value_or(analysis::Section{shown.psdFrom, shown.psdTo}), settings.window);
     } catch (const signals::SignalError&) {
       // Shown as it was recorded, and without a spectrum.
     }
-    chosen.overlays.push_back({std::move(record), std::move(spectrum),
-                               project::nameWithGain(run.label.toStdString(), run.reading), run.colourIndex,
-                               run.colour});
+    overlays.push_back({std::move(record), std::move(spectrum),
+                        project::nameWithGain(run.label.toStdString(), run.reading), run.colourIndex, run.colour});
   }
-  return chosen;
+  return overlays;
 }
 
+}  // namespace
+
 std::unique_ptr<plots::Figure> signalFigure(const std::string& name, const results::RunResult& shown,
-                                            const std::vector<StoredRun>& overlays, const SignalSettings& settings,
-                                            const plots::Style& style) {
+                                            const std::vector<StoredRun>& overlays,
+                                            const analysis::FigureSettings& settings, const plots::Style& style) {
   const plots::FigureRow& row = plots::figureRow(name);
-  const auto chosen = figureSettings(row, overlays, settings);
-  auto figure = row.drawsScalogram ? plots::buildFigure(row, *withScalogram(shown), style, chosen)
-                                   : plots::buildFigure(row, shown, style, chosen);
+  const auto over = row.overlay ? seenThrough(settings, shown, overlays) : std::vector<plots::OverlaidRun>();
+  auto figure = row.drawsScalogram ? plots::buildFigure(row, *analysis::withScalogram(shown), style, settings, over)
+                                   : plots::buildFigure(row, shown, style, settings, over);
   const auto unit = QString::fromStdString(plots::unitOf(row.axis));
   if (row.marks == plots::FigureMarks::extremes && row.applies(shown)) markExtremes(*figure, unit);
   if (row.marks == plots::FigureMarks::lines) markLines(*figure, unit);

@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "analysis/SignalViews.h"
 #include "case/CaseFile.h"
 #include "case/Resolve.h"
 #include "colours/ColourTables.h"
@@ -26,6 +27,7 @@
 #include "plots/FigureRegistry.h"
 #include "plots/Figures.h"
 #include "plots/Overlays.h"
+#include "plots/ShownStretch.h"
 #include "scene/ModelPicture.h"
 #include "studio/common/EditorHabits.h"
 #include "studio/common/FigureSizeDialog.h"
@@ -73,6 +75,8 @@ bool SignalsPanel::isLinked(const QString& name) {
 
 SignalsPanel::SignalsPanel(RunStore& store, const plots::Style& style, QWidget* parent)
     : QWidget(parent), store_(store), style_(style) {
+  settings_.section = {-plots::shownBefore, plots::shownAfter};
+  settings_.hop = settings_.segment / 32;
   tabs_ = new QTabWidget(this);
   tabs_->setDocumentMode(true);
   tabs_->setAccessibleName(tr("Signal figures"));
@@ -206,9 +210,10 @@ QWidget* SignalsPanel::makePage(const plots::FigureRow& row, FigureView* view) {
     window_ = choice(tr("Window function of the spectrum"), {"hann", "hamming", "blackman", "boxcar"});
     connect(window_, &QComboBox::currentIndexChanged, this, &SignalsPanel::update);
     flow->addTogether({new QLabel(tr("Window")), window_});
-    from_ =
-        number(tr("Start of the section that the spectrum is computed from"), "mm", -5000, 5000, settings_.from * 1e3);
-    to_ = number(tr("End of the section that the spectrum is computed from"), "mm", -5000, 5000, settings_.to * 1e3);
+    from_ = number(tr("Start of the section that the spectrum is computed from"), "mm", -5000, 5000,
+                   settings_.section->from * 1e3);
+    to_ = number(tr("End of the section that the spectrum is computed from"), "mm", -5000, 5000,
+                 settings_.section->to * 1e3);
     from_->setObjectName("psdFrom");
     to_->setObjectName("psdTo");
     for (QDoubleSpinBox* box : {from_, to_}) connect(box, &QDoubleSpinBox::valueChanged, this, &SignalsPanel::update);
@@ -317,14 +322,13 @@ void SignalsPanel::update() {
   settings_.hop = static_cast<std::size_t>(hop_->value());
   settings_.cutoff = cutoff_->value();
   settings_.window = window_->currentText().toStdString();
-  settings_.spectrum = static_cast<plots::SpectrumScale>(spectrum_->currentIndex());
-  settings_.from = from_->value() * 1e-3;
-  settings_.to = to_->value() * 1e-3;
-  style_.colourMap = map_->currentText().toStdString();
+  settings_.spectrum = static_cast<analysis::SpectrumScale>(spectrum_->currentIndex());
+  settings_.section = {from_->value() * 1e-3, to_->value() * 1e-3};
+  style_.colourMap = settings_.colours = map_->currentText().toStdString();
   const ResultPointer current = store_.currentResult();
   std::string problem;
-  shown_ =
-      current ? analysed(*current, settings_, problem) : noRun(tr("No results yet: press F5 to run, or open a result"));
+  shown_ = current ? analysis::resultThrough(settings_, *current, problem)
+                   : noRun(tr("No results yet: press F5 to run, or open a result"));
   problem_->setText(QString::fromStdString(problem));
   problem_->setVisible(!problem.empty());
   exportAll_->setEnabled(current || !store_.overlays().empty());
@@ -361,7 +365,7 @@ void SignalsPanel::rebuild(const QString& name) {
   linking_ = true;
   try {
     views_[name]->show(signalFigure(row.name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
-                       row.table ? row.table(*shown_, figureSettings(row, {}, settings_)) : QByteArray());
+                       row.table ? row.table(*shown_, settings_) : QByteArray());
   } catch (const std::exception& error) {  // a signal that cannot be analysed costs its figure, not the session
     problem_->setText(QString::fromStdString(error.what()));
     problem_->show();

@@ -5,10 +5,10 @@
 #include <map>
 #include <optional>
 
+#include "analysis/FigureSettings.h"
 #include "plots/FigureRegistry.h"
 #include "plots/PrintedSize.h"
 #include "studio/runs/RunStore.h"
-#include "studio/signals/SignalSettings.h"
 
 class QCheckBox;
 class QComboBox;
@@ -40,11 +40,11 @@ class SignalsPanel : public QWidget {
   std::string colourMap() const { return style_.colourMap; }
   FigureView* view(const QString& name) const { return views_.contains(name) ? views_.at(name) : nullptr; }
   FigureView* currentView() const { return view(currentTab()); }
-  const SignalSettings& settings() const { return settings_; }
+  const analysis::FigureSettings& settings() const { return settings_; }
   // As a project keeps them, with what is enlarged. `run`: the file of the run that they were chosen for, which may
   // still have to be read.
-  project::FigureChoices choices() const;
-  void setChoices(const project::FigureChoices& choices, const QString& run);
+  project::FigureViews views() const;
+  void setViews(const project::FigureViews& views, const QString& run);
   // Every figure of the run as it is zoomed, in every format, and the curves as CSV; the 3-D picture as PNG. Returns
   // the files. Throws FileError.
   QStringList exportAll(const QString& folder);          // replaces what stands there
@@ -81,7 +81,7 @@ class SignalsPanel : public QWidget {
 
   RunStore& store_;
   plots::Style style_;
-  SignalSettings settings_;
+  analysis::FigureSettings settings_;
   plots::PrintedSize size_;
   ResultPointer shown_;
   std::weak_ptr<const results::RunResult> momentsOf_;  // whose patches the slider shows

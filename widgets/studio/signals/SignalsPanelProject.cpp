@@ -79,32 +79,31 @@ void showRange(FigureView& view, const project::FigureRange& kept) {
 
 }  // namespace
 
-project::FigureChoices SignalsPanel::choices() const {
-  SignalSettings settings = settings_;
-  if (waitingMoment_ >= 0) settings.moment = waitingMoment_;
-  auto choices = choicesOf(settings, style_.colourMap);
+project::FigureViews SignalsPanel::views() const {
+  project::FigureViews views{settings_, {}};
+  if (waitingMoment_ >= 0) views.settings.moment = waitingMoment_;
   for (const auto& [name, view] : views_) {
     const auto waiting = waitingRanges_.find(name);
     auto range = waiting == waitingRanges_.end() ? keptRange(name, *view) : waiting->second;
     if (linked_ && isLinked(name) && name != linkedFrom_) range.x.reset();  // it follows the one that was zoomed
-    if (range.x || range.y) choices.ranges.push_back(std::move(range));
+    if (range.x || range.y) views.ranges.push_back(std::move(range));
   }
-  return choices;
+  return views;
 }
 
-void SignalsPanel::setChoices(const project::FigureChoices& choices, const QString& run) {
-  const SignalSettings settings = settingsOf(choices);
+void SignalsPanel::setViews(const project::FigureViews& views, const QString& run) {
+  const auto& settings = views.settings;
   const std::initializer_list<QWidget*> controls{cutoff_, map_, window_, from_, to_, spectrum_, segment_, hop_};
   for (QWidget* each : controls) each->blockSignals(true);
   cutoff_->setValue(settings.cutoff);
-  map_->setCurrentText(QString::fromStdString(choices.colours));
+  map_->setCurrentText(QString::fromStdString(settings.colours));
   window_->setCurrentText(QString::fromStdString(settings.window));
-  from_->setValue(settings.from * 1e3), to_->setValue(settings.to * 1e3);
+  if (const auto& section = settings.section) from_->setValue(section->from * 1e3), to_->setValue(section->to * 1e3);
   spectrum_->setCurrentIndex(static_cast<int>(settings.spectrum));
   segment_->setValue(static_cast<int>(settings.segment)), hop_->setValue(static_cast<int>(settings.hop));
   for (QWidget* each : controls) each->blockSignals(false);
   forgetRanges();
-  for (const auto& range : choices.ranges)
+  for (const auto& range : views.ranges)
     if (const QString name = QString::fromStdString(range.figure); views_.contains(name)) waitingRanges_[name] = range;
   windowOf_ = run, waitingMoment_ = settings.moment;
   update();

@@ -129,7 +129,7 @@ project::Project MainWindow::work() const {
   listRuns(store_, project);
   project.notes = notes_->toPlainText().toStdString();
   for (const QString& name : shownTabs()) project.views.push_back(name.toStdString());
-  project.figures = signals_->choices();
+  project.figures = signals_->views();
   project.records = longRecords();
   project.records.digests = recordWatch_->digestsOf(project.records.files);
   project.runOrder = runs_->order();
@@ -229,7 +229,7 @@ void MainWindow::showProject(const project::Project& project) {
   if (project.figures) {
     const bool isRun = project.current >= 0;
     const std::string run = isRun ? project.entries.at(static_cast<std::size_t>(project.current)).path : std::string();
-    signals_->setChoices(*project.figures, QString::fromStdString(run));
+    signals_->setViews(*project.figures, QString::fromStdString(run));
   }
   showRecords(project.records);
   runs_->setOrder(project.runOrder);

@@ -1,16 +1,17 @@
-#include "studio/signals/SignalSettings.h"
+#include "analysis/SignalViews.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "analysis/Maps.h"
 #include "signals/Butterworth.h"
 #include "signals/Features.h"
 #include "signals/Resample.h"
-#include "signals/SignalCatalogue.h"
 #include "signals/SignalError.h"
 
-namespace squat::studio {
+namespace squat::analysis {
 namespace {
 
 void filter(signals::Record& record, const char* raw, const char* filtered, double cutoff) {
@@ -35,53 +36,35 @@ void requireSamples(const signals::Record& record, double from, double to) {
 
 }  // namespace
 
-project::FigureChoices choicesOf(const SignalSettings& settings, const std::string& colours) {
-  const std::string scale(plots::spectrumScaleNames.at(static_cast<std::size_t>(settings.spectrum)));
-  return {settings.cutoff, settings.from,   settings.to,      settings.window, scale,
-          colours,         settings.moment, settings.segment, settings.hop};
-}
-
-SignalSettings settingsOf(const project::FigureChoices& choices) {
-  const auto& names = plots::spectrumScaleNames;
-  const auto scale = std::find(names.begin(), names.end(), choices.scale);
-  SignalSettings settings;
-  settings.cutoff = choices.cutoff;
-  settings.window = choices.window;
-  settings.from = choices.from, settings.to = choices.to;
-  if (scale != names.end()) settings.spectrum = static_cast<plots::SpectrumScale>(scale - names.begin());
-  settings.moment = choices.moment;
-  settings.segment = choices.segment, settings.hop = choices.hop;
-  return settings;
-}
-
-void filterAnew(signals::Record& record, const SignalSettings& settings) {
+void filterPartners(signals::Record& record, double cutoff) {
   for (const auto& row : signals::signalCatalogue())
-    if (row.filteredName) filter(record, row.name, row.filteredName, settings.cutoff);
+    if (row.filteredName) filter(record, row.name, row.filteredName, cutoff);
 }
 
-signals::PowerSpectrum spectrumOf(const signals::Record& record, const SignalSettings& settings,
-                                  const std::string& channel) {
-  requireSamples(record, settings.from, settings.to);
-  return signals::stretchSpectrum(signals::passageOf(record, channel), settings.from, settings.to,
-                                  signals::windowFromText(settings.window));
+signals::PowerSpectrum sectionSpectrum(const signals::Record& record, const Section& section, const std::string& window,
+                                       const std::string& channel) {
+  requireSamples(record, section.from, section.to);
+  return signals::stretchSpectrum(signals::passageOf(record, channel), section.from, section.to,
+                                  signals::windowFromText(window));
 }
 
-std::shared_ptr<const results::RunResult> analysed(const results::RunResult& result, const SignalSettings& settings,
-                                                   std::string& problem) {
+std::shared_ptr<const results::RunResult> resultThrough(const FigureSettings& settings,
+                                                        const results::RunResult& result, std::string& problem) {
   auto changed = std::make_shared<results::RunResult>(result);
   problem.clear();
   try {
-    filterAnew(*changed, settings);
+    filterPartners(*changed, settings.cutoff);
   } catch (const signals::SignalError& error) {
     problem = error.what();
     return std::make_shared<const results::RunResult>(result);
   }
   if (!changed->channel(signals::names::axleBoxFiltered) || changed->time.size() < 2) return changed;
   try {
-    auto box = spectrumOf(*changed, settings);
+    const Section section = settings.section.value_or(Section{result.psdFrom, result.psdTo});
+    auto box = sectionSpectrum(*changed, section, settings.window);
     std::vector<double> wheel;
     if (changed->channel(signals::names::wheelFiltered))
-      wheel = spectrumOf(*changed, settings, signals::names::wheelFiltered).density;
+      wheel = sectionSpectrum(*changed, section, settings.window, signals::names::wheelFiltered).density;
     changed->frequency = std::move(box.frequency);
     changed->psd = std::move(box.density);
     changed->psdWheel = std::move(wheel);
@@ -103,7 +86,7 @@ std::shared_ptr<const results::RunResult> withScalogram(const results::RunResult
     options.cell = 0;
     std::vector<std::string> notes;
     signals::Scalogram scalogram =
-        analysis::scalogramMap(signals::seriesOf(*changed, signals::names::axleBoxFiltered), options, notes);
+        scalogramMap(signals::seriesOf(*changed, signals::names::axleBoxFiltered), options, notes);
     changed->scalogramFrequency = std::move(scalogram.frequency);
     changed->scalogramTime = std::move(scalogram.time);
     changed->scalogramPower = std::move(scalogram.power);
@@ -117,4 +100,4 @@ std::shared_ptr<const results::RunResult> withScalogram(const results::RunResult
   return changed;
 }
 
-}  // namespace squat::studio
+}  // namespace squat::analysis
