@@ -1,5 +1,5 @@
-// solver/signals/SignalCatalogue.h - the signals of a run, one row each: name in files, unit, what it is, and the
-// low-passed partner that is stored beside it.
+// solver/signals/SignalCatalogue.h - the signals of a run, one row each: name in files, unit, what it is, the
+// low-passed partner that is stored beside it, and the figure that it is drawn in.
 #pragma once
 
 #include <vector>
@@ -26,14 +26,29 @@ inline constexpr const char* irregularity = "irregularity";
 inline constexpr const char* position = "position";
 }  // namespace names
 
+// A signal as a curve against the wheel's position. Rows that name the same figure share it; the first of them says
+// what the figure is.
+struct SignalCurve {
+  const char* figure = nullptr;  // name of the figure and of its file; null: none
+  const char* label = "";        // in the legend, where several curves share the figure
+  bool front = false;            // drawn thicker, before the others
+  const char* tab = "";          // the figure's short heading
+  const char* title = "";        // in words
+  const char* axis = "";         // "Force on the rail [kN]"
+  double factor = 1;             // from SI to the unit of the axis
+  bool withZero = false;         // the range of the axis holds zero
+};
+
 struct CatalogueRow {
   const char* name;
   const char* unit;
   const char* description;
   const char* filteredName = nullptr;  // also stored low-passed at output.filter_cutoff under this name
+  SignalCurve curve = {};
 };
 
-// In the order in which results store them. To add a signal, add its row here and its probe in simulation/Signals.cpp.
+// In the order in which results store them. To add a signal with its figure, add its row here and its probe in
+// simulation/Signals.cpp.
 const std::vector<CatalogueRow>& signalCatalogue();
 
 // The filtered partner: Butterworth of order 4 forward and back. A series that is too short for it, or sampled too

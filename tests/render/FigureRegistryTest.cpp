@@ -16,6 +16,7 @@
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "render/WithoutDisplay.h"
+#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -118,6 +119,30 @@ TEST_F(FigureRegistry, settingsReachTheShortTimeTransform) {
   };
   EXPECT_NEAR(begins(128), -100, 1.2);
   EXPECT_NEAR(begins(256), -200 + 1.2 * 128, 1.2);
+}
+
+// A signal of the catalogue that names a figure is drawn in it, in the unit of its axis, and laid over other runs.
+TEST_F(FigureRegistry, signalsOfTheCatalogueAreDrawnInTheirFigures) {
+  const auto result = tests::syntheticResult();
+  int drawn = 0;
+  for (const auto& row : signals::signalCatalogue()) {
+    if (!row.curve.figure) continue;
+    const auto& figureOfIt = figureRow(row.curve.figure);
+    EXPECT_TRUE(figureOfIt.needs.find(row.name) != std::string::npos || *row.curve.tab == 0) << row.name;
+    const auto figure = figureOfIt.build(result, lightStyle(), {});
+    const auto& values = *result.signal(row.name);
+    const auto middle = static_cast<int>(values.size() / 2);
+    bool found = false;
+    for (int g = 0; g < figure->graphCount(); ++g) {
+      if (figure->graph(g)->name() != row.curve.label) continue;
+      found = true;
+      EXPECT_DOUBLE_EQ(figure->graph(g)->data()->at(middle)->value,
+                       row.curve.factor * values[static_cast<std::size_t>(middle)]);
+    }
+    EXPECT_TRUE(found) << row.name;
+    ++drawn;
+  }
+  EXPECT_EQ(drawn, 4);  // two forces, two accelerations beside the track
 }
 
 // The same run begun half a second earlier, laid over itself in time: the wheels pass the defect together.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,24 +44,26 @@ struct FigureRow {
   FigureKind kind = FigureKind::plot;
 
   // Whether the result holds what the figure shows.
-  bool (*applies)(const results::RunResult& result) = nullptr;
+  std::function<bool(const results::RunResult& result)> applies = nullptr;
   // Whether a run of the case will; null: any run.
-  bool (*expected)(const cases::CaseDescription& description) = nullptr;
+  std::function<bool(const cases::CaseDescription& description)> expected = nullptr;
   // Null for the model. A result that it does not apply to yields the figure with a notice in it.
-  std::unique_ptr<Figure> (*build)(const results::RunResult& result, const Style& style,
-                                   const FigureSettings& settings) = nullptr;
+  std::function<std::unique_ptr<Figure>(const results::RunResult& result, const Style& style,
+                                        const FigureSettings& settings)>
+      build = nullptr;
 
   // Another run over the one that is shown, on its axis; without points where that run lacks it. Null: no overlays.
-  Curve (*overlay)(const OverlaidRun& other, const results::RunResult& shown, const FigureSettings&) = nullptr;
+  std::function<Curve(const OverlaidRun& other, const results::RunResult& shown, const FigureSettings&)> overlay =
+      nullptr;
   // Range of y once other runs lie in it; null: fitValues().
-  void (*fit)(Figure& figure, const FigureSettings& settings) = nullptr;
+  std::function<void(Figure& figure, const FigureSettings& settings)> fit = nullptr;
 
   FigureAxis axis = FigureAxis::wheelPosition;
   FigureMarks marks = FigureMarks::none;
   FigureControl control = FigureControl::none;
   bool drawsScalogram = false;  // a viewer that filters anew computes the scalogram anew before it builds
   // The numbers as CSV where they are more than the curves; null: the curves alone.
-  QByteArray (*table)(const results::RunResult& result, const FigureSettings& settings) = nullptr;
+  std::function<QByteArray(const results::RunResult& result, const FigureSettings& settings)> table = nullptr;
 };
 
 // In the order of tabs and of help. Names are unique.

@@ -1,5 +1,8 @@
 // The rows of the registry: one for each figure of a run.
+#include <algorithm>
+
 #include "case/CaseDescription.h"
+#include "plots/CatalogueFigure.h"
 #include "plots/FigureBuilders.h"
 #include "plots/FigureRegistry.h"
 #include "plots/Overlays.h"
@@ -32,11 +35,7 @@ bool hasShortTime(const RunResult& result) {
   return values && values->size() == result.time.size() && values->size() > FigureSettings{}.segment;
 }
 bool hasScalogram(const RunResult& result) { return !result.scalogramPower.empty(); }
-bool hasForce(const RunResult& result) { return result.signal(signals::names::contactForce) != nullptr; }
 bool hasPatch(const RunResult& result) { return shownPatch(result) != nullptr; }
-bool hasTrackside(const RunResult& result) {
-  return result.signal(signals::names::rail) || result.signal(signals::names::sleeper);
-}
 bool hasProfile(const RunResult& result) { return !result.profilePosition.empty(); }
 bool hasPlasticFlow(const RunResult& result) { return !result.permanent.empty(); }
 bool hasSurface(const RunResult& result) { return !result.surface.quads.empty(); }
@@ -48,17 +47,10 @@ Curve boxAgainstPosition(const OverlaidRun& other, const RunResult&, const Figur
 Curve boxAgainstTime(const OverlaidRun& other, const RunResult& shown, const FigureSettings&) {
   return againstTime(*other.record, shown, signals::names::axleBoxFiltered);
 }
-Curve forceAgainstPosition(const OverlaidRun& other, const RunResult&, const FigureSettings&) {
-  return againstPosition(*other.record, signals::names::contactForce, 1e-3);
-}
-Curve railAgainstPosition(const OverlaidRun& other, const RunResult&, const FigureSettings&) {
-  return againstPosition(*other.record, signals::names::rail);
-}
 Curve spectrum(const OverlaidRun& other, const RunResult&, const FigureSettings& settings) {
   return spectrumCurve(other.spectrum.frequency, other.spectrum.density, settings.spectrum);
 }
 void fitSpectra(Figure& figure, const FigureSettings& settings) { fitSpectrum(figure, settings.spectrum); }
-void fitForce(Figure& figure, const FigureSettings&) { fitWithZero(figure); }
 
 std::unique_ptr<Figure> spectrumFigure(const RunResult& result, const Style& style, const FigureSettings& settings) {
   return psdFigure(result, style, settings.spectrum,
@@ -120,16 +112,17 @@ std::vector<FigureRow> accelerationRows() {
            .drawsScalogram = true}};
 }
 
+// A figure of the catalogue with more in it.
+FigureRow decorated(const std::string& figure, std::unique_ptr<Figure> (*build)(const RunResult&, const Style&)) {
+  FigureRow row = catalogueRow(figure);
+  row.build = [build](const RunResult& result, const Style& style, const FigureSettings&) {
+    return build(result, style);
+  };
+  return row;
+}
+
 std::vector<FigureRow> contactRows() {
-  return {{.name = "contact_force",
-           .tab = "Force",
-           .title = "Contact force",
-           .needs = "Needs the signal contact_force.",
-           .applies = hasForce,
-           .build = plain<contactForceFigure>,
-           .overlay = forceAgainstPosition,
-           .fit = fitForce,
-           .marks = FigureMarks::extremes},
+  return {decorated("contact_force", contactForceFigure),
           {.name = "contact_patch",
            .tab = "Patch",
            .title = "Contact pressure and slip in the contact patch",
@@ -141,15 +134,24 @@ std::vector<FigureRow> contactRows() {
            .table = patchNumbers}};
 }
 
+std::vector<FigureRow> tracksideRows() {
+  FigureRow row = decorated("trackside", tracksideFigure);
+  row.needs = "Needs the signals rail_acceleration or sleeper_acceleration (output.rail_accelerometer).";
+  row.marks = FigureMarks::none;
+  return {row};
+}
+
+// Signals whose figure has nothing but their curves.
+std::vector<FigureRow> furtherSignals(const std::vector<FigureRow>& before) {
+  std::vector<FigureRow> rows;
+  for (const auto& figure : catalogueFigures())
+    if (std::none_of(before.begin(), before.end(), [&](const auto& row) { return row.name == figure; }))
+      rows.push_back(catalogueRow(figure));
+  return rows;
+}
+
 std::vector<FigureRow> railRows() {
-  return {{.name = "trackside",
-           .tab = "Track",
-           .title = "Acceleration of rail and sleeper beside the track",
-           .needs = "Needs the signals rail_acceleration or sleeper_acceleration (output.rail_accelerometer).",
-           .applies = hasTrackside,
-           .build = plain<tracksideFigure>,
-           .overlay = railAgainstPosition},
-          {.name = "defect_profile",
+  return {{.name = "defect_profile",
            .tab = "Defect",
            .title = "Profile of the defect and path of a rigid wheel",
            .needs = "Needs the profile of the rail.",
@@ -171,8 +173,11 @@ std::vector<FigureRow> railRows() {
            .applies = hasPlasticFlow,
            .expected = mayYield,
            .build = plain<residualStressFigure>,
-           .axis = FigureAxis::stress},
-          {.name = "model",
+           .axis = FigureAxis::stress}};
+}
+
+std::vector<FigureRow> modelRows() {
+  return {{.name = "model",
            .tab = "3-D",
            .title = "Model near the contact (3-D, PNG only)",
            .needs = "Needs the surface of the model.",
@@ -183,12 +188,15 @@ std::vector<FigureRow> railRows() {
 }  // namespace
 
 const std::vector<FigureRow>& figureRegistry() {
-  static const std::vector<FigureRow> rows = [] {
-    std::vector<FigureRow> all;
-    for (auto& part : {accelerationRows(), contactRows(), railRows()}) all.insert(all.end(), part.begin(), part.end());
-    return all;
+  static const std::vector<FigureRow> all = [] {
+    std::vector<FigureRow> rows;
+    const auto add = [&](const std::vector<FigureRow>& part) { rows.insert(rows.end(), part.begin(), part.end()); };
+    for (const auto& part : {accelerationRows(), contactRows(), tracksideRows(), railRows()}) add(part);
+    add(furtherSignals(rows));
+    add(modelRows());
+    return rows;
   }();
-  return rows;
+  return all;
 }
 
 }  // namespace squat::plots

@@ -1,7 +1,7 @@
 #include "case/Resolve.h"
+#include "plots/CatalogueFigure.h"
 #include "plots/FigureBuilders.h"
 #include "plots/LineFigure.h"
-#include "signals/SignalCatalogue.h"
 
 namespace squat::plots {
 namespace {
@@ -22,21 +22,7 @@ void addSensor(Figure& figure, const results::RunResult& result) {
 }  // namespace
 
 std::unique_ptr<Figure> tracksideFigure(const results::RunResult& result, const Style& style) {
-  auto figure = std::make_unique<Figure>("trackside", style);
-  const Window window = judgedWindow(result);
-  const std::vector<double> position = scaled(result.position, 1e3);
-  figure->xAxis->setLabel("Wheel position relative to the defect [mm]");
-  figure->yAxis->setLabel("Vertical acceleration [m/s²]");
-  figure->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
-  const auto* rail = result.signal(signals::names::rail);
-  const auto* sleeper = result.signal(signals::names::sleeper);
-  if (rail) addCurve(*figure, {position, *rail, "rail foot", 0, 0.9});
-  if (sleeper) addCurve(*figure, {position, *sleeper, "nearest sleeper", 1, 1.1, Qt::SolidLine, true});
-  if (!rail && !sleeper) addNotice(*figure, "no trackside sensor in this result");
-  addSensor(*figure, result);
-  fitValues(*figure);
-  setCaption(*figure, result);
-  return figure;
+  return catalogueFigure("trackside", result, style, [&](Figure& figure) { addSensor(figure, result); });
 }
 
 }  // namespace squat::plots
