@@ -223,7 +223,7 @@ std::string paperTable(const RunResult& result) {
 std::string modesTable(const RunResult& result) {
   std::vector<model::HarmonicMode> modes;
   for (const auto& mode : result.modes)
-    modes.push_back({mode.frequency, 0, mode.boxShare, mode.wheelShare, mode.contactShare});
+    modes.push_back({mode.frequency, 0, mode.boxAmplitude, mode.wheelAmplitude, mode.contactAmplitude});
   return receptance::modesTable(modes);
 }
 

@@ -28,7 +28,7 @@ Sides treadSides(const elasticity::SweptBlock& rim, const TouchPoint& t, const d
 int intervalAt(const elasticity::SweptBlock& rim, int k, double& angle) {
   constexpr double full = 6.283185307179586;
   if (std::abs(angle) > 4 * full)
-    angle = std::remainder(angle, full);  // of a state that flies apart: it must end all the same, and soon
+    angle = std::remainder(angle, full);  // of a state that diverges: it must end all the same, and soon
   while (angle < rim.positions[k])
     if (k > 0) {
       --k;

@@ -27,7 +27,7 @@ struct WheelPlacement {
 // some micrometres of tread, but times load and speed a hundred watts. Seen in the bases of the wheel's rotation, which
 // are those of `turnAhead` before, it lies so much less behind: TouchPoint::lead. The pressure acts along n: the slope
 // that the displaced tread has against its circle is left out, whose power with the slip is some 15 W of a driven
-// wheel's 800 kW (seen).
+// wheel's 800 kW (measured).
 //
 // A tread that is not round has R + r there, r(a) its deviation at the material's angle a, and an outward normal that
 // leans against e_alpha by the tilt, tan tilt = r'(a) / (R + r). The touch point's basis is that of the tread: its

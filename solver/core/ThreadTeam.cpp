@@ -14,12 +14,12 @@ namespace squat {
 // Threads that have a core each meet within microseconds; where they share cores, spinning only keeps the others away.
 // A core that goes to sleep takes longer to wake than most waits last, on virtual machines above all: so a thread that
 // has spun in vain offers its core to others for about half a millisecond before it sleeps.
-Patience::Patience(int threads)
+SpinPolicy::SpinPolicy(int threads)
     : spins(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 2000 : 20),
       yields(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 1000 : 0) {}
 
 template <typename Done>
-bool Patience::waitFor(const Done& done) const {
+bool SpinPolicy::waitFor(const Done& done) const {
   for (int i = 0; i < spins; ++i) {
     if (done()) return true;
 #if defined(__x86_64__)
@@ -42,13 +42,13 @@ void StepBarrier::wait() {
     round_.notify_all();
     return;
   }
-  if (patience_.waitFor([&] { return round_.load(std::memory_order_acquire) != round; })) return;
+  if (spinPolicy_.waitFor([&] { return round_.load(std::memory_order_acquire) != round; })) return;
   while (round_.load(std::memory_order_acquire) == round) round_.wait(round, std::memory_order_acquire);
 }
 
-StepBarrier::StepBarrier(int threads) : threads_(threads), patience_(threads) {}
+StepBarrier::StepBarrier(int threads) : threads_(threads), spinPolicy_(threads) {}
 
-ThreadTeam::ThreadTeam(int threads) : size_(std::max(1, threads)), patience_(size_), barrier_(size_) {
+ThreadTeam::ThreadTeam(int threads) : size_(std::max(1, threads)), spinPolicy_(size_), barrier_(size_) {
   try {
     for (int i = 1; i < size_; ++i) threads_.emplace_back([this, i] { work(i); });
   } catch (...) {  // no more threads to be had: those that run must end before they are let go
@@ -83,7 +83,7 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
     own = std::current_exception();
   }
   const auto allDone = [this] { return busy_ == 0; };
-  patience_.waitFor(allDone);
+  spinPolicy_.waitFor(allDone);
   std::unique_lock lock(mutex_);
   done_.wait(lock, allDone);
   task_ = nullptr;
@@ -96,7 +96,7 @@ void ThreadTeam::work(int index) {
   const auto called = [&] { return stop_ || round_ != seen; };
   while (true) {
     const std::function<void(int)>* task = nullptr;
-    patience_.waitFor(called);
+    spinPolicy_.waitFor(called);
     {
       std::unique_lock lock(mutex_);
       start_.wait(lock, called);

@@ -13,9 +13,9 @@
 namespace squat {
 
 // How long a thread waits awake for the others before it sleeps.
-struct Patience {
-  explicit Patience(int threads);
-  // True as soon as `done()` is, false when patience has run out.
+struct SpinPolicy {
+  explicit SpinPolicy(int threads);
+  // True as soon as `done()` is, false when its turns have run out.
   template <typename Done>
   bool waitFor(const Done& done) const;
   int spins, yields;
@@ -30,7 +30,7 @@ class StepBarrier {
 
  private:
   const int threads_;
-  const Patience patience_;
+  const SpinPolicy spinPolicy_;
   std::atomic<int> arrived_{0};
   std::atomic<unsigned> round_{0};
 };
@@ -55,7 +55,7 @@ class ThreadTeam {
   void work(int index);
   void end();
   int size_;
-  Patience patience_;
+  SpinPolicy spinPolicy_;
   StepBarrier barrier_;
   std::vector<std::thread> threads_;
   std::mutex mutex_;

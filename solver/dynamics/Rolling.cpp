@@ -184,7 +184,7 @@ void Rolling::listNearPoints(const contact::WheelPlacement& wheel) {
   nearUntil_ = state_.step + steps;
 }
 
-void Rolling::touch() {
+void Rolling::evaluateContact() {
   const double* displaced = state_.displaced.data();
   const auto wheel = wheelRolling(displaced);
   listNearPoints(wheel.placement);
@@ -208,7 +208,7 @@ model::PlaneVector Rolling::boxVelocity() const {
 }
 
 // The torque acts evenly on the hub, against alpha.
-void Rolling::pushHub() {
+void Rolling::applyHubForce() {
   torque_ = torqueAt(state_.time);
   const auto& body = model_.blocks[model_.body];
   const auto& loaded = model_.loaded[model_.body];
@@ -226,10 +226,10 @@ void Rolling::pushHub() {
 void Rolling::pushWheelset() {
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
   turnStations(model_.blocks[model_.rim], state_.rotation, turnedRim_);
-  touch();
+  evaluateContact();
   // On the contact's own lines.
   elasticity::addIrregularForces(model_.movedElements, state_.displaced.data(), forces_.data());
-  pushHub();
+  applyHubForce();
   for (auto* state : {&state_.displaced, &state_.velocity}) followJournal(model_, turned_, state->data());
   const auto& w = model_.wheelset;
   referenceAcceleration_ = (torque_ + view_.patch.rotationMoment + state_.addedMoment) / w.inertia;
@@ -268,7 +268,7 @@ void Rolling::sumDamperPower() {
   damperPower_ = std::accumulate(groupDamperPowers_.begin(), groupDamperPowers_.end(), 0.0);
 }
 
-void Rolling::placeSlaves(int index) {
+void Rolling::placeTiedNodes(int index) {
   for (const auto& share : slaveShares_[index])
     interpolateSlaves(model_.ties[share.tie], model_.blocks, state_.displaced.data(), tieWorkspaces_[index].data(),
                       share.slaves.front());

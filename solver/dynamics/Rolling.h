@@ -65,12 +65,12 @@ class Rolling {
           pushWheelset();
         }
         pushForceElements(index);
-        if (!wheelsetOfOne_) placeSlaves(index);
+        if (!wheelsetOfOne_) placeTiedNodes(index);
         yieldLayer(index, first + k);
         readEnds(index, false);
         team_.barrier();
         if (index == 0) sumDamperPower();
-        if (wheelsetOfOne_) placeSlaves(index);
+        if (wheelsetOfOne_) placeTiedNodes(index);
         readEnds(index, true);
         if (!wheelsetOfOne_) team_.barrier();
         advanceFine(index);
@@ -109,7 +109,7 @@ class Rolling {
   void pushWheelset();  // contact, irregular elements, torque, angular acceleration
   void pushForceElements(int index);
   void sumDamperPower();
-  void placeSlaves(int index);
+  void placeTiedNodes(int index);
   void yieldLayer(int index, long step);
   void readEnds(int index, bool late);
   void advanceFine(int index);  // and what is tied to nothing
@@ -118,8 +118,8 @@ class Rolling {
   void finishStep();
   void fix(const std::vector<std::size_t>& unknowns);
   void listNearPoints(const contact::WheelPlacement& wheel);
-  void touch();
-  void pushHub();
+  void evaluateContact();
+  void applyHubForce();
   model::PlaneVector boxVelocity() const;
   contact::WheelRolling wheelRolling(const double* displaced) const;
   double positionOf(const contact::WheelRolling& wheel) const;

@@ -20,7 +20,8 @@ elasticity::StationSpan stationsOf(const elasticity::SweptBlock& block, const el
 // The first thread, which is busy with the contact, has rail alone. Where the last can have the whole wheelset, it
 // advances the wheel body when it is done with the rim, and nobody waits.
 void Rolling::shareBlocks() {
-  constexpr double tieCost = 2.2;  // of a node of the wheel body, ties and slaves included, to one along a line (seen)
+  constexpr double tieCost =
+      2.2;  // of a node of the wheel body, ties and slaves included, to one along a line (measured)
   // What the first thread's stations under the contact cost besides, in nodes along a line: some, and 64 for each of
   // the four points of a face within the patch (half axes 7 and 5.2 mm). Fitted with two threads, where the last waited
   // for it; left out for more.

@@ -113,7 +113,7 @@ inline void advanceNode(const KernelCall& call, const Group<Real>& group, int n,
 
 // Asks for what a node will need: to be advanced, and before that, for its force to become its acceleration.
 template <typename Real>
-inline void askStep(const KernelCall& call, const Group<Real>& group, int node) {
+inline void prefetchStep(const KernelCall& call, const Group<Real>& group, int node) {
   const std::size_t base = group.state + static_cast<std::size_t>(node) * 3 * chunk;
   askLines(call.velocity + base, chunk, group.count);
   if (call.target != call.source) askLines(call.target + base, chunk, group.count);
@@ -134,7 +134,7 @@ inline void advanceGroup(const KernelCall& call, const Group<typename Whole::Rea
   int cluster = 0, advanced = 0;
   const auto advanceUpTo = [&](int end) {
     for (; advanced < end; ++advanced) {
-      if (advanced + stepAhead < call.nodes) askStep(call, group, call.members[advanced + stepAhead]);
+      if (advanced + stepAhead < call.nodes) prefetchStep(call, group, call.members[advanced + stepAhead]);
       advanceNode(call, group, call.members[advanced], *waiting<Real>(call, call.memberSlot[advanced]));
     }
   };

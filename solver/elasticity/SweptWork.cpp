@@ -11,7 +11,7 @@ namespace {
 // moment is summed. The last station of an open block goes alone and costs as much as several (seen on sleepers).
 constexpr double turningCost = 1.1, lastStationCost = 8;
 // Who begins a ring computes eight stations of the interval before it, one vector at a time, and reads its ends first
-// (seen). That others begin within a block as well is not counted.
+// (measured). That others begin within a block as well is not counted.
 constexpr double beginCost = 12;
 
 double costOf(const SweptBlock& block, int first, int count) {

@@ -89,7 +89,7 @@ StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& 
 }
 
 // One thread's share of the slave stations; the first one's holds station 0, to which ghosts belong.
-void StaticOperator::placeSlaves(double* u, int index) {
+void StaticOperator::placeTiedNodes(double* u, int index) {
   if (index == 0) {
     elasticity::refreshGhosts(model_.blocks, u);
     for (const auto& [dependent, terms] : journal_) {
@@ -106,7 +106,7 @@ void StaticOperator::placeSlaves(double* u, int index) {
 }
 
 void StaticOperator::fillSlaves(double* u) {
-  for (int index = 0; index < team_.size(); ++index) placeSlaves(u, index);
+  for (int index = 0; index < team_.size(); ++index) placeTiedNodes(u, index);
 }
 
 void StaticOperator::passTieForces(double* r) {
@@ -171,7 +171,7 @@ void StaticOperator::reduceForces(double* r) {
 
 void StaticOperator::apply(double* u, double* result) {
   team_.run([&](int index) {
-    placeSlaves(u, index);
+    placeTiedNodes(u, index);
     team_.barrier();
     elasticity::applySegments(work_[index], model_.blocks, kernels_, u, result, *scratch_[index]);
     team_.barrier();

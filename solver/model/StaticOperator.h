@@ -42,7 +42,7 @@ class StaticOperator {
   void fillSlaves(double* u);
 
  private:
-  void placeSlaves(double* u, int index);
+  void placeTiedNodes(double* u, int index);
   void passTieForces(double* r);
   void addJournalForces(double* r) const;
   void clearNotFree(double* r, int index) const;

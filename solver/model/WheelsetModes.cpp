@@ -145,12 +145,12 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
       found.shape.resize(boxAt);
       found.mode = {frequency, harmonic, 0, 0, 0, 0};
       if (harmonic == 1) {
-        found.mode.boxShare = onSpring ? found.box : ringShare(bearing, found.shape);
-        found.mode.wheelShare = ringShare(centre, found.shape);
+        found.mode.boxAmplitude = onSpring ? found.box : ringShare(bearing, found.shape);
+        found.mode.wheelAmplitude = ringShare(centre, found.shape);
       }
       for (std::size_t i = 0; i < tread.nodes.size(); ++i) {
-        found.mode.contactShare -= tread.weight[i] * found.shape[3 * tread.nodes[i] + 1];
-        found.mode.lateralShare += tread.weight[i] * found.shape[3 * tread.nodes[i] + 2];
+        found.mode.contactAmplitude -= tread.weight[i] * found.shape[3 * tread.nodes[i] + 1];
+        found.mode.lateralAmplitude += tread.weight[i] * found.shape[3 * tread.nodes[i] + 2];
       }
       shapes.modes.push_back(std::move(found));
     }

@@ -16,10 +16,10 @@ namespace squat::model {
 struct HarmonicMode {
   double frequency = 0;  // [Hz]
   int harmonic = 1;
-  double boxShare = 0;      // vertical mass-normalised amplitude at the axle box [1/sqrt(kg)]
-  double wheelShare = 0;    // at the wheel centre
-  double contactShare = 0;  // at the tread, upwards
-  double lateralShare = 0;  // at the tread where it meets the rail, outwards
+  double boxAmplitude = 0;      // vertical mass-normalised amplitude at the axle box [1/sqrt(kg)]
+  double wheelAmplitude = 0;    // at the wheel centre
+  double contactAmplitude = 0;  // at the tread, upwards
+  double lateralAmplitude = 0;  // at the tread where it meets the rail, outwards
 };
 
 // Modes up to `highest` [Hz] of harmonics 0 to `lastHarmonic`, ascending; rigid motions are left out.

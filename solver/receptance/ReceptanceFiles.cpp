@@ -36,9 +36,9 @@ ModeColumns columnsOf(const std::vector<model::HarmonicMode>& modes) {
   for (const auto& mode : modes) {
     columns.frequency.push_back(mode.frequency);
     columns.harmonic.push_back(mode.harmonic);
-    columns.box.push_back(mode.boxShare);
-    columns.wheel.push_back(mode.wheelShare);
-    columns.contact.push_back(mode.contactShare);
+    columns.box.push_back(mode.boxAmplitude);
+    columns.wheel.push_back(mode.wheelAmplitude);
+    columns.contact.push_back(mode.contactAmplitude);
   }
   return columns;
 }

@@ -58,8 +58,8 @@ std::string receptanceSummary(const TrackReceptance& receptance, ReceptanceQuant
 std::string modesTable(const std::vector<model::HarmonicMode>& modes) {
   TextTable table({"mode [Hz]", "axle box", "wheel centre", "contact [1/√kg]"});
   for (const auto& mode : modes)
-    table.add({roundedText(mode.frequency), roundedText(mode.boxShare), roundedText(mode.wheelShare),
-               roundedText(mode.contactShare)});
+    table.add({roundedText(mode.frequency), roundedText(mode.boxAmplitude), roundedText(mode.wheelAmplitude),
+               roundedText(mode.contactAmplitude)});
   return table.text();
 }
 

@@ -184,7 +184,7 @@ void GuardedChild::died() {
     wait();
     status_ = 0;
   }
-  std::string what = "is damaged or made to do harm: reading it was stopped";
+  std::string what = "is damaged or malicious: reading it was stopped";
   if (WIFSIGNALED(status_) && (WTERMSIG(status_) == SIGXCPU || WTERMSIG(status_) == SIGKILL))
     what += " for taking too long";
   throw FileError(path_, "", what, "Use a file that this program has written");

@@ -1,4 +1,4 @@
-// solver/results/GuardedChild.h - work on a file that may come from a stranger, in a child process whose death is an
+// solver/results/GuardedChild.h - work on an untrusted file, in a child process whose death is an
 // error here: libraries that read such files are not proof against damage.
 #pragma once
 

@@ -39,7 +39,7 @@ inline constexpr const char* referencesAttribute = "references";
 // A slash in a field's name stands in its path as this character, which looks like one.
 inline constexpr const char* slashInName = "\u2215";
 
-// Reads a file that may come from a stranger. Refused with FileError naming the object: external storage, links other
+// Reads an untrusted file. Refused with FileError naming the object: external storage, links other
 // than hard ones, virtual layouts, filters other than shuffle, deflate and checksum, extents beyond the limits or
 // beyond what the file can hold, types other than numbers and text. The library itself is old and not proof against
 // damaged files: the work is done in a child process with limits on memory and time, whose death is a FileError here.

@@ -16,7 +16,7 @@ void writeResult(const std::string& path, const RunResult& result);
 // bytes; they are not checked then.
 enum class ResultContent { everything, withoutFields };
 
-// Reads any result file, also a stranger's (see Hdf5.h for what is refused). Throws FileError with the object's path.
+// Reads any result file, untrusted ones too (see Hdf5.h for what is refused). Throws FileError with the object's path.
 // All lengths in what comes back fit together.
 RunResult readResult(const std::string& path, ResultContent content = ResultContent::everything);
 

@@ -137,7 +137,7 @@ void readRoot(const Mapper& from, const ArrayTree& tree, RunResult& result) {
   result.isa = text("isa");
   const double threads = number("threads");
   result.threads = threads > 0 && threads < 1e6 ? static_cast<int>(threads) : 0;
-  // Names files later on: a stranger's path must not lead them elsewhere.
+  // Names files later on: an untrusted path must not lead them elsewhere.
   result.stem = std::filesystem::path(text("stem")).filename().string();
   result.title = text("title");
   result.created = text("created");

@@ -82,9 +82,9 @@ void addModes(ArrayTree& tree, const RunResult& result) {
   std::vector<double> frequency, box, wheel, contact;
   for (const auto& mode : result.modes) {
     frequency.push_back(mode.frequency);
-    box.push_back(mode.boxShare);
-    wheel.push_back(mode.wheelShare);
-    contact.push_back(mode.contactShare);
+    box.push_back(mode.boxAmplitude);
+    wheel.push_back(mode.wheelAmplitude);
+    contact.push_back(mode.contactAmplitude);
   }
   tree.add("/modes/frequency", frequency, "Hz");
   tree.add("/modes/box_share", box, "1/sqrt(kg)");

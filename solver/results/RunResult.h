@@ -67,10 +67,10 @@ struct PermanentChange {
 };
 
 struct WheelsetMode {
-  double frequency = 0;     // [Hz]
-  double boxShare = 0;      // vertical mass-normalised amplitude at the axle box [1/sqrt(kg)]
-  double wheelShare = 0;    // the same at the wheel centre
-  double contactShare = 0;  // the same at the contact point
+  double frequency = 0;         // [Hz]
+  double boxAmplitude = 0;      // vertical mass-normalised amplitude at the axle box [1/sqrt(kg)]
+  double wheelAmplitude = 0;    // the same at the wheel centre
+  double contactAmplitude = 0;  // the same at the contact point
 };
 
 // A run is a record, time from 0 at the start of rolling and position of the wheel centre from the deepest point of the

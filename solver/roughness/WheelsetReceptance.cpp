@@ -40,12 +40,12 @@ std::vector<WheelsetReceptance> wheelsetReceptances(const scenario::Scenario& sc
       const double natural = 2 * std::numbers::pi * mode.frequency;
       const double ratio = mode.frequency < w.dampingLimit ? w.dampingRatio : 0;
       const Complex each = 1.0 / Complex(natural * natural - omega * omega, 2 * ratio * natural * omega);
-      contact += mode.contactShare * mode.contactShare * each;
-      across += mode.contactShare * mode.boxShare * each;
-      box += mode.boxShare * mode.boxShare * each;
-      lateral += mode.lateralShare * mode.lateralShare * each;
-      tilting += mode.lateralShare * mode.contactShare * each;
-      boxTilting += mode.lateralShare * mode.boxShare * each;
+      contact += mode.contactAmplitude * mode.contactAmplitude * each;
+      across += mode.contactAmplitude * mode.boxAmplitude * each;
+      box += mode.boxAmplitude * mode.boxAmplitude * each;
+      lateral += mode.lateralAmplitude * mode.lateralAmplitude * each;
+      tilting += mode.lateralAmplitude * mode.contactAmplitude * each;
+      boxTilting += mode.lateralAmplitude * mode.boxAmplitude * each;
     }
     const Complex stiffness = suspensionStiffness(scenario.suspension, omega);
     const Complex holds = stiffness / (1.0 + box * stiffness);  // what the suspension takes back of a box that moves

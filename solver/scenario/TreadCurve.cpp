@@ -33,7 +33,7 @@ HeightAndSlope TreadCurve::at(double angle) const {
   if (nodes_.empty()) return {};
   const double first = nodes_.front().angle;
   double within = angle - fullTurn * std::floor((angle - first) / fullTurn);
-  if (!(within >= first && within < first + fullTurn)) within = first;  // round-off, or a state that flies apart
+  if (!(within >= first && within < first + fullTurn)) within = first;  // round-off, or a state that diverges
   const auto next = std::upper_bound(nodes_.begin(), nodes_.end(), within,
                                      [](double value, const Node& node) { return value < node.angle; });
   const Node &a = *(next - 1), &b = next == nodes_.end() ? nodes_.front() : *next;

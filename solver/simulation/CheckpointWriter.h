@@ -16,7 +16,7 @@ struct CheckpointOptions {
 };
 
 // The state of a run behind a step, with that of its observers and the figures of its start: what a checkpoint and a
-// warm state hold. Throws RunError for a state that has gone astray.
+// warm state hold. Throws RunError for a state that has diverged.
 results::ArrayTree stateOf(const dynamics::Rolling& rolling, const RunStart& start, const Observers& observers,
                            const results::RunResult& result);
 
@@ -32,7 +32,7 @@ class CheckpointWriter : public StepObserver {
   void onStart(const dynamics::Rolling& rolling) override { write(rolling); }
   void onStep(const dynamics::Rolling& rolling) override;
 
-  // A state that has gone astray never replaces a good checkpoint (RunError). One that cannot be written is no reason
+  // A state that has diverged never replaces a good checkpoint (RunError). One that cannot be written is no reason
   // to lose the run: that is reported once, the earlier one stays, and the run continues.
   void write(const dynamics::Rolling& rolling);
 

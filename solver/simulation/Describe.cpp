@@ -68,7 +68,7 @@ void describeMesh(const model::Model& model, const dynamics::StableStep& stable,
 
 void describeModes(const scenario::Scenario& scenario, results::RunResult& result) {
   for (const auto& mode : model::wheelsetModes(scenario, 2000, 3))
-    result.modes.push_back({mode.frequency, mode.boxShare, mode.wheelShare, mode.contactShare});
+    result.modes.push_back({mode.frequency, mode.boxAmplitude, mode.wheelAmplitude, mode.contactAmplitude});
 }
 
 void describeProfile(const scenario::Scenario& d, results::RunResult& result) {

@@ -1,4 +1,4 @@
-// solver/simulation/DivergenceGuard.h - stops a run that has gone astray.
+// solver/simulation/DivergenceGuard.h - stops a run that has diverged.
 #pragma once
 
 #include "simulation/EnergyBalance.h"

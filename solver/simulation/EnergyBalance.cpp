@@ -175,7 +175,7 @@ std::vector<results::Channel> EnergyBalance::channels() const {
                                      {"damping", "J", "dissipated by dashpots and material so far", {}},
                                      {"plastic", "J", "dissipated by plastic flow so far", {}},
                                      {"external", "J", "work of torque and weight so far", {}},
-                                     {"residual", "J", "what the books do not explain", {}}};
+                                     {"residual", "J", "unbalanced energy", {}}};
   for (const auto& s : samples_) {
     const double values[8] = {
         s.kinetic, s.strain, s.contact, s.friction, s.damping, s.plastic, s.external - first_.external, residual(s)};

@@ -1,4 +1,4 @@
-// solver/simulation/EnergyBalance.h - where the energy is, where it went, and whether the books close.
+// solver/simulation/EnergyBalance.h - where the energy is, where it went, and whether the balance closes.
 //
 // Kinetic energy counts from that of the reference motion (constant), at full steps as the mean of both half steps; so
 // does what dashpots and torque have done: half the work of a step is done when its displacement stands. The residual

@@ -283,7 +283,7 @@ TEST_F(CaseFolder, ProfilesSideBySide) {
   EXPECT_EQ(again.defect.lines[0].points[1].height, -0.0001);
 }
 
-// A result comes from a stranger: the file that its case names is not opened, and the case lacks its profile.
+// A result may be untrusted: the file that its case names is not opened, and the case lacks its profile.
 TEST(CaseFile, TheCaseOfAResultOpensNoFile) {
   try {
     parseCaseOfResult("[defect]\nshape = \"profile\"\nfile = \"/etc/passwd\"\n", "result");

@@ -85,8 +85,8 @@ TEST(WheelsetModes, SoftBearingMakesTwoMassesOnASpring) {
   EXPECT_NEAR(modes[0].frequency, expected, 0.01 * expected);
   verification::seenDeviation("frequency", modes[0].frequency, expected);
   // Amplitudes are as the masses are the other way round, and of unit modal mass.
-  EXPECT_NEAR(modes[0].wheelShare / modes[0].boxShare, -w.axleBoxMass / rest, 0.02 * w.axleBoxMass / rest);
-  EXPECT_NEAR(std::abs(modes[0].boxShare), std::sqrt(rest / w.axleBoxMass / w.totalMass), 0.01);
+  EXPECT_NEAR(modes[0].wheelAmplitude / modes[0].boxAmplitude, -w.axleBoxMass / rest, 0.02 * w.axleBoxMass / rest);
+  EXPECT_NEAR(std::abs(modes[0].boxAmplitude), std::sqrt(rest / w.axleBoxMass / w.totalMass), 0.01);
 }
 
 // A bearing far stiffer than the axle: the modes of the box spread over its seat. Spread, the box resists tilting as
@@ -97,7 +97,8 @@ TEST(WheelsetModes, StiffBearingComesToTheRigidOne) {
   ASSERT_GE(stiff.size(), 2u);
   for (int k = 0; k < 2; ++k) {
     EXPECT_NEAR(stiff[k].frequency, rigid[k].frequency, 0.03 * rigid[k].frequency);
-    EXPECT_NEAR(std::abs(stiff[k].boxShare), std::abs(rigid[k].boxShare), 0.1 * std::abs(rigid[k].boxShare));
+    EXPECT_NEAR(std::abs(stiff[k].boxAmplitude), std::abs(rigid[k].boxAmplitude),
+                0.1 * std::abs(rigid[k].boxAmplitude));
   }
 }
 
@@ -133,8 +134,8 @@ double rayleighFrequency(const scenario::Wheelset& w) {
   return std::sqrt(bending / length / (energy - momentum * momentum / mass)) / (2 * pi);
 }
 
-// The estimate lies above the solid, whose web and wheel seat give way: 25 % of the frequency at most (8 % seen). Both
-// see the discs alike: a quarter of what these change (a sixth seen).
+// The estimate lies above the solid, whose web and wheel seat give way: 25 % of the frequency at most (8 % measured).
+// Both see the discs alike: a quarter of what these change (a sixth measured).
 TEST(WheelsetModes, BrakeDiscsLowerTheFirstBendingMode) {
   const auto with = [](const char* discs) {
     return Settings{{"wheelset.total_mass", "0"},
@@ -223,8 +224,8 @@ TEST(WheelsetDamping, RigidMotionIsNotDamped) {
   for (std::size_t i = 0; i < velocity.size(); ++i) ASSERT_NEAR(velocity[i], before[i], 1e-9);
 }
 
-// A box thrown upwards on its bearing: spring, damper and modal damping share the energy out, and the books close.
-// 1 % of what was given: central difference over some hundred steps a period, kinetic energy as a mean of two.
+// A box thrown upwards on its bearing: spring, damper and modal damping share the energy out, and the energy balance
+// closes. 1 % of what was given: central difference over some hundred steps a period, kinetic energy as a mean of two.
 TEST(WheelsetDamping, BooksCloseWithBearingAndDamping) {
   Free free(Settings{
       {"wheelset.damping_ratio", "0.05"}, {"wheelset.bearing_stiffness", "500"}, {"wheelset.bearing_damping", "50"}});

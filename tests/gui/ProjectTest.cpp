@@ -345,7 +345,7 @@ TEST_F(ProjectOfRuns, keepsHowItsFiguresAreDrawn) {
   EXPECT_EQ(settings.moment, 1);
 }
 
-// What a stranger's file asks for is what the controls can have.
+// A file may ask for more than the controls can have.
 TEST_F(ProjectOfRuns, drawsNoFigureInAWayThatThereIsNot) {
   const auto window = open();
   SignalsPanel* panel = window->signalsPanel();

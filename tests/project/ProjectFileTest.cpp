@@ -238,7 +238,7 @@ TEST(ProjectFile, damageIsNamedOrHarmless) {
   EXPECT_GT(read, 0);
 }
 
-TEST(ProjectFile, strangersAreRefused) {
+TEST(ProjectFile, otherFilesAreRefused) {
   EXPECT_THAT(refusalOf("").location(), HasSubstr("line 1"));
   EXPECT_THAT(refusalOf("[]").what(), HasSubstr("not a table"));
   EXPECT_THAT(refusalOf("[1e999]").what(), HasSubstr("beyond 1.8e308"));  // the largest double; found by the fuzzer

@@ -1,4 +1,4 @@
-// Files made to do harm, built with the HDF5 library itself. Each must be refused with the path of the object.
+// Malicious files, built with the HDF5 library itself. Each must be refused with the path of the object.
 #include <gmock/gmock.h>
 #include <hdf5.h>
 #include <sys/resource.h>

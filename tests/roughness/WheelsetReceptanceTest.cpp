@@ -22,7 +22,8 @@ TEST(WheelsetReceptance, IsARigidMassOnItsSuspensionAtLowFrequencies) {
   const double mass = scenario::wheelsetMass(scenario.wheelset);
   double flexibility = 0;
   for (const auto& mode : model::wheelsetModes(scenario, 6000, 6))
-    flexibility += std::pow((std::abs(mode.contactShare) + std::abs(mode.boxShare)) / (2 * M_PI * mode.frequency), 2);
+    flexibility +=
+        std::pow((std::abs(mode.contactAmplitude) + std::abs(mode.boxAmplitude)) / (2 * M_PI * mode.frequency), 2);
   for (const double f : {9.0, 12.0}) {
     const double omega = 2 * M_PI * f;
     const std::complex<double> spring(scenario.suspension.stiffness, omega * scenario.suspension.damping);
@@ -42,10 +43,11 @@ TEST(WheelsetReceptance, HasThePeaksOfItsModes) {
   scenario.suspension.stiffness = scenario.suspension.damping = 0;
   scenario.wheelset.dampingRatio = 1e-4, scenario.wheelset.dampingLimit = 3000;
   for (const auto& mode : model::wheelsetModes(scenario, 1500, 1)) {
-    if (mode.harmonic != 1 || std::abs(mode.boxShare * mode.contactShare) < 1e-5) continue;
+    if (mode.harmonic != 1 || std::abs(mode.boxAmplitude * mode.contactAmplitude) < 1e-5) continue;
     const double omega = 2 * M_PI * mode.frequency, peak = 1 / (2e-4 * omega * omega);
     const auto found = wheelsetReceptances(scenario, {mode.frequency}).front();
-    EXPECT_NEAR(std::abs(found.box) / (std::abs(mode.boxShare * mode.contactShare) * peak), 1, 0.1) << mode.frequency;
+    EXPECT_NEAR(std::abs(found.box) / (std::abs(mode.boxAmplitude * mode.contactAmplitude) * peak), 1, 0.1)
+        << mode.frequency;
   }
 }
 

@@ -1,4 +1,4 @@
-// Runs that go astray, provoked by checkpoints that were tampered with: each is stopped within a few steps, says where,
+// Runs that diverge, provoked by checkpoints that were tampered with: each is stopped within a few steps, says where,
 // keeps the signals so far and the last good checkpoint. And checkpoints that do not fit: refused by the array's name.
 #include <gmock/gmock.h>
 

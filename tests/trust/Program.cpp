@@ -17,9 +17,9 @@ namespace squat::tests {
 namespace {
 constexpr auto kPoll = std::chrono::milliseconds(5);
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kPatience = 4;  // a sanitizer makes the program as much slower
+constexpr int kSlowdown = 4;  // a sanitizer makes the program as much slower
 #else
-constexpr int kPatience = 1;
+constexpr int kSlowdown = 1;
 #endif
 }  // namespace
 
@@ -74,7 +74,7 @@ bool Program::running() {
 }
 
 bool Program::waitForOutput(const std::string& text, std::chrono::seconds maximumWait) {
-  const auto end = std::chrono::steady_clock::now() + kPatience * maximumWait;
+  const auto end = std::chrono::steady_clock::now() + kSlowdown * maximumWait;
   while (output_.find(text) == std::string::npos) {
     const bool alive = running();
     if (output_.find(text) != std::string::npos) return true;
@@ -102,7 +102,7 @@ double Program::processorSeconds() const {
 void Program::signal(int number) const { ::kill(process_, number); }
 
 int Program::wait(std::chrono::seconds maximumWait) {
-  const auto end = std::chrono::steady_clock::now() + kPatience * maximumWait;
+  const auto end = std::chrono::steady_clock::now() + kSlowdown * maximumWait;
   while (running()) {
     if (std::chrono::steady_clock::now() > end) {
       ::kill(process_, SIGKILL);

@@ -78,10 +78,10 @@ TEST(ImpactEnergy, IsKeptThroughAnImpact) {
 }
 
 // A driven wheel: the torque's work goes into travel, rotation, strain and slip. Theory: conservation of energy.
-// 0.05 J: what the books may miss is the power of slip along the slope of the deformed tread, which the contact leaves
-// out (0.03 J seen). Without any of these it is 0.08 to 0.2 J, each seen by taking it out: the displaced material and
-// its arm, the wheel's place at the instant of u + beta v, the angular momentum of the contact's added inertia, the
-// balance of the turning reference, the half of a step's work that is done when its displacement stands.
+// 0.05 J: what the balance may miss is the power of slip along the slope of the deformed tread, which the contact
+// leaves out (0.03 J measured). Without any of these it is 0.08 to 0.2 J, each found by taking it out: the displaced
+// material and its arm, the wheel's place at the instant of u + beta v, the angular momentum of the contact's added
+// inertia, the balance of the turning reference, the half of a step's work that is done when its displacement stands.
 TEST(DrivenWheel, KeepsTheBooks) {
   auto description = cases::loadCase(tests::fixtureCase("smooth-rail"), {"tiny", {}});
   description.motion.tractionCoefficient = 0.2;

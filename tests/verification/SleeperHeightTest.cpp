@@ -202,8 +202,8 @@ TEST(SleeperHeight, TheBeamsOwnFrequenciesAreThoseOfTextbooks) {
 }
 
 // The solid has 16 elements along the half sleeper and two over its height, with masses lumped at three heights, which
-// resist turning with h^2 / 8 in place of h^2 / 12: lower by 0.5 and 1.2 % (0.7 and 1.2 % seen). That the middle of a
-// low section lies below the axis takes 0.6 and 4 % of these frequencies with 0.11 m.
+// resist turning with h^2 / 8 in place of h^2 / 12: lower by 0.5 and 1.2 % (0.7 and 1.2 % measured). That the middle of
+// a low section lies below the axis takes 0.6 and 4 % of these frequencies with 0.11 m.
 TEST(SleeperHeight, BendsAsATimoshenkoBeamOfItsSections) {
   for (const char* middle : {"0", "0.15", "0.11"}) {
     auto values = kLowMiddle;

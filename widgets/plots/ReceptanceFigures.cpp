@@ -74,9 +74,9 @@ std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style&
   const struct {
     const char* label;
     double model::HarmonicMode::*share;
-  } shares[] = {{"axle box", &model::HarmonicMode::boxShare},
-                {"wheel centre", &model::HarmonicMode::wheelShare},
-                {"contact", &model::HarmonicMode::contactShare}};
+  } shares[] = {{"axle box", &model::HarmonicMode::boxAmplitude},
+                {"wheel centre", &model::HarmonicMode::wheelAmplitude},
+                {"contact", &model::HarmonicMode::contactAmplitude}};
   double width = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     Curve curve{{}, {}, QString::fromUtf8(shares[i].label), i, 2.0};

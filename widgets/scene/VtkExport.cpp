@@ -142,7 +142,7 @@ std::vector<std::string> writeVtkSeries(const results::RunResult& result, const 
   if (result.surface.quads.empty() || result.snapshots.empty())
     throw FileError(folder, "", "nothing to write: the result has no surface or no snapshots");
   makeFolder(folder);
-  const std::string stem = analysis::safeFileName(result.stem);  // may come from a stranger
+  const std::string stem = analysis::safeFileName(result.stem);  // may be untrusted
   std::vector<std::string> written;
   std::string links;
   const auto add = [&](const Grid& grid, double time, int part, const std::string& name) {

@@ -161,7 +161,7 @@ void ParameterForm::mark(const std::vector<CaseProblem>& problems) {
   Q_EMIT blockersChanged();
 }
 
-// What the user is at does not vanish under the hands.
+// The row that is being edited is not hidden.
 bool ParameterForm::isOfLevel(const ParameterRow& row) const {
   const QWidget* focus = QApplication::focusWidget();
   return static_cast<int>(row.parameter().level) <= level_->currentIndex() || !row.reason().isEmpty() ||

@@ -203,7 +203,7 @@ QVariant EventModel::headerData(int section, Qt::Orientation orientation, int ro
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   static const QStringList heads{tr("Position\n[m]"), tr("Kind"),         tr("Severity"),     tr("Length\n[mm]"),
                                  tr("Depth\n[mm]"),   tr("Peak\n[m/s²]"), tr("Speed\n[m/s]"), tr("Channel"),
-                                 tr("Passes"),        tr("Sure"),         tr("Seen as")};
+                                 tr("Passes"),        tr("Sure"),         tr("Label")};
   return heads.value(section);
 }
 

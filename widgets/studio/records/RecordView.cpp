@@ -31,7 +31,7 @@ class LabelDelegate : public QStyledItemDelegate {
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
     auto* box = new QComboBox(parent);
-    box->setAccessibleName(QObject::tr("Seen as"));
+    box->setAccessibleName(QObject::tr("Label"));
     box->addItems(EventModel::labels());
     return box;
   }
@@ -133,7 +133,7 @@ QWidget* RecordView::makeBar() {
   estimate_->setObjectName("estimateEvent");
   estimate_->setToolTip(tr("Look for the profile that explains the signal over the chosen event"));
   labels_->setObjectName("saveLabels");
-  labels_->setToolTip(tr("Save what you have seen (column “Seen as”): the next search takes it as examples"));
+  labels_->setToolTip(tr("Save what you have seen (column “Label”): the next search takes it as examples"));
   row->addWidget(label);
   row->addWidget(channel_);
   row->addWidget(filter_, 1);

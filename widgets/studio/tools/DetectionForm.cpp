@@ -99,7 +99,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
       units_(new QLineEdit(this)),
       speed_(new NumberBox(this)),
       together_(new QComboBox(this)),
-      own_(new QCheckBox(tr("&Judge by the vehicle and track of the open case"), this)),
+      own_(new QCheckBox(tr("&Use the vehicle and track of the open case"), this)),
       view_(new RecordView(style, this)) {
   channels_->setObjectName("channels");
   channels_->setAccessibleName(tr("Channels"));

@@ -170,7 +170,7 @@ void MainWindow::makeRunMenu() {
   live->setShortcut(QKeySequence("F7"));
   live->setObjectName("livePreview");
   live->setCheckable(true);
-  live->setToolTip(tr("Roll a coarse model anew after every change of the profile"));
+  live->setToolTip(tr("Compute a preview on a coarse mesh after every change of the profile"));
   live->setEnabled(preview_.isThere());
   makeToolActions(*menu);
 }

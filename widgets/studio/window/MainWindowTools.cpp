@@ -37,7 +37,8 @@ void MainWindow::makeToolActions(QMenu& menu) {
     action->setToolTip(tip);
   };
   add(tr("&Study…"), QKeySequence("F8"), "study", tr("Run the case for many values of its keys"));
-  add(tr("C&alibration…"), QKeySequence("F9"), "calibration", tr("Find unknown values from what the case has to meet"));
+  add(tr("C&alibration…"), QKeySequence("F9"), "calibration",
+      tr("Find unknown values from targets that the case must meet"));
   add(tr("Track recep&tance…"), QKeySequence("Shift+F9"), "receptance",
       tr("Receptance of the track, and modes of the wheelset"));
   add(tr("S&quats in records…"), QKeySequence("Ctrl+F8"), "squats", tr("Find squats in long records"));
