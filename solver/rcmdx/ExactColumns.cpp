@@ -28,7 +28,7 @@ constexpr std::int64_t second = 1000000000;               // [ns]
 constexpr std::int64_t latestTime = 9000000000 * second;  // in the year 2255
 constexpr std::size_t longestWord = 64;
 
-results::Hdf5Limits ofStrangers() {
+results::Hdf5Limits ofUntrustedFiles() {
   results::Hdf5Limits limits;
   limits.skipForeign = true;
   return limits;
@@ -53,7 +53,7 @@ class Line {
     H5Pset_chunk_cache(access.get(), 1009, std::size_t{40} << 20, 1.0);  // a chunk is unpacked once
     dataset_ = Handle(H5Dopen2(file, name_.c_str(), access.get()), H5Dclose);
     check(dataset_.get(), path_, name_, "cannot be opened");
-    results::hdf5::checkLayout(dataset_.get(), path_, name_, ofStrangers());
+    results::hdf5::checkLayout(dataset_.get(), path_, name_, ofUntrustedFiles());
     type_ = Handle(H5Dget_type(dataset_.get()), H5Tclose);
     space_ = Handle(H5Dget_space(dataset_.get()), H5Sclose);
     const int rank = check(H5Sget_simple_extent_ndims(space_.get()), path_, name_, "has no extents");

@@ -136,7 +136,7 @@ TEST(ResultFile, AnEarlierResultStaysWhereTheNewOneCannotBeWritten) {
 }
 
 // It names files later on.
-TEST(ResultFile, AStrangersStemLeadsNowhere) {
+TEST(ResultFile, AnUntrustedStemLeadsNowhere) {
   const TemporaryFolder folder;
   auto result = sampleResult();
   result.stem = "../../elsewhere/name";

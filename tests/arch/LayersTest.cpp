@@ -1,4 +1,4 @@
-// The rules of the house (CONTRIBUTING.md), held by reading the sources.
+// The layers of the code and its other rules (CONTRIBUTING.md), held by reading the sources.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -29,22 +29,22 @@ bool isQt(const std::string& include) {
 bool isVtk(const std::string& include) { return include.rfind("vtk", 0) == 0; }
 
 // "solver/case" for "case/CaseFile.h": own includes start at solver/, at widgets/ or at the top.
-// The studio is large: each of its rooms has a floor of its own.
-Folder roomOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
+// The studio is large: each of its modules has a layer of its own.
+Folder moduleOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
 
 Folder folderOf(const Include& include) {
   const auto first = include.name.substr(0, include.name.find('/'));
   if (first == "app" || first == "commands" || first == "manual" || first == "pages") return "app";
   if (first == "studio") {
-    const auto room = roomOf("widgets/" + include.name);
-    return room == "widgets/studio" ? "app" : room;  // without a room: the program's own files
+    const auto module = moduleOf("widgets/" + include.name);
+    return module == "widgets/studio" ? "app" : module;  // without a module: the program's own files
   }
   for (const auto& file : sources())
     if (file.folder == first) return file.layer + "/" + first;
   return {};
 }
 Folder folderOf(const SourceFile& file) {
-  if (file.layer == "widgets" && file.folder == "studio") return roomOf(file.path);
+  if (file.layer == "widgets" && file.folder == "studio") return moduleOf(file.path);
   return file.layer == "app" ? "app" : file.layer + "/" + file.folder;
 }
 
@@ -92,19 +92,19 @@ std::string cycleIn(const Graph& graph) {
   return cycle;
 }
 
-TEST(HouseRules, TheTreeWasRead) {
+TEST(Layers, TheTreeWasRead) {
   EXPECT_GT(sources().size(), 20U);
   EXPECT_TRUE(folderGraph()["solver/simulation"].count("solver/results"));
 }
 
-TEST(HouseRules, SolverKnowsNoQtAndNoVtk) {
+TEST(Layers, SolverKnowsNoQtAndNoVtk) {
   EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
                 return file.layer == "solver" && (isQt(include.name) || isVtk(include.name));
               }),
               IsEmpty());
 }
 
-TEST(HouseRules, SolverSeesNeitherWidgetsNorApp) {
+TEST(Layers, SolverSeesNeitherWidgetsNorApp) {
   EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
                 const auto target = include.quoted ? folderOf(include) : Folder();
                 return file.layer == "solver" && (target.rfind("widgets", 0) == 0 || target == "app");
@@ -112,7 +112,7 @@ TEST(HouseRules, SolverSeesNeitherWidgetsNorApp) {
               IsEmpty());
 }
 
-TEST(HouseRules, SignalsStandAlone) {
+TEST(Layers, SignalsStandAlone) {
   EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
                 if (file.path.rfind("solver/signals/", 0) != 0) return false;
                 if (include.quoted) return include.name.rfind("signals/", 0) != 0;
@@ -122,7 +122,7 @@ TEST(HouseRules, SignalsStandAlone) {
               IsEmpty());
 }
 
-TEST(HouseRules, StaticsAndDynamicsDoNotSeeEachOther) {
+TEST(Layers, StaticsAndDynamicsDoNotSeeEachOther) {
   EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
                 return (file.folder == "statics" && include.name.rfind("dynamics/", 0) == 0) ||
                        (file.folder == "dynamics" && include.name.rfind("statics/", 0) == 0);
@@ -130,30 +130,30 @@ TEST(HouseRules, StaticsAndDynamicsDoNotSeeEachOther) {
               IsEmpty());
 }
 
-TEST(HouseRules, WidgetsDoNotSeeTheApp) {
+TEST(Layers, WidgetsDoNotSeeTheApp) {
   EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
                 return file.layer == "widgets" && include.quoted && folderOf(include) == "app";
               }),
               IsEmpty());
 }
 
-TEST(HouseRules, SceneKnowsNoQt) {
+TEST(Layers, SceneKnowsNoQt) {
   EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
                 return file.folder == "scene" && isQt(include.name);
               }),
               IsEmpty());
 }
 
-TEST(HouseRules, Hdf5StaysInResults) {
+TEST(Layers, Hdf5StaysInResults) {
   EXPECT_THAT(offences([](const SourceFile& file, const Include& include) {
                 return file.folder != "results" && (include.name == "hdf5.h" || include.name.rfind("H5", 0) == 0);
               }),
               IsEmpty());
 }
 
-// The floors of the house, lowest first: a folder includes only what stands on a lower floor. Whoever computes stands
-// below `case`, which is how a user writes what is simulated: it sees the scenario alone.
-const std::vector<std::vector<Folder>>& floors() {
+// The layers, lowest first: a folder includes only what stands in a lower layer. Whoever computes stands below `case`,
+// which is how a user writes what is simulated: it sees the scenario alone.
+const std::vector<std::vector<Folder>>& layers() {
   static const std::vector<std::vector<Folder>> list{
       {"solver/core"},
       {"solver/text"},
@@ -192,49 +192,49 @@ const std::vector<std::vector<Folder>>& floors() {
   return list;
 }
 
-// Floor of a folder from below; -1: not on the list.
-int floorOf(const Folder& folder) {
-  for (std::size_t floor = 0; floor < floors().size(); ++floor)
-    if (std::count(floors()[floor].begin(), floors()[floor].end(), folder) > 0) return static_cast<int>(floor);
+// Layer of a folder from below; -1: not on the list.
+int layerOf(const Folder& folder) {
+  for (std::size_t layer = 0; layer < layers().size(); ++layer)
+    if (std::count(layers()[layer].begin(), layers()[layer].end(), folder) > 0) return static_cast<int>(layer);
   return -1;
 }
 
 // What is wrong with one include, and what to do; empty where nothing is.
-std::string floorMistake(const std::string& path, const Folder& from, const std::string& include, const Folder& to) {
+std::string layerMistake(const std::string& path, const Folder& from, const std::string& include, const Folder& to) {
   const std::string says = path + " includes " + include + ": ";
   for (const auto& folder : {from, to})
-    if (floorOf(folder) < 0) return says + folder + " is on no floor; give it one in floors() of tests/arch";
-  if (from == to || floorOf(to) < floorOf(from)) return {};
+    if (layerOf(folder) < 0) return says + folder + " is in no layer; give it one in layers() of tests/arch";
+  if (from == to || layerOf(to) < layerOf(from)) return {};
   return says + to + " does not stand below " + from +
-         "; pass a plain value up instead, or move what both need to a lower floor";
+         "; pass a plain value up instead, or move what both need to a lower layer";
 }
 
-TEST(HouseRules, FoldersIncludeOnlyWhatStandsBelow) {
+TEST(Layers, FoldersIncludeOnlyWhatStandsBelow) {
   std::vector<std::string> list;
   for (const auto& file : sources())
     for (const auto& include : file.includes) {
       const auto to = include.quoted ? folderOf(include) : Folder();
       if (to.empty()) continue;
-      if (const auto mistake = floorMistake(file.path, folderOf(file), include.name, to); !mistake.empty())
+      if (const auto mistake = layerMistake(file.path, folderOf(file), include.name, to); !mistake.empty())
         list.push_back(mistake);
     }
   EXPECT_THAT(list, IsEmpty());
 }
 
-TEST(Floors, AnIncludeUpwardsOrOfAnUnknownFolderSaysWhatToDo) {
-  EXPECT_EQ(floorMistake("solver/model/A.cpp", "solver/model", "scenario/Track.h", "solver/scenario"), "");
-  EXPECT_EQ(floorMistake("solver/model/A.cpp", "solver/model", "model/B.h", "solver/model"), "");
-  EXPECT_THAT(floorMistake("solver/model/A.cpp", "solver/model", "case/CaseFile.h", "solver/case"),
+TEST(Layers, AnIncludeUpwardsOrOfAnUnknownFolderSaysWhatToDo) {
+  EXPECT_EQ(layerMistake("solver/model/A.cpp", "solver/model", "scenario/Track.h", "solver/scenario"), "");
+  EXPECT_EQ(layerMistake("solver/model/A.cpp", "solver/model", "model/B.h", "solver/model"), "");
+  EXPECT_THAT(layerMistake("solver/model/A.cpp", "solver/model", "case/CaseFile.h", "solver/case"),
               ::testing::HasSubstr("pass a plain value up"));
-  EXPECT_THAT(floorMistake("solver/statics/A.cpp", "solver/statics", "dynamics/B.h", "solver/dynamics"),
+  EXPECT_THAT(layerMistake("solver/statics/A.cpp", "solver/statics", "dynamics/B.h", "solver/dynamics"),
               ::testing::HasSubstr("does not stand below"));
-  EXPECT_THAT(floorMistake("solver/attic/A.cpp", "solver/attic", "core/Errors.h", "solver/core"),
-              ::testing::HasSubstr("solver/attic is on no floor"));
+  EXPECT_THAT(layerMistake("solver/attic/A.cpp", "solver/attic", "core/Errors.h", "solver/core"),
+              ::testing::HasSubstr("solver/attic is in no layer"));
 }
 
-TEST(HouseRules, FoldersFormNoCycle) { EXPECT_EQ(cycleIn(folderGraph()), ""); }
+TEST(Layers, FoldersFormNoCycle) { EXPECT_EQ(cycleIn(folderGraph()), ""); }
 
-TEST(HouseRules, NoFileIsLongerThan500Lines) {
+TEST(Layers, NoFileIsLongerThan500Lines) {
   std::vector<std::string> list;
   for (const auto& file : readSources(SQUAT_SOURCE_DIR, {"solver", "widgets", "app", "tests"}))
     if (file.lines > 500) list.push_back(file.path + ": " + std::to_string(file.lines));
@@ -266,7 +266,7 @@ std::vector<std::string> longFunctions(const SourceFile& file, std::size_t maxim
   return found;
 }
 
-TEST(HouseRules, NoFunctionOfTheSolverIsLongerThan80Lines) {
+TEST(Layers, NoFunctionOfTheSolverIsLongerThan80Lines) {
   std::vector<std::string> list;
   for (const auto& file : sources())
     if (file.layer == "solver")
@@ -285,7 +285,7 @@ TEST(LongFunctions, AreFound) {
   EXPECT_THAT(longFunctions(file, 5), IsEmpty());
 }
 
-TEST(HouseRules, TheDefectSurfaceIsBuiltInOnePlace) {
+TEST(Layers, TheDefectSurfaceIsBuiltInOnePlace) {
   static const std::regex construction(R"(\bDefectSurface\s*(\w+\s*)?[({]\s*[a-zA-Z*])");
   std::vector<std::string> list;
   for (const auto& file : sources())
@@ -295,7 +295,7 @@ TEST(HouseRules, TheDefectSurfaceIsBuiltInOnePlace) {
   EXPECT_THAT(list, IsEmpty());
 }
 
-TEST(HouseRules, TheSolverNeverPrintsAbortsOrExits) {
+TEST(Layers, TheSolverNeverPrintsAbortsOrExits) {
   // ::_exit is allowed: the child process of the guarded reader ends with it.
   static const std::regex pattern(
       R"(\b(std::cout|std::cerr|std::clog|printf|fprintf|puts|abort|std::terminate|assert|exit|quick_exit)\s*(\(|<<))");
@@ -306,7 +306,7 @@ TEST(HouseRules, TheSolverNeverPrintsAbortsOrExits) {
   EXPECT_THAT(list, IsEmpty());
 }
 
-TEST(HouseRules, EveryHeaderIsIncludedOnce) {
+TEST(Layers, EveryHeaderIsIncludedOnce) {
   std::vector<std::string> list;
   for (const auto& file : sources())
     if (file.path.ends_with(".h") && file.code.find("#pragma once") == std::string::npos) list.push_back(file.path);
