@@ -36,11 +36,11 @@ std::string spoilt(const std::function<void(std::size_t, Row&)>& change) {
   return text;
 }
 
-WholeRecord read(const std::string& content) {
+WholeRecord read(const std::string& content, std::size_t blockLength = 500) {
   const TemporaryFile file(content);
   RecordOptions options;
   options.columns.signalUnit = "m/s2";
-  options.blockLength = 500;
+  options.blockLength = blockLength;
   return readWhole(file.path(), options);
 }
 
@@ -133,6 +133,24 @@ TEST(BadRecord, aPartWithAnotherRate) {
   ASSERT_EQ(whole.stretches.size(), 2u);
   EXPECT_EQ(whole.stretches[0].size() + whole.stretches[1].size(), 4000 - (changes[0].end - changes[0].first));
   EXPECT_EQ(whole.layout.rate, rate);
+}
+
+// More than half of the steps are the others: the rate is that of the beginning all the same.
+TEST(BadRecord, aSecondHalfWithAnotherRateIsCutOff) {
+  const auto whole = read(spoilt([](std::size_t i, Row& row) {
+                            const double extra = i < 1800 ? 0 : static_cast<double>(i - 1800) / rate;
+                            row.time += extra;
+                            row.position += speed * extra;
+                          }),
+                          4000);
+  EXPECT_EQ(whole.layout.rate, rate);
+  const auto changes = whole.faultsOf(FaultKind::rateChange);
+  ASSERT_EQ(changes.size(), 1u);
+  // The first sample that is a step late.
+  EXPECT_EQ(changes[0].first, 1801u);
+  EXPECT_EQ(changes[0].end, 4000u);
+  ASSERT_EQ(whole.stretches.size(), 1u);
+  EXPECT_EQ(whole.stretches[0].size(), changes[0].first);
 }
 
 TEST(BadRecord, aPositionThatJumps) {
