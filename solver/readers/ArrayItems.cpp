@@ -82,11 +82,11 @@ class References {
   std::string knownPath(const std::string& path, int depth = 0) const {
     if (path.rfind(referenced, 0) != 0) return path;
     if (depth > deepest) return {};
-    const std::size_t slash = path.find('/', referenced.size());
-    const auto found = known_.find(path.substr(0, slash));
+    const std::size_t end = path.find_first_of("/{(", referenced.size());  // of the object's own name
+    const auto found = known_.find(path.substr(0, end));
     if (found == known_.end()) return {};
     const std::string known = knownPath(found->second, depth + 1);
-    return known.empty() || slash == std::string::npos ? known : known + path.substr(slash);
+    return known.empty() || end == std::string::npos ? known : known + path.substr(end);
   }
 
  private:

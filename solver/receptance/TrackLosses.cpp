@@ -85,7 +85,7 @@ std::vector<std::string> lossNotes(const scenario::Scenario& scenario) {
         viscousEquivalent([&](double) { return ballast.stiffness * Complex(1, ballast.lossFactor); }, lowest, highest),
         ballast.stiffness, ballast.damping, "ballast.stiffness and ballast.damping:"));
   if (scenario.rail.lossFactor != 0 || scenario.sleeper.lossFactor != 0)
-    notes.push_back(
+    notes.emplace_back(
         "rail.loss_factor and sleeper.loss_factor are used in the frequency domain only; a rolling run damps its "
         "solids by damping.fraction or damping.beta");
   return notes;

@@ -28,7 +28,7 @@ RecordRoughness roughnessOf(const signals::Passage& passage, const TransferFunct
   RoughnessGauge gauge(transfer, series.rate(), options);
   gauge.add(series.values, speedsOf(passage.position, series.rate()));
   auto result = gauge.finish();
-  if (series.unit.empty()) result.notes.push_back("the signal states no unit: taken as m/s2");
+  if (series.unit.empty()) result.notes.emplace_back("the signal states no unit: taken as m/s2");
   return result;
 }
 

@@ -129,7 +129,7 @@ TransferFunction transferFunction(const scenario::Scenario& scenario, const Tran
     (soft ? transfer.softPads : transfer.stiffPads) = meanOf(soft ? "softer pads" : "stiffer pads", over, amid);
   }
   if (options.highest > receptanceLimit)
-    transfer.notes.push_back("above 2 kHz the mesh of the track's receptance is coarse");
+    transfer.notes.emplace_back("above 2 kHz the mesh of the track's receptance is coarse");
   transfer.complete = true;
   return transfer;
 }
