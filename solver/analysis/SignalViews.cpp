@@ -69,7 +69,7 @@ std::shared_ptr<const results::RunResult> resultThrough(const FigureSettings& se
     changed->psd = std::move(box.density);
     changed->psdWheel = std::move(wheel);
     changed->psdWindow = settings.window;
-  } catch (const signals::SignalError& error) {  // the filtered signals are none the worse for it
+  } catch (const signals::SignalError& error) {  // the filtered signals are right all the same
     problem = std::string("Spectrum not updated: ") + error.what();
   }
   return changed;

@@ -15,7 +15,7 @@ namespace squat {
 // How long a thread waits awake for the others before it sleeps.
 struct SpinPolicy {
   explicit SpinPolicy(int threads);
-  // True as soon as `done()` is, false when its turns have run out.
+  // True as soon as `done()` is, false when spins and yields have run out.
   template <typename Done>
   bool waitFor(const Done& done) const;
   int spins, yields;

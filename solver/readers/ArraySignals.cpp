@@ -209,10 +209,11 @@ class Finder {
     const auto add = [&](const std::string& where, double value) {
       if (value > 0) stated.emplace_back(where, value);
     };
-    std::set<std::string> groups;
+    std::set<std::string> groups{group_};
     for (const auto& item : items_) {
       if (item.group != group_) continue;
-      if (!dataset_ || parentOf(item.path) == parentOf(dataset_->path)) add(item.path, numberOf(item, names));
+      const std::string beside = parentOf(item.path);  // not those of the other channels of the group
+      if (!dataset_ || beside == parentOf(dataset_->path) || beside == group_) add(item.path, numberOf(item, names));
       if (!isLong(item) || (dataset_ && &item != dataset_)) continue;
       add(item.path, attributeOf(item.array->attributes, names));
       groups.insert(parentOf(item.array->path));

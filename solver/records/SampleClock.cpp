@@ -60,8 +60,7 @@ std::vector<double> beforeOtherRate(std::vector<double> steps) {
   if (!(first > 0)) return steps;
   for (std::size_t from = window; from + window <= steps.size(); from += window)
     if (const double step = evenStep(from); step > 0 && std::abs(step / first - 1) > alike) {
-      steps.resize(from - window);  // the change may lie in the window before
-      if (steps.empty()) steps.assign(window, first);
+      steps.resize(std::max(from - window, window / 2));  // the change may lie in the window before
       break;
     }
   return steps;

@@ -27,7 +27,7 @@ const std::vector<CatalogueRow>& signalCatalogue() {
                  .title = "Contact force",
                  .axis = "Force on the rail [kN]",
                  .factor = 1e-3,
-                 .withZero = true}},  // where contact is lost
+                 .withZero = true}},  // so that a loss of contact shows
       {.name = names::creepForce,
        .unit = "N",
        .description = "longitudinal force of the wheel on the rail, rolling direction positive",

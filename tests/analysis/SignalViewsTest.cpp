@@ -1,4 +1,4 @@
-// A run seen through the settings of its figures: two tones whose shares after a filter are known in closed form.
+// A run filtered through the settings of its figures: two tones whose shares after a filter are known in closed form.
 #include "analysis/SignalViews.h"
 
 #include <gtest/gtest.h>
@@ -46,12 +46,12 @@ TEST(SignalViews, ALowerCutOffTakesTheHighToneAway) {
   std::string problem;
   FigureSettings settings;
   settings.cutoff = 800;
-  const auto seen = resultThrough(settings, twoTones(), problem);
+  const auto filtered = resultThrough(settings, twoTones(), problem);
   EXPECT_EQ(problem, "");
   // A tone of amplitude 1 has the power 1/2. A Hann window of 12 periods of the record leaks 1 %, and the record ends
   // within the reach of the filter.
-  EXPECT_NEAR(powerNear(*seen, 300), 0.5 * shareLeft(300, 800), 0.02);
-  EXPECT_NEAR(powerNear(*seen, 1000), 0.5 * shareLeft(1000, 800), 0.02 * 0.5);
+  EXPECT_NEAR(powerNear(*filtered, 300), 0.5 * shareLeft(300, 800), 0.02);
+  EXPECT_NEAR(powerNear(*filtered, 1000), 0.5 * shareLeft(1000, 800), 0.02 * 0.5);
   settings.cutoff = 5000;
   EXPECT_NEAR(powerNear(*resultThrough(settings, twoTones(), problem), 1000), 0.5, 0.02);
 }
@@ -81,13 +81,13 @@ TEST(SignalViews, WhatCannotBeDoneIsSaidAndTheOldStays) {
   EXPECT_EQ(problem, "a filter edge of 13000 Hz needs a sampling rate above 26000 Hz; this one is 25000 Hz");
   settings.cutoff = 500;
   settings.section = {0.8, 0.9};  // behind the end: the filter has nothing to do with it
-  const auto seen = resultThrough(settings, result, problem);
+  const auto filtered = resultThrough(settings, result, problem);
   EXPECT_EQ(problem,
             "Spectrum not updated: the section from 800 mm to 900 mm lies outside the record, which extends from -200 "
             "mm to 399 mm");
-  EXPECT_EQ(seen->psd, result.psd);
-  EXPECT_NE(*seen->signal("aba_filtered"), *result.signal("aba_filtered"));
-  EXPECT_EQ(*seen->signal("aba"), *result.signal("aba"));
+  EXPECT_EQ(filtered->psd, result.psd);
+  EXPECT_NE(*filtered->signal("aba_filtered"), *result.signal("aba_filtered"));
+  EXPECT_EQ(*filtered->signal("aba"), *result.signal("aba"));
 }
 
 TEST(SignalViews, ScalesOfSpectraAreNamedInAnyCase) {

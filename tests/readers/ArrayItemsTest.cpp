@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "readers/ArraySignals.h"
 #include "results/Hdf5.h"
 
 namespace squat::readers {
@@ -40,6 +43,33 @@ TEST(ArrayItems, ACellThatHoldsItselfHasNoName) {
   addCell(tree, "/#refs#/a", {"/#refs#/b", "/#refs#/lost"});
   addCell(tree, "/#refs#/b", {"/#refs#/a"});
   EXPECT_THAT(pathsOf(tree), ElementsAre("/aba"));
+}
+
+// The rate of a group counts for the channels that are groups within it; that of one channel does not count for
+// another.
+TEST(ArrayItems, ARateAboveTheChannelsCounts) {
+  results::ArrayTree tree;
+  for (const char* channel : {"left", "right"})
+    tree.add("/train/" + std::string(channel) + "/data", std::vector<double>{1, 2, 3}, "g");
+  setAttribute(tree.addGroup("/train").attributes, "sampling_rate", 25000.0);
+  EXPECT_EQ(columnsOf("made.h5", tree, {}).options.rate, 25000);
+  SignalFileOptions right;
+  right.object = "/train/right/data";
+  EXPECT_EQ(columnsOf("made.h5", tree, right).options.rate, 25000);
+  tree.addScalar("/train/left/fs", 5000, "Hz");
+  EXPECT_EQ(columnsOf("made.h5", tree, right).options.rate, 25000);
+}
+
+// CF conventions: number = scale_factor * stored + add_offset, and none where _FillValue is stored.
+TEST(ArrayItems, PackedNumbersAndMissingOnes) {
+  results::ArrayTree tree;
+  auto& packed = tree.add("/box", std::vector<std::int32_t>{100, -32768}, "m/s2");
+  setAttribute(packed.attributes, "scale_factor", 0.5);
+  setAttribute(packed.attributes, "add_offset", 7.0);
+  setAttribute(packed.attributes, "_FillValue", std::int64_t{-32768});
+  const auto values = columnsOf("made.nc", tree, {}).table.columns.at(0).values;
+  EXPECT_EQ(values.at(0), 57);
+  EXPECT_TRUE(std::isnan(values.at(1)));
 }
 
 // Fields of an array of structures, one of which is such an array itself.

@@ -59,10 +59,10 @@ TEST(Heading, WithARowOfUnitsOnlyBracketsPart) {
 
 // Factors by definition: international mile, foot and inch (1959), standard gravity (1901), nautical mile (1929).
 TEST(Heading, UnitsHaveTheirFactors) {
-  const std::pair<const char*, double> factors[] = {{"msec", 1e-3},           {"min", 60},     {"mile", 1609.344},
-                                                    {"inch", 0.0254},         {"ft", 0.3048},  {"mph", 0.44704},
-                                                    {"knots", 1852 / 3600.0}, {"cm/s2", 1e-2}, {"ft/s2", 0.3048},
-                                                    {"gn", 9.80665},          {"um", 1e-6},    {"kmh", 1 / 3.6}};
+  const std::pair<const char*, double> factors[] = {
+      {"msec", 1e-3},           {"min", 60},     {"mile", 1609.344}, {"inch", 0.0254}, {"ft", 0.3048}, {"mph", 0.44704},
+      {"knots", 1852 / 3600.0}, {"cm/s2", 1e-2}, {"ft/s2", 0.3048},  {"gn", 9.80665},  {"um", 1e-6},   {"kmh", 1 / 3.6},
+      {"milliseconds", 1e-3},   {"hours", 3600}, {"days", 86400},    {"metres", 1},    {"m s-1", 1},   {"m/sec2", 1}};
   for (const auto& [unit, factor] : factors) {
     ASSERT_TRUE(findUnit(unit)) << unit;
     EXPECT_DOUBLE_EQ(findUnit(unit)->factor, factor) << unit;

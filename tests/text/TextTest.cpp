@@ -5,6 +5,7 @@
 #include "text/Csv.h"
 #include "text/HeadingAnchor.h"
 #include "text/Units.h"
+#include "text/Utf8Text.h"
 
 namespace squat::text {
 namespace {
@@ -57,6 +58,12 @@ TEST(Units, KnownByTheirUsualNames) {
 }
 
 // As GitHub names the headings of a page; by hand.
+// RFC 3629: U+00B5 takes two bytes, U+2215 three; half of a surrogate pair is no letter.
+TEST(Utf8Text, LettersOfUtf16) {
+  const std::uint16_t letters[] = {'a', 0x00B5, 0x2215, 0xD83D};
+  EXPECT_EQ(utf8FromUtf16(letters), "a\xC2\xB5\xE2\x88\x95?");
+}
+
 TEST(HeadingAnchor, LowerCaseWithHyphens) {
   EXPECT_EQ(headingAnchor("Parts of other work"), "parts-of-other-work");
   EXPECT_EQ(headingAnchor("Stick, slip: `run_1`"), "stick-slip-run_1");

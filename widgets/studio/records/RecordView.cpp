@@ -133,7 +133,7 @@ QWidget* RecordView::makeBar() {
   estimate_->setObjectName("estimateEvent");
   estimate_->setToolTip(tr("Look for the profile that explains the signal over the chosen event"));
   labels_->setObjectName("saveLabels");
-  labels_->setToolTip(tr("Save what you have seen (column “Label”): the next search takes it as examples"));
+  labels_->setToolTip(tr("Save the labels of events: the next search takes them as examples"));
   row->addWidget(label);
   row->addWidget(channel_);
   row->addWidget(filter_, 1);
