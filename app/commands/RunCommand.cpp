@@ -1,6 +1,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -21,6 +22,7 @@
 #include "commands/RunFiles.h"
 #include "commands/RunReport.h"
 #include "commands/TerminalMonitor.h"
+#include "commands/TimingsTable.h"
 #include "core/Errors.h"
 #include "core/FolderLock.h"
 #include "results/Checkpoint.h"
@@ -44,7 +46,7 @@ struct RunCommandOptions {
   std::string warmFile;
   simulation::RunOptions run;
   NamedFigures figures;
-  bool noFigures = false, verbose = false, json = false;
+  bool noFigures = false, verbose = false, timings = false, json = false;
 };
 
 // --resume: true where the finished result of this very case stands already. Throws where it is another case's.
@@ -100,7 +102,8 @@ void keepPart(const RunFiles& files, const results::RunResult& partial) {
 
 void printTables(const RunCommandOptions& options, const results::RunResult& result) {
   if (options.json) return;
-  if (options.verbose) std::printf("%s\n%s\n", modesTable(result).c_str(), phasesTable(result).c_str());
+  if (options.verbose) std::printf("%s\n", modesTable(result).c_str());
+  if (options.verbose || options.timings) std::printf("%s\n", phasesTable(result).c_str());
   std::printf("%s", paperTable(result).c_str());
   std::fflush(stdout);
 }
@@ -181,6 +184,8 @@ int runOneCase(const RunCommandOptions& options) {
   runOptions.checkpointPath = files.checkpoint();
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  std::string timings;
+  if (options.timings) runOptions.timed = [&](const dynamics::StepTimings& steps) { timings = timingsTable(steps); };
   results::RunResult result, partial;
   try {
     result = simulation::runCase(description, runOptions, monitor, &partial);
@@ -194,7 +199,12 @@ int runOneCase(const RunCommandOptions& options) {
   monitor.clearLine();
   result.stem = files.stem;
   if (!result.complete && hasNothing(files, result)) return reportCancelled(files, "nothing recorded, no file written");
+  const auto begun = std::chrono::steady_clock::now();
   const auto written = writeAndPrint(options, files, result);
+  if (options.timings)
+    std::printf(
+        "\n%s\nfiles and figures: %s\n", timings.c_str(),
+        roundedText(std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count(), "s").c_str());
   if (options.json) {
     printReport(result, written);
   } else {
@@ -227,6 +237,10 @@ void addRunCommand(CLI::App& program, Action& action) {
   command->add_flag("--json", options->json, "Print one JSON object instead of the tables: features, energies, files");
   command->add_flag("--verbose", options->verbose,
                     "Also print the natural modes of the half wheelset and the time of each phase");
+  command
+      ->add_flag("--timings", options->timings,
+                 "Also print the time of each phase of the run, and of a step by phase and thread")
+      ->excludes("--json");
   command->callback([options, &action] { action = [options] { return runOneCase(*options); }; });
 }
 

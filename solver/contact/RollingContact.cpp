@@ -112,37 +112,37 @@ void setAxes(const Sums& sums, PatchState& patch) {
 
 }  // namespace
 
-std::vector<RailPoint> pointsWithin(double margin, const Surfaces& s, const elasticity::SweptBlock& rail,
-                                    const elasticity::SweptBlock& rim, const WheelPlacement& wheel,
+std::vector<RailPoint> pointsWithin(double margin, const ContactPair& pair, const WheelPlacement& wheel,
                                     const double* displaced) {
+  const auto& s = pair.surfaces;
   std::vector<RailPoint> found;
   TouchPoint t;
-  const auto [first, last] = reachableIntervals(s, rail, wheel.centreX + wheel.hubX, s.reach);
+  const auto [first, last] = reachableIntervals(s, pair.rail, wheel.centreX + wheel.hubX, s.reach);
   for (int i = first; i < last; ++i)
     for (int j = s.firstColumn; j < s.firstColumn + s.columns; ++j)
       for (int point = 0; point < 4; ++point)
-        if (evaluatePoint(s, rail, rim, displaced, wheel, i, j, point, nearGap, t) && t.penetration > -margin)
+        if (evaluatePoint(s, pair.rail, pair.rim, displaced, wheel, i, j, point, nearGap, t) && t.penetration > -margin)
           found.push_back({i, j, point});
   return found;
 }
 
-PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
-                       const ContactLaw& law, const WheelRolling& wheel, const double* displaced,
-                       const double* velocity, double step, FrictionHistory& history, const ForceLines& railForces,
-                       const ForceLines& rimForces, std::vector<PatchPoint>* points, ClosedArea* closed,
-                       const std::vector<RailPoint>* among) {
-  if (!among) {
-    const auto all = pointsWithin(0, s, rail, rim, wheel.placement, displaced);
-    return rollContact(s, rail, rim, law, wheel, displaced, velocity, step, history, railForces, rimForces, points,
-                       closed, &all);
+PatchState rollContact(const ContactPair& pair, const ContactMotion& motion, FrictionHistory& history,
+                       const ContactForces& forces, const ContactScope& scope) {
+  if (!scope.among) {
+    const auto all = pointsWithin(0, pair, motion.wheel.placement, motion.displaced);
+    return rollContact(pair, motion, history, forces, {&all, scope.points, scope.closed});
   }
+  const auto& [s, rail, rim, law] = pair;
+  const auto& [wheel, displaced, velocity, step] = motion;
+  auto* points = scope.points;
+  auto* closed = scope.closed;
   PatchState patch;
   Sums sums;
   if (closed) closed->rail.clear(), closed->rim.clear();
   const auto& placement = wheel.placement;
   std::vector<std::size_t> before;
   before.swap(history.closed);
-  for (const auto& [i, j, point] : *among) {
+  for (const auto& [i, j, point] : *scope.among) {
     TouchPoint t;
     if (!evaluatePoint(s, rail, rim, displaced, placement, i, j, point, nearGap, t) || t.penetration <= 0) continue;
     const double pressure = law.normalPenalty * t.penetration, area = s.area[t.point];
@@ -167,8 +167,8 @@ PatchState rollContact(const Surfaces& s, const elasticity::SweptBlock& rail, co
         0.5 * area * (pressure * t.penetration + (along * along + across * across) / law.tangentialPenalty);
 
     const PointForce force = forceOf(s, t, area, pressure, along, across);
-    addToRail(s, rail, t, force, railForces);
-    addToRim(rim, t, area, force, rimForces);
+    addToRail(s, rail, t, force, forces.rail);
+    addToRim(rim, t, area, force, forces.rim);
     if (closed) addShares(t, area, *closed);
     patch.vertical -= force.z, patch.longitudinal += force.x, patch.lateral += force.y;
     patch.rotationMoment += t.radius * area * (along * t.tiltCosine + force.outwards * (t.lead - t.tiltSine));

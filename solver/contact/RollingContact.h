@@ -69,19 +69,38 @@ struct ForceLines {
 struct RailPoint {
   int interval = 0, column = 0, point = 0;
 };
+// What rolls on what.
+struct ContactPair {
+  const Surfaces& surfaces;
+  const elasticity::SweptBlock &rail, &rim;
+  ContactLaw law;
+};
+// How both move, over a step of so many seconds; displacements and velocities in state layout.
+struct ContactMotion {
+  WheelRolling wheel;
+  const double* displaced = nullptr;
+  const double* velocity = nullptr;
+  double step = 0;  // [s]
+};
+struct ContactForces {
+  ForceLines rail, rim;
+};
+
 // Points within reach whose gap is below `margin` [m], in ascending order: while no gap closes by more than that, no
 // other can touch.
-std::vector<RailPoint> pointsWithin(double margin, const Surfaces& surfaces, const elasticity::SweptBlock& rail,
-                                    const elasticity::SweptBlock& rim, const WheelPlacement& wheel,
+std::vector<RailPoint> pointsWithin(double margin, const ContactPair& pair, const WheelPlacement& wheel,
                                     const double* displaced);
 
-// Evaluates the patch for displacements `displaced` and velocities (state layout), updates the friction history over
-// `step` seconds and adds the forces. Looks at the points `among`, as from pointsWithin(), or at all within reach.
-// `points` and `closed` receive the closed points where they are given.
-PatchState rollContact(const Surfaces& surfaces, const elasticity::SweptBlock& rail, const elasticity::SweptBlock& rim,
-                       const ContactLaw& law, const WheelRolling& wheel, const double* displaced,
-                       const double* velocity, double step, FrictionHistory& history, const ForceLines& railForces,
-                       const ForceLines& rimForces, std::vector<PatchPoint>* points = nullptr,
-                       ClosedArea* closed = nullptr, const std::vector<RailPoint>* among = nullptr);
+// Of an evaluation: the points that it looks at, as from pointsWithin(), null: all within reach; and who gets the
+// closed points, null: nobody.
+struct ContactScope {
+  const std::vector<RailPoint>* among = nullptr;
+  std::vector<PatchPoint>* points = nullptr;
+  ClosedArea* closed = nullptr;
+};
+
+// Evaluates the patch, updates the friction history over the step and adds the forces.
+PatchState rollContact(const ContactPair& pair, const ContactMotion& motion, FrictionHistory& history,
+                       const ContactForces& forces, const ContactScope& scope = {});
 
 }  // namespace squat::contact

@@ -1,5 +1,7 @@
 #include "core/ThreadTeam.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -11,15 +13,40 @@
 
 namespace squat {
 
-// Threads that have a core each meet within microseconds; where they share cores, spinning only keeps the others away.
-// A core that goes to sleep takes longer to wake than most waits last, on virtual machines above all: so a thread that
-// has spun in vain offers its core to others for about half a millisecond before it sleeps.
-SpinPolicy::SpinPolicy(int threads)
-    : spins(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 2000 : 20),
-      yields(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 1000 : 0) {}
+namespace {
+
+// Times that the calling thread has lost its core to others against its will.
+long lostCores() {
+#if defined(RUSAGE_THREAD)
+  rusage usage{};
+  if (::getrusage(RUSAGE_THREAD, &usage) == 0) return usage.ru_nivcsw;
+#endif
+  return 0;
+}
+
+}  // namespace
+
+// Another program that computes takes its turn every few milliseconds; what the system itself does is rarer.
+void CoreContention::Look::take(CoreContention& contention) {
+  constexpr auto window = std::chrono::milliseconds(30);
+  constexpr long often = 3;
+  const auto now = Clock::now();
+  if (lost_ >= 0 && now - since_ < window) return;
+  const long lost = lostCores();
+  const bool isOften = lost_ >= 0 && lost - lost_ >= often;
+  if (isOften != counted_) contention.there_ += isOften ? 1 : -1;
+  counted_ = isOften, lost_ = lost, since_ = now;
+}
+
+SpinPolicy::SpinPolicy(int threads, const CoreContention& contention)
+    : contention_(contention),
+      spins_(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 2000 : 20),
+      yields_(threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 1000 : 0) {}
 
 template <typename Done>
 bool SpinPolicy::waitFor(const Done& done) const {
+  const bool contended = contention_.isThere();
+  const int spins = contended ? std::min(spins_, 100) : spins_, yields = contended ? 0 : yields_;
   for (int i = 0; i < spins; ++i) {
     if (done()) return true;
 #if defined(__x86_64__)
@@ -46,9 +73,11 @@ void StepBarrier::wait() {
   while (round_.load(std::memory_order_acquire) == round) round_.wait(round, std::memory_order_acquire);
 }
 
-StepBarrier::StepBarrier(int threads) : threads_(threads), spinPolicy_(threads) {}
+StepBarrier::StepBarrier(int threads, const CoreContention& contention)
+    : threads_(threads), spinPolicy_(threads, contention) {}
 
-ThreadTeam::ThreadTeam(int threads) : size_(std::max(1, threads)), spinPolicy_(size_), barrier_(size_) {
+ThreadTeam::ThreadTeam(int threads)
+    : size_(std::max(1, threads)), spinPolicy_(size_, contention_), barrier_(size_, contention_) {
   try {
     for (int i = 1; i < size_; ++i) threads_.emplace_back([this, i] { work(i); });
   } catch (...) {  // no more threads to be had: those that run must end before they are let go
@@ -83,6 +112,7 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
     own = std::current_exception();
   }
   const auto allDone = [this] { return busy_ == 0; };
+  callersLook_.take(contention_);
   spinPolicy_.waitFor(allDone);
   std::unique_lock lock(mutex_);
   done_.wait(lock, allDone);
@@ -93,9 +123,11 @@ void ThreadTeam::run(const std::function<void(int)>& task) {
 
 void ThreadTeam::work(int index) {
   unsigned long seen = 0;
+  CoreContention::Look look;
   const auto called = [&] { return stop_ || round_ != seen; };
   while (true) {
     const std::function<void(int)>* task = nullptr;
+    look.take(contention_);
     spinPolicy_.waitFor(called);
     {
       std::unique_lock lock(mutex_);

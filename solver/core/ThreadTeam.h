@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -12,27 +13,54 @@
 
 namespace squat {
 
-// How long a thread waits awake for the others before it sleeps.
-struct SpinPolicy {
-  explicit SpinPolicy(int threads);
-  // True as soon as `done()` is, false when spins and yields have run out.
-  template <typename Done>
-  bool waitFor(const Done& done) const;
-  int spins, yields;
+// Whether other programs hold the cores at times: threads that look often tell it by how often they lost theirs.
+class CoreContention {
+ public:
+  bool isThere() const { return there_.load(std::memory_order_relaxed) > 0; }
+  // Of one thread, which looks every millisecond or so.
+  class Look {
+   public:
+    void take(CoreContention& contention);
+
+   private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point since_ = Clock::now();
+    long lost_ = -1;
+    bool counted_ = false;  // among those that lose their core
+  };
+
+ private:
+  std::atomic<int> there_{0};  // threads that lose their core often
 };
 
-// Barrier for threads that meet every few microseconds: spins a while, then yields, then sleeps, so that a busy machine
-// only slows it.
+// How long a thread of a team waits awake for the others before it sleeps. Threads that have a core each meet within
+// microseconds, and a core that goes to sleep takes longer to wake than most waits last, on virtual machines above all.
+// But where another program holds a core, the thread that is waited for cannot come before its turn, some milliseconds:
+// only the core of the waiting thread, given away, lets it come sooner.
+class SpinPolicy {
+ public:
+  SpinPolicy(int threads, const CoreContention& contention);
+  // True as soon as `done()` is, false when it is time to sleep.
+  template <typename Done>
+  bool waitFor(const Done& done) const;
+
+ private:
+  const CoreContention& contention_;
+  int spins_, yields_;
+};
+
+// Barrier for threads that meet every few microseconds: spins a while, then sleeps, so that a busy machine only slows
+// it.
 class StepBarrier {
  public:
-  explicit StepBarrier(int threads);
+  StepBarrier(int threads, const CoreContention& contention);
   void wait();
 
  private:
   const int threads_;
   const SpinPolicy spinPolicy_;
-  std::atomic<int> arrived_{0};
-  std::atomic<unsigned> round_{0};
+  alignas(64) std::atomic<int> arrived_{0};
+  alignas(64) std::atomic<unsigned> round_{0};
 };
 
 // Runs a task on all threads (the caller is thread 0) and returns when all are done. An exception in a task is passed
@@ -55,6 +83,8 @@ class ThreadTeam {
   void work(int index);
   void end();
   int size_;
+  CoreContention contention_;
+  CoreContention::Look callersLook_;
   SpinPolicy spinPolicy_;
   StepBarrier barrier_;
   std::vector<std::thread> threads_;

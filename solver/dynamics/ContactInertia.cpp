@@ -49,12 +49,6 @@ ContactInertia::ContactInertia(const model::Model& model, double penalty, double
   }
 }
 
-void ContactInertia::apply(double* railInverse, double* rimInverse) {
-  added_ = 0;
-  applySide(sides_[0], closed_.rail, railInverse);
-  applySide(sides_[1], closed_.rim, rimInverse);
-}
-
 double ContactInertia::addedInertia() const {
   double sum = 0;
   for (const auto& share : closed_.rim) {
@@ -74,18 +68,21 @@ double ContactInertia::addedAngularVelocity(const double* velocity, double cosin
   return massPerArea_ * sum;
 }
 
-void ContactInertia::applySide(Side& side, const std::vector<contact::AreaShare>& shares, double* inverse) {
+void ContactInertia::apply(int index, double* inverse) {
+  Side& side = sides_[static_cast<std::size_t>(index)];
+  const auto& shares = index == 0 ? closed_.rail : closed_.rim;
   const auto& block = *side.block;
+  side.added = 0;
   const auto bare = [&](int node, int station) {
     return (*side.mass)[static_cast<std::size_t>(node) * block.stride + static_cast<std::size_t>(station)];
   };
-  for (const auto index : side.single) {
-    const int node = static_cast<int>(index / block.stride), station = static_cast<int>(index % block.stride);
+  for (const auto at : side.single) {
+    const int node = static_cast<int>(at / block.stride), station = static_cast<int>(at % block.stride);
     inverse[indexOf(block, node, station)] = 1 / bare(node, station);
   }
   side.single.clear(), side.next.clear();
   for (const auto& share : shares) {
-    added_ += massPerArea_ * share.area;
+    side.added += massPerArea_ * share.area;
     const int cluster = side.clusterOf[share.node];
     const auto group = stationGroup(block, share.station);
     if (cluster < 0 || group.count == 1) {

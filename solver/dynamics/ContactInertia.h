@@ -46,13 +46,15 @@ class ContactInertia {
 
   // Filled by the contact, then put into effect.
   contact::ClosedArea& closed() { return closed_; }
-  // Inverse masses of both blocks as from inChunks(): takes back what the patch before has left and adds the mass of
-  // this one.
-  void apply(double* railInverse, double* rimInverse);
+  // Inverse masses of rail (0) or rim (1) as from inChunks(): takes back what the patch before has left and adds the
+  // mass of this one. Two threads may do a side each.
+  void apply(int side, double* inverse);
   // For the step in place (BlockStep), of rail (0) and rim (1); filters() until the next apply().
   const int* ownFilter(int side) const { return sides_[side].slotOf.data(); }
   const elasticity::KernelFilter* filters(int side) const { return sides_[side].filters.data(); }
-  double addedMass() const { return added_; }  // [kg] in both bodies together, as last applied
+  double addedMass() const {
+    return sides_[0].added + sides_[1].added;
+  }  // [kg] in both bodies together, as last applied
   // What closed points add to the wheel: its inertia about the axis [kg m2], and its angular momentum [kg m2/s] against
   // the rolling, sum of r v_alpha, in velocities (state layout) whose bases have turned since by an angle of this
   // cosine and sine.
@@ -73,6 +75,7 @@ class ContactInertia {
   };
   struct Side {
     const elasticity::SweptBlock* block = nullptr;
+    double added = 0;                     // [kg]
     const AlignedVector* mass = nullptr;  // bare, in lines
     int units = 0;                        // of eight stations
     std::vector<int> clusterOf, rankOf;   // per section node: cluster and place in it, or -1
@@ -87,12 +90,10 @@ class ContactInertia {
     std::vector<int> nextOf;          // per key: 1 + index into next, 0 where there is none
     std::vector<std::size_t> single;  // heavy nodes outside such blocks
   };
-  void applySide(Side& side, const std::vector<contact::AreaShare>& shares, double* inverse);
   void applyBlocks(Side& side, double* inverse);
   void weigh(Side& side, Touched& touched, double* inverse) const;
 
   double massPerArea_;
-  double added_ = 0;
   std::array<Side, 2> sides_;
   contact::ClosedArea closed_;
 };

@@ -1,14 +1,13 @@
 #include "dynamics/Rolling.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "model/BuildForceElements.h"
-#include "model/ContactPenalty.h"
 
 namespace squat::dynamics {
 
@@ -21,10 +20,6 @@ elasticity::KernelSet kernelsAsAsked(const model::Model& model, const std::strin
   const bool single = model.scenario.mesh.precision == scenario::ElementPrecision::single;
   return elasticity::kernelsFor(isa,
                                 single ? elasticity::Precision::singleInside : elasticity::Precision::doubleInside);
-}
-
-contact::ForceLines forceLines(const model::Model& model, int block, AlignedVector& forces) {
-  return {forces.data() + model.loaded[block].offset, model.loaded[block].lineOfNode.data()};
 }
 
 // Gravity in the local components of every station; `drift` [m/s2] is added to it where the block turns.
@@ -57,17 +52,14 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
       team_(team),
       step_(step),
       beta_(beta),
-      inertia_(model, stiffestPenalty(model.scenario), step, beta),
-      wheelsetDamping_(model, step) {
+      contact_(model, step, beta),
+      wheelsetDamping_(model, step),
+      pace_(firstGuessBesides(model, team.size())),
+      shares_(shareStep(model, pace_.besides())),
+      oneShare_(shareStep(model, {0.0})) {
   const auto& d = model.scenario;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
-  law_ = {model::normalPenalty(d), model::tangentialPenalty(d), d.contact.friction};
   layerKernels_ = plasticity::layerKernelsFor(kernels.name);
-  shareBlocks();
-  for (int i = 0; i < team.size(); ++i) {
-    fineEnds_.push_back(elasticity::segmentEnds(fineWork_[i], model.blocks));
-    masterEnds_.push_back(elasticity::segmentEnds(masterWork_[i], model.blocks));
-  }
   for (int i = 0; i < team.size(); ++i) scratch_.push_back(std::make_unique<elasticity::KernelScratch>(model.blocks));
   forces_.assign(model.forceSize, 0.0);
   turnStations(model.blocks[model.body], 0, turned_);
@@ -85,9 +77,6 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
     const auto& block = model.blocks[b];
     elasticity::BlockStep with;
     with.kernels = static_cast<int>(b) == model.body ? &kernels_ : &askedKernels_;
-    const bool isAlone = wheelsetOfOne_ && static_cast<int>(b) == model.body;
-    endsLate_.push_back(isAlone ||
-                        std::any_of(model.slave[b].begin(), model.slave[b].end(), [](auto tied) { return tied != 0; }));
     inverseMass_.push_back(elasticity::inChunks(block, model.inverseMass[b].data()));
     with.inverseMass = inverseMass_.back().data();
     with.freeMask = model.freeMask[b].data();
@@ -109,9 +98,10 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
     turningMoment_[index].assign(model.blocks[b].stride, 0.0);
     blockSteps_[b].turningMoment = turningMoment_[index].data();
   }
-  shareTies();
-  shareFixed();
-  shareForceElements();
+  std::size_t largestTie = 0;
+  for (const auto& tie : model.ties) largestTie = std::max(largestTie, elasticity::tieWorkspace(tie));
+  tieWorkspaces_.assign(static_cast<std::size_t>(team.size()), AlignedVector(largestTie, 0.0));
+  groupDamperPowers_.assign(shares_.forceGroups, 0.0);
 }
 
 void Rolling::start(const AlignedVector& displacement, const AlignedVector& velocity, double angularVelocity) {
@@ -127,7 +117,7 @@ void Rolling::start(const AlignedVector& displacement, const AlignedVector& velo
 
 void Rolling::restore(RollingState state) {
   state_ = std::move(state);
-  nearUntil_ = state_.step;
+  contact_.restart(state_.step);
   fix(model_.fixed);
   std::fill(forces_.begin(), forces_.end(), 0.0);
   layerForces_ = plasticity::layerForces(model_.layer, layerKernels_, state_.plastic);
@@ -139,6 +129,91 @@ void Rolling::restore(RollingState state) {
   view_.step = state_.step, view_.time = state_.time;
   view_.position = positionOf(wheel);
   view_.angularVelocity = state_.angularVelocity;
+}
+
+void Rolling::advance(long steps, const std::function<void(const StepView&)>& observe) {
+  const auto begun = std::chrono::steady_clock::now();
+  const long first = state_.step;
+  nextForces_.at = 0;
+  if (pace_.alone())
+    takeSteps(oneShare_, 0, first, steps, observe);
+  else
+    team_.run([&](int index) { takeSteps(shares_, index, first, steps, observe); });
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
+  if (pace_.advanced(steps, seconds.count(), shares_.work)) shares_ = shareStep(model_, pace_.besides());
+  if (timings_) timings_->end(0, StepPhase::waiting), timings_->countSteps(steps);
+  finishStep();
+  if (timings_) timings_->end(0, StepPhase::motion);
+  observe(view_);
+  if (timings_) timings_->end(0, StepPhase::observers);
+}
+
+// Of one thread. The first one closes a step and begins the next while others already collect forces.
+void Rolling::takeSteps(StepShares& shares, int index, long first, long steps,
+                        const std::function<void(const StepView&)>& observe) {
+  const bool together = shares.threads.size() > 1;
+  auto& clock = pace_.clock(index);
+  auto& own = shares.threads[static_cast<std::size_t>(index)];
+  const auto done = [&](StepPhase phase) {
+    if (timings_) timings_->end(index, phase);
+  };
+  auto part = WorkClock::Part::gathering;
+  const auto meet = [&] {
+    if (!together) return;
+    clock.rest(part);
+    team_.barrier();
+    clock.resume();
+    done(StepPhase::waiting);
+  };
+  done(index == 0 ? StepPhase::observers : StepPhase::waiting);
+  clock.resume();
+  for (long k = 0; k < steps; ++k) {
+    if (index == 0) {
+      if (k > 0) {
+        finishStep();
+        done(StepPhase::motion);
+        observe(view_);
+        done(StepPhase::observers);
+      }
+      nextSleeper_.at = 0;
+      pushWheelset();
+      addContactInertia(0);
+      if (!shares.wheelsetOfOne) addContactInertia(1);
+      done(StepPhase::wheelset);
+    }
+    pushForceElements(shares, index);
+    done(StepPhase::forceElements);
+    if (!shares.wheelsetOfOne) placeTiedNodes(own, index);
+    done(StepPhase::tiedNodes);
+    yieldLayer(index, static_cast<int>(shares.threads.size()), first + k);
+    done(StepPhase::layer);
+    readEnds(shares, own, index, false);
+    done(StepPhase::ends);
+    meet();
+    part = WorkClock::Part::advancing;
+    if (index == 0) {
+      sumDamperPower();
+      nextForces_.at = 0;
+    }
+    if (shares.wheelsetOfOne && index + 1 == static_cast<int>(shares.threads.size())) addContactInertia(1);
+    if (shares.wheelsetOfOne) placeTiedNodes(own, index);
+    done(StepPhase::tiedNodes);
+    readEnds(shares, own, index, true);
+    done(StepPhase::ends);
+    if (!shares.wheelsetOfOne) meet();
+    advanceStations(own, index);
+    done(StepPhase::stations);
+    if (!shares.wheelsetOfOne) meet();
+    passTieForces(own, index);
+    advanceMasters(own, index);
+    fix(own.fixed);
+    done(StepPhase::masters);
+    advanceSleepers(shares, index);
+    done(StepPhase::sleepers);
+    meet();
+    part = WorkClock::Part::gathering;
+    clock.endStep();
+  }
 }
 
 double Rolling::torqueAt(double time) const {
@@ -169,36 +244,21 @@ double Rolling::positionOf(const contact::WheelRolling& wheel) const {
   return wheel.placement.centreX + wheel.placement.hubX - wheel.speed * beta_;
 }
 
-// Points that may touch soon are looked for some microseconds ahead. Surfaces approach each other with the rolling, by
-// speed times reach over radius (and the slope of a tread that is not round), and with a metre per second or two as
-// elements spring and bodies bounce.
-void Rolling::listNearPoints(const contact::WheelPlacement& wheel) {
-  if (state_.step < nearUntil_) return;
-  constexpr double ahead = 5e-6, bounce = 8;  // [s], [m/s]
-  const auto& s = model_.surfaces;
-  const auto steps = std::max(1L, std::lround(ahead / step_));
-  const double speed = std::abs(model_.scenario.motion.speed);
-  const double approach = bounce + speed * s.reach / s.radius + speed * s.treadSteepest;
-  near_ = pointsWithin(approach * static_cast<double>(steps) * step_, s, model_.blocks[model_.rail],
-                       model_.blocks[model_.rim], wheel, state_.displaced.data());
-  nearUntil_ = state_.step + steps;
-}
-
 void Rolling::evaluateContact() {
-  const double* displaced = state_.displaced.data();
-  const auto wheel = wheelRolling(displaced);
-  listNearPoints(wheel.placement);
+  const auto wheel = wheelRolling(state_.displaced.data());
   view_.step = state_.step;
   view_.time = state_.time;
   view_.position = positionOf(wheel);
-  view_.patch =
-      rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_, wheel, displaced,
-                  state_.velocity.data(), step_, state_.friction, forceLines(model_, model_.rail, forces_),
-                  forceLines(model_, model_.rim, forces_), nullptr, &inertia_.closed(), &near_);
-  inertia_.apply(inverseMass_[model_.rail].data(), inverseMass_[model_.rim].data());
-  addedAngularVelocity_ = inertia_.addedAngularVelocity(state_.velocity.data(), 1, 0);
-  for (const auto& [side, b] : {std::pair{0, model_.rail}, std::pair{1, model_.rim}})
-    blockSteps_[b].ownFilter = inertia_.ownFilter(side), blockSteps_[b].filters = inertia_.filters(side);
+  view_.patch = contact_.evaluate(wheel, state_, forces_.data());
+  addedAngularVelocity_ = contact_.inertia().addedAngularVelocity(state_.velocity.data(), 1, 0);
+}
+
+// Of rail (0) or rim (1), once the contact is known and before the first of its stations is advanced.
+void Rolling::addContactInertia(int side) {
+  const int b = side == 0 ? model_.rail : model_.rim;
+  auto& inertia = contact_.inertia();
+  inertia.apply(side, inverseMass_[b].data());
+  blockSteps_[b].ownFilter = inertia.ownFilter(side), blockSteps_[b].filters = inertia.filters(side);
 }
 
 model::PlaneVector Rolling::boxVelocity() const {
@@ -253,67 +313,80 @@ void Rolling::fix(const std::vector<std::size_t>& unknowns) {
   for (const auto index : unknowns) state_.velocity[index] = 0, state_.displaced[index] = 0;
 }
 
-// The first thread's share has the elements of the vehicle: it passes their forces on the journal to the seat there.
-void Rolling::pushForceElements(int index) {
-  forces::addForces(forceShares_[static_cast<std::size_t>(index)], state_.displaced.data(), state_.velocity.data(),
-                    forces_.data(), groupDamperPowers_.data());
-  if (index > 0) return;
-  double* auxiliary = forces_.data() + model_.forceSize - model::auxiliaryUnknowns;
-  const model::PlaneVector force{std::exchange(auxiliary[model_.journalX - model_.firstAuxiliary], 0.0),
-                                 std::exchange(auxiliary[model_.journalZ - model_.firstAuxiliary], 0.0)};
-  addRingForce(model_, model_.bearing, turned_, force, forces_.data());
+// The elements of the vehicle push the journal: their forces are passed on to the seat there.
+void Rolling::pushForceElements(const StepShares& shares, int index) {
+  const auto add = [&](const forces::ForceShare& share) {
+    forces::addForces(share, state_.displaced.data(), state_.velocity.data(), forces_.data(),
+                      groupDamperPowers_.data());
+  };
+  if (index == 0) {
+    add(shares.vehicleForces);
+    double* auxiliary = forces_.data() + model_.forceSize - model::auxiliaryUnknowns;
+    const model::PlaneVector force{std::exchange(auxiliary[model_.journalX - model_.firstAuxiliary], 0.0),
+                                   std::exchange(auxiliary[model_.journalZ - model_.firstAuxiliary], 0.0)};
+    addRingForce(model_, model_.bearing, turned_, force, forces_.data());
+  }
+  for (std::size_t i = nextForces_.at++; i < shares.trackForces.size(); i = nextForces_.at++)
+    add(shares.trackForces[i]);
 }
 
 void Rolling::sumDamperPower() {
   damperPower_ = std::accumulate(groupDamperPowers_.begin(), groupDamperPowers_.end(), 0.0);
 }
 
-void Rolling::placeTiedNodes(int index) {
-  for (const auto& share : slaveShares_[index])
+void Rolling::placeTiedNodes(const ThreadShare& own, int index) {
+  for (const auto& share : own.placed)
     interpolateSlaves(model_.ties[share.tie], model_.blocks, state_.displaced.data(), tieWorkspaces_[index].data(),
                       share.slaves.front());
 }
 
 // Plastic flow in the layer around the patch, shared among the threads by groups.
-void Rolling::yieldLayer(int index, long step) {
+void Rolling::yieldLayer(int index, int threads, long step) {
   if (model_.layer.empty()) return;
   const double x = model_.startX + model_.scenario.motion.speed * static_cast<double>(step) * step_;
   plasticity::returnWindow(model_.layer, layerKernels_, state_.displaced.data(), x, model_.surfaces.reach, index,
-                           team_.size(), state_.plastic, layerForces_);
+                           threads, state_.plastic, layerForces_);
 }
 
 // A step in place overwrites what neighbouring stretches need: each thread reads that first. Blocks with slaves come
 // when those are placed, the others before.
-void Rolling::readEnds(int index, bool late) {
+void Rolling::readEnds(const StepShares& shares, ThreadShare& own, int index, bool late) {
   const auto read = [&](const std::vector<elasticity::Segment>& work, std::vector<elasticity::SegmentEnds>& ends) {
     for (std::size_t i = 0; i < work.size(); ++i)
-      if (endsLate_[work[i].block] == late)
+      if (shares.endsLate[work[i].block] == late)
         elasticity::readEnd(work[i], model_.blocks, blockSteps_, state_.displaced.data(), *scratch_[index], ends[i]);
   };
-  read(fineWork_[index], fineEnds_[index]);
-  read(masterWork_[index], masterEnds_[index]);
+  read(own.stations, own.stationEnds);
+  read(own.masters, own.masterEnds);
 }
 
-void Rolling::advanceFine(int index) {
+void Rolling::advanceStations(const ThreadShare& own, int index) {
   // Each thread adds the forces of plastic strain to the stations that it will advance.
   if (!model_.layer.empty())
-    for (const auto& part : fineWork_[index])
+    for (const auto& part : own.stations)
       if (part.block == model_.rail)
         plasticity::addPlasticForces(model_.layer, layerForces_, part.first, part.first + part.count,
                                      forces_.data() + model_.loaded[part.block].offset,
                                      model_.loaded[part.block].lineOfNode.data());
-  // A sleeper is not cut among the threads.
-  if (model_.sleeperShape.size() > 0)
-    for (const auto& part : fineWork_[index])
-      if (part.block >= model_.firstSleeper)
-        elasticity::addIrregularForces(model_.sleeperShape, state_.displaced.data() + model_.blocks[part.block].offset,
-                                       forces_.data() + model_.loaded[part.block].offset);
-  elasticity::advanceSegments(fineWork_[index], model_.blocks, blockSteps_, step_, state_.displaced.data(),
-                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &fineEnds_[index]);
+  elasticity::advanceSegments(own.stations, model_.blocks, blockSteps_, step_, state_.displaced.data(),
+                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &own.stationEnds);
 }
 
-void Rolling::passTieForces(int index) {
-  for (const auto& share : tieShares_[index]) {
+void Rolling::advanceSleepers(StepShares& shares, int index) {
+  for (std::size_t i = nextSleeper_.at++; i < shares.sleepers.size(); i = nextSleeper_.at++) {
+    const auto& sleeper = shares.sleepers[i];
+    const int block = sleeper.stations.front().block;
+    if (model_.sleeperShape.size() > 0)
+      elasticity::addIrregularForces(model_.sleeperShape, state_.displaced.data() + model_.blocks[block].offset,
+                                     forces_.data() + model_.loaded[block].offset);
+    elasticity::advanceSegments(sleeper.stations, model_.blocks, blockSteps_, step_, state_.displaced.data(),
+                                state_.displaced.data(), state_.velocity.data(), *scratch_[index], &sleeper.ends);
+    fix(sleeper.fixed);
+  }
+}
+
+void Rolling::passTieForces(const ThreadShare& own, int index) {
+  for (const auto& share : own.served) {
     const auto& tie = model_.ties[share.tie];
     const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
     const auto &from = model_.loaded[tie.slaveBlock], &to = model_.loaded[tie.masterBlock];
@@ -331,9 +404,9 @@ void Rolling::passTieForces(int index) {
   }
 }
 
-void Rolling::advanceMasters(int index) {
-  elasticity::advanceSegments(masterWork_[index], model_.blocks, blockSteps_, step_, state_.displaced.data(),
-                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &masterEnds_[index]);
+void Rolling::advanceMasters(const ThreadShare& own, int index) {
+  elasticity::advanceSegments(own.masters, model_.blocks, blockSteps_, step_, state_.displaced.data(),
+                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &own.masterEnds);
 }
 
 void Rolling::finishStep() {
@@ -362,8 +435,9 @@ void Rolling::finishStep() {
   for (auto& line : turningMoment_)
     for (double& moment : line) state_.turningMoment += std::exchange(moment, 0.0);
   const auto& turn = blockSteps_[model_.rim];
-  state_.addedMoment = (inertia_.addedAngularVelocity(v, turn.cosine, turn.sine) - addedAngularVelocity_) / step_ -
-                       referenceAcceleration_ * inertia_.addedInertia();
+  state_.addedMoment =
+      (contact_.inertia().addedAngularVelocity(v, turn.cosine, turn.sine) - addedAngularVelocity_) / step_ -
+      referenceAcceleration_ * contact_.inertia().addedInertia();
   ++state_.step;
   state_.time = static_cast<double>(state_.step) * step_;
   state_.sums.friction += step_ * view_.patch.frictionPower;
@@ -382,34 +456,26 @@ void Rolling::finishStep() {
 }
 
 AlignedVector Rolling::displacement() const {
-  AlignedVector u = state_.displaced;
+  AlignedVector u;
+  displacement(u);
+  return u;
+}
+
+void Rolling::displacement(AlignedVector& u) const {
+  u = state_.displaced;
   for (std::size_t i = 0; i < u.size(); ++i) u[i] -= beta_ * state_.velocity[i];
   elasticity::refreshGhosts(model_.blocks, u.data());
   AlignedVector workspace(tieWorkspaces_.front().size(), 0.0);
   for (const auto& tie : model_.ties) interpolateSlaves(tie, model_.blocks, u.data(), workspace.data());
   followJournal(model_, turned_, u.data());
-  return u;
 }
 
 std::vector<contact::PatchPoint> Rolling::patchPoints() const {
-  AlignedVector forces(model_.forceSize, 0.0);
-  auto history = state_.friction;
-  std::vector<contact::PatchPoint> points;
-  rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], law_,
-              wheelRolling(state_.displaced.data()), state_.displaced.data(), state_.velocity.data(), step_, history,
-              forceLines(model_, model_.rail, forces), forceLines(model_, model_.rim, forces), &points);
-  return points;
+  return contact_.points(wheelRolling(state_.displaced.data()), state_);
 }
 
 double Rolling::frontOfContact(double margin) const {
-  const auto& s = model_.surfaces;
-  double front = -std::numeric_limits<double>::infinity();
-  const double* displaced = state_.displaced.data();
-  for (const auto& [interval, column, point] :
-       pointsWithin(margin, s, model_.blocks[model_.rail], model_.blocks[model_.rim], wheelRolling(displaced).placement,
-                    displaced))
-    front = std::max(front, s.pointX[s.pointIndex(interval, column, point)]);
-  return front;
+  return contact_.front(margin, wheelRolling(state_.displaced.data()), state_);
 }
 
 }  // namespace squat::dynamics

@@ -1,10 +1,10 @@
 // solver/dynamics/Rolling.h - central difference of the rolling wheel on the track.
 //
-// One step, everything local in memory, four meetings of the threads: contact, force elements and torque collect forces
-// on surface nodes, and tied nodes take the displacements of their masters; every thread reads what it needs beyond its
-// stretches of stations; then each stretch computes its inner forces and is advanced at once, in place. The rim's tied
-// nodes pass their inner forces to the wheel body, which follows. Fixed partition, ordered sums: the same bits for any
-// number of threads.
+// One step, everything local in memory, two to four meetings of the threads: contact, force elements and torque collect
+// forces on surface nodes, and tied nodes take the displacements of their masters; every thread reads what it needs
+// beyond its stretches of stations; then each stretch computes its inner forces and is advanced at once, in place. The
+// rim's tied nodes pass their inner forces to the wheel body, which follows. Who does what is in StepShares.h, how
+// shares follow the machine in TeamPace.h. Ordered sums: the same bits for any number of threads and any shares.
 //
 // Plastic flow of the rail's surface layer (plasticity/): elements around the patch are returned to yield while contact
 // and force elements collect forces; each thread adds the forces of plastic strain to the stations that it advances.
@@ -20,15 +20,17 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
-#include "contact/RollingContact.h"
 #include "core/ThreadTeam.h"
-#include "dynamics/ContactInertia.h"
+#include "dynamics/ContactPhase.h"
 #include "dynamics/RollingState.h"
-#include "elasticity/SweptWork.h"
-#include "forces/ForceShares.h"
+#include "dynamics/StepShares.h"
+#include "dynamics/StepTimings.h"
+#include "dynamics/TeamPace.h"
 #include "model/WheelMotion.h"
 #include "model/WheelsetDamping.h"
 #include "plasticity/LayerWork.h"
@@ -52,38 +54,9 @@ class Rolling {
   void start(const AlignedVector& displacement, const AlignedVector& velocity, double angularVelocity);
 
   // Advances `steps` steps; `observe(view)` is called on the calling thread for every step.
-  template <typename Observe>
-  void advance(long steps, const Observe& observe) {
-    const long first = state_.step;
-    team_.run([&](int index) {
-      for (long k = 0; k < steps; ++k) {
-        if (index == 0) {
-          if (k > 0) {
-            finishStep();
-            observe(view_);
-          }
-          pushWheelset();
-        }
-        pushForceElements(index);
-        if (!wheelsetOfOne_) placeTiedNodes(index);
-        yieldLayer(index, first + k);
-        readEnds(index, false);
-        team_.barrier();
-        if (index == 0) sumDamperPower();
-        if (wheelsetOfOne_) placeTiedNodes(index);
-        readEnds(index, true);
-        if (!wheelsetOfOne_) team_.barrier();
-        advanceFine(index);
-        if (!wheelsetOfOne_) team_.barrier();
-        passTieForces(index);
-        advanceMasters(index);
-        fix(fixedOf_[index]);
-        team_.barrier();
-      }
-    });
-    finishStep();
-    observe(view_);
-  }
+  void advance(long steps, const std::function<void(const StepView&)>& observe);
+  // Phases of each step and thread are timed from now on; null: no longer.
+  void setTimings(StepTimings* timings) { timings_ = timings; }
 
   const RollingState& state() const { return state_; }
   const StepView& view() const { return view_; }  // of the last step
@@ -94,30 +67,39 @@ class Rolling {
   const plasticity::LayerForces& layerForces() const { return layerForces_; }
   double wheelLoad() const { return load_; }
   double torqueAt(double time) const;
-  ThreadTeam& team() { return team_; }
+  ThreadTeam& team() const { return team_; }
   const elasticity::KernelSet& kernels() const { return kernels_; }
-  double contactInertia() const { return inertia_.addedMass(); }  // [kg] that closed points add, in the last step
+  double contactInertia() const {
+    return contact_.inertia().addedMass();
+  }  // [kg] that closed points add, in the last step
 
   // Displacement u (state layout) with slaves and ghosts filled.
   AlignedVector displacement() const;
+  void displacement(AlignedVector& filled) const;
   // Contact points of the present state, for pictures; changes nothing.
   std::vector<contact::PatchPoint> patchPoints() const;
   // [m] x of the foremost contact point whose gap is below `margin` [m]; minus infinity where there is none.
   double frontOfContact(double margin) const;
 
  private:
-  void pushWheelset();  // contact, irregular elements, torque, angular acceleration
-  void pushForceElements(int index);
+  void takeSteps(StepShares& shares, int index, long first, long steps,
+                 const std::function<void(const StepView&)>& observe);
+  void pushWheelset();            // contact, irregular elements, torque, angular acceleration
+  struct alignas(64) NextPiece {  // written by all threads, alone in its cache line
+    std::atomic<std::size_t> at{0};
+  };
+  void addContactInertia(int side);
+  void pushForceElements(const StepShares& shares, int index);
   void sumDamperPower();
-  void placeTiedNodes(int index);
-  void yieldLayer(int index, long step);
-  void readEnds(int index, bool late);
-  void advanceFine(int index);  // and what is tied to nothing
-  void passTieForces(int index);
-  void advanceMasters(int index);
+  void placeTiedNodes(const ThreadShare& own, int index);
+  void yieldLayer(int index, int threads, long step);
+  void readEnds(const StepShares& shares, ThreadShare& own, int index, bool late);
+  void advanceStations(const ThreadShare& own, int index);  // and what is tied to nothing
+  void passTieForces(const ThreadShare& own, int index);
+  void advanceMasters(const ThreadShare& own, int index);
+  void advanceSleepers(StepShares& shares, int index);
   void finishStep();
   void fix(const std::vector<std::size_t>& unknowns);
-  void listNearPoints(const contact::WheelPlacement& wheel);
   void evaluateContact();
   void applyHubForce();
   model::PlaneVector boxVelocity() const;
@@ -127,20 +109,17 @@ class Rolling {
   const model::Model& model_;
   elasticity::KernelSet kernels_, askedKernels_;  // the latter in the precision that the case asks for
   ThreadTeam& team_;
+  StepTimings* timings_ = nullptr;
   double step_, beta_, load_;
-  contact::ContactLaw law_;
-  std::vector<contact::RailPoint> near_;  // points that may close before step nearUntil_
-  long nearUntil_ = 0;
-  ContactInertia inertia_;
+  ContactPhase contact_;
   RollingState state_;
   AlignedVector forces_;
-  std::vector<std::vector<elasticity::Segment>> fineWork_, masterWork_;
-  bool wheelsetOfOne_ = false;  // the last thread has all of it
-  std::vector<std::vector<elasticity::SegmentEnds>> fineEnds_, masterEnds_;
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
-  std::vector<unsigned char> endsLate_;  // per block: its ends are read when slaves are placed
   model::WheelsetDamping wheelsetDamping_;
+  TeamPace pace_;
+  StepShares shares_, oneShare_;             // of all threads; of one that goes alone
+  NextPiece nextForces_, nextSleeper_;       // of trackForces and of the sleepers
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
   std::vector<AlignedVector> inverseMass_;   // per block, in chunks
   std::vector<std::vector<double>> evenInverse_;
@@ -151,25 +130,10 @@ class Rolling {
   StepView view_;
   model::PlaneVector boxVelocity_, wheelVelocity_;
   double angularAcceleration_ = 0, referenceAcceleration_ = 0;
-  double damperPower_ = 0;                 // [W]
-  std::vector<double> groupDamperPowers_;  // [W] of each group of force elements, written while they push
-  struct TieShare {
-    std::size_t tie = 0;
-    elasticity::StationSpan masters;
-    std::vector<elasticity::StationSpan> slaves;
-  };
-  int ownerOf(std::size_t unknown) const;  // thread that advances it
-  void shareBlocks();
-  void requireWholeSleepers() const;
-  void shareTies();
-  void shareFixed();
-  void shareForceElements();
-  std::vector<forces::ForceShare> forceShares_;     // per thread
-  std::vector<std::vector<std::size_t>> fixedOf_;   // per thread: fixed unknowns of its stations
-  std::vector<std::vector<TieShare>> tieShares_;    // per thread: master stations that it advances
-  std::vector<std::vector<TieShare>> slaveShares_;  // per thread: slave stations that it places
-  std::vector<AlignedVector> tieWorkspaces_;        // per thread
-  std::array<AlignedVector, 2> turningMoment_;      // of rim and body: what each station adds to -S
+  double damperPower_ = 0;                      // [W]
+  std::vector<double> groupDamperPowers_;       // [W] of each group of force elements, written while they push
+  std::vector<AlignedVector> tieWorkspaces_;    // per thread
+  std::array<AlignedVector, 2> turningMoment_;  // of rim and body: what each station adds to -S
   double torque_ = 0, hubAngularVelocity_ = 0, addedAngularVelocity_ = 0;
 };
 

@@ -81,9 +81,7 @@ Highest highestEigenvalue(model::StaticOperator& op, const Accelerations& accele
   AlignedVector before(n, 0.0), shape(n, 0.0), rest(n, 0.0), next(n, 0.0);
   const auto product = [&](const AlignedVector& a, const AlignedVector& b) {
     return orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) sum += a[i] * b[i];
-      return sum;
+      return sumInLanes(begin, end, [&](std::size_t i) { return a[i] * b[i]; });
     });
   };
   const auto scale = [&](const AlignedVector& momenta, const AlignedVector& shapes, double size) {

@@ -109,20 +109,33 @@ void advanceLastStation(const SweptBlock& block, const BlockStep& with, double s
 }  // namespace
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, int costly, double factor, double besides) {
+                                            int parts, int costly, double factor) {
+  return partition(blocks, which, std::vector<double>(static_cast<std::size_t>(parts), 0.0), costly, factor);
+}
+
+double costOf(const std::vector<SweptBlock>& blocks, const std::vector<int>& which, int costly, double factor) {
+  double total = 0;
+  for (const int b : which) total += costOf(blocks[b], 0, blocks[b].intervals) * (b == costly ? factor : 1.0);
+  return total;
+}
+
+std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
+                                            const std::vector<double>& besides, int costly, double factor) {
   const auto cost = [&](int b, int first, int count) {
     return costOf(blocks[b], first, count) * (b == costly ? factor : 1.0);
   };
-  double total = besides;
-  for (const int b : which) total += cost(b, 0, blocks[b].intervals);
-  std::vector<std::vector<Segment>> lists(parts);
-  double done = besides;
+  double total = costOf(blocks, which, costly, factor);
+  for (const double extra : besides) total += extra;
+  const double each = total / static_cast<double>(besides.size());
+  std::vector<std::vector<Segment>> lists(besides.size());
+  std::size_t part = 0;
+  double done = besides.front();  // by this part
   for (const int b : which)
     for (int at = 0, count = 0; at < blocks[b].intervals; at += count) {
       count = std::min(maximumStations, blocks[b].intervals - at);  // those that share their inertia stay together
       const double here = cost(b, at, count);
       // To the part in whose share the middle of these intervals lies.
-      const int part = std::min(parts - 1, static_cast<int>((done + 0.5 * here) / total * parts));
+      while (part + 1 < besides.size() && done + 0.5 * here >= each) done += besides[++part] - each;
       auto& list = lists[part];
       if (!list.empty() && list.back().block == b)
         list.back().count += count;

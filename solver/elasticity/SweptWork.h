@@ -17,10 +17,15 @@ struct Segment {
   int block = 0, first = 0, count = 0;  // intervals, multiples of 8
 };
 
-// Cuts the intervals of the named blocks into `parts` lists of about equal cost. The nodes of block `costly` cost
-// `factor` times as much as others; who has the first list has work of cost `besides` as well (a node along a line: 1).
+// Cuts the intervals of the named blocks into lists of about equal cost. The nodes of block `costly` cost `factor`
+// times as much as others.
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            int parts, int costly = -1, double factor = 1, double besides = 0);
+                                            int parts, int costly = -1, double factor = 1);
+// The same, a list for each entry of `besides`: work of that cost (a node along a line: 1) that its thread has as well.
+std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
+                                            const std::vector<double>& besides, int costly = -1, double factor = 1);
+// Cost of the named blocks, in nodes along a line.
+double costOf(const std::vector<SweptBlock>& blocks, const std::vector<int>& which, int costly = -1, double factor = 1);
 
 // Scratch memory of one thread.
 struct KernelScratch {

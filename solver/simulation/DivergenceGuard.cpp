@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/Errors.h"
+#include "core/OrderedSum.h"
 #include "model/InvertedElement.h"
 
 namespace squat::simulation {
@@ -27,23 +28,36 @@ long DivergenceGuard::nextStep(long done) const {
 void DivergenceGuard::onStep(const dynamics::Rolling& rolling) {
   if (balance_.entries() != entries_) {
     entries_ = balance_.entries();
-    checkEverything(rolling);
+    checkEverything(rolling, displacement_);
   }
   check(rolling);
 }
 
 void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling) {
+  AlignedVector displacement;
+  checkEverything(rolling, displacement);
+}
+
+void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling, AlignedVector& displacement) {
   constexpr double absurd = 1e4;  // [m], [m/s] beyond the speed of sound in steel; a not-a-number is not below it
   const auto& state = rolling.state();
-  for (const auto* values : {&state.displaced, &state.velocity})
-    for (std::size_t i = 0; i < values->size(); ++i)
-      if (!(std::abs((*values)[i]) < absurd))
-        throw RunError("the run diverges: a displacement or velocity is not a number or grows without bound",
-                       state.step, state.time, model::locationName(rolling.model(), i));
+  const auto isAbsurd = [](double value) { return !(std::abs(value) < absurd); };
+  for (const auto* values : {&state.displaced, &state.velocity}) {
+    const auto count = orderedSum(rolling.team(), values->size(), 0L, [&](std::size_t begin, std::size_t end) {
+      long found = 0;
+      for (std::size_t i = begin; i < end; ++i) found += isAbsurd((*values)[i]);
+      return found;
+    });
+    if (count == 0) continue;
+    const auto at = std::find_if(values->begin(), values->end(), isAbsurd) - values->begin();
+    throw RunError("the run diverges: a displacement or velocity is not a number or grows without bound", state.step,
+                   state.time, model::locationName(rolling.model(), static_cast<std::size_t>(at)));
+  }
   if (!(std::abs(state.rotation) < maximumRotation) || !(std::abs(state.angularVelocity) < maximumAngularVelocity))
     throw RunError("the run diverges: the angular velocity of the wheel grows without bound", state.step, state.time,
                    "wheelset");
-  if (const auto location = model::invertedElement(rolling.model(), rolling.displacement()); !location.empty())
+  rolling.displacement(displacement);
+  if (const auto location = model::invertedElement(rolling.model(), displacement, &rolling.team()); !location.empty())
     throw RunError("an element is turned inside out", state.step, state.time, location);
 }
 

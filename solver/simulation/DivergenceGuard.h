@@ -24,12 +24,14 @@ class DivergenceGuard : public StepObserver {
   static void checkEverything(const dynamics::Rolling& rolling);
 
  private:
+  static void checkEverything(const dynamics::Rolling& rolling, AlignedVector& displacement);
   void check(const dynamics::Rolling& rolling);
 
   const EnergyBalance& balance_;
   long perSample_, grid_, firstStep_;
   std::size_t entries_ = 0;
-  double lastContact_;  // [s]
+  double lastContact_;          // [s]
+  AlignedVector displacement_;  // kept, since such arrays come from the system anew each time
 };
 
 }  // namespace squat::simulation

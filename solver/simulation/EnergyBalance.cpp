@@ -3,56 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/OrderedSum.h"
-#include "model/StaticOperator.h"
-
 namespace squat::simulation {
 
 namespace {
 
 constexpr std::size_t kPackedHead = 20;  // numbers ahead of the entries: six sums, the first entry, the one begun
-
-struct SolidEnergies {
-  double rail = 0, wheelset = 0, sleepers = 0;
-  double sum() const { return rail + wheelset + sleepers; }
-};
-
-// x . K x per kind of solid, K the bare solids.
-SolidEnergies quadratic(const dynamics::Rolling& rolling, AlignedVector x) {
-  const auto& model = rolling.model();
-  auto& team = const_cast<dynamics::Rolling&>(rolling).team();
-  elasticity::refreshGhosts(model.blocks, x.data());
-  AlignedVector force(x.size(), 0.0), workspace;
-  for (const auto& tie : model.ties) {
-    workspace.assign(elasticity::tieWorkspace(tie), 0.0);
-    interpolateSlaves(tie, model.blocks, x.data(), workspace.data());
-  }
-  std::vector<int> all;
-  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) all.push_back(b);
-  const auto work = elasticity::partition(model.blocks, all, team.size());
-  team.run([&](int index) {
-    elasticity::KernelScratch scratch(model.blocks);
-    elasticity::applySegments(work[index], model.blocks, rolling.kernels(), x.data(), force.data(), scratch);
-  });
-  elasticity::addIrregularStiffness(model.movedElements, x.data(), force.data());
-  model::addSleeperShapes(model, x.data(), force.data());
-  SolidEnergies energies;
-  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-    const auto& block = model.blocks[b];
-    double sum = 0;
-    for (int n = 0; n < block.nodes; ++n)
-      for (int c = 0; c < 3; ++c) {
-        const auto u = block.line(x.data(), n, c), f = block.line(force.data(), n, c);
-        double own = 0;
-        for (int s = 0; s < block.stationCount; ++s) own += u[s] * f[s];
-        sum += own;
-      }
-    (b == model.rail                     ? energies.rail
-     : b == model.rim || b == model.body ? energies.wheelset
-                                         : energies.sleepers) += sum;
-  }
-  return energies;
-}
 
 double springEnergy(const dynamics::Rolling& rolling, const AlignedVector& u) {
   double sum = 0;
@@ -63,30 +18,13 @@ double springEnergy(const dynamics::Rolling& rolling, const AlignedVector& u) {
 }  // namespace
 
 EnergyBalance::EnergyBalance(const dynamics::Rolling& rolling, double startStrain)
-    : reference_(startStrain), firstAngularVelocity_(rolling.state().angularVelocity) {}
+    : reference_(startStrain), firstAngularVelocity_(rolling.state().angularVelocity), sums_(rolling) {}
 
-double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling) const {
+double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling) {
   const auto& model = rolling.model();
   const auto& state = rolling.state();
   const auto& d = model.scenario;
-  double sum = 0, momentum = 0;
-  for (int b = 0; b < static_cast<int>(model.blocks.size()); ++b) {
-    const auto& block = model.blocks[b];
-    const bool turns = block.kind == elasticity::SweepKind::aroundAxis;
-    model::TurnedStations turned;
-    if (turns) turnStations(block, state.rotation, turned);
-    for (int n = 0; n < block.nodes; ++n) {
-      const double* m = model.mass[b].data() + n * block.stride;
-      const double* v = state.velocity.data();
-      const auto va = block.line(v, n, 0), vb = block.line(v, n, 1), vc = block.line(v, n, 2);
-      double own = 0, along = 0;
-      for (int s = 0; s < block.stationCount; ++s) {
-        own += m[s] * (va[s] * va[s] + vb[s] * vb[s] + vc[s] * vc[s]);
-        if (turns) along += m[s] * (turned.cosine[s] * va[s] + turned.sine[s] * vb[s]);
-      }
-      sum += 0.5 * own, momentum += along;
-    }
-  }
+  auto [sum, momentum] = sums_.motion(rolling);
   const double vx = state.velocity[model.sprungX], vz = state.velocity[model.sprungZ];
   sum += 0.5 * d.suspension.sprungMass * (vx * vx + vz * vz);
   momentum += d.suspension.sprungMass * vx;
@@ -103,14 +41,13 @@ double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling) const {
 
 void EnergyBalance::before(const dynamics::Rolling& rolling) {
   const auto& model = rolling.model();
-  const AlignedVector u = rolling.displacement();
-  const auto energies = quadratic(rolling, u);
-  const auto damping = quadratic(rolling, rolling.state().velocity);
-  const double springs = springEnergy(rolling, u);
+  rolling.displacement(displacement_);
+  const auto energies = sums_.quadratic(rolling, displacement_);
+  velocity_ = rolling.state().velocity;
+  const auto damping = sums_.quadratic(rolling, velocity_);
+  const double springs = springEnergy(rolling, displacement_);
   shares_ = {0.5 * energies.rail, 0.5 * energies.wheelset, 0.5 * energies.sleepers, springs};
-  const AlignedVector weight = model::gravityForces(model, rolling.state().rotation);
-  double fall = 0;
-  for (std::size_t i = 0; i < u.size(); ++i) fall += weight[i] * u[i];
+  const double fall = sums_.workOfWeight(rolling, displacement_);
   const double power = rolling.beta() * damping.sum(), time = rolling.state().time;
   if (started_) materialDamping_ += 0.5 * (power + lastDampingPower_) * (time - lastTime_);
   lastDampingPower_ = power, lastTime_ = time;
@@ -121,7 +58,8 @@ void EnergyBalance::before(const dynamics::Rolling& rolling) {
   pending_.damping += materialDamping_;
   pending_.external += fall;
   // Plastic strain: the solids' energy is that of the elastic strain alone, hardening stores a part of what flow takes.
-  const auto flow = plasticity::layerEnergy(model.layer, rolling.state().plastic, rolling.layerForces(), u.data());
+  const auto flow =
+      plasticity::layerEnergy(model.layer, rolling.state().plastic, rolling.layerForces(), displacement_.data());
   shares_.rail += flow.elastic + flow.hardening;
   pending_.strain += flow.elastic + flow.hardening;
   pending_.plastic = flow.dissipated;
@@ -150,20 +88,15 @@ double EnergyBalance::residual(const Sample& s) const {
          (s.external - first_.external);
 }
 
-double EnergyBalance::relativeResidual() const {
-  if (samples_.empty()) return 0;
-  const auto& s = samples_.back();
+double EnergyBalance::relativeResidual() const { return samples_.empty() ? 0 : relativeResidual(samples_.back()); }
+
+double EnergyBalance::relativeResidual(const Sample& s) const {
   return residual(s) / (reference_ + s.friction + s.damping + s.plastic);
 }
 
 double EnergyBalance::largestRelativeResidual() const {
   double largest = 0;
-  EnergyBalance copy = *this;
-  copy.samples_.clear();
-  for (const auto& sample : samples_) {
-    copy.samples_.assign(1, sample);
-    largest = std::max(largest, std::abs(copy.relativeResidual()));
-  }
+  for (const auto& sample : samples_) largest = std::max(largest, std::abs(relativeResidual(sample)));
   return largest;
 }
 

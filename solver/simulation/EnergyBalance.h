@@ -10,6 +10,7 @@
 
 #include "dynamics/Rolling.h"
 #include "results/RunResult.h"
+#include "simulation/EnergySums.h"
 
 namespace squat::simulation {
 
@@ -43,10 +44,11 @@ class EnergyBalance {
   struct Sample {
     double kinetic = 0, strain = 0, contact = 0, friction = 0, damping = 0, external = 0, plastic = 0;
   };
-  double kineticEnergy(const dynamics::Rolling& rolling) const;
+  double kineticEnergy(const dynamics::Rolling& rolling);
   void addSums(const dynamics::Rolling& rolling);
   double residual(const Sample& sample) const;  // [J]
-  double reference_ = 0;                        // [J] strain energy at the start
+  double relativeResidual(const Sample& sample) const;
+  double reference_ = 0;  // [J] strain energy at the start
   double firstAngularVelocity_ = 0;
   double materialDamping_ = 0, lastDampingPower_ = 0, lastTime_ = 0;
   Sample first_, pending_;
@@ -54,6 +56,8 @@ class EnergyBalance {
   Shares shares_;
   std::vector<double> time_;
   std::vector<Sample> samples_;
+  EnergySums sums_;
+  AlignedVector displacement_, velocity_;  // kept, since such arrays come from the system anew each time
 };
 
 }  // namespace squat::simulation

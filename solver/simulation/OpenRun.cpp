@@ -140,6 +140,11 @@ bool OpenRun::start(const StoredState* stored) {
   return true;
 }
 
+void OpenRun::makeRolling() {
+  rolling.emplace(model, kernels, *team, steps.step, steps.beta);
+  if (options.timed) rolling->setTimings(&timings.emplace(team->size()));
+}
+
 // Everything ahead of the rolling. A stored state holds what comes of it.
 bool OpenRun::begin() {
   if (monitor.cancelled()) return false;
@@ -158,7 +163,7 @@ bool OpenRun::begin() {
   describeEquilibrium(model, equilibrium, result);
   startStrain_ = equilibrium.strainEnergy;
 
-  rolling.emplace(model, kernels, *team, steps.step, steps.beta);
+  makeRolling();
   const auto& motion = scenario.motion;
   rolling->start(equilibrium.displacement, steady.velocity,
                  motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
@@ -178,7 +183,7 @@ void OpenRun::restore(const StoredState& stored) {
     fields = std::make_unique<SurfaceFields>(model);
     result.surface = fields->mesh();
   }
-  rolling.emplace(model, kernels, *team, steps.step, steps.beta);
+  makeRolling();
   rolling->start(AlignedVector(model.stateSize, 0.0), AlignedVector(model.stateSize, 0.0), 0);
   requireFittingState(stored, *rolling, lastStep());
   rolling->restore(loadRolling(stored.tree));

@@ -87,6 +87,7 @@ class OpenRun {
   model::Model model;
   RunStart steps;
   std::unique_ptr<SurfaceFields> fields;
+  std::optional<dynamics::StepTimings> timings;  // where they are asked for
   std::optional<dynamics::Rolling> rolling;
   std::optional<RollingRun> parts;
 
@@ -95,6 +96,7 @@ class OpenRun {
   void identify();
   void reportPhase(const char* name);
   bool begin();
+  void makeRolling();
   void restore(const StoredState& stored);
   double startStrain_ = 0;  // [J]
 };

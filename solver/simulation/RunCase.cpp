@@ -27,6 +27,7 @@ bool rollToTheEnd(OpenRun& run) {
   auto& parts = *run.parts;
   DivergenceGuard::checkEverything(rolling);
   const bool complete = roll(rolling, parts.lastStep, parts.observers, run.monitor, parts.clock) == LoopEnd::done;
+  if (run.timings) run.options.timed(*run.timings);
   // Unloading of a rail that yields follows, and can be cancelled too.
   if (!complete || !rolling.model().layer.empty()) parts.checkpoint.write(rolling);
   return complete;

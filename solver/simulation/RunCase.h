@@ -9,6 +9,10 @@
 #include "core/Monitor.h"
 #include "results/RunResult.h"
 
+namespace squat::dynamics {
+class StepTimings;
+}
+
 namespace squat::simulation {
 
 struct WarmState;  // WarmState.h
@@ -29,6 +33,9 @@ struct RunOptions {
   // Gets position [m] and axle box acceleration [m/s2] of every output sample as soon as its filter is complete, on the
   // computing thread; not those in the state from which the run resumes. Empty: not reported.
   std::function<void(double position, double acceleration)> sampled;
+
+  // Gets the time of each phase and thread of the steps when the rolling ends. Empty: nothing is timed.
+  std::function<void(const dynamics::StepTimings&)> timed;
 };
 
 // Case -> mesh -> model -> equilibrium -> rolling -> signals -> spectra. Returns also what a cancelled run has so far

@@ -36,12 +36,9 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
     // Everything that needs the new residual in one pass: vectors outgrow the caches, and moving them costs as much as
     // the operator.
     const auto norms = orderedSum(team, n, Norms{}, [&](std::size_t begin, std::size_t end) {
-      Norms sum;
-      for (std::size_t i = begin; i < end; ++i) {
-        r[i] -= alpha * q[i];
-        sum.residual2 += r[i] * r[i], sum.weighted += r[i] * inverse[i] * r[i];
-      }
-      return sum;
+      for (std::size_t i = begin; i < end; ++i) r[i] -= alpha * q[i];
+      return Norms{sumInLanes(begin, end, [&](std::size_t i) { return r[i] * r[i]; }),
+                   sumInLanes(begin, end, [&](std::size_t i) { return r[i] * inverse[i] * r[i]; })};
     });
     solution.residual = std::sqrt(norms.residual2);
     const auto correction = coarse.correctionOf(team, r.data());
@@ -67,9 +64,7 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
     coarse.prolong(team, correction.y, p.data());
     op.apply(p.data(), q.data());
     const double curvature = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) sum += p[i] * q[i];
-      return sum;
+      return sumInLanes(begin, end, [&](std::size_t i) { return p[i] * q[i]; });
     });
     alpha = rz / curvature;
     ++solution.iterations;

@@ -104,9 +104,7 @@ double railDeflection(const model::Model& model, const AlignedVector& u, double 
 
 double normOf(const AlignedVector& r, ThreadTeam& team) {
   return std::sqrt(orderedSum(team, r.size(), [&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (std::size_t i = begin; i < end; ++i) sum += r[i] * r[i];
-    return sum;
+    return sumInLanes(begin, end, [&](std::size_t i) { return r[i] * r[i]; });
   }));
 }
 

@@ -54,9 +54,10 @@ struct Stand {
 
   PatchState roll(const ContactLaw& with = inclinedLaw) {
     points.clear();
-    return rollContact(model.surfaces, model.blocks[model.rail], model.blocks[model.rim], with, wheel, displaced.data(),
-                       velocity.data(), inclinedStep, history, {railForces.data(), railLines.data()},
-                       {rimForces.data(), rimLines.data()}, &points);
+    return rollContact({model.surfaces, model.blocks[model.rail], model.blocks[model.rim], with},
+                       {wheel, displaced.data(), velocity.data(), inclinedStep}, history,
+                       {{railForces.data(), railLines.data()}, {rimForces.data(), rimLines.data()}},
+                       {nullptr, &points, nullptr});
   }
 
   Eigen::Vector3d resultant(int block, const std::vector<int>& lineOfNode, const std::vector<double>& buffer) const {

@@ -70,9 +70,10 @@ class RollingContactTest : public testing::Test {
     std::fill(railBuffer_.begin(), railBuffer_.end(), 0.0);
     std::fill(rimBuffer_.begin(), rimBuffer_.end(), 0.0);
     points_.clear();
-    return rollContact(tiny().surfaces, tiny().blocks[tiny().rail], tiny().blocks[tiny().rim], with, wheel_,
-                       displaced_.data(), velocity_.data(), step, history_, {railBuffer_.data(), railLines_.data()},
-                       {rimBuffer_.data(), rimLines_.data()}, &points_, nullptr, among);
+    return rollContact({tiny().surfaces, tiny().blocks[tiny().rail], tiny().blocks[tiny().rim], with},
+                       {wheel_, displaced_.data(), velocity_.data(), step}, history_,
+                       {{railBuffer_.data(), railLines_.data()}, {rimBuffer_.data(), rimLines_.data()}},
+                       {among, &points_, nullptr});
   }
 
   Eigen::Vector3d resultant(int block, const std::vector<int>& lineOfNode, const std::vector<double>& buffer) const {
@@ -127,7 +128,7 @@ TEST_F(RollingContactTest, PenetrationIsTheGapOfTheSurfaces) {
 // x^2 / 2R + y^2 / 2r, so that they fill an ellipse as much larger than the patch as (depth + margin) / depth.
 TEST_F(RollingContactTest, PointsWithinAMarginAreEnoughUntilTheGapHasClosedByIt) {
   constexpr double margin = 5e-5;
-  const auto near = pointsWithin(margin, tiny().surfaces, tiny().blocks[tiny().rail], tiny().blocks[tiny().rim],
+  const auto near = pointsWithin(margin, {tiny().surfaces, tiny().blocks[tiny().rail], tiny().blocks[tiny().rim], law},
                                  wheel_.placement, displaced_.data());
   const int before = roll().points;
   EXPECT_NEAR(static_cast<double>(near.size()), before * (1 + margin / approach), 0.35 * before);

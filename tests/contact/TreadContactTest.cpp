@@ -50,9 +50,9 @@ class TreadContact : public testing::Test {
                        (x - model_.startX) / model_.surfaces.radius + turned, 0, 0};
     FrictionHistory history;
     history.traction.assign(2 * model_.surfaces.points(), 0.0);
-    return rollContact(model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], frictionless, wheel,
-                       rest_.data(), rest_.data(), 1e-7, history, {railBuffer_.data(), railLines_.data()},
-                       {rimBuffer_.data(), rimLines_.data()});
+    return rollContact({model_.surfaces, model_.blocks[model_.rail], model_.blocks[model_.rim], frictionless},
+                       {wheel, rest_.data(), rest_.data(), 1e-7}, history,
+                       {{railBuffer_.data(), railLines_.data()}, {rimBuffer_.data(), rimLines_.data()}});
   }
 
   model::Model model_;

@@ -30,7 +30,10 @@ std::string judged(int block, int component, double share) {
   if (b.kind == elasticity::SweepKind::aroundAxis) interval *= b.section.nodes[node][0];
   AlignedVector u(model.stateSize, 0.0);
   u[b.index(node, component, station)] = share * interval;
-  return invertedElement(model, u);
+  ThreadTeam team(2);
+  const auto location = invertedElement(model, u);
+  EXPECT_EQ(invertedElement(model, u, &team), location) << "two threads find another element than one";
+  return location;
 }
 
 TEST(InvertedElement, ABrickTurnsOverWhenANodePassesItsNeighbour) {

@@ -141,8 +141,9 @@ void RollingBlocks::step(double speed, double angularVelocity, PatchState& patch
   const double beta = blockSteps_[0].beta;
   const WheelRolling wheel{placement_, speed, angularVelocity};
   patch =
-      rollContact(surfaces_, blocks_[0], blocks_[1], law_, wheel, displaced_.data(), velocity_.data(), step_, history_,
-                  {forces_[0].data(), lineOfNode_[0].data()}, {forces_[1].data(), lineOfNode_[1].data()}, points);
+      rollContact({surfaces_, blocks_[0], blocks_[1], law_}, {wheel, displaced_.data(), velocity_.data(), step_},
+                  history_, {{forces_[0].data(), lineOfNode_[0].data()}, {forces_[1].data(), lineOfNode_[1].data()}},
+                  {nullptr, points, nullptr});
   blockSteps_[1].cosine = std::cos(angularVelocity * step_), blockSteps_[1].sine = std::sin(angularVelocity * step_);
   std::vector<elasticity::Segment> all{{0, 0, blocks_[0].intervals}, {1, 0, blocks_[1].intervals}};
   for (auto& with : blockSteps_) with.kernels = &kernels;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <future>
 
 #include "colours/ColourTables.h"
 #include "core/Errors.h"
@@ -82,12 +83,21 @@ std::vector<std::string> renderFigures(const results::RunResult& result, const s
   if (request.settings.spectrum != analysis::SpectrumScale::linear &&
       std::find(names.begin(), names.end(), "psd") == names.end())
     say("--spectrum has no effect: it is the scale of the figure psd, which is not drawn");
+  const auto stemOf = [&](const std::string& name) { return (std::filesystem::path(folder) / name).string(); };
+  // The picture of the model takes as long as all other figures together. It needs neither the application nor a
+  // screen, so a thread of its own draws it while this one draws the others.
+  std::future<scene::ModelPictureOutcome> model;
+  for (const auto& name : names)
+    if (figureRow(name).kind == FigureKind::model)
+      model = std::async(std::launch::async, [&, path = stemOf(name) + ".png"] {
+        return scene::writeModelPicture(result, request.settings.colours, path, modelSize(request.size));
+      });
   for (const auto& name : names) {
     const auto& row = figureRow(name);
-    const std::string stem = (std::filesystem::path(folder) / name).string();
+    const std::string stem = stemOf(name);
     if (row.kind == FigureKind::model) {
-      const scene::ModelPictureOutcome outcome =
-          scene::writeModelPicture(result, request.settings.colours, stem + ".png", modelSize(request.size));
+      if (!model.valid()) continue;  // named twice
+      const scene::ModelPictureOutcome outcome = model.get();
       if (outcome.written)
         written.push_back(stem + ".png");
       else
