@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,13 @@ long lostCores() {
   if (::getrusage(RUSAGE_THREAD, &usage) == 0) return usage.ru_nivcsw;
 #endif
   return 0;
+}
+
+// Of the calling thread.
+std::chrono::nanoseconds processorTime() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
 }  // namespace
@@ -76,6 +84,16 @@ void StepBarrier::wait() {
 StepBarrier::StepBarrier(int threads, const CoreContention& contention)
     : threads_(threads), spinPolicy_(threads, contention) {}
 
+void LoneTurns::note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work) {
+  constexpr std::chrono::milliseconds window{20};  // long against the turns in which programs share a core
+  wall_ += wall, work_ += work;
+  if (wall_ < window) return;
+  isOn_ = wall_ > work_;
+  until_ = Clock::now() + next_;
+  next_ = isOn_ ? std::min(longest, 2 * next_) : shortest;
+  wall_ = work_ = {};
+}
+
 ThreadTeam::ThreadTeam(int threads)
     : size_(std::max(1, threads)), spinPolicy_(size_, contention_), barrier_(size_, contention_) {
   try {
@@ -97,7 +115,32 @@ void ThreadTeam::end() {
   for (auto& thread : threads_) thread.join();
 }
 
-void ThreadTeam::run(const std::function<void(int)>& task) {
+void ThreadTeam::run(const std::function<void(int)>& task) { runInOrder({task}); }
+
+void ThreadTeam::runInOrder(std::initializer_list<std::function<void(int)>> phases) {
+  if (size_ == 1 || lone_.now()) {
+    for (const auto& phase : phases)
+      for (int index = 0; index < size_; ++index) phase(index);
+    return;
+  }
+  const auto inStep = [&](int index) {
+    for (const auto* phase = phases.begin(); phase != phases.end(); ++phase) {
+      if (phase != phases.begin()) barrier_.wait();
+      (*phase)(index);
+    }
+  };
+  if (!contention_.isThere()) return runInStep(inStep);
+  std::atomic<long long> work{0};  // [ns]
+  const auto begun = std::chrono::steady_clock::now();
+  runInStep([&](int index) {
+    const auto own = processorTime();
+    inStep(index);
+    work += (processorTime() - own).count();
+  });
+  lone_.note(std::chrono::steady_clock::now() - begun, std::chrono::nanoseconds(work));
+}
+
+void ThreadTeam::runInStep(const std::function<void(int)>& task) {
   {
     const std::lock_guard lock(mutex_);
     task_ = &task;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <initializer_list>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -63,6 +64,23 @@ class StepBarrier {
   alignas(64) std::atomic<unsigned> round_{0};
 };
 
+// Whether the caller had better do the parts of all threads itself: while other programs hold cores, waiting for a
+// thread that has none may take longer than its part. What was measured decides; all are tried again now and then.
+class LoneTurns {
+ public:
+  bool now() const { return isOn_ && Clock::now() < until_; }
+  // Parts that took all threads together `wall`, and were `work` of processor time.
+  void note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds shortest{100}, longest{1600};
+  bool isOn_ = false;
+  Clock::time_point until_;
+  std::chrono::nanoseconds wall_{}, work_{};
+  std::chrono::milliseconds next_ = shortest;
+};
+
 // Runs a task on all threads (the caller is thread 0) and returns when all are done. An exception in a task is passed
 // on.
 class ThreadTeam {
@@ -73,16 +91,22 @@ class ThreadTeam {
   ThreadTeam& operator=(const ThreadTeam&) = delete;
 
   int size() const { return size_; }
+  // Parts that do not wait for each other: the caller does all of them where that is quicker.
   void run(const std::function<void(int)>& task);
+  // The same, phase by phase: none begins before the one before it has ended on all threads.
+  void runInOrder(std::initializer_list<std::function<void(int)>> phases);
+  // Parts that meet at barriers of their own.
+  void runInStep(const std::function<void(int)>& task);
   // body(0) to body(count - 1), each once, in any order: a thread takes the next when it has done one.
   void forEach(std::size_t count, const std::function<void(std::size_t)>& body);
-  // For use inside a task: all threads of the team must come.
+  // For use inside a task of runInStep(): all threads of the team must come.
   void barrier() { barrier_.wait(); }
 
  private:
   void work(int index);
   void end();
   int size_;
+  LoneTurns lone_;
   CoreContention contention_;
   CoreContention::Look callersLook_;
   SpinPolicy spinPolicy_;

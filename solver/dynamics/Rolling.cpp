@@ -138,7 +138,7 @@ void Rolling::advance(long steps, const std::function<void(const StepView&)>& ob
   if (pace_.alone())
     takeSteps(oneShare_, 0, first, steps, observe);
   else
-    team_.run([&](int index) { takeSteps(shares_, index, first, steps, observe); });
+    team_.runInStep([&](int index) { takeSteps(shares_, index, first, steps, observe); });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
   if (pace_.advanced(steps, seconds.count(), shares_.work)) shares_ = shareStep(model_, pace_.besides());
   if (timings_) timings_->end(0, StepPhase::waiting), timings_->countSteps(steps);

@@ -170,31 +170,31 @@ void StaticOperator::reduceForces(double* r) {
 }
 
 void StaticOperator::apply(double* u, double* result) {
-  team_.run([&](int index) {
-    placeTiedNodes(u, index);
-    team_.barrier();
-    elasticity::applySegments(work_[index], model_.blocks, kernels_, u, result, *scratch_[index]);
-    team_.barrier();
-    // Rail, sleepers and auxiliary unknowns on the one side; wheel body and the rim tied to it on the other.
-    if (index == 0) {
-      std::fill(result + model_.firstAuxiliary, result + model_.stateSize, 0.0);
-      elasticity::addIrregularStiffness(model_.movedElements, u, result);
-      addSleeperShapes(model_, u, result);
-      for (const auto* set : linear_) forces::addStiffness(*set, u, result);
-      for (const auto& tangents : tangents_) forces::addStiffness(tangents.set, u, result);
-    }
-    if (index == team_.size() - 1) {
-      forces::addStiffness(rotationStiffness_, u, result);
-      passTieForces(result);
-    }
-    team_.barrier();
-    if (index == 0) {
-      forces::addStiffness(contact_, u, result);
-      addJournalForces(result);
-    }
-    team_.barrier();
-    clearNotFree(result, index);
-  });
+  team_.runInOrder(
+      {[&](int index) { placeTiedNodes(u, index); },
+       [&](int index) {
+         elasticity::applySegments(work_[index], model_.blocks, kernels_, u, result, *scratch_[index]);
+       },
+       // Rail, sleepers and auxiliary unknowns on the one side; wheel body and the rim tied to it on the other.
+       [&](int index) {
+         if (index == 0) {
+           std::fill(result + model_.firstAuxiliary, result + model_.stateSize, 0.0);
+           elasticity::addIrregularStiffness(model_.movedElements, u, result);
+           addSleeperShapes(model_, u, result);
+           for (const auto* set : linear_) forces::addStiffness(*set, u, result);
+           for (const auto& tangents : tangents_) forces::addStiffness(tangents.set, u, result);
+         }
+         if (index == team_.size() - 1) {
+           forces::addStiffness(rotationStiffness_, u, result);
+           passTieForces(result);
+         }
+       },
+       [&](int index) {
+         if (index > 0) return;
+         forces::addStiffness(contact_, u, result);
+         addJournalForces(result);
+       },
+       [&](int index) { clearNotFree(result, index); }});
 }
 
 AlignedVector StaticOperator::diagonal() const {

@@ -16,7 +16,7 @@ namespace {
 void expectInStep(ThreadTeam& team, int phases) {
   std::vector<std::atomic<int>> done(static_cast<std::size_t>(team.size()));
   std::atomic<int> early{0};
-  team.run([&](int index) {
+  team.runInStep([&](int index) {
     for (int k = 1; k <= phases; ++k) {
       done[static_cast<std::size_t>(index)] = k;
       team.barrier();
@@ -46,6 +46,62 @@ TEST(ThreadTeam, StaysInStepBesideABusyProgram) {
   for (int k = 0; k < 20; ++k) expectInStep(team, 20);
   stop = true;
   for (auto& thread : busy) thread.join();
+}
+
+// A phase sees what the one before it has done on every thread, beside busy programs too, where the caller may do all.
+TEST(ThreadTeam, PhasesComeInOrderOnAllThreads) {
+  for (const bool isBusy : {false, true}) {
+    std::atomic<bool> stop{!isBusy};
+    std::vector<std::thread> busy;
+    for (unsigned i = 0; isBusy && i < 2 * std::thread::hardware_concurrency(); ++i)
+      busy.emplace_back([&] {
+        while (!stop) {
+        }
+      });
+    ThreadTeam team(2);
+    std::atomic<int> first{0}, second{0}, wrong{0};
+    constexpr int rounds = 1000;
+    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(isBusy ? 400 : 0);
+    int done = 0;
+    do {
+      for (int k = 0; k < rounds && (done == 0 || std::chrono::steady_clock::now() < until); ++k, ++done)
+        team.runInOrder({[&](int) { ++first; },
+                         [&](int) {
+                           wrong += first != 2 * (done + 1);
+                           ++second;
+                         },
+                         [&](int) { wrong += second != 2 * (done + 1); }});
+    } while (std::chrono::steady_clock::now() < until);
+    stop = true;
+    for (auto& thread : busy) thread.join();
+    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(first, 2 * done);
+  }
+}
+
+using std::chrono::milliseconds;
+
+// Two threads that work 10 ms each and take 25 ms for it: one alone needs 20.
+TEST(LoneTurns, AreTakenWhereAllTogetherTakeLongerThanOneWould) {
+  LoneTurns turns;
+  EXPECT_FALSE(turns.now());
+  turns.note(milliseconds(25), milliseconds(20));
+  EXPECT_TRUE(turns.now());
+  std::this_thread::sleep_for(milliseconds(110));
+  EXPECT_FALSE(turns.now()) << "all are tried again after a tenth of a second";
+  turns.note(milliseconds(25), milliseconds(20));
+  std::this_thread::sleep_for(milliseconds(110));
+  EXPECT_TRUE(turns.now()) << "in vain: for twice as long";
+  turns.note(milliseconds(25), milliseconds(48));
+  EXPECT_FALSE(turns.now());
+}
+
+TEST(LoneTurns, AreDecidedOverSomeTurnsOfOtherPrograms) {
+  LoneTurns turns;
+  turns.note(milliseconds(8), milliseconds(1));
+  EXPECT_FALSE(turns.now()) << "one stall says nothing yet";
+  turns.note(milliseconds(16), milliseconds(31));
+  EXPECT_FALSE(turns.now());
 }
 
 TEST(ThreadTeam, ForEachDoesEachOnce) {
