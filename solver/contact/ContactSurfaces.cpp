@@ -44,11 +44,11 @@ double reachAlong(const scenario::Scenario& scenario, double radius) {
                   onDefect + scenario.tread.touchReach(radius) + patch + radius * scenario.irregularity.steepest());
 }
 
-Seat seatOf(const scenario::Scenario& d) {
+WheelSeat seatOf(const scenario::Scenario& d) {
   const geometry::RailProfile& profile = geometry::railProfile(d.rail.section);
   const double edge = profile.touchEnd;
   const auto crownAt = [&](double y) { return crownOf(d.rail.section, y); };
-  Seat seat;
+  WheelSeat seat;
   seat.lean = std::atan(d.rail.inclination);
   const double offset = d.motion.lateralOffset;
   const double tread = std::atan(d.wheelset.cone) + crownAt(offset).angle, wanted = tread - seat.lean;
@@ -84,7 +84,7 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
                       int rimBlock, const scenario::Scenario& scenario, double from, double to) {
   Surfaces s;
   s.railBlock = railBlock, s.rimBlock = rimBlock;
-  const Seat seat = seatOf(scenario);
+  const WheelSeat seat = seatOf(scenario);
   const auto section = s.section = scenario.rail.section;
   s.radius = seat.radius, s.crownRadius = seat.crownRadius, s.touchY = seat.touchY;
   s.railCosine = std::cos(seat.lean), s.railSine = std::sin(seat.lean);

@@ -48,7 +48,7 @@ struct Surfaces {
 // How the wheel stands on the rail. A crown and a straight tread touch where their slopes agree, so the tread's slope
 // at its running circle decides; that circle stands over motion.lateral_offset of the crown, and the slope there is the
 // cone's plus what the crown's own changes from its middle: a tread that is worn to the rail.
-struct Seat {
+struct WheelSeat {
   double lean = 0;          // [rad] of the rail, its head towards -y
   double treadSlope = 0;    // [-]
   double touchY = 0;        // [m] along the crown, from its middle outwards
@@ -58,7 +58,7 @@ struct Seat {
   double crownRadius = 0;   // [m] of the rail across, there
 };
 // Throws CaseError where they touch beyond the arcs of the crown.
-Seat seatOf(const scenario::Scenario& scenario);
+WheelSeat seatOf(const scenario::Scenario& scenario);
 
 // Section nodes of the rail on R300 and R80 of its crown, ascending in y.
 std::vector<int> runningLine(const elasticity::SweptBlock& rail, scenario::RailSection section);

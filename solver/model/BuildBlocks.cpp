@@ -196,7 +196,7 @@ RollingStretch addBlocks(Model& model, int sleeperIntervals) {
   RollingStretch stretch = rollingStretch(d, railStart, railEnd);
   elasticity::SweptBlock rail = railBlock(d);
   rail.stations = stretch.rail;
-  const contact::Seat seat = contact::seatOf(d);
+  const contact::WheelSeat seat = contact::seatOf(d);
   model.rail = 0;
   const double rolled = 1.02 * std::max(d.mesh.rollingSize, 2 * d.mesh.contactSize);  // rolled over, or next to it
   scaleMassesOfShortWaves(d, rail, rolled, [](int) { return true; });

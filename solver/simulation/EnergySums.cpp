@@ -117,7 +117,8 @@ double EnergySums::workOfWeight(const dynamics::Rolling& rolling, const AlignedV
     const auto& block = model.blocks[b];
     const double* u = displacement.data();
     const double* mass = model.mass[b].data() + static_cast<std::size_t>(n) * block.stride;
-    const auto& [ga, gb, gc] = gravity[static_cast<std::size_t>(b)];
+    const auto& [along, second, third] = gravity[static_cast<std::size_t>(b)];
+    const double *ga = along.data(), *gb = second.data(), *gc = third.data();
     return std::array<double, 3>{alongStations(block, n, [&](std::size_t at, int s) {
       return mass[s] *
              (ga[s] * u[at] + gb[s] * u[at + SweptBlock::chunk] + gc[s] * u[at + std::size_t{2} * SweptBlock::chunk]);

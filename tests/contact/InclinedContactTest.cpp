@@ -163,7 +163,7 @@ TEST(InclinedContact, CrownRadiusIsThatOfTheSection) {
   scenario.motion.lateralOffset = 0.0101;
   EXPECT_EQ(seatOf(scenario).crownRadius, 0.080);
   scenario.rail.section = scenario::RailSection::rail60E1;
-  const Seat seat = seatOf(scenario);
+  const WheelSeat seat = seatOf(scenario);
   EXPECT_EQ(seat.crownRadius, 0.300);
   EXPECT_EQ(seat.touchY, 0.0101);
 }

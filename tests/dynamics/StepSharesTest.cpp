@@ -29,10 +29,10 @@ TEST_P(Shares, AdvanceEachStationOnce) {
   for (const auto& own : shares.threads)
     for (const auto* work : {&own.stations, &own.masters})
       for (const auto& segment : *work)
-        for (int s = 0; s < segment.count; ++s) ++times[segment.block][static_cast<std::size_t>(segment.first + s)];
+        for (int s = 0; s < segment.count; ++s) ++times[segment.block].at(segment.first + s);
   for (const auto& sleeper : shares.sleepers)
     for (const auto& segment : sleeper.stations)
-      for (int s = 0; s < segment.count; ++s) ++times[segment.block][static_cast<std::size_t>(segment.first + s)];
+      for (int s = 0; s < segment.count; ++s) ++times[segment.block].at(segment.first + s);
   for (const auto& [block, stations] : times)
     EXPECT_EQ(stations, std::vector<int>(stations.size(), 1)) << "block " << block;
 }
