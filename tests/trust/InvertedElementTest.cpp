@@ -31,7 +31,7 @@ std::string judged(int block, int component, double share) {
   AlignedVector u(model.stateSize, 0.0);
   u[b.index(node, component, station)] = share * interval;
   ThreadTeam team(2);
-  const auto location = invertedElement(model, u);
+  auto location = invertedElement(model, u);
   EXPECT_EQ(invertedElement(model, u, &team), location) << "two threads find another element than one";
   return location;
 }
