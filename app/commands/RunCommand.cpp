@@ -240,7 +240,8 @@ void addRunCommand(CLI::App& program, Action& action) {
   command
       ->add_flag("--timings", options->timings,
                  "Also print the time of each phase of the run, and of a step by phase and thread")
-      ->excludes("--json");
+      ->excludes("--json")
+      ->excludes("--parameters");
   command->callback([options, &action] { action = [options] { return runOneCase(*options); }; });
 }
 

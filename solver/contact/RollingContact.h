@@ -75,7 +75,7 @@ struct ContactPair {
   const elasticity::SweptBlock &rail, &rim;
   ContactLaw law;
 };
-// How both move, over a step of so many seconds; displacements and velocities in state layout.
+// How both move during a step; displacements [m] and velocities [m/s] in state layout.
 struct ContactMotion {
   WheelRolling wheel;
   const double* displaced = nullptr;
@@ -91,11 +91,9 @@ struct ContactForces {
 std::vector<RailPoint> pointsWithin(double margin, const ContactPair& pair, const WheelPlacement& wheel,
                                     const double* displaced);
 
-// Of an evaluation: the points that it looks at, as from pointsWithin(), null: all within reach; and who gets the
-// closed points, null: nobody.
 struct ContactScope {
-  const std::vector<RailPoint>* among = nullptr;
-  std::vector<PatchPoint>* points = nullptr;
+  const std::vector<RailPoint>* among = nullptr;  // points to evaluate, as from pointsWithin(); null: all within reach
+  std::vector<PatchPoint>* points = nullptr;      // receive the closed points where they are given
   ClosedArea* closed = nullptr;
 };
 

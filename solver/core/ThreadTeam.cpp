@@ -35,14 +35,14 @@ std::chrono::nanoseconds processorTime() {
 }  // namespace
 
 // Another program that computes takes its turn every few milliseconds; what the system itself does is rarer.
-void CoreContention::Look::take(CoreContention& contention) {
+void CoreContention::Watch::look(CoreContention& contention) {
   constexpr auto window = std::chrono::milliseconds(30);
   constexpr long often = 3;
   const auto now = Clock::now();
   if (lost_ >= 0 && now - since_ < window) return;
   const long lost = lostCores();
   const bool isOften = lost_ >= 0 && lost - lost_ >= often;
-  if (isOften != counted_) contention.there_ += isOften ? 1 : -1;
+  if (isOften != counted_) contention.affected_ += isOften ? 1 : -1;
   counted_ = isOften, lost_ = lost, since_ = now;
 }
 
@@ -53,7 +53,7 @@ SpinPolicy::SpinPolicy(int threads, const CoreContention& contention)
 
 template <typename Done>
 bool SpinPolicy::waitFor(const Done& done) const {
-  const bool contended = contention_.isThere();
+  const bool contended = contention_.isDetected();
   const int spins = contended ? std::min(spins_, 100) : spins_, yields = contended ? 0 : yields_;
   for (int i = 0; i < spins; ++i) {
     if (done()) return true;
@@ -84,7 +84,7 @@ void StepBarrier::wait() {
 StepBarrier::StepBarrier(int threads, const CoreContention& contention)
     : threads_(threads), spinPolicy_(threads, contention) {}
 
-void LoneTurns::note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work) {
+void SerialFallback::note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work) {
   constexpr std::chrono::milliseconds window{20};  // long against the turns in which programs share a core
   wall_ += wall, work_ += work;
   if (wall_ < window) return;
@@ -118,7 +118,7 @@ void ThreadTeam::end() {
 void ThreadTeam::run(const std::function<void(int)>& task) { runInOrder({task}); }
 
 void ThreadTeam::runInOrder(std::initializer_list<std::function<void(int)>> phases) {
-  if (size_ == 1 || lone_.now()) {
+  if (size_ == 1 || fallback_.isOn()) {
     for (const auto& phase : phases)
       for (int index = 0; index < size_; ++index) phase(index);
     return;
@@ -129,7 +129,7 @@ void ThreadTeam::runInOrder(std::initializer_list<std::function<void(int)>> phas
       (*phase)(index);
     }
   };
-  if (!contention_.isThere()) return runInStep(inStep);
+  if (!contention_.isDetected()) return runInStep(inStep);
   std::atomic<long long> work{0};  // [ns]
   const auto begun = std::chrono::steady_clock::now();
   runInStep([&](int index) {
@@ -137,7 +137,7 @@ void ThreadTeam::runInOrder(std::initializer_list<std::function<void(int)>> phas
     inStep(index);
     work += (processorTime() - own).count();
   });
-  lone_.note(std::chrono::steady_clock::now() - begun, std::chrono::nanoseconds(work));
+  fallback_.note(std::chrono::steady_clock::now() - begun, std::chrono::nanoseconds(work));
 }
 
 void ThreadTeam::runInStep(const std::function<void(int)>& task) {
@@ -155,7 +155,7 @@ void ThreadTeam::runInStep(const std::function<void(int)>& task) {
     own = std::current_exception();
   }
   const auto allDone = [this] { return busy_ == 0; };
-  callersLook_.take(contention_);
+  callersWatch_.look(contention_);
   spinPolicy_.waitFor(allDone);
   std::unique_lock lock(mutex_);
   done_.wait(lock, allDone);
@@ -166,11 +166,11 @@ void ThreadTeam::runInStep(const std::function<void(int)>& task) {
 
 void ThreadTeam::work(int index) {
   unsigned long seen = 0;
-  CoreContention::Look look;
+  CoreContention::Watch watch;
   const auto called = [&] { return stop_ || round_ != seen; };
   while (true) {
     const std::function<void(int)>* task = nullptr;
-    look.take(contention_);
+    watch.look(contention_);
     spinPolicy_.waitFor(called);
     {
       std::unique_lock lock(mutex_);

@@ -14,14 +14,14 @@
 
 namespace squat {
 
-// Whether other programs hold the cores at times: threads that look often tell it by how often they lost theirs.
+// Whether other programs take cores from the team, seen from how often its threads lost theirs.
 class CoreContention {
  public:
-  bool isThere() const { return there_.load(std::memory_order_relaxed) > 0; }
-  // Of one thread, which looks every millisecond or so.
-  class Look {
+  bool isDetected() const { return affected_.load(std::memory_order_relaxed) > 0; }
+  // Of one thread, which is to look every few milliseconds.
+  class Watch {
    public:
-    void take(CoreContention& contention);
+    void look(CoreContention& contention);
 
    private:
     using Clock = std::chrono::steady_clock;
@@ -31,7 +31,7 @@ class CoreContention {
   };
 
  private:
-  std::atomic<int> there_{0};  // threads that lose their core often
+  std::atomic<int> affected_{0};  // threads that lose their core often
 };
 
 // How long a thread of a team waits awake for the others before it sleeps. Threads that have a core each meet within
@@ -50,8 +50,8 @@ class SpinPolicy {
   int spins_, yields_;
 };
 
-// Barrier for threads that meet every few microseconds: spins a while, then sleeps, so that a busy machine only slows
-// it.
+// Barrier for threads that meet every few microseconds: waits as its SpinPolicy says, then sleeps, so that a busy
+// machine only slows it.
 class StepBarrier {
  public:
   StepBarrier(int threads, const CoreContention& contention);
@@ -64,12 +64,13 @@ class StepBarrier {
   alignas(64) std::atomic<unsigned> round_{0};
 };
 
-// Whether the caller had better do the parts of all threads itself: while other programs hold cores, waiting for a
-// thread that has none may take longer than its part. What was measured decides; all are tried again now and then.
-class LoneTurns {
+// Whether the calling thread does the parts of all threads itself: while other programs hold cores, waiting for a
+// thread that has none may take longer than its part. Decided from measured times, for 0.1 s at first and 1.6 s at
+// most; then all threads are tried again.
+class SerialFallback {
  public:
-  bool now() const { return isOn_ && Clock::now() < until_; }
-  // Parts that took all threads together `wall`, and were `work` of processor time.
+  bool isOn() const { return isOn_ && Clock::now() < until_; }
+  // All threads together took `wall` by the clock for parts that cost `work` of processor time.
   void note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work);
 
  private:
@@ -106,9 +107,9 @@ class ThreadTeam {
   void work(int index);
   void end();
   int size_;
-  LoneTurns lone_;
+  SerialFallback fallback_;
   CoreContention contention_;
-  CoreContention::Look callersLook_;
+  CoreContention::Watch callersWatch_;
   SpinPolicy spinPolicy_;
   StepBarrier barrier_;
   std::vector<std::thread> threads_;

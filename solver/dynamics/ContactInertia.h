@@ -52,9 +52,8 @@ class ContactInertia {
   // For the step in place (BlockStep), of rail (0) and rim (1); filters() until the next apply().
   const int* ownFilter(int side) const { return sides_[side].slotOf.data(); }
   const elasticity::KernelFilter* filters(int side) const { return sides_[side].filters.data(); }
-  double addedMass() const {
-    return sides_[0].added + sides_[1].added;
-  }  // [kg] in both bodies together, as last applied
+  // [kg] in both bodies together, as last applied.
+  double addedMass() const { return sides_[0].added + sides_[1].added; }
   // What closed points add to the wheel: its inertia about the axis [kg m2], and its angular momentum [kg m2/s] against
   // the rolling, sum of r v_alpha, in velocities (state layout) whose bases have turned since by an angle of this
   // cosine and sine.

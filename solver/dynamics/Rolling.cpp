@@ -54,8 +54,8 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
       beta_(beta),
       contact_(model, step, beta),
       wheelsetDamping_(model, step),
-      pace_(firstGuessBesides(model, team.size())),
-      shares_(shareStep(model, pace_.besides())),
+      pace_(firstGuessOfOtherWork(model, team.size())),
+      shares_(shareStep(model, pace_.otherWork())),
       oneShare_(shareStep(model, {0.0})) {
   const auto& d = model.scenario;
   load_ = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
@@ -140,7 +140,7 @@ void Rolling::advance(long steps, const std::function<void(const StepView&)>& ob
   else
     team_.runInStep([&](int index) { takeSteps(shares_, index, first, steps, observe); });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
-  if (pace_.advanced(steps, seconds.count(), shares_.work)) shares_ = shareStep(model_, pace_.besides());
+  if (pace_.advanced(steps, seconds.count(), shares_.work)) shares_ = shareStep(model_, pace_.otherWork());
   if (timings_) timings_->end(0, StepPhase::waiting), timings_->countSteps(steps);
   finishStep();
   if (timings_) timings_->end(0, StepPhase::motion);

@@ -69,13 +69,12 @@ class Rolling {
   double torqueAt(double time) const;
   ThreadTeam& team() const { return team_; }
   const elasticity::KernelSet& kernels() const { return kernels_; }
-  double contactInertia() const {
-    return contact_.inertia().addedMass();
-  }  // [kg] that closed points add, in the last step
+  // [kg] that closed points add, in the last step.
+  double contactInertia() const { return contact_.inertia().addedMass(); }
 
   // Displacement u (state layout) with slaves and ghosts filled.
   AlignedVector displacement() const;
-  void displacement(AlignedVector& filled) const;
+  void displacement(AlignedVector& filled) const;  // the same, without allocating
   // Contact points of the present state, for pictures; changes nothing.
   std::vector<contact::PatchPoint> patchPoints() const;
   // [m] x of the foremost contact point whose gap is below `margin` [m]; minus infinity where there is none.
@@ -118,7 +117,7 @@ class Rolling {
   std::vector<elasticity::BlockStep> blockSteps_;
   model::WheelsetDamping wheelsetDamping_;
   TeamPace pace_;
-  StepShares shares_, oneShare_;             // of all threads; of one that goes alone
+  StepShares shares_, oneShare_;             // of all threads; of one that works alone
   NextPiece nextForces_, nextSleeper_;       // of trackForces and of the sleepers
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
   std::vector<AlignedVector> inverseMass_;   // per block, in chunks

@@ -17,7 +17,7 @@ elasticity::StationSpan stationsOf(const elasticity::SweptBlock& block, const Se
 
 // The first thread, which is busy with the contact, has rail alone. Where the last can have the whole wheelset, it
 // advances the wheel body when it is done with the rim, and nobody waits. Sleepers even out what no share foresees.
-void shareBlocks(const model::Model& model, const std::vector<double>& besides, StepShares& shares) {
+void shareBlocks(const model::Model& model, const std::vector<double>& otherWork, StepShares& shares) {
   constexpr double tieCost =
       2.2;  // of a node of the wheel body, ties and slaves included, to one along a line (measured)
   const auto& blocks = model.blocks;
@@ -27,10 +27,10 @@ void shareBlocks(const model::Model& model, const std::vector<double>& besides, 
     sleeper.stations = {{b, 0, blocks[b].intervals}};
     sleeper.ends = elasticity::segmentEnds(sleeper.stations, blocks);
   }
-  const std::size_t threads = besides.size();
-  auto together = elasticity::partition(blocks, all, besides, model.body, tieCost);
+  const std::size_t threads = otherWork.size();
+  auto together = elasticity::partition(blocks, all, otherWork, model.body, tieCost);
   shares.work = elasticity::costOf(blocks, all, model.body, tieCost);
-  for (const double extra : besides) shares.work += extra;
+  for (const double extra : otherWork) shares.work += extra;
   shares.wheelsetOfOne = true;
   for (std::size_t thread = 0; thread + 1 < threads; ++thread)
     for (const auto& segment : together[thread])
@@ -42,7 +42,7 @@ void shareBlocks(const model::Model& model, const std::vector<double>& besides, 
     return;
   }
   all.pop_back();
-  auto fine = elasticity::partition(blocks, all, besides);
+  auto fine = elasticity::partition(blocks, all, otherWork);
   // Most of the rim is tied to the first sectors of the wheel body and goes to the last threads: what they pass each
   // other stays in their own caches.
   auto masters = elasticity::partition(blocks, {model.body}, std::vector<double>(threads, 0.0));
@@ -114,18 +114,18 @@ void shareForces(const model::Model& model, StepShares& shares) {
 }  // namespace
 
 // Some nodes, and 64 for each of the four points of a face within the patch (half axes 7 and 5.2 mm).
-std::vector<double> firstGuessBesides(const model::Model& model, int threads) {
+std::vector<double> firstGuessOfOtherWork(const model::Model& model, int threads) {
   constexpr double patchArea = 1.1e-4;  // [m2]
   const double contactSize = model.scenario.mesh.contactSize;
-  std::vector<double> besides(static_cast<std::size_t>(threads), 0.0);
-  if (threads > 1) besides.front() = 2500 + 64 * 4 * patchArea / (contactSize * contactSize);
-  return besides;
+  std::vector<double> otherWork(static_cast<std::size_t>(threads), 0.0);
+  if (threads > 1) otherWork.front() = 2500 + 64 * 4 * patchArea / (contactSize * contactSize);
+  return otherWork;
 }
 
-StepShares shareStep(const model::Model& model, const std::vector<double>& besides) {
+StepShares shareStep(const model::Model& model, const std::vector<double>& otherWork) {
   StepShares shares;
-  shares.threads.resize(besides.size());
-  shareBlocks(model, besides, shares);
+  shares.threads.resize(otherWork.size());
+  shareBlocks(model, otherWork, shares);
   for (auto& own : shares.threads) {
     own.stationEnds = elasticity::segmentEnds(own.stations, model.blocks);
     own.masterEnds = elasticity::segmentEnds(own.masters, model.blocks);

@@ -41,13 +41,13 @@ struct StepShares {
   forces::ForceShare vehicleForces;     // of the first thread, which knows the journal
   std::vector<forces::ForceShare> trackForces;  // taken by whoever is free
   std::size_t forceGroups = 0;
-  double work = 0;  // of all threads, in nodes along a line, with what they do besides
+  double work = 0;  // of all threads, their other work included, in nodes along a line
 };
 
-// What a thread does besides its stations, as many nodes along a line as cost the same: a guess to begin with, for the
-// first thread, which has the contact. One entry for each thread.
-std::vector<double> firstGuessBesides(const model::Model& model, int threads);
-// Shares for as many threads as `besides` has entries, of about equal cost.
-StepShares shareStep(const model::Model& model, const std::vector<double>& besides);
+// Work of each thread apart from its stations, in nodes along a line that cost the same. A first guess: the contact,
+// for the first thread.
+std::vector<double> firstGuessOfOtherWork(const model::Model& model, int threads);
+// Shares for as many threads as `otherWork` has entries, of about equal cost.
+StepShares shareStep(const model::Model& model, const std::vector<double>& otherWork);
 
 }  // namespace squat::dynamics

@@ -11,11 +11,12 @@ namespace {
 // A window is long against the turns of some milliseconds in which programs share a core.
 constexpr long leastSteps = 32, mostSteps = 4096;
 constexpr double leastSeconds = 0.02;
-// How long one thread goes alone before all are tried again, at first and at most [s].
+// How long one thread works alone before all are tried again, at first and at most [s].
 constexpr double shortestAlone = 0.1, longestAlone = 1.6;
-// One thread works longer than the mean by this share: shares are cut anew. Pieces are some per cent of a share.
+// Shares are cut again where one thread works longer than the mean by this ratio. Sixteen stations, the smallest piece,
+// are a few per cent of a share.
 constexpr double uneven = 0.03;
-constexpr long cutAgain = 2048;  // steps, at most; the patch moves on and its cost with it
+constexpr long cutAgain = 2048;  // steps until the next look at most: the patch moves, and its cost changes
 
 // Mean of the steps in which no other program held the core.
 double undisturbed(std::vector<double> steps) {
@@ -32,8 +33,8 @@ double undisturbed(std::vector<double> steps) {
 
 }  // namespace
 
-TeamPace::TeamPace(std::vector<double> besides)
-    : besides_(std::move(besides)), clocks_(besides_.size()), aloneFor_(shortestAlone), nextCut_(leastSteps) {
+TeamPace::TeamPace(std::vector<double> otherWork)
+    : otherWork_(std::move(otherWork)), clocks_(otherWork_.size()), aloneFor_(shortestAlone), nextCut_(leastSteps) {
   for (auto& own : clocks_) own.clock.steps_.reserve(mostSteps), own.clock.advances_.reserve(mostSteps);
 }
 
@@ -71,9 +72,9 @@ bool TeamPace::recut(const std::vector<double>& busy, double work) {
   const double mean = sum / static_cast<double>(busy.size());
   if (*std::max_element(busy.begin(), busy.end()) < (1 + uneven) * mean) return false;
   const double perNode = sum / work;
-  for (std::size_t i = 0; i < busy.size(); ++i) besides_[i] += (busy[i] - mean) / perNode;
-  const double least = *std::min_element(besides_.begin(), besides_.end());
-  for (double& extra : besides_) extra -= least;
+  for (std::size_t i = 0; i < busy.size(); ++i) otherWork_[i] += (busy[i] - mean) / perNode;
+  const double least = *std::min_element(otherWork_.begin(), otherWork_.end());
+  for (double& extra : otherWork_) extra -= least;
   return true;
 }
 

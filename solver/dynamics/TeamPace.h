@@ -1,8 +1,8 @@
 // solver/dynamics/TeamPace.h - how threads that step together keep pace with each other and with the machine.
 //
-// What each thread works in a step is measured, waiting left out. Shares are cut anew where one thread works longer
-// than the others. Where other programs hold the cores, so that threads wait for one that has no core at present, one
-// thread alone may be quicker than all: then it goes alone for a while, and all are tried again.
+// The time that each thread works in a step is measured, waiting left out. Where one thread works longer than the
+// others, the shares are cut again. Where other programs hold the cores, so that threads wait for one that has no core
+// at present, one thread alone may be quicker than all: it then works alone for a while, before all are tried again.
 #pragma once
 
 #include <chrono>
@@ -40,15 +40,15 @@ class WorkClock {
 
 class TeamPace {
  public:
-  // `besides`: what shareStep() begins with, one entry for each thread.
-  explicit TeamPace(std::vector<double> besides);
+  // `otherWork`: what shareStep() begins with, one entry for each thread.
+  explicit TeamPace(std::vector<double> otherWork);
 
   bool alone() const { return alone_; }  // one thread is to take the next steps
-  const std::vector<double>& besides() const { return besides_; }
+  const std::vector<double>& otherWork() const { return otherWork_; }
   WorkClock& clock(int thread) { return clocks_[static_cast<std::size_t>(thread)].clock; }
 
   // After `steps` steps in `seconds` of wall time, shared as by shareStep() with work `work`: true where shares are to
-  // be cut anew, with besides().
+  // be cut again, with otherWork().
   bool advanced(long steps, double seconds, double work);
 
  private:
@@ -57,7 +57,7 @@ class TeamPace {
   struct alignas(128) OfThread {  // no two threads write to one cache line
     WorkClock clock;
   };
-  std::vector<double> besides_;
+  std::vector<double> otherWork_;
   std::vector<OfThread> clocks_;
   bool alone_ = false;
   double aloneFor_;  // [s] next time

@@ -120,22 +120,22 @@ double costOf(const std::vector<SweptBlock>& blocks, const std::vector<int>& whi
 }
 
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            const std::vector<double>& besides, int costly, double factor) {
+                                            const std::vector<double>& otherWork, int costly, double factor) {
   const auto cost = [&](int b, int first, int count) {
     return costOf(blocks[b], first, count) * (b == costly ? factor : 1.0);
   };
   double total = costOf(blocks, which, costly, factor);
-  for (const double extra : besides) total += extra;
-  const double each = total / static_cast<double>(besides.size());
-  std::vector<std::vector<Segment>> lists(besides.size());
+  for (const double extra : otherWork) total += extra;
+  const double each = total / static_cast<double>(otherWork.size());
+  std::vector<std::vector<Segment>> lists(otherWork.size());
   std::size_t part = 0;
-  double done = besides.front();  // by this part
+  double done = otherWork.front();  // by this part
   for (const int b : which)
     for (int at = 0, count = 0; at < blocks[b].intervals; at += count) {
       count = std::min(maximumStations, blocks[b].intervals - at);  // those that share their inertia stay together
       const double here = cost(b, at, count);
       // To the part in whose share the middle of these intervals lies.
-      while (part + 1 < besides.size() && done + 0.5 * here >= each) done += besides[++part] - each;
+      while (part + 1 < otherWork.size() && done + 0.5 * here >= each) done += otherWork[++part] - each;
       auto& list = lists[part];
       if (!list.empty() && list.back().block == b)
         list.back().count += count;

@@ -21,9 +21,10 @@ struct Segment {
 // times as much as others.
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
                                             int parts, int costly = -1, double factor = 1);
-// The same, a list for each entry of `besides`: work of that cost (a node along a line: 1) that its thread has as well.
+// The same, a list for each entry of `otherWork`: work of that cost (a node along a line: 1) that its thread has as
+// well.
 std::vector<std::vector<Segment>> partition(const std::vector<SweptBlock>& blocks, const std::vector<int>& which,
-                                            const std::vector<double>& besides, int costly = -1, double factor = 1);
+                                            const std::vector<double>& otherWork, int costly = -1, double factor = 1);
 // Cost of the named blocks, in nodes along a line.
 double costOf(const std::vector<SweptBlock>& blocks, const std::vector<int>& which, int costly = -1, double factor = 1);
 

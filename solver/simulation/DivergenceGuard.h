@@ -31,7 +31,7 @@ class DivergenceGuard : public StepObserver {
   long perSample_, grid_, firstStep_;
   std::size_t entries_ = 0;
   double lastContact_;          // [s]
-  AlignedVector displacement_;  // kept, since such arrays come from the system anew each time
+  AlignedVector displacement_;  // kept: allocating it each time costs more than filling it
 };
 
 }  // namespace squat::simulation

@@ -57,7 +57,7 @@ class EnergyBalance {
   std::vector<double> time_;
   std::vector<Sample> samples_;
   EnergySums sums_;
-  AlignedVector displacement_, velocity_;  // kept, since such arrays come from the system anew each time
+  AlignedVector displacement_, velocity_;  // kept: allocating them costs more than filling them
 };
 
 }  // namespace squat::simulation

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/OrderedSum.h"
 #include "elasticity/SweptTie.h"
 #include "model/StaticOperator.h"
 
@@ -11,25 +12,17 @@ namespace {
 
 using elasticity::SweptBlock;
 
-// Sum of term(values, masses) over the stations of a node, in eight lanes that a compiler can take together. A term
-// sees where the three components of eight stations begin in the state, and the number of the first station.
-constexpr int lanes = 8;
-
+// Sum of term(at, s) over the stations s of a node; `at`: index of its first component there, the other two follow in
+// chunks.
 template <typename Term>
 double alongStations(const SweptBlock& block, int node, const Term& term) {
-  double sums[lanes] = {};
-  const std::size_t first = block.index(node, 0, 0);
-  const int even = block.stationCount / lanes * lanes;
-  for (int s = 0; s < even; s += lanes) {
-    const std::size_t at = first + static_cast<std::size_t>(s / SweptBlock::chunk) * block.chunkSize() +
-                           static_cast<std::size_t>(s % SweptBlock::chunk);
-    for (int k = 0; k < lanes; ++k) sums[k] += term(at + static_cast<std::size_t>(k), s + k);
+  double sum = 0;
+  for (int s = 0; s < block.stationCount; s += SweptBlock::chunk) {
+    const std::size_t first = block.index(node, 0, s);
+    const auto count = static_cast<std::size_t>(std::min(SweptBlock::chunk, block.stationCount - s));
+    sum += sumInLanes(0, count, [&](std::size_t k) { return term(first + k, s + static_cast<int>(k)); });
   }
-  for (int s = even; s < block.stationCount; ++s)
-    sums[s - even] += term(first + static_cast<std::size_t>(s / SweptBlock::chunk) * block.chunkSize() +
-                               static_cast<std::size_t>(s % SweptBlock::chunk),
-                           s);
-  return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+  return sum;
 }
 
 }  // namespace

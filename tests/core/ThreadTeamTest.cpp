@@ -48,60 +48,67 @@ TEST(ThreadTeam, StaysInStepBesideABusyProgram) {
   for (auto& thread : busy) thread.join();
 }
 
-// A phase sees what the one before it has done on every thread, beside busy programs too, where the caller may do all.
-TEST(ThreadTeam, PhasesComeInOrderOnAllThreads) {
-  for (const bool isBusy : {false, true}) {
-    std::atomic<bool> stop{!isBusy};
-    std::vector<std::thread> busy;
-    for (unsigned i = 0; isBusy && i < 2 * std::thread::hardware_concurrency(); ++i)
-      busy.emplace_back([&] {
-        while (!stop) {
-        }
-      });
-    ThreadTeam team(2);
-    std::atomic<int> first{0}, second{0}, wrong{0};
-    constexpr int rounds = 1000;
-    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(isBusy ? 400 : 0);
-    int done = 0;
-    do {
-      for (int k = 0; k < rounds && (done == 0 || std::chrono::steady_clock::now() < until); ++k, ++done)
-        team.runInOrder({[&](int) { ++first; },
-                         [&](int) {
-                           wrong += first != 2 * (done + 1);
-                           ++second;
-                         },
-                         [&](int) { wrong += second != 2 * (done + 1); }});
-    } while (std::chrono::steady_clock::now() < until);
-    stop = true;
-    for (auto& thread : busy) thread.join();
-    EXPECT_EQ(wrong, 0);
-    EXPECT_EQ(first, 2 * done);
+// A phase sees what the one before it has done on every thread.
+void expectInOrder(ThreadTeam& team, std::chrono::milliseconds atLeast) {
+  std::atomic<int> first{0}, second{0}, wrong{0};
+  const auto until = std::chrono::steady_clock::now() + atLeast;
+  int rounds = 0;
+  for (; rounds < 1000 || std::chrono::steady_clock::now() < until; ++rounds)
+    team.runInOrder({[&](int) { ++first; },
+                     [&](int) {
+                       wrong += first != team.size() * (rounds + 1);
+                       ++second;
+                     },
+                     [&](int) { wrong += second != team.size() * (rounds + 1); }});
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(first, team.size() * rounds);
+}
+
+TEST(ThreadTeam, PhasesComeInOrder) {
+  for (const int threads : {1, 2, 3}) {
+    ThreadTeam team(threads);
+    expectInOrder(team, std::chrono::milliseconds(0));
   }
+}
+
+// Long enough for the team to fall back on one thread and to try all again.
+TEST(ThreadTeam, PhasesComeInOrderBesideBusyPrograms) {
+  std::atomic<bool> stop{false};
+  std::vector<std::thread> busy;
+  for (unsigned i = 0; i < 2 * std::thread::hardware_concurrency(); ++i)
+    busy.emplace_back([&] {
+      while (!stop) {
+      }
+    });
+  ThreadTeam team(2);
+  expectInOrder(team, std::chrono::milliseconds(400));
+  stop = true;
+  for (auto& thread : busy) thread.join();
 }
 
 using std::chrono::milliseconds;
 
 // Two threads that work 10 ms each and take 25 ms for it: one alone needs 20.
-TEST(LoneTurns, AreTakenWhereAllTogetherTakeLongerThanOneWould) {
-  LoneTurns turns;
-  EXPECT_FALSE(turns.now());
-  turns.note(milliseconds(25), milliseconds(20));
-  EXPECT_TRUE(turns.now());
+TEST(SerialFallback, AreTakenWhereAllTogetherTakeLongerThanOneWould) {
+  SerialFallback fallback;
+  EXPECT_FALSE(fallback.isOn());
+  fallback.note(milliseconds(25), milliseconds(20));
+  EXPECT_TRUE(fallback.isOn());
   std::this_thread::sleep_for(milliseconds(110));
-  EXPECT_FALSE(turns.now()) << "all are tried again after a tenth of a second";
-  turns.note(milliseconds(25), milliseconds(20));
+  EXPECT_FALSE(fallback.isOn()) << "all are tried again after a tenth of a second";
+  fallback.note(milliseconds(25), milliseconds(20));
   std::this_thread::sleep_for(milliseconds(110));
-  EXPECT_TRUE(turns.now()) << "in vain: for twice as long";
-  turns.note(milliseconds(25), milliseconds(48));
-  EXPECT_FALSE(turns.now());
+  EXPECT_TRUE(fallback.isOn()) << "in vain: for twice as long";
+  fallback.note(milliseconds(25), milliseconds(48));
+  EXPECT_FALSE(fallback.isOn());
 }
 
-TEST(LoneTurns, AreDecidedOverSomeTurnsOfOtherPrograms) {
-  LoneTurns turns;
-  turns.note(milliseconds(8), milliseconds(1));
-  EXPECT_FALSE(turns.now()) << "one stall says nothing yet";
-  turns.note(milliseconds(16), milliseconds(31));
-  EXPECT_FALSE(turns.now());
+TEST(SerialFallback, AreDecidedOverSomeTurnsOfOtherPrograms) {
+  SerialFallback fallback;
+  fallback.note(milliseconds(8), milliseconds(1));
+  EXPECT_FALSE(fallback.isOn()) << "one stall says nothing yet";
+  fallback.note(milliseconds(16), milliseconds(31));
+  EXPECT_FALSE(fallback.isOn());
 }
 
 TEST(ThreadTeam, ForEachDoesEachOnce) {

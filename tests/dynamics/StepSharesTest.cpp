@@ -1,4 +1,4 @@
-// Shares of a step: everything is done once, whatever the cuts, and cuts follow what threads do besides.
+// Shares of a step: everything is done once, whatever the cuts, and cuts follow what else a thread has to do.
 #include "dynamics/StepShares.h"
 
 #include <gtest/gtest.h>
@@ -49,18 +49,16 @@ TEST_P(Shares, HoldEachFixedUnknownAndForceElementOnce) {
   for (const auto unknown : model.fixed) EXPECT_EQ(fixed[unknown], 1);
   std::size_t elements = 0, asked = 0;
   std::map<std::size_t, int> groups;
-  for (const auto* share : {&shares.vehicleForces}) {
-    elements += share->elements.size();
-    for (const auto group : share->groups) ++groups[group];
-  }
-  for (const auto& share : shares.trackForces) {
+  const auto count = [&](const forces::ForceShare& share) {
     elements += share.elements.size();
     for (const auto group : share.groups) ++groups[group];
-  }
+  };
+  count(shares.vehicleForces);
+  for (const auto& share : shares.trackForces) count(share);
   for (const auto& set : model.forceElements) asked += set.size();
   EXPECT_EQ(elements, asked);
   EXPECT_EQ(groups.size(), shares.forceGroups);
-  for (const auto& [group, count] : groups) EXPECT_EQ(count, 1) << "group " << group;
+  for (const auto& [group, times] : groups) EXPECT_EQ(times, 1) << "group " << group;
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, Shares,
@@ -77,8 +75,8 @@ double nodesOf(const ThreadShare& own) {
   return nodes;
 }
 
-// Of work besides, half goes off the thread's stations; pieces are sixteen stations of the rail.
-TEST(StepShares, WhoHasMoreBesidesAdvancesLess) {
+// Of further work, half is taken off the thread's stations; pieces are sixteen stations of the rail.
+TEST(StepShares, MoreOtherWorkMeansFewerStations) {
   const auto& model = smoothRail();
   const double piece = 16.0 * model.blocks[model.rail].nodes;
   // The first cut lies in the rail already, whose nodes count as one.
@@ -87,7 +85,7 @@ TEST(StepShares, WhoHasMoreBesidesAdvancesLess) {
   EXPECT_NEAR(some - less, 4000, piece);
 }
 
-TEST(StepShares, WhoHasFarTooMuchBesidesAdvancesNothing) {
+TEST(StepShares, FarTooMuchOtherWorkMeansNone) {
   EXPECT_TRUE(shareStep(smoothRail(), {1e6, 0}).threads.front().stations.empty());
 }
 

@@ -24,7 +24,7 @@ TEST(TeamPace, LeavesEvenSharesAlone) {
   TeamPace pace({500, 0});
   EXPECT_FALSE(afterWindow(pace, 200, 202, 215));
   EXPECT_FALSE(pace.alone());
-  EXPECT_EQ(pace.besides(), (std::vector<double>{500, 0}));
+  EXPECT_EQ(pace.otherWork(), (std::vector<double>{500, 0}));
 }
 
 // 300 and 100 us for 1000 nodes are 0.4 us a node: even shares move 250 nodes to the second thread, which is what 500
@@ -32,14 +32,14 @@ TEST(TeamPace, LeavesEvenSharesAlone) {
 TEST(TeamPace, CutsAnewWhereOneThreadWorksLonger) {
   TeamPace pace({500, 0});
   EXPECT_TRUE(afterWindow(pace, 300, 100, 320));
-  EXPECT_NEAR(pace.besides()[0] - pace.besides()[1], 500 + 500, 1e-6);
+  EXPECT_NEAR(pace.otherWork()[0] - pace.otherWork()[1], 500 + 500, 1e-6);
   EXPECT_FALSE(pace.alone());
 }
 
 TEST(TeamPace, MovesWorkBothWays) {
   TeamPace pace({500, 0});
   EXPECT_TRUE(afterWindow(pace, 100, 300, 320));
-  EXPECT_NEAR(pace.besides()[0] - pace.besides()[1], 0, 1e-6);
+  EXPECT_NEAR(pace.otherWork()[0] - pace.otherWork()[1], 0, 1e-6);
 }
 
 // Steps in which another program held the core say nothing of the work.

@@ -49,8 +49,8 @@ class EnergySumsTest : public testing::Test {
   ThreadTeam team_{2};
 };
 
-// A wheelset that moves sideways at 2 m/s has m v^2 / 2 of its masses, and no momentum along the track; fixed unknowns
-// (the rail's ends) are left out by moving the wheelset alone.
+// A wheelset that moves sideways at 2 m/s has the energy m v^2 / 2 and no momentum along the track. Only the wheelset
+// moves, since ends of the rail are fixed. 1e-9 is far above the round-off of some ten thousand terms.
 TEST_F(EnergySumsTest, MotionSidewaysHasItsKineticEnergy) {
   auto velocity = moved(model_.body, 2, 2.0);
   const auto rim = moved(model_.rim, 2, 2.0);
@@ -64,7 +64,8 @@ TEST_F(EnergySumsTest, MotionSidewaysHasItsKineticEnergy) {
   EXPECT_NEAR(motion.momentum, 0, 1e-9 * mass);
 }
 
-// A rail that sinks by a millimetre: m g h; a rigid motion strains nothing (1 J would be 0.4 N/um at all nodes).
+// A rail that sinks by a millimetre: the weight does the work m g h, and nothing is strained. Stiffnesses of some
+// 1e10 N/m times (1 mm)^2 are 1e4 J a term, of which round-off leaves 1e-12 J: 1e-6 J for all terms is wide.
 TEST_F(EnergySumsTest, SinkingDoesTheWorkOfItsWeightAndStrainsNothing) {
   const auto still = rolling(team_, AlignedVector(model_.stateSize, 0.0));
   EnergySums sums(*still);
