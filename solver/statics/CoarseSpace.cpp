@@ -10,7 +10,10 @@ namespace squat::statics {
 
 namespace {
 
-constexpr int rimHats = 24, rimModes = 4;  // three translations, roll of the rim about its own centre line
+// Three translations; roll of the rim about its own centre line; turns of its section about the wheel's axis and about
+// the radius, without which hats could not bend the rim.
+constexpr int rimHats = 24, rimModes = 6;
+constexpr int railShapes = 3;  // more of them save no further iterations
 constexpr double full = 6.283185307179586;
 
 // The two hats that cover a place on a line of equally spaced knots.
@@ -44,27 +47,21 @@ Hats rimHatsAt(double angle) {
 
 CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator& op)
     : model_(model), free_(op.freeUnknowns()) {
-  // Rail hats reach two knots and a pad: five colours. Sleepers reach the rail hats about them: every second one apart.
   // Farther apart than any two stations: none stands where no node is, and none reaches a third knot.
   double longest = 0;
   for (const auto& run : model.blocks[model.rail].stations.runs) longest = std::max(longest, run.length);
-  addLineGroup(model.rail, std::max(0.1, 1.05 * longest), 6, 0, 5);
-  for (int i = 0; i < model.sleepers; ++i) addLineGroup(model.firstSleeper + i, 0.42, 3, 30 + 20 * (i % 2), 1);
-  const auto& w = model.scenario.wheelset;
-  axleKnots_ = {
-      -w.trackCentre, -0.6 * w.trackCentre, -0.25 * w.trackCentre, 0, 0.5 * (w.hubWidth / 2 + w.bearingCentre),
-      w.journalEnd};
-  rimMiddle_ = 0.5 * (w.rimInnerRadius + w.radius);
-  int colour = 100;
-  axleFirst_ = unknowns_;
-  unknowns_ += 6 * static_cast<int>(axleKnots_.size());
-  rimFirst_ = unknowns_;
-  unknowns_ += rimModes * rimHats;
-  sprungFirst_ = unknowns_;
-  for (const std::size_t index : {model.sprungX, model.sprungZ, model.boxX, model.boxZ})
-    if (free_[index]) sprung_.push_back(index), ++unknowns_;
-  while (static_cast<int>(placed_.size()) < unknowns_) placed_.push_back({colour++, 0});
+  // Rail hats reach two knots and a pad; sleepers reach the rail hats about them: every second one apart.
+  constexpr int reach = 5;
+  addLineGroup(model.rail, std::max(0.1, 1.05 * longest), railShapes, 0, reach);
+  const int colour = reach * lines_[0].modes;
+  int ofOneSleeper = 0;
+  for (int i = 0; i < model.sleepers; ++i) {
+    addLineGroup(model.firstSleeper + i, 0.42, 0, colour + i % 2 * ofOneSleeper, 0);
+    ofOneSleeper = lines_.back().modes * static_cast<int>(lines_.back().knots.size());
+  }
+  placeWheelset();
   cosine_.resize(model.blocks.size()), sine_.resize(model.blocks.size()), rimShare_.resize(model.blocks.size());
+  const auto& w = model.scenario.wheelset;
   for (const int b : {model.rim, model.body}) {
     const auto& block = model.blocks[b];
     for (int s = 0; s < block.stationCount; ++s)
@@ -74,23 +71,46 @@ CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator&
   }
 }
 
-void CoarseSpace::addLineGroup(int b, double spacing, int modes, int colourBase, int colours) {
+// `distance` in knots from one hat to the next of the same colour; 0: every hat has its own.
+void CoarseSpace::addLineGroup(int b, double spacing, int shapes, int firstColour, int distance) {
   const auto& block = model_.blocks[b];
-  LineGroup group{b, unknowns_, modes, {}, 0, 0};
+  LineGroup group{b, unknowns_, 6 + shapes, {}, 0, 0, {}};
+  if (shapes > 0) group.shapes = softestShapes(block, shapes);
   const double from = block.positions.front(), to = block.positions.back();
   const int count = std::max(1, static_cast<int>(std::lround((to - from) / spacing)));
   for (int k = 0; k <= count; ++k) {
     group.knots.push_back(from + (to - from) * k / count);
-    for (int m = 0; m < modes; ++m) {
-      const bool rail = b == model_.rail;
-      placed_.push_back(
-          {colourBase + (rail ? k % colours * modes + m : k * modes + m), rail ? group.knots.back() : block.origin[0]});
-    }
+    const int colour = firstColour + (distance > 0 ? k % distance : k) * group.modes;
+    for (int m = 0; m < group.modes; ++m)
+      placed_.push_back({Part::track, colour + m, b == model_.rail ? group.knots.back() : block.origin[0]});
   }
   const auto integrals = geometry::sectionIntegrals(block.section);
   group.middleB = integrals.centroidB, group.middleC = integrals.centroidC;
-  unknowns_ += modes * (count + 1);
+  unknowns_ += group.modes * (count + 1);
   lines_.push_back(std::move(group));
+}
+
+// Nothing but the contact, which comes later, joins wheelset and track: they share colours.
+void CoarseSpace::placeWheelset() {
+  const auto& w = model_.scenario.wheelset;
+  axleKnots_ = {
+      -w.trackCentre, -0.6 * w.trackCentre, -0.25 * w.trackCentre, 0, 0.5 * (w.hubWidth / 2 + w.bearingCentre),
+      w.journalEnd};
+  rimMiddle_ = 0.5 * (w.rimInnerRadius + w.radius);
+  int colour = 0;
+  axleFirst_ = unknowns_;
+  for (int i = 0; i < 6 * static_cast<int>(axleKnots_.size()); ++i)
+    placed_.push_back({Part::restOfWheelset, colour++, 0});
+  // Forces of a hat of the rim reach up to five knots where the wheel has as few sectors as it may.
+  constexpr int distance = rimHats / 2;
+  rimFirst_ = static_cast<int>(placed_.size());
+  for (int i = 0; i < rimModes * rimHats; ++i)
+    placed_.push_back({Part::rim, colour + i % (rimModes * distance), static_cast<double>(i / rimModes)});
+  colour += rimModes * distance;
+  sprungFirst_ = static_cast<int>(placed_.size());
+  for (const std::size_t index : {model_.sprungX, model_.sprungZ, model_.boxX, model_.boxZ})
+    if (free_[index]) sprung_.push_back(index), placed_.push_back({Part::restOfWheelset, colour++, 0});
+  unknowns_ = static_cast<int>(placed_.size());
 }
 
 // Resultants of stations in local axes: forces a, b, c and, for six modes, moments about the section's middle.
@@ -98,7 +118,7 @@ void CoarseSpace::projectLine(const LineGroup& group, const double* r, int part,
   const auto& block = model_.blocks[group.block];
   const int first = block.stationCount * part / parts, last = block.stationCount * (part + 1) / parts;
   const int count = last - first;
-  std::vector<double> sums(6 * static_cast<std::size_t>(count), 0.0);
+  std::vector<double> sums(static_cast<std::size_t>(group.modes) * static_cast<std::size_t>(count), 0.0);
   double *fa = sums.data(), *fb = fa + count, *fc = fb + count, *ma = fc + count, *mb = ma + count, *mc = mb + count;
   for (int n = 0; n < block.nodes; ++n) {
     const double lb = block.section.nodes[n][0] - group.middleB, lc = block.section.nodes[n][1] - group.middleC;
@@ -109,6 +129,11 @@ void CoarseSpace::projectLine(const LineGroup& group, const double* r, int part,
       for (int s = 0; s < length; ++s) {
         fa[at + s] += a[s], fb[at + s] += b[s], fc[at + s] += c[s];
         ma[at + s] += lb * c[s] - lc * b[s], mb[at + s] += lc * a[s], mc[at + s] -= lb * a[s];
+      }
+      for (std::size_t k = 0; k < group.shapes.size(); ++k) {
+        const auto [alongB, alongC] = group.shapes[k][static_cast<std::size_t>(n)];
+        double* shaped = sums.data() + (6 + k) * static_cast<std::size_t>(count) + at;
+        for (int s = 0; s < length; ++s) shaped[s] += alongB * b[s] + alongC * c[s];
       }
       from = to;
     }
@@ -121,8 +146,8 @@ void CoarseSpace::projectLine(const LineGroup& group, const double* r, int part,
       const double share = side ? hats.rightShare : hats.leftShare, lever = at - group.knots[k];
       double* out = coarse + group.first + group.modes * k;
       out[0] += share * fa[s], out[1] += share * fb[s], out[2] += share * fc[s];
-      if (group.modes < 6) continue;
       out[3] += share * ma[s], out[4] += share * (mb[s] - lever * fc[s]), out[5] += share * (mc[s] + lever * fb[s]);
+      for (int m = 6; m < group.modes; ++m) out[m] += share * sums[static_cast<std::size_t>(m * count + s)];
     }
   }
 }
@@ -131,7 +156,7 @@ void CoarseSpace::prolongLine(const LineGroup& group, const double* coarse, int 
   const auto& block = model_.blocks[group.block];
   const int first = block.stationCount * part / parts, last = block.stationCount * (part + 1) / parts;
   const int count = last - first;
-  std::vector<double> sums(6 * static_cast<std::size_t>(count), 0.0);
+  std::vector<double> sums(static_cast<std::size_t>(group.modes) * static_cast<std::size_t>(count), 0.0);
   double *ta = sums.data(), *tb = ta + count, *tc = tb + count, *ra = tc + count, *rb = ra + count, *rc = rb + count;
   for (int s = 0; s < count; ++s) {
     const double at = block.positions[first + s];
@@ -141,9 +166,9 @@ void CoarseSpace::prolongLine(const LineGroup& group, const double* coarse, int 
       const double share = side ? hats.rightShare : hats.leftShare, lever = at - group.knots[k];
       const double* in = coarse + group.first + group.modes * k;
       ta[s] += share * in[0], tb[s] += share * in[1], tc[s] += share * in[2];
-      if (group.modes < 6) continue;
       ra[s] += share * in[3], rb[s] += share * in[4], rc[s] += share * in[5];
       tc[s] -= share * lever * in[4], tb[s] += share * lever * in[5];
+      for (int m = 6; m < group.modes; ++m) sums[static_cast<std::size_t>(m * count + s)] += share * in[m];
     }
   }
   for (int n = 0; n < block.nodes; ++n) {
@@ -156,6 +181,11 @@ void CoarseSpace::prolongLine(const LineGroup& group, const double* coarse, int 
         a[s] += ta[at + s] + lc * rb[at + s] - lb * rc[at + s];
         b[s] += tb[at + s] - lc * ra[at + s];
         c[s] += tc[at + s] + lb * ra[at + s];
+      }
+      for (std::size_t k = 0; k < group.shapes.size(); ++k) {
+        const auto [alongB, alongC] = group.shapes[k][static_cast<std::size_t>(n)];
+        const double* shaped = sums.data() + (6 + k) * static_cast<std::size_t>(count) + at;
+        for (int s = 0; s < length; ++s) b[s] += alongB * shaped[s], c[s] += alongC * shaped[s];
       }
       from = to;
     }
@@ -182,6 +212,7 @@ void CoarseSpace::projectWheel(int b, const double* r, double* coarse) const {
       cosLateral += cosine[s] * fc[s], sinLateral += sine[s] * fc[s];
       rim[s] += share * atX, rim[count + s] += share * fc[s], rim[2 * count + s] += share * atZ;
       rim[3 * count + s] += share * ((radius - rimMiddle_) * fc[s] - y * fb[s]);
+      rim[4 * count + s] += share * (radius - rimMiddle_) * fa[s], rim[5 * count + s] += share * y * fa[s];
     }
     for (int k = 0; k < static_cast<int>(axleKnots_.size()); ++k) {
       const double h = axleHat(b, n, k);
@@ -225,7 +256,8 @@ void CoarseSpace::prolongWheel(int b, const double* coarse, int part, int parts,
     const auto a = block.line(z, n, 0), radial = block.line(z, n, 1), c = block.line(z, n, 2);
     for (int s = 0; s < count; ++s) {
       const double x = t[0] - y * w[2] + share * rim[s], up = t[2] + y * w[0] + share * rim[2 * count + s];
-      a[s] += cosine[s] * x + sine[s] * up - radius * w[1];
+      const double turned = (radius - rimMiddle_) * rim[4 * count + s] + y * rim[5 * count + s];
+      a[s] += cosine[s] * x + sine[s] * up - radius * w[1] + share * turned;
       radial[s] += sine[s] * x - cosine[s] * up - share * y * rim[3 * count + s];
       c[s] += mask * (t[1] + radius * (cosine[s] * w[0] + sine[s] * w[2]) +
                       share * (rim[count + s] + (radius - rimMiddle_) * rim[3 * count + s]));
@@ -268,6 +300,22 @@ void CoarseSpace::prolong(ThreadTeam& team, const Eigen::VectorXd& coarse, doubl
   for (const auto index : model_.fixed) z[index] = 0;
 }
 
+int CoarseSpace::sourceFor(int i, const std::vector<int>& ofOneColour) const {
+  const bool isOnTrack = placed_[i].part == Part::track;
+  const auto distance = [&](int j) {
+    const double between = std::abs(placed_[j].place - placed_[i].place);
+    return placed_[j].part == Part::rim ? std::min(between, rimHats - between) : between;
+  };
+  int nearest = -1;
+  for (const int j : ofOneColour) {
+    if ((placed_[j].part == Part::track) != isOnTrack) continue;
+    // Every hat of the rim reaches the axle: their products stand in the columns of the axle's unknowns.
+    if (placed_[j].part == Part::rim && placed_[i].part != Part::rim) return -1;
+    if (nearest < 0 || distance(j) < distance(nearest)) nearest = j;
+  }
+  return nearest;
+}
+
 bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
   forces::ForceElements kept = std::exchange(op.contactSprings(), forces::ForceElements{});
   auto& team = op.team();
@@ -291,13 +339,12 @@ bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
     prolong(team, source, u.data());
     op.apply(u.data(), result.data());
     project(team, result.data(), coarse);
-    for (int i = 0; i < unknowns_; ++i) {
-      int nearest = group.front();
-      for (const int j : group)
-        if (std::abs(placed_[j].x - placed_[i].x) < std::abs(placed_[nearest].x - placed_[i].x)) nearest = j;
-      matrix_(i, nearest) += coarse[i];
-    }
+    for (int i = 0; i < unknowns_; ++i)
+      if (const int j = sourceFor(i, group); j >= 0) matrix_(i, j) = coarse[i];
   }
+  for (int j = rimFirst_; j < sprungFirst_; ++j)
+    for (int i = 0; i < unknowns_; ++i)
+      if (placed_[i].part == Part::restOfWheelset) matrix_(i, j) = matrix_(j, i);
   matrix_ = 0.5 * (matrix_ + matrix_.transpose()).eval();
   op.contactSprings() = std::move(kept);
   return true;
@@ -327,7 +374,12 @@ Eigen::VectorXd CoarseSpace::projectSparse(const forces::ForceElements& springs,
         const double share = side ? hats.rightShare : hats.leftShare, lever = block.positions[s] - group.knots[k];
         const double values[6] = {
             f[0], f[1], f[2], lb * f[2] - lc * f[1], lc * f[0] - lever * f[2], lever * f[1] - lb * f[0]};
-        for (int m = 0; m < 6; ++m) g[group.first + 6 * k + m] += share * values[m];
+        double* out = g.data() + group.first + group.modes * k;
+        for (int m = 0; m < 6; ++m) out[m] += share * values[m];
+        for (int m = 6; m < group.modes; ++m) {
+          const auto [alongB, alongC] = group.shapes[static_cast<std::size_t>(m - 6)][static_cast<std::size_t>(n)];
+          out[m] += share * (alongB * f[1] + alongC * f[2]);
+        }
       }
       continue;
     }
@@ -338,7 +390,8 @@ Eigen::VectorXd CoarseSpace::projectSparse(const forces::ForceElements& springs,
       for (int m = 0; m < 6; ++m) g[axleFirst_ + 6 * k + m] += h * values[m];
     }
     const Hats hats = rimHatsAt(block.positions[s]);
-    const double values[rimModes] = {x, f[2], z, (p[0] - rimMiddle_) * f[2] - p[1] * f[1]};
+    const double values[rimModes] = {
+        x, f[2], z, (p[0] - rimMiddle_) * f[2] - p[1] * f[1], (p[0] - rimMiddle_) * f[0], p[1] * f[0]};
     for (int m = 0; m < rimModes; ++m) {
       g[rimFirst_ + rimModes * hats.left + m] += rimShare_[b][n] * hats.leftShare * values[m];
       g[rimFirst_ + rimModes * ((hats.left + 1) % rimHats) + m] += rimShare_[b][n] * hats.rightShare * values[m];

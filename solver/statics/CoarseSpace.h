@@ -1,10 +1,11 @@
 // solver/statics/CoarseSpace.h - smooth displacement fields that carry what single-node preconditioning cannot.
 //
-// Rail: hats every 0.1 m along the track times the six rigid motions of a section. Sleepers: hats along the length
-// times three translations. Wheelset: hats along the axle times six rigid motions, hats around the rim times three
-// translations and roll. Sprung mass: itself. Fields are products, so projecting a force and adding a field cost little
-// more than reading it: forces are first summed to resultants of stations (or of section nodes around the axle), then
-// to coarse unknowns.
+// Rail: hats every 0.1 m along the track times the six rigid motions of a section and the softest shapes in its own
+// plane: the web bends far more easily than node by node can find. Sleepers: hats along the length times six rigid
+// motions. Wheelset: hats along the axle times six rigid motions, hats around the rim times three translations and
+// three rotations. Sprung mass: itself. Fields are products, so projecting a force and adding a field cost little more
+// than reading it: forces are first summed to resultants of stations (or of section nodes around the axle), then to
+// coarse unknowns.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,6 +14,7 @@
 
 #include "core/Monitor.h"
 #include "model/StaticOperator.h"
+#include "statics/SectionShapes.h"
 
 namespace squat::statics {
 
@@ -43,15 +45,22 @@ class CoarseSpace {
     int block = 0, first = 0, modes = 6;  // first: coarse unknown of knot 0, mode 0
     std::vector<double> knots;
     double middleB = 0, middleC = 0;
+    std::vector<SectionShape> shapes;  // modes after the sixth
   };
+  // Unknowns of one colour do not reach each other: their columns of the matrix come of one product.
+  enum class Part { track, rim, restOfWheelset };
   struct Placed {
-    int colour = 0;  // unknowns of one colour do not reach each other
-    double x = 0;    // [m] along the track
+    Part part = Part::track;
+    int colour = 0;
+    double place = 0;  // track: x [m]; rim: knot
   };
   void project(ThreadTeam& team, const double* r, Eigen::VectorXd& coarse) const;
   Eigen::VectorXd projectSparse(const forces::ForceElements& springs, std::size_t spring) const;
 
-  void addLineGroup(int block, double spacing, int modes, int colourBase, int colours);
+  void addLineGroup(int block, double spacing, int shapes, int firstColour, int distance);
+  void placeWheelset();
+  // The unknown of a colour whose field reaches unknown i, or none (-1).
+  int sourceFor(int i, const std::vector<int>& ofOneColour) const;
   void projectLine(const LineGroup& group, const double* r, int part, int parts, double* coarse) const;
   void prolongLine(const LineGroup& group, const double* coarse, int part, int parts, double* z) const;
   void projectWheel(int block, const double* r, double* coarse) const;

@@ -260,11 +260,12 @@ AlignedVector equilibriumRate(const model::Model& model, const elasticity::Kerne
   double norm2 = 0;
   for (const double value : change) norm2 += value * value;
   AlignedVector rate(change.size(), 0.0);
-  const double target = 1e-4 * std::sqrt(norm2);
+  // So that what is left of the residual shakes the wheel no more than what is left of the equilibrium's.
+  const double target = 1e-5 * std::sqrt(norm2);
   const auto solution = conjugateGradients(op, coarse, change, rate, target, 20000, [&](int, double residual) {
     Progress progress;
     progress.phase = "initial velocities";
-    progress.fraction = std::clamp(std::log(std::sqrt(norm2) / std::max(residual, 1e-300)) / std::log(1e4), 0.0, 1.0);
+    progress.fraction = std::clamp(std::log(std::sqrt(norm2) / std::max(residual, 1e-300)) / std::log(1e5), 0.0, 1.0);
     monitor.report(progress);
     return !monitor.cancelled();
   });

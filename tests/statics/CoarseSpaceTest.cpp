@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include "FixtureCase.h"
 #include "case/CaseFile.h"
@@ -70,6 +73,37 @@ TEST(CoarseSpace, HoldsOnElementsLongerThanItsUsualHats) {
     maximum = std::max(maximum, down);
   }
   EXPECT_LT(maximum, 0.01);
+}
+
+// Columns of unknowns that share a colour come of one product. Taken apart wrongly, they would not give the work of
+// fields of all unknowns at once, which is computed here on the whole model. Round-off: 1e-9 of the largest work.
+TEST(CoarseSpace, ItsMatrixGivesTheWorkOfItsFields) {
+  for (const auto& [key, value] : {std::pair{"mesh.wheel_sectors", "16"}, std::pair{"track.length", "8"}}) {
+    const auto model =
+        model::buildModel(cases::loadScenario(tests::fixtureCase("smooth-rail"), {"tiny", {{key, value}}}));
+    ThreadTeam team(1);
+    model::StaticOperator op(model, elasticity::kernelsFor(""), team, 0, 1e8, true);
+    CoarseSpace coarse(model, op);
+    Monitor quiet;
+    ASSERT_TRUE(coarse.assemble(op, quiet));
+    std::vector<Eigen::VectorXd> amplitudes;
+    std::vector<AlignedVector> fields, forces;
+    for (int k = 0; k < 6; ++k) {
+      amplitudes.push_back(Eigen::VectorXd::NullaryExpr(
+          coarse.size(), [k](Eigen::Index i) { return std::sin(0.7 + static_cast<double>((i + 1) * (2 * k + 3))); }));
+      fields.emplace_back(model.stateSize, 0.0), forces.emplace_back(model.stateSize, 0.0);
+      coarse.prolong(team, amplitudes.back(), fields.back().data());
+      op.apply(fields.back().data(), forces.back().data());
+    }
+    const Eigen::MatrixXd& stiffness = coarse.stiffness();
+    const double largest = amplitudes[0].dot(stiffness * amplitudes[0]);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      for (std::size_t j = 0; j < fields.size(); ++j) {
+        double work = 0;
+        for (std::size_t k = 0; k < model.stateSize; ++k) work += fields[i][k] * forces[j][k];
+        ASSERT_NEAR(amplitudes[i].dot(stiffness * amplitudes[j]), work, 1e-9 * largest) << key << i << ' ' << j;
+      }
+  }
 }
 
 }  // namespace
