@@ -66,9 +66,11 @@ void describeMesh(const model::Model& model, const dynamics::StableStep& stable,
   };
 }
 
-void describeModes(const scenario::Scenario& scenario, results::RunResult& result) {
+std::vector<results::WheelsetMode> naturalModes(const scenario::Scenario& scenario) {
+  std::vector<results::WheelsetMode> modes;
   for (const auto& mode : model::wheelsetModes(scenario, 2000, 3))
-    result.modes.push_back({mode.frequency, mode.boxAmplitude, mode.wheelAmplitude, mode.contactAmplitude});
+    modes.push_back({mode.frequency, mode.boxAmplitude, mode.wheelAmplitude, mode.contactAmplitude});
+  return modes;
 }
 
 void describeProfile(const scenario::Scenario& d, results::RunResult& result) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "dynamics/Rolling.h"
 #include "dynamics/StableStep.h"
@@ -15,7 +16,7 @@ void describeEquilibrium(const model::Model& model, const statics::Equilibrium& 
                          results::RunResult& result);
 void describeMesh(const model::Model& model, const dynamics::StableStep& stable, double step,
                   results::RunResult& result);
-void describeModes(const scenario::Scenario& scenario, results::RunResult& result);
+std::vector<results::WheelsetMode> naturalModes(const scenario::Scenario& scenario);
 void describeProfile(const scenario::Scenario& scenario, results::RunResult& result);
 
 // What plastic flow leaves behind: fields of the unloaded rail and their largest values. `unloaded`: state layout.

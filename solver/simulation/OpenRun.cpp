@@ -131,11 +131,16 @@ long OpenRun::lastStep() const {
 
 bool OpenRun::start(const StoredState* stored) {
   const auto* made = options.warm ? options.warm->model.get() : nullptr;
+  // Natural modes need nothing but the scenario: where there is a second thread, it finds them beside the mesh.
+  std::future<Modes> modes;
+  if (!stored && options.wheelsetModes)
+    modes = std::async(team->size() > 1 ? std::launch::async : std::launch::deferred,
+                       [this] { return naturalModes(scenario); });
   model = timed("mesh", [&] { return made ? withDefect(*made, scenario) : model::buildModel(scenario); });
   if (scenario.rail.plastic && model.layer.empty())
     warn("rail.plastic_depth is less than half an element of the head: no element can yield, the rail stays elastic");
   describeProfile(scenario, result);
-  if (!stored) return begin();
+  if (!stored) return begin(std::move(modes));
   restore(*stored);
   return true;
 }
@@ -146,9 +151,9 @@ void OpenRun::makeRolling() {
 }
 
 // Everything ahead of the rolling. A stored state holds what comes of it.
-bool OpenRun::begin() {
+bool OpenRun::begin(std::future<Modes> modes) {
   if (monitor.cancelled()) return false;
-  if (options.wheelsetModes) timed("modes", [&] { return describeModes(scenario, result), 0; });
+  if (modes.valid()) result.modes = timed("modes", [&] { return modes.get(); });
   if (monitor.cancelled()) return false;
   const auto stable = timed("stable_step", [&] { return dynamics::stableStep(model, kernels, *team, monitor); });
   if (monitor.cancelled()) return false;
@@ -178,7 +183,8 @@ bool OpenRun::begin() {
 // Nothing is taken from a stored state before all of it is known to fit.
 void OpenRun::restore(const StoredState& stored) {
   steps = loadStart(stored, scenario.output.rate, result);
-  if (options.wheelsetModes && result.modes.empty()) timed("modes", [&] { return describeModes(scenario, result), 0; });
+  if (options.wheelsetModes && result.modes.empty())
+    result.modes = timed("modes", [&] { return naturalModes(scenario); });
   if (options.snapshots) {
     fields = std::make_unique<SurfaceFields>(model);
     result.surface = fields->mesh();

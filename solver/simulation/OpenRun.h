@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -95,7 +96,8 @@ class OpenRun {
   void refuseOrWarn();
   void identify();
   void reportPhase(const char* name);
-  bool begin();
+  using Modes = std::vector<results::WheelsetMode>;
+  bool begin(std::future<Modes> modes);
   void makeRolling();
   void restore(const StoredState& stored);
   double startStrain_ = 0;  // [J]
