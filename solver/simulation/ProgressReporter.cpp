@@ -22,10 +22,11 @@ void ProgressReporter::onStep(const dynamics::Rolling& rolling) {
   lastReport_ = seconds;
   Progress p;
   p.phase = "rolling";
-  p.fraction = static_cast<double>(done) / static_cast<double>(lastStep_);
+  // The way to a warm state ends where the wheel comes near the defect, at a step that is known only about.
+  p.fraction = std::min(1.0, static_cast<double>(done) / static_cast<double>(lastStep_));
   p.simulatedTime = rolling.state().time;
   const double rate = static_cast<double>(done - firstStep_) / std::max(seconds, 1e-3);
-  if (seconds > 0.5) p.remainingSeconds = static_cast<double>(lastStep_ - done) / std::max(rate, 1e-3);
+  if (seconds > 0.5) p.remainingSeconds = static_cast<double>(std::max(0L, lastStep_ - done)) / std::max(rate, 1e-3);
   p.elementUpdatesPerSecond = rate * static_cast<double>(rolling.model().elements());
   p.position = rolling.view().position;
   p.contactForce = rolling.view().patch.vertical;

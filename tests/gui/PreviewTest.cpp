@@ -12,7 +12,9 @@
 #include <QTest>
 #include <QTimer>
 #include <QUndoStack>
+#include <initializer_list>
 #include <iostream>
+#include <random>
 
 #include "case/CaseFile.h"
 #include "case/Resolve.h"
@@ -117,7 +119,7 @@ TEST_F(PreviewWindow, aProfileThatOutgrowsTheMeshMakesALongerOne) {
   EXPECT_EQ(calls_->made, made + 1);
   set("defect.length", "30");
   ASSERT_TRUE(settles());
-  EXPECT_EQ(calls_->made, made + 1) << "a longer mesh serves a shorter defect";
+  EXPECT_EQ(calls_->made, made + 1) << "the mesh from before is still there";
 }
 
 TEST_F(PreviewWindow, aWholeRunComesFirst) {
@@ -280,6 +282,48 @@ TEST_F(PreviewWindow, itsSignalsAreThoseOfAWholeRunToTheBit) {
   EXPECT_TRUE(std::equal(grown.begin(), grown.end(), whole.position.begin()));
   EXPECT_EQ(QDir::current().entryList(QDir::Files), before);
   EXPECT_EQ(window_->store().rowCount(), 0);
+}
+
+// Twenty histories of drags, at random and most of them cut short: meshes that come, go and come back, longer and
+// shorter defects, another speed. The preview of the case that they end with has the bits of a whole run; on the mesh
+// `tiny`, those of the run that F5 would start.
+TEST_F(PreviewWindow, dependsOnTheCaseAloneWhateverWasDraggedBefore) {
+  open(tests::realPreviewSolver());
+  std::mt19937 random(58);
+  const auto oneOf = [&](std::initializer_list<const char*> values) {
+    return std::string(values.begin()[random() % values.size()]);
+  };
+  const auto dragAbout = [&] {
+    set("defect.length", oneOf({"14", "22", "60", "82", "130", "170"}));
+    QTest::qWait(static_cast<int>(random() % 60));
+    set("defect.depth", oneOf({"0.05", "0.1", "0.25"}));
+    if (random() % 3 == 0) set("motion.speed", oneOf({"25", "35"}));
+    QTest::qWait(static_cast<int>(random() % 200));
+  };
+  for (const char* preset : {"standard", "tiny"}) {
+    SCOPED_TRACE(preset);
+    set("mesh.preset", preset);
+    const auto length = "36", depth = "0.17", speed = "31";
+    const auto goBack = [&] {
+      set("defect.depth", depth), set("motion.speed", speed), set("defect.length", length);
+      return window_->preview().waitFor(4 * tests::patience) && latest().phase == PreviewPhase::done;
+    };
+    set("defect.length", length), set("defect.depth", depth), set("motion.speed", speed);
+    const auto& open = window_->document().description();
+    simulation::RunOptions options;
+    options.threads = 1;
+    options.wheelsetModes = options.snapshots = false;
+    Monitor silent;
+    const bool isTiny = open.mesh.preset == cases::MeshPreset::tiny;
+    const auto whole = simulation::runCase(isTiny ? open : previewCase(open), options, silent);
+    for (int history = 0; history < 10; ++history) {
+      dragAbout();
+      ASSERT_TRUE(goBack()) << latest().text;
+      ASSERT_EQ(latest().position, whole.position) << history;
+      ASSERT_EQ(latest().acceleration, *whole.signal("aba_filtered")) << history;
+      ASSERT_EQ(latest().result->psd, whole.psd) << history;
+    }
+  }
 }
 
 // Three seconds of what PreviewSpeed does for a minute.

@@ -27,17 +27,21 @@ void lengthenTrack(cases::CaseDescription& description) {
 
 }  // namespace
 
-cases::CaseDescription previewCase(const cases::CaseDescription& open, const cases::DefectZone& served) {
+cases::CaseDescription previewCase(const cases::CaseDescription& open) {
   auto description = open;
-  cases::applyPreset(description, cases::MeshPreset::tiny);
-  description.output.timeStep = 0;
-  const auto surface = cases::surfaceOf(description);
   auto& mesh = description.mesh;
   auto& motion = description.motion;
-  mesh.zoneBefore = std::max(served.before, inSteps(std::max(-surface.first(), zoneStep), zoneStep));
-  mesh.zoneBehind = std::max(served.behind, inSteps(std::max(surface.last(), zoneStep), zoneStep));
-  motion.runUp = std::max(motion.runUp, mesh.zoneBefore + minimumApproach);
-  motion.beyond = std::max(rolledBehindDefect, mesh.zoneBehind + rolledBehindLast);
+  if (mesh.preset != cases::MeshPreset::tiny) {
+    cases::applyPreset(description, cases::MeshPreset::tiny);
+    description.output.timeStep = 0;
+    const auto surface = cases::surfaceOf(description);
+    mesh.zoneBefore = inSteps(std::max(-surface.first(), zoneStep), zoneStep);
+    mesh.zoneBehind = inSteps(std::max(surface.last(), zoneStep), zoneStep);
+    motion.beyond = rolledBehindDefect;
+  }
+  const auto zone = cases::defectZone(description);
+  motion.runUp = std::max(motion.runUp, zone.before + minimumApproach);
+  motion.beyond = std::max(motion.beyond, zone.behind + rolledBehindLast);
   lengthenTrack(description);
   return description;
 }

@@ -6,13 +6,13 @@
 #include "case/CaseFile.h"
 #include "case/Resolve.h"
 #include "core/Errors.h"
-#include "studio/preview/PreviewCase.h"
 
 namespace squat::studio {
 namespace {
 
 constexpr double nearStep = 0.005;  // [m]: a slider that lengthens the defect needs another state now and then only
 constexpr double roundOff = 1e-9;
+constexpr std::size_t meshesKept = 4;  // a few MB each
 
 // Where the defect begins, in steps [m].
 double beforeOf(const cases::CaseDescription& description) {
@@ -22,42 +22,48 @@ double beforeOf(const cases::CaseDescription& description) {
 
 }  // namespace
 
-cases::CaseDescription PreviewStart::caseOf(const cases::CaseDescription& open) const {
-  if (first_) {
-    const auto& mesh = first_->description.mesh;
-    auto description = previewCase(open, {mesh.zoneBefore, mesh.zoneBehind});
-    if (simulation::fits(*first_, description)) return description;
-  }
-  return previewCase(open);
+bool isOnMeshOf(const simulation::WarmState& state, const cases::CaseDescription& description) {
+  return cases::defectZone(state.description) == cases::defectZone(description) && simulation::fits(state, description);
 }
 
 bool PreviewStart::serves(const cases::CaseDescription& description) const {
-  return first_ && simulation::fits(*first_, description);
+  return std::any_of(meshes_.begin(), meshes_.end(),
+                     [&](const OfOneMesh& mesh) { return isOnMeshOf(*mesh.first, description); });
 }
 
-bool PreviewStart::isNearFor(double before) const { return near_ && before <= nearBefore_ + roundOff; }
+bool PreviewStart::find(const cases::CaseDescription& description) {
+  const auto found = std::find_if(meshes_.begin(), meshes_.end(),
+                                  [&](const OfOneMesh& mesh) { return isOnMeshOf(*mesh.first, description); });
+  if (found == meshes_.end()) return false;
+  std::rotate(meshes_.begin(), found, found + 1);
+  return true;
+}
 
-std::shared_ptr<const simulation::WarmState> PreviewStart::stateFor(const cases::CaseDescription& description,
-                                                                    Monitor& monitor) {
-  if (!serves(description)) {
-    forget();
+PreviewStart::State PreviewStart::stateFor(const cases::CaseDescription& description, Monitor& monitor) {
+  if (!find(description)) {
     auto made = solver_.makeStart(description, options_, monitor);
     if (!made) return nullptr;
-    first_ = std::make_shared<const simulation::WarmState>(*std::move(made));
+    if (meshes_.size() == meshesKept) meshes_.pop_back();
+    meshes_.insert(meshes_.begin(), {std::make_shared<const simulation::WarmState>(*std::move(made)), nullptr, 0});
   }
+  return rolledOn(meshes_.front(), description, monitor);
+}
+
+PreviewStart::State PreviewStart::rolledOn(OfOneMesh& mesh, const cases::CaseDescription& description,
+                                           Monitor& monitor) {
   const double before = beforeOf(description);
-  if (before + nearStep > description.mesh.zoneBefore) return first_;
-  if (isNearFor(before)) return near_;
-  near_.reset();
+  if (before + nearStep > cases::defectZone(description).before) return mesh.first;
+  if (mesh.near && before <= mesh.nearBefore + roundOff) return mesh.near;
+  mesh.near.reset();
   try {
-    auto made = solver_.rollOn(first_, description, before, options_, monitor);
+    auto made = solver_.rollOn(mesh.first, description, before, options_, monitor);
     if (!made) return nullptr;
-    near_ = std::make_shared<const simulation::WarmState>(*std::move(made));
-    nearBefore_ = before;
+    mesh.near = std::make_shared<const simulation::WarmState>(*std::move(made));
+    mesh.nearBefore = before;
   } catch (const RunError&) {  // a profile that rises so high that the wheel touches it earlier
-    return first_;
+    return mesh.first;
   }
-  return near_;
+  return mesh.near;
 }
 
 }  // namespace squat::studio

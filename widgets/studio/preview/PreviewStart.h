@@ -3,36 +3,45 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "studio/preview/Preview.h"
 
 namespace squat::studio {
 
-// Two of them: one before the finely meshed stretch, which serves every defect in it, and one that has been rolled on
-// to where the wheel begins to feel the defect that is drawn now. A point that is dragged inside the defect leaves the
-// latter as it is.
+// For each of the last few meshes there are two: one before the finely meshed stretch, which serves every defect in it,
+// and one that has been rolled on to where the wheel begins to feel the defect that is drawn now. A point that is
+// dragged inside the defect leaves the latter as it is, and a slider that is pulled to and fro finds its meshes again.
 class PreviewStart {
  public:
   PreviewStart(const PreviewSolver& solver, simulation::RunOptions options)
       : solver_(solver), options_(std::move(options)) {}
 
-  // The case that a preview of the open one runs, on the mesh of the states where that serves it.
-  cases::CaseDescription caseOf(const cases::CaseDescription& open) const;
-  // False where that case needs another mesh or another equilibrium.
+  using State = std::shared_ptr<const simulation::WarmState>;
+
+  // False where the case needs another mesh or another equilibrium than those that are kept.
   bool serves(const cases::CaseDescription& description) const;
   // Makes what is lacking. Null where it was cancelled. Throws CaseError, RunError.
-  std::shared_ptr<const simulation::WarmState> stateFor(const cases::CaseDescription& description, Monitor& monitor);
-  // The state that serves every defect on its mesh; null before one is made.
-  const std::shared_ptr<const simulation::WarmState>& first() const { return first_; }
-  void forget() { near_.reset(), first_.reset(); }
+  State stateFor(const cases::CaseDescription& description, Monitor& monitor);
+  // On the mesh of the last stateFor(): the state that serves every defect on it; null before one is made.
+  State first() const { return meshes_.empty() ? nullptr : meshes_.front().first; }
 
  private:
-  bool isNearFor(double before) const;
+  struct OfOneMesh {
+    State first, near;
+    double nearBefore = 0;  // [m] the nearer state serves defects that begin at most so far before their deepest point
+  };
+  // Brings the states of the case's mesh to the front. False where they are not kept.
+  bool find(const cases::CaseDescription& description);
+  State rolledOn(OfOneMesh& mesh, const cases::CaseDescription& description, Monitor& monitor);
 
   const PreviewSolver& solver_;
   simulation::RunOptions options_;
-  std::shared_ptr<const simulation::WarmState> first_, near_;
-  double nearBefore_ = 0;  // [m] the nearer state serves defects that begin at most so far before their deepest point
+  std::vector<OfOneMesh> meshes_;  // the latest first
 };
+
+// Whether the state was made on the very mesh that the case asks for. A longer mesh would serve the case too, but with
+// other numbers: a preview is to show the same for the same case.
+bool isOnMeshOf(const simulation::WarmState& state, const cases::CaseDescription& description);
 
 }  // namespace squat::studio

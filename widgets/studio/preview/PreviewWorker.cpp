@@ -38,9 +38,8 @@ Preview pictureOf(const cases::CaseDescription& description) {
 // True where the state that is made for one case serves the other as well.
 bool haveSameStart(const cases::CaseDescription& open, const cases::CaseDescription& made) {
   if (!whyNoPreview(open).empty()) return false;
-  const auto other = previewCase(open, {made.mesh.zoneBefore, made.mesh.zoneBehind});
-  return other.mesh.zoneBefore == made.mesh.zoneBefore && other.mesh.zoneBehind == made.mesh.zoneBehind &&
-         cases::differencesBeforeDefect(other, made).empty();
+  const auto other = previewCase(open);
+  return cases::defectZone(other) == cases::defectZone(made) && cases::differencesBeforeDefect(other, made).empty();
 }
 
 // How far a phase of the preparation is into the whole, roughly as they take their time.
@@ -199,7 +198,7 @@ void PreviewWorker::serve(const Wish& wish) {
 
 void PreviewWorker::preview(const Wish& wish) {
   if (const auto why = whyNoPreview(*wish.open); !why.empty()) return refuse(wish, why);
-  const auto description = start_.caseOf(*wish.open);
+  const auto description = previewCase(*wish.open);
   StartMonitor monitor(*this, wish, description, !start_.serves(description));
   const auto state = start_.stateFor(description, monitor);
   if (!state || !isNewest(wish)) return;
