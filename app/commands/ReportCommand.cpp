@@ -42,7 +42,7 @@ project::Report reportOfResults(const std::vector<std::string>& files) {
   return report;
 }
 
-// Their largest value is laid where that of the run is, as in the studio. The first one becomes the reference, unless a
+// They are laid where they match the run, as in the studio. The first one becomes the reference, unless a
 // measured signal is it already.
 void addMeasured(const ReportOptions& options, project::Report& report, std::vector<std::string>& notes) {
   if (options.measured.empty()) return;
@@ -53,7 +53,7 @@ void addMeasured(const ReportOptions& options, project::Report& report, std::vec
   const double speed = reading.speed > 0 ? reading.speed : shown.result->speed;
   bool hasReference = report.reference >= 0 && !report.signals[static_cast<std::size_t>(report.reference)].result;
   for (const auto& file : options.measured) {
-    const auto records = project::measuredRecords(file, speed, {reading, project::impactOf(shown.record.get())});
+    const auto records = project::measuredRecords(file, speed, {reading}, shown.record.get());
     for (const auto& [record, used] : records) {
       if (!hasReference) report.reference = static_cast<int>(report.signals.size());
       hasReference = true;

@@ -24,7 +24,7 @@ LinkedRun openRun(const Entry& entry, results::ResultContent content) {
 
 LinkedSignal openSignal(const Entry& entry) {
   LinkedSignal linked;
-  linked.measured.reading = {entry.reading, entry.impact, entry.gain};
+  linked.measured.reading = {entry.reading, entry.impact, entry.gain, entry.isAutomatic};
   try {
     const auto records = measuredRecords(entry.path, entry.reading.speed, linked.measured.reading);
     const auto found = std::find_if(records.begin(), records.end(),

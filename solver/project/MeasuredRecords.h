@@ -18,6 +18,7 @@ struct MeasuredReading {
   readers::SignalFileOptions options;  // with the speed that was used
   double impact = 0;                   // [m] where its largest value is put
   double gain = 1;                     // what the values of the file are multiplied by
+  bool isAutomatic = false;            // laid beside the run that is shown, not where the user put it
 };
 
 // Its name where it stands beside others: "run 1 × 1.1" with a gain that is not one.
@@ -32,13 +33,25 @@ struct MeasuredRecord {
 double impactOf(const signals::Record* run);
 
 // Reads measured axle box accelerations, one or more runs, with their filtered partners (2 kHz, SignalCatalogue.h), and
-// puts the largest value of each at `reading.impact`. Only 5 m on both sides of it are kept. Where
-// neither file nor options give a speed, `speed` [m/s] links time and position. Throws FileError, also for signals that
-// are no accelerations.
-std::vector<MeasuredRecord> measuredRecords(const std::string& path, double speed, const MeasuredReading& reading);
+// puts the largest value of each at `reading.impact`, or, beside a run, where the signal matches the run's: a positive
+// peak of the one may stand where the other has a negative one. Only 5 m on both sides are kept. Where neither file nor
+// options give a speed, `speed` [m/s] links time and position. Throws FileError, also for signals that are no
+// accelerations.
+std::vector<MeasuredRecord> measuredRecords(const std::string& path, double speed, const MeasuredReading& reading,
+                                            const signals::Record* beside = nullptr);
 
 // The same signal, read again and laid otherwise. Throws FileError, CaseError for a speed that it cannot have.
-MeasuredRecord realigned(const MeasuredRecord& measured, const MeasuredReading& reading);
+MeasuredRecord realigned(const MeasuredRecord& measured, const MeasuredReading& reading,
+                         const signals::Record* beside = nullptr);
+
+// How a measured signal that has positions lies beside a run: by the largest cross-correlation of the filtered
+// accelerations over the length of the run, within 15 cm of where their largest values meet.
+struct Match {
+  double impact = 0;       // [m] where the largest value of the measured signal comes to lie
+  double correlation = 0;  // there; below 0.5 the two are too unlike, and the largest values meet
+  double shift = 0;        // [m] from where the largest values would meet
+};
+Match matchBeside(const signals::Record& run, const signals::Record& measured);
 
 // A record moved along the track, for as long as a mouse drags it: realigned() follows, to the last digit.
 RecordPointer moved(const signals::Record& record, double metres);

@@ -36,7 +36,8 @@ struct Entry {
   std::string signal;
   readers::SignalFileOptions reading;
   double impact = 0;
-  double gain = 1;  // of its values
+  double gain = 1;           // of its values
+  bool isAutomatic = false;  // laid beside the run that is shown, again with every other run
 };
 
 // What the user has seen at an event of a long record.

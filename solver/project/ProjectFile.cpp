@@ -54,6 +54,7 @@ Json jsonOf(const Entry& entry, const std::string& folder) {
   json["signal"] = entry.signal;
   json["impact"] = entry.impact;
   if (entry.gain != 1) json["gain"] = entry.gain;
+  if (entry.isAutomatic) json["automatic"] = true;
   json["reading"] = {{"column", reading.column},
                      {"time_column", reading.timeColumn},
                      {"position_column", reading.positionColumn},
@@ -148,6 +149,7 @@ Entry entryIn(const JsonNode& node, const std::string& folder) {
   entry.signal = node.at("signal").text();
   entry.impact = node.at("impact").number(-farthest, farthest);
   if (node.has("gain")) entry.gain = node.at("gain").number(minimumGain, maximumGain);
+  if (node.has("automatic")) entry.isAutomatic = node.at("automatic").flag();
   entry.reading = readingIn(node.at("reading"));
   return entry;
 }

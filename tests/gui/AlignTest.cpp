@@ -91,6 +91,27 @@ TEST_F(AlignByHand, typedNumbersLayItAnew) {
   EXPECT_NEAR(spacing(), 30.0 / 5000, 1e-12);
 }
 
+// The shown run gives way to one whose impact lies 30 mm farther on: a signal that was laid automatically follows it,
+// one that was laid by hand stays.
+TEST_F(AlignByHand, anotherRunTakesTheSignalAlongUnlessItWasLaidByHand) {
+  const auto showMoved = [&](double metres) {
+    auto result = tests::syntheticResult();
+    for (double& position : result.position) position += metres;
+    window_.store().add({std::make_shared<const results::RunResult>(result), "moved", QString(), false});
+  };
+  showMoved(0.02);
+  EXPECT_NEAR(placeOfPeak(), automatic_, 1e-12) << "not while it is aligned by hand";
+  delete dialog_;
+  showMoved(0.03);
+  EXPECT_NEAR(placeOfPeak(), automatic_ + 0.03, 1e-4);
+  EXPECT_NEAR(measured().reading.impact, automatic_ + 0.03, 1e-4);
+  auto reading = measured().reading;
+  reading.impact = 0.1234, reading.isAutomatic = false;
+  window_.store().setMeasured(1, project::realigned({measured().record, measured().reading}, reading));
+  showMoved(-0.05);
+  EXPECT_NEAR(placeOfPeak(), 0.1234, 1e-12);
+}
+
 // Return enters what is typed; it presses no button.
 TEST_F(AlignByHand, aNumberIsTypedWithReturn) {
   tests::click(*box("alignGain"));

@@ -211,8 +211,8 @@ TEST_F(KeysOnASignal, theViewIsZoomedAboutTheCursor) {
   expectRange(*figure()->xAxis, 40 - 40 * notch, 40 + 160 * notch);
 }
 
-// Escape closes the window of the maps, but first of all it takes the cursors away.
-TEST(Keyboard, escapeIsOfTheCursorsFirst) {
+// Escape takes the cursors away, and never a window in which one works; Ctrl+W does that.
+TEST(Keyboard, escapeIsOfTheInnermostThing) {
   MainWindow window(tests::services());
   for (const char* label : {"one", "two"}) window.store().add({tests::sharedSyntheticResult(), label, {}, false});
   window.comparison()->showMaps();
@@ -227,6 +227,8 @@ TEST(Keyboard, escapeIsOfTheCursorsFirst) {
   EXPECT_FALSE(view.cursors()->isVisible());
   EXPECT_TRUE(maps.isVisible());
   tests::press(maps, Qt::Key_Escape);
+  EXPECT_TRUE(maps.isVisible());
+  tests::press(maps, Qt::Key_W, Qt::ControlModifier);
   EXPECT_FALSE(maps.isVisible());
 }
 

@@ -109,6 +109,22 @@ TEST_F(Tools, aStudyIsThatOfTheCommand) {
   EXPECT_EQ(window_.store().rowCount(), 2);
 }
 
+// Keys lead from one tool to the next, Escape leaves a window open in which one works, Ctrl+W closes it.
+TEST_F(Tools, keysOfTheMainWindowWorkInATool) {
+  ToolWindow* study = open("study");
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(study));
+  QApplication::setActiveWindow(study);
+  tests::press(*study, Qt::Key_Escape);
+  EXPECT_TRUE(study->isVisible());
+  tests::press(*study, Qt::Key_F9, Qt::ControlModifier);
+  ToolWindow* estimate = window_.tool("estimate");
+  EXPECT_TRUE(tests::passes([&] { return estimate->isVisible(); }));
+  QApplication::setActiveWindow(study);
+  tests::press(*study, Qt::Key_W, Qt::ControlModifier);
+  EXPECT_FALSE(study->isVisible());
+  EXPECT_TRUE(estimate->isVisible());
+}
+
 TEST_F(Tools, aStudyThatWasStoppedIsResumed) {
   ToolWindow* study = open("study");
   const int points = 3 * studies::coresHere() + 3;  // more than run at once

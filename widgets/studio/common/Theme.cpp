@@ -27,6 +27,7 @@ QPalette darkPalette() {
   palette.setColor(QPalette::HighlightedText, Qt::white);
   for (const auto role : {QPalette::Text, QPalette::WindowText, QPalette::ButtonText})
     palette.setColor(QPalette::Disabled, role, muted);
+  palette.setColor(QPalette::Disabled, QPalette::Light, ground);  // else disabled entries of menus are embossed
   return palette;
 }
 

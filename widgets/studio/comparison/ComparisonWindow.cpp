@@ -53,7 +53,7 @@ ComparisonWindow::ComparisonWindow(RunStore& store, QWidget* parent)
   resize(usualWindowSize);
   restoreGeometry(QSettings().value("comparison").toByteArray());
   connect(new QShortcut(QKeySequence::Copy, this), &QShortcut::activated, this, &ComparisonWindow::copy);
-  connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QWidget::hide);
+  connect(new QShortcut(QKeySequence::Close, this), &QShortcut::activated, this, &QWidget::hide);
   connect(reference_, &QComboBox::activated, this,
           [this](int at) { store_.setReference(reference_->itemData(at).toInt()); });
   connect(&store_, &RunStore::rowsInserted, this, &ComparisonWindow::listReferences);

@@ -53,7 +53,7 @@ MapWindow::MapWindow(RunStore& store, QWidget* parent)
   layout->addWidget(problem_);
   layout->addLayout(maps, 1);
   resize(usualSize);
-  connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QWidget::hide);
+  connect(new QShortcut(QKeySequence::Close, this), &QShortcut::activated, this, &QWidget::hide);
   for (QComboBox* box : {first_, second_, kind_}) connect(box, &QComboBox::activated, this, &MapWindow::take);
   connect(&store_, &RunStore::rowsInserted, this, &MapWindow::listSignals);
   connect(&store_, &RunStore::rowsRemoved, this, &MapWindow::listSignals);

@@ -15,7 +15,7 @@ project::Entry entryOf(const StoredRun& run) {
     entry.overlaid = run.overlaid;
     entry.signal = run.record->run;
     entry.reading = run.reading.options;
-    entry.impact = run.reading.impact, entry.gain = run.reading.gain;
+    entry.impact = run.reading.impact, entry.gain = run.reading.gain, entry.isAutomatic = run.reading.isAutomatic;
   }
   entry.name = run.label.toStdString();
   entry.named = run.named;

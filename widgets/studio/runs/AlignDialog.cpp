@@ -57,7 +57,7 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
   auto* buttons = new QDialogButtonBox(this);
   auto* automatic = buttons->addButton(tr("&Automatic"), QDialogButtonBox::ResetRole);
   automatic->setObjectName("alignAutomatic");
-  automatic->setToolTip(tr("The largest value lies where that of the current run does; no gain"));
+  automatic->setToolTip(tr("Where it matches the current run best; no gain"));
   auto* back = buttons->addButton(tr("As &before"), QDialogButtonBox::ResetRole);
   back->setObjectName("alignBack");
   buttons->addButton(QDialogButtonBox::Close);  // last, as it stands: else Tab goes round between the other two
@@ -101,6 +101,7 @@ void AlignDialog::showValues() {
 
 void AlignDialog::layAsTyped() {
   project::MeasuredReading wanted = measured_.reading;
+  wanted.isAutomatic = false;
   // Boxes show rounded numbers: what was not changed keeps all its digits.
   if (differs(*position_, wanted.impact * 1e3)) wanted.impact = position_->value() * 1e-3;
   if (differs(*gain_, wanted.gain)) wanted.gain = gain_->value();
@@ -109,12 +110,12 @@ void AlignDialog::layAsTyped() {
 }
 
 // Where the file cannot be read any more, all stays as it was.
-void AlignDialog::lay(const project::MeasuredReading& wanted) {
+void AlignDialog::lay(const project::MeasuredReading& wanted, const signals::Record* beside) {
   const int at = row();
   if (at < 0) return;
   problem_->hide();
   try {
-    measured_ = project::realigned(measured_, wanted);
+    measured_ = project::realigned(measured_, wanted, beside);
   } catch (const std::exception& error) {
     problem_->setText(QString::fromStdString(error.what()));
     problem_->show();
@@ -126,9 +127,8 @@ void AlignDialog::lay(const project::MeasuredReading& wanted) {
 
 void AlignDialog::layAutomatically() {
   auto wanted = first_;
-  wanted.impact = project::impactOf(store_.currentResult().get());
-  wanted.gain = 1;
-  lay(wanted);
+  wanted.impact = 0, wanted.gain = 1, wanted.isAutomatic = true;
+  lay(wanted, store_.currentResult().get());
 }
 
 void AlignDialog::done(int result) {
@@ -140,7 +140,7 @@ void AlignDialog::shift(double metres, bool done) {
   const int at = row();
   if (at < 0) return;
   auto reading = measured_.reading;
-  reading.impact += metres;
+  reading.impact += metres, reading.isAutomatic = false;
   if (done) return lay(reading);
   const QSignalBlocker quiet(position_);
   position_->setValue(reading.impact * 1e3);

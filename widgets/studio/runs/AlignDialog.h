@@ -25,7 +25,7 @@ class AlignDialog : public QDialog {
   QDoubleSpinBox* numberOf(const QString& name, const QString& label, const QString& unit, double low, double high,
                            int decimals);
   int row() const { return store_.rowOfRecord(shown_); }
-  void lay(const project::MeasuredReading& wanted);
+  void lay(const project::MeasuredReading& wanted, const signals::Record* beside = nullptr);
   void layAsTyped();
   void layAutomatically();
   void showValues();

@@ -38,7 +38,8 @@ std::vector<project::MeasuredRecord> recordsOf(const MeasuredChoice& choice) {
                     "would have a gain of " + text::roundedText(gain) + ", that of the alignment and the unit together",
                     "Values from 0.001 to 1000 are taken: choose another unit, or change the gain first");
   const double own = choice.reading.options.speed;
-  auto records = project::measuredRecords(choice.path, own > 0 ? own : choice.speed, choice.reading);
+  auto records =
+      project::measuredRecords(choice.path, own > 0 ? own : choice.speed, choice.reading, choice.beside.get());
   if (choice.run.empty()) return records;
   std::vector<project::MeasuredRecord> one;
   one.push_back(sameRun(std::move(records), choice));

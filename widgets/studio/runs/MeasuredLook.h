@@ -12,8 +12,9 @@ namespace squat::studio {
 struct MeasuredChoice {
   std::string path;
   project::MeasuredReading reading;
-  double speed = 0;      // [m/s] where neither file nor options give one
-  std::string run = {};  // of the record that is read again, alone; empty: all that are chosen
+  double speed = 0;                         // [m/s] where neither file nor options give one
+  std::string run = {};                     // of the record that is read again, alone; empty: all that are chosen
+  project::RecordPointer beside = nullptr;  // the run that they are to match; null: laid as `reading` says
 };
 
 // A curve with the extremes of short stretches, no matter how many samples it has.

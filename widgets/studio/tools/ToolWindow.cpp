@@ -124,7 +124,7 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
   connect(&job_, &BackgroundJob::stopping, this, &ToolWindow::showState);
   connect(&job_, &BackgroundJob::news, this, &ToolWindow::showNews);
   connect(&job_, &BackgroundJob::ended, this, &ToolWindow::conclude);
-  connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QWidget::hide);
+  connect(new QShortcut(QKeySequence::Close, this), &QShortcut::activated, this, &QWidget::hide);
   connect(new QShortcut(QKeySequence::HelpContents, this), &QShortcut::activated, this, &ToolWindow::helpRequested);
   showCase();
   showState();

@@ -30,6 +30,7 @@
 #include "studio/project/ProjectKeeper.h"
 #include "studio/project/RecordWatch.h"
 #include "studio/project/RunReader.h"
+#include "studio/runs/AutomaticAlignment.h"
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
@@ -173,6 +174,9 @@ void MainWindow::connectParts() {
   showStopped();
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::showShownCase);
+  connect(&store_, &RunStore::currentChanged, this, [this] {
+    if (!align_) alignWithCurrent(store_);  // nothing moves under the hand that aligns
+  });
   connect(&store_, &RunStore::namesChanged, this, &MainWindow::showShownCase);
   connect(&document_, &CaseDocument::changed, this, &MainWindow::showShownCase);
   connect(&document_, &CaseDocument::noted, messages_,

@@ -158,7 +158,9 @@ void MainWindow::makeEditMenu() {
 
 void MainWindow::makeRunMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Run"));
-  add(menu, tr("&Run the case"), QKeySequence("F5"), "runAction", this, [this] { startRun(); });
+  add(menu, tr("&Run the case"), QKeySequence("F5"), "runAction", this, [this] {
+    startRun();
+  })->setShortcutContext(Qt::ApplicationShortcut);
   resumeAction_ =
       add(menu, tr("R&esume the stopped run"), QKeySequence("Ctrl+F5"), "resumeAction", this, [this] { resumeRun(); });
   resumeAction_->setToolTip(tr("The run of this case that was cancelled or interrupted when the program closed"));

@@ -226,7 +226,7 @@ bool MainWindow::openResult(const QString& path) {
 void MainWindow::overlay(const QString& path, const readers::SignalFileOptions& options) {
   const ResultPointer current = store_.currentResult();
   const double speed = options.speed > 0 ? options.speed : document_.description().motion.speed;
-  const auto records = project::measuredRecords(path.toStdString(), speed, {options, project::impactOf(current.get())});
+  const auto records = project::measuredRecords(path.toStdString(), speed, {options, 0, 1, true}, current.get());
   report(*messages_, addMeasured(store_, path, records));
 }
 
@@ -241,9 +241,9 @@ bool MainWindow::openMeasured(const QString& path) {
 }
 
 void MainWindow::askHowToRead(const QString& path) {
-  const project::MeasuredReading reading{{}, project::impactOf(store_.currentResult().get())};
-  auto* dialog = new MeasuredDialog({path.toStdString(), reading, document_.description().motion.speed},
-                                    figureStyle(requestedDark()), this);
+  auto* dialog = new MeasuredDialog(
+      {path.toStdString(), {{}, 0, 1, true}, document_.description().motion.speed, {}, store_.currentResult()},
+      figureStyle(requestedDark()), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
     try {

@@ -33,6 +33,7 @@ void MainWindow::makeToolActions(QMenu& menu) {
   const auto add = [&](const QString& text, const QKeySequence& keys, const QString& name, const QString& tip) {
     QAction* action = menu.addAction(text, this, [this, name] { showTool(name); });
     action->setShortcut(keys);
+    action->setShortcutContext(Qt::ApplicationShortcut);  // from one tool to the next
     action->setObjectName(name + "Action");
     action->setToolTip(tip);
   };
