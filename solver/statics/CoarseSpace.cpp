@@ -104,8 +104,9 @@ void CoarseSpace::placeWheelset() {
   // Forces of a hat of the rim reach up to five knots where the wheel has as few sectors as it may.
   constexpr int distance = rimHats / 2;
   rimFirst_ = static_cast<int>(placed_.size());
-  for (int i = 0; i < rimModes * rimHats; ++i)
-    placed_.push_back({Part::rim, colour + i % (rimModes * distance), static_cast<double>(i / rimModes)});
+  for (int knot = 0; knot < rimHats; ++knot)
+    for (int m = 0; m < rimModes; ++m)
+      placed_.push_back({Part::rim, colour + knot % distance * rimModes + m, static_cast<double>(knot)});
   colour += rimModes * distance;
   sprungFirst_ = static_cast<int>(placed_.size());
   for (const std::size_t index : {model_.sprungX, model_.sprungZ, model_.boxX, model_.boxZ})
@@ -147,7 +148,7 @@ void CoarseSpace::projectLine(const LineGroup& group, const double* r, int part,
       double* out = coarse + group.first + group.modes * k;
       out[0] += share * fa[s], out[1] += share * fb[s], out[2] += share * fc[s];
       out[3] += share * ma[s], out[4] += share * (mb[s] - lever * fc[s]), out[5] += share * (mc[s] + lever * fb[s]);
-      for (int m = 6; m < group.modes; ++m) out[m] += share * sums[static_cast<std::size_t>(m * count + s)];
+      for (int m = 6; m < group.modes; ++m) out[m] += share * fa[m * count + s];
     }
   }
 }
@@ -168,7 +169,7 @@ void CoarseSpace::prolongLine(const LineGroup& group, const double* coarse, int 
       ta[s] += share * in[0], tb[s] += share * in[1], tc[s] += share * in[2];
       ra[s] += share * in[3], rb[s] += share * in[4], rc[s] += share * in[5];
       tc[s] -= share * lever * in[4], tb[s] += share * lever * in[5];
-      for (int m = 6; m < group.modes; ++m) sums[static_cast<std::size_t>(m * count + s)] += share * in[m];
+      for (int m = 6; m < group.modes; ++m) ta[m * count + s] += share * in[m];
     }
   }
   for (int n = 0; n < block.nodes; ++n) {

@@ -11,7 +11,8 @@ namespace squat::studio {
 
 // For each of the last few meshes there are two: one before the finely meshed stretch, which serves every defect in it,
 // and one that has been rolled on to where the wheel begins to feel the defect that is drawn now. A point that is
-// dragged inside the defect leaves the latter as it is, and a slider that is pulled to and fro finds its meshes again.
+// dragged inside the defect leaves the latter as it is, and a slider that is pulled back and forth finds its meshes
+// again.
 class PreviewStart {
  public:
   PreviewStart(const PreviewSolver& solver, simulation::RunOptions options)
