@@ -30,6 +30,7 @@
 #include "studio/project/ProjectKeeper.h"
 #include "studio/project/RecordWatch.h"
 #include "studio/project/RunReader.h"
+#include "studio/runs/AlignDialog.h"
 #include "studio/runs/AutomaticAlignment.h"
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
