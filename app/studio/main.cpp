@@ -17,6 +17,7 @@
 #include "simulation/WarmState.h"
 #include "studio/Arguments.h"
 #include "studio/Screenshot.h"
+#include "studio/common/EarlierSettings.h"
 #include "studio/common/MessageBar.h"
 #include "studio/window/MainWindow.h"
 
@@ -48,13 +49,17 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // strtod and printf of the solver keep the decimal point
   QApplication::setApplicationName("squat-studio");
+  QApplication::setOrganizationDomain("squat-studio");  // the folder of the settings; those of other data stay
   QApplication::setApplicationVersion(QString::fromStdString(squat::programVersionText()));
   const QString icon = QString::fromStdString((squat::cases::resourcesFolder() / "icons/squat-studio.svg").string());
   QApplication::setWindowIcon(QIcon(icon));
   const squat::studio::Arguments arguments = squat::studio::readArguments();
   // The user's layout and recent files stay out of a picture, and a picture out of them.
   const QTemporaryDir settingsOfPicture;
-  if (pictureOnly) QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settingsOfPicture.path());
+  if (pictureOnly)
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settingsOfPicture.path());
+  else
+    squat::studio::takeSettingsFrom("Unknown Organization");  // where 0.3.0 and before had them
 
   squat::studio::StudioServices services;
   services.runner = squat::simulation::runCase;

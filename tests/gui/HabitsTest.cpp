@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
@@ -31,6 +32,7 @@
 #include "project/MeasuredRecords.h"
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
+#include "studio/common/EarlierSettings.h"
 #include "studio/common/FigureSizeDialog.h"
 #include "studio/common/MessageBar.h"
 #include "studio/common/Theme.h"
@@ -409,6 +411,22 @@ TEST(Habits, savingOnClosingAsksForAPlace) {
   EXPECT_TRUE(window.close());
   EXPECT_TRUE(typing.done());
   EXPECT_TRUE(QFileInfo::exists(folder.filePath("fresh.h5")));
+}
+
+// An upgrade finds the settings of the version before, once; what the new one keeps stays.
+TEST(EarlierSettings, areTakenWhereThereAreNoneYet) {
+  QSettings own, earlier("Another name", QApplication::applicationName());
+  const QVariant level = own.value("parameterLevel");  // of the other tests
+  own.clear();
+  earlier.setValue("records/folder", "day 1");
+  earlier.sync();
+  takeSettingsFrom("Another name");
+  EXPECT_EQ(own.value("records/folder").toString(), "day 1");
+  own.setValue("records/folder", "day 2");
+  takeSettingsFrom("Another name");
+  EXPECT_EQ(own.value("records/folder").toString(), "day 2");
+  own.clear();
+  own.setValue("parameterLevel", level);
 }
 
 }  // namespace

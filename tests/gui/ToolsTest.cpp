@@ -5,6 +5,7 @@
 #include <QAccessible>
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,6 +13,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
+#include <QStandardPaths>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -123,6 +125,23 @@ TEST_F(Tools, keysOfTheMainWindowWorkInATool) {
   tests::press(*study, Qt::Key_W, Qt::ControlModifier);
   EXPECT_FALSE(study->isVisible());
   EXPECT_TRUE(estimate->isVisible());
+}
+
+// Beside the project once there is one, else beside the case's file, else among the documents: never in the home folder
+// itself. A folder that the user has named stays.
+TEST_F(Tools, filesGoBesideTheProject) {
+  window_.findChild<QAction*>("studyAction")->trigger();
+  auto* folder = window_.tool("study")->findChild<QLineEdit*>("toolFolder");
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  EXPECT_EQ(folder->text(), documents + "/Squat Studio/short-study");
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("cases") && QDir(folder_.path()).mkdir("work"));
+  ASSERT_TRUE(window_.saveCaseTo(path("cases/dip.toml")));
+  EXPECT_EQ(folder->text(), path("cases/dip-study"));
+  ASSERT_TRUE(window_.saveProjectTo(path("work/day.squat-project")));
+  EXPECT_EQ(folder->text(), path("work/dip-study"));
+  window_.tool("study")->setFolder(path("mine"));
+  window_.closeProject();
+  EXPECT_EQ(folder->text(), path("mine"));
 }
 
 TEST_F(Tools, aStudyThatWasStoppedIsResumed) {

@@ -29,6 +29,7 @@
 #include "studio/common/FigureSizeDialog.h"
 #include "studio/common/MessageBar.h"
 #include "studio/common/WaitForSignal.h"
+#include "studio/common/WorkFolder.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/runs/ProgressText.h"
 #include "studio/signals/FigureView.h"
@@ -197,10 +198,13 @@ void ToolWindow::makeResults() {
   ownTabs_ = tabs_->count();
 }
 
-// Beside the case; a case that is in no file yet has its folder in the user's.
 QString ToolWindow::usualFolder() const {
-  const QDir beside = document_.path().isEmpty() ? QDir::home() : QFileInfo(document_.path()).dir();
-  return beside.filePath(document_.name() + "-" + form_->name());
+  return workFolder(project_, document_.path()).filePath(document_.name() + "-" + form_->name());
+}
+
+void ToolWindow::setProject(const QString& path) {
+  project_ = path;
+  showCase();
 }
 
 void ToolWindow::showCase() {

@@ -36,6 +36,7 @@ class ToolWindow : public QWidget {
 
   ToolForm* form() const { return form_; }
   void setFolder(const QString& folder);
+  void setProject(const QString& path);  // files go beside it, unless the user has named a folder; empty: there is none
   void start();
   void cancel();
   bool isComputing() const { return job_.isRunning(); }
@@ -85,7 +86,7 @@ class ToolWindow : public QWidget {
   QPlainTextEdit *text_, *log_;
   std::shared_ptr<ToolResult> result_;
   std::vector<plots::FigureSheet> toWrite_;  // the last one first
-  QString writtenTo_;
+  QString writtenTo_, project_;
   int ownTabs_ = 0;         // before those of the figures
   bool ownFolder_ = false;  // the user has named it
   BackgroundJob job_;       // the last one: its thread uses what stands above

@@ -20,6 +20,7 @@
 #include "results/ResultFile.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/MessageBar.h"
+#include "studio/common/WorkFolder.h"
 #include "studio/comparison/ComparisonWindow.h"
 #include "studio/document/ParameterForm.h"
 #include "studio/model/ScenePanel.h"
@@ -162,8 +163,7 @@ void MainWindow::showRecords(const project::LongRecords& kept) {
   watchRecords();
   qobject_cast<DetectionForm*>(recordsWindow()->form())->setChoices(kept);
   recordWatch_->open(kept);
-  const QString own = keeper_->isOpen() ? keeper_->path() : document_.path();
-  const QDir beside = own.isEmpty() ? QDir::home() : QFileInfo(own).dir();
+  const QDir beside = workFolder(keeper_->path(), document_.path());
   const QString usual = beside.filePath((keeper_->isOpen() ? keeper_->name() : document_.name()) + "-squats");
   recordsWindow()->setFolder(kept.events.empty() ? usual : QFileInfo(QString::fromStdString(kept.events)).path());
   if (kept.files.empty()) return;

@@ -56,6 +56,8 @@ ToolWindow* MainWindow::tool(const QString& name) {
     return form_->blockers().value(0);
   };
   window = new ToolWindow(document_, formOf(name, store_, style), blocker, style, this);
+  window->setProject(keeper_->path());
+  connect(keeper_, &ProjectKeeper::openChanged, window, [this, window] { window->setProject(keeper_->path()); });
   connect(window, &ToolWindow::helpRequested, this, &MainWindow::showHelp);
   connect(window, &ToolWindow::resultsKept, reader_, &RunReader::add);
   connect(window, &ToolWindow::openCaseRequested, this, &MainWindow::openCase);

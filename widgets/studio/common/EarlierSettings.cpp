@@ -1,0 +1,17 @@
+#include "studio/common/EarlierSettings.h"
+
+#include <QCoreApplication>
+#include <QSettings>
+
+namespace squat::studio {
+
+void takeSettingsFrom(const QString& organization) {
+  QSettings own;
+  own.setFallbacksEnabled(false);
+  if (!own.allKeys().isEmpty()) return;
+  QSettings earlier(organization, QCoreApplication::applicationName());
+  earlier.setFallbacksEnabled(false);
+  for (const QString& key : earlier.allKeys()) own.setValue(key, earlier.value(key));
+}
+
+}  // namespace squat::studio
