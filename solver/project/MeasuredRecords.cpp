@@ -33,7 +33,6 @@ void multiply(std::vector<double>& values, double gain) {
   for (double& value : values) value *= gain;
 }
 
-constexpr double likeness = 0.5;      // correlation from which two signals are taken for passages of one defect
 constexpr double largestMove = 0.15;  // [m] several waves: the largest value may be that of any of the first few
 
 // The part of a signal within `reach` of a place [m], with positions that count from there.
@@ -51,12 +50,12 @@ signals::Passage partAround(const signals::Record& record, double place, double 
 }
 
 std::string noteOf(const Match& match) {
-  const auto millimetres = text::roundedText(std::abs(1e3 * match.shift));
-  const auto correlation = text::roundedText(match.correlation);
-  if (match.correlation < likeness)
-    return "unlike the run (correlation " + correlation + "): the largest values lie at the same place";
-  return "aligned with the run by cross-correlation (" + correlation + "), " + millimetres +
-         " mm from where the largest values would meet";
+  constexpr const char* byLargest = ": the largest values lie at the same place";
+  if (!match.correlation) return std::string("cannot be compared with the run") + byLargest;
+  const auto correlation = text::roundedText(*match.correlation);
+  if (!match.isAlike()) return "unlike the run (correlation " + correlation + ")" + byLargest;
+  return "aligned with the run by cross-correlation (" + correlation + "), " +
+         text::roundedText(std::abs(1e3 * match.shift)) + " mm from where the largest values would meet";
 }
 
 // With positions, gain and filtered partner.
@@ -102,7 +101,7 @@ double impactOf(const signals::Record* run) {
 }
 
 Match matchBeside(const signals::Record& run, const signals::Record& measured) {
-  Match match{impactOf(&run), 0, 0};
+  Match match{impactOf(&run), std::nullopt, 0};
   const auto* values = measured.signal(signals::names::axleBoxFiltered);
   const auto* own = run.signal(signals::names::axleBoxFiltered);
   if (!own || own->size() != run.position.size() || run.position.empty() || !values || values->empty()) return match;
@@ -115,7 +114,7 @@ Match matchBeside(const signals::Record& run, const signals::Record& measured) {
                                       signals::timeAtPosition(reference, 0)};
     const auto aligned = signals::alignInPosition({reference, other}, options);
     match.correlation = aligned.correlation[1];
-    if (match.correlation >= likeness) match.shift = aligned.impact[0] - aligned.impact[1];
+    if (match.isAlike()) match.shift = aligned.impact[0] - aligned.impact[1];
   } catch (const signals::SignalError&) {
     // Constant, or too short to be compared: the largest values meet.
   }
@@ -138,7 +137,7 @@ std::vector<MeasuredRecord> measuredRecords(const std::string& path, double spee
     if (beside) {
       const Match match = matchBeside(*beside, record);
       used.impact = match.impact;
-      record.notes.push_back(noteOf(match));
+      record.notes.insert(match.isAlike() ? record.notes.end() : record.notes.begin(), noteOf(match));
     }
     records.push_back({laid(std::move(record), used.impact), used});
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,11 @@ MeasuredRecord realigned(const MeasuredRecord& measured, const MeasuredReading& 
 // How a measured signal that has positions lies beside a run: by the largest cross-correlation of the filtered
 // accelerations over the length of the run, within 15 cm of where their largest values meet.
 struct Match {
-  double impact = 0;       // [m] where the largest value of the measured signal comes to lie
-  double correlation = 0;  // there; below 0.5 the two are too unlike, and the largest values meet
-  double shift = 0;        // [m] from where the largest values would meet
+  double impact = 0;                  // [m] where the largest value of the measured signal comes to lie
+  std::optional<double> correlation;  // there; none: the two cannot be compared
+  double shift = 0;                   // [m] from where the largest values would meet
+  // Else they are no passages of one defect, and the largest values meet.
+  bool isAlike() const { return correlation.value_or(0) >= 0.5; }
 };
 Match matchBeside(const signals::Record& run, const signals::Record& measured);
 

@@ -22,7 +22,7 @@ void ProgressReporter::onStep(const dynamics::Rolling& rolling) {
   lastReport_ = seconds;
   Progress p;
   p.phase = "rolling";
-  // The way to a warm state ends where the wheel comes near the defect, at a step that is known only about.
+  // The way to a warm state ends where the wheel comes near the defect, at a step that is known only approximately.
   p.fraction = std::min(1.0, static_cast<double>(done) / static_cast<double>(lastStep_));
   p.simulatedTime = rolling.state().time;
   const double rate = static_cast<double>(done - firstStep_) / std::max(seconds, 1e-3);

@@ -50,13 +50,16 @@ CoarseSpace::CoarseSpace(const model::Model& model, const model::StaticOperator&
   // Farther apart than any two stations: none stands where no node is, and none reaches a third knot.
   double longest = 0;
   for (const auto& run : model.blocks[model.rail].stations.runs) longest = std::max(longest, run.length);
-  // Rail hats reach two knots and a pad; sleepers reach the rail hats about them: every second one apart.
-  constexpr int reach = 5;
-  addLineGroup(model.rail, std::max(0.1, 1.05 * longest), railShapes, 0, reach);
+  const double spacing = std::max(0.1, 1.05 * longest);
+  constexpr int reach = 5;  // rail hats reach two knots and a pad
+  addLineGroup(model.rail, spacing, railShapes, 0, reach);
+  // A rail hat reaches sleepers on either side, over pads that may stand between two stations.
+  const double sleeperReach = 2 * (spacing + longest) / model.scenario.track.sleeperSpacing;
+  const int apart = 1 + std::max(1, static_cast<int>(std::ceil(sleeperReach)));
   const int colour = reach * lines_[0].modes;
   int ofOneSleeper = 0;
   for (int i = 0; i < model.sleepers; ++i) {
-    addLineGroup(model.firstSleeper + i, 0.42, 0, colour + i % 2 * ofOneSleeper, 0);
+    addLineGroup(model.firstSleeper + i, 0.42, 0, colour + i % apart * ofOneSleeper, 0);
     ofOneSleeper = lines_.back().modes * static_cast<int>(lines_.back().knots.size());
   }
   placeWheelset();
@@ -114,7 +117,7 @@ void CoarseSpace::placeWheelset() {
   unknowns_ = static_cast<int>(placed_.size());
 }
 
-// Resultants of stations in local axes: forces a, b, c and, for six modes, moments about the section's middle.
+// Resultants of stations in local axes: forces a, b, c, moments about the section's middle, forces along the shapes.
 void CoarseSpace::projectLine(const LineGroup& group, const double* r, int part, int parts, double* coarse) const {
   const auto& block = model_.blocks[group.block];
   const int first = block.stationCount * part / parts, last = block.stationCount * (part + 1) / parts;

@@ -1,7 +1,7 @@
 // solver/statics/CoarseSpace.h - smooth displacement fields that carry what single-node preconditioning cannot.
 //
 // Rail: hats every 0.1 m along the track times the six rigid motions of a section and the softest shapes in its own
-// plane: the web bends far more easily than node by node can find. Sleepers: hats along the length times six rigid
+// plane: correcting node by node hardly ever bends the web. Sleepers: hats along the length times six rigid
 // motions. Wheelset: hats along the axle times six rigid motions, hats around the rim times three translations and
 // three rotations. Sprung mass: itself. Fields are products, so projecting a force and adding a field cost little more
 // than reading it: forces are first summed to resultants of stations (or of section nodes around the axle), then to
@@ -47,7 +47,7 @@ class CoarseSpace {
     double middleB = 0, middleC = 0;
     std::vector<SectionShape> shapes;  // modes after the sixth
   };
-  // Unknowns of one colour do not reach each other: their columns of the matrix come of one product.
+  // Unknowns of one colour do not reach each other: their columns of the matrix come from one product.
   enum class Part { track, rim, restOfWheelset };
   struct Placed {
     Part part = Part::track;

@@ -101,15 +101,43 @@ TEST_F(AlignByHand, anotherRunTakesTheSignalAlongUnlessItWasLaidByHand) {
   };
   showMoved(0.02);
   EXPECT_NEAR(placeOfPeak(), automatic_, 1e-12) << "not while it is aligned by hand";
-  delete dialog_;
+  box("alignGain")->setValue(1.5);
+  EXPECT_TRUE(measured().reading.isAutomatic) << "a gain moves nothing";
+  dialog_->close();
+  EXPECT_NEAR(placeOfPeak(), automatic_ + 0.02, 1e-4) << "once the hand is off";
+  EXPECT_TRUE(tests::passes([&] { return !window_.findChild<AlignDialog*>(); }));
   showMoved(0.03);
   EXPECT_NEAR(placeOfPeak(), automatic_ + 0.03, 1e-4);
   EXPECT_NEAR(measured().reading.impact, automatic_ + 0.03, 1e-4);
-  auto reading = measured().reading;
-  reading.impact = 0.1234, reading.isAutomatic = false;
-  window_.store().setMeasured(1, project::realigned({measured().record, measured().reading}, reading));
+  // A run that was stopped takes nothing along.
+  auto stopped = tests::syntheticResult();
+  for (double& position : stopped.position) position -= 0.04;
+  stopped.complete = false;
+  window_.store().add({std::make_shared<const results::RunResult>(stopped), "stopped", QString(), false});
+  EXPECT_NEAR(placeOfPeak(), automatic_ + 0.03, 1e-4);
+  QMenu menu;
+  window_.findChild<RunsPanel*>()->fillMenu(menu, 1);
+  menu.findChild<QAction*>("runAlign")->trigger();
+  dialog_ = window_.findChild<AlignDialog*>();
+  box("alignPosition")->setValue(123.4);
+  EXPECT_FALSE(measured().reading.isAutomatic);
+  dialog_->close();
   showMoved(-0.05);
   EXPECT_NEAR(placeOfPeak(), 0.1234, 1e-12);
+}
+
+TEST_F(AlignByHand, followingARunComesBackInAProject) {
+  dialog_->close();
+  const auto laid = measured().record;
+  const QString path = folder_.filePath("day.squat-project");
+  ASSERT_TRUE(window_.saveProjectTo(path)) << window_.messages()->text().toStdString();
+  ASSERT_TRUE(window_.closeProject());
+  MainWindow tomorrow(tests::services());
+  ASSERT_TRUE(tomorrow.openProject(path)) << tomorrow.messages()->text().toStdString();
+  ASSERT_TRUE(tomorrow.reader()->waitFor(30000));
+  const StoredRun& again = tomorrow.store().at(tomorrow.store().rowCount() - 1);
+  EXPECT_TRUE(again.reading.isAutomatic);
+  EXPECT_EQ(again.record->position, laid->position);  // to the last bit
 }
 
 // Return enters what is typed; it presses no button.

@@ -415,9 +415,9 @@ TEST(Habits, savingOnClosingAsksForAPlace) {
 
 // An upgrade finds the settings of the version before, once; what the new one keeps stays.
 TEST(EarlierSettings, areTakenWhereThereAreNoneYet) {
-  QSettings own, earlier("Another name", QApplication::applicationName());
-  const QVariant level = own.value("parameterLevel");  // of the other tests
-  own.clear();
+  const QString name = QApplication::applicationName();
+  QApplication::setApplicationName("upgraded");  // the settings of the other tests stay
+  QSettings own, earlier("Another name", "upgraded");
   earlier.setValue("records/folder", "day 1");
   earlier.sync();
   takeSettingsFrom("Another name");
@@ -425,8 +425,7 @@ TEST(EarlierSettings, areTakenWhereThereAreNoneYet) {
   own.setValue("records/folder", "day 2");
   takeSettingsFrom("Another name");
   EXPECT_EQ(own.value("records/folder").toString(), "day 2");
-  own.clear();
-  own.setValue("parameterLevel", level);
+  QApplication::setApplicationName(name);
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(MeasuredRecords, BesideARunASignalLiesWhereTheWholeOfItMatches) {
   EXPECT_GT(std::abs(impactOf(&run) - top), 0.02) << "where the largest values would meet";
   const auto match = matchBeside(run, *measured.record);
   EXPECT_NEAR(match.impact, measured.reading.impact, 0.1e-3);
-  EXPECT_GT(match.correlation, 0.9);
+  EXPECT_GT(match.correlation.value_or(0), 0.9);
   EXPECT_THAT(measured.record->notes.back(), testing::HasSubstr("cross-correlation"));
   // Read again for a project, it lies there to the last digit.
   EXPECT_EQ(realigned(measured, measured.reading).record->position, measured.record->position);
@@ -122,7 +122,7 @@ TEST(MeasuredRecords, ASignalUnlikeTheRunIsLaidByItsLargestValue) {
   const auto path = passed(folder, [&](double) { return noise(random); });
   const auto measured = measuredRecords(path, passSpeed, {}, &run).at(0);
   EXPECT_EQ(measured.reading.impact, impactOf(&run));
-  EXPECT_THAT(measured.record->notes.back(), testing::HasSubstr("unlike the run"));
+  EXPECT_THAT(measured.record->notes.front(), testing::HasSubstr("unlike the run"));
 }
 
 TEST(MeasuredRecords, AFileThatIsGoneIsNamed) {

@@ -5,11 +5,11 @@
 
 namespace squat::studio {
 
-void takeSettingsFrom(const QString& organization) {
+void takeSettingsFrom(const QString& folder) {
   QSettings own;
   own.setFallbacksEnabled(false);
   if (!own.allKeys().isEmpty()) return;
-  QSettings earlier(organization, QCoreApplication::applicationName());
+  QSettings earlier(folder, QCoreApplication::applicationName());
   earlier.setFallbacksEnabled(false);
   for (const QString& key : earlier.allKeys()) own.setValue(key, earlier.value(key));
 }

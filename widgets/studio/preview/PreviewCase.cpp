@@ -13,6 +13,7 @@ constexpr double zoneStep = 0.04;           // [m]
 constexpr double rolledBehindDefect = 0.1;  // [m] from its deepest point
 constexpr double rolledBehindLast = 0.04;   // [m] from the end of a long one
 constexpr double minimumApproach = 0.06;    // [m] from the start to the zone
+constexpr double roomToStart = 0.03;        // [m] the same at least: the patch begins 14 mm ahead of the wheel
 constexpr double endMargin = 0.3;           // [m] of rail beyond the run, as cases are checked
 
 double inSteps(double length, double step) { return step * std::ceil(length / step - 1e-9); }
@@ -31,17 +32,20 @@ cases::CaseDescription previewCase(const cases::CaseDescription& open) {
   auto description = open;
   auto& mesh = description.mesh;
   auto& motion = description.motion;
-  if (mesh.preset != cases::MeshPreset::tiny) {
+  if (mesh.preset == cases::MeshPreset::tiny) {
+    const double runUp = cases::defectZone(description).before + roomToStart;
+    if (motion.runUp >= runUp) return description;
+    motion.runUp = runUp;
+  } else {
     cases::applyPreset(description, cases::MeshPreset::tiny);
     description.output.timeStep = 0;
     const auto surface = cases::surfaceOf(description);
     mesh.zoneBefore = inSteps(std::max(-surface.first(), zoneStep), zoneStep);
     mesh.zoneBehind = inSteps(std::max(surface.last(), zoneStep), zoneStep);
-    motion.beyond = rolledBehindDefect;
+    const auto zone = cases::defectZone(description);
+    motion.runUp = std::max(motion.runUp, zone.before + minimumApproach);
+    motion.beyond = std::max(rolledBehindDefect, zone.behind + rolledBehindLast);
   }
-  const auto zone = cases::defectZone(description);
-  motion.runUp = std::max(motion.runUp, zone.before + minimumApproach);
-  motion.beyond = std::max(motion.beyond, zone.behind + rolledBehindLast);
   lengthenTrack(description);
   return description;
 }

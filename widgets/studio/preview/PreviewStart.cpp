@@ -12,7 +12,7 @@ namespace {
 
 constexpr double nearStep = 0.005;  // [m]: a slider that lengthens the defect needs another state now and then only
 constexpr double roundOff = 1e-9;
-constexpr std::size_t meshesKept = 4;  // a few MB each
+constexpr std::size_t meshesKept = 4;  // about 9 MB each
 
 // Where the defect begins, in steps [m].
 double beforeOf(const cases::CaseDescription& description) {
@@ -31,7 +31,7 @@ bool PreviewStart::serves(const cases::CaseDescription& description) const {
                      [&](const OfOneMesh& mesh) { return isOnMeshOf(*mesh.first, description); });
 }
 
-bool PreviewStart::find(const cases::CaseDescription& description) {
+bool PreviewStart::bringToFront(const cases::CaseDescription& description) {
   const auto found = std::find_if(meshes_.begin(), meshes_.end(),
                                   [&](const OfOneMesh& mesh) { return isOnMeshOf(*mesh.first, description); });
   if (found == meshes_.end()) return false;
@@ -40,7 +40,7 @@ bool PreviewStart::find(const cases::CaseDescription& description) {
 }
 
 PreviewStart::State PreviewStart::stateFor(const cases::CaseDescription& description, Monitor& monitor) {
-  if (!find(description)) {
+  if (!bringToFront(description)) {
     auto made = solver_.makeStart(description, options_, monitor);
     if (!made) return nullptr;
     if (meshes_.size() == meshesKept) meshes_.pop_back();

@@ -32,8 +32,8 @@ class PreviewStart {
     State first, near;
     double nearBefore = 0;  // [m] the nearer state serves defects that begin at most so far before their deepest point
   };
-  // Brings the states of the case's mesh to the front. False where they are not kept.
-  bool find(const cases::CaseDescription& description);
+  // The states of the case's mesh. False where they are not kept.
+  bool bringToFront(const cases::CaseDescription& description);
   State rolledOn(OfOneMesh& mesh, const cases::CaseDescription& description, Monitor& monitor);
 
   const PreviewSolver& solver_;

@@ -101,12 +101,11 @@ void AlignDialog::showValues() {
 
 void AlignDialog::layAsTyped() {
   project::MeasuredReading wanted = measured_.reading;
-  wanted.isAutomatic = false;
   // Boxes show rounded numbers: what was not changed keeps all its digits.
-  if (differs(*position_, wanted.impact * 1e3)) wanted.impact = position_->value() * 1e-3;
+  if (differs(*position_, wanted.impact * 1e3)) wanted.impact = position_->value() * 1e-3, wanted.isAutomatic = false;
   if (differs(*gain_, wanted.gain)) wanted.gain = gain_->value();
   if (speed_->isEnabled() && differs(*speed_, wanted.options.speed)) wanted.options.speed = speed_->value();
-  lay(wanted);
+  lay(wanted, wanted.isAutomatic ? store_.currentResult().get() : nullptr);
 }
 
 // Where the file cannot be read any more, all stays as it was.
@@ -138,7 +137,7 @@ void AlignDialog::done(int result) {
 
 void AlignDialog::shift(double metres, bool done) {
   const int at = row();
-  if (at < 0) return;
+  if (at < 0 || (metres == 0 && !store_.at(at).dragged)) return;  // a click drags nothing
   auto reading = measured_.reading;
   reading.impact += metres, reading.isAutomatic = false;
   if (done) return lay(reading);

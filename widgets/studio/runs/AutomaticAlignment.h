@@ -5,8 +5,9 @@
 
 namespace squat::studio {
 
-// Lays those that the user has not laid by hand where they match the current run. A file that cannot be read any more
-// leaves its signal as it is.
+// Lays those that the user has not laid by hand where they match the current run. Those that are unlike it, those of
+// files above 20 MB and those of files that cannot be read any more stay where they are; so do all where the run was
+// stopped.
 void alignWithCurrent(RunStore& store);
 
 }  // namespace squat::studio

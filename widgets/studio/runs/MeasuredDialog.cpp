@@ -409,7 +409,9 @@ void MeasuredDialog::accept() {
 void askForColumns(RunStore& store, int row, double speed, const plots::Style& style, QWidget* parent) {
   if (row < 0 || row >= store.rowCount() || !store.at(row).isMeasured() || store.at(row).isMissing()) return;
   const StoredRun& run = store.at(row);
-  auto* dialog = new MeasuredDialog({run.path.toStdString(), run.reading, speed, run.record->run}, style, parent);
+  const RecordPointer beside = run.reading.isAutomatic ? RecordPointer(store.currentResult()) : nullptr;
+  auto* dialog =
+      new MeasuredDialog({run.path.toStdString(), run.reading, speed, run.record->run, beside}, style, parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   // Rows may move while it stands: the record itself is what is meant.
   const auto place = [&store, record = run.record] { return store.rowOfRecord(record); };

@@ -175,9 +175,10 @@ void MainWindow::connectParts() {
   showStopped();
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::enableActions);
   connect(&store_, &RunStore::currentChanged, this, &MainWindow::showShownCase);
-  connect(&store_, &RunStore::currentChanged, this, [this] {
-    if (!align_) alignWithCurrent(store_);  // nothing moves under the hand that aligns
-  });
+  for (const auto signal : {&RunStore::currentChanged, &RunStore::filled})
+    connect(&store_, signal, this, [this] {
+      if (!align_) alignWithCurrent(store_);  // nothing moves under the hand that aligns
+    });
   connect(&store_, &RunStore::namesChanged, this, &MainWindow::showShownCase);
   connect(&document_, &CaseDocument::changed, this, &MainWindow::showShownCase);
   connect(&document_, &CaseDocument::noted, messages_,

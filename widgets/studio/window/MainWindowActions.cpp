@@ -164,9 +164,13 @@ void MainWindow::makeRunMenu() {
   resumeAction_ =
       add(menu, tr("R&esume the stopped run"), QKeySequence("Ctrl+F5"), "resumeAction", this, [this] { resumeRun(); });
   resumeAction_->setToolTip(tr("The run of this case that was cancelled or interrupted when the program closed"));
-  add(menu, tr("&Pause or continue"), QKeySequence("F6"), "pauseAction", this,
-      [this] { controller_.setPaused(!controller_.isPaused()); });
-  add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] { controller_.cancel(); });
+  resumeAction_->setShortcutContext(Qt::ApplicationShortcut);
+  add(menu, tr("&Pause or continue"), QKeySequence("F6"), "pauseAction", this, [this] {
+    controller_.setPaused(!controller_.isPaused());
+  })->setShortcutContext(Qt::ApplicationShortcut);
+  add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] {
+    controller_.cancel();
+  })->setShortcutContext(Qt::ApplicationShortcut);
   menu->addSeparator();
   QAction* live = menu->addAction(tr("&Live preview"), &preview_, &PreviewController::setOn);
   live->setShortcut(QKeySequence("F7"));

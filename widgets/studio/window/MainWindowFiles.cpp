@@ -18,6 +18,7 @@
 #include "studio/project/ProjectRuns.h"
 #include "studio/project/RunReader.h"
 #include "studio/runs/AlignDialog.h"
+#include "studio/runs/AutomaticAlignment.h"
 #include "studio/runs/MeasuredDialog.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
@@ -266,7 +267,10 @@ void MainWindow::alignByHand(int row) {
   showTab("aba_position");
   signals_->setAligning(true);
   connect(signals_, &SignalsPanel::shifted, align_, &AlignDialog::shift);
-  connect(align_, &QDialog::finished, signals_, [this] { signals_->setAligning(false); });
+  connect(align_, &QDialog::finished, signals_, [this] {
+    signals_->setAligning(false);
+    alignWithCurrent(store_);  // the others have waited
+  });
   align_->show();
 }
 
