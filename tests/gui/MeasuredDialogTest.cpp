@@ -171,7 +171,7 @@ TEST_F(MeasuredColumns, areChangedInPlaceAndComeBackInAProject) {
   store.rename(1, "north rail");
   store.setColour(1, QColor(200, 30, 60));
   project::MeasuredReading laid = measured().reading;
-  laid.impact = 0.05, laid.gain = 0.5;
+  laid.impact = 0.05, laid.gain = 0.5, laid.isAutomatic = false;
   store.setMeasured(1, project::realigned({measured().record, measured().reading}, laid));
   store.setReference(1);
   ASSERT_NO_FATAL_FAILURE(openColumnsOf(1));
