@@ -42,8 +42,8 @@ project::Report reportOfResults(const std::vector<std::string>& files) {
   return report;
 }
 
-// They are laid where they match the run, as in the studio. The first one becomes the reference, unless a
-// measured signal is it already.
+// They are laid where they match the run, as in the studio. The first one becomes the reference, unless a measured
+// signal is it already.
 void addMeasured(const ReportOptions& options, project::Report& report, std::vector<std::string>& notes) {
   if (options.measured.empty()) return;
   if (report.shown < 0)

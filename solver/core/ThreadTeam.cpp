@@ -84,12 +84,12 @@ void StepBarrier::wait() {
 StepBarrier::StepBarrier(int threads, const CoreContention& contention)
     : threads_(threads), spinPolicy_(threads, contention) {}
 
-void SerialFallback::note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work) {
+void SerialFallback::note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work, Clock::time_point now) {
   constexpr std::chrono::milliseconds window{20};  // long against the turns in which programs share a core
   wall_ += wall, work_ += work;
   if (wall_ < window) return;
   isOn_ = wall_ > work_;
-  until_ = Clock::now() + next_;
+  until_ = now + next_;
   next_ = isOn_ ? std::min(longest, 2 * next_) : shortest;
   wall_ = work_ = {};
 }

@@ -69,12 +69,12 @@ class StepBarrier {
 // most; then all threads are tried again.
 class SerialFallback {
  public:
-  bool isOn() const { return isOn_ && Clock::now() < until_; }
+  using Clock = std::chrono::steady_clock;
+  bool isOn(Clock::time_point now = Clock::now()) const { return isOn_ && now < until_; }
   // All threads together took `wall` by the clock for parts that cost `work` of processor time.
-  void note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work);
+  void note(std::chrono::nanoseconds wall, std::chrono::nanoseconds work, Clock::time_point now = Clock::now());
 
  private:
-  using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds shortest{100}, longest{1600};
   bool isOn_ = false;
   Clock::time_point until_;

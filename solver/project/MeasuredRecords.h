@@ -34,10 +34,10 @@ struct MeasuredRecord {
 double impactOf(const signals::Record* run);
 
 // Reads measured axle box accelerations, one or more runs, with their filtered partners (2 kHz, SignalCatalogue.h), and
-// puts the largest value of each at `reading.impact`, or, beside a run, where the signal matches the run's: a positive
-// peak of the one may stand where the other has a negative one. Only 5 m on both sides are kept. Where neither file nor
-// options give a speed, `speed` [m/s] links time and position. Throws FileError, also for signals that are no
-// accelerations.
+// puts the largest value of each at `reading.impact`. Given a run, `beside`, it puts each where it matches the run
+// (matchBeside) and says so in the notes; the largest values of the two may be different peaks of one passage. Only 5 m
+// on both sides of the largest value are kept. Where neither file nor options give a speed, `speed` [m/s] links time
+// and position. Throws FileError, also for signals that are no accelerations.
 std::vector<MeasuredRecord> measuredRecords(const std::string& path, double speed, const MeasuredReading& reading,
                                             const signals::Record* beside = nullptr);
 

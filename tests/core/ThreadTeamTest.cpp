@@ -89,21 +89,22 @@ TEST(ThreadTeam, PhasesComeInOrderBesideBusyPrograms) {
 using std::chrono::milliseconds;
 
 // Two threads that work 10 ms each and take 25 ms for it: one alone needs 20.
-TEST(SerialFallback, AreTakenWhereAllTogetherTakeLongerThanOneWould) {
+TEST(SerialFallback, IsTakenWhereAllTogetherTakeLongerThanOneWould) {
   SerialFallback fallback;
-  EXPECT_FALSE(fallback.isOn());
-  fallback.note(milliseconds(25), milliseconds(20));
-  EXPECT_TRUE(fallback.isOn());
-  std::this_thread::sleep_for(milliseconds(110));
-  EXPECT_FALSE(fallback.isOn()) << "all are tried again after a tenth of a second";
-  fallback.note(milliseconds(25), milliseconds(20));
-  std::this_thread::sleep_for(milliseconds(110));
-  EXPECT_TRUE(fallback.isOn()) << "in vain: for twice as long";
-  fallback.note(milliseconds(25), milliseconds(48));
-  EXPECT_FALSE(fallback.isOn());
+  SerialFallback::Clock::time_point now;
+  EXPECT_FALSE(fallback.isOn(now));
+  fallback.note(milliseconds(25), milliseconds(20), now);
+  EXPECT_TRUE(fallback.isOn(now));
+  now += milliseconds(110);
+  EXPECT_FALSE(fallback.isOn(now)) << "all are tried again after a tenth of a second";
+  fallback.note(milliseconds(25), milliseconds(20), now);
+  now += milliseconds(110);
+  EXPECT_TRUE(fallback.isOn(now)) << "in vain: for twice as long";
+  fallback.note(milliseconds(25), milliseconds(48), now);
+  EXPECT_FALSE(fallback.isOn(now));
 }
 
-TEST(SerialFallback, AreDecidedOverSomeTurnsOfOtherPrograms) {
+TEST(SerialFallback, IsDecidedOverSomeTurnsOfOtherPrograms) {
   SerialFallback fallback;
   fallback.note(milliseconds(8), milliseconds(1));
   EXPECT_FALSE(fallback.isOn()) << "one stall says nothing yet";

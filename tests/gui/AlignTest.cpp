@@ -60,6 +60,17 @@ class AlignByHand : public testing::Test {
         std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     return measured().record->position[static_cast<std::size_t>(at - values.begin())];
   }
+  // The signal in another window, after its project was saved and closed here.
+  const StoredRun& backIn(MainWindow& other) {
+    const QString path = folder_.filePath("day.squat-project");
+    EXPECT_TRUE(window_.saveProjectTo(path)) << window_.messages()->text().toStdString();
+    dialog_->close();
+    EXPECT_TRUE(window_.closeProject());
+    EXPECT_TRUE(other.openProject(path)) << other.messages()->text().toStdString();
+    EXPECT_TRUE(other.reader()->waitFor(30000));
+    EXPECT_TRUE(other.messages()->isHidden()) << other.messages()->text().toStdString();
+    return other.store().at(other.store().rowCount() - 1);
+  }
   double spacing() { return measured().record->position[1] - measured().record->position[0]; }
 
   QTemporaryDir folder_;
@@ -127,15 +138,9 @@ TEST_F(AlignByHand, anotherRunTakesTheSignalAlongUnlessItWasLaidByHand) {
 }
 
 TEST_F(AlignByHand, followingARunComesBackInAProject) {
-  dialog_->close();
   const auto laid = measured().record;
-  const QString path = folder_.filePath("day.squat-project");
-  ASSERT_TRUE(window_.saveProjectTo(path)) << window_.messages()->text().toStdString();
-  ASSERT_TRUE(window_.closeProject());
   MainWindow tomorrow(tests::services());
-  ASSERT_TRUE(tomorrow.openProject(path)) << tomorrow.messages()->text().toStdString();
-  ASSERT_TRUE(tomorrow.reader()->waitFor(30000));
-  const StoredRun& again = tomorrow.store().at(tomorrow.store().rowCount() - 1);
+  const StoredRun& again = backIn(tomorrow);
   EXPECT_TRUE(again.reading.isAutomatic);
   EXPECT_EQ(again.record->position, laid->position);  // to the last bit
 }
@@ -194,15 +199,8 @@ TEST_F(AlignByHand, comesBackInAProject) {
   box("alignSpeed")->setValue(31.25);
   box("alignGain")->setValue(0.8);
   const auto laid = measured().record;
-  const QString path = folder_.filePath("day.squat-project");
-  ASSERT_TRUE(window_.saveProjectTo(path)) << window_.messages()->text().toStdString();
-  dialog_->close();
-  ASSERT_TRUE(window_.closeProject());
   MainWindow tomorrow(tests::services());
-  ASSERT_TRUE(tomorrow.openProject(path)) << tomorrow.messages()->text().toStdString();
-  ASSERT_TRUE(tomorrow.reader()->waitFor(30000));
-  EXPECT_TRUE(tomorrow.messages()->isHidden()) << tomorrow.messages()->text().toStdString();
-  const StoredRun& again = tomorrow.store().at(tomorrow.store().rowCount() - 1);
+  const StoredRun& again = backIn(tomorrow);
   ASSERT_TRUE(again.isMeasured());
   EXPECT_EQ(again.record->position, laid->position);  // to the last bit
   EXPECT_EQ(*again.record->signal("aba"), *laid->signal("aba"));

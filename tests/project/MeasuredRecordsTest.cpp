@@ -113,7 +113,7 @@ TEST(MeasuredRecords, BesideARunASignalLiesWhereTheWholeOfItMatches) {
   EXPECT_EQ(realigned(measured, measured.reading).record->position, measured.record->position);
 }
 
-// White noise has no place beside the run of a squat: the largest values meet, and it is said.
+// White noise has no place beside the run of a squat: the largest values meet, and the note says so.
 TEST(MeasuredRecords, ASignalUnlikeTheRunIsLaidByItsLargestValue) {
   const Folder folder;
   const auto run = rolled(0.02, {});

@@ -76,7 +76,7 @@ TEST(CoarseSpace, HoldsOnElementsLongerThanItsUsualHats) {
   EXPECT_LT(maximum, 0.01);
 }
 
-// Columns of unknowns that share a colour come of one product. Taken apart wrongly, they would not give the work of
+// Columns of unknowns that share a colour come from one product. Taken apart wrongly, they would not give the work of
 // fields of all unknowns at once, which is computed here on the whole model. Round-off: 1e-9 of the largest work.
 TEST(CoarseSpace, ItsMatrixGivesTheWorkOfItsFields) {
   using Keys = std::vector<std::pair<std::string, std::string>>;

@@ -5,9 +5,8 @@
 
 namespace squat::studio {
 
-// Lays those that the user has not laid by hand where they match the current run. Those that are unlike it, those of
-// files above 20 MB and those of files that cannot be read any more stay where they are; so do all where the run was
-// stopped.
+// Lays the measured signals where they match the current run. Those that were laid by hand, that are unlike the run, or
+// whose files are larger than 20 MB or cannot be read any more stay where they are. A run that was stopped moves none.
 void alignWithCurrent(RunStore& store);
 
 }  // namespace squat::studio

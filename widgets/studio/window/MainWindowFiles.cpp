@@ -227,7 +227,8 @@ bool MainWindow::openResult(const QString& path) {
 void MainWindow::overlay(const QString& path, const readers::SignalFileOptions& options) {
   const ResultPointer current = store_.currentResult();
   const double speed = options.speed > 0 ? options.speed : document_.description().motion.speed;
-  const auto records = project::measuredRecords(path.toStdString(), speed, {options, 0, 1, true}, current.get());
+  const auto records =
+      project::measuredRecords(path.toStdString(), speed, {.options = options, .isAutomatic = true}, current.get());
   report(*messages_, addMeasured(store_, path, records));
 }
 
@@ -242,9 +243,12 @@ bool MainWindow::openMeasured(const QString& path) {
 }
 
 void MainWindow::askHowToRead(const QString& path) {
-  auto* dialog = new MeasuredDialog(
-      {path.toStdString(), {{}, 0, 1, true}, document_.description().motion.speed, {}, store_.currentResult()},
-      figureStyle(requestedDark()), this);
+  auto* dialog = new MeasuredDialog({path.toStdString(),
+                                     {.options = {}, .isAutomatic = true},
+                                     document_.description().motion.speed,
+                                     {},
+                                     store_.currentResult()},
+                                    figureStyle(requestedDark()), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, path] {
     try {
