@@ -68,7 +68,7 @@ class AlignByHand : public testing::Test {
     EXPECT_TRUE(window_.closeProject());
     EXPECT_TRUE(other.openProject(path)) << other.messages()->text().toStdString();
     EXPECT_TRUE(other.reader()->waitFor(30000));
-    EXPECT_TRUE(other.messages()->isHidden()) << other.messages()->text().toStdString();
+    EXPECT_TRUE(other.messages()->isEmpty()) << other.messages()->text().toStdString();
     return other.store().at(other.store().rowCount() - 1);
   }
   double spacing() { return measured().record->position[1] - measured().record->position[0]; }

@@ -55,6 +55,15 @@ void changeSomething(CaseDocument& document, std::mt19937& random) {
   }
 }
 
+// One that was recovered is, though nothing of it can be undone.
+TEST(CaseDocument, aNewCaseIsNotModifiedWhateverWasBefore) {
+  CaseDocument document;
+  document.startFrom(document.description(), QString(), "recovered", true);
+  EXPECT_TRUE(document.isModified());
+  document.startNew();
+  EXPECT_FALSE(document.isModified());
+}
+
 TEST(CaseDocument, aThousandRandomEditsUndoneAndRedone) {
   std::mt19937 random(20140715);
   CaseDocument document;

@@ -200,6 +200,7 @@ TEST(Habits, helpIsReadWithTheKeyboard) {
 
 TEST(Habits, tabWalksThroughTheForm) {
   MainWindow window(tests::services());
+  window.resize(MainWindow::usualSize);
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
   QApplication::setActiveWindow(&window);

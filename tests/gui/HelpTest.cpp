@@ -37,6 +37,7 @@ TEST(Help, F1OpensHelpAndNotTheAboutBox) {
 // Of a key its table in the reference that the build writes; of a panel its page; of nothing the index.
 TEST(Help, F1GoesToThePageOfWhatHasTheFocus) {
   MainWindow window(tests::services());
+  window.resize(MainWindow::usualSize);
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
   const auto shown = [&](QWidget* focus) {

@@ -17,7 +17,10 @@
 #include "studio/common/Theme.h"
 #include "studio/comparison/ComparisonWindow.h"
 #include "studio/comparison/MapWindow.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/document/ParameterRow.h"
 #include "studio/model/SceneWidget.h"
+#include "studio/profile/ProfileEditor.h"
 #include "studio/records/RecordStrip.h"
 #include "studio/signals/CursorPair.h"
 #include "studio/signals/FigureView.h"
@@ -33,6 +36,48 @@ constexpr double notch = 0.85;     // QCustomPlot's factor for one notch of the 
 void expectRange(const QCPAxis& axis, double lower, double upper) {
   EXPECT_NEAR(axis.range().lower, lower, rounding * std::abs(upper));
   EXPECT_NEAR(axis.range().upper, upper, rounding * std::abs(upper));
+}
+
+// Where the focus is: the first of these that holds it.
+int paneOf(const std::vector<QWidget*>& panes) {
+  const QWidget* focus = QApplication::focusWidget();
+  for (std::size_t i = 0; i < panes.size(); ++i)
+    if (focus && panes[i]->isAncestorOf(focus)) return static_cast<int>(i);
+  return -1;
+}
+
+TEST(Keyboard, threeKeysReachEveryPane) {
+  MainWindow window(tests::services());
+  window.resize(MainWindow::usualSize);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  QApplication::setActiveWindow(&window);
+  std::vector<QWidget*> panes{window.form(), window.centralWidget()};
+  for (const char* dock : {"signalsDock", "runDock", "runsDock"}) panes.push_back(window.findChild<QWidget*>(dock));
+  const int count = static_cast<int>(panes.size());
+  window.form()->row("motion.speed")->editor()->setFocus();
+  for (int i = 1; i <= count; ++i) {
+    QTest::keyClick(&window, Qt::Key_F6);
+    EXPECT_EQ(paneOf(panes), i % count);
+  }
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "motion.speed");  // where it was
+  for (int i = 1; i <= count; ++i) {
+    QTest::keyClick(&window, Qt::Key_F6, Qt::ShiftModifier);
+    EXPECT_EQ(paneOf(panes), count - i);
+  }
+  EXPECT_LE(count / 2, 3);  // forwards or backwards
+}
+
+TEST(Keyboard, inAToolTheSameKeysGoBetweenOptionsAndResults) {
+  MainWindow window(tests::services());
+  ToolWindow* tool = window.tool("study");
+  tool->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(tool));
+  QApplication::setActiveWindow(tool);
+  QTest::keyClick(tool, Qt::Key_F6);
+  const bool inOptions = tool->form()->isAncestorOf(QApplication::focusWidget());
+  QTest::keyClick(tool, Qt::Key_F6);
+  EXPECT_NE(tool->form()->isAncestorOf(QApplication::focusWidget()), inOptions);
 }
 
 class KeysOnAFigure : public testing::Test {

@@ -15,6 +15,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <functional>
+#include <map>
 
 #include "case/ParameterTable.h"
 #include "gui/MadeUpRun.h"
@@ -22,9 +24,13 @@
 #include "render/PictureComparison.h"
 #include "render/SyntheticResult.h"
 #include "studio/common/FigureSizeDialog.h"
+#include "studio/common/FixedLabel.h"
+#include "studio/common/MessageBar.h"
 #include "studio/common/Theme.h"
 #include "studio/comparison/ComparisonWindow.h"
 #include "studio/comparison/MapWindow.h"
+#include "studio/document/ParameterForm.h"
+#include "studio/document/ParameterRow.h"
 #include "studio/model/SceneWidget.h"
 #include "studio/profile/ImportDialog.h"
 #include "studio/profile/SquatDialog.h"
@@ -36,8 +42,8 @@
 namespace squat::studio {
 namespace {
 
-// A laptop of 1366 x 768 less the frames of a desktop, and the narrowest screen in use on the track.
-constexpr QSize smallest(1280, 700);
+// A tablet or half a screen of 2048 pixels, and a laptop of 1366 x 768 less the frames of a desktop.
+constexpr QSize smallest(1000, 700);
 
 // A made-up run with a patch of 6 x 4 points.
 results::RunResult runToLookAt() {
@@ -63,6 +69,7 @@ class Looks : public testing::Test {
     window_->openCase("light-defect");
     window_->store().add(
         {std::make_shared<const results::RunResult>(runToLookAt()), "light-defect #1", QString(), false});
+    window_->resize(1280, 700);
     window_->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   }
@@ -89,8 +96,9 @@ QString nameOf(const QWidget& widget) {
 int widthOfText(const QWidget& widget) {
   QString text;
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-    if (label->wordWrap()) return 0;
     text = label->text();
+    const bool isInTip = qobject_cast<const FixedLabel*>(label) && label->toolTip() == text;
+    if (label->wordWrap() || isInTip) return 0;
     if (label->buddy()) text.remove('&');
   } else if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
     text = button->text().remove('&');
@@ -180,16 +188,71 @@ void judgeLayout(const QWidget& window, int least = 100) {
 }
 
 TEST_F(Looks, fitsTheSmallestScreen) {
-  const QSize least = window_->minimumSizeHint();
-  EXPECT_LE(least.width(), smallest.width());
-  EXPECT_LE(least.height(), smallest.height());
+  EXPECT_LE(window_->minimumWidth(), smallest.width());
+  EXPECT_LE(window_->minimumHeight(), smallest.height());
   window_->resize(smallest);
   for (const QString& tab : MainWindow::tabNames()) {
     SCOPED_TRACE(tab.toStdString());
     window_->showTab(tab);
     QTest::qWait(20);
     ASSERT_EQ(window_->size(), smallest);
-    judgeLayout(*window_);
+    judgeLayout(*window_, 50);
+  }
+}
+
+// The form stands in a tab there, and at the left again where the window has grown.
+TEST_F(Looks, aNarrowWindowHasTheFormInATab) {
+  auto* tabs = window_->findChild<QTabWidget*>();
+  for (const bool narrow : {true, false, true, false}) {
+    window_->resize(narrow ? smallest : MainWindow::usualSize);
+    QTest::qWait(20);
+    EXPECT_EQ(tabs->indexOf(window_->form()), narrow ? 0 : -1);
+    EXPECT_EQ(tabs->tabText(0), narrow ? "Case" : "Profile");
+    if (narrow) tabs->setCurrentIndex(0);
+    EXPECT_TRUE(window_->form()->isVisible());
+    if (narrow) judgeLayout(*window_);
+  }
+}
+
+// Where each part of the window stands that is seen, but the parts of the line of messages.
+std::map<const QWidget*, QRect> locationsOf(const MainWindow& window) {
+  std::map<const QWidget*, QRect> locations;
+  for (const QWidget* widget : window.findChildren<QWidget*>())
+    if (widget->isVisible() && widget->window() == &window && !window.messages()->isAncestorOf(widget))
+      locations[widget] = QRect(widget->mapTo(&window, QPoint(0, 0)), widget->size());
+  return locations;
+}
+
+// What one aims at with the mouse must not move away.
+TEST_F(Looks, nothingMovesWhenAMessageComesOrGoes) {
+  const QString longer = QString(400, 'w').replace(20, 1, ' ');
+  const auto set = [this](const char* key, const char* value) { window_->document().setParameter(key, value); };
+  const std::vector<std::pair<const char*, std::function<void()>>> events{
+      {"news", [&] { window_->messages()->say("The case was saved."); }},
+      {"a long failure", [&] { window_->messages()->warn(longer, longer + '\n' + longer); }},
+      {"none", [&] { window_->messages()->clear(); }},
+      {"a result of another case", [&] { set("motion.speed", "25"); }},
+      {"a case that cannot be run", [&] { set("motion.run_up", "9"); }},
+      {"one that can", [&] { set("motion.run_up", "0.2"); }},
+      {"a text that is no number", [&] { QTest::keyClicks(window_->form()->row("motion.speed")->editor(), "x"); }},
+      {"a note on the profile", [&] { set("defect.height_scale", "0.5"); }},
+      {"a run", [&] { window_->startRun(), window_->controller().waitFor(60000); }},
+  };
+  window_->showTab("profile");
+  window_->showTab("aba_position");
+  set("defect.depth", "0.2");  // the preview comes to the front with the first change
+  QTest::qWait(50);
+  const auto before = locationsOf(*window_);
+  ASSERT_GT(before.size(), 100U);
+  for (const auto& [name, happen] : events) {
+    happen();
+    QTest::qWait(30);
+    const auto after = locationsOf(*window_);
+    for (const auto& [widget, location] : before) {
+      const auto found = after.find(widget);
+      if (found == after.end()) continue;
+      EXPECT_EQ(found->second, location) << nameOf(*widget).toStdString() << " moved with " << name;
+    }
   }
 }
 

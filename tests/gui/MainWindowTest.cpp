@@ -147,7 +147,7 @@ TEST(MainWindow, nothingIsKeptOfARunThatNeverRolled) {
   window.controller().cancel();
   ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }));
   EXPECT_EQ(window.store().rowCount(), 0);
-  EXPECT_TRUE(window.findChild<QLabel*>("runNote")->text().contains("no results"));
+  EXPECT_TRUE(window.findChild<QLabel*>("runLine")->text().contains("no results"));
   EXPECT_TRUE(window.close());
   EXPECT_EQ(questions, 0);
 }
@@ -165,20 +165,19 @@ TEST(MainWindow, timeAndPeaksOfARunStayInSight) {
   MainWindow window(services);
   window.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-  const auto* note = window.findChild<QLabel*>("runNote");
+  const auto* note = window.findChild<QLabel*>("runLine");
   ASSERT_NE(note, nullptr);
   window.startRun();
-  EXPECT_FALSE(note->isVisible());
+  EXPECT_FALSE(note->text().contains("Done"));
   ASSERT_TRUE(tests::passes([&] { return !window.controller().isRunning(); }));
-  QTest::qWait(20);  // the layout
-  EXPECT_TRUE(note->isVisible());
-  EXPECT_LE(note->heightForWidth(note->width()), note->height() + 2);
+  QTest::qWait(20);                // it is drawn
+  EXPECT_EQ(note->toolTip(), "");  // whole
   for (const char* word : {"Done in 1 min 23 s", "axle box acceleration", "contact force up to"})
     EXPECT_TRUE(note->text().contains(word)) << note->text().toStdString();
   const auto* messages = window.findChild<RunPanel*>()->findChild<QPlainTextEdit*>();
   EXPECT_TRUE(messages->toPlainText().contains("fourth")) << messages->toPlainText().toStdString();
   window.startRun();
-  EXPECT_FALSE(note->isVisible());  // it is of the run before
+  EXPECT_FALSE(note->text().contains("Done"));  // it is of the run before
 }
 
 TEST(MainWindow, everyActionHasAName) {
@@ -285,20 +284,19 @@ TEST(MainWindow, aResultOfAnotherCaseIsMarked) {
   MainWindow window(tests::services());
   ASSERT_TRUE(window.openCase("light-defect"));
   window.show();
-  auto* mark = window.findChild<QLabel*>("otherCase");
+  auto* mark = window.findChild<QLabel*>("signalProblem");
   window.startRun();
   ASSERT_TRUE(tests::passes([&] { return window.store().rowCount() == 1; }));
-  EXPECT_FALSE(mark->isVisible()) << mark->text().toStdString();
+  EXPECT_EQ(mark->text(), "");
   window.document().setParameter("motion.speed", "25");
-  EXPECT_TRUE(mark->isVisible());
   for (const char* word : {"“light-defect”", "motion.speed"})
     EXPECT_TRUE(mark->text().contains(word)) << mark->text().toStdString();
   window.document().setParameter("title", "another name alone");
   window.document().undoStack().undo();
   window.document().undoStack().undo();
-  EXPECT_FALSE(mark->isVisible()) << mark->text().toStdString();
+  EXPECT_EQ(mark->text(), "");
   window.document().setParameter("title", "another name alone");
-  EXPECT_FALSE(mark->isVisible()) << mark->text().toStdString();
+  EXPECT_EQ(mark->text(), "");
   const auto* dock = window.findChild<QDockWidget*>("signalsDock");
   EXPECT_TRUE(dock->windowTitle().contains("light-defect")) << dock->windowTitle().toStdString();
 }
@@ -404,24 +402,45 @@ TEST(MainWindow, whatARunFindsWrongIsMarkedInTheForm) {
   EXPECT_TRUE(window.form()->blockers().isEmpty());
 }
 
-// The resumed run takes the place of its earlier part, and rows move, while the question about another stands.
-TEST(MainWindow, theRunThatWasAskedAboutIsRemoved) {
+// Nothing is asked: it can be undone, for results that are in no file as well.
+TEST(MainWindow, aRemovedRunComesBackAsItStood) {
   StudioServices services = tests::services();
-  MainWindow* asking = nullptr;
+  int questions = 0;
   services.asker = [&](QWidget*, const QString&, const QString&) {
-    asking->store().remove(0);
-    return Answer::discard;
+    ++questions;
+    return Answer::cancel;
   };
   MainWindow window(services);
-  asking = &window;
+  RunStore& store = window.store();
   for (const char* label : {"a", "b", "c"})
-    window.store().add({std::make_shared<const results::RunResult>(tests::syntheticResult()), label, {}, false});
+    store.add({std::make_shared<const results::RunResult>(tests::syntheticResult()), label, {}, false});
+  store.setData(store.index(0), Qt::Checked, Qt::CheckStateRole);
+  store.setCurrent(1);
+  const auto names = [&] {
+    QStringList all;
+    for (int row = 0; row < store.rowCount(); ++row) all << store.at(row).label;
+    return all.join("");
+  };
+  QAction* restore = window.findChild<QAction*>("restoreRun");
+  EXPECT_FALSE(restore->isEnabled());
   auto* runs = window.findChild<RunsPanel*>();
   runs->table()->setCurrentIndex(runs->indexOf(1));
+  QTest::keyClick(runs->table(), Qt::Key_Delete);
+  runs->table()->setCurrentIndex(runs->indexOf(0));
   for (auto* button : window.findChildren<QPushButton*>())
     if (button->text() == "Remove") button->click();
-  ASSERT_EQ(window.store().rowCount(), 1);
-  EXPECT_EQ(window.store().at(0).label, "c");
+  ASSERT_EQ(names(), "c");
+  EXPECT_TRUE(window.messages()->text().contains("“a”")) << window.messages()->text().toStdString();
+  restore->trigger();
+  EXPECT_EQ(names(), "ac");
+  EXPECT_TRUE(store.at(0).overlaid);
+  EXPECT_EQ(store.current(), 1);  // c, which was shown when the others had gone
+  restore->trigger();
+  EXPECT_EQ(names(), "abc");
+  EXPECT_EQ(store.current(), 1);
+  EXPECT_FALSE(restore->isEnabled());
+  EXPECT_EQ(store.unsaved().size(), 3U);
+  EXPECT_EQ(questions, 0);
 }
 
 TEST(MainWindow, everyRunOfAMeasuredFileIsOverlaidAndForcesAreNot) {
@@ -455,11 +474,11 @@ TEST(MainWindow, whatADialogSaysStandsThereAlone) {
   MainWindow window(tests::services());
   window.show();
   ASSERT_FALSE(window.openMeasured(file.fileName()));
-  ASSERT_FALSE(window.messages()->isHidden());
+  ASSERT_FALSE(window.messages()->isEmpty());
   window.askHowToRead(file.fileName());
   const auto* dialog = window.findChild<MeasuredDialog*>();
   ASSERT_TRUE(dialog && dialog->isVisible());
-  EXPECT_TRUE(window.messages()->isHidden()) << window.messages()->text().toStdString();
+  EXPECT_TRUE(window.messages()->isEmpty()) << window.messages()->text().toStdString();
   const auto* message = dialog->findChild<QLabel*>("measuredMessage");
   EXPECT_TRUE(tests::passes([&] { return message->text().contains("rate"); })) << message->text().toStdString();
 }

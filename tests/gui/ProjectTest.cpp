@@ -133,7 +133,7 @@ TEST_F(ProjectOfRuns, comesBackByteForByte) {
   window->keeper()->saveNow();
   EXPECT_EQ(read("day.squat-project"), saved);
   ASSERT_NO_FATAL_FAILURE(expectTheWork(*window));
-  EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
+  EXPECT_TRUE(window->messages()->isEmpty()) << window->messages()->text().toStdString();
   window->keeper()->saveNow();
   EXPECT_EQ(read("day.squat-project"), saved);
 }
@@ -223,7 +223,7 @@ TEST_F(ProjectOfRuns, movesWithItsFolder) {
   const auto window = open();
   ASSERT_TRUE(window->openProject(path("there/day.squat-project")));
   ASSERT_TRUE(window->reader()->waitFor(30000));
-  EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
+  EXPECT_TRUE(window->messages()->isEmpty()) << window->messages()->text().toStdString();
   EXPECT_TRUE(window->store().currentResult());
 }
 
@@ -396,7 +396,7 @@ TEST_F(ProjectOfRuns, movesWithItsDataToAnotherMachine) {
   const auto window = open();
   ASSERT_TRUE(window->openProject(path("there/copy.squat-project"))) << window->messages()->text().toStdString();
   ASSERT_NO_FATAL_FAILURE(expectTheWork(*window, "there/copy.data/cases/dip.toml"));
-  EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();  // nothing has changed
+  EXPECT_TRUE(window->messages()->isEmpty()) << window->messages()->text().toStdString();  // nothing has changed
   window->keeper()->saveNow();
   EXPECT_EQ(read("there/copy.squat-project"), saved);
 }
@@ -414,8 +414,7 @@ TEST_F(ProjectOfRuns, aCopySaysWhatIsMissingAndReplacesNothing) {
   ASSERT_TRUE(window->keeper()->waitForCopy(30000));
   EXPECT_TRUE(window->messages()->text().contains("1 file is missing from the copy"))
       << window->messages()->text().toStdString();
-  QString details;
-  for (const QLabel* label : window->messages()->findChildren<QLabel*>()) details += label->text();
+  const QString details = window->messages()->details();
   EXPECT_TRUE(details.contains(path("measured.csv"))) << details.toStdString();
   // Its data stand there now.
   ASSERT_TRUE(window->copyProjectTo(path("copy.squat-project")));

@@ -231,7 +231,7 @@ TEST_F(Records, comeBackInAProject) {
   MainWindow tomorrow(tests::services());
   tomorrow.show();
   ASSERT_TRUE(tomorrow.openProject(path("day.squat-project"))) << tomorrow.messages()->text().toStdString();
-  EXPECT_TRUE(tomorrow.messages()->isHidden()) << tomorrow.messages()->text().toStdString();
+  EXPECT_TRUE(tomorrow.messages()->isEmpty()) << tomorrow.messages()->text().toStdString();
   EXPECT_TRUE(tomorrow.tool("squats")->isVisible());  // as it was
   const DetectionForm* form = formIn(tomorrow);
   const auto* list = form->findChild<QListWidget*>();
@@ -243,7 +243,7 @@ TEST_F(Records, comeBackInAProject) {
   EXPECT_EQ(tomorrow.tool("squats")->findChild<QLineEdit*>("toolFolder")->text(), path("studio"));
   RecordView* view = form->records();
   ASSERT_TRUE(tests::passes([&] { return !view->isReading(); }, tests::patience));
-  EXPECT_TRUE(tomorrow.tool("squats")->messages()->isHidden())
+  EXPECT_TRUE(tomorrow.tool("squats")->messages()->isEmpty())
       << tomorrow.tool("squats")->messages()->text().toStdString();
   const QAbstractItemModel& again = *view->table()->model();
   QStringList after;
@@ -286,11 +286,7 @@ class RecordsOfAProject : public Records {
   void write(const project::Project& project) const {
     project::writeProject(path("day.squat-project").toStdString(), project);
   }
-  static QString detailsOf(const MessageBar& messages) {
-    QString text;
-    for (const QLabel* label : messages.findChildren<QLabel*>()) text += label->text() + '\n';
-    return text;
-  }
+  static QString detailsOf(const MessageBar& messages) { return messages.text() + messages.details(); }
 };
 
 // Gigabytes are not read for a window that nobody looks at.
@@ -358,7 +354,7 @@ TEST_F(RecordsOfAProject, thatHaveChangedAreNamed) {
   ASSERT_TRUE(window_.closeProject());
   ASSERT_TRUE(window_.openProject(path("day.squat-project")));
   ASSERT_TRUE(tests::passes([this] { return !view_->isReading(); }, tests::patience));
-  EXPECT_TRUE(window_.messages()->isHidden()) << window_.messages()->text().toStdString();  // it is as it was
+  EXPECT_TRUE(window_.messages()->isEmpty()) << window_.messages()->text().toStdString();  // it is as it was
   ASSERT_TRUE(window_.closeProject());
   ASSERT_TRUE(record.open(QIODevice::Append));
   record.write("999,0,0\n");

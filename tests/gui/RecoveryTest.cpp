@@ -1,222 +1,275 @@
-// Unsaved changes after a crash.
+// Work that is in no project of the user's, after a crash.
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>
 #include <unistd.h>
 #include <QAction>
 #include <QDir>
+#include <QDirIterator>
+#include <QElapsedTimer>
 #include <QFile>
+#include <QProcess>
 #include <QTemporaryDir>
 
 #include "case/CaseFile.h"
 #include "gui/MadeUpRun.h"
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
+#include "results/SignalTable.h"
 #include "studio/common/MessageBar.h"
 #include "studio/common/ProcessIdentity.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
+#include "studio/project/NotesPanel.h"
+#include "studio/project/ProjectKeeper.h"
+#include "studio/project/RunReader.h"
 #include "studio/runs/StoppedRuns.h"
-#include "studio/window/Recovery.h"
+#include "studio/tools/DetectionForm.h"
+#include "studio/tools/ToolWindow.h"
 
 namespace squat::studio {
 namespace {
 
-constexpr const char* deadProcess = "999999999";  // above the largest number of a process
-
-TEST(Recovery, whatACrashLeftIsTaken) {
-  const QTemporaryDir folder;
-  CaseDocument document;
-  document.setParameter("motion.speed", "21");
-  {
-    Recovery recovery(document, folder.path());
-    recovery.saveNow();
-    const auto files = QDir(folder.path()).entryList(QDir::Files);
-    ASSERT_EQ(files.size(), 1);
-    EXPECT_FALSE(Recovery::take(folder.path()));  // its process is alive: us
-    QFile::copy(folder.filePath(files[0]), folder.filePath(QString(deadProcess) + ".case"));
-  }
-  const auto found = Recovery::take(folder.path());
-  ASSERT_TRUE(found);
-  EXPECT_TRUE(sameCase(found->description, document.description()));
-  EXPECT_TRUE(QDir(folder.path()).isEmpty());
-}
-
-TEST(Recovery, savingTheCaseMakesTheCopyNeedless) {
-  const QTemporaryDir folder;
-  CaseDocument document;
-  Recovery recovery(document, folder.path());
-  document.setParameter("motion.speed", "21");
-  recovery.saveNow();
-  document.save(folder.filePath("case.toml"));
-  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList("case.toml"));
-}
-
-TEST(Recovery, brokenCopiesAreThrownAway) {
-  const QTemporaryDir folder;
-  QFile broken(folder.filePath(QString(deadProcess) + ".case"));
-  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
-  broken.write("# x\nnot = [a case");
-  broken.close();
-  EXPECT_FALSE(Recovery::take(folder.path()));
-  EXPECT_TRUE(QDir(folder.path()).isEmpty());
-}
-
-// A run-up of 9 m does not fit the track: the user was about to mend it.
-TEST(Recovery, aCaseThatIsBeingMendedIsKept) {
-  const QTemporaryDir folder;
-  CaseDocument document;
-  document.setParameter("motion.run_up", "9");
-  ASSERT_FALSE(document.validation().problems.empty());
-  QFile kept(folder.filePath(QString(deadProcess) + ".case"));
-  ASSERT_TRUE(kept.open(QIODevice::WriteOnly));
-  kept.write("# x\n" + QByteArray::fromStdString(cases::writeCase(document.description())));
-  kept.close();
-  const auto found = Recovery::take(folder.path());
-  ASSERT_TRUE(found);
-  EXPECT_TRUE(sameCase(found->description, document.description()));
-}
-
-// Found, and the next crash comes before the next change.
-TEST(Recovery, whatWasRecoveredIsKeptAtOnce) {
-  const QTemporaryDir folder;
-  CaseDocument document;
-  document.setParameter("motion.speed", "21");
-  QFile kept(folder.filePath(QString(deadProcess) + ".case"));
-  ASSERT_TRUE(kept.open(QIODevice::WriteOnly));
-  kept.write("# x\n" + QByteArray::fromStdString(cases::writeCase(document.description())));
-  kept.close();
-  StudioServices services = tests::services();
-  services.recoveryFolder = folder.path();
-  MainWindow window(services);
-  EXPECT_EQ(window.document().description().motion.speed, 21);
-  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
-}
-
-TEST(Recovery, aRecoveredCaseIsSeenAsAnOpenedOne) {
-  const QTemporaryDir folder;
-  CaseDocument document;
-  document.setParameter("defect.length", "90");
-  QFile kept(folder.filePath(QString(deadProcess) + ".case"));
-  ASSERT_TRUE(kept.open(QIODevice::WriteOnly));
-  kept.write("# x\n" + QByteArray::fromStdString(cases::writeCase(document.description())));
-  kept.close();
-  StudioServices services = tests::services();
-  services.recoveryFolder = folder.path();
-  MainWindow window(services);
-  const QCPRange seen = window.profile()->plot()->xAxis->range();
-  window.profile()->plot()->fit();
-  EXPECT_DOUBLE_EQ(seen.lower, window.profile()->plot()->xAxis->range().lower);
-  EXPECT_DOUBLE_EQ(seen.upper, window.profile()->plot()->xAxis->range().upper);
-  EXPECT_TRUE(window.messages()->text().contains("recovered"));
-  window.findChild<QAction*>("new")->trigger();  // lets it go
-  EXPECT_TRUE(window.messages()->text().isEmpty()) << window.messages()->text().toStdString();
-}
-
-// A number of a process comes back: a copy from before is told by its start, and offered although "its" process lives.
-TEST(Recovery, aProcessOfTheSameNumberIsAnother) {
-  const QTemporaryDir folder;
-  CaseDocument document;
-  document.setParameter("motion.speed", "21");
-  Recovery recovery(document, folder.path());
-  recovery.saveNow();
-  const QString own = QDir(folder.path()).entryList(QDir::Files).value(0);
-  ASSERT_TRUE(own.startsWith(QString::number(QCoreApplication::applicationPid()) + "-")) << own.toStdString();
-  QFile::copy(folder.filePath(own), folder.filePath(own.section('-', 0, 0) + "-1-00000000.case"));
-  EXPECT_TRUE(Recovery::take(folder.path()));
-  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList(own));
-}
-
-QByteArray firstLine(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readLine() : QByteArray();
-}
-
-// A process that has ended stands in the table of processes until the one that started it asks: it runs no more.
-TEST(Recovery, aProcessThatHasEndedIsNotAlive) {
-  int pipe[2];
-  ASSERT_EQ(::pipe(pipe), 0);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    char byte = 0;
-    ::close(pipe[1]);
-    [[maybe_unused]] const auto waited = ::read(pipe[0], &byte, 1);
-    ::_exit(0);
-  }
-  ASSERT_GT(child, 0);
-  const QString stat = QStringLiteral("/proc/%1/stat").arg(child);
-  const auto fields = firstLine(stat).split(' ');
-  const QString identity =
-      QStringLiteral("%1-%2-%3").arg(child).arg(QString(fields.value(21)), ownIdentity().section('-', 2));
-  EXPECT_TRUE(isAlive(identity));
-  ::close(pipe[0]), ::close(pipe[1]);
-  EXPECT_TRUE(tests::passes([&] { return firstLine(stat).contains(") Z "); }));
-  EXPECT_FALSE(isAlive(identity));
-  ::waitpid(child, nullptr, 0);
-}
-
-class UnsavedResult : public testing::Test {
+// A window over one folder of untitled projects.
+class Recovery : public testing::Test {
  protected:
   std::unique_ptr<MainWindow> open(Answer answer = Answer::discard) {
     StudioServices services = tests::services(50, answer);
-    services.recoveryFolder = folder_.filePath("recovery");
+    services.recoveryFolder = recovery();
     services.runsFolder = folder_.filePath("runs");
     auto window = std::make_unique<MainWindow>(services);
-    window->openCase("light-defect");
     return window;
   }
-  QStringList kept() const { return QDir(folder_.filePath("recovery")).entryList({"*.h5"}, QDir::Files); }
+  QString recovery() const { return folder_.filePath("recovery"); }
+  QStringList projects() const { return QDir(recovery()).entryList({"untitled-*"}, QDir::Dirs); }
+  QStringList results() const {
+    QStringList found;
+    QDirIterator files(recovery(), {"*.h5"}, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) found << files.next();
+    return found;
+  }
+  // What stands in the folder now, as a process leaves it that is killed.
+  void crash(std::unique_ptr<MainWindow> window) {
+    const QString aside = folder_.filePath("aside");
+    ASSERT_EQ(QProcess::execute("cp", {"-r", recovery(), aside}), 0);
+    window.reset();
+    ASSERT_TRUE(QDir(recovery()).removeRecursively());
+    ASSERT_TRUE(QDir().rename(aside, recovery()));
+  }
   QTemporaryDir folder_;
 };
 
-// The crash: what this process has kept, as if another had.
-TEST_F(UnsavedResult, isThereAgainAfterACrash) {
-  const QDir recovery(folder_.filePath("recovery"));
-  {
-    const auto window = open();
-    window->startRun();
-    ASSERT_TRUE(window->controller().waitFor(60000));
-    ASSERT_EQ(kept().size(), 1);
-    QString other = kept()[0];
-    other.replace(0, other.indexOf('-'), deadProcess);
-    ASSERT_TRUE(QFile::copy(recovery.filePath(kept()[0]), recovery.filePath(other)));
-  }
-  ASSERT_EQ(kept().size(), 1);  // what the user let go in order is gone
-  const auto window = open();
-  ASSERT_EQ(window->store().rowCount(), 1);
-  EXPECT_EQ(window->store().at(0).label, "light-defect (recovered)");
-  EXPECT_EQ(window->store().unsaved().size(), 1U);
+// A window that reads what is left and shows it.
+bool isRead(MainWindow& window) { return window.reader()->waitFor(60000); }
+
+TEST_F(Recovery, allOfTheWorkIsThereAfterACrash) {
+  const QString measured = folder_.filePath("measured.csv"), record = folder_.filePath("ride.csv");
+  results::writeSignalTable(measured.toStdString(), tests::syntheticResult());
+  auto window = open();
+  window->openCase("light-defect");
+  window->document().setParameter("motion.speed", "21");
+  window->startRun();
+  ASSERT_TRUE(window->controller().waitFor(60000));
+  window->store().rename(0, "the first one");
+  window->document().setParameter("motion.speed", "22");
+  window->startRun();
+  ASSERT_TRUE(window->controller().waitFor(60000));
+  ASSERT_TRUE(window->openMeasured(measured));
+  window->notes()->insertPlainText("Pads of the second bogie?");
+  project::LongRecords records;
+  records.files = {record.toStdString()};
+  records.speed = 25;
+  window->tool("squats");
+  qobject_cast<DetectionForm*>(window->tool("squats")->form())->setChoices(records);
+  window->keeper()->saveNow();
+  crash(std::move(window));
+
+  window = open();
+  ASSERT_TRUE(isRead(*window));
+  EXPECT_EQ(window->document().description().motion.speed, 22);
+  EXPECT_TRUE(window->document().isModified());
+  ASSERT_EQ(window->store().rowCount(), 3);
+  EXPECT_EQ(window->store().at(0).label, "the first one");
   EXPECT_EQ(window->store().at(0).result->time, tests::syntheticResult().time);
-  EXPECT_EQ(kept().size(), 1);  // the next crash may come before it is saved
-  ASSERT_TRUE(window->saveResultTo(0, folder_.filePath("saved.h5")));
-  EXPECT_TRUE(kept().isEmpty());
+  EXPECT_EQ(window->store().current(), 1);
+  EXPECT_TRUE(window->store().at(2).isMeasured() && window->store().at(2).overlaid);
+  EXPECT_EQ(window->notes()->toPlainText(), "Pads of the second bogie?");
+  const auto shown = qobject_cast<DetectionForm*>(window->tool("squats")->form())->choices();
+  EXPECT_EQ(shown.files, records.files);
+  EXPECT_EQ(shown.speed, 25);
+  EXPECT_TRUE(window->messages()->text().contains("is here again")) << window->messages()->text().toStdString();
+  // Neither saved nor in a project yet: a name is asked for when the window closes, and the next crash takes nothing.
+  EXPECT_EQ(window->store().unsaved().size(), 2U);
+  EXPECT_TRUE(window->notes()->document()->isModified());
+  crash(std::move(window));
+  window = open();
+  ASSERT_TRUE(isRead(*window));
+  EXPECT_EQ(window->store().unsaved().size(), 2U);
 }
 
-TEST_F(UnsavedResult, isSpokenOfUntilItIsSavedOrLetGo) {
+TEST_F(Recovery, whatIsLetGoInOrderLeavesNothing) {
+  auto window = open(Answer::discard);
+  window->openCase("light-defect");
+  window->startRun();
+  ASSERT_TRUE(window->controller().waitFor(60000));
+  window->notes()->insertPlainText("not worth keeping");
+  window->keeper()->saveNow();
+  ASSERT_EQ(results().size(), 1);
+  ASSERT_EQ(projects().size(), 1);
+  ASSERT_TRUE(window->close());
+  window.reset();
+  EXPECT_EQ(projects().join(' '), "");
+}
+
+TEST_F(Recovery, whereNothingWouldBeMissedNothingIsSaidOfIt) {
+  auto window = open();
+  window->keeper()->saveNow();
+  crash(std::move(window));
+  window = open();
+  EXPECT_EQ(window->messages()->text(), "");
+  EXPECT_EQ(projects().size(), 1);  // of this window
+}
+
+// Fields are the larger part of a file; they are not read before they are looked at.
+TEST_F(Recovery, aRecoveredResultIsSavedWhole) {
+  auto window = open();
+  window->openCase("light-defect");
+  for (int i = 0; i < 2; ++i) {
+    window->startRun();
+    ASSERT_TRUE(window->controller().waitFor(60000));
+  }
+  window->keeper()->saveNow();
+  crash(std::move(window));
+  window = open();
+  ASSERT_TRUE(isRead(*window));
+  const QString path = folder_.filePath("work.squat-project");
+  ASSERT_TRUE(window->saveProjectTo(path));
+  EXPECT_EQ(window->store().unsaved().size(), 0U);
+  for (int row = 0; row < 2; ++row) {
+    const auto saved = results::readResult(window->store().at(row).path.toStdString());
+    EXPECT_EQ(saved.snapshots.size(), tests::syntheticResult().snapshots.size()) << row;
+    EXPECT_EQ(saved.patches.size(), tests::syntheticResult().patches.size()) << row;
+    EXPECT_TRUE(window->store().at(row).path.startsWith(folder_.filePath("work-runs")));
+  }
+  EXPECT_EQ(results().join(' '), "");
+  crash(std::move(window));
+  EXPECT_EQ(open()->store().rowCount(), 0);  // it is in the project
+}
+
+TEST_F(Recovery, aResultIsSpokenOfUntilItIsSavedOrLetGo) {
   for (const bool save : {false, true}) {
-    ASSERT_TRUE(QDir().mkpath(folder_.filePath("recovery")));
-    const QString left = folder_.filePath("recovery/") + deadProcess + "-1-00000000-1 run.h5";
-    results::writeResult(left.toStdString(), tests::syntheticResult());
-    const auto window = open();
-    EXPECT_TRUE(tests::passes([&] { return window->messages()->text().contains("recovered"); }));
+    auto window = open();
+    window->openCase("light-defect");
+    window->startRun();
+    ASSERT_TRUE(window->controller().waitFor(60000));
+    window->keeper()->saveNow();
+    crash(std::move(window));
+    window = open();
+    ASSERT_TRUE(isRead(*window));
     ASSERT_EQ(window->store().rowCount(), 1);
-    window->document().setParameter("motion.speed", "21");
-    EXPECT_TRUE(window->messages()->text().contains("recovered"));
+    ASSERT_TRUE(window->openCase("smooth-rail"));
+    EXPECT_TRUE(window->messages()->text().contains("is here again")) << window->messages()->text().toStdString();
     if (save)
       window->saveResultTo(0, folder_.filePath("saved.h5"));
     else
       window->store().remove(0);
-    EXPECT_TRUE(window->messages()->isHidden()) << window->messages()->text().toStdString();
+    EXPECT_EQ(window->messages()->text(), "");
+    EXPECT_EQ(results().join(' '), "");
   }
 }
 
+TEST_F(Recovery, aCaseIsSeenAsAnOpenedOne) {
+  auto window = open();
+  window->document().setParameter("defect.length", "90");
+  window->keeper()->saveNow();
+  crash(std::move(window));
+  window = open();
+  const QCPRange seen = window->profile()->plot()->xAxis->range();
+  window->profile()->plot()->fit();
+  EXPECT_DOUBLE_EQ(seen.lower, window->profile()->plot()->xAxis->range().lower);
+  EXPECT_DOUBLE_EQ(seen.upper, window->profile()->plot()->xAxis->range().upper);
+  window->findChild<QAction*>("new")->trigger();  // lets it go
+  EXPECT_EQ(window->messages()->text(), "");
+}
+
+// A run-up of 9 m does not fit the track: the user was about to mend it.
+TEST_F(Recovery, aCaseThatIsBeingMendedIsKept) {
+  auto window = open();
+  window->document().setParameter("motion.run_up", "9");
+  ASSERT_FALSE(window->document().validation().problems.empty());
+  window->keeper()->saveNow();
+  crash(std::move(window));
+  EXPECT_EQ(open()->document().description().motion.runUp, 9);
+}
+
+TEST_F(Recovery, workOfALivingWindowIsLeftToIt) {
+  auto first = open();
+  first->document().setParameter("motion.speed", "21");
+  first->keeper()->saveNow();
+  const auto second = open();
+  EXPECT_NE(second->document().description().motion.speed, 21);
+  EXPECT_EQ(projects().size(), 2);
+}
+
+TEST_F(Recovery, workOfTwoWindowsComesBackOneAfterTheOther) {
+  auto first = open(), second = open();
+  first->document().setParameter("motion.speed", "21");
+  second->document().setParameter("motion.speed", "22");
+  first->keeper()->saveNow();
+  second->keeper()->saveNow();
+  const QString aside = folder_.filePath("aside");
+  ASSERT_EQ(QProcess::execute("cp", {"-r", recovery(), aside}), 0);
+  first.reset(), second.reset();
+  ASSERT_TRUE(QDir(recovery()).removeRecursively() && QDir().rename(aside, recovery()));
+  const auto third = open();
+  EXPECT_TRUE(third->messages()->text().contains("another window")) << third->messages()->text().toStdString();
+  const auto fourth = open();
+  EXPECT_EQ(third->document().description().motion.speed + fourth->document().description().motion.speed, 43);
+}
+
+// From a newer version, say: it is reported once, and stays.
+TEST_F(Recovery, whatCannotBeReadIsPutAside) {
+  ASSERT_TRUE(QDir().mkpath(recovery() + "/untitled-1"));
+  QFile broken(recovery() + "/untitled-1/untitled.squat-project");
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("no project");
+  broken.close();
+  auto window = open();
+  window->openCase("light-defect");  // hides the message
+  EXPECT_TRUE(tests::passes([&] { return window->messages()->text().contains("is kept as"); }));
+  window.reset();
+  EXPECT_EQ(open()->messages()->text(), "");
+  EXPECT_TRUE(QFile::exists(recovery() + "/untitled-1/untitled.squat-project.unreadable"));
+}
+
+TEST_F(Recovery, aResultThatCannotBeReadStays) {
+  auto window = open();
+  window->openCase("light-defect");
+  window->startRun();
+  ASSERT_TRUE(window->controller().waitFor(60000));
+  window->keeper()->saveNow();
+  crash(std::move(window));
+  QFile broken(results().value(0));
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("no result");
+  broken.close();
+  window = open();
+  ASSERT_TRUE(isRead(*window));
+  EXPECT_TRUE(window->store().at(0).isMissing());
+  window->store().remove(0);
+  ASSERT_TRUE(window->close());
+  window.reset();
+  EXPECT_EQ(results().size(), 1);
+}
+
 // A full disk, or here a file where the folder should be: the run can resume from its checkpoint; a message says so.
-TEST_F(UnsavedResult, keepsItsCheckpointWhereItCannotBeWritten) {
-  QFile inTheWay(folder_.filePath("recovery"));
+TEST_F(Recovery, aResultThatCannotBeWrittenKeepsItsCheckpoint) {
+  auto window = open();
+  window->openCase("light-defect");
+  QFile inTheWay(recovery() + "/untitled-1/untitled-runs");
   ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
   inTheWay.close();
-  const auto window = open();
   window->startRun();
   const QString checkpoint = StoppedRuns(folder_.filePath("runs")).file(window->document().description());
   QFile file(checkpoint);
@@ -229,20 +282,87 @@ TEST_F(UnsavedResult, keepsItsCheckpointWhereItCannotBeWritten) {
   EXPECT_FALSE(StoppedRuns::exists(checkpoint));  // nothing is left to resume
 }
 
-// From a newer version, say: it is told once, and stays.
-TEST_F(UnsavedResult, thatCannotBeReadIsPutAside) {
-  ASSERT_TRUE(QDir().mkpath(folder_.filePath("recovery")));
-  QFile broken(folder_.filePath("recovery/") + deadProcess + "-1 run.h5");
+// A project that is made while a run is under way gets its result as well.
+TEST_F(Recovery, theResultOfARunGoesIntoTheProjectThatWasMadeMeanwhile) {
+  auto window = open();
+  window->openCase("light-defect");
+  window->startRun();
+  ASSERT_TRUE(window->saveProjectTo(folder_.filePath("work.squat-project")));
+  ASSERT_TRUE(window->controller().waitFor(60000));
+  EXPECT_TRUE(window->store().at(0).path.startsWith(folder_.filePath("work-runs")));
+  EXPECT_EQ(results().join(' '), "");
+}
+
+// Somebody who types without a pause is not at the mercy of the first one.
+TEST_F(Recovery, noChangeWaitsLongerThanFiveSeconds) {
+  const auto window = open();
+  const QString file = recovery() + "/untitled-1/untitled.squat-project";
+  QElapsedTimer since;
+  since.start();
+  while (!QFile::exists(file) && since.elapsed() < 10000) {
+    window->notes()->insertPlainText("x");
+    QTest::qWait(50);
+  }
+  EXPECT_LT(since.elapsed(), 5000);
+}
+
+constexpr const char* deadProcess = "999999999";  // above the largest number of a process
+
+// Release 0.3.0 kept a copy of the case and each result by itself.
+TEST_F(Recovery, whatEarlierReleasesLeftIsTaken) {
+  ASSERT_TRUE(QDir().mkpath(recovery()));
+  const QString left = recovery() + '/' + deadProcess + "-1-00000000";
+  CaseDocument document;
+  document.setParameter("motion.speed", "21");
+  QFile kept(left + ".case");
+  ASSERT_TRUE(kept.open(QIODevice::WriteOnly));
+  kept.write("# dip\n" + QByteArray::fromStdString(cases::writeCase(document.description())));
+  kept.close();
+  results::writeResult((left + "-1 run.h5").toStdString(), tests::syntheticResult());
+  QFile broken(recovery() + '/' + deadProcess + "-2-00000000.case");
   ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
-  broken.write("no result");
+  broken.write("# x\nnot = [a case");
   broken.close();
-  const auto first = open();
-  EXPECT_EQ(first->store().rowCount(), 0);
-  EXPECT_EQ(QDir(folder_.filePath("recovery")).entryList({"*.unreadable"}, QDir::Files).size(), 1);
-  EXPECT_TRUE(first->messages()->isHidden());  // by the case that was opened; back as soon as anybody can see it
-  EXPECT_TRUE(tests::passes([&] { return first->messages()->text().contains("is kept as"); }));
-  const auto second = open();
-  EXPECT_TRUE(second->messages()->text().isEmpty()) << second->messages()->text().toStdString();
+  auto window = open();
+  ASSERT_TRUE(isRead(*window));
+  EXPECT_EQ(window->document().name(), "dip");
+  EXPECT_EQ(window->document().description().motion.speed, 21);
+  ASSERT_EQ(window->store().unsaved().size(), 1U);
+  EXPECT_EQ(window->store().at(0).label, "run");
+  EXPECT_EQ(QDir(recovery()).entryList(QDir::Files).size(), 1);  // the one that is no case
+  crash(std::move(window));
+  window = open();
+  ASSERT_TRUE(isRead(*window));
+  EXPECT_EQ(window->store().unsaved().size(), 1U);
+}
+
+QByteArray firstLine(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readLine() : QByteArray();
+}
+
+// A process that has ended stands in the table of processes until the one that started it asks: it runs no more.
+TEST(ProcessIdentity, ofAProcessThatHasEndedIsNotAlive) {
+  int pipe[2];
+  ASSERT_EQ(::pipe(pipe), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    char byte = 0;
+    ::close(pipe[1]);
+    [[maybe_unused]] const auto waited = ::read(pipe[0], &byte, 1);
+    ::_exit(0);
+  }
+  ASSERT_GT(child, 0);
+  const QString stat = QStringLiteral("/proc/%1/stat").arg(child);
+  const auto fields = firstLine(stat).split(' ');
+  const QString boot = firstLine("/proc/sys/kernel/random/boot_id").left(8);
+  const QString identity = QStringLiteral("%1-%2-%3").arg(child).arg(QString(fields.value(21)), boot);
+  EXPECT_TRUE(isAlive(identity));
+  EXPECT_FALSE(isAlive(QStringLiteral("%1-1-%2").arg(child).arg(boot)));  // another one had this number
+  ::close(pipe[0]), ::close(pipe[1]);
+  EXPECT_TRUE(tests::passes([&] { return firstLine(stat).contains(") Z "); }));
+  EXPECT_FALSE(isAlive(identity));
+  ::waitpid(child, nullptr, 0);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST_F(ManyRuns, areListedAtOnceAndTheCurrentOneComesFirst) {
   for (int row = 0; row < 200; ++row) ASSERT_FALSE(window.store().at(row).isMissing()) << row;
   EXPECT_EQ(window.store().at(7).label, "run 7");
   EXPECT_EQ(window.store().reference(), 0);
-  EXPECT_TRUE(window.messages()->isHidden()) << window.messages()->text().toStdString();
+  EXPECT_TRUE(window.messages()->isEmpty()) << window.messages()->text().toStdString();
 }
 
 TEST_F(ManyRuns, keepTheFieldsOfTheLastFewThatWereLookedAt) {

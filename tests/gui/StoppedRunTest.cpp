@@ -66,16 +66,15 @@ class StoppedRun : public testing::Test {
 
 TEST_F(StoppedRun, isOfferedForItsOwnCaseOnly) {
   const auto window = open();
-  EXPECT_FALSE(resume(*window).isVisible());
+  EXPECT_FALSE(resume(*window).isEnabled());
   EXPECT_FALSE(window->findChild<QAction*>("resumeAction")->isEnabled());
   runAndCancel(*window);
-  EXPECT_TRUE(resume(*window).isVisible());
   EXPECT_TRUE(resume(*window).isEnabled());
   window->document().setParameter("motion.speed", "25");
-  EXPECT_FALSE(resume(*window).isVisible());
+  EXPECT_FALSE(resume(*window).isEnabled());
   EXPECT_FALSE(window->findChild<QAction*>("resumeAction")->isEnabled());
   window->document().undoStack().undo();
-  EXPECT_TRUE(resume(*window).isVisible());
+  EXPECT_TRUE(resume(*window).isEnabled());
 }
 
 // Hours may stand in its checkpoint, which a new run of the case would replace.
@@ -110,11 +109,11 @@ TEST_F(StoppedRun, isResumedAndTakesThePlaceOfItsFirstPart) {
   tests::click(resume(*window));
   ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, tests::patience));
   EXPECT_FALSE(log(*window).contains("step 0")) << log(*window).toStdString();
-  EXPECT_FALSE(resume(*window).isVisible());
+  EXPECT_FALSE(resume(*window).isEnabled());
   ASSERT_TRUE(tests::passes([&] { return !window->controller().isRunning(); }, tests::patience));
   ASSERT_EQ(window->store().rowCount(), 1);
   EXPECT_TRUE(window->store().currentResult()->complete);
-  EXPECT_FALSE(resume(*window).isVisible());  // there is nothing left to do
+  EXPECT_FALSE(resume(*window).isEnabled());  // there is nothing left to do
   EXPECT_TRUE(QDir(folder_.path()).isEmpty());
 }
 
@@ -136,7 +135,7 @@ TEST_F(StoppedRun, survivesTheEndOfTheProgram) {
     EXPECT_TRUE(window->close());  // the question is answered: stop it
   }
   const auto window = open();
-  EXPECT_TRUE(resume(*window).isVisible());
+  EXPECT_TRUE(resume(*window).isEnabled());
   tests::press(*window, Qt::Key_F5, Qt::ControlModifier);
   ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins"); }, tests::patience));
   EXPECT_FALSE(log(*window).contains("step 0"));
@@ -177,7 +176,7 @@ TEST_F(StoppedRun, ofAKilledProcessIsResumed) {
   write(checkpoint + ".lock", "squat-studio (process 1 on elsewhere)");
   const auto window = open(600000);
   EXPECT_FALSE(QFile::exists(checkpoint + ".lock"));
-  ASSERT_TRUE(resume(*window).isVisible());
+  ASSERT_TRUE(resume(*window).isEnabled());
   tests::click(resume(*window));
   ASSERT_TRUE(tests::passes([&] { return log(*window).contains("begins at step 77"); }, tests::patience));
   window->controller().cancel();
@@ -192,7 +191,7 @@ TEST_F(StoppedRun, ofAnotherWindowIsNotOfferedWhileItIsUnderWay) {
   const QString checkpoint = StoppedRuns(folder_.path()).file(first->document().description());
   write(checkpoint, "77\n");  // as the solver does from time to time
   const auto second = open(600000);
-  EXPECT_FALSE(resume(*second).isVisible());
+  EXPECT_FALSE(resume(*second).isEnabled());
   EXPECT_FALSE(second->findChild<QAction*>("resumeAction")->isEnabled());
   second->resumeRun();
   EXPECT_FALSE(second->controller().isRunning());
@@ -203,12 +202,12 @@ TEST_F(StoppedRun, ofAnotherWindowIsNotOfferedWhileItIsUnderWay) {
   second->controller().cancel();
   ASSERT_TRUE(second->controller().waitFor(tests::patience));
   EXPECT_EQ(contentOf(checkpoint), "77\n");
-  EXPECT_FALSE(resume(*second).isVisible());
+  EXPECT_FALSE(resume(*second).isEnabled());
   first->controller().cancel();
   ASSERT_TRUE(first->controller().waitFor(tests::patience));
   QEvent activation(QEvent::ActivationChange);  // the user turns to the second window
   QApplication::sendEvent(second.get(), &activation);
-  EXPECT_TRUE(resume(*second).isVisible());
+  EXPECT_TRUE(resume(*second).isEnabled());
 }
 
 TEST_F(StoppedRun, aCheckpointThatIsNoneIsReported) {

@@ -100,7 +100,7 @@ class WorkingDay : public testing::Test {
   void runCancelAndRunAgain() {
     auto* run = window_.findChild<QPushButton*>("run");
     auto* panel = window_.findChild<RunPanel*>();
-    auto* figures = window_.findChild<QLabel*>("runFigures");
+    auto* figures = window_.findChild<QLabel*>("runLine");
     click(*run);
     ASSERT_TRUE(tests::passes([&] { return panel->live()->sampleCount() > 2; }, patienceOfADay));
     EXPECT_FALSE(run->isEnabled());

@@ -1,4 +1,4 @@
-// widgets/studio/common/MessageBar.h - what failed, why and what to do, in the window itself; details on demand.
+// widgets/studio/common/MessageBar.h - what failed, why and what to do, in a line of the window that is always there.
 #pragma once
 
 #include <QFrame>
@@ -8,6 +8,8 @@ class QToolButton;
 
 namespace squat::studio {
 
+// A sentence that does not fit ends in an ellipsis; "Details" shows all of it, and what else there is to know, above
+// the line. Nothing moves when a message comes or goes.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
@@ -15,12 +17,21 @@ class MessageBar : public QFrame {
 
   void say(const QString& sentence, const QString& details = {});   // news
   void warn(const QString& sentence, const QString& details = {});  // a failure
-  QString text() const;
+  void clear();
+  QString text() const;  // empty: there is no message
+  bool isEmpty() const { return text().isEmpty(); }
+  QString details() const { return details_; }
+  void showDetails();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void show(const QString& sentence, const QString& details, const QString& colour);
-  QLabel *text_, *details_;
-  QToolButton* more_;
+  void showButtons();
+  QLabel* text_;
+  QString details_;
+  QToolButton *more_, *close_;
 };
 
 }  // namespace squat::studio

@@ -1,6 +1,5 @@
 #include "studio/common/ProcessIdentity.h"
 
-#include <QCoreApplication>
 #include <QFile>
 
 namespace squat::studio {
@@ -22,11 +21,6 @@ QString identityOf(const QString& process) {
 }
 
 }  // namespace
-
-QString ownIdentity() {
-  static const QString own = identityOf(QString::number(QCoreApplication::applicationPid()));
-  return own;
-}
 
 bool isAlive(const QString& identity) { return identity == identityOf(identity.section('-', 0, 0)); }
 

@@ -6,10 +6,7 @@
 
 namespace squat::studio {
 
-// Number, start and boot of this process, two hyphens between: part of a file's name.
-QString ownIdentity();
-
-// Whether the process of that identity is still there.
+// Whether the process of that number, start and boot ("4711-8123456-1a2b3c4d") is still there.
 bool isAlive(const QString& identity);
 
 }  // namespace squat::studio

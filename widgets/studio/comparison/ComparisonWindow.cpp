@@ -17,9 +17,9 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "studio/common/ButtonKeys.h"
+#include "studio/common/FixedLabel.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/RowTable.h"
-#include "studio/common/Theme.h"
 #include "studio/comparison/ComparisonModel.h"
 #include "studio/comparison/MapWindow.h"
 #include "studio/runs/ColourSquare.h"
@@ -38,14 +38,11 @@ ComparisonWindow::ComparisonWindow(RunStore& store, QWidget* parent)
       seen_(new QSortFilterProxyModel(this)),
       table_(new QTableView(this)),
       reference_(new QComboBox(this)),
-      problem_(new QLabel(this)) {
+      problem_(new FixedLabel(1, this)) {
   setWindowTitle(tr("Comparison"));
   setObjectName("comparisonWindow");
   makeTable();
   problem_->setObjectName("comparisonProblem");
-  problem_->setWordWrap(true);
-  problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
-  problem_->hide();
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(makeBar());
   layout->addWidget(problem_);
@@ -147,12 +144,11 @@ void ComparisonWindow::writeCsv(const QString& path) const {
 void ComparisonWindow::askForFile() {
   const QString path = locationToSave(this, tr("Export the comparison"), "comparison.csv", tr("CSV (*.csv)"));
   if (path.isEmpty()) return;
-  problem_->hide();
+  problem_->clear();
   try {
     writeCsv(path);
   } catch (const FileError& error) {
-    problem_->setText(QString::fromStdString(error.what()));
-    problem_->show();
+    problem_->warn(QString::fromStdString(error.what()));
   }
 }
 

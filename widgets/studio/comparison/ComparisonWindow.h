@@ -6,7 +6,6 @@
 #include <vector>
 
 class QComboBox;
-class QLabel;
 class QMenu;
 class QSortFilterProxyModel;
 class QTableView;
@@ -14,6 +13,7 @@ class QTableView;
 namespace squat::studio {
 
 class ComparisonModel;
+class FixedLabel;
 class MapWindow;
 class RunStore;
 
@@ -47,7 +47,7 @@ class ComparisonWindow : public QWidget {
   QSortFilterProxyModel* seen_;
   QTableView* table_;
   QComboBox* reference_;
-  QLabel* problem_;
+  FixedLabel* problem_;
   MapWindow* maps_ = nullptr;
 };
 

@@ -14,6 +14,7 @@
 #include "core/Errors.h"
 #include "studio/common/ButtonKeys.h"
 #include "studio/common/FigureSizeDialog.h"
+#include "studio/common/FixedLabel.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/Theme.h"
 #include "studio/signals/FigureView.h"
@@ -35,13 +36,10 @@ MapWindow::MapWindow(RunStore& store, QWidget* parent)
       first_(new QComboBox(this)),
       second_(new QComboBox(this)),
       kind_(new QComboBox(this)),
-      problem_(new QLabel(this)) {
+      problem_(new FixedLabel(1, this)) {
   setWindowTitle(tr("Maps side by side"));
   setObjectName("mapWindow");
   problem_->setObjectName("mapProblem");
-  problem_->setWordWrap(true);
-  problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
-  problem_->hide();
   auto* maps = new QHBoxLayout;
   for (std::size_t panel = 0; panel < views_.size(); ++panel) {
     views_[panel] = new FigureView(QStringLiteral("map %1").arg(panel + 1), this);
@@ -141,10 +139,7 @@ plots::FigureSheet MapWindow::sheetFor(const plots::Style& style) const {
   return plots::mapComparison(comparison, static_cast<plots::MapKind>(shown.kind), "maps", style);
 }
 
-void MapWindow::say(const QString& problem) {
-  problem_->setText(problem);
-  problem_->setVisible(!problem.isEmpty());
-}
+void MapWindow::say(const QString& problem) { problem_->warn(problem); }
 
 void MapWindow::draw() {
   if (!isVisible()) return;

@@ -9,12 +9,12 @@
 #include "studio/runs/RunStore.h"
 
 class QComboBox;
-class QLabel;
 class QPushButton;
 
 namespace squat::studio {
 
 class FigureView;
+class FixedLabel;
 
 // Scalogram or short-time transform of a run or measured signal, of another one in the same colours, and their ratio.
 // The maps are drawn anew when a choice or one of the two signals changes while the window is seen; of a signal that
@@ -56,7 +56,7 @@ class MapWindow : public QWidget {
   RunStore& store_;
   QComboBox *first_, *second_, *kind_;
   QPushButton* export_;
-  QLabel* problem_;
+  FixedLabel* problem_;
   QPersistentModelIndex firstIndex_, secondIndex_;  // rows move
   Shown shown_;
   std::array<FigureView*, 3> views_{};

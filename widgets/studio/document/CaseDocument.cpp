@@ -98,6 +98,7 @@ void CaseDocument::startFrom(const cases::CaseDescription& description, const QS
   path_ = path;
   name_ = name;
   undo_.clear();
+  undo_.setClean();  // clear() leaves an empty stack as it is: that of a recovered case stayed modified
   become(std::make_shared<const cases::CaseDescription>(description));
   if (modified) undo_.resetClean();
   Q_EMIT replaced();

@@ -13,6 +13,7 @@
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
 #include "studio/common/EditorHabits.h"
+#include "studio/common/FixedLabel.h"
 #include "studio/common/Words.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/document/ParameterRow.h"
@@ -58,6 +59,11 @@ ParameterForm::ParameterForm(CaseDocument& document, QWidget* parent) : QWidget(
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addLayout(top);
   layout->addWidget(scroll);
+  why_ = new FixedLabel(2, this);
+  why_->setObjectName("formReason");
+  layout->addWidget(why_);
+  connect(this, &ParameterForm::blockersChanged, this, &ParameterForm::showReason);
+  connect(qApp, &QApplication::focusChanged, this, &ParameterForm::showReason);
   constexpr int scrollBar = 24;
   setMinimumWidth(inside->minimumSizeHint().width() + scrollBar);
   connect(search_, &QLineEdit::textChanged, this, &ParameterForm::filter);
@@ -204,6 +210,17 @@ void ParameterForm::filter() {
     group.header->setVisible(any);
     group.body->setVisible(any && group.header->isChecked());
   }
+}
+
+void ParameterForm::showReason() {
+  const QWidget* focus = QApplication::focusWidget();
+  const ParameterRow* wrong = nullptr;
+  for (const ParameterRow* each : rows_) {
+    if (each->reason().isEmpty()) continue;
+    if (!wrong) wrong = each;
+    if (focus && each->isAncestorOf(focus)) wrong = each;
+  }
+  why_->warn(wrong ? wrong->label() + ": " + wrong->reason() : unplaced_.value(0));
 }
 
 QStringList ParameterForm::blockers() const {

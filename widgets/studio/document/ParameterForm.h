@@ -15,6 +15,7 @@
 namespace squat::studio {
 
 class CaseDocument;
+class FixedLabel;
 class ParameterRow;
 
 class ParameterForm : public QWidget {
@@ -48,10 +49,12 @@ class ParameterForm : public QWidget {
   void takePresets();
   bool isStated(const ParameterRow& row) const;
   void filter();
+  void showReason();
 
   CaseDocument& document_;
   QLineEdit* search_;
   QCheckBox* changedOnly_;
+  FixedLabel* why_;   // what is wrong: of the row that has the focus, else of the first one
   QComboBox* level_;  // cases::Level: this one and those before it are shown
   std::vector<Group> groups_;
   std::vector<ParameterRow*> rows_;

@@ -57,10 +57,6 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   reset_->setToolTip(tr("Reset to default: %1").arg(QString::fromStdString(parameter.defaultText)));
   reset_->setAccessibleName(tr("Reset %1").arg(QString::fromStdString(parameter.key)));
   reset_->setFocusPolicy(Qt::StrongFocus);
-  why_ = new QLabel(this);
-  why_->setWordWrap(true);
-  why_->setObjectName("reason");
-  why_->hide();
   other_ = new QLabel(this);
   other_->setObjectName("otherUnits");
   other_->setForegroundRole(QPalette::PlaceholderText);
@@ -76,8 +72,8 @@ ParameterRow::ParameterRow(CaseDocument& document, const cases::Parameter& param
   if (!wide) grid->addWidget(unit, 0, 2);
   unit->setVisible(!wide);
   grid->addWidget(reset_, 0, 3);
-  grid->addWidget(other_, 1, 0, 1, 3, Qt::AlignRight);
-  grid->addWidget(why_, 2, 0, 1, 4);
+  other_->setAlignment(Qt::AlignRight);
+  grid->addWidget(other_, 1, 0, 1, 3);
   grid->setColumnStretch(0, wide ? 1 : 5);
   grid->setColumnStretch(1, wide ? 6 : 4);
   name_->setMinimumWidth(wide ? name_->sizeHint().width() : 120);
@@ -110,6 +106,7 @@ void ParameterRow::makeEditor() {
   }
   editor_->setObjectName(key);
   editor_->setAccessibleName(key);
+  editor_->setFixedHeight(editor_->sizeHint().height());  // with the frame of a wrong value as well
   editor_->setMinimumWidth(choice_ ? 116 : 90);
 }
 
@@ -144,7 +141,6 @@ void ParameterRow::showValue() {
   const QString other = inOtherUnits(document_.description(), parameter_.key);
   other_->setText(other);
   other_->setVisible(!other.isEmpty());
-  showEffect();
   showReason();
   if (dropsRefused) Q_EMIT reasonChanged();
 }
@@ -161,7 +157,8 @@ void ParameterRow::showEffect() {
       colours.setColor(role, palette().color(QPalette::PlaceholderText));
   editor_->setPalette(counts ? QPalette() : colours);
   editor_->setAccessibleDescription(counts ? QString::fromStdString(parameter_.doc) : without);
-  setToolTip((counts ? QString() : "<b>" + without.toHtmlEscaped() + "</b><br>") + toolTipText());
+  const QString first = reason().isEmpty() ? without : reason();
+  setToolTip((first.isEmpty() ? QString() : "<b>" + first.toHtmlEscaped() + "</b><br>") + toolTipText());
 }
 
 void ParameterRow::changeEvent(QEvent* event) {
@@ -203,10 +200,8 @@ void ParameterRow::commit(const QString& text) {
 void ParameterRow::showReason() {
   const QString text = reason();
   reset_->setVisible((changed_ || isRefused()) && !cases::isList(parameter_));
-  why_->setText(text);
-  why_->setVisible(!text.isEmpty());
-  why_->setStyleSheet(QStringLiteral("color: %1; font-size: small;").arg(wrongColour));
   editor_->setStyleSheet(text.isEmpty() ? QString() : QStringLiteral("border: 1px solid %1;").arg(wrongColour));
+  showEffect();
 }
 
 bool ParameterRow::matches(const QString& searched) const {

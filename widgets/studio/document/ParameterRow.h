@@ -55,7 +55,7 @@ class ParameterRow : public QWidget {
   QComboBox* choice_ = nullptr;
   QCheckBox* check_ = nullptr;
   QLabel* name_;
-  QLabel *why_, *other_;
+  QLabel* other_;
   QToolButton* reset_ = nullptr;
   QString wrongText_, relation_;
   std::string value_;  // of the document, as last seen

@@ -16,6 +16,7 @@
 #include "core/Errors.h"
 #include "plots/FigureFiles.h"
 #include "studio/common/ButtonKeys.h"
+#include "studio/common/FixedLabel.h"
 #include "studio/common/FlowLayout.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/document/CaseDocument.h"
@@ -42,11 +43,7 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   table_->installEventFilter(this);
   location_ = new QLabel(this);
   location_->setObjectName("locationInProfile");
-  hint_ = new QLabel(this);
-  hint_->setWordWrap(true);
-  hint_->setForegroundRole(QPalette::PlaceholderText);
-  notes_ = new QLabel(this);
-  notes_->setWordWrap(true);
+  notes_ = new FixedLabel(1, this);
   notes_->setObjectName("profileNotes");
   auto* side = new QWidget(this);
   auto* sideLayout = new QVBoxLayout(side);
@@ -64,9 +61,8 @@ ProfileEditor::ProfileEditor(CaseDocument& document, const plots::Style& style, 
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(makeToolBar());
   layout->addWidget(splitter_, 1);
-  layout->addWidget(notes_);
   auto* foot = new QHBoxLayout;
-  foot->addWidget(hint_, 1);
+  foot->addWidget(notes_, 1);
   foot->addWidget(location_);
   layout->addLayout(foot);
   makePlot(style);
@@ -144,6 +140,7 @@ void ProfileEditor::makePlot(const plots::Style& style) {
                            .arg(height * unit().perMetre, 0, 'f', unit().digits)
                            .arg(unit().name));
   });
+  connect(plot_, &ProfilePlot::pullRadiusChanged, this, &ProfileEditor::showNotes);
   connect(plot_, &ProfilePlot::chosenChanged, this, &ProfileEditor::showChosen);
   connect(table_, &QTableView::clicked, plot_,
           [this](const QModelIndex& index) { plot_->choose(static_cast<std::size_t>(index.row())); });
@@ -172,10 +169,8 @@ bool ProfileEditor::eventFilter(QObject* watched, QEvent* event) {
 
 // The table begins where the defect is deepest, not with the smooth rail before it.
 void ProfileEditor::showPoints() {
-  const bool any = points_->rowCount() > 0;
-  hint_->setText(any ? tr("Drag points; double-click or Insert adds, Delete removes; a box or the wheel zooms, F fits")
-                     : tr("The sliders shape the curve; “To points” or a double-click turns it into points"));
-  if (!any) return;
+  showNotes();
+  if (points_->rowCount() == 0) return;
   const auto& points = document_.description().defect.points;
   const auto deepest =
       std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.height < b.height; });
@@ -193,10 +188,16 @@ void ProfileEditor::showChosen() {
                         QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
+// What must be known of the profile, else what can be done with it.
 void ProfileEditor::showNotes() {
   const QString notes = profileNotes(document_.description().defect);
-  notes_->setText(notes);
-  notes_->setVisible(!notes.isEmpty());
+  const QString hint =
+      points_->rowCount() > 0
+          ? tr("Drag the curve: %1 mm around follow (mouse wheel). A double-click adds a point, Delete removes it")
+                .arg(plot_->pullRadius() * 1e3)
+          : tr("Pull the curve for its depth, its ends for its length. A double-click turns it into points");
+  notes_->say(notes.isEmpty() ? hint : notes);
+  notes_->setForegroundRole(notes.isEmpty() ? QPalette::PlaceholderText : QPalette::WindowText);
 }
 
 HeightUnit ProfileEditor::unit() const { return unitChoice_->currentIndex() == 1 ? millimetres() : micrometres(); }

@@ -13,6 +13,7 @@ class QTableView;
 
 namespace squat::studio {
 
+class FixedLabel;
 class CaseDocument;
 class ProfilePlot;
 class ProfileTable;
@@ -52,7 +53,8 @@ class ProfileEditor : public QWidget {
   QSplitter* splitter_;
   QComboBox *snap_, *unitChoice_;
   ProfileTable* points_;
-  QLabel *location_, *hint_, *notes_;
+  QLabel* location_;
+  FixedLabel* notes_;
 };
 
 }  // namespace squat::studio

@@ -158,6 +158,16 @@ std::vector<cases::ProfilePoint> withoutPoint(std::vector<cases::ProfilePoint> p
   return points;
 }
 
+double heightOn(const std::vector<cases::ProfilePoint>& points, double position) {
+  const auto behind = std::lower_bound(points.begin(), points.end(), position,
+                                       [](const auto& point, double at) { return point.position < at; });
+  if (behind == points.begin()) return points.empty() ? 0 : points.front().height;
+  if (behind == points.end()) return points.back().height;
+  const auto& before = *std::prev(behind);
+  const double share = (position - before.position) / (behind->position - before.position);
+  return before.height + share * (behind->height - before.height);
+}
+
 std::optional<std::size_t> pointAfter(const std::vector<cases::ProfilePoint>& before,
                                       const std::vector<cases::ProfilePoint>& after, std::size_t index) {
   const auto same = [](const auto& a, const auto& b) { return a.position == b.position && a.height == b.height; };

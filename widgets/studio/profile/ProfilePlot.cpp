@@ -2,7 +2,10 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QSettings>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "studio/common/KeyboardZoom.h"
 #include "studio/common/MouseZoom.h"
@@ -12,9 +15,12 @@ namespace squat::studio {
 namespace {
 
 constexpr double toMillimetres = 1e3;
-constexpr double catchRadius = 9;     // [pixels]
-constexpr double stripHeight = 0.06;  // share of the axes' height for the sleepers
-constexpr double highest = 5e-3;      // [m] of a point that is dragged
+constexpr double catchRadius = 9;                                 // [pixels]
+constexpr double curveRadius = 6;                                 // [pixels] above and below the curve
+constexpr const char* pullKey = "profile/pullRadius";             // in the settings
+const std::array pullRadii{0.0, 0.002, 0.005, 0.01, 0.02, 0.04};  // [m]
+constexpr double stripHeight = 0.06;                              // share of the axes' height for the sleepers
+constexpr double highest = 5e-3;                                  // [m] of a point that is dragged
 
 QVector<double> positions(const std::vector<cases::ProfilePoint>& points) {
   QVector<double> values;
@@ -51,12 +57,17 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
   handles_->setLineStyle(QCPGraph::lsNone);
   handles_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, style.curve(0), style.background, 6));
   handles_->removeFromLegend();
+  grips_ = addGraph();
+  grips_->setLineStyle(QCPGraph::lsNone);
+  grips_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssSquare, style.curve(0), style.background, 9));
+  grips_->removeFromLegend();
   mark_ = addGraph();
   mark_->setLineStyle(QCPGraph::lsNone);
   mark_->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, style.curve(1), style.curve(1), 10));
   mark_->removeFromLegend();
   showLegend(true);
-  new MouseZoom(*this);  // sees no press that drags a point
+  new MouseZoom(*this, [this] { return !boxing_; });  // sees no press that drags
+  radius_ = QSettings().value(pullKey, radius_).toDouble();
   new KeyboardZoom(*this, {.showAll = [this] { fit(); },
                            .arrowsAreTaken = [this] { return isChosen(); },
                            .more = tr("A point that is chosen in the table is moved by the arrow keys and removed by "
@@ -85,8 +96,16 @@ void ProfilePlot::update() {
   surface_->setData(positions(view_.surface), heights(view_.surface, unit_.perMetre), true);
   path_->setData(positions(view_.wheelPath), heights(view_.wheelPath, unit_.perMetre), true);
   handles_->setData(positions(view_.handles), heights(view_.handles, unit_.perMetre), true);
+  shape_ = shapeHandles(document_.description());
+  QVector<double> along, up;
+  for (const ShapeHandle& handle : shape_) {
+    along << handle.at.position * toMillimetres;
+    up << handle.at.height * unit_.perMetre;
+  }
+  grips_->setData(along, up, true);
   const auto& points = document_.description().defect.points;
-  const auto kept = chosen_ ? pointAfter(points_, points, *chosen_) : std::nullopt;
+  const bool isDragged = dragging_ && chosen_ && points.size() == points_.size();
+  const auto kept = isDragged ? chosen_ : chosen_ ? pointAfter(points_, points, *chosen_) : std::nullopt;
   points_ = points;
   choose(kept && *kept < view_.handles.size() ? kept : std::nullopt);
   drawFrame();
@@ -163,9 +182,46 @@ void ProfilePlot::choose(std::optional<std::size_t> index) {
 }
 
 QPointF ProfilePlot::locationOf(std::size_t index) const {
-  if (index >= view_.handles.size()) return {};
-  const auto& point = view_.handles[index];
+  return index < view_.handles.size() ? locationOf(view_.handles[index]) : QPointF();
+}
+
+QPointF ProfilePlot::locationOf(const cases::ProfilePoint& point) const {
   return {xAxis->coordToPixel(point.position * toMillimetres), yAxis->coordToPixel(point.height * unit_.perMetre)};
+}
+
+void ProfilePlot::setPullRadius(double radius) {
+  radius_ = radius;
+  QSettings().setValue(pullKey, radius);
+  Q_EMIT pullRadiusChanged();
+}
+
+double ProfilePlot::distanceToCurve(const QPointF& location) const {
+  const double position = xAxis->pixelToCoord(location.x()) / toMillimetres;
+  const auto& curve = view_.surface;
+  const auto behind = std::lower_bound(curve.begin(), curve.end(), position,
+                                       [](const auto& point, double at) { return point.position < at; });
+  if (behind == curve.begin() || behind == curve.end()) return std::numeric_limits<double>::max();
+  return std::abs(locationOf(*behind).y() - location.y());
+}
+
+// A handle first, then the curve itself.
+std::optional<ShapeHandle> ProfilePlot::gripAt(const QPointF& location) const {
+  for (const ShapeHandle& handle : shape_) {
+    const QPointF offset = locationOf(handle.at) - location;
+    if (std::hypot(offset.x(), offset.y()) < catchRadius) return handle;
+  }
+  if (shape_.empty() || distanceToCurve(location) > curveRadius) return std::nullopt;
+  return handleOnCurve(document_.description(), xAxis->pixelToCoord(location.x()) / toMillimetres);
+}
+
+std::optional<std::size_t> ProfilePlot::pointUnder(const QPointF& location) const {
+  if (view_.handles.empty() || distanceToCurve(location) > curveRadius) return std::nullopt;
+  const double position = xAxis->pixelToCoord(location.x()) / toMillimetres;
+  const auto nearest =
+      std::min_element(view_.handles.begin(), view_.handles.end(), [&](const auto& one, const auto& other) {
+        return std::abs(one.position - position) < std::abs(other.position - position);
+      });
+  return static_cast<std::size_t>(nearest - view_.handles.begin());
 }
 
 std::optional<std::size_t> ProfilePlot::pointAt(const QPointF& location) const {
@@ -193,17 +249,46 @@ void ProfilePlot::putPoint(std::size_t index, cases::ProfilePoint to, int gestur
   document_.edit(tr("Move point %1").arg(index + 1), after, gesture);
 }
 
+// What is under the mouse: a point, a handle or the curve. False: nothing is.
+bool ProfilePlot::grab(const QPointF& location) {
+  auto point = pointAt(location);
+  grip_ = point ? std::nullopt : gripAt(location);
+  if (!point && !grip_) point = pointUnder(location);
+  choose(point);
+  if (!point && !grip_) return false;
+  offset_ = (grip_ ? locationOf(grip_->at) : locationOf(*point)) - location;
+  pressed_ = document_.description();
+  gesture_ = document_.newGesture();
+  return true;
+}
+
+void ProfilePlot::drag(const QPointF& location) {
+  const cases::ProfilePoint to = profileAt(location + offset_);
+  if (grip_)
+    return document_.edit(tr("Change %1").arg(QString::fromStdString(grip_->key)), pulled(pressed_, *grip_, to),
+                          gesture_);
+  if (!chosen_ || *chosen_ >= pressed_.defect.points.size()) return;
+  cases::CaseDescription after = pressed_;
+  const auto of = pointOfCase(after.defect, to, after.defect.points[*chosen_].height);
+  after.defect.points = pulledPoints(pressed_.defect.points, *chosen_, of, radius_);
+  after.defect.file.clear();
+  document_.edit(tr("Move point %1").arg(*chosen_ + 1), after, gesture_);
+}
+
+void ProfilePlot::moveView(const QPointF& location) {
+  xAxis->moveRange(xAxis->pixelToCoord(last_.x()) - xAxis->pixelToCoord(location.x()));
+  yAxis->moveRange(yAxis->pixelToCoord(last_.y()) - yAxis->pixelToCoord(location.y()));
+  replot(QCustomPlot::rpQueuedReplot);
+}
+
 void ProfilePlot::mousePressEvent(QMouseEvent* event) {
   if (dragging_ && event->button() != Qt::LeftButton) return;
   if (event->button() == Qt::LeftButton) {
-    dragging_ = false;  // a release may have gone to another window
-    if (const auto index = pointAt(event->position())) {
-      choose(index);
-      dragging_ = true;
-      gesture_ = document_.newGesture();
-      return;
-    }
-    choose(std::nullopt);
+    last_ = event->position();
+    boxing_ = event->modifiers() & Qt::ShiftModifier;
+    dragging_ = !boxing_ && grab(event->position());  // a release may have gone to another window
+    moving_ = !boxing_ && !dragging_ && axisRect()->rect().contains(event->pos());
+    if (dragging_) return;
   }
   Figure::mousePressEvent(event);
 }
@@ -212,11 +297,18 @@ void ProfilePlot::mouseMoveEvent(QMouseEvent* event) {
   const cases::ProfilePoint under{xAxis->pixelToCoord(event->position().x()) / toMillimetres,
                                   yAxis->pixelToCoord(event->position().y()) / unit_.perMetre};
   Q_EMIT cursorMoved(under.position, under.height);
-  if (dragging_ && chosen_) {
-    putPoint(*chosen_, profileAt(event->position()), gesture_);
+  if (dragging_) {
+    drag(event->position());
+    last_ = event->position();
     return;
   }
-  setCursor(pointAt(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  if (moving_ && event->buttons() & Qt::LeftButton) moveView(event->position());
+  last_ = event->position();
+  const auto grip = gripAt(event->position());
+  const bool isPoint = pointAt(event->position()) || pointUnder(event->position());
+  setCursor(grip      ? grip->isVertical ? Qt::SizeVerCursor : Qt::SizeHorCursor
+            : isPoint ? Qt::PointingHandCursor
+                      : Qt::ArrowCursor);
   Figure::mouseMoveEvent(event);
 }
 
@@ -225,20 +317,32 @@ void ProfilePlot::mouseReleaseEvent(QMouseEvent* event) {
     dragging_ = event->button() != Qt::LeftButton;
     return;
   }
+  if (event->button() == Qt::LeftButton) moving_ = false;
   Figure::mouseReleaseEvent(event);
 }
 
+// A shape becomes points; a profile that has them gets one more, on its curve.
 void ProfilePlot::mouseDoubleClickEvent(QMouseEvent* event) {
   if (!axisRect()->rect().contains(event->pos()) || pointAt(event->position())) return;
+  dragging_ = moving_ = false;
   cases::CaseDescription after = asPoints(document_.description());
-  const cases::ProfilePoint added = pointOfCase(after.defect, profileAt(event->position()));
+  if (view_.handles.empty()) return document_.edit(tr("Convert the shape into points"), after);
+  cases::ProfilePoint added = pointOfCase(after.defect, profileAt(event->position()));
+  added.height = heightOn(after.defect.points, added.position);
   after.defect.points = withPoint(after.defect.points, added);
   after.defect.file.clear();
   document_.edit(tr("Insert point"), after);
-  choose(pointAt(event->position()));
+  choose(pointAt({event->position().x(), locationOf({added.position, added.height * shownScale(after.defect)}).y()}));
 }
 
 void ProfilePlot::wheelEvent(QWheelEvent* event) {
+  if (dragging_ && !grip_) {  // the radius, while a point is held
+    auto at = std::lower_bound(pullRadii.begin(), pullRadii.end(), radius_ - 1e-9);
+    if (event->angleDelta().y() > 0 && std::next(at) < pullRadii.end()) ++at;
+    if (event->angleDelta().y() < 0 && at != pullRadii.begin()) --at;
+    setPullRadius(*at);
+    return drag(last_);
+  }
   const bool heightsOnly = event->modifiers() & Qt::ControlModifier;
   axisRect()->setRangeZoom(heightsOnly ? Qt::Vertical : Qt::Horizontal | Qt::Vertical);
   Figure::wheelEvent(event);

@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -13,8 +12,8 @@
 #include "case/ParameterTable.h"
 #include "case/Validation.h"
 #include "plots/LineFigure.h"
+#include "studio/common/FixedLabel.h"
 #include "studio/common/NumberBox.h"
-#include "studio/common/Theme.h"
 #include "studio/common/Words.h"
 #include "studio/profile/ProfileModel.h"
 
@@ -67,11 +66,8 @@ SquatDialog::SquatDialog(cases::CaseDescription base, const plots::Style& style,
   depth_->setSingleStep(0.01);
   form->addRow(tr("&Length"), length_);
   form->addRow(tr("&Depth"), depth_);
-  problem_ = new QLabel(this);
+  problem_ = new FixedLabel(2, this);
   problem_->setObjectName("squatProblem");
-  problem_->setWordWrap(true);
-  problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
-  problem_->hide();
   layout_->addWidget(problem_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   ok_ = buttons->button(QDialogButtonBox::Ok);
@@ -134,8 +130,7 @@ void SquatDialog::judge() {
       wrong = tr("%1 must be %2. %3")
                   .arg(parameterLabel(problem.key), printedUnits(QString::fromStdString(problem.allowed)),
                        QString::fromStdString(problem.advice));
-  problem_->setText(wrong);
-  problem_->setVisible(!wrong.isEmpty());
+  problem_->warn(wrong);
   ok_->setEnabled(wrong.isEmpty());
 }
 

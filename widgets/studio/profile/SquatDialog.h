@@ -9,11 +9,12 @@
 
 class QComboBox;
 class QDoubleSpinBox;
-class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
 namespace squat::studio {
+
+class FixedLabel;
 
 class SquatDialog : public QDialog {
   Q_OBJECT
@@ -34,7 +35,7 @@ class SquatDialog : public QDialog {
   QComboBox *severity_, *form_;
   QDoubleSpinBox *length_, *depth_;
   QVBoxLayout* layout_;
-  QLabel* problem_;
+  FixedLabel* problem_;
   QPushButton* ok_;
   QWidget* picture_ = nullptr;
 };

@@ -2,14 +2,16 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "core/Errors.h"
 #include "project/ProjectFile.h"
+#include "studio/project/EarlierRecovery.h"
 
 namespace squat::studio {
 
-ProjectKeeper::ProjectKeeper(std::function<project::Project()> collect, QObject* parent)
-    : QObject(parent), collect_(std::move(collect)) {
+ProjectKeeper::ProjectKeeper(std::function<project::Project()> collect, QString untitled, QObject* parent)
+    : QObject(parent), collect_(std::move(collect)), untitledFolder_(std::move(untitled)) {
   timer_.setSingleShot(true);
   connect(&timer_, &QTimer::timeout, this, [this] {
     try {
@@ -22,6 +24,28 @@ ProjectKeeper::ProjectKeeper(std::function<project::Project()> collect, QObject*
           [this](const WorkerMonitor::News& news) { Q_EMIT copyProgressed(news.progress.fraction); });
   connect(&copying_, &BackgroundJob::ended, this, &ProjectKeeper::concludeCopy);
 }
+
+ProjectKeeper::Recovered ProjectKeeper::recover() {
+  Recovered recovered;
+  if (untitledFolder_.isEmpty()) return recovered;
+  auto left = UntitledProject::takeLeft(untitledFolder_);
+  recovered.problems = left.problems;
+  recovered.others = left.others;
+  if (left.project) {
+    recovered.work = std::move(left.work);
+    untitled_ = std::move(left.project);
+  } else if ((untitled_ = UntitledProject::make(untitledFolder_))) {
+    recovered.work = takeEarlierRecovery(untitledFolder_, untitled_->file(), collect_().open);
+    if (recovered.work) untitled_->write(*recovered.work);
+  } else {
+    recovered.problems
+        << tr("%1 cannot be written: work that you do not save is lost if the program ends unexpectedly.")
+               .arg(untitledFolder_);
+  }
+  return recovered;
+}
+
+QString ProjectKeeper::untitledResults() const { return untitled_ ? untitled_->results() : QString(); }
 
 QString ProjectKeeper::name() const { return QFileInfo(path_).completeBaseName(); }
 
@@ -47,27 +71,39 @@ void ProjectKeeper::release() {
   path_.clear();
   lock_.reset();
   Q_EMIT openChanged(false);
+  saveSoon();
+}
+
+void ProjectKeeper::dropUntitled() {
+  if (untitled_) untitled_->clear();
+}
+
+void ProjectKeeper::end() {
+  hasEnded_ = true;
+  release();
+  dropUntitled();
 }
 
 void ProjectKeeper::saveSoon(int delay) {
-  if (isOpen() && (!timer_.isActive() || timer_.interval() > 0)) timer_.start(delay);
+  if (hasEnded_ || (!isOpen() && !untitled_) || (timer_.isActive() && timer_.interval() == 0)) return;
+  constexpr int longest = 4000;  // [ms]: what a crash may cost somebody who types without a pause
+  if (!timer_.isActive()) unsaved_.start();
+  timer_.start(std::clamp(longest - static_cast<int>(unsaved_.elapsed()), 0, delay));
 }
 
 void ProjectKeeper::saveNow() {
   timer_.stop();
-  if (isOpen()) project::writeProject(path_.toStdString(), collect_());
+  if (isOpen()) {
+    project::writeProject(path_.toStdString(), collect_());
+    dropUntitled();
+  } else if (untitled_) {
+    untitled_->write(collect_());
+  }
 }
 
 QString ProjectKeeper::nextResult(const QString& stem) const {
-  const QDir folder(QFileInfo(path_).absoluteDir().filePath(name() + "-runs"));
-  folder.mkpath(".");          // where that fails, so does the writing, and that is noticed
-  constexpr int longest = 60;  // a letter may take three bytes of the 255 that a name has
-  QString base = stem.left(longest);
-  base.replace('/', '_');
-  for (int number = 1;; ++number) {
-    QString file = folder.filePath(number == 1 ? base + ".h5" : QStringLiteral("%1-%2.h5").arg(base).arg(number));
-    if (!QFileInfo::exists(file)) return file;
-  }
+  if (!isOpen() && !untitled_) return {};
+  return nextResultFile(isOpen() ? path_ : untitled_->file(), stem);
 }
 
 void ProjectKeeper::copyTo(const QString& path) {

@@ -1,7 +1,8 @@
-// widgets/studio/project/ProjectKeeper.h - the file of the open project: saved as the work goes on, owned by one
-// window, copied with its data.
+// widgets/studio/project/ProjectKeeper.h - the file of the open project, or of an untitled one: saved as the work goes
+// on, owned by one window, copied with its data.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -12,6 +13,7 @@
 #include "core/FileLock.h"
 #include "project/Project.h"
 #include "project/ProjectCopy.h"
+#include "studio/project/UntitledProject.h"
 #include "studio/runs/BackgroundJob.h"
 
 namespace squat::studio {
@@ -19,22 +21,35 @@ namespace squat::studio {
 class ProjectKeeper : public QObject {
   Q_OBJECT
  public:
-  // `collect` gives the work as it is now.
-  explicit ProjectKeeper(std::function<project::Project()> collect, QObject* parent = nullptr);
+  // What a crash left and is this window's now.
+  struct Recovered {
+    std::optional<project::Project> work;
+    QStringList problems;
+    int others = 0;  // that wait for the next window
+  };
 
-  bool isOpen() const { return !path_.isEmpty(); }
-  QString path() const { return path_; }  // absolute; empty: no project is open
+  // `collect` gives the work as it is now. Without a project of the user's it is kept in an untitled one under the
+  // folder `untitled`; empty: nowhere.
+  ProjectKeeper(std::function<project::Project()> collect, QString untitled, QObject* parent = nullptr);
+  Recovered recover();  // once, before anything is kept
+
+  bool isOpen() const { return !path_.isEmpty(); }  // a project of the user's
+  QString path() const { return path_; }            // of that one, absolute; empty: none is open
+  QString untitledResults() const;                  // folder of the results that are not saved; empty: there is none
   QString name() const;
   // The project is this file's from now on; nothing is written yet. False where another window has it open, which
   // `other` names.
   bool take(const QString& path, QString* other);
-  void release();
+  void release();       // the work goes on in the untitled one
+  void dropUntitled();  // what is in it is saved elsewhere or let go
+  void end();           // the window closes: nothing is kept any more
 
-  // Some time [ms] after the last of many changes; nothing without a project.
+  // Some time [ms] after the last of many changes, and before long while they go on.
   void saveSoon(int delay = 2000);
   void saveNow();  // throws FileError
 
   // The next file for a result in the folder of the project's own results, which it makes: "DIR/DAY-runs/STEM-2.h5".
+  // Empty where nothing is kept.
   QString nextResult(const QString& stem) const;
 
   // Saves the project, and copies it with its data (project/ProjectCopy.h) in a thread of its own; copyEnded() or
@@ -57,7 +72,11 @@ class ProjectKeeper : public QObject {
   std::function<project::Project()> collect_;
   QString path_;
   std::unique_ptr<FileLock> lock_;
+  QString untitledFolder_;
+  std::unique_ptr<UntitledProject> untitled_;  // null: none can be kept
+  bool hasEnded_ = false;
   QTimer timer_;
+  QElapsedTimer unsaved_;  // since the first change that is in no file
   QString copyPath_;
   std::shared_ptr<project::ProjectCopy> copy_;
   BackgroundJob copying_;  // the last one: its thread uses what stands above

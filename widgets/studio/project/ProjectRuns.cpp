@@ -1,5 +1,7 @@
 #include "studio/project/ProjectRuns.h"
 
+#include <QFileInfo>
+
 #include "project/LinkedRun.h"
 
 namespace squat::studio {
@@ -10,7 +12,7 @@ project::Entry entryOf(const StoredRun& run) {
     entry = *run.link;
   } else {
     entry.kind = run.isMeasured() ? project::Kind::measured : project::Kind::run;
-    entry.path = run.path.toStdString();
+    entry.path = run.file().toStdString();
     entry.digest = project::recordDigest(*run.record);
     entry.overlaid = run.overlaid;
     entry.signal = run.record->run;
@@ -59,7 +61,7 @@ void listRuns(const RunStore& store, project::Project& project) {
   const int current = store.current() >= 0 ? store.current() : store.waitingCurrent();
   for (int row = 0; row < store.rowCount(); ++row) {
     const StoredRun& run = store.at(row);
-    if (run.path.isEmpty()) continue;
+    if (run.path.isEmpty() && !(run.kept && QFileInfo::exists(run.kept->path()))) continue;
     const int place = static_cast<int>(project.entries.size());
     if (row == current) project.current = place;
     if (row == store.chosenReference()) project.reference = place;

@@ -1,5 +1,6 @@
 #include "studio/project/RunReader.h"
 
+#include <QFileInfo>
 #include <algorithm>
 #include <utility>
 
@@ -44,13 +45,18 @@ RunReader::~RunReader() {
   thread_.waitForDone();
 }
 
-void RunReader::open(const project::Project& project) {
+void RunReader::open(const project::Project& project, const QString& unsaved) {
   const int generation = ++generation_;
   thread_.clear();
   timer_.stop();
   arrived_.clear(), problems_.clear(), whole_.clear(), asked_.reset();
   std::vector<StoredRun> runs;
-  for (const auto& entry : project.entries) runs.push_back(listedRun(entry));
+  for (const auto& entry : project.entries) {
+    StoredRun run = listedRun(entry);
+    if (!unsaved.isEmpty() && QFileInfo(run.path).path() == unsaved)
+      run.kept = std::make_shared<KeptFile>(std::exchange(run.path, QString()));
+    runs.push_back(std::move(run));
+  }
   std::vector<RunLink> links;
   for (const std::size_t place : readingOrder(project)) links.push_back(runs[place].link);
   const RecordPointer reference =
@@ -170,10 +176,10 @@ void RunReader::setWhole(int row, const ResultPointer& whole) {
 ResultPointer RunReader::wholeResult(int row) {
   const StoredRun& run = store_.at(row);
   if (run.fields != Fields::inFile) return run.result;
-  const auto whole = std::make_shared<results::RunResult>(results::readResult(run.path.toStdString()));
+  const auto whole = std::make_shared<results::RunResult>(results::readResult(run.file().toStdString()));
   if (whole->stem.empty()) whole->stem = run.result->stem;
   if (const std::string change = project::changeOf(entryOf(run), *whole); !change.empty())
-    throw FileError(run.path.toStdString(), "", "holds other values than when the project was opened",
+    throw FileError(run.file().toStdString(), "", "holds other values than when the project was opened",
                     "Open the project again");
   setWhole(row, whole);
   return whole;

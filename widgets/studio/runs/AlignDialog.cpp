@@ -10,8 +10,8 @@
 #include <cmath>
 #include <exception>
 
+#include "studio/common/FixedLabel.h"
 #include "studio/common/NumberBox.h"
-#include "studio/common/Theme.h"
 
 namespace squat::studio {
 namespace {
@@ -31,7 +31,7 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
       measured_{store.at(row).record, store.at(row).reading},
       first_(measured_.reading),
       shown_(measured_.record),
-      problem_(new QLabel(this)) {
+      problem_(new FixedLabel(2, this)) {
   setObjectName("alignDialog");
   setWindowTitle(tr("Align “%1”").arg(store.at(row).label));
   // Broken by hand: a label that wraps by itself takes room from the numbers below.
@@ -51,9 +51,6 @@ AlignDialog::AlignDialog(RunStore& store, int row, QWidget* parent)
     speed_->setToolTip(tr("The file has positions or a speed of its own"));
     speed_->setSpecialValueText(tr("from file"));
   }
-  problem_->setWordWrap(true);
-  problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
-  problem_->hide();
   auto* buttons = new QDialogButtonBox(this);
   auto* automatic = buttons->addButton(tr("&Automatic"), QDialogButtonBox::ResetRole);
   automatic->setObjectName("alignAutomatic");
@@ -112,12 +109,11 @@ void AlignDialog::layAsTyped() {
 void AlignDialog::lay(const project::MeasuredReading& wanted, const signals::Record* beside) {
   const int at = row();
   if (at < 0) return;
-  problem_->hide();
+  problem_->clear();
   try {
     measured_ = project::realigned(measured_, wanted, beside);
   } catch (const std::exception& error) {
-    problem_->setText(QString::fromStdString(error.what()));
-    problem_->show();
+    problem_->warn(QString::fromStdString(error.what()));
   }
   shown_ = measured_.record;
   store_.setMeasured(at, measured_);

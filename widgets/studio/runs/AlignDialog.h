@@ -6,9 +6,10 @@
 #include "studio/runs/RunStore.h"
 
 class QDoubleSpinBox;
-class QLabel;
 
 namespace squat::studio {
+
+class FixedLabel;
 
 // Stands beside the window; what it says is drawn at once. The signal is read again with each change, so that a project
 // which is opened later draws the same.
@@ -35,7 +36,7 @@ class AlignDialog : public QDialog {
   project::MeasuredReading first_;    // as it was when the dialog opened
   RecordPointer shown_;               // in the list
   QDoubleSpinBox *position_, *speed_, *gain_;
-  QLabel* problem_;
+  FixedLabel* problem_;
 };
 
 }  // namespace squat::studio

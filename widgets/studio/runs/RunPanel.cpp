@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "studio/common/Theme.h"
+#include "studio/common/FixedLabel.h"
 #include "studio/runs/LivePlot.h"
 #include "studio/runs/ProgressText.h"
 #include "studio/runs/RunController.h"
@@ -31,22 +31,10 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   cancel_ = button(tr("Cancel"), "cancel");
   progress_ = new QProgressBar(this);
   progress_->setRange(0, 1000);
-  progress_->setTextVisible(false);
+  progress_->setObjectName("runProgress");
   progress_->setAccessibleName(tr("Progress of the current phase"));
-  state_ = new QLabel(tr("Ready"), this);
-  state_->setObjectName("runState");
-  figures_ = new QLabel(this);
-  figures_->setObjectName("runFigures");
-  figures_->setWordWrap(true);
-  note_ = new QLabel(this);
-  note_->setObjectName("runNote");
-  note_->setWordWrap(true);
-  note_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  note_->hide();
-  why_ = new QLabel(this);
-  why_->setObjectName("blockers");
-  why_->setWordWrap(true);
-  why_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
+  line_ = new FixedLabel(2, this);
+  line_->setObjectName("runLine");
   auto* hint =
       new QLabel(tr("Press F5 to roll the wheel over this profile. Axle box acceleration and contact force are "
                     "plotted here during the run."),
@@ -67,13 +55,10 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   auto* top = new QHBoxLayout;
   for (QPushButton* each : {run_, resume_, pause_, cancel_}) top->addWidget(each);
   top->addWidget(progress_, 1);
-  top->addWidget(state_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 4);
   layout->addLayout(top);
-  layout->addWidget(why_);
-  layout->addWidget(figures_);
-  layout->addWidget(note_);
+  layout->addWidget(line_);
   layout->addWidget(seen_, 1);
   layout->addWidget(log_);
   connect(run_, &QPushButton::clicked, this, &RunPanel::runRequested);
@@ -84,17 +69,17 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
     live_->clear();
     seen_->setCurrentWidget(live_);
     log_->clear();
-    showNote({});
+    note_.clear(), figures_.clear();
     showState();
   });
   connect(&controller_, &RunController::pausedChanged, this, &RunPanel::showState);
   connect(&controller_, &RunController::stopping, this, &RunPanel::showState);
   connect(&controller_, &RunController::news, this, &RunPanel::showNews);
   connect(&controller_, &RunController::finished, this, [this](const ResultPointer& result) {
-    showNote(result->complete       ? completionText(*result, controller_.isResumed())
-             : result->time.empty() ? tr("Cancelled before rolling started: no results.")
-                                    : tr("Stopped: %1. Partial results are kept and marked as incomplete.")
-                                          .arg(QString::fromStdString(result->stopReason)));
+    note_ = result->complete       ? completionText(*result, controller_.isResumed())
+            : result->time.empty() ? tr("Cancelled before rolling started: no results.")
+                                   : tr("Stopped: %1. Partial results are kept and marked as incomplete.")
+                                         .arg(QString::fromStdString(result->stopReason));
     for (const auto& warning : result->warnings) say(QString::fromStdString(warning));
   });
   connect(&controller_, &RunController::failed, this, [this](const QString& sentence, const QString& details) {
@@ -119,40 +104,43 @@ void RunPanel::setStyle(const plots::Style& style) { live_->setStyle(style); }
 
 void RunPanel::say(const QString& line) { log_->appendPlainText(line); }
 
-void RunPanel::showNote(const QString& note) {
-  note_->setText(note);
-  note_->setVisible(!note.isEmpty());
-  figures_->setVisible(note.isEmpty());
-}
-
 void RunPanel::showState() {
   const bool running = controller_.isRunning();
   run_->setEnabled(!running && blockers_.isEmpty());
   run_->setToolTip(blockers_.isEmpty() ? tr("Run the case (F5)") : blockers_.join('\n'));
   resume_->setEnabled(!running && canResume_ && blockers_.isEmpty());
-  resume_->setVisible(canResume_ && !running);
   pause_->setEnabled(running && !controller_.isStopping());
   pause_->setText(controller_.isPaused() && running ? tr("Continue") : tr("Pause"));
   pause_->setAccessibleName(pause_->text());
   cancel_->setEnabled(running && !controller_.isStopping());
-  why_->setVisible(!blockers_.isEmpty() && !running);
-  QString reason = blockers_.value(0);
-  if (blockers_.size() > 1) reason += tr(" (and %n more)", nullptr, static_cast<int>(blockers_.size()) - 1);
-  why_->setText(tr("Cannot run: %1").arg(reason));
+  showLine();
   if (!running) {
-    state_->setText(tr("Ready"));
+    setState(tr("Ready"));
     progress_->setValue(0);
   } else if (controller_.isStopping()) {
-    state_->setText(tr("Stopping…"));
+    setState(tr("Stopping…"));
   } else if (controller_.isPaused()) {
-    state_->setText(tr("Paused"));
+    setState(tr("Paused"));
   }
+}
+
+// On the bar itself: words beside it would push it about.
+void RunPanel::setState(const QString& words) {
+  constexpr int around = 8;
+  progress_->setFormat(progress_->fontMetrics().elidedText(words, Qt::ElideRight, progress_->width() - around));
+  progress_->setToolTip(words);
+}
+
+void RunPanel::showLine() {
+  if (blockers_.isEmpty() || controller_.isRunning()) return line_->say(note_.isEmpty() ? figures_ : note_);
+  const int more = static_cast<int>(blockers_.size()) - 1;
+  line_->warn(tr("Cannot run: %1").arg(blockers_[0]) + (more > 0 ? tr(" (and %n more)", nullptr, more) : QString()));
 }
 
 void RunPanel::showNews(const WorkerMonitor::News& news) {
   const Progress& now = news.progress;
   progress_->setValue(static_cast<int>(1000 * now.fraction));
-  if (!controller_.isPaused() && !controller_.isStopping() && !now.phase.empty()) state_->setText(progressText(now));
+  if (!controller_.isPaused() && !controller_.isStopping() && !now.phase.empty()) setState(progressText(now));
   QStringList parts;
   if (now.simulatedTime > 0) parts << tr("%1 ms simulated").arg(now.simulatedTime * 1e3, 0, 'f', 2);
   if (now.elementUpdatesPerSecond > 0)
@@ -162,7 +150,8 @@ void RunPanel::showNews(const WorkerMonitor::News& news) {
     parts << tr("time step %1 µs, limited by %2")
                  .arg(now.step * 1e6, 0, 'f', 3)
                  .arg(QString::fromStdString(now.limitedBy));
-  figures_->setText(parts.join(QStringLiteral("  ·  ")));
+  figures_ = parts.join(QStringLiteral("  ·  "));
+  showLine();
   for (const QString& line : news.messages) say(line);
   live_->add(news.samples);
 }

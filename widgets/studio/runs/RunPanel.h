@@ -6,7 +6,6 @@
 #include "plots/Style.h"
 #include "studio/runs/WorkerMonitor.h"
 
-class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
@@ -14,6 +13,7 @@ class QStackedWidget;
 
 namespace squat::studio {
 
+class FixedLabel;
 class LivePlot;
 class RunController;
 
@@ -36,14 +36,15 @@ class RunPanel : public QWidget {
  private:
   void showNews(const WorkerMonitor::News& news);
   void showState();
-  void showNote(const QString& note);  // empty: the figures
+  void setState(const QString& words);
+  void showLine();
   void say(const QString& line);
 
   RunController& controller_;
   QPushButton *run_, *resume_, *pause_, *cancel_;
   QProgressBar* progress_;
-  QLabel *state_, *figures_, *why_;
-  QLabel* note_;  // how the last run ended, in place of the figures of one that is under way
+  FixedLabel* line_;  // why the case cannot be run, else how the last run ended, else figures of the one under way
+  QString note_, figures_;
   LivePlot* live_;
   QStackedWidget* seen_;  // a hint, then the live curves
   QPlainTextEdit* log_;

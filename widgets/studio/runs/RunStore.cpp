@@ -82,6 +82,7 @@ void RunStore::replaceAll(std::vector<StoredRun> runs, int current) {
   runs_.clear();
   current_ = -1;
   waiting_.reset();
+  aside_.clear();
   for (StoredRun& run : runs) {
     if (run.isMissing()) run.overlaid = false;
     run.colourIndex = freeColourIndex();
@@ -97,6 +98,7 @@ void RunStore::replaceAll(std::vector<StoredRun> runs, int current) {
   Q_EMIT referenceChanged();
   Q_EMIT currentChanged();
   Q_EMIT overlaysChanged();
+  Q_EMIT asideChanged();
 }
 
 void RunStore::list(std::vector<StoredRun> runs) {
@@ -112,6 +114,7 @@ bool RunStore::fillRow(int row, const StoredRun& read) {
   auto& run = runs_.at(static_cast<std::size_t>(row));
   run.opening = false, run.missing = read.missing;
   if (read.isMissing()) {
+    if (run.kept) run.path = run.kept->leave(), run.kept.reset();  // for whoever can read it
     if (reference_ == run.record) reference_.reset();
     return false;
   }
@@ -169,6 +172,35 @@ void RunStore::remove(int row) {
     current_ = computedNear(row);
   makeNames();
   Q_EMIT currentChanged();
+}
+
+void RunStore::putAside(int row) {
+  if (row < 0 || row >= rowCount()) return;
+  constexpr std::size_t most = 5;  // a result may take a hundred megabytes
+  if (aside_.size() == most) aside_.erase(aside_.begin());
+  aside_.push_back({row, at(row), row == current_});
+  remove(row);
+  Q_EMIT asideChanged();
+}
+
+int RunStore::restore() {
+  if (aside_.empty()) return -1;
+  Aside last = std::move(aside_.back());
+  aside_.pop_back();
+  const int row = std::min(last.row, rowCount());
+  const bool isOverlaid = last.run.overlaid;
+  if (isOverlaid) last.run.colourIndex = freeColourIndex();
+  beginInsertRows({}, row, row);
+  runs_.insert(runs_.begin() + row, std::move(last.run));
+  if (current_ >= row) ++current_;
+  endInsertRows();
+  makeNames();
+  if (last.isCurrent)
+    setCurrent(row);
+  else if (isOverlaid)
+    Q_EMIT overlaysChanged();
+  Q_EMIT asideChanged();
+  return row;
 }
 
 void RunStore::rename(int row, const QString& name) {

@@ -10,8 +10,8 @@
 #include "case/CaseNames.h"
 #include "project/MeasuredRecords.h"
 #include "project/Project.h"
+#include "studio/runs/KeptFile.h"
 #include "studio/runs/RunController.h"
-#include "studio/runs/UnsavedResults.h"
 
 namespace squat::studio {
 
@@ -45,6 +45,7 @@ struct StoredRun {
 
   bool isMeasured() const { return !result; }
   bool isMissing() const { return !missing.isEmpty(); }
+  QString file() const { return kept ? kept->path() : path; }  // where it can be read again; empty: nowhere
 };
 
 // Fills in what the table and the names need of a run: its compared case and its digest.
@@ -77,6 +78,11 @@ class RunStore : public QAbstractListModel {
   // A measured signal that is laid otherwise; `dragged`: for a moment only.
   void setMeasured(int row, const project::MeasuredRecord& measured, bool dragged = false);
   void remove(int row);
+  // The last ones that were put aside come back, the last first, where and as they stood; unsaved results are kept
+  // until then. Those of another project do not.
+  void putAside(int row);
+  bool canRestore() const { return !aside_.empty(); }
+  int restore();  // returns its row
   // An empty name gives a run of this program the one that is made from what differs between runs.
   void rename(int row, const QString& name);
   void setColour(int row, const QColor& colour);  // not valid: the automatic one again
@@ -104,13 +110,21 @@ class RunStore : public QAbstractListModel {
   void referenceChanged();
   void filled();
 
+  void asideChanged();
+
  private:
+  struct Aside {
+    int row;
+    StoredRun run;
+    bool isCurrent;
+  };
   void makeNames();
   bool fillRow(int row, const StoredRun& read);  // whether it becomes the current one
   std::size_t freeColourIndex() const;
   int computedNear(int row) const;  // the next computed run from this row on, else the one before; -1: none
   std::vector<StoredRun> runs_;
   int current_ = -1;
+  std::vector<Aside> aside_;
   RecordPointer reference_;  // null: none was set
   RunLink waiting_;          // of the row that becomes the current one
 };

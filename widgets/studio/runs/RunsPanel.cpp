@@ -201,7 +201,7 @@ void RunsPanel::connectTable() {
 void RunsPanel::fitNames() {
   QHeaderView* heading = table_->horizontalHeader();
   if (heading->count() == 0) return;
-  constexpr int minimumLetters = 10;
+  constexpr int minimumLetters = 18;
   const int minimum = table_->fontMetrics().averageCharWidth() * minimumLetters + 2 * table_->iconSize().width();
   int others = 0;
   for (int column = 1; column < heading->count(); ++column) others += heading->sectionSize(column);
@@ -211,9 +211,15 @@ void RunsPanel::fitNames() {
 
 bool RunsPanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) fitNames();
-  if (watched == table_ && event->type() == QEvent::KeyPress)
-    if (const QModelIndex at = table_->currentIndex(); groups_->isHeading(at))
-      if (takesKey(at, static_cast<QKeyEvent*>(event)->key())) return true;
+  if (watched == table_ && event->type() == QEvent::KeyPress) {
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    const QModelIndex at = table_->currentIndex();
+    if (groups_->isHeading(at) && takesKey(at, key.key())) return true;
+    if (const int row = rowOf(at); row >= 0 && key.key() == Qt::Key_Delete && key.modifiers() == Qt::NoModifier) {
+      Q_EMIT removeRequested(row);
+      return true;
+    }
+  }
   return QWidget::eventFilter(watched, event);
 }
 
@@ -264,6 +270,8 @@ void RunsPanel::fillMenu(QMenu& menu, int row) {
     add(tr("A&lign by hand…"), "runAlign", true, [this](int at) { Q_EMIT alignRequested(at); });
     add(tr("Colu&mns…"), "runColumns", true, [this](int at) { Q_EMIT columnsRequested(at); });
   }
+  const bool hasCase = run.result && run.result->resolvedCase;
+  add(tr("Op&en its case"), "runCase", hasCase, [this](int at) { Q_EMIT caseRequested(at); });
   menu.addSeparator();
   add(tr("&Colour…"), "runColour", true, [this](int at) { chooseColour(at); });
   add(tr("A&utomatic colour"), "runColourAnew", run.colour.isValid(), [this](int at) { store_.setColour(at, {}); });

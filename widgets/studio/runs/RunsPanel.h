@@ -38,6 +38,7 @@ class RunsPanel : public QWidget {
   void measuredRequested();
   void compareRequested();
   void findRequested(int row);  // the file of a run that is missing
+  void caseRequested(int row);
   void removeRequested(int row);
   void alignRequested(int row);    // a measured signal
   void columnsRequested(int row);  // the same

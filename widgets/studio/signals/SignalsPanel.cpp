@@ -31,10 +31,10 @@
 #include "scene/ModelPicture.h"
 #include "studio/common/EditorHabits.h"
 #include "studio/common/FigureSizeDialog.h"
+#include "studio/common/FixedLabel.h"
 #include "studio/common/FlowLayout.h"
 #include "studio/common/NarrowTabs.h"
 #include "studio/common/NumberBox.h"
-#include "studio/common/Theme.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalFigures.h"
 
@@ -189,12 +189,9 @@ QWidget* SignalsPanel::makeControls() {
   exportAll_->setToolTip(tr("Export every figure as shown: PNG, SVG, PDF and CSV"));
   connect(exportAll_, &QPushButton::clicked, this, &SignalsPanel::askForFolder);
   flow->addWidget(exportAll_);
-  problem_ = new QLabel(bar);
+  problem_ = new FixedLabel(1, bar);
   problem_->setObjectName("signalProblem");
-  problem_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
-  problem_->setWordWrap(true);
   rows->addWidget(problem_);
-  problem_->hide();
   return bar;
 }
 
@@ -274,7 +271,7 @@ void SignalsPanel::showTab(const QString& name) {
 void SignalsPanel::takeWindow() {
   const ResultPointer current = store_.currentResult();
   const int row = std::max(store_.current(), store_.waitingCurrent());
-  const QString file = row < 0 ? QString() : store_.at(row).path;
+  const QString file = row < 0 ? QString() : store_.at(row).file();
   if (!file.isEmpty() && file == windowOf_) return;
   forgetRanges();
   waitingMoment_ = -1;
@@ -329,8 +326,8 @@ void SignalsPanel::update() {
   std::string problem;
   shown_ = current ? analysis::resultThrough(settings_, *current, problem)
                    : noRun(tr("No results yet: press F5 to run, or open a result"));
-  problem_->setText(QString::fromStdString(problem));
-  problem_->setVisible(!problem.empty());
+  problemText_ = QString::fromStdString(problem);
+  showProblem();
   exportAll_->setEnabled(current || !store_.overlays().empty());
   // Only what is seen is drawn now; the rest when its tab is opened.
   for (const auto& name : names()) stale_[name] = true;
@@ -339,6 +336,13 @@ void SignalsPanel::update() {
   takeRanges();
   Q_EMIT choicesChanged();
 }
+
+void SignalsPanel::setNote(const QString& note) {
+  note_ = note;
+  showProblem();
+}
+
+void SignalsPanel::showProblem() { problemText_.isEmpty() ? problem_->say(note_) : problem_->warn(problemText_); }
 
 // Without a run there is nothing to judge by: every tab that any run fills says how to get one.
 bool SignalsPanel::applies(const plots::FigureRow& row) const {
@@ -367,8 +371,8 @@ void SignalsPanel::rebuild(const QString& name) {
     views_[name]->show(signalFigure(row.name, *shown_, store_.overlays(), settings_, style_), secondsPerUnit, unit,
                        row.table ? row.table(*shown_, settings_) : QByteArray());
   } catch (const std::exception& error) {  // a signal that cannot be analysed costs its figure, not the session
-    problem_->setText(QString::fromStdString(error.what()));
-    problem_->show();
+    problemText_ = QString::fromStdString(error.what());
+    showProblem();
     views_[name]->show(signalFigure(row.name, *noRun(tr("This figure cannot be drawn")), {}, settings_, style_),
                        secondsPerUnit, unit, {});
   }

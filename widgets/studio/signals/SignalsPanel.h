@@ -22,6 +22,7 @@ class QTabWidget;
 namespace squat::studio {
 
 class FigureView;
+class FixedLabel;
 
 class SignalsPanel : public QWidget {
   Q_OBJECT
@@ -55,6 +56,7 @@ class SignalsPanel : public QWidget {
   // Dragging in the figure of the acceleration along the track shifts what is aligned by hand, not the view.
   void setAligning(bool on);
   void setFigureSize(const plots::PrintedSize& size);
+  void setNote(const QString& note);  // on the run that is shown, where nothing is wrong with it
 
  Q_SIGNALS:
   void failed(const QString& message);
@@ -70,6 +72,7 @@ class SignalsPanel : public QWidget {
   void showMoment();
   void update();
   void rebuild(const QString& name);
+  void showProblem();
   bool applies(const plots::FigureRow& row) const;
   void hideWhatDoesNotApply();
   static bool isLinked(const QString& name);  // views along the track are
@@ -101,7 +104,8 @@ class SignalsPanel : public QWidget {
   QLabel* momentText_;
   QPushButton* exportAll_;
   QCheckBox* cursors_;
-  QLabel* problem_;
+  FixedLabel* problem_;
+  QString problemText_, note_;
 };
 
 }  // namespace squat::studio

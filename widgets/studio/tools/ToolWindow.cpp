@@ -28,6 +28,7 @@
 #include "studio/common/ErrorText.h"
 #include "studio/common/FigureSizeDialog.h"
 #include "studio/common/MessageBar.h"
+#include "studio/common/PaneKeys.h"
 #include "studio/common/WaitForSignal.h"
 #include "studio/common/WorkFolder.h"
 #include "studio/document/CaseDocument.h"
@@ -127,6 +128,7 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
   connect(&job_, &BackgroundJob::ended, this, &ToolWindow::conclude);
   connect(new QShortcut(QKeySequence::Close, this), &QShortcut::activated, this, &QWidget::hide);
   connect(new QShortcut(QKeySequence::HelpContents, this), &QShortcut::activated, this, &ToolWindow::helpRequested);
+  addPaneKeys(*this, [this] { return std::vector<QWidget*>{form_, tabs_}; });
   showCase();
   showState();
 }
@@ -155,8 +157,8 @@ void ToolWindow::makeOptions() {
   layout->addWidget(form_);
   layout->addLayout(where);
   layout->addWidget(makeBar());
-  layout->addWidget(messages_);
   layout->addWidget(tabs_, 1);
+  layout->addWidget(messages_);
 }
 
 QWidget* ToolWindow::makeBar() {
@@ -167,6 +169,9 @@ QWidget* ToolWindow::makeBar() {
   cancel_->setObjectName("toolCancel");
   openCase_->setObjectName("toolOpenCase");
   openFolder_->setObjectName("toolOpenFolder");
+  QSizePolicy keepsPlace = openCase_->sizePolicy();
+  keepsPlace.setRetainSizeWhenHidden(true);
+  openCase_->setSizePolicy(keepsPlace);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("Progress"));
@@ -225,7 +230,7 @@ void ToolWindow::askForFolder() {
 
 void ToolWindow::start() {
   if (isBusy()) return;
-  messages_->hide();
+  messages_->clear();
   if (const QString reason = blocker_(); !reason.isEmpty() && form_->usesCase())
     return messages_->warn(tr("Cannot start: %1").arg(reason));
   if (const QString missing = form_->missing(); !missing.isEmpty()) return messages_->warn(missing);
@@ -355,7 +360,7 @@ void ToolWindow::finish() {
   showCase();
   showState();
   if (result_ && result_->complete) {
-    if (messages_->isHidden()) messages_->say(tr("%1 files written to %2.").arg(result_->files.size()).arg(writtenTo_));
+    if (messages_->isEmpty()) messages_->say(tr("%1 files written to %2.").arg(result_->files.size()).arg(writtenTo_));
     if (!result_->foundCase.empty()) Q_EMIT caseFound(QString::fromStdString(result_->foundCase));
   }
   if (result_ && !result_->results.empty()) Q_EMIT resultsKept(result_->results);

@@ -6,13 +6,15 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QResizeEvent>
 #include <QScreen>
 #include <QSettings>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -36,7 +38,6 @@
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/tools/ToolWindow.h"
-#include "studio/window/Recovery.h"
 
 namespace squat::studio {
 namespace {
@@ -58,8 +59,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
       services_(std::move(services)),
       controller_(services_.runner),
       preview_(services_.preview, services_.threads),
-      stopped_(services_.runsFolder),
-      unsaved_(services_.recoveryFolder) {
+      stopped_(services_.runsFolder) {
   if (!services_.asker) services_.asker = askWithBox;
   setObjectName("mainWindow");
   setAcceptDrops(true);
@@ -74,16 +74,15 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
   connectParts();
   connectPreview();
   makeProject();
+  widthOfAll_ = minimumSizeHint().width();
+  layout()->setSizeConstraint(QLayout::SetNoConstraint);  // a narrow window is arranged otherwise
+  setMinimumSize(smallestSize);
   resize(usualSize.boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value("geometry").toByteArray());
   restoreState(settings.value("state").toByteArray());
   showTitle();
-  if (!services_.recoveryFolder.isEmpty()) {
-    offerRecovery();
-    recovery_ = new Recovery(document_, services_.recoveryFolder, this);
-    if (document_.isModified()) recovery_->saveNow();  // what was recovered is not in a file yet
-  }
+  recoverWork();
 }
 
 MainWindow::~MainWindow() = default;
@@ -92,11 +91,11 @@ void MainWindow::makeParts() {
   const bool dark = requestedDark();
   applyTheme(dark);
   const plots::Style style = figureStyle(dark);
-  keeper_ = new ProjectKeeper([this] { return work(); }, this);
+  keeper_ = new ProjectKeeper([this] { return work(); }, services_.recoveryFolder, this);
   reader_ = new RunReader(store_, this);
   recordWatch_ = new RecordWatch(this);
   auto* centre = new QWidget(this);
-  messages_ = new MessageBar(centre);
+  messages_ = new MessageBar(this);
   middle_ = new QTabWidget(centre);
   middle_->setDocumentMode(true);
   middle_->setAccessibleName(tr("Profile, model, paper and notes"));
@@ -111,16 +110,10 @@ void MainWindow::makeParts() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  otherCase_ = new QLabel(centre);
-  otherCase_->setObjectName("otherCase");
-  otherCase_->setWordWrap(true);
-  otherCase_->setMargin(4);
-  otherCase_->setStyleSheet(QStringLiteral("color: %1;").arg(wrongColour));
-  otherCase_->hide();
-  layout->addWidget(messages_);
-  layout->addWidget(otherCase_);
   layout->addWidget(middle_, 1);
   setCentralWidget(centre);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->addWidget(messages_, 1);
   form_ = new ParameterForm(document_, this);
   signals_ = new SignalsPanel(store_, style, this);
   previewPanel_ = new PreviewPanel(preview_, store_, style, this);
@@ -154,7 +147,41 @@ void MainWindow::makeDocks() {
   splitDockWidget(runDock_, runsDock_, Qt::Horizontal);
   resizeDocks({formDock_, signalsDock_}, {320, 480}, Qt::Horizontal);
   resizeDocks({runDock_, runsDock_}, {540, 580}, Qt::Horizontal);
-  resizeDocks({runDock_}, {270}, Qt::Vertical);
+  resizeDocks({runDock_}, {250}, Qt::Vertical);
+}
+
+// Where form, middle and signals have no room beside each other, the form is the first tab of the middle.
+void MainWindow::setNarrow(bool narrow) {
+  if (narrow == isNarrow_) return;
+  isNarrow_ = narrow;
+  if (narrow) {
+    formWasShown_ = !formDock_->isHidden();
+    formDock_->hide();
+    formDock_->setWidget(nullptr);
+    middle_->insertTab(0, form_, formDock_->windowTitle());
+  } else {
+    middle_->removeTab(middle_->indexOf(form_));
+    formDock_->setWidget(form_);
+    formDock_->setVisible(formWasShown_);
+    form_->show();
+    resizeDocks({formDock_, signalsDock_}, {form_->minimumWidth(), right_->minimumSizeHint().width()}, Qt::Horizontal);
+  }
+  formDock_->toggleViewAction()->setEnabled(!narrow);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  setNarrow(event->size().width() < widthOfAll_);
+  QMainWindow::resizeEvent(event);
+}
+
+QWidget* MainWindow::showForm() {
+  if (isNarrow_) {
+    middle_->setCurrentWidget(form_);
+    return middle_;
+  }
+  formDock_->show();
+  formDock_->raise();
+  return formDock_;
 }
 
 void MainWindow::connectParts() {
@@ -184,6 +211,7 @@ void MainWindow::connectParts() {
   connect(&document_, &CaseDocument::noted, messages_,
           [this](const QString& note) { messages_->say(note.left(1).toUpper() + note.mid(1)); });
   connect(&store_, &RunStore::overlaysChanged, this, &MainWindow::enableActions);
+  connect(&store_, &RunStore::asideChanged, this, &MainWindow::enableActions);
   connect(&controller_, &RunController::finished, this, &MainWindow::keep);
   connect(&controller_, &RunController::refused, this, [this](const std::vector<CaseProblem>& problems) {
     if (cases::writeCase(document_.description()) == running_) form_->mark(problems);  // else it may be mended already
@@ -210,8 +238,7 @@ void MainWindow::showShownCase() {
   const QString name = row < 0 ? QString() : store_.at(row).label;
   signalsDock_->setWindowTitle(name.isEmpty() ? tr("Signals") : tr("Signals: %1").arg(name));
   const QString different = differenceOfCases(store_.currentResult().get(), document_.description());
-  otherCase_->setText(tr("Result “%1” was not computed from the open case: %2.").arg(name, different));
-  otherCase_->setVisible(!different.isEmpty());
+  signals_->setNote(different.isEmpty() ? QString() : tr("“%1” is of another case: %2").arg(name, different));
 }
 
 // A value that is still being typed counts as typed: shortcuts do not move the focus, which is what enters it.
@@ -242,9 +269,9 @@ void MainWindow::beginRun(bool resume) {
   options.checkpointPath = checkpoint_.toStdString();
   options.resume = resume;
   inProject_ = keeper_->isOpen();
-  unsavedFile_ = inProject_ ? keeper_->nextResult(document_.name()) : unsaved_.nextFile(document_.name());
+  unsavedFile_ = keeper_->nextResult(document_.name());
   controller_.start(document_.description(), document_.name().toStdString(), options,
-                    [file = unsavedFile_](const results::RunResult& result) { UnsavedResults::write(file, result); });
+                    [file = unsavedFile_](const results::RunResult& result) { keepResult(file, result); });
 }
 
 // Another window that computes this case writes its checkpoint: that run is not resumed here, and one that begins here
@@ -289,6 +316,11 @@ void MainWindow::keep(const ResultPointer& result) {
   }
   const bool saved = inProject_ && result->complete && QFileInfo::exists(unsavedFile_);
   store_.add({result, QString(), saved ? unsavedFile_ : QString(), false, result, kept, false});
+  if (keeper_->isOpen() && !inProject_ && result->complete) try {
+      keepResults();  // the project was made while the run was under way
+    } catch (const FileError& error) {
+      messages_->warn(QString::fromStdString(error.what()));
+    }
 }
 
 void MainWindow::showStopped() {
@@ -307,6 +339,7 @@ void MainWindow::enableActions() {
   };
   for (const char* name : {"pauseAction", "cancelAction"}) enable(name, running);
   enable("closeProject", keeper_->isOpen());
+  enable("restoreRun", store_.canRestore());
   const bool reading = result && store_.at(store_.current()).fields == Fields::inFile;  // the model, for a moment
   enable("saveResult", result);
   for (const char* name : {"modelPicture", "vtkSeries"}) enable(name, result && !reading);
@@ -355,19 +388,15 @@ bool MainWindow::showTab(const QString& name) {
   return true;
 }
 
-void MainWindow::offerRecovery() {
-  QStringList said{recoverCase(), recoverResults()};
-  said.removeAll(QString());
-  if (said.isEmpty()) return;
-  recoverySaid_ = said.join(' ');
-  messages_->say(recoverySaid_);
-  // A case that is opened from the command line hides it before anybody has seen it.
-  QTimer::singleShot(0, this, [this] {
-    if (messages_->isHidden()) messages_->say(recoverySaid_);
-  });
-  connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::hideSettledRecovery);
-  connect(&store_, &RunStore::rowsRemoved, this, &MainWindow::hideSettledRecovery);
-  connect(&store_, &RunStore::dataChanged, this, &MainWindow::hideSettledRecovery);
+// What a crash left. A case that is opened from the command line hides the message before anybody has seen it.
+void MainWindow::recoverWork() {
+  const auto recovered = keeper_->recover();
+  if (recovered.work) showRecovered(*recovered.work, recovered.others);
+  if (!recovered.problems.isEmpty()) messages_->warn(recovered.problems.join(' '));
+  if (const QString said = messages_->text(); !said.isEmpty())
+    QTimer::singleShot(0, this, [this, said] {
+      if (messages_->text().isEmpty()) messages_->say(said);
+    });
 }
 
 // Cancels and waits. A part of a result goes with the window, as the question said; what is complete is kept.
@@ -400,9 +429,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   const ResultPointer part = std::exchange(part_, nullptr);
   if (!leave && part) keep(part);
   if (!leave) return;
-  keeper_->release();
+  keeper_->end();
   QSettings settings;
   settings.setValue("geometry", saveGeometry());
+  setNarrow(false);  // as it is where there is room
   settings.setValue("state", saveState());
   preview_.setHeld(true);
   event->accept();

@@ -16,7 +16,6 @@
 #include "studio/window/PaperPanel.h"
 
 class QDockWidget;
-class QLabel;
 class QMenu;
 class QTabWidget;
 
@@ -34,7 +33,6 @@ class ProjectKeeper;
 class QuickTour;
 class RecordWatch;
 class RunReader;
-class Recovery;
 class RunPanel;
 class RunsPanel;
 class ScenePanel;
@@ -50,7 +48,7 @@ struct StudioServices {
   Comparison comparison;
   PreviewSolver preview;   // empty: no previews
   Asker asker;             // empty: a message box
-  QString recoveryFolder;  // of unsaved changes and results; empty: none
+  QString recoveryFolder;  // of work that is in no project of the user's; empty: it is not kept
   QString runsFolder;      // of runs that were stopped; empty: none
   int threads = 0;         // of a run; 0: all cores (the window goes first all the same)
 };
@@ -59,6 +57,7 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
   static constexpr QSize usualSize{1500, 920};  // where the screen has room for it
+  static constexpr QSize smallestSize{1000, 680};
   explicit MainWindow(StudioServices services, QWidget* parent = nullptr);
   ~MainWindow() override;
 
@@ -114,6 +113,7 @@ class MainWindow : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -139,10 +139,12 @@ class MainWindow : public QMainWindow {
   bool hasUnsavedChanges() const;  // of the case, also those that the form could not take
   bool isTaken();                  // all that is typed; else says what is not, and that nothing is saved
   bool mayLeaveCase();             // saves, or the user lets the changes go
-  bool mayLeaveResults(const std::vector<ResultPointer>& results);
-  bool mayLeaveWork();  // case, results and notes with one question; none where the project keeps them
+  bool mayLeaveWork();             // case, results and notes with one question; none where the project keeps them
   bool saveWork(bool ofCase, const std::vector<ResultPointer>& results, bool ofNotes);
   void removeRun(int row);
+  void restoreRun();
+  void showCaseOf(const results::RunResult& result, const QString& name);
+  void openCaseOf(int row);  // of a run, to be looked at and changed
   void beginRun(bool resume);
   bool takeCheckpoint(bool resume);  // of the open case, for the run that begins; false: it cannot be resumed
   void keep(const ResultPointer& result);
@@ -153,12 +155,11 @@ class MainWindow : public QMainWindow {
   void makeToolActions(QMenu& menu);
   void showTool(const QString& name);
   bool mayLeaveTools();  // stops what they compute, or the user stays
-  void offerRecovery();
+  void recoverWork();
+  void showRecovered(const project::Project& work, int others);
   void hideSettledRecovery();  // once what was recovered is saved or let go
-  bool recoveredResultWaits() const;
+  bool hasUnsavedWork() const;
   void hideWordsOfOldCase();
-  QString recoverCase();  // what to say of it
-  QString recoverResults();
   void overlay(const QString& path, const readers::SignalFileOptions& options);  // throws
   void makeProject();
   project::Project work() const;
@@ -171,14 +172,19 @@ class MainWindow : public QMainWindow {
   void showCopy(const QString& said, const QStringList& problems);
   bool mayLeaveCopy();
   void listCase(const QString& path);
+  void waitForUnsaved();
   void keepResults();         // all of them in files of the project; throws FileError
   void findMissing(int row);  // asks where its file is now
   bool keepProject();         // saves it whole, or the user lets go what cannot be saved
   void showProject(const project::Project& project);
+  void showWork(const project::Project& work);  // notes, figures, records; its case and runs apart
+  void showViews(const std::vector<std::string>& names);
   void showProjectProblems();  // files that are missing or have changed
   void startCase(const project::OpenCase& open, QStringList& problems);
   QStringList shownTabs() const;
   QString reportTitle() const;
+  void setNarrow(bool narrow);
+  QWidget* showForm();  // brings it to the front; returns what holds it
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* inside, Qt::DockWidgetArea area);
 
   StudioServices services_;
@@ -188,16 +194,13 @@ class MainWindow : public QMainWindow {
   RunController controller_;
   PreviewController preview_;
   StoppedRuns stopped_;
-  UnsavedResults unsaved_;
   QString checkpoint_;      // of the run in progress; empty: it keeps none
   QString unsavedFile_;     // where its result is kept
   bool inProject_ = false;  // that file is one of the project
   ResultPointer part_;      // of the run that was stopped to close the window
   std::string running_;     // the case of that run
   bool resumed_ = false;    // the run in progress
-  Recovery* recovery_ = nullptr;
   MessageBar* messages_;
-  QLabel* otherCase_;
   QPointer<HelpWindow> help_;
   QPointer<AlignDialog> align_;
   QPointer<QuickTour> tour_;
@@ -219,13 +222,14 @@ class MainWindow : public QMainWindow {
   QStringList cases_;  // files of the cases of this work, the last one first
   QTabWidget *middle_, *right_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
+  int widthOfAll_ = 0;     // of form, middle and signals beside each other, the least
+  bool isNarrow_ = false;  // the form is a tab of the middle
+  bool formWasShown_ = true;
   QMenu* recent_ = nullptr;
   QAction *darkAction_ = nullptr, *resumeAction_ = nullptr;
   bool closing_ = false, ending_ = false;
   bool previewOffered_ = false;  // since the last run was shown
-  bool caseRecovered_ = false;
-  std::vector<std::weak_ptr<const results::RunResult>> resultsRecovered_;
-  QString recoverySaid_;
+  QString recoverySaid_;         // empty: nothing was recovered
 };
 
 }  // namespace squat::studio

@@ -15,6 +15,7 @@
 #include "case/ParameterTable.h"
 #include "case/ShippedCases.h"
 #include "core/ProgramVersion.h"
+#include "studio/common/PaneKeys.h"
 #include "studio/common/Theme.h"
 #include "studio/comparison/ComparisonWindow.h"
 #include "studio/document/ParameterForm.h"
@@ -125,6 +126,7 @@ void MainWindow::makeFileMenu() {
     if (align_) align_->close();  // it lays the record that is there now
     askForColumns(store_, row, document_.description().motion.speed, figureStyle(requestedDark()), this);
   });
+  connect(runs_, &RunsPanel::caseRequested, this, &MainWindow::openCaseOf);
   connect(runs_, &RunsPanel::removeRequested, this, &MainWindow::removeRun);
   connect(runs_, &RunsPanel::folderRequested, this,
           [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
@@ -153,6 +155,7 @@ void MainWindow::makeEditMenu() {
   menu->addAction(undo);
   menu->addAction(redo);
   menu->addSeparator();
+  add(menu, tr("Restore r&un"), QKeySequence("Ctrl+Alt+Z"), "restoreRun", this, &MainWindow::restoreRun);
   add(menu, tr("&Fit profile to view"), QKeySequence("Ctrl+0"), "fit", this, [this] { profile_->plot()->fit(); });
 }
 
@@ -165,7 +168,7 @@ void MainWindow::makeRunMenu() {
       add(menu, tr("R&esume the stopped run"), QKeySequence("Ctrl+F5"), "resumeAction", this, [this] { resumeRun(); });
   resumeAction_->setToolTip(tr("The run of this case that was cancelled or interrupted when the program closed"));
   resumeAction_->setShortcutContext(Qt::ApplicationShortcut);
-  add(menu, tr("&Pause or continue"), QKeySequence("F6"), "pauseAction", this, [this] {
+  add(menu, tr("&Pause or continue"), QKeySequence("Ctrl+Shift+F5"), "pauseAction", this, [this] {
     controller_.setPaused(!controller_.isPaused());
   })->setShortcutContext(Qt::ApplicationShortcut);
   add(menu, tr("&Cancel"), QKeySequence("Shift+F5"), "cancelAction", this, [this] {
@@ -218,6 +221,11 @@ void MainWindow::makeViewMenu() {
     menu->addAction(action);
   }
   menu->addSeparator();
+  addPaneKeys(*this, [this] {
+    std::vector<QWidget*> panes{middle_, right_, run_, runs_};
+    if (!isNarrow_) panes.insert(panes.begin(), form_);
+    return panes;
+  });
   darkAction_ = menu->addAction(tr("&Dark"), this, [this](bool on) {
     QSettings().setValue("dark", on);
     setDark(on);

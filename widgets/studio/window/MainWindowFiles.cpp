@@ -24,7 +24,6 @@
 #include "studio/signals/SignalsPanel.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/RecentFiles.h"
-#include "studio/window/Recovery.h"
 
 namespace squat::studio {
 namespace {
@@ -151,7 +150,7 @@ QStringList addMeasured(RunStore& store, const QString& path, const std::vector<
 }
 
 void report(MessageBar& messages, const QStringList& notes) {
-  messages.hide();
+  messages.clear();
   if (!notes.isEmpty()) messages.say(sentence(notes[0]), notes.join('\n'));
 }
 
@@ -215,13 +214,25 @@ bool MainWindow::openResult(const QString& path) {
                       QString::fromStdString(result->caseProblem));
       return true;
     }
-    document_.startFrom(result->resolvedCase->description, QString(), label, false);
-    profile_->plot()->fit();
+    showCaseOf(*result, label);
     return true;
   } catch (const FileError& error) {
     messages_->warn(QString::fromStdString(error.what()));
   }
   return false;
+}
+
+void MainWindow::showCaseOf(const results::RunResult& result, const QString& name) {
+  document_.startFrom(result.resolvedCase->description, QString(), name, false);
+  profile_->plot()->fit();
+}
+
+void MainWindow::openCaseOf(int row) {
+  const ResultPointer result = store_.at(row).result;
+  if (!result || !result->resolvedCase || !mayLeaveCase()) return;
+  const int at = store_.rowOf(result);  // rows may have moved while the question stood
+  hideWordsOfOldCase();
+  showCaseOf(*result, at < 0 ? QString::fromStdString(result->stem) : store_.at(at).label);
 }
 
 void MainWindow::overlay(const QString& path, const readers::SignalFileOptions& options) {
@@ -299,7 +310,7 @@ bool MainWindow::saveCaseTo(const QString& path) {
     messages_->warn(QString::fromStdString(error.what()));
     return false;
   }
-  if (messages_->text() == notSaved()) messages_->hide();
+  if (messages_->text() == notSaved()) messages_->clear();
   listCase(document_.path());
   return true;
 }
@@ -367,78 +378,25 @@ bool MainWindow::mayLeaveCase() {
   return false;
 }
 
-// Saves those results, or the user lets them go.
-bool MainWindow::mayLeaveResults(const std::vector<ResultPointer>& results) {
-  if (results.empty()) return true;
-  const QString question = results.size() == 1
-                               ? tr("The result “%1” is not saved.").arg(store_.at(store_.rowOf(results[0])).label)
-                               : tr("%n results are not saved.", nullptr, static_cast<int>(results.size()));
-  switch (services_.asker(this, question, tr("Discard"))) {
-    case Answer::save:
-      return std::all_of(results.begin(), results.end(), [this](const auto& result) { return saveResult(result); });
-    case Answer::discard:
-      return true;
-    case Answer::cancel:
-      break;
-  }
-  return false;
-}
-
 void MainWindow::removeRun(int row) {
   if (row < 0 || row >= store_.rowCount()) return;
-  const auto unsaved = store_.unsaved();
-  const ResultPointer result = store_.at(row).result;
-  const bool lost = std::find(unsaved.begin(), unsaved.end(), result) != unsaved.end();
-  if (!lost) return store_.remove(row);
-  if (mayLeaveResults({result})) store_.remove(store_.rowOf(result));  // rows may have moved while the question stood
+  const QString name = store_.at(row).label;
+  store_.putAside(row);
+  messages_->say(tr("“%1” was removed from the list. Edit > Restore run (Ctrl+Alt+Z) brings it back.").arg(name));
+}
+
+void MainWindow::restoreRun() {
+  const int row = store_.restore();
+  if (row >= 0) messages_->say(tr("“%1” is in the list again.").arg(store_.at(row).label));
 }
 
 void MainWindow::hideSettledRecovery() {
-  if (!caseRecovered_ && resultsRecovered_.empty()) return;  // it reports files that cannot be read
-  if (messages_->text() != recoverySaid_ || (caseRecovered_ && document_.isModified())) return;
-  if (!recoveredResultWaits()) messages_->hide();
+  if (!recoverySaid_.isEmpty() && messages_->text() == recoverySaid_ && !hasUnsavedWork()) messages_->clear();
 }
 
-bool MainWindow::recoveredResultWaits() const {
-  const auto unsaved = store_.unsaved();
-  return std::any_of(resultsRecovered_.begin(), resultsRecovered_.end(), [&](const auto& each) {
-    return std::find(unsaved.begin(), unsaved.end(), each.lock()) != unsaved.end();
-  });
-}
-
-// Another case is there: what is said of the one before goes, but not that a recovered result is still to be saved.
+// Another case is there: what is said of the one before goes, but not that recovered work is still to be saved.
 void MainWindow::hideWordsOfOldCase() {
-  if (messages_->text() != recoverySaid_ || !recoveredResultWaits()) messages_->hide();
-}
-
-QString MainWindow::recoverCase() {
-  const auto found = Recovery::take(services_.recoveryFolder);
-  if (!found) return {};
-  document_.startFrom(found->description, QString(), found->name, true);
-  profile_->plot()->fit();
-  caseRecovered_ = true;
-  return tr("Unsaved changes to “%1” were recovered. Save them, or open another case to discard them.")
-      .arg(found->name);
-}
-
-QString MainWindow::recoverResults() {
-  int found = 0;
-  QStringList unreadable;
-  for (const QString& file : unsaved_.takeLeft()) try {
-      auto result = std::make_shared<results::RunResult>(results::readResult(file.toStdString()));
-      if (result->stem.empty()) result->stem = UnsavedResults::stemOf(file).toStdString();
-      store_.add({result, UnsavedResults::stemOf(file) + tr(" (recovered)"), QString(), false, result,
-                  std::make_shared<KeptFile>(file)});
-      resultsRecovered_.push_back(result);
-      ++found;
-    } catch (const std::exception& error) {
-      unreadable << tr("%1 (the unsaved result is kept as %2)")
-                        .arg(QString::fromStdString(error.what()), UnsavedResults::putAside(file));
-    }
-  QStringList said;
-  if (found == 1) said << tr("An unsaved result was recovered. Save it to keep it.");
-  if (found > 1) said << tr("%1 unsaved results were recovered. Save those you want to keep.").arg(found);
-  return (said + unreadable).join(' ');
+  if (messages_->text() != recoverySaid_ || !hasUnsavedWork()) messages_->clear();
 }
 
 }  // namespace squat::studio

@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QTabWidget>
 #include <QTextDocument>
+#include <QTimer>
 #include <algorithm>
 
 #include "case/CaseFile.h"
@@ -40,7 +41,6 @@
 #include "studio/tools/ToolWindow.h"
 #include "studio/window/MainWindow.h"
 #include "studio/window/RecentFiles.h"
-#include "studio/window/Recovery.h"
 
 namespace squat::studio {
 namespace {
@@ -196,6 +196,7 @@ bool MainWindow::openProject(const QString& path) {
     messages_->warn(tr("%1 is open in another window: %2. Close it there first.").arg(path, other));
     return false;
   }
+  keeper_->dropUntitled();
   projectProblems_.clear();
   startCase(project.open, projectProblems_);
   reader_->open(project);
@@ -222,7 +223,7 @@ void MainWindow::startCase(const project::OpenCase& open, QStringList& problems)
   profile_->plot()->fit();
 }
 
-void MainWindow::showProject(const project::Project& project) {
+void MainWindow::showWork(const project::Project& project) {
   cases_.clear();
   for (const auto& path : project.cases) cases_ << QString::fromStdString(path);
   notes_->setNotes(QString::fromStdString(project.notes));
@@ -233,13 +234,20 @@ void MainWindow::showProject(const project::Project& project) {
   }
   showRecords(project.records);
   runs_->setOrder(project.runOrder);
-  for (const auto& name : project.views)
+}
+
+void MainWindow::showViews(const std::vector<std::string>& names) {
+  for (const auto& name : names)
     if (!showTab(QString::fromStdString(name)) && name == recordsTool) showTool(recordsTool);
-  messages_->hide();
+}
+
+void MainWindow::showProject(const project::Project& project) {
+  showWork(project);
+  showViews(project.views);
+  messages_->clear();
   showProjectProblems();
   addRecentFile(keeper_->path());
   QSettings().setValue(lastProject, keeper_->path());
-  if (recovery_) recovery_->setHeld(true);
   showTitle();
   enableActions();
   keeper_->saveSoon();
@@ -253,6 +261,28 @@ void MainWindow::showProjectProblems() {
                     projectProblems_.join('\n'));
 }
 
+// Windows that were open come back once this one is there.
+void MainWindow::showRecovered(const project::Project& work, int others) {
+  startCase(work.open, projectProblems_);
+  reader_->open(work, keeper_->untitledResults());
+  showWork(work);
+  notes_->document()->setModified(!work.notes.empty());
+  QTimer::singleShot(0, this, [this, names = work.views] { showViews(names); });
+  recoverySaid_ =
+      tr("Your work is here again, as it was before the program ended unexpectedly. Save it as a project to "
+         "keep it.");
+  if (others > 0) recoverySaid_ += ' ' + tr("Work of another window comes back when the program is started once more.");
+  messages_->say(recoverySaid_, projectProblems_.join('\n'));
+  connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::hideSettledRecovery);
+  connect(&store_, &RunStore::rowsRemoved, this, &MainWindow::hideSettledRecovery);
+  connect(&store_, &RunStore::dataChanged, this, &MainWindow::hideSettledRecovery);
+}
+
+// Of results that are still being read nobody knows.
+bool MainWindow::hasUnsavedWork() const {
+  return hasUnsavedChanges() || reader_->isBusy() || !store_.unsaved().empty() || notes_->document()->isModified();
+}
+
 // Rows may move while the dialog stands: the run itself is what is meant.
 void MainWindow::findMissing(int row) {
   const StoredRun lost = store_.at(row);
@@ -264,7 +294,7 @@ void MainWindow::findMissing(int row) {
   entry.path = QFileInfo(path).absoluteFilePath().toStdString();
   QString problem;
   StoredRun found = openEntry(entry, results::ResultContent::withoutFields, problem);
-  messages_->hide();
+  messages_->clear();
   if (!problem.isEmpty()) messages_->warn(problem);
   if (!found.record) return;
   store_.setPath(row, QString::fromStdString(entry.path));
@@ -274,7 +304,7 @@ void MainWindow::findMissing(int row) {
 
 void MainWindow::openLastProject() {
   const QString path = QSettings().value(lastProject).toString();
-  if (path.isEmpty() || hasUnsavedChanges() || store_.rowCount() > 0) return;
+  if (path.isEmpty() || hasUnsavedWork() || store_.rowCount() > 0) return;
   if (!openProject(path)) QSettings().remove(lastProject);
 }
 
@@ -303,7 +333,6 @@ bool MainWindow::saveProjectTo(const QString& path) {
   notes_->document()->setModified(false);
   addRecentFile(keeper_->path());
   QSettings().setValue(lastProject, keeper_->path());
-  if (recovery_) recovery_->setHeld(true);
   showTitle();
   enableActions();
   return true;
@@ -400,11 +429,21 @@ bool MainWindow::saveReportTo(const QString& path) {
   return true;
 }
 
+// Recovered results are read while the window is in use; they can be saved, or let go, once they are there.
+void MainWindow::waitForUnsaved() {
+  constexpr int patience = 20000;  // [ms]
+  for (int row = 0; row < store_.rowCount(); ++row)
+    if (store_.at(row).opening && store_.at(row).kept) return void(reader_->waitFor(patience));
+}
+
 void MainWindow::keepResults() {
-  for (const ResultPointer& result : store_.unsaved()) {
+  waitForUnsaved();
+  for (int row = 0; row < store_.rowCount(); ++row) {
+    if (store_.at(row).isMeasured() || !store_.at(row).path.isEmpty()) continue;
+    const ResultPointer result = reader_->wholeResult(row);
     const QString file = keeper_->nextResult(QString::fromStdString(result->stem));
     results::writeResult(file.toStdString(), *result);
-    store_.setPath(store_.rowOf(result), file);
+    store_.setPath(row, file);
   }
 }
 
@@ -430,8 +469,7 @@ bool MainWindow::closeProject() {
   profile_->plot()->fit();
   cases_.clear();
   notes_->setNotes({});
-  messages_->hide();
-  if (recovery_) recovery_->setHeld(false);
+  messages_->clear();
   showTitle();
   enableActions();
   return true;
@@ -440,6 +478,7 @@ bool MainWindow::closeProject() {
 // A run may end while the question stands: what it adds is asked for as well.
 bool MainWindow::mayLeaveWork() {
   if (closing_ && !mayLeaveCopy()) return false;
+  waitForUnsaved();
   std::vector<ResultPointer> asked;
   bool caseAsked = false, notesAsked = false;
   for (;;) {

@@ -27,7 +27,7 @@ void MainWindow::showTour() {
       {tr("The case"),
        tr("A case describes track, vehicle, motion and defect. The form shows a dozen basic keys; Advanced and Expert "
           "show more. F1 explains the key that has the focus. File > Shipped cases holds examples."),
-       dock(formDock_)},
+       [this] { return showForm(); }},
       {tr("The defect"),
        tr("Choose a shape and move its sliders, or import a measured profile, and drag its points. The second curve is "
           "the path of a rigid wheel, which does not reach the bottom of short hollows: the axle box feels this path."),

@@ -2,9 +2,9 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -70,6 +70,7 @@ void QuickTour::makeCard() {
   next_ = new QPushButton(tr("&Next"), this);
   next_->setObjectName("quickTourNext");
   connect(close, &QPushButton::clicked, this, &QuickTour::end);
+  connect(new QShortcut(QKeySequence(Qt::Key_Escape), this), &QShortcut::activated, this, &QuickTour::end);
   connect(back_, &QPushButton::clicked, this, [this] { go(stop_ - 1); });
   connect(next_, &QPushButton::clicked, this, [this] { go(stop_ + 1); });
   auto* buttons = new QHBoxLayout;
@@ -119,11 +120,6 @@ bool QuickTour::eventFilter(QObject* watched, QEvent* event) {
   if (type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show || type == QEvent::Hide)
     QMetaObject::invokeMethod(this, &QuickTour::settle, Qt::QueuedConnection);  // once the layout has settled
   return QFrame::eventFilter(watched, event);
-}
-
-void QuickTour::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) return end();
-  QFrame::keyPressEvent(event);
 }
 
 void QuickTour::end() {

@@ -12,7 +12,7 @@ class QPushButton;
 namespace squat::studio {
 
 // A card with a few sentences beside the part that they are about, which is outlined. Nothing is blocked: the window
-// can be used meanwhile. Escape ends the tour while the card has the focus; closing the card deletes it.
+// can be used meanwhile. Escape ends the tour; closing the card deletes it.
 class QuickTour : public QFrame {
   Q_OBJECT
  public:
@@ -29,7 +29,6 @@ class QuickTour : public QFrame {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void makeCard();
