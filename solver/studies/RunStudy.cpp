@@ -1,6 +1,7 @@
 #include "studies/RunStudy.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -74,12 +75,24 @@ class Study {
   };
 
   void reportLocked(Progress progress, const std::string& name) {
-    double ended = static_cast<double>(table_.rows.size() - table_.count(RowState::open));
+    const std::size_t done = table_.rows.size() - table_.count(RowState::open);
+    double ended = static_cast<double>(done);
     for (const double fraction : fractions_) ended += fraction;
-    progress.phase = name + " (" + progress.phase + ")";
+    if (!progress.phase.empty()) progress.phase = " (" + progress.phase + ")";
+    progress.phase =
+        std::to_string(done) + " of " + std::to_string(table_.rows.size()) + " runs done; " + name + progress.phase;
     progress.fraction = ended / static_cast<double>(table_.rows.size());
-    progress.remainingSeconds = -1;
+    progress.remainingSeconds = remainingSeconds(progress.fraction);
     monitor_.report(progress);
+  }
+
+  // From the time that the share computed so far took, once that is a fiftieth: below zero before.
+  double remainingSeconds(double fraction) const {
+    constexpr double least = 0.02;
+    const double before = 1 - static_cast<double>(open_.size()) / static_cast<double>(table_.rows.size());
+    if (fraction - before < least) return -1;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    return elapsed.count() * (1 - fraction) / (fraction - before);
   }
 
   // The next open point; nothing where all are taken or the study was stopped.
@@ -137,6 +150,7 @@ class Study {
   std::mutex mutex_;
   std::vector<std::size_t> open_;
   std::vector<double> fractions_;  // of the runs under way, one a worker
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t next_ = 0;
   bool stopped_ = false;
   std::exception_ptr error_;

@@ -101,6 +101,19 @@ TEST_F(Records, theSearchIsThatOfTheCommand) {
                 0.0051);
 }
 
+// It has times alone: the speed is asked for.
+TEST_F(Records, aRecordIsSeenBeforeAnythingIsLookedForInIt) {
+  form_->addRecord(record_);
+  EXPECT_TRUE(tests::passes([&] { return tool_->messages()->text().contains("states no speed"); }, tests::patience));
+  form_->findChild<QDoubleSpinBox*>("recordSpeed")->setValue(30);
+  EXPECT_EQ(tool_->messages()->text(), "");
+  const auto* signal = view_->strip()->figure()->graph(0);
+  EXPECT_TRUE(tests::passes([&] { return !view_->isReading() && signal->dataCount() > 100; }, tests::patience));
+  EXPECT_NEAR(view_->strip()->figure()->xAxis->range().size(), 300, 1);  // [m]: 10 s at 30 m/s
+  delete form_->findChild<QListWidget*>()->takeItem(0);
+  EXPECT_TRUE(tests::passes([&] { return signal->dataCount() == 0; }, tests::patience));
+}
+
 TEST_F(Records, theStripShowsTheRecordAndItsEvents) {
   ASSERT_NO_FATAL_FAILURE(search());
   const plots::Figure* figure = view_->strip()->figure();

@@ -111,6 +111,46 @@ TEST_F(Tools, aStudyIsThatOfTheCommand) {
   EXPECT_EQ(window_.store().rowCount(), 2);
 }
 
+// By names, limits and numbers, as one who has not read how the command writes them.
+TEST_F(Tools, valuesOfAStudyAreTypedInFields) {
+  const ToolForm* form = open("study")->form();
+  auto* rows = form->findChild<KeyRows*>();
+  const auto* runs = form->findChild<QLabel*>("studyRuns");
+  EXPECT_EQ(runs->text(), "");
+  const auto field = [&](const char* name, int row) { return rows->findChildren<QLineEdit*>(name).value(row); };
+  rows->findChild<QComboBox*>("key")->setCurrentText("Depth (defect.depth)");
+  field("from", 0)->setText("0.1");
+  EXPECT_EQ(runs->text(), "1 run");
+  field("to", 0)->setText("0.3");
+  EXPECT_EQ(runs->text(), "5 runs");
+  rows->findChild<QSpinBox*>("count")->setValue(3);
+  EXPECT_EQ(rows->texts(), std::vector<std::string>{"defect.depth=0.1:0.3:3"});
+  rows->findChild<QToolButton*>("addKey")->click();
+  rows->findChildren<QComboBox*>("key").value(1)->setEditText("motion.speed");  // a key as well
+  field("from", 1)->setText("20, 30");
+  EXPECT_EQ(rows->texts(), (std::vector<std::string>{"defect.depth=0.1:0.3:3", "motion.speed=20,30"}));
+  EXPECT_EQ(runs->text(), "6 runs");
+  form->findChild<QComboBox*>("points")->setCurrentIndex(1);
+  EXPECT_EQ(runs->text(), "64 runs");
+  EXPECT_EQ(rows->limits()[0], "defect.depth=0.1:0.3");
+  EXPECT_FALSE(rows->findChild<QSpinBox*>("count")->isVisible());
+}
+
+TEST_F(Tools, whatWasWrongIsNotSaidAnyMoreOnceItIsMended) {
+  ToolWindow* study = open("study");
+  auto* rows = study->form()->findChild<KeyRows*>();
+  rows->setTexts({"defect.dept=0.1,0.2"});
+  ASSERT_NO_FATAL_FAILURE(finish(*study));
+  ASSERT_TRUE(study->messages()->text().contains("defect.depth")) << study->messages()->text().toStdString();
+  rows->findChild<QComboBox*>("key")->setEditText("defect.depth");
+  EXPECT_EQ(study->messages()->text(), "");
+  study->setFolder("");
+  study->start();
+  ASSERT_TRUE(study->messages()->text().contains("folder"));
+  QTest::keyClicks(study->findChild<QLineEdit*>("toolFolder"), "/");
+  EXPECT_EQ(study->messages()->text(), "");
+}
+
 // Keys lead from one tool to the next, Escape leaves a window open in which one works, Ctrl+W closes it.
 TEST_F(Tools, keysOfTheMainWindowWorkInATool) {
   ToolWindow* study = open("study");

@@ -206,8 +206,15 @@ void RecordView::showEvent(QShowEvent* event) {
 void RecordView::openWaiting() {
   if (!waiting_) return;
   const auto kept = *std::exchange(waiting_, std::nullopt);
-  readRecord(kept);
+  readRecord(kept, false);
   if (!kept.events.empty()) readList(kept);
+}
+
+void RecordView::draw(const project::LongRecords& chosen) {
+  if (model_->report() || waiting_ || !table_->isEnabled()) return;
+  if (!chosen.files.empty()) return readRecord(chosen, true);
+  ++generation_, reading_ = false;
+  strip_->clear();
 }
 
 // What cannot be read is said and costs itself alone: the project keeps the link.
@@ -223,11 +230,11 @@ void RecordView::readList(const project::LongRecords& kept) {
   enableButtons();
 }
 
-void RecordView::readRecord(const project::LongRecords& kept) {
+void RecordView::readRecord(const project::LongRecords& kept, bool isChosen) {
   const auto overview = std::make_shared<records::Overview>();
   strip_->follow(overview);
   reading_ = true;
-  thread_.start([this, kept, overview, generation = ++generation_] {
+  thread_.start([this, kept, overview, isChosen, generation = ++generation_] {
     QString problem;
     try {
       records::OverviewedStream stream(records::openRide(filesThere(kept), readingOf(kept), togetherOf(kept)),
@@ -235,15 +242,19 @@ void RecordView::readRecord(const project::LongRecords& kept) {
       records::RecordBlock block;
       while (generation == generation_ && stream.next(block)) {
       }
+    } catch (const CaseError& error) {
+      const bool isSpeed = error.problems().size() == 1 && error.problems()[0].key == "--speed";
+      problem = isSpeed ? tr("The record states no speed: enter it to see the signal.")
+                        : QString::fromStdString(error.what());
     } catch (const std::exception& error) {
       problem = QString::fromStdString(error.what());
     }
-    const auto conclude = [this, problem, generation] {
+    const auto conclude = [this, problem, isChosen, generation] {
       if (generation != generation_) return;  // another record is shown by now
       reading_ = false;
       strip_->setReport(model_->report());
       strip_->stopFollowing();
-      if (!problem.isEmpty()) Q_EMIT failed(problem);
+      if (!problem.isEmpty()) isChosen ? Q_EMIT notDrawn(problem) : Q_EMIT failed(problem);
     };
     QMetaObject::invokeMethod(this, conclude, Qt::QueuedConnection);
   });

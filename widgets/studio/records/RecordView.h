@@ -33,6 +33,9 @@ class RecordView : public QWidget {
   // What a project kept, in place of what is shown. Files are read when the view is first seen: the list of events at
   // once, the first record in a thread of its own.
   void open(const project::LongRecords& kept);
+  // Draws the records that are chosen now, before anything is looked for in them. Events that are listed stay, and with
+  // them the record that they are of. What is still missing to draw it is said.
+  void draw(const project::LongRecords& chosen);
   void keep(project::LongRecords& into) const;  // the list, its order, what the user has seen
   bool isReading() const { return reading_; }
   void setStyle(const plots::Style& style) { strip_->setStyle(style); }
@@ -46,7 +49,8 @@ class RecordView : public QWidget {
   void estimateRequested(const QString& file);
   void labelsSaved(const QString& path);
   void failed(const QString& problem);
-  void changed();  // what a project keeps
+  void notDrawn(const QString& reason);  // by draw()
+  void changed();                        // what a project keeps
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -54,7 +58,7 @@ class RecordView : public QWidget {
  private:
   void openWaiting();
   void readList(const project::LongRecords& kept);
-  void readRecord(const project::LongRecords& kept);
+  void readRecord(const project::LongRecords& kept, bool isChosen);
   void placeSeen();
   QWidget* makeBar();
   void makeTable();

@@ -77,7 +77,7 @@ ToolResult computeCalibration(calibration::CalibrationDefinition definition, con
 
 CalibrationForm::CalibrationForm(const RunStore& store, QWidget* parent)
     : ToolForm(parent),
-      rows_(new KeyRows(mayBeFree, tr("lowest:highest, for example 60:150"), this)),
+      rows_(new KeyRows(mayBeFree, KeyValues::limits, this)),
       targets_(new TargetList(store, TargetList::Offer::targets, this)),
       search_(meshBox(tr("Mesh of the search"), "searchMesh", "tiny", this)),
       confirm_(meshBox(tr("Mesh on which the best points are computed again"), "confirmMesh", "draft", this)),
@@ -87,6 +87,7 @@ CalibrationForm::CalibrationForm(const RunStore& store, QWidget* parent)
   evaluations_->setRange(minimum - 1, maximum);
   evaluations_->setSpecialValueText(tr("20 + 40 per key"));
   evaluations_->setValue(minimum - 1);
+  connect(rows_, &KeyRows::edited, this, &ToolForm::edited);
   auto* search = new QHBoxLayout;
   search->addWidget(search_);
   search->addWidget(new QLabel(tr("confirmed on"), this));

@@ -151,6 +151,7 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   connect(view_, &RecordView::estimateRequested, this, &DetectionForm::estimateRequested);
   connect(view_, &RecordView::labelsSaved, labels_, &QLineEdit::setText);
   connect(view_, &RecordView::failed, this, &ToolForm::failed);
+  connect(view_, &RecordView::notDrawn, this, &ToolForm::noted);
   for (const QLineEdit* each : {channels_, units_, chainage_, labels_})
     connect(each, &QLineEdit::textChanged, this, &DetectionForm::choicesChanged);
   connect(speed_, &QDoubleSpinBox::valueChanged, this, &DetectionForm::choicesChanged);
@@ -159,6 +160,18 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   connect(files_->list()->model(), &QAbstractItemModel::rowsInserted, this, &DetectionForm::choicesChanged);
   connect(files_->list()->model(), &QAbstractItemModel::rowsRemoved, this, &DetectionForm::choicesChanged);
   connect(view_, &RecordView::changed, this, &DetectionForm::choicesChanged);
+  connect(this, &DetectionForm::choicesChanged, this, &ToolForm::edited);
+  constexpr int pause = 500;  // [ms] of somebody who types
+  draw_.setSingleShot(true);
+  draw_.setInterval(pause);
+  connect(&draw_, &QTimer::timeout, this, [this] {
+    if (isEnabled()) view_->draw(chosen());
+  });
+  const auto soon = [this] { draw_.start(); };
+  for (const QLineEdit* each : {channels_, units_, chainage_}) connect(each, &QLineEdit::textEdited, this, soon);
+  connect(speed_, &QDoubleSpinBox::valueChanged, this, soon);
+  connect(files_->list()->model(), &QAbstractItemModel::rowsInserted, this, soon);
+  connect(files_->list()->model(), &QAbstractItemModel::rowsRemoved, this, soon);
 }
 
 project::LongRecords DetectionForm::chosen() const {
@@ -194,6 +207,7 @@ void DetectionForm::setChoices(const project::LongRecords& choices) {
   units_->setText(QString::fromStdString(choices.units));
   together_->setCurrentIndex(std::max(0, together_->findData(QString::fromStdString(choices.together))));
   own_->setChecked(choices.ownVehicle);
+  draw_.stop();  // the view reads it when it is seen
 }
 
 QString DetectionForm::explanation() const {

@@ -1,6 +1,8 @@
 // widgets/studio/tools/DetectionForm.h - options of a search for squats in long records, and the view of what is found.
 #pragma once
 
+#include <QTimer>
+
 #include "project/Project.h"
 #include "studio/tools/ToolForm.h"
 
@@ -57,6 +59,7 @@ class DetectionForm : public ToolForm {
   QComboBox* together_;
   QCheckBox* own_;
   RecordView* view_;
+  QTimer draw_;  // once nothing has changed for a moment
 };
 
 }  // namespace squat::studio

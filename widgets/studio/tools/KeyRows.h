@@ -1,4 +1,4 @@
-// widgets/studio/tools/KeyRows.h - keys of the case and a text for each: values of a study, limits of a calibration.
+// widgets/studio/tools/KeyRows.h - keys of the case and the values that a tool gives them, a row each.
 #pragma once
 
 #include <QStringList>
@@ -13,34 +13,49 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QSpinBox;
 class QVBoxLayout;
 
 namespace squat::studio {
 
+// What a row asks for: two limits, or values, which are from, to and how many, or a list with commas in "from".
+enum class KeyValues { limits, values };
+
 class KeyRows : public QWidget {
   Q_OBJECT
  public:
-  // What may be chosen, and how the text of a row is written: "20:60:5 or 20,35,60".
-  KeyRows(const std::function<bool(const cases::Parameter&)>& mayVary, const QString& hint, QWidget* parent = nullptr);
+  KeyRows(const std::function<bool(const cases::Parameter&)>& mayVary, KeyValues values, QWidget* parent = nullptr);
 
-  // "defect.length=20:60:5", one for each row with a key.
+  // "defect.length=20:60:5", "defect.shape=cut,cosine": one for each row with a key, as the command writes them.
   std::vector<std::string> texts() const;
   void setTexts(const QStringList& texts);
+  std::vector<std::string> limits() const;  // "defect.length=20:60": without numbers of values
+  void setCounted(bool counted);            // numbers of values matter
+  // Combinations of all values; 0: a row is not complete.
+  int combinations() const;
   void showCase(const cases::CaseDescription& description);  // values beside the keys
+
+ Q_SIGNALS:
+  void edited();
 
  private:
   struct Row {
     QWidget* line;
     QComboBox* key;
-    QLineEdit* text;
+    QLineEdit *from, *to;
+    QSpinBox* count;
     QLabel* now;
   };
-  void addRow(const QString& key, const QString& text);
+  void addRow(const QString& key, const QString& values);
+  void makeValues(Row& row);
   void removeRow(const QWidget* line);
   void showValue(const Row& row) const;
+  std::string textOf(const Row& row, bool counted) const;
+  static QString keyOf(const Row& row);
 
   QStringList keys_;
-  QString hint_;
+  KeyValues values_;
+  bool counted_ = true;
   cases::CaseDescription description_;
   std::vector<Row> rows_;
   QVBoxLayout* lines_;

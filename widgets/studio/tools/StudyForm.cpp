@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QSettings>
 #include <QSpinBox>
 #include <filesystem>
@@ -77,43 +78,59 @@ ToolResult computeStudy(studies::StudyJob job, const studies::StudyRequest& requ
 
 StudyForm::StudyForm(QWidget* parent)
     : ToolForm(parent),
-      rows_(new KeyRows(mayVary, tr("20:60:5 or 20,35,60"), this)),
+      rows_(new KeyRows(mayVary, KeyValues::values, this)),
       points_(new QComboBox(this)),
       count_(new QSpinBox(this)),
-      keep_(new QCheckBox(tr("&Keep the result of each run, and list it"), this)) {
+      keep_(new QCheckBox(tr("&Keep the result of each run, and list it"), this)),
+      runs_(new QLabel(this)) {
   points_->setObjectName("points");
   points_->setAccessibleName(tr("Points"));
   points_->addItems({tr("All combinations"), tr("Sobol sample"), tr("Latin hypercube sample")});
-  points_->setToolTip(tr("A sample spreads this many points between the limits of all keys, LOW:HIGH"));
+  points_->setToolTip(tr("A sample spreads so many points between the limits of all keys"));
   count_->setObjectName("samples");
   count_->setAccessibleName(tr("Number of samples"));
   count_->setRange(2, 10000);
   count_->setValue(64);
   count_->setEnabled(false);
   keep_->setObjectName("keepResults");
-  connect(points_, &QComboBox::currentIndexChanged, count_, &QWidget::setEnabled);
+  runs_->setObjectName("studyRuns");
+  connect(points_, &QComboBox::currentIndexChanged, this, [this](int method) {
+    count_->setEnabled(method > 0);
+    rows_->setCounted(method == 0);
+    showRuns();
+  });
+  connect(count_, &QSpinBox::valueChanged, this, &StudyForm::showRuns);
+  connect(rows_, &KeyRows::edited, this, &StudyForm::showRuns);
+  connect(rows_, &KeyRows::edited, this, &ToolForm::edited);
   auto* points = new QHBoxLayout;
   points->addWidget(points_);
   points->addWidget(count_);
-  points->addWidget(keep_);
+  points->addWidget(runs_);
   points->addStretch(1);
+  points->addWidget(keep_);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Values:"), rows_);
   layout->addRow(tr("Points:"), points);
+  showRuns();
+}
+
+void StudyForm::showRuns() {
+  const int runs = points_->currentIndex() > 0 ? count_->value() : rows_->combinations();
+  runs_->setText(runs == 0 ? QString() : runs == 1 ? tr("1 run") : tr("%1 runs").arg(runs));
 }
 
 QString StudyForm::explanation() const {
   return tr(
-      "Runs the open case for all combinations of the given values: FROM:TO:COUNT, or single values with commas "
-      "between them, each in the unit of its key. A stopped study resumes in its folder.");
+      "Runs the open case for all combinations of the given values, each in the unit of its key. A stopped study "
+      "resumes in its folder.");
 }
 
 void StudyForm::showCase(const cases::CaseDescription& description) { rows_->showCase(description); }
 
 ToolWork StudyForm::work() {
   studies::StudyRequest request;
-  request.variations = rows_->texts();
+  request.variations = points_->currentIndex() > 0 ? rows_->limits() : rows_->texts();
   if (points_->currentIndex() > 0)
     request.sample = std::string(methods[points_->currentIndex()]) + ":" + std::to_string(count_->value());
   studies::StudyJob job;

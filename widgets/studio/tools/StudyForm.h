@@ -5,6 +5,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QSpinBox;
 
 namespace squat::studio {
@@ -26,10 +27,13 @@ class StudyForm : public ToolForm {
   void restore(const QSettings& settings) override;
 
  private:
+  void showRuns();  // how many there will be
+
   KeyRows* rows_;
   QComboBox* points_;
   QSpinBox* count_;
   QCheckBox* keep_;
+  QLabel* runs_;
 };
 
 }  // namespace squat::studio

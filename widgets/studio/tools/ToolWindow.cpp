@@ -121,6 +121,13 @@ ToolWindow::ToolWindow(CaseDocument& document, ToolForm* form, Blocker blocker, 
   restoreGeometry(settings.value("geometry").toByteArray());
   connect(&document_, &CaseDocument::changed, this, &ToolWindow::showCase);
   connect(&document_, &CaseDocument::titleChanged, this, &ToolWindow::showCase);
+  connect(form_, &ToolForm::edited, this, [this] {
+    if (!refusal_.isEmpty() && messages_->text() == refusal_) messages_->clear();
+  });
+  connect(form_, &ToolForm::noted, this, [this](const QString& note) {
+    refusal_ = note;
+    messages_->say(note);
+  });
   connect(form_, &ToolForm::failed, messages_, [this](const QString& problem) { messages_->warn(problem); });
   connect(&job_, &BackgroundJob::started, this, &ToolWindow::showState);
   connect(&job_, &BackgroundJob::stopping, this, &ToolWindow::showState);
@@ -140,7 +147,10 @@ void ToolWindow::makeOptions() {
   words->setWordWrap(true);
   folder_->setObjectName("toolFolder");
   folder_->setAccessibleName(tr("Folder of the files that are written"));
-  connect(folder_, &QLineEdit::textEdited, this, [this] { ownFolder_ = true; });
+  connect(folder_, &QLineEdit::textEdited, this, [this] {
+    ownFolder_ = true;
+    Q_EMIT form_->edited();
+  });
   auto* browse = new QPushButton(tr("&Browse…"), this);
   browse->setObjectName("toolBrowse");
   connect(browse, &QPushButton::clicked, this, &ToolWindow::askForFolder);
@@ -198,7 +208,7 @@ void ToolWindow::makeResults() {
   tabs_->addTab(text_, tr("Result"));
   tabs_->addTab(log_, tr("Log"));
   text_->setObjectName("toolText");
-  text_->setPlaceholderText(tr("Nothing computed yet."));
+  text_->setPlaceholderText(tr("Press Start. What comes out is shown here and written into the folder."));
   log_->setObjectName("toolLog");
   ownTabs_ = tabs_->count();
 }
@@ -232,11 +242,10 @@ void ToolWindow::start() {
   if (isBusy()) return;
   messages_->clear();
   if (const QString reason = blocker_(); !reason.isEmpty() && form_->usesCase())
-    return messages_->warn(tr("Cannot start: %1").arg(reason));
-  if (const QString missing = form_->missing(); !missing.isEmpty()) return messages_->warn(missing);
+    return refuse(tr("Cannot start: %1").arg(reason));
+  if (const QString missing = form_->missing(); !missing.isEmpty()) return refuse(missing);
   const QString named = folder_->text().trimmed();
-  if (named.isEmpty() || !QDir::isAbsolutePath(named))
-    return messages_->warn(tr("Enter the full path of the output folder."));
+  if (named.isEmpty() || !QDir::isAbsolutePath(named)) return refuse(tr("Enter the full path of the output folder."));
   const QString folder = QDir::cleanPath(named);
   writtenTo_ = folder;
   result_ = nullptr;
@@ -249,6 +258,12 @@ void ToolWindow::start() {
   result_ = made;
   if (form_->view()) tabs_->setCurrentWidget(form_->view());
   job_.start([work = form_->work(), input, made](Monitor& monitor) { *made = work(input, monitor); });
+}
+
+// Until the options are others.
+void ToolWindow::refuse(const QString& reason, const QString& details) {
+  refusal_ = reason;
+  messages_->warn(reason, details);
 }
 
 bool ToolWindow::waitFor(int milliseconds) {
@@ -292,10 +307,10 @@ void ToolWindow::conclude(const std::exception_ptr& error) {
   if (error) {
     result_ = nullptr;
     const ErrorText text = errorText(inWordsOfTheWindow(error), form_->subject());
-    messages_->warn(text.problems.empty()
-                        ? text.sentence
-                        : tr("%1 cannot be computed: %2").arg(form_->subject(), text.details.section('\n', 0, 0)),
-                    text.details);
+    if (text.problems.empty())
+      messages_->warn(text.sentence, text.details);
+    else
+      refuse(tr("%1 cannot be computed: %2").arg(form_->subject(), text.details.section('\n', 0, 0)), text.details);
     return finish();
   }
   text_->setPlainText(QString::fromStdString(result_->text));

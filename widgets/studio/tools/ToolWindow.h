@@ -67,6 +67,7 @@ class ToolWindow : public QWidget {
   void showState();
   void showNews(const WorkerMonitor::News& news);
   void conclude(const std::exception_ptr& error);
+  void refuse(const QString& reason, const QString& details = {});
   void showFigures();
   void takeFigureSize();
   void writeNext();
@@ -87,6 +88,7 @@ class ToolWindow : public QWidget {
   std::shared_ptr<ToolResult> result_;
   std::vector<plots::FigureSheet> toWrite_;  // the last one first
   QString writtenTo_, project_;
+  QString refusal_;         // of the options as they stood
   int ownTabs_ = 0;         // before those of the figures
   bool ownFolder_ = false;  // the user has named it
   BackgroundJob job_;       // the last one: its thread uses what stands above
