@@ -53,7 +53,7 @@ class Study {
     void report(const Progress& progress) override {
       const std::lock_guard lock(study_.mutex_);
       study_.fractions_[worker_] = progress.phase == "rolling" ? progress.fraction : study_.fractions_[worker_];
-      study_.reportLocked(progress, name_);
+      study_.reportLocked(progress);
     }
     void message(const std::string& text) override {
       const std::lock_guard lock(study_.mutex_);
@@ -74,13 +74,11 @@ class Study {
     std::string name_;
   };
 
-  void reportLocked(Progress progress, const std::string& name) {
+  void reportLocked(Progress progress) {
     const std::size_t done = table_.rows.size() - table_.count(RowState::open);
     double ended = static_cast<double>(done);
     for (const double fraction : fractions_) ended += fraction;
-    if (!progress.phase.empty()) progress.phase = " (" + progress.phase + ")";
-    progress.phase =
-        std::to_string(done) + " of " + std::to_string(table_.rows.size()) + " runs done; " + name + progress.phase;
+    progress.phase = std::to_string(done) + " of " + std::to_string(table_.rows.size()) + " runs done";
     progress.fraction = ended / static_cast<double>(table_.rows.size());
     progress.remainingSeconds = remainingSeconds(progress.fraction);
     monitor_.report(progress);
@@ -139,7 +137,7 @@ class Study {
     table_.rows[index] = std::move(row);
     if (lock_) lock_->requireOwn();
     writeTable(table_, options_.folder);
-    reportLocked({}, name);
+    reportLocked({});
   }
 
   StudyTable table_;

@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
@@ -34,6 +35,7 @@
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/FigureView.h"
 #include "studio/tools/CalibrationForm.h"
+#include "studio/tools/JobsButton.h"
 #include "studio/tools/KeyRows.h"
 #include "studio/tools/TargetList.h"
 #include "studio/tools/ToolWindow.h"
@@ -149,6 +151,29 @@ TEST_F(Tools, whatWasWrongIsNotSaidAnyMoreOnceItIsMended) {
   ASSERT_TRUE(study->messages()->text().contains("folder"));
   QTest::keyClicks(study->findChild<QLineEdit*>("toolFolder"), "/");
   EXPECT_EQ(study->messages()->text(), "");
+}
+
+// A tool whose window is closed computes on: the main window says so, and leads back to it.
+TEST_F(Tools, whatIsComputedIsSeenInTheMainWindow) {
+  const auto* jobs = window_.findChild<JobsButton*>();
+  EXPECT_FALSE(jobs->isEnabled());
+  const int width = jobs->width();
+  ToolWindow* study = open("study");
+  study->form()->findChild<KeyRows*>()->setTexts({QString("defect.depth=0.05:0.2:%1").arg(40 * studies::coresHere())});
+  study->start();
+  study->hide();
+  EXPECT_TRUE(tests::passes([&] { return jobs->text().contains("runs done"); }, 20000))
+      << jobs->text().toStdString();
+  EXPECT_TRUE(jobs->text().startsWith("Study: ")) << jobs->text().toStdString();
+  EXPECT_EQ(jobs->width(), width);
+  Q_EMIT jobs->menu()->aboutToShow();
+  ASSERT_EQ(jobs->menu()->actions().size(), 2);
+  jobs->menu()->actions()[0]->trigger();
+  EXPECT_TRUE(study->isVisible());
+  jobs->menu()->actions()[1]->trigger();
+  ASSERT_TRUE(tests::passes([&] { return !study->isBusy(); }, tests::patience));
+  EXPECT_FALSE(jobs->isEnabled());
+  EXPECT_EQ(jobs->text(), "");
 }
 
 // Keys lead from one tool to the next, Escape leaves a window open in which one works, Ctrl+W closes it.

@@ -18,8 +18,7 @@ QString durationText(double seconds) {
 }
 
 QString progressText(const Progress& progress) {
-  QString phase = QString::fromStdString(progress.phase);
-  if (!phase.contains('=')) phase.replace('_', ' ');  // a run of a study is called by its keys
+  const QString phase = QString::fromStdString(progress.phase).replace('_', ' ');
   QString text = QObject::tr("%1 %2 %").arg(phase).arg(100 * progress.fraction, 0, 'f', 0);
   if (progress.remainingSeconds >= 0) text += QObject::tr(", %1 left").arg(durationText(progress.remainingSeconds));
   return text;

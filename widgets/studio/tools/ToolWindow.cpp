@@ -290,6 +290,8 @@ void ToolWindow::showState() {
     state_->setText(tr("Drawing figures…"));
   else if (!running)
     state_->setText(tr("Ready"));
+  progressText_ = isBusy() ? state_->text() : QString();
+  Q_EMIT progressed();
 }
 
 void ToolWindow::showNews(const WorkerMonitor::News& news) {
@@ -299,6 +301,8 @@ void ToolWindow::showNews(const WorkerMonitor::News& news) {
     const QString text = progressText(now);
     state_->setText(state_->fontMetrics().elidedText(text, Qt::ElideMiddle, state_->width()));
     state_->setToolTip(text);
+    progressText_ = text;
+    Q_EMIT progressed();
   }
   for (const QString& line : news.messages) log_->appendPlainText(line);
 }

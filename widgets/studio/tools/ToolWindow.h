@@ -39,6 +39,7 @@ class ToolWindow : public QWidget {
   void setProject(const QString& path);  // files go beside it, unless the user has named a folder; empty: there is none
   void start();
   void cancel();
+  QString progress() const { return progressText_; }  // "43 %, 1 min left"; empty: it computes nothing
   bool isComputing() const { return job_.isRunning(); }
   bool isBusy() const { return job_.isRunning() || !toWrite_.empty(); }  // computes, or writes its figures
   bool waitFor(int milliseconds);  // runs the event loop until it is no longer busy
@@ -47,6 +48,7 @@ class ToolWindow : public QWidget {
   void setStyle(const plots::Style& style);
 
  Q_SIGNALS:
+  void progressed();  // progress() is another one
   void caseFound(const QString& path);
   void openCaseRequested(const QString& path);
   void resultsKept(const std::vector<std::pair<std::string, std::string>>& namedFiles);
@@ -89,6 +91,7 @@ class ToolWindow : public QWidget {
   std::vector<plots::FigureSheet> toWrite_;  // the last one first
   QString writtenTo_, project_;
   QString refusal_;         // of the options as they stood
+  QString progressText_;
   int ownTabs_ = 0;         // before those of the figures
   bool ownFolder_ = false;  // the user has named it
   BackgroundJob job_;       // the last one: its thread uses what stands above

@@ -37,6 +37,7 @@
 #include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
+#include "studio/tools/JobsButton.h"
 #include "studio/tools/ToolWindow.h"
 
 namespace squat::studio {
@@ -114,6 +115,8 @@ void MainWindow::makeParts() {
   setCentralWidget(centre);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(messages_, 1);
+  jobs_ = new JobsButton(this);
+  statusBar()->addPermanentWidget(jobs_);
   form_ = new ParameterForm(document_, this);
   signals_ = new SignalsPanel(store_, style, this);
   previewPanel_ = new PreviewPanel(preview_, store_, style, this);

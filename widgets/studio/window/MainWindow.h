@@ -24,6 +24,7 @@ namespace squat::studio {
 class AlignDialog;
 class ComparisonWindow;
 class HelpWindow;
+class JobsButton;
 class MessageBar;
 class NotesPanel;
 class ParameterForm;
@@ -154,6 +155,7 @@ class MainWindow : public QMainWindow {
   bool mayLeaveRun();  // stops it, or the user stays
   void makeToolActions(QMenu& menu);
   void showTool(const QString& name);
+  void showJobs();
   bool mayLeaveTools();  // stops what they compute, or the user stays
   void recoverWork();
   void showRecovered(const project::Project& work, int others);
@@ -201,6 +203,7 @@ class MainWindow : public QMainWindow {
   std::string running_;     // the case of that run
   bool resumed_ = false;    // the run in progress
   MessageBar* messages_;
+  JobsButton* jobs_;
   QPointer<HelpWindow> help_;
   QPointer<AlignDialog> align_;
   QPointer<QuickTour> tour_;

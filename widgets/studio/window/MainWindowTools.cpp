@@ -9,6 +9,7 @@
 #include "studio/tools/CalibrationForm.h"
 #include "studio/tools/DetectionForm.h"
 #include "studio/tools/EstimateForm.h"
+#include "studio/tools/JobsButton.h"
 #include "studio/tools/ReceptanceForm.h"
 #include "studio/tools/StudyForm.h"
 #include "studio/tools/TargetList.h"
@@ -58,6 +59,7 @@ ToolWindow* MainWindow::tool(const QString& name) {
   window = new ToolWindow(document_, formOf(name, store_, style), blocker, style, this);
   window->setProject(keeper_->path());
   connect(keeper_, &ProjectKeeper::openChanged, window, [this, window] { window->setProject(keeper_->path()); });
+  connect(window, &ToolWindow::progressed, this, &MainWindow::showJobs);
   connect(window, &ToolWindow::helpRequested, this, &MainWindow::showHelp);
   connect(window, &ToolWindow::resultsKept, reader_, &RunReader::add);
   connect(window, &ToolWindow::openCaseRequested, this, &MainWindow::openCase);
@@ -83,6 +85,15 @@ void MainWindow::showTool(const QString& name) {
   window->show();
   window->raise();
   window->activateWindow();
+}
+
+void MainWindow::showJobs() {
+  std::vector<Job> jobs;
+  for (const auto& [name, window] : tools_)
+    if (window && !window->progress().isEmpty())
+      jobs.push_back({window->form()->title(), window->progress(), [this, name = name] { showTool(name); },
+                      [window = window] { window->cancel(); }});
+  jobs_->setJobs(std::move(jobs));
 }
 
 bool MainWindow::mayLeaveTools() {
