@@ -8,6 +8,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QPlainTextEdit>
 #include <QProcess>
 #include <QSlider>
 #include <QSpinBox>
@@ -26,6 +27,7 @@
 #include "studio/project/NotesPanel.h"
 #include "studio/project/ProjectKeeper.h"
 #include "studio/project/RunReader.h"
+#include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
@@ -463,6 +465,25 @@ TEST_F(ProjectOfRuns, theLastOneIsOpenedAtTheStart) {
   const auto window = open();
   window->openLastProject();
   EXPECT_FALSE(window->keeper()->isOpen());
+}
+
+// What was said of a run of the project goes with it.
+TEST(Project, closedLeavesNothingOfItsRunsBehind) {
+  const QTemporaryDir folder;
+  MainWindow window(tests::services());
+  const auto* line = window.findChild<QLabel*>("runLine");
+  const auto* log = window.findChild<RunPanel*>()->findChild<QPlainTextEdit*>();
+  ASSERT_TRUE(window.openCase("light-defect"));
+  ASSERT_TRUE(window.saveProjectTo(folder.filePath("day.squat-project")));
+  window.startRun();
+  ASSERT_TRUE(window.controller().waitFor(60000));
+  ASSERT_TRUE(line->text().contains("Done")) << line->text().toStdString();
+  ASSERT_FALSE(log->toPlainText().isEmpty());
+  ASSERT_TRUE(window.closeProject());
+  EXPECT_EQ(line->text(), "");
+  EXPECT_EQ(log->toPlainText(), "");
+  EXPECT_EQ(window.store().rowCount(), 0);
+  EXPECT_FALSE(window.isWindowModified());
 }
 
 }  // namespace

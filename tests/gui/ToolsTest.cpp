@@ -162,8 +162,7 @@ TEST_F(Tools, whatIsComputedIsSeenInTheMainWindow) {
   study->form()->findChild<KeyRows*>()->setTexts({QString("defect.depth=0.05:0.2:%1").arg(40 * studies::coresHere())});
   study->start();
   study->hide();
-  EXPECT_TRUE(tests::passes([&] { return jobs->text().contains("runs done"); }, 20000))
-      << jobs->text().toStdString();
+  EXPECT_TRUE(tests::passes([&] { return jobs->text().contains("runs done"); }, 20000)) << jobs->text().toStdString();
   EXPECT_TRUE(jobs->text().startsWith("Study: ")) << jobs->text().toStdString();
   EXPECT_EQ(jobs->width(), width);
   Q_EMIT jobs->menu()->aboutToShow();

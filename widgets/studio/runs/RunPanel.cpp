@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -26,7 +27,6 @@ RunPanel::RunPanel(RunController& controller, const plots::Style& style, QWidget
   };
   run_ = button(tr("Run"), "run");
   resume_ = button(tr("Resume"), "resumeRun");
-  resume_->setToolTip(tr("Resume the stopped run of this case (Ctrl+F5)"));
   pause_ = button(tr("Pause"), "pause");
   cancel_ = button(tr("Cancel"), "cancel");
   progress_ = new QProgressBar(this);
@@ -95,8 +95,20 @@ void RunPanel::setBlockers(const QStringList& reasons) {
   showState();
 }
 
-void RunPanel::setStopped(bool canResume) {
-  canResume_ = canResume;
+void RunPanel::setStopped(const QDateTime& when) {
+  stopped_ = when;
+  const QString time = QLocale().toString(when, QLocale::ShortFormat);
+  resume_->setToolTip(when.isValid() ? tr("Resume the run of this case that was stopped at %1 (Ctrl+F5)").arg(time)
+                                     : tr("No run of this case was stopped (Ctrl+F5)"));
+  showState();
+}
+
+void RunPanel::clear() {
+  if (controller_.isRunning()) return;
+  note_.clear(), figures_.clear();
+  live_->clear();
+  seen_->setCurrentIndex(0);
+  log_->clear();
   showState();
 }
 
@@ -108,7 +120,7 @@ void RunPanel::showState() {
   const bool running = controller_.isRunning();
   run_->setEnabled(!running && blockers_.isEmpty());
   run_->setToolTip(blockers_.isEmpty() ? tr("Run the case (F5)") : blockers_.join('\n'));
-  resume_->setEnabled(!running && canResume_ && blockers_.isEmpty());
+  resume_->setEnabled(!running && stopped_.isValid() && blockers_.isEmpty());
   pause_->setEnabled(running && !controller_.isStopping());
   pause_->setText(controller_.isPaused() && running ? tr("Continue") : tr("Pause"));
   pause_->setAccessibleName(pause_->text());

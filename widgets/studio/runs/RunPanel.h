@@ -1,6 +1,7 @@
 // widgets/studio/runs/RunPanel.h - start, pause and stop a run, and watch it.
 #pragma once
 
+#include <QDateTime>
 #include <QWidget>
 
 #include "plots/Style.h"
@@ -24,8 +25,8 @@ class RunPanel : public QWidget {
 
   // Why the case cannot be run, one sentence each; empty: it can.
   void setBlockers(const QStringList& reasons);
-  // True where a run of this case was stopped and can be resumed.
-  void setStopped(bool canResume);
+  void setStopped(const QDateTime& when);  // the run of the case that can be resumed; not valid: there is none
+  void clear();                            // of a run that is of no interest any more
   LivePlot* live() const { return live_; }
   void setStyle(const plots::Style& style);
 
@@ -49,7 +50,7 @@ class RunPanel : public QWidget {
   QStackedWidget* seen_;  // a hint, then the live curves
   QPlainTextEdit* log_;
   QStringList blockers_;
-  bool canResume_ = false;
+  QDateTime stopped_;
 };
 
 }  // namespace squat::studio

@@ -42,6 +42,11 @@ bool StoppedRuns::exists(const QString& file) {
   return !file.isEmpty() && (QFileInfo::exists(file) || QFileInfo::exists(file + ".previous"));
 }
 
+QDateTime StoppedRuns::time(const QString& file) {
+  const QFileInfo state(file), previous(file + ".previous");
+  return state.exists() ? state.lastModified() : previous.lastModified();
+}
+
 // Asked with every change of the case: without a run under way there is no lock to be opened.
 QString StoppedRuns::owner(const QString& file) {
   if (file.isEmpty() || !QFileInfo::exists(file + lockEnding)) return {};

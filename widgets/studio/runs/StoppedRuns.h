@@ -2,6 +2,7 @@
 // machine, resumes as soon as its case is open again.
 #pragma once
 
+#include <QDateTime>
 #include <QString>
 #include <memory>
 #include <string>
@@ -26,6 +27,7 @@ class StoppedRuns {
   // Whether a run of this case can be resumed: it has a checkpoint, and is not under way.
   bool has(const cases::CaseDescription& description) const;
   static bool exists(const QString& file);
+  static QDateTime time(const QString& file);  // when its state was last written; not valid: there is none
   // Who computes the run of this checkpoint now: "squat-studio (process 4711 on HOST)"; empty: nobody.
   static QString owner(const QString& file);
   // For as long as a run is under way. Null without a file, and where another window holds it.

@@ -90,7 +90,7 @@ class ToolWindow : public QWidget {
   std::shared_ptr<ToolResult> result_;
   std::vector<plots::FigureSheet> toWrite_;  // the last one first
   QString writtenTo_, project_;
-  QString refusal_;         // of the options as they stood
+  QString refusal_;  // of the options as they stood
   QString progressText_;
   int ownTabs_ = 0;         // before those of the figures
   bool ownFolder_ = false;  // the user has named it

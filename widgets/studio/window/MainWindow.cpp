@@ -328,7 +328,7 @@ void MainWindow::keep(const ResultPointer& result) {
 
 void MainWindow::showStopped() {
   const bool can = !controller_.isRunning() && stopped_.has(document_.description());
-  run_->setStopped(can);
+  run_->setStopped(can ? StoppedRuns::time(stopped_.file(document_.description())) : QDateTime());
   if (resumeAction_) resumeAction_->setEnabled(can);
   enableActions();
 }

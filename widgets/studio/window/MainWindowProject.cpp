@@ -35,6 +35,7 @@
 #include "studio/project/RunReader.h"
 #include "studio/project/StoreReport.h"
 #include "studio/records/RecordView.h"
+#include "studio/runs/RunPanel.h"
 #include "studio/runs/RunsPanel.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/tools/DetectionForm.h"
@@ -197,6 +198,7 @@ bool MainWindow::openProject(const QString& path) {
     return false;
   }
   keeper_->dropUntitled();
+  run_->clear();
   projectProblems_.clear();
   startCase(project.open, projectProblems_);
   reader_->open(project);
@@ -463,6 +465,7 @@ bool MainWindow::closeProject() {
   keeper_->release();
   QSettings().remove(lastProject);
   reader_->open({});
+  run_->clear();
   document_.startNew();
   showRecords({});
   runs_->setOrder({});
