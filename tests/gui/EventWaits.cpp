@@ -13,12 +13,6 @@ namespace {
 
 constexpr int pulseEvery = 5, changeEvery = 50;  // [ms]
 
-double processorMilliseconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 double percentile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   return values.empty() ? 0 : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
@@ -26,10 +20,16 @@ double percentile(std::vector<double> values, double share) {
 
 }  // namespace
 
-EventWaits::EventWaits() : used_(processorMilliseconds()) {
+double threadMilliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+EventWaits::EventWaits() : used_(threadMilliseconds()) {
   pulse_.setTimerType(Qt::PreciseTimer);
   QObject::connect(&pulse_, &QTimer::timeout, [this] {
-    const double now = processorMilliseconds();
+    const double now = threadMilliseconds();
     late_.push_back(std::max(0.0, 1e-6 * static_cast<double>(clock_.nsecsElapsed()) - pulseEvery));
     busy_.push_back(now - used_);
     used_ = now;

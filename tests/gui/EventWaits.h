@@ -11,6 +11,8 @@ class MainWindow;
 
 namespace squat::tests {
 
+double threadMilliseconds();  // processor time of this thread
+
 // From its making to stop(): a pulse every 5 ms, how late each one comes, and what processor time each turn of the
 // event loop has taken. Other programs make pulses late, not turns long.
 class EventWaits {

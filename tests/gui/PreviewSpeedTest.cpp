@@ -2,9 +2,12 @@
 // answering while previews restart twenty times a second. Wall times are printed, as other programs may be busy.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "gui/EventWaits.h"
@@ -12,6 +15,9 @@
 #include "gui/PreviewSolvers.h"
 #include "studio/preview/CurvePlot.h"
 #include "studio/preview/PreviewPanel.h"
+#include "studio/profile/ProfileEditor.h"
+#include "studio/profile/ProfileModel.h"
+#include "studio/profile/ProfilePlot.h"
 
 namespace squat::studio {
 namespace {
@@ -67,6 +73,41 @@ TEST(PreviewSpeed, theWindowAnswersWhilePreviewsRestartForAMinute) {
   std::printf("  %d pictures of the preview were shown\n", shown);
   EXPECT_GT(shown, 100);
   EXPECT_LT(waits.processorTime(1), 50) << "a turn of the event loop";
+}
+
+// A point of a profile is dragged for five seconds, sixty times a second: each move is drawn before the next one.
+TEST(PreviewSpeed, theFramesOfADrag) {
+  auto window = windowWithPreview();
+  window->showTab("profile");
+  window->document().edit("points", asPoints(window->document().description()));
+  ASSERT_TRUE(window->preview().waitFor(patience));
+  ProfilePlot& plot = *window->profile()->plot();
+  const QPointF from = plot.locationOf(window->document().description().defect.points.size() / 2);
+  QTest::mousePress(&plot, Qt::LeftButton, {}, from.toPoint());
+  constexpr int frames = 300, every = 16;  // [ms]
+  std::vector<double> wall, busy;          // [ms]
+  QElapsedTimer clock;
+  for (int i = 0; i < frames; ++i) {
+    const QPointF to = from + QPointF(0, 25 * std::sin(0.05 * i));
+    const double before = tests::threadMilliseconds();
+    clock.start();
+    QMouseEvent move(QEvent::MouseMove, to, plot.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&plot, &move);
+    QApplication::processEvents();
+    wall.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+    busy.push_back(tests::threadMilliseconds() - before);
+    QTest::qWait(std::max(0, every - static_cast<int>(clock.elapsed())));
+  }
+  QTest::mouseRelease(&plot, Qt::LeftButton, {}, from.toPoint());
+  std::sort(wall.begin(), wall.end());
+  std::sort(busy.begin(), busy.end());
+  constexpr std::size_t middle = frames / 2, last = frames * 99 / 100;
+  std::printf(
+      "a point that is dragged, %d frames: 50 %% %.1f, 99 %% %.1f, largest %.1f ms; of processor time %.1f, %.1f, "
+      "%.1f ms\n",
+      frames, wall[middle], wall[last], wall.back(), busy[middle], busy[last], busy.back());
+  EXPECT_LT(busy[last], 33);  // thirty frames a second
+  EXPECT_EQ(window->document().undoStack().count(), 2);
 }
 
 }  // namespace
