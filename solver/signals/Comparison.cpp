@@ -39,6 +39,11 @@ AlignedRuns overlay(const Passage& first, const Passage& second, bool inPosition
   return result;
 }
 
+bool isSame(const Passage& first, const Passage& second) {
+  return first.series.start == second.series.start && first.series.step == second.series.step &&
+         first.series.values == second.series.values && first.position == second.position;
+}
+
 double ratio(double a, double b) { return b != 0 ? a / b : 0.0; }
 
 double rmsOf(const std::vector<double>& values) { return movingRms(values, 2 * values.size()).front(); }
@@ -76,9 +81,11 @@ Comparison compare(const Passage& first, const Passage& second, const Comparison
                       "' have different units: " + first.series.unit + " and " + second.series.unit);
   const Anchor anchor = options.features.anchor.value_or(anchorOf(first));
   AlignmentOptions alignment{options.features.before, options.features.after, options.largestShift, anchor.time};
-  const AlignedRuns runs = !options.align       ? overlay(first, second, options.inPosition, anchor.time)
-                           : options.inPosition ? alignInPosition({first, second}, alignment)
-                                                : alignInTime({first, second}, alignment);
+  AlignedRuns runs = !options.align       ? overlay(first, second, options.inPosition, anchor.time)
+                     : options.inPosition ? alignInPosition({first, second}, alignment)
+                                          : alignInTime({first, second}, alignment);
+  if (isSame(first, second))  // what the interpolation of a shift of zero costs is no difference
+    runs.values[1] = runs.values[0], runs.impact[1] = runs.impact[0];
   Comparison result;
   result.firstName = first.series.name;
   result.secondName = second.series.name;

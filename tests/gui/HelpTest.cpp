@@ -101,6 +101,23 @@ TEST(Help, LinksToWhatStandsElsewhere) {
   EXPECT_TRUE(help.browser()->toPlainText().contains("    run(each)"));
 }
 
+// Built without its pages, say: an empty window explains nothing.
+TEST(Help, aPageThatIsMissingIsNamed) {
+  const QTemporaryDir folder;
+  QFile index(folder.filePath("index.md"));
+  ASSERT_TRUE(index.open(QIODevice::WriteOnly));
+  index.write("# Manual\n\n[Parameters](parameters.md#pad)\n");
+  index.close();
+  HelpWindow help({index.fileName()});
+  help.browser()->setSource(QUrl("parameters.md#pad"));  // as a click on the link
+  EXPECT_TRUE(help.browser()->toPlainText().contains("“parameters” is not there"))
+      << help.browser()->toPlainText().toStdString();
+  help.showIndex();
+  help.showPage("parameters.md#pad");  // as F1
+  EXPECT_TRUE(help.browser()->toPlainText().contains("“parameters” is not there"))
+      << help.browser()->toPlainText().toStdString();
+}
+
 TEST(Help, AboutNamesVersionAndCommit) {
   MainWindow window(tests::services());
   window.show();

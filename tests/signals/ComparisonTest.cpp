@@ -41,6 +41,16 @@ TEST(Comparison, scaledAndShiftedRecord) {
   EXPECT_EQ(row[0].first, "peak ratio [-]");
 }
 
+// Exactly: whoever reads 0.9999 looks for a reason.
+TEST(Comparison, aRecordIsItself) {
+  const auto result = compare(struck(0.08, 300, 1034, 60), struck(0.08, 300, 1034, 60));
+  EXPECT_EQ(result.peakRatio, 1);
+  EXPECT_EQ(result.rmsRatio, 1);
+  EXPECT_EQ(result.shift, 0);
+  EXPECT_EQ(result.differencePeak, 0);
+  EXPECT_NEAR(result.correlation, 1, 1e-12);
+}
+
 // A record of 2 kHz says nothing of 1000 to 1200 Hz: no ratio, not that of what the interpolation leaks.
 TEST(Comparison, whatTheSlowerRecordCannotHoldHasNoRatio) {
   auto slow = struck(0.08, 300, 700, 60);

@@ -22,6 +22,14 @@ bool isIndex(const QString& page) {
   return name == "index" || name == "contents" || (name == "readme" && file.dir().dirName() == "manual");
 }
 
+// Markdown and HTML alike.
+QString missingPage(const QString& path) {
+  return QObject::tr(
+             "The page “%1” is not there: the build writes it (target pages). In this window F1 and the tool tips "
+             "explain each key; squat describe lists them all.")
+      .arg(QFileInfo(path).completeBaseName());
+}
+
 // Pages by the links of Markdown: Qt does not know the anchors of headings, and what the build writes or installs
 // elsewhere (reference pages, README) does not stand where a link says, but bears that name.
 class PageBrowser : public QTextBrowser {
@@ -40,6 +48,8 @@ class PageBrowser : public QTextBrowser {
     const QString path = url.toLocalFile();
     const bool isText = type == QTextDocument::HtmlResource && !path.endsWith(".html");
     QFile file(path);
+    const bool isPage = type == QTextDocument::MarkdownResource || type == QTextDocument::HtmlResource;
+    if (isPage && !path.isEmpty() && !file.exists()) return missingPage(path);
     if (isText && file.open(QIODevice::ReadOnly))  // an example that a page links to
       return QStringLiteral("<pre>%1</pre>").arg(QString::fromUtf8(file.readAll()).toHtmlEscaped());
     return QTextBrowser::loadResource(type, url);
@@ -159,7 +169,7 @@ void HelpWindow::showPage(const QString& target) {
       if (target.contains('#')) url.setFragment(target.section('#', 1));
       return browser_->setSource(url);
     }
-  showIndex();
+  browser_->setSource(QUrl::fromLocalFile("/" + name));  // which says that it is not there
 }
 
 }  // namespace squat::studio
