@@ -16,7 +16,6 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabWidget>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -389,17 +388,6 @@ bool MainWindow::showTab(const QString& name) {
   else
     signalsDock_->show(), signalsDock_->raise(), right_->setCurrentWidget(signals_), signals_->showTab(name);
   return true;
-}
-
-// What a crash left. A case that is opened from the command line hides the message before anybody has seen it.
-void MainWindow::recoverWork() {
-  const auto recovered = keeper_->recover();
-  if (recovered.work) showRecovered(*recovered.work, recovered.others);
-  if (!recovered.problems.isEmpty()) messages_->warn(recovered.problems.join(' '));
-  if (const QString said = messages_->text(); !said.isEmpty())
-    QTimer::singleShot(0, this, [this, said] {
-      if (messages_->text().isEmpty()) messages_->say(said);
-    });
 }
 
 // Cancels and waits. A part of a result goes with the window, as the question said; what is complete is kept.

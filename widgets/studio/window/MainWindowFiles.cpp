@@ -390,13 +390,4 @@ void MainWindow::restoreRun() {
   if (row >= 0) messages_->say(tr("“%1” is in the list again.").arg(store_.at(row).label));
 }
 
-void MainWindow::hideSettledRecovery() {
-  if (!recoverySaid_.isEmpty() && messages_->text() == recoverySaid_ && !hasUnsavedWork()) messages_->clear();
-}
-
-// Another case is there: what is said of the one before goes, but not that recovered work is still to be saved.
-void MainWindow::hideWordsOfOldCase() {
-  if (messages_->text() != recoverySaid_ || !hasUnsavedWork()) messages_->clear();
-}
-
 }  // namespace squat::studio

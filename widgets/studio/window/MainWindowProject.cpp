@@ -10,7 +10,6 @@
 #include <QSettings>
 #include <QTabWidget>
 #include <QTextDocument>
-#include <QTimer>
 #include <algorithm>
 
 #include "case/CaseFile.h"
@@ -263,28 +262,6 @@ void MainWindow::showProjectProblems() {
                     projectProblems_.join('\n'));
 }
 
-// Windows that were open come back once this one is there.
-void MainWindow::showRecovered(const project::Project& work, int others) {
-  startCase(work.open, projectProblems_);
-  reader_->open(work, keeper_->untitledResults());
-  showWork(work);
-  notes_->document()->setModified(!work.notes.empty());
-  QTimer::singleShot(0, this, [this, names = work.views] { showViews(names); });
-  recoverySaid_ =
-      tr("Your work is here again, as it was before the program ended unexpectedly. Save it as a project to "
-         "keep it.");
-  if (others > 0) recoverySaid_ += ' ' + tr("Work of another window comes back when the program is started once more.");
-  messages_->say(recoverySaid_, projectProblems_.join('\n'));
-  connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::hideSettledRecovery);
-  connect(&store_, &RunStore::rowsRemoved, this, &MainWindow::hideSettledRecovery);
-  connect(&store_, &RunStore::dataChanged, this, &MainWindow::hideSettledRecovery);
-}
-
-// Of results that are still being read nobody knows.
-bool MainWindow::hasUnsavedWork() const {
-  return hasUnsavedChanges() || reader_->isBusy() || !store_.unsaved().empty() || notes_->document()->isModified();
-}
-
 // Rows may move while the dialog stands: the run itself is what is meant.
 void MainWindow::findMissing(int row) {
   const StoredRun lost = store_.at(row);
@@ -429,13 +406,6 @@ bool MainWindow::saveReportTo(const QString& path) {
   else
     messages_->say(tr("%1 Not all could be computed or drawn.").arg(said), lines.join('\n'));
   return true;
-}
-
-// Recovered results are read while the window is in use; they can be saved, or let go, once they are there.
-void MainWindow::waitForUnsaved() {
-  constexpr int patience = 20000;  // [ms]
-  for (int row = 0; row < store_.rowCount(); ++row)
-    if (store_.at(row).opening && store_.at(row).kept) return void(reader_->waitFor(patience));
 }
 
 void MainWindow::keepResults() {
