@@ -34,13 +34,18 @@ ListedEvent eventIn(const JsonNode& node, const std::vector<std::string>& record
   event.passesThere = node.at("passes_there").whole(0, maximumPasses);
   if (!node.has("severity")) return event;
   event.severity = node.at("severity").text();
-  const auto first = [&](const char* key) {  // the estimate; its limits follow
+  const auto take = [&](const char* key, double& value, double& low, double& high) {
     const auto values = node.at(key).list();
-    if (values.empty()) node.at(key).fail("is empty");
-    return 1e-3 * values.front().number(0, largestNumber);
+    if (!values.empty()) value = 1e-3 * values[0].number(0, largestNumber);
+    if (values.size() != 3) node.at(key).fail("is not an estimate with its two limits");
+    low = 1e-3 * values[1].number(0, largestNumber), high = 1e-3 * values[2].number(0, largestNumber);
   };
-  event.length = first("length_mm");
-  event.depth = first("depth_mm");
+  take("length_mm", event.length, event.lengthLow, event.lengthHigh);
+  take("depth_mm", event.depth, event.depthLow, event.depthHigh);
+  if (!node.has("severities")) return event;
+  const JsonNode severities = node.at("severities");
+  event.severities = {severities.at("light").number(0, 1), severities.at("moderate").number(0, 1),
+                      severities.at("severe").number(0, 1)};
   return event;
 }
 

@@ -1,6 +1,7 @@
 // solver/project/EventList.h - the list of events of long records, squats.json, as a project reads it again.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,16 +9,19 @@ namespace squat::project {
 
 // As detection::writeDetection() writes it: rounded, and without the signal over the event.
 struct ListedEvent {
-  double position = 0;           // [m]
-  double time = 0;               // [s]
-  std::string record, channel;   // the record's file, as it was called then
-  std::string kind, severity;    // "squat", "moderate"; severity of a squat alone
-  std::string reason;            // of the kind, where the surroundings decided it; may be empty
-  double sureness = 0;           // 0..1
-  double peak = 0;               // [m/s2]
-  double speed = 0;              // [m/s]
-  double length = 0, depth = 0;  // [m] of a squat
-  double extent = 0;             // [m] of a stretch of corrugation; else 0
+  double position = 0;          // [m]
+  double time = 0;              // [s]
+  std::string record, channel;  // the record's file, as it was called then
+  std::string kind, severity;   // "squat", "moderate"; severity of a squat alone
+  std::string reason;           // of the kind, where the surroundings decided it; may be empty
+  double sureness = 0;          // 0..1
+  double peak = 0;              // [m/s2]
+  double speed = 0;             // [m/s]
+  // [m] of a squat, with their 90 % ranges.
+  double length = 0, lengthLow = 0, lengthHigh = 0;
+  double depth = 0, depthLow = 0, depthHigh = 0;
+  std::array<double, 3> severities{};  // probability of light, moderate, severe; zeros: an older list has none
+  double extent = 0;                   // [m] of a stretch of corrugation; else 0
   int passes = 1, passesThere = 1;
 };
 

@@ -27,7 +27,9 @@
 #include "project/ProjectFile.h"
 #include "studio/common/MessageBar.h"
 #include "studio/project/ProjectKeeper.h"
+#include "studio/records/EventInspector.h"
 #include "studio/records/RecordView.h"
+#include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/tools/DetectionForm.h"
 #include "studio/tools/EstimateForm.h"
@@ -112,6 +114,40 @@ TEST_F(Records, aRecordIsSeenBeforeAnythingIsLookedForInIt) {
   EXPECT_NEAR(view_->strip()->figure()->xAxis->range().size(), 300, 1);  // [m]: 10 s at 30 m/s
   delete form_->findChild<QListWidget*>()->takeItem(0);
   EXPECT_TRUE(tests::passes([&] { return signal->dataCount() == 0; }, tests::patience));
+}
+
+// What stands in the line and in the figures is of the event that is chosen, with its ranges.
+TEST_F(Records, anEventIsSeenClose) {
+  ASSERT_NO_FATAL_FAILURE(search());
+  const auto* words = view_->findChild<QLabel*>("eventWords");
+  EXPECT_EQ(words->text(), "");
+  view_->table()->setFocus();
+  view_->table()->setCurrentIndex(seen().index(0, 0));
+  QTest::keyClick(view_->table(), Qt::Key_N);
+  QTest::keyClick(view_->table(), Qt::Key_N);
+  EXPECT_EQ(view_->table()->currentIndex().row(), 2);
+  QTest::keyClick(view_->table(), Qt::Key_P);
+  EXPECT_EQ(view_->table()->currentIndex().row(), 1);
+  const int row = rowOf("squat");
+  ASSERT_GE(row, 0);
+  view_->table()->setCurrentIndex(seen().index(row, 0));
+  const auto& rows = read("studio/squats.csv").split('\n');
+  const auto names = rows[0].split(','), values = rows[row + 1].split(',');
+  const auto figure = [&](const char* name) { return values[names.indexOf(name)].toDouble(); };
+  for (const char* name : {"length [mm]", "length low [mm]", "length high [mm]"})
+    EXPECT_TRUE(words->text().contains(QString::number(figure(name), 'f', 0))) << name << words->text().toStdString();
+  const auto views = view_->inspector()->findChildren<FigureView*>();
+  ASSERT_EQ(views.size(), 2);
+  for (const FigureView* view : views) {
+    ASSERT_TRUE(view->figure());
+    EXPECT_TRUE(view->isVisible());
+  }
+  EXPECT_LE(views[0]->figure()->xAxis->range().size(), 1500);  // [mm]
+  // Keys set the label that the list has at that place.
+  QTest::keyClick(view_->table(), Qt::Key_3);
+  EXPECT_EQ(seen().index(row, EventModel::seen).data().toString(), EventModel::labels()[3]);
+  QTest::keyClick(view_->table(), Qt::Key_0);
+  EXPECT_EQ(seen().index(row, EventModel::seen).data().toString(), "");
 }
 
 TEST_F(Records, theStripShowsTheRecordAndItsEvents) {

@@ -26,7 +26,10 @@ detection::DetectionReport madeUp() {
   squat.event.kind = detection::Kind::squat, squat.event.sureness = 0.914;
   squat.event.peak = 99.96, squat.event.features.speed = 30;
   squat.event.judgement.severity = detection::Severity::moderate;
-  squat.event.judgement.length = 0.045, squat.event.judgement.depth = 0.2e-3;
+  auto& judged = squat.event.judgement;
+  judged.length = 0.045, judged.lengthLow = 0.03, judged.lengthHigh = 0.06;
+  judged.depth = 0.2e-3, judged.depthLow = 0.1e-3, judged.depthHigh = 0.3e-3;
+  judged.severities = {0.1, 0.7, 0.2};
   squat.event.passes = 2, squat.event.passesThere = 3;
   joint.event.kind = detection::Kind::joint, joint.event.position = -7, joint.event.reason = "stands beside a weld";
   for (auto* event : {&squat.event, &joint.event})
@@ -71,6 +74,13 @@ TEST(EventList, whatASearchWroteIsRead) {
   EXPECT_NEAR(squat.speed, 30, 1e-9);
   EXPECT_NEAR(squat.length, 0.045, 1e-12);
   EXPECT_NEAR(squat.depth, 0.2e-3, 1e-12);
+  EXPECT_NEAR(squat.lengthLow, 0.03, 1e-12);
+  EXPECT_NEAR(squat.lengthHigh, 0.06, 1e-12);
+  EXPECT_NEAR(squat.depthLow, 0.1e-3, 1e-12);
+  EXPECT_NEAR(squat.depthHigh, 0.3e-3, 1e-12);
+  EXPECT_NEAR(squat.severities[0], 0.1, 1e-12);
+  EXPECT_NEAR(squat.severities[1], 0.7, 1e-12);
+  EXPECT_NEAR(squat.severities[2], 0.2, 1e-12);
   EXPECT_EQ(squat.passes, 2);
   EXPECT_EQ(squat.passesThere, 3);
   EXPECT_EQ(joint.record, "/rides/day 2.csv");

@@ -122,10 +122,13 @@ std::unique_ptr<Figure> signalFigure(const results::AnalysedRecord& record, cons
   return figure;
 }
 
+// Enough to be analysed.
+bool hasSignal(const CombinedEvent& combined) { return combined.event.passage.values.size() > 32; }
+
 std::vector<const CombinedEvent*> mostImportant(const detection::DetectionReport& report, std::size_t maximum) {
   std::vector<const CombinedEvent*> events;
   for (const auto& event : report.events)
-    if (event.event.passage.values.size() > 32) events.push_back(&event);
+    if (hasSignal(event)) events.push_back(&event);
   const auto rank = [](const CombinedEvent& combined) {
     return std::pair{combined.event.kind == Kind::squat, combined.event.score};
   };
@@ -147,17 +150,23 @@ std::vector<FigureSheet> detectionFigures(const detection::DetectionReport& repo
   if (channels > 0) sheets.push_back(std::move(overview));
   std::size_t count = 0;
   for (const auto* combined : mostImportant(report, maximum)) {
-    const auto record = recordOf(*combined);
     char name[32];
     std::snprintf(name, sizeof name, "event_%03zu", ++count);
-    FigureSheet sheet{name, {}, 2};
-    sheet.panels.push_back(signalFigure(record, *combined, style));
-    auto map = scalogramFigure(record, style);
-    map->xAxis->setLabel("Position relative to the event [mm]");
-    sheet.panels.push_back(std::move(map));
-    sheets.push_back(std::move(sheet));
+    sheets.push_back(eventFigure(*combined, style));
+    sheets.back().name = name;
   }
   return sheets;
+}
+
+FigureSheet eventFigure(const CombinedEvent& event, const Style& style) {
+  FigureSheet sheet{"event", {}, 2};
+  if (!hasSignal(event)) return sheet;
+  const auto record = recordOf(event);
+  sheet.panels.push_back(signalFigure(record, event, style));
+  auto map = scalogramFigure(record, style);
+  map->xAxis->setLabel("Position relative to the event [mm]");
+  sheet.panels.push_back(std::move(map));
+  return sheet;
 }
 
 }  // namespace squat::plots

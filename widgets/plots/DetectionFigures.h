@@ -13,4 +13,7 @@ namespace squat::plots {
 std::vector<FigureSheet> detectionFigures(const detection::DetectionReport& report, const Style& style,
                                           std::size_t maximum = 40);
 
+// Signal and scalogram of one event, as its figure has them; no panels where its signal is not in memory.
+FigureSheet eventFigure(const detection::CombinedEvent& event, const Style& style);
+
 }  // namespace squat::plots

@@ -58,7 +58,10 @@ detection::CombinedEvent eventOf(const project::ListedEvent& listed, std::size_t
   event.extent = listed.extent;
   if (event.kind != Kind::squat) return combined;
   event.judgement.severity = severityFromText(listed.severity);
-  event.judgement.length = listed.length, event.judgement.depth = listed.depth;
+  auto& judged = event.judgement;
+  judged.length = listed.length, judged.lengthLow = listed.lengthLow, judged.lengthHigh = listed.lengthHigh;
+  judged.depth = listed.depth, judged.depthLow = listed.depthLow, judged.depthHigh = listed.depthHigh;
+  judged.severities = listed.severities;
   return combined;
 }
 

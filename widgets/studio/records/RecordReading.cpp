@@ -1,6 +1,7 @@
 #include "studio/records/RecordReading.h"
 
 #include "analysis/OptionText.h"
+#include "readers/SignalFile.h"
 #include "text/Text.h"
 
 namespace squat::studio {
@@ -24,6 +25,10 @@ records::Together togetherOf(const project::LongRecords& chosen) {
   return chosen.together == "ride"     ? records::Together::consecutive
          : chosen.together == "passes" ? records::Together::passes
                                        : records::Together::asTheyFollow;
+}
+
+signals::TimeSeries passageIn(const std::string& file) {
+  return readers::passageWithPositions(readers::readSignals(file).front()).series;
 }
 
 }  // namespace squat::studio

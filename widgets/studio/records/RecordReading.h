@@ -11,4 +11,7 @@ records::RecordOptions readingOf(const project::LongRecords& chosen);
 
 records::Together togetherOf(const project::LongRecords& chosen);
 
+// The signal over an event in the file that a search wrote. Throws FileError and CaseError.
+signals::TimeSeries passageIn(const std::string& file);
+
 }  // namespace squat::studio

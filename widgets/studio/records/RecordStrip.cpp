@@ -34,7 +34,7 @@ RecordStrip::RecordStrip(const plots::Style& style, QWidget* parent)
     : QWidget(parent), style_(style), timer_(new QTimer(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  setMinimumHeight(150);
+  setMinimumHeight(135);
   timer_->setInterval(growEvery);
   connect(timer_, &QTimer::timeout, this, &RecordStrip::grow);
   makeFigure();

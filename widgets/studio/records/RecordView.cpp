@@ -4,8 +4,10 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
@@ -19,6 +21,7 @@
 #include "records/RecordStream.h"
 #include "studio/common/LocationToSave.h"
 #include "studio/common/RowTable.h"
+#include "studio/records/EventInspector.h"
 #include "studio/records/RecordReading.h"
 
 namespace squat::studio {
@@ -59,6 +62,7 @@ RecordView::RecordView(const plots::Style& style, QWidget* parent)
       model_(new EventModel(this)),
       seen_(new QSortFilterProxyModel(this)),
       table_(new QTableView(this)),
+      inspector_(new EventInspector(style, this)),
       channel_(new QComboBox(this)),
       filter_(new QLineEdit(this)),
       show_(new QPushButton(tr("Show in the fi&gures"), this)),
@@ -67,10 +71,18 @@ RecordView::RecordView(const plots::Style& style, QWidget* parent)
   setObjectName("recordView");
   makeTable();
   auto* parts = new QSplitter(Qt::Vertical, this);
+  auto* events = new QSplitter(Qt::Horizontal, parts);
+  events->addWidget(table_);
+  events->addWidget(inspector_);
+  events->setChildrenCollapsible(true);
+  events->setStretchFactor(0, 1);
+  events->setStretchFactor(1, 1);
+  events->setSizes({500, 600});
   parts->addWidget(strip_);
-  parts->addWidget(table_);
-  parts->setStretchFactor(0, 3);
-  parts->setStretchFactor(1, 2);
+  parts->addWidget(events);
+  parts->setStretchFactor(0, 2);
+  parts->setStretchFactor(1, 3);
+  parts->setSizes({190, 260});
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(makeBar());
@@ -84,6 +96,7 @@ RecordView::RecordView(const plots::Style& style, QWidget* parent)
   connect(strip_, &RecordStrip::eventPicked, this,
           [this](int event) { table_->setCurrentIndex(seen_->mapFromSource(model_->index(event, 0))); });
   connect(model_, &QAbstractItemModel::dataChanged, this, &RecordView::changed);
+  connect(model_, &QAbstractItemModel::modelReset, this, &RecordView::showChosen);
   thread_.setMaxThreadCount(1);
   enableButtons();
 }
@@ -105,6 +118,10 @@ void RecordView::makeTable() {
   table_->setAccessibleName(tr("Events of the record"));
   table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
   table_->setItemDelegateForColumn(EventModel::seen, new LabelDelegate(table_));
+  table_->setToolTip(tr("N goes to the next event, P to the one before; 1 to 8 set the label, 0 takes it off"));
+  table_->installEventFilter(this);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table_, &QTableView::customContextMenuRequested, this, &RecordView::openMenu);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &RecordView::showChosen);
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     if (index.column() != EventModel::seen) show_->click();
@@ -272,6 +289,7 @@ int RecordView::chosen() const {
 void RecordView::showChosen() {
   enableButtons();
   const int event = chosen();
+  inspect(event);
   if (event < 0) return;
   const QString channel = QString::fromStdString(model_->at(event).event.channel);
   if (channel != strip_->channel()) {
@@ -279,6 +297,70 @@ void RecordView::showChosen() {
     strip_->setChannel(channel);
   }
   strip_->show(model_->at(event).event.position);
+}
+
+// Of a list that was read from its file, squats have their signal in one of their own.
+void RecordView::inspect(int event) {
+  if (event < 0) return inspector_->inspect(nullptr);
+  detection::CombinedEvent seen = model_->at(event);
+  if (seen.event.passage.values.empty() && seen.event.kind == detection::Kind::squat) {
+    const std::string file =
+        folder_.toStdString() + "/" + detection::passageName(seen, static_cast<std::size_t>(event));
+    if (QFileInfo::exists(QString::fromStdString(file))) try {
+        seen.event.passage = passageIn(file);
+      } catch (const std::exception& error) {
+        Q_EMIT failed(QString::fromStdString(error.what()));
+      }
+  }
+  inspector_->inspect(&seen);
+}
+
+void RecordView::setStyle(const plots::Style& style) {
+  strip_->setStyle(style);
+  inspector_->setStyle(style);
+}
+
+void RecordView::setLabel(int label) {
+  const int event = chosen();
+  const QString text = EventModel::labels().value(label);
+  if (event >= 0 && label < EventModel::labels().size())
+    model_->setData(model_->index(event, EventModel::seen), text, Qt::EditRole);
+}
+
+bool RecordView::takesKey(int key) {
+  const int step = key == Qt::Key_N ? 1 : key == Qt::Key_P ? -1 : 0;
+  if (step != 0) {
+    const QModelIndex at = table_->currentIndex();
+    const int row = at.isValid() ? at.row() + step : 0;
+    if (row >= 0 && row < seen_->rowCount()) table_->setCurrentIndex(seen_->index(row, std::max(0, at.column())));
+    return true;
+  }
+  if (key < Qt::Key_0 || key >= Qt::Key_0 + EventModel::labels().size()) return false;
+  setLabel(key - Qt::Key_0);
+  return true;
+}
+
+bool RecordView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_ && event->type() == QEvent::KeyPress) {
+    const auto& key = static_cast<const QKeyEvent&>(*event);
+    if (!(key.modifiers() & ~Qt::KeypadModifier) && takesKey(key.key())) return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void RecordView::openMenu(const QPoint& location) {
+  if (const QModelIndex at = table_->indexAt(location); at.isValid()) table_->setCurrentIndex(at);
+  if (chosen() < 0) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("Show in the &figures"), show_, &QPushButton::click)->setEnabled(show_->isEnabled());
+  menu->addAction(tr("&Estimate its profile…"), estimate_, &QPushButton::click)->setEnabled(estimate_->isEnabled());
+  QMenu* labels = menu->addMenu(tr("&Label"));
+  const QStringList words = EventModel::labels();
+  for (int label = 0; label < words.size(); ++label)
+    labels->addAction(tr("%1\t%2").arg(words[label].isEmpty() ? tr("none") : words[label]).arg(label), this,
+                      [this, label] { setLabel(label); });
+  menu->popup(table_->viewport()->mapToGlobal(location));
 }
 
 // Squats have their files already; what is none gets one when it is looked at, in a folder of its own.

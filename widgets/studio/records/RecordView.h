@@ -20,6 +20,8 @@ class QTableView;
 
 namespace squat::studio {
 
+class EventInspector;
+
 class RecordView : public QWidget {
   Q_OBJECT
  public:
@@ -38,10 +40,13 @@ class RecordView : public QWidget {
   void draw(const project::LongRecords& chosen);
   void keep(project::LongRecords& into) const;  // the list, its order, what the user has seen
   bool isReading() const { return reading_; }
-  void setStyle(const plots::Style& style) { strip_->setStyle(style); }
+  void setStyle(const plots::Style& style);
   RecordStrip* strip() const { return strip_; }
   QTableView* table() const { return table_; }
   EventModel* model() const { return model_; }
+  EventInspector* inspector() const { return inspector_; }
+  // Keys of the list: the next event, the one before, and labels by their numbers.
+  bool takesKey(int key);
   void writeLabels(const QString& path);  // throws FileError
 
  Q_SIGNALS:
@@ -54,6 +59,7 @@ class RecordView : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;  // of the list
 
  private:
   void openWaiting();
@@ -65,13 +71,17 @@ class RecordView : public QWidget {
   int chosen() const;  // event; -1: none
   QString passageOfChosen();
   void showChosen();
+  void inspect(int event);  // -1: none
   void askForLabels();
+  void openMenu(const QPoint& location);
+  void setLabel(int label);  // of the chosen event, among EventModel::labels()
   void enableButtons();
 
   RecordStrip* strip_;
   EventModel* model_;
   QSortFilterProxyModel* seen_;
   QTableView* table_;
+  EventInspector* inspector_;
   QComboBox* channel_;
   QLineEdit* filter_;
   QPushButton *show_, *estimate_, *labels_;

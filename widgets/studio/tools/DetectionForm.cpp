@@ -92,7 +92,7 @@ ToolResult computeSearch(const Search& wanted, const ToolInput& input, Monitor& 
 
 DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
     : ToolForm(parent),
-      files_(new ButtonedList("Record", tr("&Add…"), tr("Records, one or several of one location"), 3, this)),
+      files_(new ButtonedList("Record", tr("&Add…"), tr("Records, one or several of one location"), 2, this)),
       channels_(new QLineEdit(this)),
       chainage_(new QLineEdit(this)),
       labels_(new QLineEdit(this)),
@@ -134,8 +134,11 @@ DetectionForm::DetectionForm(const plots::Style& style, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addRow(tr("Records:"), files_);
   layout->addRow(tr("Several are:"), together_);
-  layout->addRow(tr("Channels:"), channels_);
-  layout->addRow(tr("Units:"), units_);
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(channels_, 1);
+  columns->addWidget(new QLabel(tr("in units:"), this));
+  columns->addWidget(units_, 1);
+  layout->addRow(tr("Channels:"), columns);
   auto* where = new QHBoxLayout;
   where->addWidget(speed_);
   where->addWidget(new QLabel(tr("begins at:"), this));
