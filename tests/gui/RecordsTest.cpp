@@ -29,7 +29,6 @@
 #include "studio/project/ProjectKeeper.h"
 #include "studio/records/EventInspector.h"
 #include "studio/records/RecordView.h"
-#include "studio/signals/FigureView.h"
 #include "studio/signals/SignalsPanel.h"
 #include "studio/tools/DetectionForm.h"
 #include "studio/tools/EstimateForm.h"
@@ -136,13 +135,12 @@ TEST_F(Records, anEventIsSeenClose) {
   const auto figure = [&](const char* name) { return values[names.indexOf(name)].toDouble(); };
   for (const char* name : {"length [mm]", "length low [mm]", "length high [mm]"})
     EXPECT_TRUE(words->text().contains(QString::number(figure(name), 'f', 0))) << name << words->text().toStdString();
-  const auto views = view_->inspector()->findChildren<FigureView*>();
-  ASSERT_EQ(views.size(), 2);
-  for (const FigureView* view : views) {
-    ASSERT_TRUE(view->figure());
-    EXPECT_TRUE(view->isVisible());
+  const auto figures = view_->inspector()->findChildren<plots::Figure*>();
+  ASSERT_EQ(figures.size(), 2);
+  for (const plots::Figure* each : figures) {
+    EXPECT_TRUE(each->isVisible());
+    EXPECT_LE(each->xAxis->range().size(), 1500);  // [mm]
   }
-  EXPECT_LE(views[0]->figure()->xAxis->range().size(), 1500);  // [mm]
   // Keys set the label that the list has at that place.
   QTest::keyClick(view_->table(), Qt::Key_3);
   EXPECT_EQ(seen().index(row, EventModel::seen).data().toString(), EventModel::labels()[3]);

@@ -8,7 +8,7 @@
 #include "plots/DetectionFigures.h"
 #include "plots/Figure.h"
 #include "studio/common/FixedLabel.h"
-#include "studio/signals/FigureView.h"
+#include "studio/common/MouseZoom.h"
 
 namespace squat::studio {
 namespace {
@@ -28,6 +28,8 @@ QString withRange(double value, double low, double high, int digits) {
 void makeSmall(plots::Figure& figure) {
   figure.setCaption({}, {});
   figure.xAxis->setLabel(QObject::tr("From the event [mm]"));
+  figure.setMinimumSize(180, 130);
+  new MouseZoom(figure);
   if (auto* scale = figure.findChild<QCPColorScale*>()) {
     figure.setToolTip(scale->axis()->label());
     scale->axis()->setLabel({});
@@ -57,19 +59,15 @@ EventInspector::EventInspector(const plots::Style& style, QWidget* parent)
       style_(style),
       words_(new FixedLabel(1, this)),
       pages_(new QStackedWidget(this)),
-      reason_(new QLabel(pages_)),
-      signal_(new FigureView("event_signal", pages_)),
-      map_(new FigureView("event_scalogram", pages_)) {
+      reason_(new QLabel(pages_)) {
   words_->setObjectName("eventWords");
   reason_->setObjectName("eventReason");
   reason_->setWordWrap(true);
   reason_->setAlignment(Qt::AlignCenter);
   reason_->setForegroundRole(QPalette::PlaceholderText);
   auto* figures = new QWidget(pages_);
-  auto* row = new QHBoxLayout(figures);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(signal_, 1);
-  row->addWidget(map_, 1);
+  figures_ = new QHBoxLayout(figures);
+  figures_->setContentsMargins(0, 0, 0, 0);
   pages_->addWidget(reason_);
   pages_->addWidget(figures);
   auto* layout = new QVBoxLayout(this);
@@ -82,8 +80,6 @@ EventInspector::EventInspector(const plots::Style& style, QWidget* parent)
 void EventInspector::inspect(const detection::CombinedEvent* event) {
   event_.reset();
   if (event) event_ = *event;
-  signal_->forgetZoom();
-  map_->forgetZoom();
   draw();
 }
 
@@ -101,12 +97,16 @@ void EventInspector::draw() {
     pages_->setCurrentIndex(0);
     return;
   }
-  constexpr double perMillimetre = 1e-3;
-  for (const auto& panel : sheet.panels) makeSmall(*panel);
-  const double speed = event_->event.features.speed;
-  const double secondsPerMillimetre = speed > 0 ? perMillimetre / speed : 0;
-  signal_->show(std::move(sheet.panels[0]), secondsPerMillimetre, "mm");
-  map_->show(std::move(sheet.panels[1]), secondsPerMillimetre, "mm");
+  while (const QLayoutItem* before = figures_->takeAt(0)) {
+    delete before->widget();
+    delete before;
+  }
+  for (auto& panel : sheet.panels) {
+    makeSmall(*panel);
+    plots::Figure* figure = panel.release();
+    figures_->addWidget(figure, 1);
+    figure->show();
+  }
   pages_->setCurrentIndex(1);
 }
 

@@ -7,12 +7,11 @@
 #include "detection/DetectionFiles.h"
 #include "plots/Style.h"
 
+class QHBoxLayout;
 class QLabel;
 class QStackedWidget;
 
 namespace squat::studio {
-
-class FigureView;
 
 class EventInspector : public QWidget {
   Q_OBJECT
@@ -29,7 +28,7 @@ class EventInspector : public QWidget {
   QLabel* words_;
   QStackedWidget* pages_;
   QLabel* reason_;  // why there is no signal
-  FigureView *signal_, *map_;
+  QHBoxLayout* figures_;
 };
 
 // "Squat 97 %: 34 mm (28 to 41), 0.21 mm deep (0.15 to 0.30); light 12 %, moderate 80 %, severe 8 %", or why it is
