@@ -1,5 +1,5 @@
-// Fifty windows without a project, each killed at another moment of its work (UntitledWork.cpp). What was done half a
-// second before is there again, of what is typed at least what is five seconds old.
+// Fifty windows without a project, each killed at another moment of its work (UntitledWork.cpp). Runs and measured
+// signals that are half a second old are recovered, of what is typed or set whatever is five seconds old.
 #include <gtest/gtest.h>
 
 #include <QDateTime>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int rounds = 50;
 constexpr int patience = 60000;               // [ms]
-constexpr qint64 typing = 5000, saved = 500;  // [ms]: how old a thing is that must be kept
+constexpr qint64 typing = 5000, saved = 500;  // [ms] the age from which it must be kept
 
 // The last of each kind that was done before this time.
 std::map<QString, int> doneBefore(const QString& log, qint64 time) {
@@ -86,9 +86,9 @@ TEST_F(KilledUntitled, worksOnFromWhereItWas) {
     EXPECT_TRUE(isMeasured || valueOf(done, "measured") == 0);
     const auto records = qobject_cast<DetectionForm*>(window.tool("squats")->form())->choices();
     EXPECT_TRUE(records.speed == 25 || valueOf(typed, "records") == 0);
-    EXPECT_TRUE(window.messages()->text().contains("is here again") || valueOf(typed, "notes") == 0);
+    EXPECT_TRUE(window.messages()->text().contains("was recovered") || valueOf(typed, "notes") == 0);
     withAll += valueOf(typed, "records") > 0;
-    EXPECT_TRUE(window.close());  // lets it go
+    EXPECT_TRUE(window.close());  // discards it
   }
   EXPECT_GT(withAll, rounds / 20);  // otherwise the moments were too early to mean anything
 }

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QSettings>
 #include <QTest>
 #include <QWheelEvent>
 #include <cmath>
@@ -105,6 +106,7 @@ class Pull : public testing::Test {
     plot().fit();
     plot().replot(QCustomPlot::rpImmediateRefresh);
   }
+  void TearDown() override { QSettings().remove("profile/pullRadius"); }
   ProfilePlot& plot() { return *editor_.plot(); }
   const cases::Defect& defect() { return document_.description().defect; }
   QPointF location(double position, double height) { return plot().locationOf({position, height}); }
@@ -188,13 +190,22 @@ TEST_F(Pull, pointsNearTheOneThatIsDraggedFollow) {
   QApplication::sendEvent(&plot(), &up);
   EXPECT_DOUBLE_EQ(plot().pullRadius(), 0.02);
   EXPECT_EQ(changed(defect().points), 39);
-  // Back where it was, whatever came between.
+  // Back to where the drag began, whatever came between.
   move(from);
   EXPECT_LE(changed(defect().points), 39);
   for (std::size_t i = 0; i < before.size(); ++i)
     EXPECT_NEAR(defect().points[i].height, before[i].height, 1.0 / heightOfPixel()) << i;
   QTest::mouseRelease(&plot(), Qt::LeftButton, {}, from.toPoint());
   EXPECT_EQ(document_.undoStack().count(), 2);
+}
+
+// A file of settings may hold anything.
+TEST_F(Pull, aRadiusThatIsNoneIsNotTaken) {
+  for (const auto& [kept, taken] : {std::pair{"7", 0.04}, {"-1", 0.0}, {"x", 0.0}}) {
+    QSettings().setValue("profile/pullRadius", kept);
+    editor_.setStyle(plots::lightStyle());
+    EXPECT_DOUBLE_EQ(plot().pullRadius(), taken) << kept;
+  }
 }
 
 TEST_F(Pull, theCurveBetweenPointsTakesTheNearestOne) {

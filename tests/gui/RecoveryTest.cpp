@@ -49,7 +49,7 @@ class Recovery : public testing::Test {
     while (files.hasNext()) found << files.next();
     return found;
   }
-  // What stands in the folder now, as a process leaves it that is killed.
+  // Leaves the folder as a process that is killed does.
   void crash(std::unique_ptr<MainWindow> window) {
     const QString aside = folder_.filePath("aside");
     ASSERT_EQ(QProcess::execute("cp", {"-r", recovery(), aside}), 0);
@@ -57,10 +57,21 @@ class Recovery : public testing::Test {
     ASSERT_TRUE(QDir(recovery()).removeRecursively());
     ASSERT_TRUE(QDir().rename(aside, recovery()));
   }
+  // A window that is killed after so many runs.
+  void crashAfterRuns(int runs) {
+    auto window = open();
+    window->openCase("light-defect");
+    for (int i = 0; i < runs; ++i) {
+      window->startRun();
+      ASSERT_TRUE(window->controller().waitFor(60000));
+    }
+    window->keeper()->saveNow();
+    crash(std::move(window));
+  }
   QTemporaryDir folder_;
 };
 
-// A window that reads what is left and shows it.
+// All results of the window are read.
 bool isRead(MainWindow& window) { return window.reader()->waitFor(60000); }
 
 TEST_F(Recovery, allOfTheWorkIsThereAfterACrash) {
@@ -98,8 +109,8 @@ TEST_F(Recovery, allOfTheWorkIsThereAfterACrash) {
   const auto shown = qobject_cast<DetectionForm*>(window->tool("squats")->form())->choices();
   EXPECT_EQ(shown.files, records.files);
   EXPECT_EQ(shown.speed, 25);
-  EXPECT_TRUE(window->messages()->text().contains("is here again")) << window->messages()->text().toStdString();
-  // Neither saved nor in a project yet: a name is asked for when the window closes, and the next crash takes nothing.
+  EXPECT_TRUE(window->messages()->text().contains("was recovered")) << window->messages()->text().toStdString();
+  // Nothing of it is saved yet: closing the window asks, and the next crash loses nothing.
   EXPECT_EQ(window->store().unsaved().size(), 2U);
   EXPECT_TRUE(window->notes()->document()->isModified());
   crash(std::move(window));
@@ -133,15 +144,8 @@ TEST_F(Recovery, whereNothingWouldBeMissedNothingIsSaidOfIt) {
 
 // Fields are the larger part of a file; they are not read before they are looked at.
 TEST_F(Recovery, aRecoveredResultIsSavedWhole) {
+  ASSERT_NO_FATAL_FAILURE(crashAfterRuns(2));
   auto window = open();
-  window->openCase("light-defect");
-  for (int i = 0; i < 2; ++i) {
-    window->startRun();
-    ASSERT_TRUE(window->controller().waitFor(60000));
-  }
-  window->keeper()->saveNow();
-  crash(std::move(window));
-  window = open();
   ASSERT_TRUE(isRead(*window));
   const QString path = folder_.filePath("work.squat-project");
   ASSERT_TRUE(window->saveProjectTo(path));
@@ -159,17 +163,12 @@ TEST_F(Recovery, aRecoveredResultIsSavedWhole) {
 
 TEST_F(Recovery, aResultIsSpokenOfUntilItIsSavedOrLetGo) {
   for (const bool save : {false, true}) {
-    auto window = open();
-    window->openCase("light-defect");
-    window->startRun();
-    ASSERT_TRUE(window->controller().waitFor(60000));
-    window->keeper()->saveNow();
-    crash(std::move(window));
-    window = open();
+    ASSERT_NO_FATAL_FAILURE(crashAfterRuns(1));
+    const auto window = open();
     ASSERT_TRUE(isRead(*window));
     ASSERT_EQ(window->store().rowCount(), 1);
     ASSERT_TRUE(window->openCase("smooth-rail"));
-    EXPECT_TRUE(window->messages()->text().contains("is here again")) << window->messages()->text().toStdString();
+    EXPECT_TRUE(window->messages()->text().contains("was recovered")) << window->messages()->text().toStdString();
     if (save)
       window->saveResultTo(0, folder_.filePath("saved.h5"));
     else
@@ -185,11 +184,12 @@ TEST_F(Recovery, aCaseIsSeenAsAnOpenedOne) {
   window->keeper()->saveNow();
   crash(std::move(window));
   window = open();
-  const QCPRange seen = window->profile()->plot()->xAxis->range();
+  const QCPAxis& axis = *window->profile()->plot()->xAxis;
+  const QCPRange before = axis.range();
   window->profile()->plot()->fit();
-  EXPECT_DOUBLE_EQ(seen.lower, window->profile()->plot()->xAxis->range().lower);
-  EXPECT_DOUBLE_EQ(seen.upper, window->profile()->plot()->xAxis->range().upper);
-  window->findChild<QAction*>("new")->trigger();  // lets it go
+  EXPECT_DOUBLE_EQ(before.lower, axis.range().lower);
+  EXPECT_DOUBLE_EQ(before.upper, axis.range().upper);
+  window->findChild<QAction*>("new")->trigger();  // discards it
   EXPECT_EQ(window->messages()->text(), "");
 }
 
@@ -244,17 +244,12 @@ TEST_F(Recovery, whatCannotBeReadIsPutAside) {
 }
 
 TEST_F(Recovery, aResultThatCannotBeReadStays) {
-  auto window = open();
-  window->openCase("light-defect");
-  window->startRun();
-  ASSERT_TRUE(window->controller().waitFor(60000));
-  window->keeper()->saveNow();
-  crash(std::move(window));
+  ASSERT_NO_FATAL_FAILURE(crashAfterRuns(1));
   QFile broken(results().value(0));
   ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
   broken.write("no result");
   broken.close();
-  window = open();
+  auto window = open();
   ASSERT_TRUE(isRead(*window));
   EXPECT_TRUE(window->store().at(0).isMissing());
   window->store().remove(0);
@@ -293,7 +288,7 @@ TEST_F(Recovery, theResultOfARunGoesIntoTheProjectThatWasMadeMeanwhile) {
   EXPECT_EQ(results().join(' '), "");
 }
 
-// Somebody who types without a pause is not at the mercy of the first one.
+// Also of somebody who types without a pause.
 TEST_F(Recovery, noChangeWaitsLongerThanFiveSeconds) {
   const auto window = open();
   const QString file = recovery() + "/untitled-1/untitled.squat-project";

@@ -164,23 +164,36 @@ TEST_F(Study, anotherStudyIsNotOverwritten) {
 
 TEST_F(Study, progressCountsTheWholeStudy) {
   struct Listener : Monitor {
-    void report(const Progress& progress) override { fractions.push_back(progress.fraction); }
+    void report(const Progress& progress) override {
+      fractions.push_back(progress.fraction);
+      reports.push_back(progress);
+    }
     std::vector<double> fractions;
+    std::vector<Progress> reports;
   } listener;
   runStudy(
       definition_,
       [](const StudyPoint& point, Monitor& monitor) {
         Progress progress;
         progress.phase = "rolling";
-        progress.fraction = 0.5;
-        monitor.report(progress);
+        for (const double fraction : {0.1, 0.5}) {
+          progress.fraction = fraction;
+          monitor.report(progress);
+        }
         return pretend(point, monitor);
       },
       {folder("f"), 1, false}, listener);
-  ASSERT_EQ(listener.fractions.size(), 18u);
-  EXPECT_NEAR(listener.fractions[0], 0.5 / 9, 1e-12);
+  ASSERT_EQ(listener.fractions.size(), 27u);
+  EXPECT_NEAR(listener.fractions[1], 0.5 / 9, 1e-12);
   EXPECT_NEAR(listener.fractions.back(), 1, 1e-12);
   EXPECT_TRUE(std::is_sorted(listener.fractions.begin(), listener.fractions.end()));
+  // The time left is not known after a hundredth, then it is, and at the end there is none.
+  EXPECT_LT(listener.reports[0].remainingSeconds, 0);
+  EXPECT_GT(listener.reports[1].remainingSeconds, 0);
+  EXPECT_EQ(listener.reports.back().remainingSeconds, 0);
+  EXPECT_EQ(listener.reports[0].phase, "0 of 9 runs done");
+  EXPECT_EQ(listener.reports[3].phase, "1 of 9 runs done");
+  EXPECT_EQ(listener.reports.back().phase, "9 of 9 runs done");
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace squat::studio {
 
-// As high as so many lines, whatever it says, so that nothing moves under the mouse. A text that is longer ends in an
-// ellipsis; the tool tip has all of it.
+// Its height is that of `lines` lines, whatever it says, so that nothing moves under the mouse. A longer text ends in
+// an ellipsis; the tool tip has all of it.
 class FixedLabel : public QLabel {
   Q_OBJECT
  public:

@@ -32,7 +32,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
   more_ = makeButton(tr("Details"), tr("Details of the message"), this);
   more_->setObjectName("messageDetails");
   more_->setShortcut(QKeySequence("Ctrl+Alt+D"));
-  more_->setToolTip(tr("All of the message (Ctrl+Alt+D)"));
+  more_->setToolTip(tr("Show the whole message (Ctrl+Alt+D)"));
   close_ = makeButton(QChar(0x2715), tr("Dismiss message"), this);
   close_->setObjectName("dismissMessage");
   auto* row = new QHBoxLayout(this);

@@ -8,8 +8,8 @@ class QToolButton;
 
 namespace squat::studio {
 
-// A sentence that does not fit ends in an ellipsis; "Details" shows all of it, and what else there is to know, above
-// the line. Nothing moves when a message comes or goes.
+// A sentence that does not fit ends in an ellipsis; "Details" shows all of it, with the details, above the line.
+// Nothing moves when a message comes or goes.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:

@@ -7,11 +7,11 @@
 
 namespace squat::studio {
 
-// As the keys find them; hidden ones are passed over.
+// In the order of the keys; asked for with every key. Hidden ones are skipped.
 using Panes = std::function<std::vector<QWidget*>()>;
 
-// In the window alone, not in others that it owns. The focus comes to where it was last in a pane, else to its first
-// field.
+// They work in this window, not in others that it owns. The focus returns to where it was last in a pane, else to its
+// first field.
 void addPaneKeys(QWidget& window, const Panes& panes);
 
 }  // namespace squat::studio

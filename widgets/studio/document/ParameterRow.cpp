@@ -174,6 +174,7 @@ void ParameterRow::dropRefused() {
 }
 
 void ParameterRow::showRelation(const QString& reason) {
+  if (reason == relation_) return;
   relation_ = reason;
   showReason();
 }

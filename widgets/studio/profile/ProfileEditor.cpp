@@ -193,7 +193,8 @@ void ProfileEditor::showNotes() {
   const QString notes = profileNotes(document_.description().defect);
   const QString hint =
       points_->rowCount() > 0
-          ? tr("Drag the curve: %1 mm around follow (mouse wheel). A double-click adds a point, Delete removes it")
+          ? tr("Drag the curve: points within %1 mm follow (mouse wheel). A double-click adds a point, Delete removes "
+               "it")
                 .arg(plot_->pullRadius() * 1e3)
           : tr("Pull the curve for its depth, its ends for its length. A double-click turns it into points");
   notes_->say(notes.isEmpty() ? hint : notes);

@@ -40,7 +40,7 @@ std::vector<cases::ProfilePoint> movedPoint(std::vector<cases::ProfilePoint> poi
 std::vector<cases::ProfilePoint> withPoint(std::vector<cases::ProfilePoint> points, cases::ProfilePoint added);
 std::vector<cases::ProfilePoint> withoutPoint(std::vector<cases::ProfilePoint> points, std::size_t index);
 
-// [m] of the curve through the points, straight between them; beyond the ends as high as these.
+// [m] Height of the curve through the points, straight between them; beyond the ends, that of the end.
 double heightOn(const std::vector<cases::ProfilePoint>& points, double position);
 
 // Which point of `after` is the point `index` of `before`, moved or not. Nothing where it is gone, and where more than

@@ -15,12 +15,12 @@ namespace squat::studio {
 namespace {
 
 constexpr double toMillimetres = 1e3;
-constexpr double catchRadius = 9;                                 // [pixels]
-constexpr double curveRadius = 6;                                 // [pixels] above and below the curve
-constexpr const char* pullKey = "profile/pullRadius";             // in the settings
-const std::array pullRadii{0.0, 0.002, 0.005, 0.01, 0.02, 0.04};  // [m]
-constexpr double stripHeight = 0.06;                              // share of the axes' height for the sleepers
-constexpr double highest = 5e-3;                                  // [m] of a point that is dragged
+constexpr double catchRadius = 9;                                     // [pixels]
+constexpr double curveRadius = 6;                                     // [pixels] above and below the curve
+constexpr const char* pullKey = "profile/pullRadius";                 // in the settings
+constexpr std::array pullRadii{0.0, 0.002, 0.005, 0.01, 0.02, 0.04};  // [m]
+constexpr double stripHeight = 0.06;                                  // share of the axes' height for the sleepers
+constexpr double highest = 5e-3;                                      // [m] of a point that is dragged
 
 QVector<double> positions(const std::vector<cases::ProfilePoint>& points) {
   QVector<double> values;
@@ -67,7 +67,7 @@ ProfilePlot::ProfilePlot(CaseDocument& document, const plots::Style& style, QWid
   mark_->removeFromLegend();
   showLegend(true);
   new MouseZoom(*this, [this] { return !boxing_; });  // sees no press that drags
-  radius_ = QSettings().value(pullKey, radius_).toDouble();
+  radius_ = std::clamp(QSettings().value(pullKey, radius_).toDouble(), pullRadii.front(), pullRadii.back());
   new KeyboardZoom(*this, {.showAll = [this] { fit(); },
                            .arrowsAreTaken = [this] { return isChosen(); },
                            .more = tr("A point that is chosen in the table is moved by the arrow keys and removed by "
@@ -241,12 +241,12 @@ cases::ProfilePoint ProfilePlot::profileAt(const QPointF& location) const {
   return {snapped(position, snapPosition_), std::clamp(snapped(height, snapHeight_), -highest, highest)};
 }
 
-void ProfilePlot::putPoint(std::size_t index, cases::ProfilePoint to, int gesture) {
+void ProfilePlot::putPoint(std::size_t index, cases::ProfilePoint to) {
   cases::CaseDescription after = document_.description();
   to = pointOfCase(after.defect, to, after.defect.points[index].height);
   after.defect.points = movedPoint(after.defect.points, index, to);
   after.defect.file.clear();
-  document_.edit(tr("Move point %1").arg(index + 1), after, gesture);
+  document_.edit(tr("Move point %1").arg(index + 1), after);
 }
 
 // What is under the mouse: a point, a handle or the curve. False: nothing is.
@@ -392,7 +392,7 @@ void ProfilePlot::keyPressEvent(QKeyEvent* event) {
   cases::ProfilePoint to = view_.handles[*chosen_];
   to.position += across * arrow.x();
   to.height += up * arrow.y();
-  putPoint(*chosen_, to, 0);
+  putPoint(*chosen_, to);
 }
 
 }  // namespace squat::studio

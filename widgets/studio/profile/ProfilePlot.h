@@ -15,7 +15,7 @@ namespace squat::studio {
 class CaseDocument;
 
 // The curve is pulled with the left button: of an analytic shape up and down for its depth, its ends along the rail for
-// its length; of a sampled one a point, and what is within a radius follows (the wheel changes it meanwhile).
+// its length; of a sampled one a point, and what is within a radius follows, which the wheel changes during the drag.
 // Double-click inserts a point on the curve, Insert one halfway to the next; Delete removes the chosen one; arrow keys
 // move it by a snap step, Escape releases it. Beside the curve the left button moves the view, and with Shift draws a
 // box that is enlarged; the middle button moves the view as well, the wheel zooms (with Ctrl the heights only), F fits.
@@ -57,10 +57,11 @@ class ProfilePlot : public plots::Figure {
   std::optional<std::size_t> pointAt(const QPointF& location) const;
   cases::ProfilePoint profileAt(const QPointF& location) const;
   bool isChosen() const { return chosen_ && *chosen_ < view_.handles.size(); }
-  void putPoint(std::size_t index, cases::ProfilePoint to, int gesture);
+  void putPoint(std::size_t index, cases::ProfilePoint to);  // by keys
   std::optional<ShapeHandle> gripAt(const QPointF& location) const;
-  std::optional<std::size_t> pointUnder(const QPointF& location) const;  // the curve: the nearest one of its points
-  double distanceToCurve(const QPointF& location) const;                 // [pixels] up or down
+  // Where the curve is under the mouse: its point that is nearest along the rail.
+  std::optional<std::size_t> pointUnder(const QPointF& location) const;
+  double distanceToCurve(const QPointF& location) const;  // [pixels] up or down
   bool grab(const QPointF& location);
   void drag(const QPointF& location);
   void moveView(const QPointF& location);
@@ -75,8 +76,9 @@ class ProfilePlot : public plots::Figure {
   std::optional<std::size_t> chosen_;
   std::vector<ShapeHandle> shape_;   // of an analytic shape
   std::optional<ShapeHandle> grip_;  // that is pulled
-  cases::CaseDescription pressed_;   // when the button went down: what a drag makes depends on where it is alone
-  QPointF offset_, last_;            // [pixels] of what was grabbed from the mouse; of the mouse
+  cases::CaseDescription pressed_;   // when the button went down: a drag does not depend on its way
+  QPointF offset_;                   // [pixels] from the mouse to what was grabbed
+  QPointF last_;                     // [pixels] where the mouse was
   double radius_ = 0.01;             // [m]
   bool dragging_ = false, fitted_ = false, moving_ = false, boxing_ = false;
   int gesture_ = 0;

@@ -31,7 +31,7 @@ std::optional<cases::CaseDescription> withValue(cases::CaseDescription descripti
   return description;
 }
 
-// How a place moves with a key: by a difference of a tenth of its value.
+// [m per unit of the key] How far a place moves with a key, from a change of the key by a tenth.
 double rateOf(const cases::CaseDescription& description, const std::string& key,
               const std::function<double(const scenario::DefectSurface&)>& place) {
   const double value = cases::numberInUnit(description, *cases::findParameter(key));

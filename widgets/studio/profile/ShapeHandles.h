@@ -1,4 +1,5 @@
-// widgets/studio/profile/ShapeHandles.h - what of a defect can be pulled with the mouse. No windows here.
+// widgets/studio/profile/ShapeHandles.h - which places of a defect can be pulled with the mouse, and what that changes.
+// No windows here.
 #pragma once
 
 #include <optional>
@@ -23,12 +24,13 @@ std::vector<ShapeHandle> shapeHandles(const cases::CaseDescription& description)
 // The curve at this position [m]: it follows the mouse up and down. Nothing where the depth does not move it.
 std::optional<ShapeHandle> handleOnCurve(const cases::CaseDescription& description, double position);
 
-// The case in which the handle is at `to`, as near as its key allows; four digits of the key, as its slider gives.
+// The case in which the handle is at `to`, or as near to it as the limits of its key allow. The key has four digits, as
+// its slider gives them.
 cases::CaseDescription pulled(const cases::CaseDescription& description, const ShapeHandle& handle,
                               const cases::ProfilePoint& to);
 
-// A point that is dragged takes along the heights of those within `radius` [m]: all of the way where it is, none of it
-// at the radius, smoothly between (a squared cosine). Both ends stay where they join the smooth rail.
+// The point `index` moved to `to`. Points within `radius` [m] of it are raised or lowered by the same way times
+// cos^2(pi / 2 * distance / radius). Both ends stay where they join the smooth rail.
 std::vector<cases::ProfilePoint> pulledPoints(std::vector<cases::ProfilePoint> points, std::size_t index,
                                               const cases::ProfilePoint& to, double radius);
 

@@ -21,15 +21,15 @@ namespace squat::studio {
 class ProjectKeeper : public QObject {
   Q_OBJECT
  public:
-  // What a crash left and is this window's now.
+  // What a crash left; it belongs to this window now.
   struct Recovered {
     std::optional<project::Project> work;
     QStringList problems;
-    int others = 0;  // that wait for the next window
+    int others = 0;  // left for the next window to open
   };
 
-  // `collect` gives the work as it is now. Without a project of the user's it is kept in an untitled one under the
-  // folder `untitled`; empty: nowhere.
+  // `collect` gives the work as it is now. While the user has no project open, the work is kept in an untitled one
+  // under the folder `untitled`; empty: it is not kept.
   ProjectKeeper(std::function<project::Project()> collect, QString untitled, QObject* parent = nullptr);
   Recovered recover();  // once, before anything is kept
 
@@ -41,10 +41,10 @@ class ProjectKeeper : public QObject {
   // `other` names.
   bool take(const QString& path, QString* other);
   void release();       // the work goes on in the untitled one
-  void dropUntitled();  // what is in it is saved elsewhere or let go
-  void end();           // the window closes: nothing is kept any more
+  void dropUntitled();  // what is in it is saved elsewhere, or discarded
+  void end();           // the window closes: nothing is saved after this
 
-  // Some time [ms] after the last of many changes, and before long while they go on.
+  // `delay` [ms] after the last change, at most four seconds after the first one that is not saved.
   void saveSoon(int delay = 2000);
   void saveNow();  // throws FileError
 

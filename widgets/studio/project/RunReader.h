@@ -25,7 +25,7 @@ class RunReader : public QObject {
   ~RunReader() override;  // waits for the file that is being read
 
   // In place of all runs of the store. What was being read for another project is dropped. Results in the folder
-  // `unsaved` are listed as not saved: their files go with them.
+  // `unsaved` are listed as not saved; their files are removed with them.
   void open(const project::Project& project, const QString& unsaved = {});
   // Result files and their names, after all runs there are; those that are listed already are left out.
   void add(const std::vector<std::pair<std::string, std::string>>& namedFiles);

@@ -21,7 +21,7 @@ std::unique_ptr<FileLock> lockOf(const QString& folder) {
   return std::make_unique<FileLock>(QDir(folder).filePath("." + fileName + ".lock").toStdString());
 }
 
-// Those of living windows too; the one that was saved last comes first.
+// Those of running windows too; the one that was saved last comes first.
 QStringList projectFolders(const QString& folder) {
   QStringList found;
   for (const QFileInfo& entry : QDir(folder).entryInfoList({folderStem + '*'}, QDir::Dirs | QDir::NoSymLinks))
@@ -67,7 +67,7 @@ UntitledProject::UntitledProject(const QString& folder, std::unique_ptr<FileLock
   lock_->write(processName("squat-studio"));
 }
 
-// What is still in the folder then, a result that nobody could read, say, stays.
+// A folder that still holds something stays: a result that could not be read, say.
 UntitledProject::~UntitledProject() {
   clear();
   lock_.reset();

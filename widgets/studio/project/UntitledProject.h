@@ -1,4 +1,5 @@
-// widgets/studio/project/UntitledProject.h - work that is in no project of the user's, kept as a project all the same.
+// widgets/studio/project/UntitledProject.h - a project that the program keeps for work that the user has not saved as
+// one.
 #pragma once
 
 #include <QString>
@@ -17,8 +18,8 @@ bool holdsWork(const project::Project& work);
 // The file of a result beside those of a project, in a folder that it makes: "DIR/NAME-runs/STEM-2.h5".
 QString nextResultFile(const QString& projectFile, const QString& stem);
 
-// A project in a folder of its own, FOLDER/untitled-3, with the results that are not saved. It is locked as long as its
-// window is there. A window that ends in order takes it along; what a crash leaves is taken by the next window.
+// A project in a folder of its own, FOLDER/untitled-3, with the results that are not saved. Its window holds a lock on
+// it. A window that is closed removes it; the next window opens what a crash has left.
 class UntitledProject {
  public:
   struct Left;
@@ -31,8 +32,8 @@ class UntitledProject {
 
   QString file() const;
   QString results() const;                   // folder of the results that are not saved
-  void write(const project::Project& work);  // nothing stands there where nothing would be missed; throws FileError
-  void clear();                              // the work is in another project now, or let go
+  void write(const project::Project& work);  // removes the file where the work holds nothing; throws FileError
+  void clear();                              // the work is saved elsewhere, or discarded
 
  private:
   UntitledProject(const QString& folder, std::unique_ptr<FileLock> lock);
@@ -41,12 +42,12 @@ class UntitledProject {
   std::unique_ptr<FileLock> lock_;
 };
 
-// What windows left that are no more: the newest work, now this window's.
+// The newest work that a window left which no longer runs; it belongs to this window now.
 struct UntitledProject::Left {
   std::unique_ptr<UntitledProject> project;  // null: there is none
   project::Project work;
   QStringList problems;  // a sentence for each file that cannot be read; it is put aside
-  int others = 0;        // that wait for the next window
+  int others = 0;        // left for the next window to open
 };
 
 }  // namespace squat::studio

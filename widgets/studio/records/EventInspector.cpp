@@ -15,7 +15,7 @@ namespace {
 
 QString percent(double share) { return QString::number(100 * share, 'f', 0) + " %"; }
 
-// 90 % of the chance lies between the two in brackets.
+// The 90 % range stands in brackets.
 QString withRange(double value, double low, double high, int digits) {
   constexpr double toMillimetres = 1e3;
   return QObject::tr("%1 mm (%2 to %3)")
@@ -24,7 +24,7 @@ QString withRange(double value, double low, double high, int digits) {
       .arg(toMillimetres * high, 0, 'f', digits);
 }
 
-// Half as wide as on paper: what stands beside it is left out, words go into the tool tip.
+// For a narrow place: without the caption, which the line above gives; the label of the colours is in the tool tip.
 void makeSmall(plots::Figure& figure) {
   figure.setCaption({}, {});
   figure.xAxis->setLabel(QObject::tr("From the event [mm]"));

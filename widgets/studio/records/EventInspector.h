@@ -1,5 +1,5 @@
-// widgets/studio/records/EventInspector.h - one event of a long record seen close: what it is taken for, its signal and
-// its scalogram.
+// widgets/studio/records/EventInspector.h - one event of a long record: its kind, its ranges, its signal and its
+// scalogram.
 #pragma once
 
 #include <QWidget>

@@ -35,8 +35,8 @@ class RecordView : public QWidget {
   // What a project kept, in place of what is shown. Files are read when the view is first seen: the list of events at
   // once, the first record in a thread of its own.
   void open(const project::LongRecords& kept);
-  // Draws the records that are chosen now, before anything is looked for in them. Events that are listed stay, and with
-  // them the record that they are of. What is still missing to draw it is said.
+  // Draws the records that are chosen now, before they are searched; notDrawn() where that is not possible yet. While
+  // events are listed, their record stays.
   void draw(const project::LongRecords& chosen);
   void keep(project::LongRecords& into) const;  // the list, its order, what the user has seen
   bool isReading() const { return reading_; }
@@ -45,8 +45,6 @@ class RecordView : public QWidget {
   QTableView* table() const { return table_; }
   EventModel* model() const { return model_; }
   EventInspector* inspector() const { return inspector_; }
-  // Keys of the list: the next event, the one before, and labels by their numbers.
-  bool takesKey(int key);
   void writeLabels(const QString& path);  // throws FileError
 
  Q_SIGNALS:
@@ -54,7 +52,7 @@ class RecordView : public QWidget {
   void estimateRequested(const QString& file);
   void labelsSaved(const QString& path);
   void failed(const QString& problem);
-  void notDrawn(const QString& reason);  // by draw()
+  void notDrawn(const QString& reason);  // what draw() still needs
   void changed();                        // what a project keeps
 
  protected:
@@ -74,7 +72,8 @@ class RecordView : public QWidget {
   void inspect(int event);  // -1: none
   void askForLabels();
   void openMenu(const QPoint& location);
-  void setLabel(int label);  // of the chosen event, among EventModel::labels()
+  bool takesKey(int key);    // of the list: the next event, the one before, a label by its number
+  void setLabel(int label);  // of the chosen event: its place in EventModel::labels()
   void enableButtons();
 
   RecordStrip* strip_;

@@ -7,7 +7,7 @@
 
 namespace squat::studio {
 
-// The last one takes its folder with it.
+// With its folder, once that is empty.
 KeptFile::~KeptFile() {
   if (path_.isEmpty()) return;
   QFile::remove(path_);

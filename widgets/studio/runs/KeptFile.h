@@ -8,7 +8,7 @@
 
 namespace squat::studio {
 
-// The file is there as long as this is; it goes when the result is saved elsewhere or let go.
+// Removes the file at the end of its life: the result is saved elsewhere then, or discarded.
 class KeptFile {
  public:
   explicit KeptFile(QString path) : path_(std::move(path)) {}
@@ -16,15 +16,14 @@ class KeptFile {
   KeptFile(const KeptFile&) = delete;
   KeptFile& operator=(const KeptFile&) = delete;
 
-  const QString& path() const { return path_; }                // empty: the program keeps no files
+  const QString& path() const { return path_; }                // empty: there is no file
   QString leave() { return std::exchange(path_, QString()); }  // the file stays; returns where it is
 
  private:
   QString path_;
 };
 
-// Writes a complete result to a file of its own, any other not. Nothing is thrown: whether it could be written, the
-// file tells.
+// Writes a complete result; does nothing for any other. Throws nothing: where it cannot be written, there is no file.
 void keepResult(const QString& file, const results::RunResult& result);
 
 }  // namespace squat::studio

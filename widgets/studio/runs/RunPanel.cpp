@@ -136,7 +136,7 @@ void RunPanel::showState() {
   }
 }
 
-// On the bar itself: words beside it would push it about.
+// On the bar itself: beside it, a longer text would make the bar shorter.
 void RunPanel::setState(const QString& words) {
   constexpr int around = 8;
   progress_->setFormat(progress_->fontMetrics().elidedText(words, Qt::ElideRight, progress_->width() - around));

@@ -26,7 +26,7 @@ class RunPanel : public QWidget {
   // Why the case cannot be run, one sentence each; empty: it can.
   void setBlockers(const QStringList& reasons);
   void setStopped(const QDateTime& when);  // the run of the case that can be resumed; not valid: there is none
-  void clear();                            // of a run that is of no interest any more
+  void clear();                            // removes what is shown of the last run, unless it is under way
   LivePlot* live() const { return live_; }
   void setStyle(const plots::Style& style);
 

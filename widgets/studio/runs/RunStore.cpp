@@ -176,6 +176,7 @@ void RunStore::remove(int row) {
 
 void RunStore::putAside(int row) {
   if (row < 0 || row >= rowCount()) return;
+  if (at(row).opening) return remove(row);
   constexpr std::size_t most = 5;  // a result may take a hundred megabytes
   if (aside_.size() == most) aside_.erase(aside_.begin());
   aside_.push_back({row, at(row), row == current_});

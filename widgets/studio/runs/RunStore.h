@@ -45,7 +45,7 @@ struct StoredRun {
 
   bool isMeasured() const { return !result; }
   bool isMissing() const { return !missing.isEmpty(); }
-  QString file() const { return kept ? kept->path() : path; }  // where it can be read again; empty: nowhere
+  QString file() const { return kept ? kept->path() : path; }  // where it can be read from; empty: in no file
 };
 
 // Fills in what the table and the names need of a run: its compared case and its digest.
@@ -78,8 +78,8 @@ class RunStore : public QAbstractListModel {
   // A measured signal that is laid otherwise; `dragged`: for a moment only.
   void setMeasured(int row, const project::MeasuredRecord& measured, bool dragged = false);
   void remove(int row);
-  // The last ones that were put aside come back, the last first, where and as they stood; unsaved results are kept
-  // until then. Those of another project do not.
+  // Removes a run so that restore() can bring it back, where and as it stood: the last five, the last one first. Their
+  // results that are not saved stay until then. A run whose file is still being read is removed for good.
   void putAside(int row);
   bool canRestore() const { return !aside_.empty(); }
   int restore();  // returns its row

@@ -32,7 +32,7 @@ void JobsButton::setJobs(std::vector<Job> jobs) {
   setEnabled(!jobs_.empty());
 }
 
-// Jobs may end while the menu stands: what is chosen then does nothing any more.
+// A job may end while the menu is open; its entries do nothing then.
 void JobsButton::fillMenu() {
   menu_->clear();
   for (const Job& job : jobs_) {

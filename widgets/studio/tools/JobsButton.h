@@ -15,8 +15,8 @@ struct Job {
   std::function<void()> show, cancel;
 };
 
-// Says how far the first one is, and how many others there are; its menu shows and cancels each. Empty and as wide
-// without any.
+// Shows the progress of the first one and the number of others; its menu shows and cancels each. Its width is always
+// the same.
 class JobsButton : public QToolButton {
   Q_OBJECT
  public:

@@ -18,7 +18,8 @@ class QVBoxLayout;
 
 namespace squat::studio {
 
-// What a row asks for: two limits, or values, which are from, to and how many, or a list with commas in "from".
+// What a row asks for: two limits; or values, which are given by the first, the last and how many, or as a list with
+// commas in "from".
 enum class KeyValues { limits, values };
 
 class KeyRows : public QWidget {
@@ -30,8 +31,8 @@ class KeyRows : public QWidget {
   std::vector<std::string> texts() const;
   void setTexts(const QStringList& texts);
   std::vector<std::string> limits() const;  // "defect.length=20:60": without numbers of values
-  void setCounted(bool counted);            // numbers of values matter
-  // Combinations of all values; 0: a row is not complete.
+  void setCounted(bool counted);            // whether numbers of values are asked for
+  // Number of combinations of all values; 0: a row is not complete.
   int combinations() const;
   void showCase(const cases::CaseDescription& description);  // values beside the keys
 

@@ -86,7 +86,7 @@ StudyForm::StudyForm(QWidget* parent)
   points_->setObjectName("points");
   points_->setAccessibleName(tr("Points"));
   points_->addItems({tr("All combinations"), tr("Sobol sample"), tr("Latin hypercube sample")});
-  points_->setToolTip(tr("A sample spreads so many points between the limits of all keys"));
+  points_->setToolTip(tr("A sample spreads this many points between the limits of all keys"));
   count_->setObjectName("samples");
   count_->setAccessibleName(tr("Number of samples"));
   count_->setRange(2, 10000);

@@ -66,8 +66,8 @@ class ToolForm : public QWidget {
 
  Q_SIGNALS:
   void failed(const QString& problem);
-  void noted(const QString& note);  // until an option is another one
-  void edited();                    // an option is another one: what was said of the one before is out of date
+  void noted(const QString& note);  // shown until an option changes
+  void edited();                    // an option has changed: a message about the one before is out of date
 };
 
 // Writes the case as FOLDER/case/NAME.toml and returns its path: the tool reads it from there, so that edits meanwhile

@@ -260,7 +260,7 @@ void ToolWindow::start() {
   job_.start([work = form_->work(), input, made](Monitor& monitor) { *made = work(input, monitor); });
 }
 
-// Until the options are others.
+// Shown until an option changes.
 void ToolWindow::refuse(const QString& reason, const QString& details) {
   refusal_ = reason;
   messages_->warn(reason, details);

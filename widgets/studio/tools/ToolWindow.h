@@ -48,7 +48,7 @@ class ToolWindow : public QWidget {
   void setStyle(const plots::Style& style);
 
  Q_SIGNALS:
-  void progressed();  // progress() is another one
+  void progressed();  // progress() has changed
   void caseFound(const QString& path);
   void openCaseRequested(const QString& path);
   void resultsKept(const std::vector<std::pair<std::string, std::string>>& namedFiles);

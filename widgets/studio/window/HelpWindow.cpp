@@ -22,7 +22,7 @@ bool isIndex(const QString& page) {
   return name == "index" || name == "contents" || (name == "readme" && file.dir().dirName() == "manual");
 }
 
-// Markdown and HTML alike.
+// Reads the same as Markdown and as HTML.
 QString missingPage(const QString& path) {
   return QObject::tr(
              "The page “%1” is not there: the build writes it (target pages). In this window F1 and the tool tips "
@@ -169,7 +169,7 @@ void HelpWindow::showPage(const QString& target) {
       if (target.contains('#')) url.setFragment(target.section('#', 1));
       return browser_->setSource(url);
     }
-  browser_->setSource(QUrl::fromLocalFile("/" + name));  // which says that it is not there
+  browser_->setSource(QUrl::fromLocalFile("/" + name));  // it is missing, and the browser says so
 }
 
 }  // namespace squat::studio

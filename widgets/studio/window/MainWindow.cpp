@@ -75,7 +75,7 @@ MainWindow::MainWindow(StudioServices services, QWidget* parent)
   connectPreview();
   makeProject();
   widthOfAll_ = minimumSizeHint().width();
-  layout()->setSizeConstraint(QLayout::SetNoConstraint);  // a narrow window is arranged otherwise
+  layout()->setSizeConstraint(QLayout::SetNoConstraint);  // setNarrow() makes room below the width of all
   setMinimumSize(smallestSize);
   resize(usualSize.boundedTo(screen()->availableSize()));
   const QSettings settings;
@@ -423,7 +423,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   keeper_->end();
   QSettings settings;
   settings.setValue("geometry", saveGeometry());
-  setNarrow(false);  // as it is where there is room
+  setNarrow(false);  // the state is that of a wide window
   settings.setValue("state", saveState());
   preview_.setHeld(true);
   event->accept();

@@ -49,7 +49,7 @@ struct StudioServices {
   Comparison comparison;
   PreviewSolver preview;   // empty: no previews
   Asker asker;             // empty: a message box
-  QString recoveryFolder;  // of work that is in no project of the user's; empty: it is not kept
+  QString recoveryFolder;  // of untitled projects; empty: work without a project is not kept
   QString runsFolder;      // of runs that were stopped; empty: none
   int threads = 0;         // of a run; 0: all cores (the window goes first all the same)
 };
@@ -225,7 +225,7 @@ class MainWindow : public QMainWindow {
   QStringList cases_;  // files of the cases of this work, the last one first
   QTabWidget *middle_, *right_;
   QDockWidget *formDock_, *signalsDock_, *runDock_, *runsDock_;
-  int widthOfAll_ = 0;     // of form, middle and signals beside each other, the least
+  int widthOfAll_ = 0;     // [pixels] the least that form, middle and signals need beside each other
   bool isNarrow_ = false;  // the form is a tab of the middle
   bool formWasShown_ = true;
   QMenu* recent_ = nullptr;

@@ -381,8 +381,10 @@ bool MainWindow::mayLeaveCase() {
 void MainWindow::removeRun(int row) {
   if (row < 0 || row >= store_.rowCount()) return;
   const QString name = store_.at(row).label;
+  const bool canComeBack = !store_.at(row).opening;
   store_.putAside(row);
-  messages_->say(tr("“%1” was removed from the list. Edit > Restore run (Ctrl+Alt+Z) brings it back.").arg(name));
+  if (canComeBack)
+    messages_->say(tr("“%1” was removed from the list. Edit > Restore run (Ctrl+Alt+Z) brings it back.").arg(name));
 }
 
 void MainWindow::restoreRun() {

@@ -1,4 +1,4 @@
-// Work that is in no project of the user's, in the main window: what a crash left, and what is said of it.
+// Work without a project in the main window: what a crash left, and the message about it.
 #include <QTextDocument>
 #include <QTimer>
 
@@ -29,22 +29,20 @@ void MainWindow::showRecovered(const project::Project& work, int others) {
   showWork(work);
   notes_->document()->setModified(!work.notes.empty());
   QTimer::singleShot(0, this, [this, names = work.views] { showViews(names); });
-  recoverySaid_ =
-      tr("Your work is here again, as it was before the program ended unexpectedly. Save it as a project to "
-         "keep it.");
-  if (others > 0) recoverySaid_ += ' ' + tr("Work of another window comes back when the program is started once more.");
+  recoverySaid_ = tr("The program ended unexpectedly. Your work was recovered; save it as a project to keep it.");
+  if (others > 0) recoverySaid_ += ' ' + tr("Start the program once more to recover the work of another window.");
   messages_->say(recoverySaid_, projectProblems_.join('\n'));
   connect(&document_, &CaseDocument::titleChanged, this, &MainWindow::hideSettledRecovery);
   connect(&store_, &RunStore::rowsRemoved, this, &MainWindow::hideSettledRecovery);
   connect(&store_, &RunStore::dataChanged, this, &MainWindow::hideSettledRecovery);
 }
 
-// Of results that are still being read nobody knows.
+// Results that are still being read count as unsaved.
 bool MainWindow::hasUnsavedWork() const {
   return hasUnsavedChanges() || reader_->isBusy() || !store_.unsaved().empty() || notes_->document()->isModified();
 }
 
-// Recovered results are read while the window is in use; they can be saved, or let go, once they are there.
+// Recovered results are read while the window is in use; only then can they be saved or discarded.
 void MainWindow::waitForUnsaved() {
   constexpr int patience = 20000;  // [ms]
   for (int row = 0; row < store_.rowCount(); ++row)
@@ -55,7 +53,7 @@ void MainWindow::hideSettledRecovery() {
   if (!recoverySaid_.isEmpty() && messages_->text() == recoverySaid_ && !hasUnsavedWork()) messages_->clear();
 }
 
-// Another case is there: what is said of the one before goes, but not that recovered work is still to be saved.
+// Another case is open: a message about the one before goes, but not that recovered work is still to be saved.
 void MainWindow::hideWordsOfOldCase() {
   if (messages_->text() != recoverySaid_ || !hasUnsavedWork()) messages_->clear();
 }
