@@ -17,6 +17,7 @@ void addEstimateCommand(CLI::App& program, Action& action);
 void addExamplesCommand(CLI::App& program, Action& action);
 void addExportCommand(CLI::App& program, Action& action);
 void addFiguresCommand(CLI::App& program, Action& action);
+void addGrowCommand(CLI::App& program, Action& action);
 void addInspectCommand(CLI::App& program, Action& action);
 void addReceptanceCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);

@@ -9,6 +9,7 @@
 #include "plots/DecayFigures.h"
 #include "plots/DetectionFigures.h"
 #include "plots/EstimateFigure.h"
+#include "plots/GrowthFigures.h"
 #include "plots/PaperFigures.h"
 #include "plots/ReceptanceFigures.h"
 #include "plots/RoughnessFigure.h"
@@ -71,6 +72,14 @@ std::vector<std::string> writeEstimateFigure(const estimation::Estimate& estimat
   if (choice.none) return {};
   std::vector<plots::FigureSheet> sheets;
   sheets.push_back(plots::estimateFigure(estimate, styleOf(choice)));
+  return write(sheets, folder, choice);
+}
+
+std::vector<std::string> writeGrowthFigures(const growth::Growth& growth, const std::string& stem,
+                                            const std::string& folder, const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::growthFigure(growth, stem, styleOf(choice)));
   return write(sheets, folder, choice);
 }
 

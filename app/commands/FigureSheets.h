@@ -10,6 +10,7 @@
 #include "calibration/Calibration.h"
 #include "commands/FigureNames.h"
 #include "detection/DetectionFiles.h"
+#include "growth/Grow.h"
 #include "receptance/DecayFiles.h"
 #include "receptance/Receptance.h"
 #include "results/RunResult.h"
@@ -47,6 +48,10 @@ std::vector<std::string> writeCalibrationFigure(const calibration::Calibration& 
 
 std::vector<std::string> writeEstimateFigure(const estimation::Estimate& estimate, const std::string& folder,
                                              const FigureChoice& choice);
+
+// STEM_growth: profiles, map, depth and peak against tonnage.
+std::vector<std::string> writeGrowthFigures(const growth::Growth& growth, const std::string& stem,
+                                            const std::string& folder, const FigureChoice& choice);
 
 // The overview along the track, and one figure an event.
 std::vector<std::string> writeDetectionFigures(const detection::DetectionReport& report, const std::string& folder,

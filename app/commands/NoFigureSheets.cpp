@@ -34,6 +34,11 @@ std::vector<std::string> writeCalibrationFigure(const calibration::Calibration&,
   return none(choice);
 }
 
+std::vector<std::string> writeGrowthFigures(const growth::Growth&, const std::string&, const std::string&,
+                                            const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writeDetectionFigures(const detection::DetectionReport&, const std::string&,
                                                const FigureChoice& choice) {
   return none(choice);

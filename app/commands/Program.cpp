@@ -132,6 +132,7 @@ int runProgram(int argc, char** argv) {
   addStudyCommand(program, action);
   addDetectCommand(program, action);
   addExamplesCommand(program, action);
+  addGrowCommand(program, action);
   addInspectCommand(program, action);
   addReceptanceCommand(program, action);
   addValidateCommand(program, action);

@@ -10,18 +10,20 @@
 namespace squat::cases {
 
 bool countsBeforeDefect(const Parameter& parameter) {
-  constexpr std::array<std::string_view, 11> others = {"title",
+  constexpr std::array<std::string_view, 12> others = {"title",
                                                        "note",
                                                        "wheelset.tread_deviation",
                                                        "wheelset.preset",
                                                        "track.preset",
+                                                       "rail.preset",
                                                        "rail.irregularity_file",
                                                        "pad.dynamic",
                                                        "mesh.zone_before",
                                                        "mesh.zone_behind",
                                                        "output.filter_cutoff",
                                                        "output.cwt_voices"};
-  return parameter.group != "defect" && std::find(others.begin(), others.end(), parameter.key) == others.end();
+  return parameter.group != "defect" && parameter.group != "growth" &&
+         std::find(others.begin(), others.end(), parameter.key) == others.end();
 }
 
 std::vector<const Parameter*> differencesBeforeDefect(const CaseDescription& one, const CaseDescription& other) {

@@ -60,7 +60,8 @@ using scenario::Wheelset;
 struct CaseDescription : scenario::Inputs {
   std::string title;
   std::string note;
-  std::string wheelsetPreset, trackPreset;  // where values came from (InputPresets.h); they stand in the other members
+  std::string wheelsetPreset, trackPreset,
+      railPreset;  // where values came from (InputPresets.h); they stand in the others
   Defect defect;
   TreadShape tread;
 };

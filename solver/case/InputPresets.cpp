@@ -36,7 +36,8 @@ bool isInputPreset(std::string_view key) {
 const std::vector<std::string>& inputPresetNames(std::string_view key) {
   static const std::vector<std::string> wheelset{noPreset, "estimated", "trailer"};
   static const std::vector<std::string> track{noPreset, "estimated", "stiff-pads", "soft-pads"};
-  return key == "track.preset" ? track : wheelset;
+  static const std::vector<std::string> rail{noPreset, "R260", "R350HT"};
+  return key == "track.preset" ? track : key == "rail.preset" ? rail : wheelset;
 }
 
 PresetValues inputPresetValues(std::string_view key, const std::string& name) {

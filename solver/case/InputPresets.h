@@ -1,7 +1,7 @@
-// solver/case/InputPresets.h - wheelset.preset and track.preset: names of sets of values for other keys.
+// solver/case/InputPresets.h - wheelset.preset, track.preset and rail.preset: names of sets of values for other keys.
 //
-// The values of a name stand in resources/presets/wheelset/NAME.toml or resources/presets/track/NAME.toml, which are
-// parts of a case, each value with its source beside it.
+// The values of a name stand in resources/presets/wheelset/NAME.toml, presets/track or presets/rail, which are parts of
+// a case, each value with its source beside it.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 namespace squat::cases {
 
 inline constexpr const char* noPreset = "none";  // sets nothing
-inline constexpr const char* inputPresetKeys[] = {"wheelset.preset", "track.preset"};
+inline constexpr const char* inputPresetKeys[] = {"wheelset.preset", "track.preset", "rail.preset"};
 
 bool isInputPreset(std::string_view key);
 

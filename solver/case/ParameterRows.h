@@ -74,5 +74,6 @@ Rows vehicleRows();  // wheelset, suspension
 Rows motionRows();   // motion, contact, damping
 Rows runRows();      // mesh, output
 Rows defectRows();   // defect
+Rows growthRows();   // growth
 
 }  // namespace squat::cases::rows

@@ -151,8 +151,8 @@ std::vector<Parameter> makeTable() {
       "title", [](Case& c) -> std::string& { return c.title; }, "name of the case, shown on figures", "free text"));
   table.push_back(rows::text(
       "note", [](Case& c) -> std::string& { return c.note; }, "anything worth keeping with the case", "free text"));
-  for (const auto& part :
-       {rows::defectRows(), rows::motionRows(), rows::trackRows(), rows::vehicleRows(), rows::runRows()})
+  for (const auto& part : {rows::defectRows(), rows::motionRows(), rows::trackRows(), rows::vehicleRows(),
+                           rows::runRows(), rows::growthRows()})
     table.insert(table.end(), part.begin(), part.end());
   // What a preset sets has the value of the preset draft as its default; the rows need not repeat it.
   for (const auto& preset : presetTable())

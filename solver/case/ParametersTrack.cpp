@@ -60,32 +60,74 @@ void addRail(Rows& rows) {
       "loss factor of the rail's steel in the frequency domain (receptance, decay rates): stiffness times 1 + i times "
       "it; a rolling run does not know it",
       "assumed: none; literature: 0.01 to 0.02 stands for all that a rail on its track loses besides the pads"));
+}
+
+Parameter ofPlasticRail(Parameter row) { return appliesIf("rail.plastic", {"true"}, std::move(row)); }
+Parameter ofChaboche(Parameter row) { return ofPlasticRail(appliesIf("rail.hardening", {"chaboche"}, std::move(row))); }
+
+constexpr const char* fitted =
+    "R260, fitted: yields first at 336 MPa in torsion and tension (Meyer and others, Eur. J. Mech. A 2020), 0.2 % "
+    "limit "
+    "490 MPa, 690 MPa at 2 %; no set published for this law could be read";
+
+template <int I>
+void addBackstress(Rows& rows, const char* modulus, double gigapascals, const char* recovery, double perStrain) {
+  rows.push_back(ofChaboche(number(
+      modulus, gigapascal, gigapascals, {0, 2000}, +[](Case& c) -> double& { return c.rail.backstresses[I].modulus; },
+      I == 0   ? "plastic modulus at which the first back-stress starts to grow"
+      : I == 1 ? "plastic modulus of the second back-stress"
+               : "plastic modulus of the third back-stress",
+      fitted)));
+  rows.push_back(ofChaboche(number(
+      recovery, none, perStrain, {0, 100000}, +[](Case& c) -> double& { return c.rail.backstresses[I].recovery; },
+      I == 0   ? "rate at which the first back-stress recovers, per plastic strain; it grows to modulus over rate"
+      : I == 1 ? "rate at which the second back-stress recovers"
+               : "rate at which the third back-stress recovers; 0: it grows without limit, and ratchetting ends",
+      fitted)));
+}
+
+void addPlasticity(Rows& rows) {
+  rows.push_back(inputPreset(
+      "rail.preset", [](Case& c) -> std::string& { return c.railPreset; },
+      "set of values for the steel of the rail, which yields; keys that the case states override it",
+      "values with their sources: resources/presets/rail"));
   rows.push_back(boolean(
       "rail.plastic", false, [](Case& c) -> bool& { return c.rail.plastic; },
-      "bilinear elastoplastic surface layer of the rail head; false: elastic",
+      "elastoplastic surface layer of the rail head; false: elastic",
       "assumed: elastic, which holds at rest but not where the contact slips under full traction or at a defect; "
       "paper, "
       "section 2: elastoplastic"));
-  rows.push_back(appliesIf(
-      "rail.plastic", {"true"},
-      number(
-          "rail.yield_stress", gigapascal, 0.8, {0.05, 10}, [](Case& c) -> double& { return c.rail.yieldStress; },
-          "yield stress of the surface layer", table1)));
-  rows.push_back(appliesIf(
-      "rail.plastic", {"true"},
+  rows.push_back(ofPlasticRail(number(
+      "rail.yield_stress", gigapascal, 0.8, {0.05, 10}, [](Case& c) -> double& { return c.rail.yieldStress; },
+      "yield stress of the surface layer", table1)));
+  rows.push_back(ofPlasticRail(number(
+      "rail.plastic_depth", millimetre, 5, {0.5, 20}, [](Case& c) -> double& { return c.rail.plasticDepth; },
+      "depth of the elastoplastic surface layer", "assumed: the paper does not say")));
+  rows.push_back(ofPlasticRail(choice(
+      "rail.hardening", {"isotropic", "kinematic", "chaboche"}, Hardening::isotropic,
+      +[](Case& c) -> Hardening& { return c.rail.hardening; },
+      "hardening of the surface layer: linear isotropic, linear kinematic, or three back-stresses that recover, which "
+      "ratchets",
+      "assumed: the paper does not say")));
+  rows.push_back(ofPlasticRail(appliesUnless(
+      "rail.hardening", {"chaboche"},
       number(
           "rail.tangent_modulus", gigapascal, 21, {0, 2000}, [](Case& c) -> double& { return c.rail.tangentModulus; },
-          "tangent modulus of the surface layer beyond yield, below Young's modulus", table1)));
-  rows.push_back(appliesIf(
-      "rail.plastic", {"true"},
-      number(
-          "rail.plastic_depth", millimetre, 5, {0.5, 20}, [](Case& c) -> double& { return c.rail.plasticDepth; },
-          "depth of the elastoplastic surface layer", "assumed: the paper does not say")));
-  rows.push_back(appliesIf("rail.plastic", {"true"},
-                           choice(
-                               "rail.hardening", {"isotropic", "kinematic"}, Hardening::isotropic,
-                               +[](Case& c) -> Hardening& { return c.rail.hardening; },
-                               "hardening rule of the surface layer", "assumed: the paper does not say")));
+          "tangent modulus of the surface layer beyond yield, below Young's modulus", table1))));
+  addBackstress<0>(rows, "rail.backstress_modulus_1", 191, "rail.backstress_recovery_1", 1500);
+  addBackstress<1>(rows, "rail.backstress_modulus_2", 8.2, "rail.backstress_recovery_2", 150);
+  addBackstress<2>(rows, "rail.backstress_modulus_3", 9.9, "rail.backstress_recovery_3", 12);
+  rows.push_back(ofChaboche(number(
+      "rail.recovery_exponent", none, 5, {0, 100}, [](Case& c) -> double& { return c.rail.recoveryExponent; },
+      "exponent of the recovery (Ohno and Wang): the larger, the less the steel ratchets; 0: Armstrong and Frederick",
+      "assumed: 5 to 10 are usual; with 0 rail steel ratchets some hundred times faster than rails in track do")));
+  rows.push_back(ofChaboche(number(
+      "rail.isotropic_saturation", gigapascal, 0, {-5, 5},
+      [](Case& c) -> double& { return c.rail.isotropicSaturation; },
+      "growth of the yield stress after much plastic strain; negative: the steel softens", fitted)));
+  rows.push_back(ofChaboche(number(
+      "rail.isotropic_rate", none, 10, {0, 10000}, [](Case& c) -> double& { return c.rail.isotropicRate; },
+      "rate of that growth, per plastic strain", "assumed")));
 }
 
 Parameter ofSpectrum(Parameter row) { return appliesIf("rail.irregularity", {"iso-3095", "spectrum"}, std::move(row)); }
@@ -273,6 +315,7 @@ Rows trackRows() {
   Rows rows;
   addTrack(rows);
   addRail(rows);
+  addPlasticity(rows);
   addIrregularity(rows);
   addPad(rows);
   addSleeper(rows);

@@ -71,6 +71,14 @@ WheelSeat seatOf(const scenario::Scenario& d) {
   return seat;
 }
 
+Columns touchedColumns(const std::vector<double>& railY, double y) {
+  const int faces = static_cast<int>(railY.size()) - 1;
+  int first = faces + 1, last = -1;
+  for (int j = 0; j < faces; ++j)
+    if (railY[j + 1] > y - reach && railY[j] < y + reach) first = std::min(first, j), last = j;
+  return {first, last - first + 1};
+}
+
 std::vector<int> runningLine(const elasticity::SweptBlock& rail, scenario::RailSection section) {
   return geometry::nodesWhere(
       rail.section,
@@ -95,12 +103,8 @@ Surfaces makeSurfaces(const elasticity::SweptBlock& rail, int railBlock, const e
       rim.section, [&](const geometry::Point2& p) { return std::abs(p[0] - treadRadius(p[1])) < 1e-9; }, 1);
   s.railY = lateralPositions(rail, s.railLine, 0);
   s.treadY = lateralPositions(rim, s.treadLine, 1);
-  int lastColumn = -1;
-  s.firstColumn = static_cast<int>(s.railLine.size());
-  for (int j = 0; j + 1 < static_cast<int>(s.railLine.size()); ++j)
-    if (s.railY[j + 1] > s.touchY - reach && s.railY[j] < s.touchY + reach)
-      s.firstColumn = std::min(s.firstColumn, j), lastColumn = j;
-  s.columns = lastColumn - s.firstColumn + 1;
+  const Columns touched = touchedColumns(s.railY, s.touchY);
+  s.firstColumn = touched.first, s.columns = touched.count;
   s.firstInterval = 0;
   while (rail.positions[s.firstInterval + 1] <= from) ++s.firstInterval;
   while (s.firstInterval + s.intervals < rail.intervals && rail.positions[s.firstInterval + s.intervals] < to)

@@ -60,6 +60,12 @@ struct WheelSeat {
 // Throws CaseError where they touch beyond the arcs of the crown.
 WheelSeat seatOf(const scenario::Scenario& scenario);
 
+// Faces of a running line at `railY` that a wheel can press which touches at `y` [m].
+struct Columns {
+  int first = 0, count = 0;
+};
+Columns touchedColumns(const std::vector<double>& railY, double y);
+
 // Section nodes of the rail on R300 and R80 of its crown, ascending in y.
 std::vector<int> runningLine(const elasticity::SweptBlock& rail, scenario::RailSection section);
 

@@ -155,7 +155,10 @@ PatchState rollContact(const ContactPair& pair, const ContactMotion& motion, Fri
     if (slips) {
       const double back = size > 0 ? limit / size : 0;
       // What the return takes off is slip that friction has worked through.
-      patch.frictionPower += area * (1 - back) * size * limit / (law.tangentialPenalty * step);
+      const double power = (1 - back) * size * limit / (law.tangentialPenalty * step);  // [W/m2]
+      patch.frictionPower += area * power;
+      if (!history.worn.empty() && wheel.speed > 0)
+        history.worn[t.point] += wheel.speed * step * wearDepth(law.wear, power / wheel.speed);
       along *= back, across *= back;
       ++patch.slipping;
     }

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "contact/TouchPoint.h"
+#include "contact/WearLaw.h"
 
 namespace squat::contact {
 
 struct ContactLaw {
   double normalPenalty = 0, tangentialPenalty = 0;  // [Pa/m]
   double friction = 0;
+  WearLaw wear;
 };
 
 // How the wheel moves besides its nodal velocities.
@@ -28,6 +30,7 @@ struct WheelRolling {
 struct FrictionHistory {
   std::vector<double> traction;
   std::vector<std::size_t> closed;  // points closed in the last step
+  std::vector<double> worn;         // [m] depth taken off each point; empty: not asked for
 };
 
 struct PatchState {

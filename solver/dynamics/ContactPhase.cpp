@@ -15,7 +15,7 @@ ContactPhase::ContactPhase(const model::Model& model, double step, double beta)
             model.blocks[model.rail],
             model.blocks[model.rim],
             {model::normalPenalty(model.scenario), model::tangentialPenalty(model.scenario),
-             model.scenario.contact.friction}},
+             model.scenario.contact.friction, contact::wearLawOf(model.scenario)}},
       inertia_(model, stiffestPenalty(model.scenario), step, beta) {}
 
 contact::ForceLines ContactPhase::linesOf(int block, double* forces) const {

@@ -162,10 +162,17 @@ void addLayer(Model& model, const elasticity::NodeShift& shift) {
   const auto& rail = model.scenario.rail;
   if (!rail.plastic) return;
   const auto& s = model.surfaces;
-  const auto first = s.railLine.begin() + s.firstColumn;
-  model.layer =
-      plasticity::makeLayer(model.blocks[model.rail], plasticity::bilinearLaw(rail), {first, first + s.columns + 1},
-                            rail.plasticDepth, s.firstInterval, s.intervals, shift);
+  const auto& at = model.blocks[model.rail].positions;
+  int from = s.firstInterval, end = s.firstInterval + s.intervals;
+  contact::Columns columns{s.firstColumn, s.columns};
+  if (rail.plasticFrom < rail.plasticTo) {
+    columns = contact::touchedColumns(s.railY, rail.plasticMiddle);
+    while (from < end && at[from + 1] <= rail.plasticFrom) ++from;
+    while (end > from && at[end - 1] >= rail.plasticTo) --end;
+  }
+  const auto first = s.railLine.begin() + columns.first;
+  model.layer = plasticity::makeLayer(model.blocks[model.rail], plasticity::hardeningLaw(rail),
+                                      {first, first + columns.count + 1}, rail.plasticDepth, from, end - from, shift);
 }
 
 // Of the first sleeper; the others are alike.

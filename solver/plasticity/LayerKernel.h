@@ -17,17 +17,24 @@ inline constexpr int steepest = weight + 8;           // largest strain per unit
 inline constexpr int count = steepest + 1;
 }  // namespace coefficient
 
+inline constexpr int backstressCount = 3;
+
 struct LayerCall {
   const double* coefficients = nullptr;
   bool own = false;              // coefficients differ from lane to lane
   const double* corner[4] = {};  // component line a of each section node at the group's first station, 64-byte aligned
   std::size_t stride = 0;        // to lines b and c
-  double* state = nullptr;       // groupState
+  double* state = nullptr;       // SurfaceLayer::groupState()
   double* force = nullptr;       // groupForce: [24][lane], left station first
   bool flowed = false;           // the group's plastic strain is not zero
   // Law in units of 2 mu: yield radius sqrt(2/3) sigma_y / 2 mu, its growth with equivalent plastic strain, and
   // share = 2/3 H / 2 mu of both kinds of hardening.
   double radius = 0, growth = 0, kinematicShare = 0, isotropicShare = 0;
+  // Back-stresses that recover, in the same units: 2/3 modulus, recovery and largest norm of each, exponent of all;
+  // what sqrt(2/3) of the isotropic growth saturates at, and its rate.
+  bool recovers = false;
+  double stiffness[backstressCount] = {}, recovery[backstressCount] = {}, largest[backstressCount] = {};
+  double exponent = 0, saturation = 0, rate = 0;
 };
 
 struct LayerKernels {

@@ -33,13 +33,21 @@ LayerCall callFor(const SurfaceLayer& layer, int along, std::size_t quad, const 
   call.own = layer.own[g] != 0;
   for (int i = 0; lines && i < 4; ++i) call.corner[i] = lines->values + 3 * i * CornerLines::width;
   call.stride = CornerLines::width;
-  call.state = state.values.data() + g * groupState;
+  call.state = state.values.data() + g * layer.groupState();
   call.force = forces.values.data() + g * groupForce;
   call.flowed = forces.flowed[g] != 0;
   call.radius = std::sqrt(2.0 / 3) * layer.law.yieldStress / twoMu;
   call.growth = std::sqrt(2.0 / 3) * layer.law.isotropic / twoMu;
   call.kinematicShare = 2.0 / 3 * layer.law.kinematic / twoMu;
   call.isotropicShare = 2.0 / 3 * layer.law.isotropic / twoMu;
+  call.recovers = layer.law.recovers;
+  for (int i = 0; i < backstressCount; ++i) {
+    const auto& own = layer.law.backstresses[i];
+    call.stiffness[i] = 2.0 / 3 * own.modulus / twoMu, call.recovery[i] = own.recovery;
+    call.largest[i] = own.recovery > 0 ? std::sqrt(2.0 / 3) * own.modulus / own.recovery / twoMu : 0;
+  }
+  call.exponent = layer.law.exponent;
+  call.saturation = std::sqrt(2.0 / 3) * layer.law.saturation / twoMu, call.rate = layer.law.rate;
   return call;
 }
 
@@ -52,14 +60,36 @@ double coefficientOf(const SurfaceLayer& layer, std::size_t g, int i, int lane) 
 struct PointFlow {
   double e[5], m[5], equivalent;
 };
-PointFlow pointFlow(const LayerState& state, std::size_t g, int p, int lane) {
-  const double* at = state.values.data() + g * groupState + p * rows * lanes + lane;
+const double* pointState(const SurfaceLayer& layer, const LayerState& state, std::size_t g, int p, int lane) {
+  return state.values.data() + g * layer.groupState() + static_cast<std::size_t>(p) * layer.rows() * lanes + lane;
+}
+PointFlow pointFlow(const SurfaceLayer& layer, const LayerState& state, std::size_t g, int p, int lane) {
+  const double* at = pointState(layer, state, g, p, lane);
   PointFlow f;
   for (int r = 0; r < 5; ++r) f.e[r] = at[r * lanes];
-  f.equivalent = at[5 * lanes];
+  f.equivalent = at[row::equivalent * lanes];
   f.m[0] = 2 * f.e[0] + f.e[1], f.m[1] = f.e[0] + 2 * f.e[1];
   for (int r = 2; r < 5; ++r) f.m[r] = 0.5 * f.e[r];
   return f;
+}
+
+// Per volume [J/m3]; `own` = eps_p:eps_p.
+LayerEnergy pointEnergy(const SurfaceLayer& layer, const double* at, double equivalent, double own) {
+  const auto& law = layer.law;
+  if (!law.recovers)
+    return {0, 0.5 * law.isotropic * equivalent * equivalent + law.kinematic * own / 3, law.yieldStress * equivalent};
+  const double twoMu = 2 * law.shearModulus;
+  double stored = 0;
+  for (int i = 0; i < backstressCount; ++i) {
+    if (law.backstresses[i].modulus <= 0) continue;
+    const double* x = at + (row::backstress + 5 * i) * lanes;
+    const double zz = x[0] + x[lanes];
+    const double squared =
+        x[0] * x[0] + x[lanes] * x[lanes] + zz * zz +
+        0.5 * (x[2 * lanes] * x[2 * lanes] + x[3 * lanes] * x[3 * lanes] + x[4 * lanes] * x[4 * lanes]);
+    stored += 0.75 * twoMu * twoMu * squared / law.backstresses[i].modulus;
+  }
+  return {0, stored, twoMu * at[row::work * lanes] - stored};
 }
 
 }  // namespace
@@ -71,8 +101,8 @@ LayerForces layerForces(const SurfaceLayer& layer, const LayerKernels& kernels, 
   for (int along = 0; along < layer.groups; ++along)
     for (std::size_t quad = 0; quad < layer.quads.size(); ++quad) {
       const std::size_t g = layer.group(along, quad);
-      const double* values = state.values.data() + g * groupState;
-      if (std::all_of(values, values + groupState, [](double v) { return v == 0; })) continue;
+      const double* values = state.values.data() + g * layer.groupState();
+      if (std::all_of(values, values + layer.groupState(), [](double v) { return v == 0; })) continue;
       forces.flowed[g] = 1;
       kernels.plasticForce(callFor(layer, along, quad, nullptr, state, forces));
     }
@@ -124,7 +154,7 @@ ElementFlow elementFlow(const SurfaceLayer& layer, const LayerState& state, int 
   const std::size_t g = layer.group(from / lanes, static_cast<std::size_t>(layer.indexOfQuad[sectionQuad]));
   const int lane = from % lanes;
   for (int p = 0; p < points; ++p) {
-    const auto f = pointFlow(state, g, p, lane);
+    const auto f = pointFlow(layer, state, g, p, lane);
     const double whole[6] = {f.e[0], f.e[1], -f.e[0] - f.e[1], f.e[2], f.e[3], f.e[4]};
     for (int r = 0; r < 6; ++r) mean.strain[r] += whole[r] / points;
     mean.equivalent += f.equivalent / points;
@@ -152,13 +182,13 @@ LayerEnergy layerEnergy(const SurfaceLayer& layer, const LayerState& state, cons
         // point's plastic strain works on the strain of the amplitudes that all of them make.
         double a[9] = {};
         for (int p = 0; p < points; ++p) {
-          const auto f = pointFlow(state, g, p, lane);
+          const auto f = pointFlow(layer, state, g, p, lane);
           for (int r = 0; r < 5; ++r)
             for (int i = 0; i < 9; ++i)
               a[i] += coefficientOf(layer, g, coefficient::amplitude + (p * 5 + r) * 9 + i, lane) * f.m[r];
         }
         for (int p = 0; p < points; ++p) {
-          const auto f = pointFlow(state, g, p, lane);
+          const auto f = pointFlow(layer, state, g, p, lane);
           const double weight = coefficientOf(layer, g, coefficient::weight + p, lane);
           double own = 0, given = 0;
           for (int r = 0; r < 5; ++r) {
@@ -167,19 +197,19 @@ LayerEnergy layerEnergy(const SurfaceLayer& layer, const LayerState& state, cons
               given += f.m[r] * a[i] * coefficientOf(layer, g, coefficient::inner + (p * 9 + i) * 5 + r, lane);
           }
           energy.elastic += 0.5 * weight * (own - given);
-          const double volume = weight / twoMu;
-          energy.hardening +=
-              volume * (0.5 * layer.law.isotropic * f.equivalent * f.equivalent + layer.law.kinematic * own / 3);
-          energy.dissipated += volume * layer.law.yieldStress * f.equivalent;
+          const auto spent = pointEnergy(layer, pointState(layer, state, g, p, lane), f.equivalent, own);
+          energy.hardening += weight / twoMu * spent.hardening;
+          energy.dissipated += weight / twoMu * spent.dissipated;
         }
       }
     }
   return energy;
 }
 
-double largestEquivalentStrain(const LayerState& state) {
+double largestEquivalentStrain(const SurfaceLayer& layer, const LayerState& state) {
   double maximum = 0;
-  for (std::size_t at = 5 * lanes; at < state.values.size(); at += rows * lanes)
+  const std::size_t point = static_cast<std::size_t>(layer.rows()) * lanes;
+  for (std::size_t at = row::equivalent * lanes; at < state.values.size(); at += point)
     for (int lane = 0; lane < lanes; ++lane) maximum = std::max(maximum, state.values[at + lane]);
   return maximum;
 }

@@ -38,12 +38,13 @@ struct ElementFlow {
 ElementFlow elementFlow(const SurfaceLayer& layer, const LayerState& state, int sectionQuad, int interval);
 
 // Energy of the plastic strain eps_p: what has to be added to 1/2 u.K u to get the elastic energy, what hardening
-// stores (1/2 H p^2 or 1/3 H eps_p:eps_p) and what flow has dissipated (sigma_y p, in both kinds of hardening).
+// stores (1/2 H p^2, 1/3 H eps_p:eps_p or the sum of 3/4 X:X / modulus) and what flow has dissipated (sigma_y p with
+// linear hardening; else all plastic work but what is stored).
 struct LayerEnergy {
   double elastic = 0, hardening = 0, dissipated = 0;  // [J]
 };
 LayerEnergy layerEnergy(const SurfaceLayer& layer, const LayerState& state, const LayerForces& forces, const double* u);
 
-double largestEquivalentStrain(const LayerState& state);
+double largestEquivalentStrain(const SurfaceLayer& layer, const LayerState& state);
 
 }  // namespace squat::plasticity

@@ -91,17 +91,23 @@ AlignedVector laneByLane(const elasticity::Corners& corners, const Shifts& shift
 
 }  // namespace
 
-BilinearLaw bilinearLaw(const scenario::Rail& rail) {
+HardeningLaw hardeningLaw(const scenario::Rail& rail) {
   const double e = rail.material.young;
-  const double tangent = std::clamp(rail.tangentModulus, 0.0, 0.999 * e);  // the case's checks refuse more
-  BilinearLaw law;
+  HardeningLaw law;
   law.shearModulus = e / (2 * (1 + rail.material.poisson));
   law.yieldStress = rail.yieldStress;
+  if (rail.hardening == scenario::Hardening::chaboche) {
+    law.recovers = true;
+    law.backstresses = rail.backstresses, law.exponent = rail.recoveryExponent;
+    law.saturation = rail.isotropicSaturation, law.rate = rail.isotropicRate;
+    return law;
+  }
+  const double tangent = std::clamp(rail.tangentModulus, 0.0, 0.999 * e);  // the case's checks refuse more
   (rail.hardening == scenario::Hardening::kinematic ? law.kinematic : law.isotropic) = e * tangent / (e - tangent);
   return law;
 }
 
-SurfaceLayer makeLayer(const elasticity::SweptBlock& rail, const BilinearLaw& law, const std::vector<int>& surface,
+SurfaceLayer makeLayer(const elasticity::SweptBlock& rail, const HardeningLaw& law, const std::vector<int>& surface,
                        double depth, int first, int count, const NodeShift& moved) {
   SurfaceLayer layer;
   layer.law = law;
@@ -139,7 +145,7 @@ SurfaceLayer makeLayer(const elasticity::SweptBlock& rail, const BilinearLaw& la
   return layer;
 }
 
-LayerState restState(const SurfaceLayer& layer) { return {AlignedVector(layer.size() * groupState, 0.0)}; }
+LayerState restState(const SurfaceLayer& layer) { return {AlignedVector(layer.size() * layer.groupState(), 0.0)}; }
 
 std::vector<int> layerNodes(const SurfaceLayer& layer) {
   std::set<int> nodes;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "scenario/DefectSurface.h"
+#include "scenario/Growth.h"
 #include "scenario/Irregularity.h"
 #include "scenario/MeshSizes.h"
 #include "scenario/Motion.h"
@@ -33,6 +34,7 @@ struct Inputs {
   Damping damping;
   MeshSizes mesh;
   Output output;
+  Growth growth;
 };
 
 struct Scenario : Inputs {

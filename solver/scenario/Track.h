@@ -1,6 +1,7 @@
 // solver/scenario/Track.h - rail, pads, sleepers and ballast.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <optional>
 #include <string>
@@ -13,7 +14,12 @@ namespace squat::scenario {
 
 enum class RailEnds { free, clamped, absorbing };
 enum class RailSection { rail54E1, rail60E1 };  // geometry/RailSection.h has their dimensions
-enum class Hardening { isotropic, kinematic };
+enum class Hardening { isotropic, kinematic, chaboche };
+
+// dX = 2/3 modulus d eps_p - recovery X dp (plasticity/SurfaceLayer.h).
+struct Backstress {
+  double modulus = 0, recovery = 0;  // [Pa], [-]
+};
 
 // A rail seat that differs from the others; what is left out is as at every seat.
 struct Seat {
@@ -38,7 +44,14 @@ struct Rail {
   double inclination = 0;  // [-] slope of the foot: the head leans towards the track centre
   double yieldStress = 0, tangentModulus = 0, plasticDepth = 0;  // [Pa], [Pa], [m]
   Hardening hardening = Hardening::isotropic;
+  // Of back-stresses that recover; the yield stress grows by isotropicSaturation (1 - exp(-isotropicRate p)).
+  std::array<Backstress, 3> backstresses{};
+  double recoveryExponent = 0;                        // [-] 0: Armstrong and Frederick
+  double isotropicSaturation = 0, isotropicRate = 0;  // [Pa], [-]
   bool plastic = false;
+  // [m] along x: only there it may yield, below where wheels touch about plasticMiddle of the crown; both zero:
+  // wherever the wheel can roll. Not an input: growth sets it.
+  double plasticFrom = 0, plasticTo = 0, plasticMiddle = 0;
   Irregularity irregularity;
 };
 

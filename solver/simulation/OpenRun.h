@@ -1,5 +1,5 @@
 // solver/simulation/OpenRun.h - a run under way: what it carries from phase to phase, from the case to the first step.
-// Internal to solver/simulation: runCase and makeWarmState walk the same way.
+// runCase, makeWarmState and the wheelsets of solver/growth walk the same way; others call those.
 #pragma once
 
 #include <algorithm>

@@ -93,7 +93,7 @@ void describePermanentChange(const dynamics::Rolling& rolling, const AlignedVect
   const auto energy = layerEnergy(layer, flow, rolling.layerForces(), unloaded.data());
   result.plasticity = {
       {"largest_equivalent_strain", "1", "equivalent plastic strain at an integration point",
-       largestEquivalentStrain(flow)},
+       largestEquivalentStrain(layer, flow)},
       {"deepest_change", "m", "of the running surface, unloaded; down negative", deepest},
       {"highest_change", "m", "of the running surface, unloaded", highest},
       {"largest_residual_tension", "Pa", "along the rail on the plane y = 0, unloaded", tension},

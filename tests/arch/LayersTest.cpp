@@ -172,7 +172,7 @@ const std::vector<std::vector<Folder>>& layers() {
       {"solver/records"},
       {"solver/analysis"},
       {"solver/project", "solver/receptance", "solver/simulation"},
-      {"solver/studies", "solver/detection", "solver/roughness"},
+      {"solver/growth", "solver/studies", "solver/detection", "solver/roughness"},
       {"solver/statements"},
       {"solver/calibration"},
       {"solver/estimation"},

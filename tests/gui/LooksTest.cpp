@@ -380,7 +380,7 @@ TEST_F(Looks, helpIsWhole) {
 TEST_F(Looks, windowsOfToolsAreWhole) {
   for (const bool dark : {false, true}) {
     window_->setDark(dark);
-    for (const char* name : {"study", "calibration", "receptance", "squats", "estimate"}) {
+    for (const char* name : {"study", "calibration", "growth", "receptance", "squats", "estimate"}) {
       SCOPED_TRACE(std::string(name) + (dark ? ", dark" : ", light"));
       ToolWindow* tool = window_->tool(name);
       tool->show();

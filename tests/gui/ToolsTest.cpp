@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -267,6 +268,21 @@ TEST_F(Tools, theReceptanceIsThatOfTheCommand) {
   EXPECT_FALSE(read("receptance/short-receptance.svg").isEmpty());
 }
 
+TEST_F(Tools, theGrowthIsThatOfTheCommand) {
+  for (const auto& [key, value] : {std::pair{"growth.wheelsets", "1"}, {"motion.torque", "0"}})
+    window_.document().setParameter(key, value);
+  ToolWindow* growth = open("growth");
+  growth->form()->findChild<QDoubleSpinBox*>("tonnage")->setValue(0.05);
+  ASSERT_NO_FATAL_FAILURE(finish(*growth));
+  const QString printed = command(
+      {"grow", "growth/case/short.toml", "--mesh", "tiny", "--tonnage", "0.05", "-o", "command", "--no-figures"});
+  EXPECT_GT(read("growth/short-growth.csv").size(), 200);
+  EXPECT_EQ(read("growth/short-growth.csv"), read("command/short-growth.csv"));
+  EXPECT_EQ(printed.section("\nwritten:", 0, 0), growth->text());
+  EXPECT_FALSE(read("growth/short_growth.svg").isEmpty());
+  EXPECT_TRUE(growth->findChild<QPushButton*>("toolOpenCase")->isVisible());
+}
+
 // A key from a signal that the case itself has made, measured in the list; ten points or so.
 TEST_F(Tools, aCalibrationIsThatOfTheCommand) {
   Monitor nobody;
@@ -355,7 +371,7 @@ TEST_F(Tools, aValueThatIsRefusedStopsTheStart) {
 }
 
 TEST_F(Tools, everyControlHasANameAndKeysOfItsOwn) {
-  for (const char* name : {"study", "calibration", "receptance", "squats", "estimate"}) {
+  for (const char* name : {"study", "calibration", "growth", "receptance", "squats", "estimate"}) {
     SCOPED_TRACE(name);
     ToolWindow* tool = open(name);
     std::set<QString> taken;

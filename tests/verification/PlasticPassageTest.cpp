@@ -58,7 +58,7 @@ TEST_P(RolledOver, SameAsElementByElement) {
   scenario::Rail rail;
   rail.material = steel, rail.yieldStress = 0.8e9, rail.tangentModulus = 21e9;
   rail.hardening = GetParam();
-  const auto law = bilinearLaw(rail);
+  const auto law = hardeningLaw(rail);
   // Everything but the lowest row may yield, up to an elastic end where the patch rolls out.
   std::vector<int> top;
   for (int i = 0; i <= across; ++i) top.push_back(down * (across + 1) + i);

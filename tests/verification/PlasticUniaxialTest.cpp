@@ -45,7 +45,7 @@ Bar makeBar(scenario::Hardening hardening, bool moved) {
   const elasticity::NodeShift shift = [](int node, int station) {
     return node == 4 && station == 3 ? Eigen::Vector3d(0.0005, 0.0004, -0.0006) : Eigen::Vector3d(0, 0, 0);
   };
-  bar.layer = makeLayer(block, bilinearLaw(rail), {9, 11}, 0.1, 0, 8, moved ? shift : elasticity::NodeShift());
+  bar.layer = makeLayer(block, hardeningLaw(rail), {9, 11}, 0.1, 0, 8, moved ? shift : elasticity::NodeShift());
   if (moved) bar.irregular = elasticity::irregularElements(block, shift);
   return bar;
 }

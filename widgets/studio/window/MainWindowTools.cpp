@@ -9,6 +9,7 @@
 #include "studio/tools/CalibrationForm.h"
 #include "studio/tools/DetectionForm.h"
 #include "studio/tools/EstimateForm.h"
+#include "studio/tools/GrowthForm.h"
 #include "studio/tools/JobsButton.h"
 #include "studio/tools/ReceptanceForm.h"
 #include "studio/tools/StudyForm.h"
@@ -24,6 +25,7 @@ ToolForm* formOf(const QString& name, const RunStore& store, const plots::Style&
   if (name == "calibration") return new CalibrationForm(store);
   if (name == "squats") return new DetectionForm(style);
   if (name == "estimate") return new EstimateForm(store);
+  if (name == "growth") return new GrowthForm;
   return new ReceptanceForm;
 }
 
@@ -41,6 +43,8 @@ void MainWindow::makeToolActions(QMenu& menu) {
   add(tr("&Study…"), QKeySequence("F8"), "study", tr("Run the case for many values of its keys"));
   add(tr("C&alibration…"), QKeySequence("F9"), "calibration",
       tr("Find unknown values from targets that the case must meet"));
+  add(tr("&Growth under traffic…"), QKeySequence("Shift+F8"), "growth",
+      tr("Wear and plastic flow over millions of tonnes"));
   add(tr("Track recep&tance…"), QKeySequence("Shift+F9"), "receptance",
       tr("Receptance of the track, and modes of the wheelset"));
   add(tr("S&quats in records…"), QKeySequence("Ctrl+F8"), "squats", tr("Find squats in long records"));

@@ -1,0 +1,127 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "case/CaseDescription.h"
+#include "commands/CaseOptions.h"
+#include "commands/Command.h"
+#include "commands/ComputeOptions.h"
+#include "commands/ExitCodes.h"
+#include "commands/FigureSheets.h"
+#include "commands/Interrupt.h"
+#include "commands/OutputFolder.h"
+#include "commands/TerminalMonitor.h"
+#include "core/DurableFile.h"
+#include "core/Errors.h"
+#include "core/FolderLock.h"
+#include "growth/GrowthFiles.h"
+#include "results/Checkpoint.h"
+#include "text/Numbers.h"
+
+namespace squat::commands {
+
+namespace {
+
+struct GrowCommandOptions {
+  CaseOptions caseOptions;
+  std::string folder = ".", until;
+  double tonnage = 0;  // [Mt]
+  std::vector<std::string> grind;
+  FigureChoice figures;
+  growth::GrowthOptions growth;
+};
+
+constexpr double kilograms = 1e9;  // in a million tonnes
+
+// "0.2@10Mt"
+growth::Grinding grindingFrom(const std::string& words) {
+  const auto at = words.find('@');
+  const auto depth = text::numberIn(words.substr(0, at), '.');
+  std::string when = at == std::string::npos ? "" : words.substr(at + 1);
+  if (when.ends_with("Mt")) when.resize(when.size() - 2);
+  const auto tonnage = text::numberIn(when, '.');
+  if (!depth || !tonnage)
+    throw CaseError({{"--grind", words, "DEPTH@TONNAGE in mm and Mt", "Write for example 0.2@10Mt"}});
+  return {*depth * 1e-3, *tonnage * kilograms};
+}
+
+// "depth=0.5"
+double depthFrom(const std::string& words) {
+  const std::string name = "depth=";
+  const auto depth = words.starts_with(name) ? text::numberIn(words.substr(name.size()), '.') : std::nullopt;
+  if (!depth || *depth <= 0)
+    throw CaseError({{"--until", words, "depth=MILLIMETRES, above 0", "Write for example depth=0.5"}});
+  return *depth * 1e-3;
+}
+
+// A checkpoint is hours of work: it is not replaced unasked.
+void keepCheckpoint(const GrowCommandOptions& options, const std::string& path) {
+  if (options.growth.resume || !std::filesystem::exists(path)) return;
+  throw CaseError({{"-o", path, "a folder without the checkpoint of a growth that was stopped",
+                    "Resume it with --resume, choose another folder or --name, or remove the file"}});
+}
+
+int grow(GrowCommandOptions options) {
+  const auto description = readCase(options.caseOptions);
+  auto& growth = options.growth;
+  growth.tonnage = options.tonnage * kilograms;
+  for (const auto& words : options.grind) growth.grindings.push_back(grindingFrom(words));
+  if (!options.until.empty()) growth.untilDepth = depthFrom(options.until);
+  const auto stem = stemOf(options.caseOptions);
+  const auto& folder = options.folder;
+  keepInputs(cases::filesOfCase(options.caseOptions.name, description), growth::growthFiles(folder, stem));
+  growth.checkpoint = growth::growthCheckpoint(folder, stem);
+  keepCheckpoint(options, growth.checkpoint);
+  const OutputFolder output(folder);
+  const FolderLock owner(folder, "squat grow " + options.caseOptions.name);
+  const InterruptGuard interrupt;
+  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  growth.finishedStage = [&](const growth::Stage& stage) {
+    monitor.message(text::formatted("%.2f Mt", stage.tonnage / kilograms) +
+                    text::formatted("  depth %.3f mm", 1e3 * stage.depth) +
+                    text::formatted("  ABA %.0f m/s2", stage.peakAcceleration) + (stage.ground ? "  ground" : ""));
+  };
+  const auto grown = growth::grow(description, growth, monitor);
+  monitor.clearLine();
+  for (const auto& warning : grown.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  std::printf("%s", growth::growthSummary(grown, growth).c_str());
+  const auto written = growth::writeGrowthFiles(grown, folder, stem);
+  if (!written.empty()) std::printf("\nwritten:\n");
+  for (const auto& path : written) std::printf("  %s\n", path.c_str());
+  if (!grown.complete) {
+    std::fprintf(stderr, "cancelled: call with --resume to go on\n");
+    return kCancelled;
+  }
+  for (const auto& path : writeGrowthFigures(grown, stem, folder, options.figures)) std::printf("  %s\n", path.c_str());
+  results::removeCheckpoint(growth.checkpoint);
+  return kDone;
+}
+
+}  // namespace
+
+void addGrowCommand(CLI::App& program, Action& action) {
+  auto* command =
+      program.add_subcommand("grow", "Let a defect grow under traffic: wear and plastic flow, block by block");
+  auto options = std::make_shared<GrowCommandOptions>();
+  addCaseOptions(*command, options->caseOptions);
+  addName(*command, options->caseOptions);
+  command->add_option("--tonnage", options->tonnage, "Traffic in millions of tonnes")->required()->type_name("MT");
+  command->add_option("--until", options->until, "End as soon as the dip is so deep, in mm")->type_name("depth=MM");
+  command
+      ->add_option("--grind", options->grind,
+                   "Take this many mm off the whole rail after so many millions of tonnes: 0.2@10Mt; repeatable")
+      ->allow_extra_args(false)
+      ->type_name("MM@MT");
+  command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
+  addThreads(*command, options->growth.threads);
+  addInstructionSet(*command, options->growth.isa);
+  command->add_flag("--resume", options->growth.resume, "Go on from the checkpoint, if there is one");
+  addFigureOptions(*command, options->figures);
+  command->footer(
+      "Wear needs nothing but the case; plastic flow needs rail.plastic, for example --set rail.preset=R260.\n"
+      "Keys of the traffic and of wear: growth.* (squat describe).");
+  command->callback([options, &action] { action = [options] { return grow(*options); }; });
+}
+
+}  // namespace squat::commands

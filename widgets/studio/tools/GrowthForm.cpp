@@ -1,0 +1,162 @@
+#include "studio/tools/GrowthForm.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSettings>
+
+#include "case/CaseFile.h"
+#include "case/InputPresets.h"
+#include "core/DurableFile.h"
+#include "core/FolderLock.h"
+#include "growth/GrowthFiles.h"
+#include "plots/GrowthFigures.h"
+#include "results/Checkpoint.h"
+#include "studio/common/NumberBox.h"
+#include "studio/tools/MeshBox.h"
+#include "text/Numbers.h"
+
+namespace squat::studio {
+namespace {
+
+constexpr double kilograms = 1e9;  // in a million tonnes
+
+struct GrowthChoice {
+  std::string mesh, steel;
+  growth::GrowthOptions options;
+};
+
+ToolResult computeGrowth(GrowthChoice choice, const ToolInput& input, Monitor& monitor) {
+  makeFolder(input.folder);
+  const FolderLock owner(input.folder, "Squat Studio, growth");
+  keepInputs(input.files, growth::growthFiles(input.folder, input.name));
+  cases::CaseOverrides overrides{choice.mesh, {}};
+  if (choice.steel != cases::noPreset) overrides.values.push_back({"rail.preset", choice.steel});
+  const auto description = cases::loadCase(keepCase(input, {}), overrides);
+  auto& options = choice.options;
+  options.checkpoint = growth::growthCheckpoint(input.folder, input.name);
+  options.resume = true;
+  options.finishedStage = [&](const growth::Stage& stage) {
+    monitor.message(text::formatted("%.2f Mt", stage.tonnage / kilograms) +
+                    text::formatted("  depth %.3f mm", 1e3 * stage.depth) +
+                    text::formatted("  axle box %.0f m/s2", stage.peakAcceleration));
+  };
+  const auto found = std::make_shared<const growth::Growth>(growth::grow(description, options, monitor));
+  ToolResult result;
+  result.complete = found->complete;
+  if (found->stages.empty()) return result;
+  result.text = growth::growthSummary(*found, options);
+  result.files = growth::writeGrowthFiles(*found, input.folder, input.name);
+  result.foundCase = result.files.back();
+  if (found->complete) results::removeCheckpoint(options.checkpoint);
+  result.figures = [found, name = input.name](const plots::Style& style) {
+    std::vector<plots::FigureSheet> sheets;
+    sheets.push_back(plots::growthFigure(*found, name, style));
+    return sheets;
+  };
+  return result;
+}
+
+}  // namespace
+
+NumberBox* GrowthForm::box(const QString& name, const QString& label, double low, double high, double value,
+                           const QString& suffix) {
+  auto* made = new NumberBox(this);
+  made->setObjectName(name);
+  made->setAccessibleName(label);
+  made->setRange(low, high);
+  made->setDecimals(2);
+  made->setValue(value);
+  made->setSuffix(suffix);
+  connect(made, &QDoubleSpinBox::valueChanged, this, &ToolForm::edited);
+  return made;
+}
+
+GrowthForm::GrowthForm(QWidget* parent)
+    : ToolForm(parent),
+      tonnage_(box("tonnage", tr("Traffic"), 0.01, 1000, 5, tr(" million tonnes"))),
+      until_(box("untilDepth", tr("Depth of the dip at which it ends"), 0.01, 5, 0.5, " mm")),
+      depth_(box("grindDepth", tr("Depth that is ground off"), 0.01, 5, 0.2, " mm")),
+      after_(box("grindAfter", tr("Traffic before grinding"), 0.01, 1000, 2, tr(" million tonnes"))),
+      steel_(new QComboBox(this)),
+      mesh_(meshBox(tr("Mesh"), "growthMesh", "tiny", this)),
+      stops_(new QCheckBox(tr("&until the dip is deep:"), this)),
+      grinds_(new QCheckBox(tr("&grind off"), this)) {
+  steel_->setObjectName("growthSteel");
+  steel_->setAccessibleName(tr("Steel of the rail"));
+  for (const auto& name : cases::inputPresetNames("rail.preset"))
+    steel_->addItem(name == cases::noPreset ? tr("as in the case") : QString::fromStdString(name),
+                    QString::fromStdString(name));
+  stops_->setObjectName("growthStops");
+  grinds_->setObjectName("growthGrinds");
+  auto* traffic = new QHBoxLayout;
+  traffic->addWidget(tonnage_);
+  traffic->addWidget(stops_);
+  traffic->addWidget(until_);
+  traffic->addStretch(1);
+  auto* grinding = new QHBoxLayout;
+  grinding->addWidget(grinds_);
+  grinding->addWidget(depth_);
+  grinding->addWidget(new QLabel(tr("after"), this));
+  grinding->addWidget(after_);
+  grinding->addStretch(1);
+  auto* how = new QHBoxLayout;
+  how->addWidget(steel_);
+  how->addWidget(new QLabel(tr("mesh:"), this));
+  how->addWidget(mesh_);
+  how->addStretch(1);
+  auto* layout = new QFormLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addRow(tr("Traffic:"), traffic);
+  layout->addRow(tr("Grinding:"), grinding);
+  layout->addRow(tr("Steel:"), how);
+  const auto show = [this] {
+    until_->setEnabled(stops_->isChecked());
+    depth_->setEnabled(grinds_->isChecked()), after_->setEnabled(grinds_->isChecked());
+  };
+  for (auto* check : {stops_, grinds_}) connect(check, &QCheckBox::toggled, this, show);
+  show();
+}
+
+QString GrowthForm::explanation() const {
+  return tr(
+      "Lets the defect of the open case grow under traffic: friction wears the rail, and where its steel yields it "
+      "flows. Wheelsets and law of wear are those of the case (growth).");
+}
+
+ToolWork GrowthForm::work() {
+  GrowthChoice choice;
+  choice.mesh = mesh_->currentText().toStdString();
+  choice.steel = steel_->currentData().toString().toStdString();
+  choice.options.tonnage = tonnage_->value() * kilograms;
+  if (stops_->isChecked()) choice.options.untilDepth = 1e-3 * until_->value();
+  if (grinds_->isChecked()) choice.options.grindings = {{1e-3 * depth_->value(), after_->value() * kilograms}};
+  return [choice](const ToolInput& input, Monitor& monitor) { return computeGrowth(choice, input, monitor); };
+}
+
+void GrowthForm::save(QSettings& settings) const {
+  settings.setValue("tonnage", tonnage_->value());
+  settings.setValue("stops", stops_->isChecked());
+  settings.setValue("until", until_->value());
+  settings.setValue("grinds", grinds_->isChecked());
+  settings.setValue("grindDepth", depth_->value());
+  settings.setValue("grindAfter", after_->value());
+  settings.setValue("steel", steel_->currentData());
+  settings.setValue("mesh", mesh_->currentText());
+}
+
+void GrowthForm::restore(const QSettings& settings) {
+  tonnage_->setValue(settings.value("tonnage", tonnage_->value()).toDouble());
+  stops_->setChecked(settings.value("stops", false).toBool());
+  until_->setValue(settings.value("until", until_->value()).toDouble());
+  grinds_->setChecked(settings.value("grinds", false).toBool());
+  depth_->setValue(settings.value("grindDepth", depth_->value()).toDouble());
+  after_->setValue(settings.value("grindAfter", after_->value()).toDouble());
+  const int steel = steel_->findData(settings.value("steel"));
+  if (steel >= 0) steel_->setCurrentIndex(steel);
+  mesh_->setCurrentText(settings.value("mesh", mesh_->currentText()).toString());
+}
+
+}  // namespace squat::studio

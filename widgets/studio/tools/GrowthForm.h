@@ -1,0 +1,35 @@
+// widgets/studio/tools/GrowthForm.h - the open case's defect under traffic.
+#pragma once
+
+#include "studio/tools/ToolForm.h"
+
+class QCheckBox;
+class QComboBox;
+
+namespace squat::studio {
+
+class NumberBox;
+
+class GrowthForm : public ToolForm {
+  Q_OBJECT
+ public:
+  explicit GrowthForm(QWidget* parent = nullptr);
+
+  QString name() const override { return QStringLiteral("growth"); }
+  QString title() const override { return tr("Growth under traffic"); }
+  QString explanation() const override;
+  QString subject() const override { return tr("The growth"); }
+  ToolWork work() override;
+  void save(QSettings& settings) const override;
+  void restore(const QSettings& settings) override;
+
+ private:
+  NumberBox* box(const QString& name, const QString& label, double low, double high, double value,
+                 const QString& suffix);
+
+  NumberBox *tonnage_, *until_, *depth_, *after_;
+  QComboBox *steel_, *mesh_;
+  QCheckBox *stops_, *grinds_;
+};
+
+}  // namespace squat::studio
