@@ -18,7 +18,7 @@ std::vector<double> elementDepth(const plasticity::SurfaceLayer& layer, const el
 // Hardening after `more` times the traffic that led from `before` to `state`: equivalent strain and growth of the yield
 // stress go on as they went. Plastic strain does not: once the residual stress has settled, what still flows fits
 // together without stress and only moves the surface. Back-stresses do not either: carried on by themselves they push
-// back in the next passage, and the steel flows to and fro (tried, explicitly and implicitly).
+// back in the next passage, and the steel flows back and forth (tried, explicitly and implicitly).
 void hardenOn(const plasticity::SurfaceLayer& layer, const plasticity::LayerState& before, double more,
               plasticity::LayerState& state);
 

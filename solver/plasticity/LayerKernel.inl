@@ -8,8 +8,8 @@
 // share) and 1: Chebyshev's iteration between these bounds (G. H. Golub, C. F. Van Loan, 10.1.5) converges in few steps
 // from the amplitudes of the step before.
 //
-// Back-stresses that recover (S. Kobayashi, N. Ohno, Int. J. Numer. Meth. Engng 53, 2002, for the implicit step), with
-// dgamma the norm of the step of eps_p along n and dp = sqrt(2/3) dgamma:
+// Back-stresses that recover (S. Kobayashi, N. Ohno, Int. J. Numerical Methods in Eng. 53, 2002, for the implicit
+// step), with dgamma the norm of the step of eps_p along n and dp = sqrt(2/3) dgamma:
 //   X_i = (X_i,before + c_i dgamma n) / (1 + recovery_i dp),  growth = (before + rate saturation dp) / (1 + rate dp),
 //   dev eps - eps_p,before - sum X_i,before / (1 + recovery_i dp) = (r + growth + dgamma (1 + sum c_i / (1 + ...))) n:
 // one equation for dgamma, by Newton's method. Where an exponent makes recovery depend on X, X before the step and the

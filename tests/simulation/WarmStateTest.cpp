@@ -275,7 +275,8 @@ TEST(WarmState, SaysWhichKeyDiffers) {
 TEST(WarmState, EveryKeyCountsButThoseOfTheDefectAndOfTheFinishedRecord) {
   std::vector<std::string> others;
   for (const auto& parameter : cases::parameterTable())
-    if (!cases::countsBeforeDefect(parameter) && parameter.group != "defect" && parameter.group != "growth") others.push_back(parameter.key);
+    if (!cases::countsBeforeDefect(parameter) && parameter.group != "defect" && parameter.group != "growth")
+      others.push_back(parameter.key);
   EXPECT_THAT(others, ::testing::UnorderedElementsAre("title", "note", "track.preset", "rail.preset",
                                                       "rail.irregularity_file", "pad.dynamic", "wheelset.preset",
                                                       "wheelset.tread_deviation", "mesh.zone_before",
