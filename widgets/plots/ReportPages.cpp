@@ -7,8 +7,11 @@
 #include <QScreen>
 #include <QTextCursor>
 #include <QTextDocument>
+#include <QTextFrame>
 #include <QTextTable>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/ProgramVersion.h"
 #include "plots/Drawing.h"
@@ -22,8 +25,10 @@ namespace {
 constexpr int resolution = 1200;  // [dpi] of coordinates; curves and text are vectors
 constexpr double sideMargin = 19,
                  verticalMargin = 18;  // [mm]: two figures of a journal column stand side by side on A4
+constexpr double padding = 0.7;        // [mm] of the cells of tables
 constexpr double textSize = 9, tableSize = 7, footerSize = 7;  // [pt]
 
+double millimetres(double dots) { return dots / resolution * 25.4; }
 double dots(double millimetres) { return millimetres / 25.4 * resolution; }
 
 // Margins, padding and pictures of a text document count in dots of the screen, and are scaled to the page by Qt.
@@ -76,7 +81,7 @@ class Writer {
     QTextTableFormat format;
     format.setHeaderRowCount(1);
     format.setBorder(0);
-    format.setCellPadding(screenDots(0.7));
+    format.setCellPadding(screenDots(padding));
     format.setCellSpacing(0);
     format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
     const int columns = static_cast<int>(table.columns.size());
@@ -153,6 +158,30 @@ void fillDocument(QTextDocument& document, ReportFigures& figures, const project
   writer.cursor().endEditBlock();
 }
 
+// A row that a page would end in begins on the next one: half a sentence beside a number says nothing.
+void keepRowsWhole(QTextDocument& document, double pageHeight) {
+  const auto* layout = document.documentLayout();
+  for (QTextFrame* frame : document.rootFrame()->childFrames()) {
+    const auto* table = qobject_cast<QTextTable*>(frame);
+    for (int row = 1; table && row < table->rows(); ++row) {
+      double top = std::numeric_limits<double>::infinity(), bottom = 0;
+      for (int column = 0; column < table->columns(); ++column) {
+        const QTextTableCell cell = table->cellAt(row, column);
+        top = std::min(top, layout->blockBoundingRect(cell.firstCursorPosition().block()).top());
+        bottom = std::max(bottom, layout->blockBoundingRect(cell.lastCursorPosition().block()).bottom());
+      }
+      const double end = (std::floor(top / pageHeight) + 1) * pageHeight;
+      if (bottom <= end) continue;
+      for (int column = 0; column < table->columns(); ++column) {
+        QTextTableCell cell = table->cellAt(row, column);
+        QTextTableCellFormat format = cell.format().toTableCellFormat();
+        format.setTopPadding(screenDots(millimetres(end - top)) + screenDots(padding));
+        cell.setFormat(format);
+      }
+    }
+  }
+}
+
 void drawPages(QPdfWriter& pdf, QTextDocument& document, ReportFigures& figures, const QSizeF& text,
                const QString& title) {
   QCPPainter painter(&pdf);
@@ -202,6 +231,7 @@ QByteArray reportPdf(const project::Report& report, const ReportOptions& options
   const QSizeF text(dots(whole.width() - 2 * sideMargin), dots(whole.height() - 2 * verticalMargin));
   document.setPageSize(text);
   fillDocument(document, figures, report, options, problems);
+  keepRowsWhole(document, text.height());
   drawPages(pdf, document, figures, text, title);
   return bytes;
 }
