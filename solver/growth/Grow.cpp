@@ -55,6 +55,7 @@ class Growing {
   bool isStage() const;
   double chosenBlock() const;
   void report(const char* phase);
+  void reportRelease(double share);
   void keep();
   Growth result(bool complete) const;
 
@@ -133,6 +134,16 @@ void Growing::report(const char* phase) {
   monitor_.report(progress);
 }
 
+// All wheelsets take about as long.
+void Growing::reportRelease(double share) {
+  const std::chrono::duration<double> spent = Clock::now() - started_;
+  Progress progress;
+  progress.phase = "wheelsets";
+  progress.fraction = share;
+  if (share > 0) progress.remainingSeconds = spent.count() * (1 - share) / share;
+  monitor_.report(progress);
+}
+
 void Growing::keep() {
   if (!options_.checkpoint.empty()) writeGrowth(options_.checkpoint, description_, options_, rail_);
 }
@@ -149,8 +160,8 @@ bool Growing::stage(bool ground) {
 }
 
 bool Growing::begin() {
-  report("wheelsets");
-  if (!traffic_.release()) return false;
+  reportRelease(0);
+  if (!traffic_.release([this](double share) { reportRelease(share); })) return false;
   if (options_.resume && !options_.checkpoint.empty())
     if (auto stored = readGrowth(options_.checkpoint, description_, options_)) {
       rail_ = std::move(*stored);

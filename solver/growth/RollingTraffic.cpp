@@ -30,10 +30,14 @@ RollingTraffic::RollingTraffic(const cases::CaseDescription& description, int th
   if (!same) own_ = std::make_unique<PassingWheelset>(description, threads, isa, monitor);
 }
 
-bool RollingTraffic::release() {
-  for (auto& wheelset : wheelsets_)
-    if (!wheelset->release()) return false;
-  if (own_ && !own_->release()) return false;
+bool RollingTraffic::release(const std::function<void(double)>& done) {
+  std::vector<PassingWheelset*> all;
+  for (auto& wheelset : wheelsets_) all.push_back(wheelset.get());
+  if (own_) all.push_back(own_.get());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i]->release()) return false;
+    done(static_cast<double>(i + 1) / static_cast<double>(all.size()));
+  }
   const auto& rail = description_.rail;
   grid_ = surfaceGrid(model(), rail.plasticFrom, rail.plasticTo);
   grid_.taper = taper;

@@ -1,6 +1,7 @@
 // solver/growth/RollingTraffic.h - all wheelsets of the traffic on one rail.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -17,8 +18,8 @@ class RollingTraffic {
   // `description` as growingCase() makes it. Keeps a reference to the monitor.
   RollingTraffic(const cases::CaseDescription& description, int threads, std::string isa, Monitor& monitor);
 
-  // Meshes, equilibria and run-ups of all. False where it was cancelled.
-  bool release();
+  // Meshes, equilibria and run-ups of all; `done` gets the share of them that is. False where it was cancelled.
+  bool release(const std::function<void(double)>& done);
   GrowthState newRail() const;
   // Before the first passage on a rail: one that is new or was read from a checkpoint, or has been taken back.
   void standOn(const GrowthState& rail);
