@@ -19,8 +19,8 @@ void addWear(Rows& rows) {
       number(
           "growth.wear_coefficient", none, 0.0001, {0, 1}, [](Case& c) -> double& { return c.growth.wearCoefficient; },
           "Archard's coefficient: worn volume times hardness over load times sliding distance",
-          "assumed: 1e-4 to 1e-3 in the mild regime of dry discs (Jendel, Wear 253, 2002); the lowest comes nearest to "
-          "0.5 mm in 100 Mt, about what straight track loses")));
+          "assumed: 1e-4 to 1e-3 in the mild regime of dry discs (Jendel, Wear 253, 2002, unverified); the lowest, since "
+          "rails in track lose less than discs")));
   rows.push_back(
       appliesIf("growth.wear", {"archard"},
                 number(
@@ -32,7 +32,7 @@ void addTraffic(Rows& rows) {
   rows.push_back(wholeNumber(
       "growth.wheelsets", 4, {1, 64}, +[](Case& c) -> int& { return c.growth.wheelsets; },
       "wheelsets that stand for the traffic: all of them roll over the rail in turn",
-      "assumed: four show its scatter within half an hour"));
+      "assumed: few enough to roll again and again"));
   rows.push_back(number(
       "growth.lateral_scatter", millimetre, 3, {0, 6}, [](Case& c) -> double& { return c.growth.lateralScatter; },
       "standard deviation of where wheels touch the crown", "assumed: 2 to 6 mm on straight track (unverified)"));
@@ -58,7 +58,7 @@ void addTraffic(Rows& rows) {
   rows.push_back(number(
       "growth.block_change", millimetre, 0.01, {0.0001, 1}, [](Case& c) -> double& { return c.growth.blockChange; },
       "how much the shape of the surface may change, at most, before all wheelsets roll over it again",
-      "assumed: half of it changes the depth after 20 Mt by less than 3 %"));
+      "assumed"));
 }
 
 }  // namespace

@@ -67,8 +67,7 @@ Parameter ofChaboche(Parameter row) { return ofPlasticRail(appliesIf("rail.harde
 
 constexpr const char* fitted =
     "R260, fitted: yields first at 336 MPa in torsion and tension (Meyer and others, Eur. J. Mech. A 2020), 0.2 % "
-    "limit "
-    "490 MPa, 690 MPa at 2 %; no set published for this law could be read";
+    "limit 490 MPa, 690 MPa at 2 %; no set published for this law could be read";
 
 template <int I>
 void addBackstress(Rows& rows, const char* modulus, double gigapascals, const char* recovery, double perStrain) {
@@ -120,7 +119,7 @@ void addPlasticity(Rows& rows) {
   rows.push_back(ofChaboche(number(
       "rail.recovery_exponent", none, 5, {0, 100}, [](Case& c) -> double& { return c.rail.recoveryExponent; },
       "exponent of the recovery (Ohno and Wang): the larger, the less the steel ratchets; 0: Armstrong and Frederick",
-      "assumed: 5 to 10 are usual; with 0 rail steel ratchets some hundred times faster than rails in track do")));
+      "assumed: 5 to 10 are usual (unverified)")));
   rows.push_back(ofChaboche(number(
       "rail.isotropic_saturation", gigapascal, 0, {-5, 5},
       [](Case& c) -> double& { return c.rail.isotropicSaturation; },

@@ -4,8 +4,8 @@
 // Block by block. All wheelsets of the traffic roll over the rail as it is, one after the other, each leaving its wear
 // and its plastic strain: their mean is the rate per passage. A block of N wheelsets changes the shape by N times the
 // rate; then all roll again, and the mean of the rates at both ends of the block corrects the change (Heun's method).
-// The difference between the block and the corrected one is its error, the one between a whole block and two halves: it
-// decides on the length of the next, and a block with too large an error is taken back and halved.
+// The correction is taken as the error of the block: it is about twice the difference between a whole block and two
+// halves. It decides on the length of the next, and a block with too large an error is discarded and shortened.
 #pragma once
 
 #include <functional>
