@@ -32,8 +32,6 @@ struct GrowCommandOptions {
   growth::GrowthOptions growth;
 };
 
-constexpr double kilograms = 1e9;  // in a million tonnes
-
 // "0.2@10Mt"
 growth::Grinding grindingFrom(const std::string& words) {
   const auto at = words.find('@');
@@ -43,7 +41,7 @@ growth::Grinding grindingFrom(const std::string& words) {
   const auto tonnage = text::numberIn(when, '.');
   if (!depth || !tonnage)
     throw CaseError({{"--grind", words, "DEPTH@TONNAGE in mm and Mt", "Write for example 0.2@10Mt"}});
-  return {*depth * 1e-3, *tonnage * kilograms};
+  return {*depth * 1e-3, *tonnage * growth::kilogramsInMegatonne};
 }
 
 // "depth=0.5"
@@ -65,7 +63,7 @@ void keepCheckpoint(const GrowCommandOptions& options, const std::string& path) 
 int grow(GrowCommandOptions options) {
   const auto description = readCase(options.caseOptions);
   auto& growth = options.growth;
-  growth.tonnage = options.tonnage * kilograms;
+  growth.tonnage = options.tonnage * growth::kilogramsInMegatonne;
   for (const auto& words : options.grind) growth.grindings.push_back(grindingFrom(words));
   if (!options.until.empty()) growth.untilDepth = depthFrom(options.until);
   const auto stem = stemOf(options.caseOptions);
@@ -77,11 +75,7 @@ int grow(GrowCommandOptions options) {
   const FolderLock owner(folder, "squat grow " + options.caseOptions.name);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
-  growth.finishedStage = [&](const growth::Stage& stage) {
-    monitor.message(text::formatted("%.2f Mt", stage.tonnage / kilograms) +
-                    text::formatted("  depth %.3f mm", 1e3 * stage.depth) +
-                    text::formatted("  ABA %.0f m/s2", stage.peakAcceleration) + (stage.ground ? "  ground" : ""));
-  };
+  growth.finishedStage = [&](const growth::Stage& stage) { monitor.message(growth::stageLine(stage)); };
   const auto grown = growth::grow(description, growth, monitor);
   monitor.clearLine();
   for (const auto& warning : grown.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
@@ -90,7 +84,7 @@ int grow(GrowCommandOptions options) {
   if (!written.empty()) std::printf("\nwritten:\n");
   for (const auto& path : written) std::printf("  %s\n", path.c_str());
   if (!grown.complete) {
-    std::fprintf(stderr, "cancelled: call with --resume to go on\n");
+    std::fprintf(stderr, written.empty() ? "cancelled: no file written\n" : "cancelled: resume with --resume\n");
     return kCancelled;
   }
   for (const auto& path : writeGrowthFigures(grown, stem, folder, options.figures)) std::printf("  %s\n", path.c_str());
@@ -116,7 +110,7 @@ void addGrowCommand(CLI::App& program, Action& action) {
   command->add_option("-o,--output", options->folder, "Output folder (default: current folder)")->type_name("DIR");
   addThreads(*command, options->growth.threads);
   addInstructionSet(*command, options->growth.isa);
-  command->add_flag("--resume", options->growth.resume, "Go on from the checkpoint, if there is one");
+  command->add_flag("--resume", options->growth.resume, "Resume from the checkpoint, if there is one");
   addFigureOptions(*command, options->figures);
   command->footer(
       "Wear needs nothing but the case; plastic flow needs rail.plastic, for example --set rail.preset=R260.\n"

@@ -60,8 +60,8 @@ using scenario::Wheelset;
 struct CaseDescription : scenario::Inputs {
   std::string title;
   std::string note;
-  std::string wheelsetPreset, trackPreset,
-      railPreset;  // where values came from (InputPresets.h); they stand in the others
+  // Where values came from (InputPresets.h); they stand in the other members.
+  std::string wheelsetPreset, trackPreset, railPreset;
   Defect defect;
   TreadShape tread;
 };

@@ -19,8 +19,8 @@ void addWear(Rows& rows) {
       number(
           "growth.wear_coefficient", none, 0.0001, {0, 1}, [](Case& c) -> double& { return c.growth.wearCoefficient; },
           "Archard's coefficient: worn volume times hardness over load times sliding distance",
-          "assumed: 1e-4 to 1e-3 in the mild regime of dry discs (Jendel, Wear 253, 2002, unverified); the lowest, since "
-          "rails in track lose less than discs")));
+          "assumed: 1e-4 to 1e-3 in the mild regime of dry discs (Jendel, Wear 253, 2002, unverified); the "
+          "lowest, since rails in track lose less than discs")));
   rows.push_back(
       appliesIf("growth.wear", {"archard"},
                 number(
@@ -57,8 +57,7 @@ void addTraffic(Rows& rows) {
       "seed of the random draw of wheelsets", "assumed"));
   rows.push_back(number(
       "growth.block_change", millimetre, 0.01, {0.0001, 1}, [](Case& c) -> double& { return c.growth.blockChange; },
-      "how much the shape of the surface may change, at most, before all wheelsets roll over it again",
-      "assumed"));
+      "how much the shape of the surface may change, at most, before all wheelsets roll over it again", "assumed"));
 }
 
 }  // namespace

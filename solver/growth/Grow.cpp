@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "case/CaseFile.h"
@@ -24,7 +23,7 @@ constexpr double whole = 1e-6;                             // of a tonnage
 constexpr double firstStage = 0.001, longestStage = 0.05;  // of the whole tonnage, between two stages
 constexpr double largestFactor = 8, smallestFactor = 0.3, caution = 0.9;
 
-// Hands on what its watcher may decide, and nothing of the many small computations.
+// Passes on cancel and pause; the progress of the many small computations is not reported.
 class QuietMonitor : public Monitor {
  public:
   explicit QuietMonitor(Monitor& watcher) : watcher_(watcher) {}
@@ -66,8 +65,8 @@ class Growing {
   RollingTraffic traffic_;
   GrowthState rail_;
   bool resumed_ = false;
-  Clock::time_point started_ = Clock::now(), growing_ = started_;
-  double tonnageBefore_ = 0;
+  Clock::time_point started_ = Clock::now(), reported_ = started_;
+  double tonnageReported_ = 0;
 };
 
 double largest(const Field& field) {
@@ -86,12 +85,19 @@ double effective(double jump, double relaxation) {
 
 // What flow takes back of what the shape has changed by, node by node; nodes that have hardly moved keep what is known.
 void learnRelaxation(const Field& changed, const Field& before, const Field& now, Field& relaxation) {
-  constexpr double moved = 0.02e-6, forgets = 0.8;  // [m]
+  constexpr double smallestChange = 0.02e-6, kept = 0.8;  // [m]; share of an earlier value that stays at least
   for (std::size_t i = 0; i < relaxation.size(); ++i) {
-    const double seen =
-        std::abs(changed[i]) > moved ? std::clamp(-(now[i] - before[i]) / changed[i], 0.0, 1.0) : relaxation[i];
-    relaxation[i] = std::max(seen, forgets * relaxation[i]);
+    const double seen = std::abs(changed[i]) > smallestChange ? std::clamp(-(now[i] - before[i]) / changed[i], 0.0, 1.0)
+                                                              : relaxation[i];
+    relaxation[i] = std::max(seen, kept * relaxation[i]);
   }
+}
+
+// Until `remaining` has rolled, if each block is `factor` times as long as the one before it, which was `last` long.
+double blocksLeft(double remaining, double last, double factor) {
+  constexpr double steady = 1.01;
+  if (factor < steady) return remaining / (last * factor);
+  return std::log1p(remaining * (factor - 1) / (last * factor)) / std::log(factor);
 }
 
 void add(Field& to, const Field& rate, double times) {
@@ -101,13 +107,15 @@ void add(Field& to, const Field& rate, double times) {
 }  // namespace
 
 cases::CaseDescription growingCase(cases::CaseDescription c) {
-  constexpr double before = 0.050, behind = 0.120, runUp = 0.15, beyond = 0.05;  // [m]
+  constexpr double before = 0.050, behind = 0.120, runUp = 0.40, beyond = 0.05;  // [m]
+  constexpr double ramp = 0.008;  // [s] so slow that the wheelset's torsion, some 500 Hz, is hardly excited
   const DefectExtent extent = extentOf(c);
   auto& mesh = c.mesh;
   if (mesh.zoneBefore <= 0) mesh.zoneBefore = before - extent.first;
   if (mesh.zoneBehind <= 0) mesh.zoneBehind = extent.last + behind;
   c.motion.runUp = std::max(c.motion.runUp, mesh.zoneBefore + mesh.fineBefore + runUp);
   c.motion.beyond = std::max(c.motion.beyond, mesh.zoneBehind + beyond);
+  c.motion.torqueRamp = std::max(c.motion.torqueRamp, ramp);
   c.rail.plasticFrom = -mesh.zoneBefore, c.rail.plasticTo = mesh.zoneBehind;
   c.rail.plasticMiddle = extent.touch;
   double aside = 0;
@@ -127,10 +135,11 @@ void Growing::report(const char* phase) {
   Progress progress;
   progress.phase = phase;
   progress.fraction = std::min(1.0, rail_.tonnage / options_.tonnage);
-  const std::chrono::duration<double> spent = Clock::now() - growing_;
-  // Blocks grow longer: the rate of the last ones says more than that of all, and still promises too late an end.
-  if (rail_.tonnage > tonnageBefore_)
-    progress.remainingSeconds = spent.count() * (options_.tonnage - rail_.tonnage) / (rail_.tonnage - tonnageBefore_);
+  const std::chrono::duration<double> spent = Clock::now() - reported_;
+  if (const double last = rail_.tonnage - tonnageReported_; last > 0)
+    progress.remainingSeconds = spent.count() * blocksLeft(options_.tonnage - rail_.tonnage, last,
+                                                           chosenBlock() * traffic_.massPerPassage() / last);
+  reported_ = Clock::now(), tonnageReported_ = rail_.tonnage;
   monitor_.report(progress);
 }
 
@@ -288,7 +297,7 @@ Growth Growing::result(bool complete) const {
 
 Growth Growing::run() {
   const bool begun = begin();
-  growing_ = Clock::now(), tonnageBefore_ = rail_.tonnage;
+  reported_ = Clock::now(), tonnageReported_ = rail_.tonnage;
   const bool done = begun && growOn();
   if (done) report("growth");
   return result(done);

@@ -20,6 +20,8 @@
 
 namespace squat::growth {
 
+inline constexpr double kilogramsInMegatonne = 1e9;
+
 struct Grinding {
   double depth = 0, tonnage = 0;  // [m] taken off, [kg] when
 };

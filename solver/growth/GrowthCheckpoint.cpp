@@ -34,11 +34,11 @@ std::optional<GrowthState> readGrowth(const std::string& path, const cases::Case
   if (!tree) return {};
   if (results::textAttribute(tree->attributes, "case_hash") != cases::caseHash(description))
     throw CaseError({{"--resume", path, "the checkpoint of this case",
-                      "It was written for another case: call without --resume, or with another --name"}});
+                      "It belongs to another case: choose another folder or name, or remove the file"}});
   auto rail = stateFrom(*tree, path);
   if (results::textAttribute(tree->attributes, "grindings") != textOf(options.grindings, rail.grindings))
     throw CaseError({{"--grind", textOf(options.grindings, options.grindings.size()), "as in " + path,
-                      "Other grindings have been done already: call without --resume, or with another --name"}});
+                      "Other grindings have been done already: choose another folder or name, or remove the file"}});
   return rail;
 }
 

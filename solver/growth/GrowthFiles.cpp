@@ -14,7 +14,7 @@ namespace squat::growth {
 
 namespace {
 
-constexpr double million = 1e-9, millimetre = 1e3, kilonewton = 1e-3;
+constexpr double million = 1 / kilogramsInMegatonne, millimetre = 1e3, kilonewton = 1e-3;
 
 }  // namespace
 

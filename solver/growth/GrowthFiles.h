@@ -34,6 +34,9 @@ std::string growthCheckpoint(const std::string& folder, const std::string& stem)
 // Paths of what was written. Throws FileError.
 std::vector<std::string> writeGrowthFiles(const Growth& growth, const std::string& folder, const std::string& stem);
 
+// A stage in a line of a log: "2.50 Mt  depth 0.130 mm  axle box 105 m/s2".
+std::string stageLine(const Stage& stage);
+
 // For people: depth, waves and strain at a handful of stages, and what they say.
 std::string growthSummary(const Growth& growth, const GrowthOptions& options);
 

@@ -48,8 +48,8 @@ results::ArrayTree treeOf(const GrowthState& s) {
   tree.add("/growth/displacement", plain(s.displacement), "m");
   tree.add("/growth/rates/wear", s.rates.wear, "m");
   tree.add("/growth/rates/flow", s.rates.flow, "m");
-  tree.add("/growth/so_far",
-           std::vector<double>{s.groundOff, s.tonnage, s.passages, s.block, static_cast<double>(s.grindings)}, "1");
+  tree.add("/growth/so_far", std::vector<double>{s.tonnage, s.passages, s.block, static_cast<double>(s.grindings)},
+           "1");
   tree.add("/growth/stages", stageTable(s.stages), "1");
   std::vector<double> shapes;
   for (const auto& shape : s.shapes) shapes.insert(shapes.end(), shape.begin(), shape.end());
@@ -71,9 +71,9 @@ GrowthState stateFrom(const results::ArrayTree& tree, const std::string& file) {
   s.displacement.assign(displacement.begin(), displacement.end());
   s.rates = {values("/growth/rates/wear"), values("/growth/rates/flow")};
   const auto& soFar = values("/growth/so_far");
-  if (soFar.size() != 5) throw FileError(file, "/growth/so_far", "has a wrong size");
-  s.groundOff = soFar[0], s.tonnage = soFar[1], s.passages = soFar[2], s.block = soFar[3];
-  s.grindings = static_cast<std::size_t>(soFar[4]);
+  if (soFar.size() != 4) throw FileError(file, "/growth/so_far", "has a wrong size");
+  s.tonnage = soFar[0], s.passages = soFar[1], s.block = soFar[2];
+  s.grindings = static_cast<std::size_t>(soFar[3]);
   s.stages = stagesFrom(values("/growth/stages"));
   const auto& shapes = values("/growth/shapes");
   if (shapes.size() != s.stages.size() * s.wear.size()) throw FileError(file, "/growth/shapes", "has a wrong size");

@@ -33,7 +33,6 @@ struct Stage {
 
 struct GrowthState {
   Field wear, flow, cut;               // [m] rise of the surface since the start; cut: by grinding, from the new level
-  double groundOff = 0;                // [m] taken off the whole rail by grinding
   plasticity::LayerState layer;        // empty where nothing yields; hardened by all passages (LayerChange.h)
   plasticity::LayerState layerBefore;  // all wheelsets rolled over it the last time
   AlignedVector displacement;          // that its plastic strain leaves behind

@@ -9,7 +9,7 @@ namespace squat::growth {
 
 namespace {
 
-constexpr double perMillion = 1e-9;
+constexpr double perMillion = 1 / kilogramsInMegatonne;
 constexpr std::size_t shownStages = 12;
 
 // Without a sign before zero.
@@ -48,6 +48,11 @@ std::string stagesText(const Growth& growth) {
 }
 
 }  // namespace
+
+std::string stageLine(const Stage& stage) {
+  return text::fixedText(perMillion * stage.tonnage, 2) + " Mt  depth " + mm(stage.depth) + " mm  axle box " +
+         text::fixedText(stage.peakAcceleration, 0) + " m/s2" + (stage.ground ? "  ground" : "");
+}
 
 std::string growthSummary(const Growth& growth, const GrowthOptions& options) {
   if (growth.stages.empty()) return {};

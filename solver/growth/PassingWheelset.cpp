@@ -15,7 +15,7 @@ namespace {
 
 constexpr long stepsAtOnce = 24;    // cancel is asked at least this often
 constexpr double clearance = 2e-3;  // [m] between what the released wheel reaches and the zone
-enum Channel { position, acceleration, force, channels };
+enum Channel { position, acceleration, channels };
 
 simulation::RunOptions optionsFor(int threads, const std::string& isa) {
   simulation::RunOptions options;
@@ -86,7 +86,7 @@ std::optional<Passage> PassingWheelset::roll(const SurfaceGrid& grid, const Chan
   const double frictionBefore = rolling.state().sums.friction;
   signals::DecimatingFilter filter(rolling.stepSize(), static_cast<std::size_t>(run_.steps.stepsPerSample), channels);
   const auto observe = [&](const dynamics::StepView& view) {
-    const double sample[channels] = {view.position, view.boxAcceleration.z, view.patch.vertical};
+    const double sample[channels] = {view.position, view.boxAcceleration.z};
     filter.push(sample);
     if (view.position < grid.x.front()) return;
     passage.smallestForce = std::min(passage.smallestForce, view.patch.vertical);
@@ -107,7 +107,6 @@ std::optional<Passage> PassingWheelset::roll(const SurfaceGrid& grid, const Chan
   const auto series = filter.finish();
   passage.position = series[position].values;
   passage.acceleration = signals::lowPass(series[acceleration], description_.output.filterCutoff).values;
-  passage.force = series[force].values;
   return passage;
 }
 

@@ -26,7 +26,6 @@ struct Passage {
   double frictionWork = 0;                     // [J] in the whole passage
   double smallestForce = 0, largestForce = 0;  // [N] vertical, in the zone
   std::vector<double> position, acceleration;  // [m], [m/s2] axle box, low-passed at output.filter_cutoff
-  std::vector<double> force;                   // [N] vertical, at the same positions
 };
 
 // What it rolls over.

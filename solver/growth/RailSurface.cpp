@@ -130,16 +130,6 @@ double steepestAlong(const SurfaceGrid& grid, const Field& shape) {
   return steepest;
 }
 
-double volumeOf(const SurfaceGrid& grid, const Field& change) {
-  double volume = 0;
-  for (std::size_t s = 0; s + 1 < grid.x.size(); ++s)
-    for (std::size_t line = 0; line + 1 < grid.y.size(); ++line)
-      volume += 0.25 * (grid.x[s + 1] - grid.x[s]) * (grid.y[line + 1] - grid.y[line]) *
-                (change[grid.index(s, line)] + change[grid.index(s, line + 1)] + change[grid.index(s + 1, line)] +
-                 change[grid.index(s + 1, line + 1)]);
-  return volume;
-}
-
 BareSurface bareSurface(const contact::Surfaces& s) { return {s.height, s.pointY, s.reach}; }
 
 void layChange(const SurfaceGrid& grid, const Field& change, double steepest, const BareSurface& bare,

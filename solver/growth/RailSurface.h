@@ -45,9 +45,6 @@ std::vector<double> lineAt(const SurfaceGrid& grid, const Field& field, double y
 
 double steepestAlong(const SurfaceGrid& grid, const Field& shape);  // [-]
 
-// [m3] of the change over the whole grid.
-double volumeOf(const SurfaceGrid& grid, const Field& change);
-
 // Contact surfaces as built, and with a change laid on them.
 struct BareSurface {
   std::vector<double> height, pointY;

@@ -126,7 +126,6 @@ std::optional<Passage> RollingTraffic::measure(const GrowthState& rail) {
 bool RollingTraffic::grind(GrowthState& rail, double depth) {
   const Field heights = heightsOf(rail);
   for (std::size_t i = 0; i < heights.size(); ++i) rail.cut[i] += std::min(heights[i] + depth, 0.0) - heights[i];
-  rail.groundOff += depth;
   if (!unloaded_) return true;
   grindLayer(model().layer, model().blocks[model().rail], depth, rail.layer);
   rail.layerBefore = rail.layer;

@@ -15,6 +15,17 @@
 namespace squat::growth {
 namespace {
 
+// [m3] of a change over the whole grid.
+double volumeOf(const SurfaceGrid& grid, const Field& change) {
+  double volume = 0;
+  for (std::size_t s = 0; s + 1 < grid.x.size(); ++s)
+    for (std::size_t line = 0; line + 1 < grid.y.size(); ++line)
+      volume += 0.25 * (grid.x[s + 1] - grid.x[s]) * (grid.y[line + 1] - grid.y[line]) *
+                (change[grid.index(s, line)] + change[grid.index(s, line + 1)] + change[grid.index(s + 1, line)] +
+                 change[grid.index(s + 1, line + 1)]);
+  return volume;
+}
+
 double volumeChange(const elasticity::SweptBlock& rail, const AlignedVector& u) {
   double volume = 0;
   for (std::size_t q = 0; q < rail.section.quads.size(); ++q)

@@ -63,7 +63,8 @@ TEST(Growth, WearIsTheCoefficientTimesTheWork) {
 }
 
 // Wear alone: what a wheel does to a smooth rail it does everywhere alike, but for what the sleepers and the start of
-// rolling leave in its load and speed, which is most on this mesh: 0.4 um in 2 Mt. The bound is the one asked for.
+// rolling leave in its load and speed, which is most on this mesh: some micrometres in 20 Mt. The bound is the one
+// asked for.
 TEST(Growth, SmoothRailStaysSmooth) {
   Monitor silent;
   const auto growth = grow(growingDefect({{"defect.shape", "none"}}), plain(2), silent);

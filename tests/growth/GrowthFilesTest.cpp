@@ -79,7 +79,7 @@ TEST(GrowthState, ComesBackFromItsTree) {
   state.wear = {1, 2}, state.flow = {3, 4}, state.cut = {5, 6};
   state.layer.values = {7, 8}, state.layerBefore.values = {9, 10}, state.displacement = {11};
   state.rates = {{0.5, 0.25}, {0.125, 0}};
-  state.tonnage = 12, state.passages = 13, state.block = 14, state.groundOff = 15, state.grindings = 2;
+  state.tonnage = 12, state.passages = 13, state.block = 14, state.grindings = 2;
   Stage stage;
   stage.tonnage = 16, stage.smallestForce = 17, stage.peakAcceleration = 18, stage.ground = true;
   state.stages = {Stage{}, stage};
@@ -95,7 +95,6 @@ TEST(GrowthState, ComesBackFromItsTree) {
   EXPECT_EQ(back.stages, state.stages);
   EXPECT_EQ(back.shapes, state.shapes);
   EXPECT_EQ(back.block, 14);
-  EXPECT_EQ(back.groundOff, 15);
   EXPECT_EQ(back.grindings, 2u);
   auto tree = treeOf(state);
   tree.find("/growth/shapes")->values = std::vector<double>{1};

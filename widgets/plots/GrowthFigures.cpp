@@ -9,7 +9,7 @@ namespace squat::plots {
 
 namespace {
 
-constexpr double perMillion = 1e-9, millimetres = 1e3, micrometres = 1e6;
+constexpr double perMillion = 1 / growth::kilogramsInMegatonne, millimetres = 1e3, micrometres = 1e6;
 constexpr std::size_t profiles = 5;
 
 using growth::Growth;

@@ -16,12 +16,9 @@
 #include "results/Checkpoint.h"
 #include "studio/common/NumberBox.h"
 #include "studio/tools/MeshBox.h"
-#include "text/Numbers.h"
 
 namespace squat::studio {
 namespace {
-
-constexpr double kilograms = 1e9;  // in a million tonnes
 
 struct GrowthChoice {
   std::string mesh, steel;
@@ -38,11 +35,7 @@ ToolResult computeGrowth(GrowthChoice choice, const ToolInput& input, Monitor& m
   auto& options = choice.options;
   options.checkpoint = growth::growthCheckpoint(input.folder, input.name);
   options.resume = true;
-  options.finishedStage = [&](const growth::Stage& stage) {
-    monitor.message(text::formatted("%.2f Mt", stage.tonnage / kilograms) +
-                    text::formatted("  depth %.3f mm", 1e3 * stage.depth) +
-                    text::formatted("  axle box %.0f m/s2", stage.peakAcceleration));
-  };
+  options.finishedStage = [&](const growth::Stage& stage) { monitor.message(growth::stageLine(stage)); };
   const auto found = std::make_shared<const growth::Growth>(growth::grow(description, options, monitor));
   ToolResult result;
   result.complete = found->complete;
@@ -130,9 +123,10 @@ ToolWork GrowthForm::work() {
   GrowthChoice choice;
   choice.mesh = mesh_->currentText().toStdString();
   choice.steel = steel_->currentData().toString().toStdString();
-  choice.options.tonnage = tonnage_->value() * kilograms;
+  choice.options.tonnage = tonnage_->value() * growth::kilogramsInMegatonne;
   if (stops_->isChecked()) choice.options.untilDepth = 1e-3 * until_->value();
-  if (grinds_->isChecked()) choice.options.grindings = {{1e-3 * depth_->value(), after_->value() * kilograms}};
+  if (grinds_->isChecked())
+    choice.options.grindings = {{1e-3 * depth_->value(), after_->value() * growth::kilogramsInMegatonne}};
   return [choice](const ToolInput& input, Monitor& monitor) { return computeGrowth(choice, input, monitor); };
 }
 
