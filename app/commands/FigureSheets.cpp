@@ -83,6 +83,14 @@ std::vector<std::string> writeGrowthFigures(const growth::Growth& growth, const 
   return write(sheets, folder, choice);
 }
 
+std::vector<std::string> writeForecastFigure(const growth::Forecast& forecast, const std::string& stem,
+                                             const std::string& folder, const FigureChoice& choice) {
+  if (choice.none) return {};
+  std::vector<plots::FigureSheet> sheets;
+  sheets.push_back(plots::forecastFigure(forecast, stem, styleOf(choice)));
+  return write(sheets, folder, choice);
+}
+
 std::vector<std::string> writeDetectionFigures(const detection::DetectionReport& report, const std::string& folder,
                                                const FigureChoice& choice) {
   if (choice.none) return {};

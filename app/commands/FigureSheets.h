@@ -10,6 +10,7 @@
 #include "calibration/Calibration.h"
 #include "commands/FigureNames.h"
 #include "detection/DetectionFiles.h"
+#include "growth/Forecast.h"
 #include "growth/Grow.h"
 #include "receptance/DecayFiles.h"
 #include "receptance/Receptance.h"
@@ -49,9 +50,13 @@ std::vector<std::string> writeCalibrationFigure(const calibration::Calibration& 
 std::vector<std::string> writeEstimateFigure(const estimation::Estimate& estimate, const std::string& folder,
                                              const FigureChoice& choice);
 
-// STEM_growth: profiles, map, depth and peak against tonnage.
+// STEM_growth: profiles, maps, depth and peak against tonnage.
 std::vector<std::string> writeGrowthFigures(const growth::Growth& growth, const std::string& stem,
                                             const std::string& folder, const FigureChoice& choice);
+
+// STEM_forecast: the band of depths against tonnage.
+std::vector<std::string> writeForecastFigure(const growth::Forecast& forecast, const std::string& stem,
+                                             const std::string& folder, const FigureChoice& choice);
 
 // The overview along the track, and one figure an event.
 std::vector<std::string> writeDetectionFigures(const detection::DetectionReport& report, const std::string& folder,

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
 #include "case/CaseDescription.h"
 #include "commands/CaseOptions.h"
@@ -9,6 +10,7 @@
 #include "commands/ComputeOptions.h"
 #include "commands/ExitCodes.h"
 #include "commands/FigureSheets.h"
+#include "commands/GrowForecast.h"
 #include "commands/Interrupt.h"
 #include "commands/OutputFolder.h"
 #include "commands/TerminalMonitor.h"
@@ -30,6 +32,7 @@ struct GrowCommandOptions {
   std::vector<std::string> grind;
   FigureChoice figures;
   growth::GrowthOptions growth;
+  ForecastRequest forecast;
 };
 
 // "0.2@10Mt"
@@ -60,12 +63,30 @@ void keepCheckpoint(const GrowCommandOptions& options, const std::string& path) 
                     "Resume it with --resume, choose another folder or --name, or remove the file"}});
 }
 
+// False where it was cancelled.
+bool writeForecast(const GrowCommandOptions& options, const studies::StudyDefinition& study, Monitor& monitor) {
+  const auto stem = stemOf(options.caseOptions);
+  const auto files = growth::forecastFiles(options.folder, stem);
+  const auto forecast = forecastGrowth(options.caseOptions, study, options.growth, files.growths, monitor);
+  if (!forecast) {
+    std::fprintf(stderr, "cancelled: resume with --resume\n");
+    return false;
+  }
+  writeDurably(files.table, growth::forecastTable(*forecast));
+  std::printf("\n%s\nwritten:\n  %s\n", growth::forecastText(*forecast).c_str(), files.table.c_str());
+  for (const auto& path : writeForecastFigure(*forecast, stem, options.folder, options.figures))
+    std::printf("  %s\n", path.c_str());
+  return true;
+}
+
 int grow(GrowCommandOptions options) {
   const auto description = readCase(options.caseOptions);
   auto& growth = options.growth;
   growth.tonnage = options.tonnage * growth::kilogramsInMegatonne;
   for (const auto& words : options.grind) growth.grindings.push_back(grindingFrom(words));
   if (!options.until.empty()) growth.untilDepth = depthFrom(options.until);
+  std::optional<studies::StudyDefinition> study;
+  if (!options.forecast.uncertain.empty()) study = forecastStudy(options.caseOptions, options.forecast, growth);
   const auto stem = stemOf(options.caseOptions);
   const auto& folder = options.folder;
   keepInputs(cases::filesOfCase(options.caseOptions.name, description), growth::growthFiles(folder, stem));
@@ -88,6 +109,7 @@ int grow(GrowCommandOptions options) {
     return kCancelled;
   }
   for (const auto& path : writeGrowthFigures(grown, stem, folder, options.figures)) std::printf("  %s\n", path.c_str());
+  if (study && !writeForecast(options, *study, monitor)) return kCancelled;
   results::removeCheckpoint(growth.checkpoint);
   return kDone;
 }
@@ -112,6 +134,15 @@ void addGrowCommand(CLI::App& program, Action& action) {
   addInstructionSet(*command, options->growth.isa);
   command->add_flag("--resume", options->growth.resume, "Resume from the checkpoint, if there is one");
   addFigureOptions(*command, options->figures);
+  auto* uncertain = command
+                        ->add_option("--uncertain", options->forecast.uncertain,
+                                     "Forecast: grow again with this key between two limits, KEY=LOW:HIGH; repeatable")
+                        ->allow_extra_args(false)
+                        ->type_name("KEY=LOW:HIGH");
+  command->add_option("--growths", options->forecast.growths, "Number of growths of the forecast (default: 8)")
+      ->check(CLI::Range(2, 1000))
+      ->type_name("N")
+      ->needs(uncertain);
   command->footer(
       "Wear needs nothing but the case; plastic flow needs rail.plastic, for example --set rail.preset=R260.\n"
       "Keys of the traffic and of wear: growth.* (squat describe).");

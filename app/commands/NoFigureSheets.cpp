@@ -39,6 +39,11 @@ std::vector<std::string> writeGrowthFigures(const growth::Growth&, const std::st
   return none(choice);
 }
 
+std::vector<std::string> writeForecastFigure(const growth::Forecast&, const std::string&, const std::string&,
+                                             const FigureChoice& choice) {
+  return none(choice);
+}
+
 std::vector<std::string> writeDetectionFigures(const detection::DetectionReport&, const std::string&,
                                                const FigureChoice& choice) {
   return none(choice);

@@ -4,9 +4,19 @@
 
 namespace squat::commands {
 
-std::vector<std::string> writeVtkFiles(const results::RunResult&, const std::string&) {
+namespace {
+
+[[noreturn]] void refuse() {
   throw CaseError({{"squat", "a headless build", "a build with SQUAT_GRAPHICS=ON to write files for ParaView",
                     "Build with cmake --preset release and run squat export on the same result file"}});
+}
+
+}  // namespace
+
+std::vector<std::string> writeVtkFiles(const results::RunResult&, const std::string&) { refuse(); }
+
+std::vector<std::string> writeVtkFiles(const growth::SurfaceSeries&, const std::string&, const std::string&) {
+  refuse();
 }
 
 }  // namespace squat::commands

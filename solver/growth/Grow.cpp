@@ -21,6 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double shareOfChange = 0.1;                      // of growth.block_change, that the error of a block may have
 constexpr double whole = 1e-6;                             // of a tonnage
 constexpr double firstStage = 0.001, longestStage = 0.05;  // of the whole tonnage, between two stages
+constexpr double longestBlock = 0.25;                      // of the whole tonnage
 constexpr double largestFactor = 8, smallestFactor = 0.3, caution = 0.9;
 
 // Passes on cancel and pause; the progress of the many small computations is not reported.
@@ -104,28 +105,6 @@ void add(Field& to, const Field& rate, double times) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += times * rate[i];
 }
 
-}  // namespace
-
-cases::CaseDescription growingCase(cases::CaseDescription c) {
-  constexpr double before = 0.050, behind = 0.120, runUp = 0.40, beyond = 0.05;  // [m]
-  constexpr double ramp = 0.008;  // [s] so slow that the wheelset's torsion, some 500 Hz, is hardly excited
-  const DefectExtent extent = extentOf(c);
-  auto& mesh = c.mesh;
-  if (mesh.zoneBefore <= 0) mesh.zoneBefore = before - extent.first;
-  if (mesh.zoneBehind <= 0) mesh.zoneBehind = extent.last + behind;
-  c.motion.runUp = std::max(c.motion.runUp, mesh.zoneBefore + mesh.fineBefore + runUp);
-  c.motion.beyond = std::max(c.motion.beyond, mesh.zoneBehind + beyond);
-  c.motion.torqueRamp = std::max(c.motion.torqueRamp, ramp);
-  c.rail.plasticFrom = -mesh.zoneBefore, c.rail.plasticTo = mesh.zoneBehind;
-  c.rail.plasticMiddle = extent.touch;
-  double aside = 0;
-  for (const auto& draw : drawTraffic(c.growth)) aside = std::max(aside, std::abs(draw.lateral));
-  mesh.bandHalfWidth += aside;
-  return c;
-}
-
-namespace {
-
 // [kg] at which a block has to end.
 double Growing::nextEvent() const {
   return rail_.grindings < options_.grindings.size() ? options_.grindings[rail_.grindings].tonnage : options_.tonnage;
@@ -206,7 +185,8 @@ double Growing::chosenBlock() const {
     return largest(relativeShape(traffic_.grid(), by));
   };
   while (passages > all && change(passages) > allowed) passages = std::max(all, 0.8 * passages);
-  return std::min(std::max(passages, all), (nextEvent() - rail_.tonnage) / traffic_.massPerPassage());
+  passages = std::min(std::max(passages, all), longestBlock * options_.tonnage / traffic_.massPerPassage());
+  return std::min(passages, (nextEvent() - rail_.tonnage) / traffic_.massPerPassage());
 }
 
 // One block: what most of its wheelsets do follows from the rates, then those of the traffic roll. False where it was

@@ -1,4 +1,5 @@
 #include "growth/GrowthFiles.h"
+#include "growth/SurfaceSeries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,7 @@ std::string growthTable(const Growth& growth) {
 
 results::ArrayTree growthTree(const Growth& growth) {
   results::ArrayTree tree;
-  results::setAttribute(tree.attributes, "schema", std::string("squat-growth"));
+  results::setAttribute(tree.attributes, "schema", std::string(growthSchema));
   results::setAttribute(tree.attributes, "schema_version", std::int64_t{1});
   results::setAttribute(tree.attributes, "code_version", programVersion());
   results::setAttribute(tree.attributes, "complete", static_cast<std::uint8_t>(growth.complete ? 1 : 0));
@@ -113,14 +114,19 @@ std::string growthCheckpoint(const std::string& folder, const std::string& stem)
   return folder + "/" + stem + "-growth.checkpoint";
 }
 
+ForecastFiles forecastFiles(const std::string& folder, const std::string& stem) {
+  return {folder + "/" + stem + "-forecast.csv", folder + "/" + stem + "-forecast"};
+}
+
 std::vector<std::string> growthFiles(const std::string& folder, const std::string& stem) {
   const auto base = folder + "/" + stem;
-  return {base + "-growth.csv", base + "-growth.h5", base + "-grown.toml", growthCheckpoint(folder, stem)};
+  return {base + "-growth.csv", base + "-growth.h5", base + "-grown.toml", forecastFiles(folder, stem).table,
+          growthCheckpoint(folder, stem)};
 }
 
 std::vector<std::string> writeGrowthFiles(const Growth& growth, const std::string& folder, const std::string& stem) {
   auto files = growthFiles(folder, stem);
-  files.pop_back();
+  files.resize(3);
   if (growth.stages.empty()) return {};
   writeDurably(files[0], growthTable(growth));
   writeDurably(files[1], results::encodeHdf5(growthTree(growth), files[1]),

@@ -9,8 +9,7 @@ namespace squat::growth {
 
 namespace {
 
-constexpr double taper = 0.030, endEffect = 0.015;  // [m] at the ends of the zone
-constexpr double followed = 1e-4;                   // of what is new in the unloaded shape
+constexpr double followed = 1e-4;  // of what is new in the unloaded shape
 
 plasticity::LayerForces forcesOf(const PassingWheelset& wheelset, plasticity::LayerState& layer) {
   return plasticity::layerForces(wheelset.model().layer, plasticity::layerKernelsFor(wheelset.kernels().name), layer);
@@ -40,8 +39,8 @@ bool RollingTraffic::release(const std::function<void(double)>& done) {
   }
   const auto& rail = description_.rail;
   grid_ = surfaceGrid(model(), rail.plasticFrom, rail.plasticTo);
-  grid_.taper = taper;
-  grid_.referenceFrom = grid_.x.front() + endEffect, grid_.referenceTo = grid_.x.front() + endEffect + taper;
+  grid_.taper = fadingLength;
+  grid_.referenceFrom = grid_.x.front() + endEffect, grid_.referenceTo = grid_.x.front() + endEffect + fadingLength;
   if (model().layer.empty()) return true;
   unloaded_ =
       std::make_unique<statics::UnloadedShapes>(model(), wheelsets_.front()->kernels(), wheelsets_.front()->team());

@@ -52,7 +52,8 @@ class Study {
         : study_(study), worker_(worker), name_(std::move(name)) {}
     void report(const Progress& progress) override {
       const std::lock_guard lock(study_.mutex_);
-      study_.fractions_[worker_] = progress.phase == "rolling" ? progress.fraction : study_.fractions_[worker_];
+      // What takes the time: of a run the rolling, of a growth its blocks.
+      if (progress.phase == "rolling" || progress.phase == "growth") study_.fractions_[worker_] = progress.fraction;
       study_.reportLocked(progress);
     }
     void message(const std::string& text) override {

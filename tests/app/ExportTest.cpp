@@ -15,6 +15,8 @@
 #include <regex>
 
 #include "core/DurableFile.h"
+#include "growth/GrowthFiles.h"
+#include "results/Hdf5.h"
 #include "results/SampleResult.h"
 #include "scene/SurfaceData.h"
 #include "trust/Program.h"
@@ -172,6 +174,33 @@ TEST_F(Export, PressureIsThatOfTheResultAndLiesUnderTheWheel) {
     ++compared;
   }
   EXPECT_GT(compared, 10) << "nothing is compared";
+}
+
+// The stages of a growth stand at their tonnages; heights and changes are those of the file, in their places.
+TEST(ExportOfAGrowth, HasAGridForEachStage) {
+  const TemporaryFolder folder;
+  growth::Growth growth;
+  growth.x = {-0.01, 0, 0.01}, growth.y = {-0.005, 0.005};
+  growth.stages.resize(2);
+  growth.stages[1].tonnage = 2.5e9;
+  growth.shapes = {{0, 0, -1e-4, -1e-4, 0, 0}, {0, 0, -2e-4, -1.5e-4, 0, 1e-6}};
+  growth.wear = growth.flow = growth::Field(6, 0.0);
+  const auto path = folder / "dip-growth.h5";
+  const auto bytes = results::encodeHdf5(growth::growthTree(growth), path);
+  writeDurably(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  ASSERT_EQ(tests::call({"export", path, "-o", folder / "vtk"}), 0);
+  const auto stages = readCollection(folder / "vtk", "dip-growth");
+  ASSERT_EQ(stages.size(), 2u);
+  EXPECT_EQ(stages[0].time, 0);
+  EXPECT_EQ(stages[1].time, 2.5);
+  auto& grid = *stages[1].surface;
+  ASSERT_EQ(grid.GetNumberOfCells(), 2);
+  ASSERT_EQ(grid.GetNumberOfPoints(), 6);
+  EXPECT_NEAR(grid.GetPoint(3)[0], 0, 1e-9);
+  EXPECT_NEAR(grid.GetPoint(3)[1], 0.005, 1e-9);
+  EXPECT_NEAR(grid.GetPoint(3)[2], -1.5e-4, 1e-9);
+  EXPECT_NEAR(grid.GetPointData()->GetArray("height [m]")->GetTuple1(2), -2e-4, 1e-10);
+  EXPECT_NEAR(grid.GetPointData()->GetArray("change [m]")->GetTuple1(2), -1e-4, 1e-10);
 }
 
 }  // namespace

@@ -161,5 +161,15 @@ TEST(Growth, TheLastCleanTonnageCountsFromTheLastGrinding) {
   EXPECT_FALSE(lastCleanTonnage(growth, 0.2e-3));
 }
 
+// Lengths of the mesh are in mm: 0.25 for a quarter of a metre leaves no room for the defect.
+TEST(Growth, AZoneThatDoesNotHoldTheDefectIsRefused) {
+  try {
+    growingCase(growingDefect({{"mesh.zone_behind", "0.25"}}));
+    FAIL() << "no error";
+  } catch (const CaseError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("mesh.zone_behind is 0.25 mm, must be at least "));
+  }
+}
+
 }  // namespace
 }  // namespace squat::growth

@@ -9,8 +9,10 @@
 #include "TemporaryFolder.h"
 #include "case/CaseFile.h"
 #include "case/Resolve.h"
+#include "core/Errors.h"
 #include "growth/GrowthState.h"
 #include "growth/SmallRail.h"
+#include "growth/SurfaceSeries.h"
 #include "results/Hdf5.h"
 
 namespace squat::growth {
@@ -53,6 +55,21 @@ TEST(GrowthFiles, TableAndSurfaces) {
   EXPECT_THAT(tree.find("/surface/height")->shape, ::testing::ElementsAre(2, 3, 2));
   EXPECT_FLOAT_EQ(results::valuesOf<float>(tree, "/surface/height", "")[6 + 2], -2e-4F);
   EXPECT_DOUBLE_EQ(results::valuesOf<double>(tree, "/stages/wave_length", "")[1], 0.031);
+}
+
+TEST(GrowthFiles, SurfacesAreReadBack) {
+  const tests::TemporaryFolder folder;
+  const auto growth = smallGrowth();
+  const auto written = writeGrowthFiles(growth, folder.path(), "dip");
+  const auto series = readSurfaceSeries(written[1]);
+  EXPECT_EQ(series.x, growth.x);
+  EXPECT_EQ(series.y, growth.y);
+  ASSERT_EQ(series.height.size(), 2u);
+  EXPECT_FLOAT_EQ(series.height[1][3], -1.5e-4F);
+  auto tree = growthTree(growth);
+  tree.find("/surface/height")->values = std::vector<float>{1};
+  EXPECT_THROW(surfaceSeriesFrom(tree, "x.h5"), FileError);
+  EXPECT_THROW(surfaceSeriesFrom({}, "x.h5"), FileError);
 }
 
 // The grown case has the surface of the last stage: its deepest point is where that was, its lines are those.

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -60,6 +61,41 @@ TEST(GrowthProgram, KilledAndResumedItHasTheSameBits) {
   for (const char* name : {"light-defect-growth.csv", "light-defect-growth.h5", "light-defect-grown.toml"})
     EXPECT_EQ(bytesOf(folder / ("killed/" + std::string(name))), bytesOf(folder / ("whole/" + std::string(name))))
         << name;
+}
+
+// A forecast grows the rail again with other inputs; its table is kept, so that a repeated call computes nothing anew.
+TEST(GrowthProgram, ForecastsBetweenLimits) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words{"grow",         "light-defect",
+                                       "--mesh",       "tiny",
+                                       "--set",        "motion.torque=0",
+                                       "--set",        "growth.wheelsets=1",
+                                       "--tonnage",    "0.001",
+                                       "--threads",    "1",
+                                       "--uncertain",  "defect.depth=0.10:0.20",
+                                       "--growths",    "2",
+                                       "--until",      "depth=0.16",
+                                       "--no-figures", "-o",
+                                       folder.path()};
+  std::string output;
+  ASSERT_EQ(call(words, &output), 0);
+  // A depth from each half of the range; wear changes nothing that could be seen in 1,000 tonnes.
+  EXPECT_THAT(output, HasSubstr("Forecast from 2 growths"));
+  const auto table = bytesOf(folder / "light-defect-forecast.csv");
+  double tonnage = 0, lowest = 0, median = 0, highest = 0;
+  const auto last = table.substr(table.rfind('\n', table.size() - 2) + 1);
+  ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf,%lf", &tonnage, &lowest, &median, &highest), 4) << last;
+  EXPECT_EQ(tonnage, 0.001);
+  EXPECT_GT(lowest, 0.0999);
+  EXPECT_LT(lowest, 0.1501);
+  EXPECT_GT(highest, 0.1499);
+  EXPECT_LT(highest, 0.2001);
+  EXPECT_NEAR(median, 0.5 * (lowest + highest), 1e-9);
+
+  EXPECT_EQ(call({"grow", "light-defect", "--tonnage", "1", "--uncertain", "defect.depht=0.1:0.2"}, &output), 2);
+  EXPECT_THAT(output, HasSubstr("defect.depth"));
+  EXPECT_EQ(call({"grow", "light-defect", "--tonnage", "1", "--growths", "2"}, &output), 2);
+  EXPECT_THAT(output, HasSubstr("--uncertain"));
 }
 
 TEST(GrowthProgram, SaysWhatIsWrongWithACall) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "plots/LineFigure.h"
 
@@ -66,55 +67,116 @@ std::unique_ptr<Figure> profileFigure(const Growth& growth, const Style& style) 
   return figure;
 }
 
-std::unique_ptr<Figure> changeMap(const Growth& growth, const Style& style) {
-  auto figure = std::make_unique<Figure>(QStringLiteral("growth_change"), style);
-  figure->xAxis->setLabel(QStringLiteral("Position [mm]"));
-  figure->yAxis->setLabel(QStringLiteral("Across the rail [mm]"));
-  auto* map = new QCPColorMap(figure->xAxis, figure->yAxis);
-  const auto columns = static_cast<int>(growth.x.size()), rows = 61;
-  const double from = growth.y.front(), to = growth.y.back();
-  map->data()->setSize(columns, rows);
-  map->data()->setRange({millimetres * growth.x.front(), millimetres * growth.x.back()},
-                        {millimetres * from, millimetres * to});
-  double largest = 0;
-  for (int column = 0; column < columns; ++column)
-    for (int row = 0; row < rows; ++row) {
-      const double x = growth.x.front() + column * (growth.x.back() - growth.x.front()) / (columns - 1);
-      const double y = from + row * (to - from) / (rows - 1);
-      const auto s = std::clamp<std::ptrdiff_t>(
-          std::lower_bound(growth.x.begin(), growth.x.end(), x) - growth.x.begin(), 0, columns - 1);
-      const auto upper =
-          std::clamp<std::ptrdiff_t>(std::upper_bound(growth.y.begin(), growth.y.end(), y) - growth.y.begin(), 1,
-                                     static_cast<std::ptrdiff_t>(growth.y.size()) - 1);
-      const double t = (y - growth.y[upper - 1]) / (growth.y[upper] - growth.y[upper - 1]);
-      const auto changeAt = [&](std::ptrdiff_t line) {
-        const auto i = static_cast<std::size_t>(s) * growth.y.size() + static_cast<std::size_t>(line);
-        return micrometres * (growth.shapes.back()[i] - growth.shapes.front()[i]);
-      };
-      const double change = (1 - t) * changeAt(upper - 1) + t * changeAt(upper);
-      map->data()->setCell(column, row, change);
-      largest = std::max(largest, std::abs(change));
-    }
+// Between sorted values: index of the one before `at` and the share of the way to the next.
+struct Between {
+  std::size_t index;
+  double share;
+};
+Between placeIn(const std::vector<double>& sorted, double at) {
+  const auto next = std::clamp<std::ptrdiff_t>(std::upper_bound(sorted.begin(), sorted.end(), at) - sorted.begin(), 1,
+                                               static_cast<std::ptrdiff_t>(sorted.size()) - 1);
+  const auto before = static_cast<std::size_t>(next - 1);
+  const double step = sorted[before + 1] - sorted[before];
+  return {before, step > 0 ? std::clamp((at - sorted[before]) / step, 0.0, 1.0) : 1.0};
+}
+
+// `change` [um] at a position along the rail and a row.
+struct ChangeMap {
+  QString name, rowLabel;
+  double from = 0, to = 1, rowScale = 1;  // of the rows
+  std::function<double(double x, double row)> change;
+};
+
+void addScale(Figure& figure, QCPColorMap& map, const Style& style) {
   QCPColorGradient gradient;
   gradient.clearColorStops();
   gradient.setColorStopAt(0, QColor(33, 102, 172));
   gradient.setColorStopAt(0.5, QColor(247, 247, 247));
   gradient.setColorStopAt(1, QColor(178, 24, 43));
-  auto* scale = new QCPColorScale(figure.get());
-  figure->addBeside(scale);
+  auto* scale = new QCPColorScale(&figure);
+  figure.addBeside(scale);
   scale->setType(QCPAxis::atRight);
   scale->setBarWidth(8);
   scale->setGradient(gradient);
-  map->setColorScale(scale);
+  map.setColorScale(scale);
   scale->axis()->setLabel(QStringLiteral("Change of height [µm]"));
   scale->axis()->setLabelFont(style.labelFont());
   scale->axis()->setTickLabelFont(style.tickFont());
   scale->axis()->setLabelColor(style.text);
   scale->axis()->setTickLabelColor(style.text);
   scale->axis()->setNumberFormat("gb");
-  map->setDataRange({-std::max(largest, 1e-3), std::max(largest, 1e-3)});
-  figure->xAxis->setRange(millimetres * growth.x.front(), millimetres * growth.x.back());
-  figure->yAxis->setRange(millimetres * from, millimetres * to);
+}
+
+std::unique_ptr<Figure> changeFigure(const Growth& growth, const ChangeMap& changes, const Style& style) {
+  constexpr int columns = 201, rows = 61;
+  auto figure = std::make_unique<Figure>(changes.name, style);
+  figure->xAxis->setLabel(QStringLiteral("Position [mm]"));
+  figure->yAxis->setLabel(changes.rowLabel);
+  auto* map = new QCPColorMap(figure->xAxis, figure->yAxis);
+  const double first = growth.x.front(), last = growth.x.back();
+  const QCPRange along{millimetres * first, millimetres * last},
+      across{changes.rowScale * changes.from, changes.rowScale * changes.to};
+  map->data()->setSize(columns, rows);
+  map->data()->setRange(along, across);
+  double largest = 1e-3;
+  for (int column = 0; column < columns; ++column)
+    for (int row = 0; row < rows; ++row) {
+      const double change = changes.change(first + column * (last - first) / (columns - 1),
+                                           changes.from + row * (changes.to - changes.from) / (rows - 1));
+      map->data()->setCell(column, row, change);
+      largest = std::max(largest, std::abs(change));
+    }
+  addScale(*figure, *map, style);
+  map->setDataRange({-largest, largest});
+  figure->xAxis->setRange(along);
+  figure->yAxis->setRange(across);
+  return figure;
+}
+
+// [um] since the first stage, between the nodes.
+double changeAt(const Growth& growth, const growth::Field& shape, double x, double y) {
+  const auto s = placeIn(growth.x, x), line = placeIn(growth.y, y);
+  const auto node = [&](std::size_t ds, std::size_t dl) {
+    const auto i = (s.index + ds) * growth.y.size() + line.index + dl;
+    return shape[i] - growth.shapes.front()[i];
+  };
+  return micrometres * ((1 - s.share) * ((1 - line.share) * node(0, 0) + line.share * node(0, 1)) +
+                        s.share * ((1 - line.share) * node(1, 0) + line.share * node(1, 1)));
+}
+
+std::unique_ptr<Figure> changeMap(const Growth& growth, const Style& style) {
+  return changeFigure(
+      growth,
+      {QStringLiteral("growth_change"), QStringLiteral("Across the rail [mm]"), growth.y.front(), growth.y.back(),
+       millimetres, [&](double x, double y) { return changeAt(growth, growth.shapes.back(), x, y); }},
+      style);
+}
+
+// Along the running line, against tonnage.
+std::unique_ptr<Figure> historyMap(const Growth& growth, const Style& style) {
+  std::vector<double> tonnage;
+  for (const auto& stage : growth.stages) tonnage.push_back(stage.tonnage);
+  return changeFigure(growth,
+                      {QStringLiteral("growth_history"), QStringLiteral("Traffic [Mt]"), 0, tonnage.back(), perMillion,
+                       [&](double x, double at) {
+                         if (tonnage.size() < 2) return 0.0;
+                         const auto stage = placeIn(tonnage, at);
+                         return (1 - stage.share) * changeAt(growth, growth.shapes[stage.index], x, growth.line) +
+                                stage.share * changeAt(growth, growth.shapes[stage.index + 1], x, growth.line);
+                       }},
+                      style);
+}
+
+std::unique_ptr<Figure> strainFigure(const Growth& growth, const Style& style) {
+  auto figure = std::make_unique<Figure>(QStringLiteral("growth_strain"), style);
+  figure->xAxis->setLabel(QStringLiteral("Traffic [Mt]"));
+  figure->yAxis->setLabel(QStringLiteral("Depth below the surface [mm]"));
+  const auto t = tonnages(growth);
+  addCurve(*figure,
+           {t, valuesOf(growth, &Stage::strainedDepth, millimetres), QStringLiteral("strained down to"), 0, 1.5});
+  addCurve(*figure, {t, valuesOf(growth, &Stage::strainDepth, millimetres), QStringLiteral("largest strain at"), 1});
+  figure->xAxis->setRange(0, std::max(t.back(), 1e-6));
+  fitWithZero(*figure);
   return figure;
 }
 
@@ -155,10 +217,31 @@ FigureSheet growthFigure(const Growth& growth, const std::string& stem, const St
   FigureSheet sheet{stem + "_growth", {}, 2};
   sheet.panels.push_back(profileFigure(growth, style));
   sheet.panels.push_back(changeMap(growth, style));
+  sheet.panels.push_back(historyMap(growth, style));
   sheet.panels.push_back(depthFigure(growth, style));
   sheet.panels.push_back(responseFigure(growth, style));
+  if (growth.stages.back().strainedDepth > 0) sheet.panels.push_back(strainFigure(growth, style));
   for (auto& panel : sheet.panels) panel->setCaption(QString::fromStdString(growth.description.title), {});
   alignAxes(sheet);
+  return sheet;
+}
+
+FigureSheet forecastFigure(const growth::Forecast& forecast, const std::string& stem, const Style& style) {
+  auto figure = std::make_unique<Figure>(QStringLiteral("forecast"), style);
+  figure->xAxis->setLabel(QStringLiteral("Traffic [Mt]"));
+  figure->yAxis->setLabel(QStringLiteral("Depth of the dip [mm]"));
+  const auto t = scaled(forecast.tonnage, perMillion);
+  addCurve(*figure, {t, scaled(forecast.median, millimetres), QStringLiteral("median"), 0, 1.5});
+  addCurve(*figure, {t, scaled(forecast.lowest, millimetres), QStringLiteral("lowest"), 1, 1.0, Qt::DashLine});
+  addCurve(*figure, {t, scaled(forecast.highest, millimetres), QStringLiteral("highest"), 2, 1.0, Qt::DashLine});
+  if (forecast.limit)
+    addCurve(*figure, {t, std::vector<double>(t.size(), millimetres * *forecast.limit), QStringLiteral("limit"), 3, 1.0,
+                       Qt::DotLine});
+  figure->xAxis->setRange(0, t.back());
+  fitValues(*figure);
+  keepZeroInSight(*figure);
+  FigureSheet sheet{stem + "_forecast", {}, 1};
+  sheet.panels.push_back(std::move(figure));
   return sheet;
 }
 

@@ -3,13 +3,18 @@
 
 #include <string>
 
+#include "growth/Forecast.h"
 #include "growth/Grow.h"
 #include "plots/FigureSheet.h"
 
 namespace squat::plots {
 
-// STEM_growth: profiles along the running line at a handful of stages, what has changed as a map from above, depth of
-// the dip with wear and flow, and peak acceleration and contact force against tonnage.
+// STEM_growth: profiles along the running line at a handful of stages; what has changed, as a map from above and along
+// the running line against tonnage; depth of the dip with wear and flow, peak acceleration and contact force against
+// tonnage; where the rail yields, how deep its steel is strained.
 FigureSheet growthFigure(const growth::Growth& growth, const std::string& stem, const Style& style);
+
+// STEM_forecast: the band of the dip's depth against tonnage.
+FigureSheet forecastFigure(const growth::Forecast& forecast, const std::string& stem, const Style& style);
 
 }  // namespace squat::plots

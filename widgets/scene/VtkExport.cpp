@@ -10,16 +10,14 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "analysis/AnalysisFiles.h"
-#include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "scene/PatchFaces.h"
 #include "scene/SurfaceData.h"
+#include "scene/VtkCollection.h"
 
 namespace squat::scene {
 namespace {
@@ -109,26 +107,6 @@ Grid patchGrid(const results::PatchSnapshot& patch, const results::SurfaceMesh& 
   return grid;
 }
 
-void writeGrid(const Grid& grid, const std::string& path) {
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->WriteToOutputStringOn();
-  writer->SetInputData(grid);
-  if (writer->Write() != 1) throw FileError(path, "", "cannot be made", "the result may be damaged");
-  writeDurably(path, std::string_view(writer->GetOutputString()));
-}
-
-std::string numbered(const std::string& stem, std::size_t number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "_%03zu.vtu", number);
-  return stem + text;
-}
-
-std::string link(double time, int part, const std::string& file) {
-  char text[80];
-  std::snprintf(text, sizeof text, "<DataSet timestep=\"%.9g\" part=\"%d\" file=\"", time, part);
-  return text + file + "\"/>\n";
-}
-
 // The impact is often one of the frames: one of them is enough.
 bool isRepeated(const std::vector<results::SurfaceSnapshot>& snapshots, std::size_t i) {
   const auto same = [&](const auto& other) { return other.time == snapshots[i].time && other.name != "unloaded"; };
@@ -141,27 +119,16 @@ bool isRepeated(const std::vector<results::SurfaceSnapshot>& snapshots, std::siz
 std::vector<std::string> writeVtkSeries(const results::RunResult& result, const std::string& folder) {
   if (result.surface.quads.empty() || result.snapshots.empty())
     throw FileError(folder, "", "nothing to write: the result has no surface or no snapshots");
-  makeFolder(folder);
   const std::string stem = analysis::safeFileName(result.stem);  // may be untrusted
-  std::vector<std::string> written;
-  std::string links;
-  const auto add = [&](const Grid& grid, double time, int part, const std::string& name) {
-    written.push_back(folder + "/" + name);
-    writeGrid(grid, written.back());
-    links += link(time, part, name);
-  };
+  VtkCollection collection(folder, stem);
   for (std::size_t i = 0; i < result.snapshots.size(); ++i) {
     const auto& snapshot = result.snapshots[i];
     if (isRepeated(result.snapshots, i)) continue;
-    add(surfaceGrid(result.surface, snapshot), snapshot.time, 0, numbered(stem, i));
+    collection.add(surfaceGrid(result.surface, snapshot), snapshot.time, 0, numberedName(stem, i));
     if (const auto* patch = patchOf(result, snapshot.name))
-      add(patchGrid(*patch, result.surface, snapshot), snapshot.time, 1, numbered(stem + "_patch", i));
+      collection.add(patchGrid(*patch, result.surface, snapshot), snapshot.time, 1, numberedName(stem + "_patch", i));
   }
-  written.push_back(folder + "/" + stem + ".pvd");
-  writeDurably(written.back(),
-               "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n" + links +
-                   "</Collection>\n</VTKFile>\n");
-  return written;
+  return collection.finish();
 }
 
 }  // namespace squat::scene
