@@ -97,9 +97,8 @@ std::string forecastTable(const Forecast& f) {
   };
   add(f.tonnage, 1 / kilogramsInMegatonne);
   for (const auto* depth : {&f.lowest, &f.median, &f.highest}) add(*depth, 1e3);
-  return text::csvColumns(
-      {"tonnage [Mt]", "lowest depth [mm]", "median depth [mm]", "highest depth [mm]"},
-      {&columns[0], &columns[1], &columns[2], &columns[3]});
+  return text::csvColumns({"tonnage [Mt]", "lowest depth [mm]", "median depth [mm]", "highest depth [mm]"},
+                          {&columns[0], &columns[1], &columns[2], &columns[3]});
 }
 
 // The next of N + 1 values that are alike is as likely in one place of their order as in another, so it is between the

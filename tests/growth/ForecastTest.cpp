@@ -39,8 +39,7 @@ TEST(Forecast, WhereTheRailWasGroundTheDepthIsThatAfterIt) {
 
 TEST(Forecast, BandAndPassages) {
   const double none = std::nan("");
-  const auto forecast =
-      forecastFrom({0, 1e9, 2e9}, {{1e-4, 2e-4, 4e-4}, {1e-4, 3e-4, 5e-4}, {1e-4, 1e-4, none}}, 3e-4);
+  const auto forecast = forecastFrom({0, 1e9, 2e9}, {{1e-4, 2e-4, 4e-4}, {1e-4, 3e-4, 5e-4}, {1e-4, 1e-4, none}}, 3e-4);
   EXPECT_THAT(forecast.lowest, ElementsAre(1e-4, 1e-4, 4e-4));
   EXPECT_THAT(forecast.median, ElementsAre(1e-4, 2e-4, DoubleNear(4.5e-4, 1e-18)));
   EXPECT_THAT(forecast.highest, ElementsAre(1e-4, 3e-4, 5e-4));
@@ -55,8 +54,9 @@ TEST(Forecast, BandAndPassages) {
 TEST(Forecast, ALimitThatIsPassedAtOnceOrNeverIsSaid) {
   EXPECT_THAT(forecastText(forecastFrom({0, 1e9}, {{1e-4, 2e-4}, {2e-4, 3e-4}}, 5e-4)),
               HasSubstr("None of the growths passes 0.50 mm."));
-  EXPECT_THAT(forecastText(forecastFrom({0, 1e9}, {{1e-4, 2e-4}, {2e-4, 2e-4}}, 2e-4)),
-              HasSubstr("All growths pass 0.20 mm, the first after 0.00 Mt, half of them by 0.50 Mt, the last after 1.00 Mt."));
+  EXPECT_THAT(
+      forecastText(forecastFrom({0, 1e9}, {{1e-4, 2e-4}, {2e-4, 2e-4}}, 2e-4)),
+      HasSubstr("All growths pass 0.20 mm, the first after 0.00 Mt, half of them by 0.50 Mt, the last after 1.00 Mt."));
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ double largestPressure(double load) { return 1185e6 * std::cbrt(load / 87.8e3); 
 
 cases::CaseDescription rollingWithoutFriction(double yieldStress) {
   const std::vector<std::pair<std::string, std::string>> values{
-      {"motion.torque", "0"},      {"defect.shape", "none"},
-      {"growth.wheelsets", "1"},   {"growth.wear", "none"},
-      {"mesh.zone_before", "50"},  {"mesh.zone_behind", "50"},
-      {"contact.friction", "0"},   {"rail.plastic", "true"},
-      {"rail.tangent_modulus", "2"}, {"rail.yield_stress", std::to_string(1e-9 * yieldStress)},
+      {"motion.torque", "0"},         {"defect.shape", "none"},
+      {"growth.wheelsets", "1"},      {"growth.wear", "none"},
+      {"mesh.zone_before", "50"},     {"mesh.zone_behind", "50"},
+      {"contact.friction", "0"},      {"rail.plastic", "true"},
+      {"rail.tangent_modulus", "2"},  {"rail.yield_stress", std::to_string(1e-9 * yieldStress)},
       {"rail.hardening", "kinematic"}};
   return growingCase(cases::loadCase(tests::fixtureCase("light-defect"), {"draft", values}));
 }
@@ -62,7 +62,7 @@ constexpr int passages = 12;
 
 // What is left falls by more than a quarter from one passage to the next, and goes on to fall: no strain is added in
 // the end.
-TEST(Shakedown, TheWheelStopsYieldingATenthBelowTheLimit) {
+TEST(RolledRail, TheWheelStopsYieldingATenthBelowTheLimit) {
   const auto added = strainOfPassages(0.9, passages);
   ASSERT_EQ(added.size(), static_cast<std::size_t>(passages));
   ASSERT_GT(added.front(), 1e-3);
@@ -70,7 +70,7 @@ TEST(Shakedown, TheWheelStopsYieldingATenthBelowTheLimit) {
 }
 
 // It settles at a strain that each passage adds: the last two differ by less than 2 %.
-TEST(Shakedown, TheWheelYieldsInEachPassageATenthAboveTheLimit) {
+TEST(RolledRail, TheWheelYieldsInEachPassageATenthAboveTheLimit) {
   const auto added = strainOfPassages(1.1, passages);
   ASSERT_EQ(added.size(), static_cast<std::size_t>(passages));
   EXPECT_GT(added.back(), 0.3 * added.front());

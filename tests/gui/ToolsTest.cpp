@@ -14,6 +14,7 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
+#include <QSlider>
 #include <QSpinBox>
 #include <QStandardPaths>
 #include <QTabWidget>
@@ -281,6 +282,13 @@ TEST_F(Tools, theGrowthIsThatOfTheCommand) {
   EXPECT_EQ(printed.section("\nwritten:", 0, 0), growth->text());
   EXPECT_FALSE(read("growth/short_growth.svg").isEmpty());
   EXPECT_TRUE(growth->findChild<QPushButton*>("toolOpenCase")->isVisible());
+  // The film begins with the rail as it was, and ends with the last stage, which is shown at first.
+  auto* stage = growth->findChild<QSlider*>("growthStage");
+  ASSERT_GT(stage->maximum(), 1);
+  EXPECT_EQ(stage->value(), stage->maximum());
+  growth->findChild<QPushButton*>("growthPlay")->click();
+  EXPECT_EQ(stage->value(), 0);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return stage->value() == stage->maximum(); }, 20000));
 }
 
 // A key from a signal that the case itself has made, measured in the list; ten points or so.

@@ -226,6 +226,23 @@ FigureSheet growthFigure(const Growth& growth, const std::string& stem, const St
   return sheet;
 }
 
+std::unique_ptr<Figure> stageFigure(const Growth& growth, std::size_t stage, const Style& style) {
+  auto figure = std::make_unique<Figure>(QStringLiteral("growth_stage"), style);
+  figure->xAxis->setLabel(QStringLiteral("Position [mm]"));
+  figure->yAxis->setLabel(QStringLiteral("Height [mm]"));
+  const auto x = scaled(growth.x, millimetres);
+  figure->xAxis->setRange(x.front(), x.back());
+  // The axes are those of all stages, so that nothing jumps in between.
+  for (std::size_t other = 0; other < growth.stages.size(); ++other)
+    addCurve(*figure, {x, profileOf(growth, other), {}, 0});
+  fitValues(*figure);
+  figure->clearGraphs();
+  addCurve(*figure, {x, profileOf(growth, 0), QStringLiteral("at first"), 1, 1.0, Qt::DashLine});
+  addCurve(*figure, {x, profileOf(growth, stage),
+                     QStringLiteral("after %1 Mt").arg(perMillion * growth.stages[stage].tonnage, 0, 'f', 2), 0, 1.5});
+  return figure;
+}
+
 FigureSheet forecastFigure(const growth::Forecast& forecast, const std::string& stem, const Style& style) {
   auto figure = std::make_unique<Figure>(QStringLiteral("forecast"), style);
   figure->xAxis->setLabel(QStringLiteral("Traffic [Mt]"));

@@ -1,6 +1,7 @@
 // widgets/plots/GrowthFigures.h - a defect that grows under traffic.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "growth/Forecast.h"
@@ -13,6 +14,9 @@ namespace squat::plots {
 // the running line against tonnage; depth of the dip with wear and flow, peak acceleration and contact force against
 // tonnage; where the rail yields, how deep its steel is strained.
 FigureSheet growthFigure(const growth::Growth& growth, const std::string& stem, const Style& style);
+
+// The profile along the running line at one stage, beside that at first.
+std::unique_ptr<Figure> stageFigure(const growth::Growth& growth, std::size_t stage, const Style& style);
 
 // STEM_forecast: the band of the dip's depth against tonnage.
 FigureSheet forecastFigure(const growth::Forecast& forecast, const std::string& stem, const Style& style);

@@ -18,7 +18,8 @@ std::string numberedName(const std::string& stem, std::size_t number) {
   return stem + text;
 }
 
-VtkCollection::VtkCollection(std::string folder, std::string stem) : folder_(std::move(folder)), stem_(std::move(stem)) {
+VtkCollection::VtkCollection(std::string folder, std::string stem)
+    : folder_(std::move(folder)), stem_(std::move(stem)) {
   makeFolder(folder_);
 }
 

@@ -30,6 +30,7 @@ class DetectionForm : public ToolForm {
   QString missing() const override;
   bool usesCase() const override;
   QWidget* view() const override;
+  QString viewTitle() const override { return tr("Record"); }
   void setStyle(const plots::Style& style) override;
   void conclude() override;
   void save(QSettings& settings) const override;

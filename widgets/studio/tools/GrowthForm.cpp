@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPointer>
 #include <QSettings>
 
 #include "case/CaseFile.h"
@@ -15,6 +16,7 @@
 #include "plots/GrowthFigures.h"
 #include "results/Checkpoint.h"
 #include "studio/common/NumberBox.h"
+#include "studio/tools/GrowthFilm.h"
 #include "studio/tools/MeshBox.h"
 
 namespace squat::studio {
@@ -23,6 +25,7 @@ namespace {
 struct GrowthChoice {
   std::string mesh, steel;
   growth::GrowthOptions options;
+  QPointer<GrowthFilm> film;
 };
 
 ToolResult computeGrowth(GrowthChoice choice, const ToolInput& input, Monitor& monitor) {
@@ -44,6 +47,9 @@ ToolResult computeGrowth(GrowthChoice choice, const ToolInput& input, Monitor& m
   result.files = growth::writeGrowthFiles(*found, input.folder, input.name);
   result.foundCase = result.files.back();
   if (found->complete) results::removeCheckpoint(options.checkpoint);
+  result.show = [found, film = choice.film] {
+    if (film) film->show(found);
+  };
   result.figures = [found, name = input.name](const plots::Style& style) {
     std::vector<plots::FigureSheet> sheets;
     sheets.push_back(plots::growthFigure(*found, name, style));
@@ -67,7 +73,7 @@ NumberBox* GrowthForm::box(const QString& name, const QString& label, double low
   return made;
 }
 
-GrowthForm::GrowthForm(QWidget* parent)
+GrowthForm::GrowthForm(const plots::Style& style, QWidget* parent)
     : ToolForm(parent),
       tonnage_(box("tonnage", tr("Traffic"), 0.01, 1000, 5, tr(" million tonnes"))),
       until_(box("untilDepth", tr("Depth of the dip at which it ends"), 0.01, 5, 0.5, " mm")),
@@ -76,7 +82,8 @@ GrowthForm::GrowthForm(QWidget* parent)
       steel_(new QComboBox(this)),
       mesh_(meshBox(tr("Mesh"), "growthMesh", "tiny", this)),
       stops_(new QCheckBox(tr("&until the dip is deep:"), this)),
-      grinds_(new QCheckBox(tr("&grind off"), this)) {
+      grinds_(new QCheckBox(tr("&grind off"), this)),
+      film_(new GrowthFilm(style, this)) {
   steel_->setObjectName("growthSteel");
   steel_->setAccessibleName(tr("Steel of the rail"));
   for (const auto& name : cases::inputPresetNames("rail.preset"))
@@ -121,6 +128,7 @@ QString GrowthForm::explanation() const {
 
 ToolWork GrowthForm::work() {
   GrowthChoice choice;
+  choice.film = film_;
   choice.mesh = mesh_->currentText().toStdString();
   choice.steel = steel_->currentData().toString().toStdString();
   choice.options.tonnage = tonnage_->value() * growth::kilogramsInMegatonne;
@@ -129,6 +137,10 @@ ToolWork GrowthForm::work() {
     choice.options.grindings = {{1e-3 * depth_->value(), after_->value() * growth::kilogramsInMegatonne}};
   return [choice](const ToolInput& input, Monitor& monitor) { return computeGrowth(choice, input, monitor); };
 }
+
+QWidget* GrowthForm::view() const { return film_; }
+
+void GrowthForm::setStyle(const plots::Style& style) { film_->setStyle(style); }
 
 void GrowthForm::save(QSettings& settings) const {
   settings.setValue("tonnage", tonnage_->value());

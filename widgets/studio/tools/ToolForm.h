@@ -58,6 +58,7 @@ class ToolForm : public QWidget {
   virtual QString missing() const { return {}; }     // what is not chosen yet, as a sentence; empty: nothing
   virtual bool usesCase() const { return true; }     // else a case that cannot be run does not matter
   virtual QWidget* view() const { return nullptr; }  // what stands beside text and figures, from the start on
+  virtual QString viewTitle() const { return {}; }   // of its tab
   virtual void setStyle(const plots::Style&) {}
   virtual void showCase(const cases::CaseDescription&) {}  // whose values stand beside the options
   virtual void save(QSettings&) const {}

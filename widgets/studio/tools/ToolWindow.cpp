@@ -204,7 +204,7 @@ QWidget* ToolWindow::makeBar() {
 void ToolWindow::makeResults() {
   tabs_->setDocumentMode(true);
   tabs_->setAccessibleName(tr("What came out"));
-  if (form_->view()) tabs_->addTab(form_->view(), tr("Record"));
+  if (form_->view()) tabs_->addTab(form_->view(), form_->viewTitle());
   tabs_->addTab(text_, tr("Result"));
   tabs_->addTab(log_, tr("Log"));
   text_->setObjectName("toolText");

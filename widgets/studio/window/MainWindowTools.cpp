@@ -25,7 +25,7 @@ ToolForm* formOf(const QString& name, const RunStore& store, const plots::Style&
   if (name == "calibration") return new CalibrationForm(store);
   if (name == "squats") return new DetectionForm(style);
   if (name == "estimate") return new EstimateForm(store);
-  if (name == "growth") return new GrowthForm;
+  if (name == "growth") return new GrowthForm(style);
   return new ReceptanceForm;
 }
 
