@@ -63,20 +63,24 @@ void keepCheckpoint(const GrowCommandOptions& options, const std::string& path) 
                     "Resume it with --resume, choose another folder or --name, or remove the file"}});
 }
 
-// False where it was cancelled.
-bool writeForecast(const GrowCommandOptions& options, const studies::StudyDefinition& study, Monitor& monitor) {
+int cancelled(const std::string& checkpoint) {
+  std::fprintf(stderr, std::filesystem::exists(checkpoint) ? "cancelled: resume with --resume\n"
+                                                           : "cancelled: nothing was computed that could be resumed\n");
+  return kCancelled;
+}
+
+int writeForecast(const GrowCommandOptions& options, const ForecastPlan& plan, TerminalMonitor& monitor) {
+  const auto forecast = forecastGrowth(plan, monitor);
+  monitor.clearLine();
+  if (!forecast) return cancelled(options.growth.checkpoint);
   const auto stem = stemOf(options.caseOptions);
-  const auto files = growth::forecastFiles(options.folder, stem);
-  const auto forecast = forecastGrowth(options.caseOptions, study, options.growth, files.growths, monitor);
-  if (!forecast) {
-    std::fprintf(stderr, "cancelled: resume with --resume\n");
-    return false;
-  }
-  writeDurably(files.table, growth::forecastTable(*forecast));
-  std::printf("\n%s\nwritten:\n  %s\n", growth::forecastText(*forecast).c_str(), files.table.c_str());
-  for (const auto& path : writeForecastFigure(*forecast, stem, options.folder, options.figures))
-    std::printf("  %s\n", path.c_str());
-  return true;
+  const auto path = growth::forecastFiles(options.folder, stem).table;
+  writeDurably(path, growth::forecastTable(*forecast));
+  std::printf("\n%s\nwritten:\n  %s\n", growth::forecastText(*forecast).c_str(), path.c_str());
+  if (forecast->growths == 0) return kRunFailed;
+  for (const auto& figure : writeForecastFigure(*forecast, stem, options.folder, options.figures))
+    std::printf("  %s\n", figure.c_str());
+  return forecast->growths < forecast->asked ? kRunFailed : kDone;
 }
 
 int grow(GrowCommandOptions options) {
@@ -85,11 +89,13 @@ int grow(GrowCommandOptions options) {
   growth.tonnage = options.tonnage * growth::kilogramsInMegatonne;
   for (const auto& words : options.grind) growth.grindings.push_back(grindingFrom(words));
   if (!options.until.empty()) growth.untilDepth = depthFrom(options.until);
-  std::optional<studies::StudyDefinition> study;
-  if (!options.forecast.uncertain.empty()) study = forecastStudy(options.caseOptions, options.forecast, growth);
   const auto stem = stemOf(options.caseOptions);
   const auto& folder = options.folder;
   keepInputs(cases::filesOfCase(options.caseOptions.name, description), growth::growthFiles(folder, stem));
+  std::optional<ForecastPlan> plan;
+  if (!options.forecast.uncertain.empty())
+    plan = forecastPlan(options.caseOptions.name, caseOverrides(options.caseOptions), options.forecast, growth,
+                        growth::forecastFiles(folder, stem).folder);
   growth.checkpoint = growth::growthCheckpoint(folder, stem);
   keepCheckpoint(options, growth.checkpoint);
   const OutputFolder output(folder);
@@ -104,14 +110,11 @@ int grow(GrowCommandOptions options) {
   const auto written = growth::writeGrowthFiles(grown, folder, stem);
   if (!written.empty()) std::printf("\nwritten:\n");
   for (const auto& path : written) std::printf("  %s\n", path.c_str());
-  if (!grown.complete) {
-    std::fprintf(stderr, written.empty() ? "cancelled: no file written\n" : "cancelled: resume with --resume\n");
-    return kCancelled;
-  }
+  if (!grown.complete) return cancelled(growth.checkpoint);
   for (const auto& path : writeGrowthFigures(grown, stem, folder, options.figures)) std::printf("  %s\n", path.c_str());
-  if (study && !writeForecast(options, *study, monitor)) return kCancelled;
-  results::removeCheckpoint(growth.checkpoint);
-  return kDone;
+  const int code = plan ? writeForecast(options, *plan, monitor) : kDone;
+  if (code == kDone) results::removeCheckpoint(growth.checkpoint);
+  return code;
 }
 
 }  // namespace

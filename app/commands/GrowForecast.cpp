@@ -1,12 +1,13 @@
 #include "commands/GrowForecast.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "case/CaseFile.h"
-#include "case/ShortHash.h"
 #include "core/DurableFile.h"
+#include "core/Errors.h"
 #include "core/FolderLock.h"
+#include "core/SteadyMemory.h"
 #include "studies/CaseStudy.h"
 #include "studies/CostEstimate.h"
 #include "studies/Jobs.h"
@@ -16,75 +17,124 @@ namespace squat::commands {
 
 namespace {
 
-std::string nameAt(double tonnage) {
-  return "depth after " + text::numberText(tonnage / growth::kilogramsInMegatonne) + " Mt [mm]";
+constexpr const char* passage = "limit reached after [Mt]";
+
+std::string megatonnes(double kilograms) { return text::numberText(kilograms / growth::kilogramsInMegatonne); }
+
+std::string nameAt(const growth::ForecastPoint& point) {
+  return "depth after " + megatonnes(point.tonnage) + " Mt" + (point.toBeGround ? ", to be ground [mm]" : " [mm]");
 }
 
-// Growths at once, each with a thread: all wheelsets of the traffic and the case's own stay in memory.
-int growthsAtOnce(const studies::StudyDefinition& definition, const cases::CaseOverrides& overrides,
-                  const cases::CaseDescription& description, int threads) {
+std::string workOf(const growth::GrowthOptions& growth) {
+  std::string work = "growth over " + megatonnes(growth.tonnage) + " Mt";
+  for (const auto& grinding : growth.grindings)
+    work +=
+        ", " + text::numberText(1e3 * grinding.depth) + " mm ground off after " + megatonnes(grinding.tonnage) + " Mt";
+  if (growth.untilDepth) work += ", limit " + text::numberText(1e3 * *growth.untilDepth) + " mm";
+  return work;
+}
+
+// A study is asked by --vary and --sample.
+[[noreturn]] void rethrowInOwnWords(const CaseError& error) {
+  auto problems = error.problems();
+  for (auto& problem : problems) {
+    if (problem.key.rfind("--vary", 0) == 0) problem.key.replace(0, 6, "--uncertain");
+    if (problem.key == "--sample") problem.key = "--growths";
+    if (problem.key == "-o")
+      problem.advice = "The folder holds another forecast: choose another --name, or remove that folder";
+  }
+  throw CaseError(problems);
+}
+
+// Threads and growths at once: the wheelsets of a growth and the case's own stay in memory together.
+studies::Sharing sharingFor(const ForecastPlan& plan) {
+  const auto first = studies::caseAt(plan.study, plan.overrides, studies::gridOf(plan.study).front());
+  const auto cost = studies::costOf(growth::growingCase(first));
   auto machine = studies::thisMachine();
-  if (threads > 0) machine.cores = std::min(machine.cores, threads);
-  const auto cost = studies::costOfARun(definition, overrides);
-  studies::Sharing wanted;
-  wanted.threads = 1;
-  return studies::shareMachine(machine, {cost.bytes * (description.growth.wheelsets + 1), 0, 0}, wanted).jobs;
+  if (plan.growth.threads > 0) machine.cores = std::min(machine.cores, plan.growth.threads);
+  const int wheelsets = first.growth.wheelsets + 1;
+  auto sharing = studies::shareMachine(machine, {cost.bytes * wheelsets, studies::kTrafficOfAThread,
+                                                 studies::kStateOfAnElement * static_cast<double>(cost.elements)});
+  const int growths = static_cast<int>(studies::gridOf(plan.study).size());
+  if (sharing.jobs > growths) sharing = {growths, std::max(1, machine.cores / growths)};
+  return sharing;
+}
+
+// The case is read anew for each growth: an edit in between would mix two cases in one table.
+void requireSameCase(const ForecastPlan& plan) {
+  const auto hash = cases::caseHash(cases::loadCase(plan.study.caseName, plan.overrides));
+  if (hash != plan.study.caseHash)
+    throw CaseError({{"case", plan.study.caseName + " (" + hash + ")",
+                      "the case that the forecast started with (" + plan.study.caseHash + ")",
+                      "The case was changed meanwhile: restore it, or choose another --name"}});
+}
+
+studies::FeatureRow rowOf(const growth::Growth& grown, const growth::GrowthOptions& options) {
+  const auto points = growth::forecastPoints(options);
+  const auto depths = growth::depthsAt(grown, points);
+  studies::FeatureRow row;
+  for (std::size_t i = 0; i < depths.size(); ++i) row.emplace_back(nameAt(points[i]), 1e3 * depths[i]);
+  if (!options.untilDepth) return row;
+  const auto passed = growth::firstPassage(grown, *options.untilDepth);
+  row.emplace_back(passage, passed ? *passed / growth::kilogramsInMegatonne : std::numeric_limits<double>::quiet_NaN());
+  return row;
+}
+
+growth::ForecastGrowth growthOf(const studies::FeatureRow& row, const std::vector<growth::ForecastPoint>& points) {
+  const auto valueOf = [&](const std::string& name) {
+    const auto found = std::find_if(row.begin(), row.end(), [&](const auto& feature) { return feature.first == name; });
+    return found == row.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  };
+  growth::ForecastGrowth grown;
+  for (const auto& point : points) grown.depths.push_back(1e-3 * valueOf(nameAt(point)));
+  if (const double passed = valueOf(passage); !std::isnan(passed))
+    grown.passedAt = passed * growth::kilogramsInMegatonne;
+  return grown;
 }
 
 }  // namespace
 
-studies::StudyDefinition forecastStudy(const CaseOptions& options, const ForecastRequest& request,
-                                       const growth::GrowthOptions& growth) {
+ForecastPlan forecastPlan(const std::string& caseName, const cases::CaseOverrides& overrides,
+                          const ForecastRequest& request, const growth::GrowthOptions& growth,
+                          const std::string& folder) {
   studies::StudyRequest points;
   points.variations = request.uncertain;
   points.sample = "latin-hypercube:" + std::to_string(request.growths);
-  auto definition = studies::studyOf(options.name, caseOverrides(options), points);
-  // The table of another tonnage or grinding is that of another study.
-  std::string traffic = definition.caseHash + " " + std::to_string(growth.tonnage);
-  for (const auto& grinding : growth.grindings)
-    traffic += " " + std::to_string(grinding.depth) + "@" + std::to_string(grinding.tonnage);
-  definition.caseHash = cases::shortHash(traffic);
-  return definition;
+  ForecastPlan plan{{}, overrides, growth, folder};
+  try {
+    plan.study = studies::studyOf(caseName, overrides, points);
+    plan.study.work = workOf(growth);
+    studies::readTable(plan.study, folder);
+  } catch (const CaseError& error) {
+    rethrowInOwnWords(error);
+  }
+  return plan;
 }
 
-std::optional<growth::Forecast> forecastGrowth(const CaseOptions& options, const studies::StudyDefinition& definition,
-                                               const growth::GrowthOptions& growth, const std::string& folder,
-                                               Monitor& monitor) {
-  const auto overrides = caseOverrides(options);
-  const auto tonnages = growth::forecastTonnages(growth.tonnage);
-  makeFolder(folder);
-  const FolderLock owner(folder, "squat grow " + options.name);
+std::optional<growth::Forecast> forecastGrowth(const ForecastPlan& plan, Monitor& monitor) {
+  makeFolder(plan.folder);
+  const FolderLock owner(plan.folder, "squat grow " + plan.study.caseName);
+  const auto sharing = sharingFor(plan);
   studies::StudyOptions study;
-  study.folder = folder;
-  study.jobs = growthsAtOnce(definition, overrides, readCase(options), growth.threads);
+  study.folder = plan.folder, study.jobs = sharing.jobs, study.retryFailed = true;
+  growth::GrowthOptions each = plan.growth;
+  each.checkpoint.clear(), each.finishedStage = {}, each.resume = false;
+  each.untilDepth.reset();  // each to the end of the traffic
+  each.threads = sharing.threads;
   const auto grow = [&](const studies::StudyPoint& point, Monitor& own) -> std::optional<studies::FeatureRow> {
-    growth::GrowthOptions alone;
-    alone.tonnage = growth.tonnage, alone.grindings = growth.grindings;
-    alone.threads = 1, alone.isa = growth.isa;
-    const auto grown = growth::grow(studies::caseAt(definition, overrides, point), alone, own);
+    requireSameCase(plan);
+    giveBackFreeMemory();
+    const auto grown = growth::grow(studies::caseAt(plan.study, plan.overrides, point), each, own);
     if (!grown.complete) return {};
-    const auto depths = growth::depthsAt(grown, tonnages);
-    studies::FeatureRow row;
-    for (std::size_t i = 0; i < depths.size(); ++i) row.emplace_back(nameAt(tonnages[i]), 1e3 * depths[i]);
-    return row;
+    return rowOf(grown, plan.growth);
   };
-  const auto table = studies::runStudy(definition, grow, study, monitor);
+  const auto table = studies::runStudy(plan.study, grow, study, monitor);
   if (table.count(studies::RowState::open) > 0) return {};
-  std::vector<std::vector<double>> depths;
-  for (const auto& row : table.rows) {
-    if (row.state != studies::RowState::done) {
-      monitor.message("failed: " + studies::toText(definition, row.point) + ": " + row.message);
-      continue;
-    }
-    auto& own = depths.emplace_back();
-    for (const double tonnage : tonnages) {
-      const auto name = nameAt(tonnage);
-      const auto found = std::find_if(row.features.begin(), row.features.end(),
-                                      [&](const auto& feature) { return feature.first == name; });
-      own.push_back(found == row.features.end() ? std::numeric_limits<double>::quiet_NaN() : 1e-3 * found->second);
-    }
-  }
-  return growth::forecastFrom(tonnages, depths, growth.untilDepth);
+  const auto points = growth::forecastPoints(plan.growth);
+  std::vector<growth::ForecastGrowth> growths;
+  for (const auto& row : table.rows)
+    if (row.state == studies::RowState::done) growths.push_back(growthOf(row.features, points));
+  return growth::forecastFrom(points, growths, plan.growth.untilDepth, table.rows.size());
 }
 
 }  // namespace squat::commands

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "commands/CaseOptions.h"
+#include "case/CaseFile.h"
+#include "core/Monitor.h"
 #include "growth/Forecast.h"
 #include "studies/StudyGrid.h"
 
@@ -16,14 +17,21 @@ struct ForecastRequest {
   int growths = 8;
 };
 
-// Which growths: read before anything is computed. Throws CaseError for keys and limits that cannot be.
-studies::StudyDefinition forecastStudy(const CaseOptions& options, const ForecastRequest& request,
-                                       const growth::GrowthOptions& growth);
+// Everything that decides on a forecast.
+struct ForecastPlan {
+  studies::StudyDefinition study;
+  cases::CaseOverrides overrides;
+  growth::GrowthOptions growth;
+  std::string folder;  // of the table of growths
+};
 
-// In `folder` a table has the depths of each growth; those that stand there are not computed again. Nothing where it
-// was cancelled.
-std::optional<growth::Forecast> forecastGrowth(const CaseOptions& options, const studies::StudyDefinition& study,
-                                               const growth::GrowthOptions& growth, const std::string& folder,
-                                               Monitor& monitor);
+// Looks at the request and at what stands in the folder before anything is computed. Throws CaseError for keys and
+// limits that cannot be, and for a folder with the table of another forecast; FileError.
+ForecastPlan forecastPlan(const std::string& caseName, const cases::CaseOverrides& overrides,
+                          const ForecastRequest& request, const growth::GrowthOptions& growth,
+                          const std::string& folder);
+
+// Growths whose depths stand in the table are not computed again, failed ones are. Nothing where it was cancelled.
+std::optional<growth::Forecast> forecastGrowth(const ForecastPlan& plan, Monitor& monitor);
 
 }  // namespace squat::commands

@@ -38,10 +38,11 @@ class QuietMonitor : public Monitor {
 class Growing {
  public:
   Growing(const cases::CaseDescription& description, const GrowthOptions& options, Monitor& monitor)
-      : options_(options),
+      : bandHalfWidth_(description.mesh.bandHalfWidth),
+        options_(options),
         monitor_(monitor),
         quiet_(monitor),
-        description_(description),
+        description_(growingCase(description)),
         traffic_(description_, options.threads, options.isa, quiet_) {}
 
   Growth run();
@@ -53,12 +54,13 @@ class Growing {
   bool stage(bool ground);
   double nextEvent() const;
   bool isStage() const;
-  double chosenBlock() const;
+  double possibleBlock() const;
   void report(const char* phase);
   void reportRelease(double share);
   void keep();
   Growth result(bool complete) const;
 
+  double bandHalfWidth_;
   const GrowthOptions& options_;
   Monitor& monitor_;
   QuietMonitor quiet_;
@@ -97,6 +99,7 @@ void learnRelaxation(const Field& changed, const Field& before, const Field& now
 // Until `remaining` has rolled, if each block is `factor` times as long as the one before it, which was `last` long.
 double blocksLeft(double remaining, double last, double factor) {
   constexpr double steady = 1.01;
+  if (remaining <= 0) return 0;
   if (factor < steady) return remaining / (last * factor);
   return std::log1p(remaining * (factor - 1) / (last * factor)) / std::log(factor);
 }
@@ -117,7 +120,7 @@ void Growing::report(const char* phase) {
   const std::chrono::duration<double> spent = Clock::now() - reported_;
   if (const double last = rail_.tonnage - tonnageReported_; last > 0)
     progress.remainingSeconds = spent.count() * blocksLeft(options_.tonnage - rail_.tonnage, last,
-                                                           chosenBlock() * traffic_.massPerPassage() / last);
+                                                           possibleBlock() * traffic_.massPerPassage() / last);
   reported_ = Clock::now(), tonnageReported_ = rail_.tonnage;
   monitor_.report(progress);
 }
@@ -173,8 +176,8 @@ bool Growing::isStage() const {
          rail_.tonnage >= last + longestStage * options_.tonnage;
 }
 
-// As long as error, largest change and next event allow.
-double Growing::chosenBlock() const {
+// As long as error, largest change and the whole traffic allow.
+double Growing::possibleBlock() const {
   const double all = static_cast<double>(traffic_.wheelsets().size());
   const double allowed = description_.growth.blockChange;
   double passages = rail_.block;
@@ -185,8 +188,7 @@ double Growing::chosenBlock() const {
     return largest(relativeShape(traffic_.grid(), by));
   };
   while (passages > all && change(passages) > allowed) passages = std::max(all, 0.8 * passages);
-  passages = std::min(std::max(passages, all), longestBlock * options_.tonnage / traffic_.massPerPassage());
-  return std::min(passages, (nextEvent() - rail_.tonnage) / traffic_.massPerPassage());
+  return std::min(std::max(passages, all), longestBlock * options_.tonnage / traffic_.massPerPassage());
 }
 
 // One block: what most of its wheelsets do follows from the rates, then those of the traffic roll. False where it was
@@ -247,8 +249,9 @@ bool Growing::growOn() {
       ++rail_.grindings;
       rail_.block = static_cast<double>(traffic_.wheelsets().size());
       if (!stage(true) || !traffic_.rollOver(rail_)) return false;
-    } else if (!block(chosenBlock()) || (isStage() && !stage(false))) {
-      return false;
+    } else {
+      const double untilEvent = (nextEvent() - rail_.tonnage) / traffic_.massPerPassage();
+      if (!block(std::min(possibleBlock(), untilEvent)) || (isStage() && !stage(false))) return false;
     }
     keep();
   }
@@ -258,6 +261,7 @@ bool Growing::growOn() {
 Growth Growing::result(bool complete) const {
   Growth growth;
   growth.description = description_;
+  growth.bandHalfWidth = bandHalfWidth_;
   growth.traffic = traffic_.draws();
   for (const auto& wheelset : traffic_.wheelsets()) {
     growth.speeds.push_back(wheelset->speed());
@@ -286,14 +290,16 @@ Growth Growing::run() {
 void requireSense(const GrowthOptions& options) {
   std::vector<CaseProblem> problems;
   if (!(options.tonnage > 0))
-    problems.push_back({"--tonnage", std::to_string(options.tonnage * 1e-9), "more than 0 Mt", "State the traffic"});
+    problems.push_back(
+        {"--tonnage", std::to_string(options.tonnage / kilogramsInMegatonne), "more than 0 Mt", "State the traffic"});
   double last = 0;
   for (const auto& grinding : options.grindings) {
     if (!(grinding.depth > 0) || !(grinding.tonnage > last) || !(grinding.tonnage < options.tonnage))
-      problems.push_back({"--grind",
-                          std::to_string(grinding.depth * 1e3) + "@" + std::to_string(grinding.tonnage * 1e-9) + "Mt",
-                          "a depth above 0 mm at a tonnage above 0, behind the grinding before and before the end",
-                          "Write for example 0.2@10Mt"});
+      problems.push_back(
+          {"--grind",
+           std::to_string(grinding.depth * 1e3) + "@" + std::to_string(grinding.tonnage / kilogramsInMegatonne) + "Mt",
+           "a depth above 0 mm at a tonnage above 0, behind the grinding before and before the end",
+           "Write for example 0.2@10Mt"});
     last = grinding.tonnage;
   }
   if (!problems.empty()) throw CaseError(problems);
@@ -303,7 +309,7 @@ void requireSense(const GrowthOptions& options) {
 
 Growth grow(const cases::CaseDescription& description, const GrowthOptions& options, Monitor& monitor) {
   requireSense(options);
-  Growing growing(growingCase(description), options, monitor);
+  Growing growing(description, options, monitor);
   return growing.run();
 }
 

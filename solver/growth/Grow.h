@@ -42,6 +42,7 @@ struct Growth {
   std::vector<Draw> traffic;
   std::vector<double> speeds, wheelLoads;  // [m/s], [N] of each
   std::vector<double> x, y;                // [m] of the nodes
+  double bandHalfWidth = 0;                // [m] mesh.band_half_width as the case stated it
   double line = 0;                         // [m] y on which the case's own wheel runs
   double massPerPassage = 0;               // [kg]
   std::vector<Stage> stages;               // the first before any traffic
@@ -53,7 +54,9 @@ struct Growth {
 };
 
 // The case with a mesh that is fine where the defect grows: 50 mm before it and 120 mm behind, where mesh.zone_before
-// and mesh.zone_behind do not say otherwise, a fine band as much wider as wheels wander, and a run-up that ends before.
+// and mesh.zone_behind do not say otherwise, a fine band as much wider as wheels wander, a run-up of 0.4 m that ends
+// before, and a torque that takes 8 ms to grow. Throws CaseError for a zone that does not hold the defect and, on both
+// sides, rail on which changes fade out.
 cases::CaseDescription growingCase(cases::CaseDescription description);
 
 // What stands so far where it was cancelled (complete == false). Throws CaseError, RunError, FileError.

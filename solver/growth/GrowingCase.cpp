@@ -17,9 +17,11 @@ void requireRoom(const cases::CaseDescription& c, const DefectExtent& extent) {
   const auto require = [&](const char* key, double stated, double least) {
     constexpr double rounding = 1e-9;
     if (stated >= least - rounding) return;
-    problems.push_back({key, text::fixedText(1e3 * stated, 2) + " mm",
-                        "at least " + text::fixedText(1e3 * least, 1) + " mm",
-                        "The stretch that grows has to hold the defect and undisturbed rail on both sides"});
+    problems.push_back(
+        {key, text::fixedText(1e3 * stated, 2) + " mm",
+         "at least " + text::fixedText(std::ceil(1e4 * least) / 10, 1) + " mm",
+         "The stretch that grows has to hold the defect and undisturbed rail on both sides: raise it, or "
+         "leave it out"});
   };
   require("mesh.zone_before", c.mesh.zoneBefore, before);
   require("mesh.zone_behind", c.mesh.zoneBehind, behind);

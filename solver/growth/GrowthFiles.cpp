@@ -106,6 +106,9 @@ cases::CaseDescription grownCase(const Growth& growth) {
   }
   const double tonnage = million * growth.stages.back().tonnage;
   grown.title = growth.description.title + " after " + std::to_string(std::lround(tonnage)) + " Mt";
+  // Its defect reaches over the whole stretch: the mesh follows it by itself.
+  grown.mesh.zoneBefore = grown.mesh.zoneBehind = 0;
+  grown.mesh.bandHalfWidth = growth.bandHalfWidth;
   grown.rail.plasticFrom = grown.rail.plasticTo = grown.rail.plasticMiddle = 0;
   return grown;
 }
@@ -120,7 +123,12 @@ ForecastFiles forecastFiles(const std::string& folder, const std::string& stem) 
 
 std::vector<std::string> growthFiles(const std::string& folder, const std::string& stem) {
   const auto base = folder + "/" + stem;
-  return {base + "-growth.csv", base + "-growth.h5", base + "-grown.toml", forecastFiles(folder, stem).table,
+  return {base + "-growth.csv",
+          base + "-growth.h5",
+          base + "-grown.toml",
+          forecastFiles(folder, stem).table,
+          forecastFiles(folder, stem).folder + "/study.csv",
+          forecastFiles(folder, stem).folder + "/study.json",
           growthCheckpoint(folder, stem)};
 }
 

@@ -29,9 +29,8 @@ cases::CaseDescription grownCase(const Growth& growth);
 
 // Paths that a call may write, the checkpoint among them.
 std::vector<std::string> growthFiles(const std::string& folder, const std::string& stem);
-// STEM-forecast.csv, and the folder whose table has the depths of each growth.
 struct ForecastFiles {
-  std::string table, growths;
+  std::string table, folder;  // STEM-forecast.csv; STEM-forecast, whose study.csv has the depths of each growth
 };
 ForecastFiles forecastFiles(const std::string& folder, const std::string& stem);
 std::string growthCheckpoint(const std::string& folder, const std::string& stem);

@@ -14,7 +14,7 @@
 namespace squat::growth {
 
 // [m] at the ends of the stretch that changes: over `fadingLength` changes fade in and out, over `endEffect` what
-// wheels do is not yet what they do farther in. The reference stretch lies behind both.
+// wheels do is not yet what they do farther in. The reference stretch begins behind that, as long as the fading.
 inline constexpr double fadingLength = 0.030, endEffect = 0.015;
 
 class RollingTraffic {

@@ -1,5 +1,6 @@
 #include "growth/SurfaceSeries.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/Errors.h"
@@ -16,10 +17,15 @@ SurfaceSeries surfaceSeriesFrom(const results::ArrayTree& tree, const std::strin
   SurfaceSeries series{values("/surface/x"), values("/surface/y"), values("/stages/tonnage"), {}};
   const auto& heights = results::valuesOf<float>(tree, "/surface/height", path);
   const std::size_t each = series.x.size() * series.y.size();
-  if (series.x.size() < 2 || series.y.size() < 2 || heights.size() != each * series.tonnage.size())
+  if (series.x.size() < 2 || series.y.size() < 2 || series.tonnage.empty() ||
+      heights.size() != each * series.tonnage.size())
     throw FileError(path, "/surface/height", "has a wrong size");
-  for (const float height : heights)
-    if (!std::isfinite(height)) throw FileError(path, "/surface/height", "holds values that are no numbers");
+  const auto isNumber = [](double value) { return std::isfinite(value); };
+  for (const auto* own : {&series.x, &series.y, &series.tonnage})
+    if (!std::all_of(own->begin(), own->end(), isNumber) || !std::is_sorted(own->begin(), own->end()))
+      throw FileError(path, "/surface", "holds positions or tonnages that do not ascend");
+  if (!std::all_of(heights.begin(), heights.end(), isNumber))
+    throw FileError(path, "/surface/height", "holds values that are no numbers");
   for (std::size_t i = 0; i < series.tonnage.size(); ++i)
     series.height.emplace_back(heights.begin() + static_cast<std::ptrdiff_t>(i * each),
                                heights.begin() + static_cast<std::ptrdiff_t>((i + 1) * each));

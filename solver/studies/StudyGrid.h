@@ -28,6 +28,7 @@ struct StudyDefinition {
   std::vector<Variation> variations;
   bool isList = false;       // the n-th values of all keys are one point; else every combination of them
   std::string program = {};  // version of the program; empty: not known
+  std::string work = {};     // what is computed at each point, in words; empty: a run
   std::string start = {};    // what the runs have in common besides the case (SharedStart); empty: nothing
 };
 

@@ -28,6 +28,7 @@ Json identityOf(const StudyDefinition& definition) {
             {"case_hash", definition.caseHash},
             {"anchor", kStudyAnchor}};
   if (!definition.program.empty()) json["code_version"] = definition.program;
+  if (!definition.work.empty()) json["work"] = definition.work;
   if (definition.isList) json["design"] = "list";
   json["vary"] = Json::array();
   for (const auto& variation : definition.variations)
@@ -70,7 +71,7 @@ bool samePoints(const Json& one, const Json& other) {
 void requireSameStudy(const Json& found, const Json& own, const std::string& path) {
   if (!found.is_object() || !found.contains("case_hash") || !found.contains("vary"))
     throw FileError(path, "", "is not the file of a study", "Restore it, or choose another folder with -o");
-  if (found["case_hash"] != own["case_hash"])
+  if (found["case_hash"] != own["case_hash"] || found.value("work", "") != own.value("work", ""))
     refuseFolder(path, "the file of the same case and values", "The folder holds another study: choose another one");
   if (const auto version = versionIn(found); !version.empty() && version != versionIn(own))
     refuseFolder(

@@ -24,6 +24,7 @@ using ::testing::HasSubstr;
 Growth smallGrowth() {
   Growth growth;
   growth.description = growingCase(tests::growingDefect());
+  growth.bandHalfWidth = tests::growingDefect().mesh.bandHalfWidth;
   growth.traffic = {{0.001, 1.1, 0.9, 0.02}};
   growth.speeds = {27}, growth.wheelLoads = {95000};
   growth.x = {-0.01, 0, 0.01}, growth.y = {-0.005, 0.005};
@@ -81,6 +82,16 @@ TEST(GrowthFiles, TheGrownCaseHasTheLastSurface) {
   EXPECT_NEAR(scenario.defectSurface.height(0, -0.005), -2e-4, 1e-12);
   EXPECT_NEAR(scenario.defectSurface.height(0, 0.005), -1.5e-4, 1e-12);
   EXPECT_EQ(scenario.rail.plasticTo, 0);
+}
+
+// A rail that has grown can grow on: its defect reaches over the whole stretch, and the mesh over more.
+TEST(GrowthFiles, AGrownCaseGrowsOn) {
+  const tests::TemporaryFolder folder;
+  const auto written = writeGrowthFiles(smallGrowth(), folder.path(), "dip");
+  const auto grown = cases::readCase(written[2]), again = growingCase(grown);
+  EXPECT_EQ(grown.mesh.bandHalfWidth, tests::growingDefect().mesh.bandHalfWidth);
+  EXPECT_LE(again.mesh.zoneBehind, 0.01 + 0.15);
+  EXPECT_GE(again.mesh.zoneBefore, 0.01 + fadingLength + endEffect);
 }
 
 TEST(GrowthFiles, TheSummarySaysWhatHasChanged) {

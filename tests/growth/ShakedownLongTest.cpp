@@ -66,15 +66,16 @@ TEST(RolledRail, TheWheelStopsYieldingATenthBelowTheLimit) {
   const auto added = strainOfPassages(0.9, passages);
   ASSERT_EQ(added.size(), static_cast<std::size_t>(passages));
   ASSERT_GT(added.front(), 1e-3);
-  for (std::size_t i = 1; i < added.size(); ++i) EXPECT_LT(added[i], 0.75 * added[i - 1]) << i;
+  for (std::size_t i = 1; i < added.size(); ++i) EXPECT_LE(added[i], 0.75 * added[i - 1]) << i;
 }
 
-// It settles at a strain that each passage adds: the last two differ by less than 2 %.
+// It settles at a strain that each passage adds: the last two differ by less than 2 %, and it is of the size of the
+// first (a third at least; below the limit it would have fallen to 0.75^11 of it, 4 %).
 TEST(RolledRail, TheWheelYieldsInEachPassageATenthAboveTheLimit) {
   const auto added = strainOfPassages(1.1, passages);
   ASSERT_EQ(added.size(), static_cast<std::size_t>(passages));
-  EXPECT_GT(added.back(), 0.3 * added.front());
-  EXPECT_GT(added.back(), 0.98 * added[added.size() - 2]);
+  EXPECT_GT(added.back(), added.front() / 3);
+  EXPECT_NEAR(added.back(), added[added.size() - 2], 0.02 * added.back());
 }
 
 }  // namespace

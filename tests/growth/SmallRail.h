@@ -6,6 +6,7 @@
 #include "case/Resolve.h"
 #include "growth/Grow.h"
 #include "growth/RailSurface.h"
+#include "growth/RollingTraffic.h"
 #include "model/Model.h"
 
 namespace squat::tests {
@@ -26,8 +27,8 @@ inline const model::Model& smallModel() {
 
 inline growth::SurfaceGrid smallGrid() {
   auto grid = growth::surfaceGrid(smallModel(), -0.07, 0.11);
-  grid.taper = 0.03;
-  grid.referenceFrom = grid.x.front() + 0.015, grid.referenceTo = grid.x.front() + 0.045;
+  grid.taper = growth::fadingLength;
+  grid.referenceFrom = grid.x.front() + growth::endEffect, grid.referenceTo = grid.referenceFrom + growth::fadingLength;
   return grid;
 }
 

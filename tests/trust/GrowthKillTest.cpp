@@ -1,6 +1,7 @@
 // A growth that is killed between two blocks goes on with the same bits, and the program keeps what it should.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -63,7 +64,7 @@ TEST(GrowthProgram, KilledAndResumedItHasTheSameBits) {
         << name;
 }
 
-// A forecast grows the rail again with other inputs; its table is kept, so that a repeated call computes nothing anew.
+// A forecast grows the rail again with other inputs.
 TEST(GrowthProgram, ForecastsBetweenLimits) {
   const TemporaryFolder folder;
   const std::vector<std::string> words{"grow",         "light-defect",
@@ -82,15 +83,26 @@ TEST(GrowthProgram, ForecastsBetweenLimits) {
   // A depth from each half of the range; wear changes nothing that could be seen in 1,000 tonnes.
   EXPECT_THAT(output, HasSubstr("Forecast from 2 growths"));
   const auto table = bytesOf(folder / "light-defect-forecast.csv");
-  double tonnage = 0, lowest = 0, median = 0, highest = 0;
+  const auto growths = bytesOf(folder / "light-defect-forecast/study.csv");
+  double tonnage = 0, ground = 0, lowest = 0, median = 0, highest = 0;
   const auto last = table.substr(table.rfind('\n', table.size() - 2) + 1);
-  ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf,%lf", &tonnage, &lowest, &median, &highest), 4) << last;
+  ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf,%lf,%lf", &tonnage, &ground, &lowest, &median, &highest), 5) << last;
   EXPECT_EQ(tonnage, 0.001);
   EXPECT_GT(lowest, 0.0999);
   EXPECT_LT(lowest, 0.1501);
   EXPECT_GT(highest, 0.1499);
   EXPECT_LT(highest, 0.2001);
   EXPECT_NEAR(median, 0.5 * (lowest + highest), 1e-9);
+
+  // The table of growths stands: the forecast is put together again, and another one is refused before it is computed.
+  ASSERT_EQ(call(words, &output), 0);
+  EXPECT_THAT(output, HasSubstr("Forecast from 2 growths"));
+  EXPECT_EQ(bytesOf(folder / "light-defect-forecast.csv"), table);
+  EXPECT_EQ(bytesOf(folder / "light-defect-forecast/study.csv"), growths);
+  auto other = words;
+  *std::find(other.begin(), other.end(), "0.001") = "0.002";
+  EXPECT_EQ(call(other, &output), 2);
+  EXPECT_THAT(output, HasSubstr("The folder holds another forecast"));
 
   EXPECT_EQ(call({"grow", "light-defect", "--tonnage", "1", "--uncertain", "defect.depht=0.1:0.2"}, &output), 2);
   EXPECT_THAT(output, HasSubstr("defect.depth"));

@@ -159,7 +159,6 @@ std::unique_ptr<Figure> historyMap(const Growth& growth, const Style& style) {
   return changeFigure(growth,
                       {QStringLiteral("growth_history"), QStringLiteral("Traffic [Mt]"), 0, tonnage.back(), perMillion,
                        [&](double x, double at) {
-                         if (tonnage.size() < 2) return 0.0;
                          const auto stage = placeIn(tonnage, at);
                          return (1 - stage.share) * changeAt(growth, growth.shapes[stage.index], x, growth.line) +
                                 stage.share * changeAt(growth, growth.shapes[stage.index + 1], x, growth.line);
@@ -217,7 +216,7 @@ FigureSheet growthFigure(const Growth& growth, const std::string& stem, const St
   FigureSheet sheet{stem + "_growth", {}, 2};
   sheet.panels.push_back(profileFigure(growth, style));
   sheet.panels.push_back(changeMap(growth, style));
-  sheet.panels.push_back(historyMap(growth, style));
+  if (growth.stages.size() > 1) sheet.panels.push_back(historyMap(growth, style));
   sheet.panels.push_back(depthFigure(growth, style));
   sheet.panels.push_back(responseFigure(growth, style));
   if (growth.stages.back().strainedDepth > 0) sheet.panels.push_back(strainFigure(growth, style));
@@ -247,14 +246,15 @@ FigureSheet forecastFigure(const growth::Forecast& forecast, const std::string& 
   auto figure = std::make_unique<Figure>(QStringLiteral("forecast"), style);
   figure->xAxis->setLabel(QStringLiteral("Traffic [Mt]"));
   figure->yAxis->setLabel(QStringLiteral("Depth of the dip [mm]"));
-  const auto t = scaled(forecast.tonnage, perMillion);
+  std::vector<double> t;
+  for (const auto& point : forecast.points) t.push_back(perMillion * point.tonnage);
   addCurve(*figure, {t, scaled(forecast.median, millimetres), QStringLiteral("median"), 0, 1.5});
   addCurve(*figure, {t, scaled(forecast.lowest, millimetres), QStringLiteral("lowest"), 1, 1.0, Qt::DashLine});
   addCurve(*figure, {t, scaled(forecast.highest, millimetres), QStringLiteral("highest"), 2, 1.0, Qt::DashLine});
   if (forecast.limit)
     addCurve(*figure, {t, std::vector<double>(t.size(), millimetres * *forecast.limit), QStringLiteral("limit"), 3, 1.0,
                        Qt::DotLine});
-  figure->xAxis->setRange(0, t.back());
+  figure->xAxis->setRange(0, std::max(t.back(), 1e-6));
   fitValues(*figure);
   keepZeroInSight(*figure);
   FigureSheet sheet{stem + "_forecast", {}, 1};

@@ -6,6 +6,7 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
+#include "analysis/AnalysisFiles.h"
 #include "growth/Grow.h"
 #include "scene/VtkCollection.h"
 
@@ -43,10 +44,11 @@ vtkSmartPointer<vtkUnstructuredGrid> stageGrid(const growth::SurfaceSeries& seri
 
 std::vector<std::string> writeGrowthSeries(const growth::SurfaceSeries& series, const std::string& stem,
                                            const std::string& folder) {
-  VtkCollection collection(folder, stem);
+  const std::string name = analysis::safeFileName(stem);
+  VtkCollection collection(folder, name);
   for (std::size_t stage = 0; stage < series.tonnage.size(); ++stage)
     collection.add(stageGrid(series, stage), series.tonnage[stage] / growth::kilogramsInMegatonne, 0,
-                   numberedName(stem, stage));
+                   numberedName(name, stage));
   return collection.finish();
 }
 

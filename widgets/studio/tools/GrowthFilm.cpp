@@ -41,8 +41,8 @@ GrowthFilm::GrowthFilm(const plots::Style& style, QWidget* parent)
   connect(&timer_, &QTimer::timeout, this, &GrowthFilm::advance);
 }
 
-void GrowthFilm::show(std::shared_ptr<const growth::Growth> growth) {
-  timer_.stop();
+void GrowthFilm::showGrowth(std::shared_ptr<const growth::Growth> growth) {
+  stop();
   growth_ = std::move(growth);
   const int last = static_cast<int>(growth_->stages.size()) - 1;
   stage_->setEnabled(last > 0), play_->setEnabled(last > 0);
@@ -74,14 +74,20 @@ void GrowthFilm::draw() {
 }
 
 void GrowthFilm::play() {
-  if (timer_.isActive()) return timer_.stop();
+  if (timer_.isActive()) return stop();
   if (stage_->value() == stage_->maximum()) stage_->setValue(0);
+  play_->setText(tr("&Pause"));
   timer_.start();
 }
 
+void GrowthFilm::stop() {
+  timer_.stop();
+  play_->setText(tr("&Play"));
+}
+
 void GrowthFilm::advance() {
-  if (stage_->value() == stage_->maximum()) return timer_.stop();
   stage_->setValue(stage_->value() + 1);
+  if (stage_->value() == stage_->maximum()) stop();
 }
 
 }  // namespace squat::studio

@@ -24,12 +24,13 @@ class GrowthFilm : public QWidget {
  public:
   explicit GrowthFilm(const plots::Style& style, QWidget* parent = nullptr);
 
-  void show(std::shared_ptr<const growth::Growth> growth);  // at its last stage
+  void showGrowth(std::shared_ptr<const growth::Growth> growth);  // at its last stage
   void setStyle(const plots::Style& style);
 
  private:
   void draw();
   void play();
+  void stop();
   void advance();
 
   plots::Style style_;

@@ -48,7 +48,7 @@ ToolResult computeGrowth(GrowthChoice choice, const ToolInput& input, Monitor& m
   result.foundCase = result.files.back();
   if (found->complete) results::removeCheckpoint(options.checkpoint);
   result.show = [found, film = choice.film] {
-    if (film) film->show(found);
+    if (film) film->showGrowth(found);
   };
   result.figures = [found, name = input.name](const plots::Style& style) {
     std::vector<plots::FigureSheet> sheets;
