@@ -17,7 +17,7 @@ plasticity::LayerForces forcesOf(const PassingWheelset& wheelset, plasticity::La
 
 }  // namespace
 
-RollingTraffic::RollingTraffic(const cases::CaseDescription& description, int threads, std::string isa,
+RollingTraffic::RollingTraffic(const cases::CaseDescription& description, int threads, const std::string& isa,
                                Monitor& monitor)
     : description_(description), monitor_(monitor), draws_(drawTraffic(description.growth)) {
   for (const auto& draw : draws_) {

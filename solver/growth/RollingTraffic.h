@@ -20,7 +20,7 @@ inline constexpr double fadingLength = 0.030, endEffect = 0.015;
 class RollingTraffic {
  public:
   // `description` as growingCase() makes it. Keeps a reference to the monitor.
-  RollingTraffic(const cases::CaseDescription& description, int threads, std::string isa, Monitor& monitor);
+  RollingTraffic(const cases::CaseDescription& description, int threads, const std::string& isa, Monitor& monitor);
 
   // Meshes, equilibria and run-ups of all; `done` gets the share of them that is. False where it was cancelled.
   bool release(const std::function<void(double)>& done);

@@ -12,7 +12,7 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-Growth growthWith(std::vector<std::pair<double, double>> depths) {  // [Mt], [mm]
+Growth growthWith(const std::vector<std::pair<double, double>>& depths) {  // [Mt], [mm]
   Growth growth;
   for (const auto& [tonnage, depth] : depths) {
     growth.stages.emplace_back();

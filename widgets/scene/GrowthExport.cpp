@@ -30,7 +30,7 @@ vtkSmartPointer<vtkUnstructuredGrid> stageGrid(const growth::SurfaceSeries& seri
   for (std::size_t s = 0; s + 1 < series.x.size(); ++s)
     for (std::size_t line = 0; line + 1 < lines; ++line) {
       const auto at = [&](std::size_t ds, std::size_t dl) {
-        return static_cast<vtkIdType>((s + ds) * lines + line + dl);
+        return static_cast<vtkIdType>(s + ds) * static_cast<vtkIdType>(lines) + static_cast<vtkIdType>(line + dl);
       };
       const vtkIdType corners[4] = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
       grid->InsertNextCell(VTK_QUAD, 4, corners);
