@@ -59,7 +59,7 @@ double depthFrom(const std::string& words) {
 // A checkpoint is hours of work: it is not replaced unasked.
 void keepCheckpoint(const GrowCommandOptions& options, const std::string& path) {
   if (options.growth.resume || !std::filesystem::exists(path)) return;
-  throw CaseError({{"-o", path, "a folder without the checkpoint of a growth that was stopped",
+  throw CaseError({{"-o", path, "a folder without the checkpoint of an unfinished growth or forecast",
                     "Resume it with --resume, choose another folder or --name, or remove the file"}});
 }
 
@@ -77,6 +77,8 @@ int writeForecast(const GrowCommandOptions& options, const ForecastPlan& plan, T
   const auto path = growth::forecastFiles(options.folder, stem).table;
   writeDurably(path, growth::forecastTable(*forecast));
   std::printf("\n%s\nwritten:\n  %s\n", growth::forecastText(*forecast).c_str(), path.c_str());
+  if (forecast->growths < forecast->asked)
+    std::fprintf(stderr, "some growths failed: repeat the call with --resume to compute them again\n");
   if (forecast->growths == 0) return kRunFailed;
   for (const auto& figure : writeForecastFigure(*forecast, stem, options.folder, options.figures))
     std::printf("  %s\n", figure.c_str());
@@ -97,9 +99,9 @@ int grow(GrowCommandOptions options) {
     plan = forecastPlan(options.caseOptions.name, caseOverrides(options.caseOptions), options.forecast, growth,
                         growth::forecastFiles(folder, stem).folder);
   growth.checkpoint = growth::growthCheckpoint(folder, stem);
-  keepCheckpoint(options, growth.checkpoint);
   const OutputFolder output(folder);
   const FolderLock owner(folder, "squat grow " + options.caseOptions.name);
+  keepCheckpoint(options, growth.checkpoint);
   const InterruptGuard interrupt;
   TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
   growth.finishedStage = [&](const growth::Stage& stage) { monitor.message(growth::stageLine(stage)); };
@@ -126,7 +128,7 @@ void addGrowCommand(CLI::App& program, Action& action) {
   addCaseOptions(*command, options->caseOptions);
   addName(*command, options->caseOptions);
   command->add_option("--tonnage", options->tonnage, "Traffic in millions of tonnes")->required()->type_name("MT");
-  command->add_option("--until", options->until, "End as soon as the dip is so deep, in mm")->type_name("depth=MM");
+  command->add_option("--until", options->until, "End once the dip is this deep, in mm")->type_name("depth=MM");
   command
       ->add_option("--grind", options->grind,
                    "Take this many mm off the whole rail after so many millions of tonnes: 0.2@10Mt; repeatable")

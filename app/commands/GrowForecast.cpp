@@ -40,24 +40,38 @@ std::string workOf(const growth::GrowthOptions& growth) {
   for (auto& problem : problems) {
     if (problem.key.rfind("--vary", 0) == 0) problem.key.replace(0, 6, "--uncertain");
     if (problem.key == "--sample") problem.key = "--growths";
-    if (problem.key == "-o")
+    if (problem.advice.starts_with("The folder holds another study"))
       problem.advice = "The folder holds another forecast: choose another --name, or remove that folder";
   }
   throw CaseError(problems);
 }
 
-// Threads and growths at once: the wheelsets of a growth and the case's own stay in memory together.
-studies::Sharing sharingFor(const ForecastPlan& plan) {
-  const auto first = studies::caseAt(plan.study, plan.overrides, studies::gridOf(plan.study).front());
-  const auto cost = studies::costOf(growth::growingCase(first));
+// Of the first point that can be grown; others become failed rows. Throws CaseError where there is none.
+cases::CaseDescription firstCase(const ForecastPlan& plan) {
+  std::optional<CaseError> refused;
+  for (const auto& point : studies::gridOf(plan.study)) {
+    try {
+      return growth::growingCase(studies::caseAt(plan.study, plan.overrides, point));
+    } catch (const CaseError& error) {
+      if (!refused) refused = error;
+    }
+  }
+  throw CaseError(refused->problems());
+}
+
+// The wheelsets of a growth and the case's own stay in memory together.
+void shareMachine(ForecastPlan& plan) {
+  const auto description = firstCase(plan);
+  const auto cost = studies::costOf(description);
   auto machine = studies::thisMachine();
   if (plan.growth.threads > 0) machine.cores = std::min(machine.cores, plan.growth.threads);
-  const int wheelsets = first.growth.wheelsets + 1;
-  auto sharing = studies::shareMachine(machine, {cost.bytes * wheelsets, studies::kTrafficOfAThread,
-                                                 studies::kStateOfAnElement * static_cast<double>(cost.elements)});
+  const int wheelsets = description.growth.wheelsets + 1;
+  const auto sharing =
+      studies::shareMachine(machine, {cost.bytes * wheelsets, studies::kTrafficOfAThread,
+                                      studies::kStateOfAnElement * static_cast<double>(cost.elements)});
   const int growths = static_cast<int>(studies::gridOf(plan.study).size());
-  if (sharing.jobs > growths) sharing = {growths, std::max(1, machine.cores / growths)};
-  return sharing;
+  plan.jobs = std::min(sharing.jobs, growths);
+  plan.threads = sharing.jobs > growths ? std::max(1, machine.cores / growths) : sharing.threads;
 }
 
 // The case is read anew for each growth: an edit in between would mix two cases in one table.
@@ -100,7 +114,8 @@ ForecastPlan forecastPlan(const std::string& caseName, const cases::CaseOverride
   studies::StudyRequest points;
   points.variations = request.uncertain;
   points.sample = "latin-hypercube:" + std::to_string(request.growths);
-  ForecastPlan plan{{}, overrides, growth, folder};
+  ForecastPlan plan;
+  plan.overrides = overrides, plan.growth = growth, plan.folder = folder;
   try {
     plan.study = studies::studyOf(caseName, overrides, points);
     plan.study.work = workOf(growth);
@@ -108,19 +123,19 @@ ForecastPlan forecastPlan(const std::string& caseName, const cases::CaseOverride
   } catch (const CaseError& error) {
     rethrowInOwnWords(error);
   }
+  shareMachine(plan);
   return plan;
 }
 
 std::optional<growth::Forecast> forecastGrowth(const ForecastPlan& plan, Monitor& monitor) {
   makeFolder(plan.folder);
   const FolderLock owner(plan.folder, "squat grow " + plan.study.caseName);
-  const auto sharing = sharingFor(plan);
   studies::StudyOptions study;
-  study.folder = plan.folder, study.jobs = sharing.jobs, study.retryFailed = true;
+  study.folder = plan.folder, study.jobs = plan.jobs, study.retryFailed = true;
   growth::GrowthOptions each = plan.growth;
   each.checkpoint.clear(), each.finishedStage = {}, each.resume = false;
   each.untilDepth.reset();  // each to the end of the traffic
-  each.threads = sharing.threads;
+  each.threads = plan.threads;
   const auto grow = [&](const studies::StudyPoint& point, Monitor& own) -> std::optional<studies::FeatureRow> {
     requireSameCase(plan);
     giveBackFreeMemory();

@@ -17,12 +17,13 @@ struct ForecastRequest {
   int growths = 8;
 };
 
-// Everything that decides on a forecast.
+// Everything that determines a forecast.
 struct ForecastPlan {
   studies::StudyDefinition study;
   cases::CaseOverrides overrides;
   growth::GrowthOptions growth;
-  std::string folder;  // of the table of growths
+  std::string folder;         // of the table of growths
+  int jobs = 1, threads = 1;  // growths at once, and threads of each
 };
 
 // Looks at the request and at what stands in the folder before anything is computed. Throws CaseError for keys and

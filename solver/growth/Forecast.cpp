@@ -12,7 +12,7 @@ namespace squat::growth {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double rounding = 1e-9;  // of a tonnage
+constexpr double rounding = 2 * tonnageRounding;
 
 std::string megatonnes(double kilograms) { return text::fixedText(kilograms / kilogramsInMegatonne, 2) + " Mt"; }
 
@@ -28,9 +28,16 @@ double depthBetween(const Stage& before, const Stage& next, double tonnage) {
   return (1 - t) * before.depth + t * next.depth;
 }
 
-// A grinding has a stage of the same tonnage before it.
-double depthAt(const std::vector<Stage>& stages, const ForecastPoint& point) {
+// A grinding has a stage of the same tonnage before it; `ground`: the point is the moment after one, which stands a few
+// wheelsets later where the last block ended there.
+double depthAt(const std::vector<Stage>& stages, const ForecastPoint& point, bool ground) {
   const double share = point.tonnage * rounding;
+  if (ground) {
+    const auto after = std::find_if(stages.begin(), stages.end(), [&](const Stage& stage) {
+      return stage.ground && stage.tonnage >= point.tonnage - share;
+    });
+    return after == stages.end() ? unknown : after->depth;
+  }
   const auto later = std::find_if(stages.begin(), stages.end(), [&](const Stage& stage) {
     return point.toBeGround ? stage.tonnage >= point.tonnage - share : stage.tonnage > point.tonnage + share;
   });
@@ -67,7 +74,10 @@ std::vector<ForecastPoint> forecastPoints(const GrowthOptions& options) {
 
 std::vector<double> depthsAt(const Growth& growth, const std::vector<ForecastPoint>& points) {
   std::vector<double> depths;
-  for (const auto& point : points) depths.push_back(depthAt(growth.stages, point));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool ground = i > 0 && points[i - 1].toBeGround && points[i].tonnage == points[i - 1].tonnage;
+    depths.push_back(depthAt(growth.stages, points[i], ground));
+  }
   return depths;
 }
 

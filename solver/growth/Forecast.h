@@ -17,7 +17,7 @@ struct ForecastPoint {
 // None, twenty equal steps up to the end, and the moments before each grinding.
 std::vector<ForecastPoint> forecastPoints(const GrowthOptions& options);
 
-// [m] depth of the dip at each, linear between the stages; NaN behind the last.
+// [m] depth of the dip at each, linear between the stages; NaN after the last.
 std::vector<double> depthsAt(const Growth& growth, const std::vector<ForecastPoint>& points);
 
 // [kg] at which the dip is first as deep as `limit` [m], linear between the stages; nothing where it never is.

@@ -11,6 +11,7 @@
 #include "growth/LayerChange.h"
 #include "growth/RollingTraffic.h"
 #include "growth/StageFigures.h"
+#include "text/Numbers.h"
 
 namespace squat::growth {
 
@@ -19,7 +20,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double shareOfChange = 0.1;                      // of growth.block_change, that the error of a block may have
-constexpr double whole = 1e-6;                             // of a tonnage
 constexpr double firstStage = 0.001, longestStage = 0.05;  // of the whole tonnage, between two stages
 constexpr double longestBlock = 0.25;                      // of the whole tonnage
 constexpr double largestFactor = 8, smallestFactor = 0.3, caution = 0.9;
@@ -49,6 +49,7 @@ class Growing {
 
  private:
   bool begin();
+  void requireAhead(const GrowthState& stored) const;
   bool growOn();
   bool block(double passages);
   bool stage(bool ground);
@@ -150,11 +151,26 @@ bool Growing::stage(bool ground) {
   return true;
 }
 
+// What is asked for must not lie in the past of a stored rail; a round of all wheelsets may go beyond an event.
+void Growing::requireAhead(const GrowthState& stored) const {
+  const double so = stored.tonnage - static_cast<double>(traffic_.wheelsets().size()) * traffic_.massPerPassage();
+  const bool late = stored.grindings < options_.grindings.size() && so > options_.grindings[stored.grindings].tonnage;
+  if (so <= options_.tonnage && !late) return;
+  throw CaseError({{late ? "--grind" : "--tonnage",
+                    text::numberText((late ? options_.grindings[stored.grindings].tonnage : options_.tonnage) /
+                                     kilogramsInMegatonne) +
+                        " Mt",
+                    "at least " + text::fixedText(stored.tonnage / kilogramsInMegatonne, 2) + " Mt",
+                    "The rail of the checkpoint has carried that already: choose another folder or name, or remove " +
+                        options_.checkpoint}});
+}
+
 bool Growing::begin() {
   reportRelease(0);
   if (!traffic_.release([this](double share) { reportRelease(share); })) return false;
   if (options_.resume && !options_.checkpoint.empty())
     if (auto stored = readGrowth(options_.checkpoint, description_, options_)) {
+      requireAhead(*stored);
       rail_ = std::move(*stored);
       resumed_ = true;
       traffic_.standOn(rail_);
@@ -171,8 +187,8 @@ bool Growing::begin() {
 // Whether the traffic since the last stage is worth a measuring passage: the first blocks are short and many.
 bool Growing::isStage() const {
   const double last = rail_.stages.back().tonnage;
-  return rail_.tonnage >=
-             std::min(nextEvent() * (1 - whole), std::max(1.25 * last, last + firstStage * options_.tonnage)) ||
+  return rail_.tonnage >= std::min(nextEvent() * (1 - tonnageRounding),
+                                   std::max(1.25 * last, last + firstStage * options_.tonnage)) ||
          rail_.tonnage >= last + longestStage * options_.tonnage;
 }
 
@@ -239,16 +255,17 @@ bool Growing::block(double passages) {
 }
 
 bool Growing::growOn() {
-  while (rail_.tonnage < options_.tonnage * (1 - whole)) {
+  while (rail_.tonnage < options_.tonnage * (1 - tonnageRounding)) {
     if (options_.untilDepth && rail_.stages.back().depth >= *options_.untilDepth) return true;
     report("growth");
     const bool due = rail_.grindings < options_.grindings.size() &&
-                     rail_.tonnage >= options_.grindings[rail_.grindings].tonnage * (1 - whole);
+                     rail_.tonnage >= options_.grindings[rail_.grindings].tonnage * (1 - tonnageRounding);
     if (due) {
       if (!traffic_.grind(rail_, options_.grindings[rail_.grindings].depth)) return false;
       ++rail_.grindings;
       rail_.block = static_cast<double>(traffic_.wheelsets().size());
       if (!stage(true) || !traffic_.rollOver(rail_)) return false;
+      reported_ = Clock::now(), tonnageReported_ = rail_.tonnage;
     } else {
       const double untilEvent = (nextEvent() - rail_.tonnage) / traffic_.massPerPassage();
       if (!block(std::min(possibleBlock(), untilEvent)) || (isStage() && !stage(false))) return false;
@@ -298,7 +315,7 @@ void requireSense(const GrowthOptions& options) {
       problems.push_back(
           {"--grind",
            std::to_string(grinding.depth * 1e3) + "@" + std::to_string(grinding.tonnage / kilogramsInMegatonne) + "Mt",
-           "a depth above 0 mm at a tonnage above 0, behind the grinding before and before the end",
+           "a depth above 0 mm at a tonnage above 0, after the previous grinding and before the end of the traffic",
            "Write for example 0.2@10Mt"});
     last = grinding.tonnage;
   }

@@ -21,6 +21,7 @@
 namespace squat::growth {
 
 inline constexpr double kilogramsInMegatonne = 1e9;
+inline constexpr double tonnageRounding = 1e-6;  // of a tonnage: so near a grinding or the end counts as there
 
 struct Grinding {
   double depth = 0, tonnage = 0;  // [m] taken off, [kg] when

@@ -2,7 +2,6 @@
 #include "growth/SurfaceSeries.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "case/CaseFile.h"
@@ -105,7 +104,7 @@ cases::CaseDescription grownCase(const Growth& growth) {
     defect.lines.push_back(std::move(along));
   }
   const double tonnage = million * growth.stages.back().tonnage;
-  grown.title = growth.description.title + " after " + std::to_string(std::lround(tonnage)) + " Mt";
+  grown.title = growth.description.title + " after " + text::fixedText(tonnage, 2) + " Mt";
   // Its defect reaches over the whole stretch: the mesh follows it by itself.
   grown.mesh.zoneBefore = grown.mesh.zoneBehind = 0;
   grown.mesh.bandHalfWidth = growth.bandHalfWidth;

@@ -1,9 +1,8 @@
 // solver/growth/GrowthFiles.h - what growth writes.
 //
 //   STEM-growth.csv   a line for each stage; units in the names of the columns
-//   STEM-growth.h5    heights of the running surface at each stage, what wear and flow have taken, all stages (SI
-//   units) STEM-grown.toml   the case with the surface of the last stage as its defect: squat run shows how a train
-//   feels it
+//   STEM-growth.h5    heights of the running surface at each stage, what wear and flow have taken, all stages; SI units
+//   STEM-grown.toml   the case with the surface of the last stage as its defect: squat run shows how a train feels it
 #pragma once
 
 #include <string>

@@ -52,8 +52,9 @@ class Study {
         : study_(study), worker_(worker), name_(std::move(name)) {}
     void report(const Progress& progress) override {
       const std::lock_guard lock(study_.mutex_);
-      // What takes the time: of a run the rolling, of a growth its blocks.
-      if (progress.phase == "rolling" || progress.phase == "growth") study_.fractions_[worker_] = progress.fraction;
+      if (progress.phase == "rolling") study_.fractions_[worker_] = progress.fraction;
+      if (progress.phase == "growth" && progress.remainingSeconds >= 0)
+        study_.fractions_[worker_] = shareOfTime(progress.remainingSeconds);
       study_.reportLocked(progress);
     }
     void message(const std::string& text) override {
@@ -70,9 +71,16 @@ class Study {
     }
 
    private:
+    // The blocks of a growth become longer: its tonnage says little about its time.
+    double shareOfTime(double remaining) const {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+      return elapsed.count() / (elapsed.count() + remaining);
+    }
+
     Study& study_;
     std::size_t worker_;
     std::string name_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   };
 
   void reportLocked(Progress progress) {

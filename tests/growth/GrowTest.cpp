@@ -107,6 +107,13 @@ TEST(Growth, ResumedGrowthHasTheSameBits) {
   EXPECT_EQ(resumed.shapes, whole.shapes);
   EXPECT_EQ(resumed.wear, whole.wear);
 
+  // What is asked for must lie ahead of the checkpoint.
+  auto past = options;
+  past.tonnage = plain(0.0001).tonnage;
+  EXPECT_THROW(grow(description, past, watcher), CaseError);
+  past.tonnage = plain(0.001).tonnage, past.grindings = {{1e-4, plain(0.0001).tonnage}};
+  EXPECT_THROW(grow(description, past, watcher), CaseError);
+
   const auto other = growingDefect({{"rail.preset", "R260"}, {"contact.friction", "0.25"}});
   EXPECT_THROW(grow(other, options, watcher), CaseError);
 }

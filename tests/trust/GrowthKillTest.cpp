@@ -46,7 +46,7 @@ TEST(GrowthProgram, KilledAndResumedItHasTheSameBits) {
   {
     Program killed(growthInto(folder / "killed"));
     ASSERT_TRUE(killed.waitForOutput("0.00 Mt"));
-    // The second line of a stage: at least one block stands in the checkpoint.
+    // A previous checkpoint: at least one block stands in the current one.
     while (killed.running() && !fs::exists(folder / "killed/light-defect-growth.checkpoint.previous")) {
     }
     killed.signal(SIGKILL);

@@ -17,7 +17,8 @@ QCPGraph* addCurve(Figure& figure, const Curve& curve) {
   const std::size_t count = std::min(curve.x.size(), curve.y.size());
   QVector<double> x(curve.x.begin(), curve.x.begin() + static_cast<std::ptrdiff_t>(count));
   QVector<double> y(curve.y.begin(), curve.y.begin() + static_cast<std::ptrdiff_t>(count));
-  graph->setData(x, y);
+  // Sorted data stay in their order: a grinding has two values at one tonnage.
+  graph->setData(x, y, std::is_sorted(x.begin(), x.end()));
   // Thinning out shows as steps on steep slopes; only long records need it.
   constexpr std::size_t manyPoints = 30000;
   graph->setAdaptiveSampling(count > manyPoints);

@@ -46,9 +46,13 @@ std::vector<std::string> writeGrowthSeries(const growth::SurfaceSeries& series, 
                                            const std::string& folder) {
   const std::string name = analysis::safeFileName(stem);
   VtkCollection collection(folder, name);
-  for (std::size_t stage = 0; stage < series.tonnage.size(); ++stage)
-    collection.add(stageGrid(series, stage), series.tonnage[stage] / growth::kilogramsInMegatonne, 0,
-                   numberedName(name, stage));
+  double last = -1;
+  for (std::size_t stage = 0; stage < series.tonnage.size(); ++stage) {
+    double time = series.tonnage[stage] / growth::kilogramsInMegatonne;
+    if (time <= last) time = last * (1 + growth::tonnageRounding);  // the rail has been ground: two grids, not one
+    collection.add(stageGrid(series, stage), time, 0, numberedName(name, stage));
+    last = time;
+  }
   return collection.finish();
 }
 
