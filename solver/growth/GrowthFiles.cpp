@@ -9,6 +9,7 @@
 #include "core/ProgramVersion.h"
 #include "results/Hdf5.h"
 #include "text/Csv.h"
+#include "text/Numbers.h"
 
 namespace squat::growth {
 
