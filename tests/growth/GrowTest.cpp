@@ -73,14 +73,16 @@ TEST(Growth, SmoothRailStaysSmooth) {
   EXPECT_GT(growth.stages.back().wearAround, 1e-7);
 }
 
-// A rail that yields sinks under the first wheels, and it does so evenly: 20 wheelsets.
+// A rail that yields sinks under the first wheels, and it does so evenly: 20 wheelsets. Loads vary by some percent on
+// this mesh, and flow by more, so that a fifth of what it sinks counts as even.
 TEST(Growth, AYieldingSmoothRailSinksEvenly) {
   Monitor silent;
   const auto growth =
       grow(growingDefect({{"defect.shape", "none"}, {"rail.preset", "R350HT"}}), plain(0.00036), silent);
   ASSERT_TRUE(growth.complete);
-  EXPECT_GT(growth.stages.back().flowAround, 1e-6);
-  EXPECT_LT(highestOf(growth.shapes.back()), 1e-6);
+  const double sunk = growth.stages.back().flowAround;
+  EXPECT_GT(sunk, 0.5e-6);
+  EXPECT_LT(highestOf(growth.shapes.back()), 0.2 * sunk);
 }
 
 // Stopped between two blocks and resumed: the same bits as without.
