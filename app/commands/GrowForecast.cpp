@@ -74,7 +74,7 @@ void shareMachine(ForecastPlan& plan) {
   plan.threads = sharing.jobs > growths ? std::max(1, machine.cores / growths) : sharing.threads;
 }
 
-// The case is read anew for each growth: an edit in between would mix two cases in one table.
+// Each growth reads the case file: an edit meanwhile would put growths of two cases into one table.
 void requireSameCase(const ForecastPlan& plan) {
   const auto hash = cases::caseHash(cases::loadCase(plan.study.caseName, plan.overrides));
   if (hash != plan.study.caseHash)

@@ -44,8 +44,7 @@ class OneElement : public testing::TestWithParam<std::string> {};
 // Materials, 1990, 5.4): each cycle adds
 //   (1/g) ln{[(C/g)^2 - (s1 + s_y)^2] / [(C/g)^2 - (s2 - s_y)^2]}, 3.798834e-3 for 50 GPa, 200, 400 MPa, +600, -520
 //   MPa.
-// Within 1 %: implicit Euler is first order, and steps of 1/200 of the way leave 4.5 %, of
-// 1/1000 less than 1 %.
+// Within 1 %: implicit Euler is first order; steps of 1/200 of the way leave 4.5 %, of 1/1000 less than 1 %.
 TEST_P(OneElement, RatchetsAsArmstrongAndFrederickSay) {
   Brick brick(steelOf(400e6, {{{50e9, 200}, {}, {}}}, 0), GetParam());
   double plastic = 0, atPeak = 0, last = 0;
