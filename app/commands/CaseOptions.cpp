@@ -5,6 +5,7 @@
 
 #include "case/Applicability.h"
 #include "case/CaseDescription.h"
+#include "case/RightSide.h"
 #include "case/ShippedCases.h"
 #include "core/Errors.h"
 #include "text/Text.h"
@@ -95,10 +96,11 @@ std::vector<CaseProblem> takeSets(const CaseOptions& options, cases::CaseOverrid
 // effect is worth a warning even where it does not.
 void reportUselessSets(const cases::CaseDescription& description, const cases::CaseOverrides& overrides) {
   for (const auto& [key, value] : overrides.values) {
-    const auto& parameter = *cases::findParameter(key);
-    if (!cases::applies(description, parameter) && !cases::valueWithoutEffect(description, parameter))
+    const auto& parameter = *cases::findOnEitherSide(key);
+    const auto side = cases::sideOf(description, key);
+    if (!cases::applies(side, parameter) && !cases::valueWithoutEffect(side, parameter))
       std::fprintf(stderr, "warning: --set %s=%s: %s\n", key.c_str(), value.c_str(),
-                   cases::reasonWithoutEffect(description, parameter).c_str());
+                   cases::reasonWithoutEffect(side, parameter).c_str());
   }
 }
 

@@ -5,6 +5,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scenario/DefectZone.h"
 #include "scenario/Scenario.h"
@@ -32,6 +34,7 @@ using scenario::LateralShape;
 using scenario::Material;
 using scenario::MeshPreset;
 using scenario::MeshSizes;
+using scenario::ModelExtent;
 using scenario::monotoneBetween;
 using scenario::Motion;
 using scenario::Output;
@@ -64,6 +67,8 @@ struct CaseDescription : scenario::Inputs {
   std::string wheelsetPreset, trackPreset, railPreset;
   Defect defect;
   TreadShape tread;
+  // What differs on the right side of a whole model (RightSide.h): keys, and values as a case file states them.
+  std::vector<std::pair<std::string, std::string>> right;
 };
 
 }  // namespace squat::cases

@@ -8,6 +8,7 @@
 #include "case/MeshPresets.h"
 #include "case/NamedTables.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "case/ShippedCases.h"
 #include "case/Validation.h"
 #include "core/DurableFile.h"
@@ -124,6 +125,7 @@ Presets presetsOf(const std::vector<Stated>& stated, const CaseOverrides& overri
 
 // True where the file states just what its own preset says, and another one is asked for: it counts as not stated.
 bool isReplaced(const Stated& one, const Presets& presets) {
+  if (!keyOnRight(one.key).empty()) return false;
   const Parameter& parameter = *findParameter(one.key);
   const bool isSet = std::any_of(presets.replaced.begin(), presets.replaced.end(), [&](const auto& replaced) {
     return one.key == replaced.key ||
@@ -156,6 +158,8 @@ void applyStated(CaseDescription& description, const std::vector<Stated>& stated
     const std::string note = lineNote(one.line);
     if (one.typeProblem) {
       problems.add(*one.typeProblem, note);
+    } else if (!keyOnRight(one.key).empty()) {
+      continue;  // once the left side is known
     } else if (!isReplaced(one, presets)) {
       if (auto wrong = trySetValue(description, *findParameter(one.key), one.text)) problems.add(*wrong, note);
     }
@@ -165,11 +169,24 @@ void applyStated(CaseDescription& description, const std::vector<Stated>& stated
 void applyOverrides(CaseDescription& description, const CaseOverrides& overrides, Problems& problems) {
   for (const auto& [key, text] : overrides.values) {
     const Parameter* parameter = findParameter(key);
+    if (!keyOnRight(key).empty()) continue;
     if (!parameter)
       problems.add(unknownKey(key), " (--set)");
     else if (auto wrong = trySetValue(description, *parameter, text))
       problems.add(*wrong, " (--set)");
   }
+}
+
+// What the right side has of its own: as stated, then as set.
+void applyRight(CaseDescription& description, const std::vector<Stated>& stated, const CaseOverrides& overrides,
+                Problems& problems) {
+  const auto set = [&](std::string_view key, const std::string& text, const std::string& note) {
+    if (auto wrong = trySetRight(description, key, text)) problems.add(*wrong, note);
+  };
+  for (const auto& one : stated)
+    if (const auto key = keyOnRight(one.key); !key.empty() && !one.typeProblem) set(key, one.text, lineNote(one.line));
+  for (const auto& [name, text] : overrides.values)
+    if (const auto key = keyOnRight(name); !key.empty()) set(key, text, " (--set)");
 }
 
 // A profile that nothing asks to roll over would go unnoticed: the shape must be chosen where the profile is named, in
@@ -215,6 +232,31 @@ void readNamedTables(CaseDescription& description, const CaseOverrides& override
   }
 }
 
+// The same of the right side, which then has the numbers of its own tables.
+void readTablesOfRight(CaseDescription& description, const CaseOverrides& overrides,
+                       const std::filesystem::path& folder, Problems& problems) {
+  const auto isStated = [&](const std::string& key) {
+    return std::any_of(description.right.begin(), description.right.end(),
+                       [&](const auto& one) { return one.first == key; });
+  };
+  for (const auto& table : namedTables()) {
+    const bool filled = std::any_of(table.valueKeys.begin(), table.valueKeys.end(), isStated);
+    CaseDescription right = rightOf(description);
+    if (!isStated(table.fileKey) || filled || !table.isWanted(right)) continue;
+    const std::filesystem::path named = table.file(right);
+    const bool fileSet = overrideOf(overrides, std::string(rightGroup) + "." + table.fileKey) != nullptr;
+    try {
+      table.clear(right);
+      table.read(right, named.is_absolute() || fileSet ? named : folder / named);
+      for (const auto& key : table.valueKeys)
+        description.right.emplace_back(key, valueText(right, *findParameter(key)));
+    } catch (const FileError&) {
+      if (problems.empty()) throw;
+      problems.throwIfAny();
+    }
+  }
+}
+
 struct Reading {
   bool finished = true;    // relations between values hold
   bool opensFiles = true;  // of presets, and tables that the case names
@@ -232,8 +274,10 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   CaseDescription description = presets.asked;
   applyStated(description, stated, presets, problems);
   applyOverrides(description, overrides, problems);
+  applyRight(description, stated, overrides, problems);
   if (reading.finished) checkProfileIsUsed(description, stated, overrides, problems);
   if (reading.opensFiles) readNamedTables(description, overrides, folder, problems);
+  if (reading.opensFiles) readTablesOfRight(description, overrides, folder, problems);
   for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
       const Stated* one = find(stated, finding.problem.key);

@@ -6,6 +6,7 @@
 
 #include "case/DecimalNumber.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "case/TomlGuard.h"
 
 namespace squat::cases {
@@ -152,6 +153,10 @@ class Statements {
   Statements(const toml::table& table, const Source& source) : source_(source) {
     for (const auto& [key, node] : table) {
       if (key.str() == "schema") continue;
+      if (const auto* right = node.as_table(); right && key.str() == rightGroup) {
+        addRight(*right);
+        continue;
+      }
       if (const auto* group = node.as_table(); group && !findParameter(key.str()))
         addGroup(std::string(key.str()), *group);
       else
@@ -170,9 +175,22 @@ class Statements {
     if (group.empty() && !known) add(name, group);
   }
 
+  void addRight(const toml::table& right) {
+    for (const auto& [name, node] : right) {
+      const std::string start = std::string(rightGroup) + "." + std::string(name.str());
+      if (const auto* group = node.as_table())
+        for (const auto& [key, value] : *group) add(start + "." + std::string(key.str()), value);
+      else
+        add(start, node);
+    }
+  }
+
   void add(const std::string& key, const toml::node& node) {
     Stated one{key, {}, node.source().begin.line, {}};
-    if (const Parameter* parameter = findParameter(key)) {
+    const auto onRight = keyOnRight(key);
+    if (!onRight.empty() && !mayDiffer(onRight)) {
+      one.typeProblem = noKeyOfRight(onRight);
+    } else if (const Parameter* parameter = findParameter(onRight.empty() ? key : onRight)) {
       if (auto text = textFor(node, parameter->kind, source_))
         one.text = std::move(*text);
       else

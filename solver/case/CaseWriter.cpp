@@ -1,10 +1,13 @@
 // Writing of case files, and the hash of a case.
+#include <algorithm>
 #include <span>
+#include <utility>
 
 #include "case/CaseFile.h"
 #include "case/InputPresets.h"
 #include "case/NamedTables.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "case/ShortHash.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
@@ -71,6 +74,7 @@ struct LaterKey {
   std::string_view key, decidedBy;
 };
 constexpr LaterKey laterKeys[] = {
+    {"model.extent", "model.extent"},
     {"track.seats", "track.seats"},
     {"rail.loss_factor", "rail.loss_factor"},
     {"pad.loss_factor", "pad.loss_factor"},
@@ -115,6 +119,20 @@ bool countsInHash(const CaseDescription& description, const Parameter& parameter
   return true;
 }
 
+// Keys of the right side, by groups in the order of the table.
+std::string rightText(const CaseDescription& description) {
+  const CaseDescription right = rightOf(description);
+  std::string text, group;
+  for (const auto& parameter : parameterTable()) {
+    const auto isStated = [&](const auto& one) { return one.first == parameter.key; };
+    if (std::none_of(description.right.begin(), description.right.end(), isStated)) continue;
+    if (std::exchange(group, parameter.group) != parameter.group)
+      text += "\n[" + std::string(rightGroup) + "." + group + "]\n";
+    text += std::string(lastPart(parameter.key)) + " = " + tomlValue(right, parameter) + comment(parameter) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string writeCase(const CaseDescription& description) {
@@ -129,6 +147,7 @@ std::string writeCase(const CaseDescription& description) {
     text +=
         std::string(lastPart(parameter.key)) + " = " + tomlValue(description, parameter) + comment(parameter) + "\n";
   }
+  text += rightText(description);
   return text;
 }
 
@@ -145,6 +164,9 @@ std::string caseHash(const CaseDescription& description) {
   std::string content;
   for (const auto& parameter : parameterTable())
     if (countsInHash(description, parameter)) content += parameter.key + "=" + valueText(description, parameter) + "\n";
+  if (description.extent == ModelExtent::whole)
+    for (const auto& [key, text] : description.right)
+      if (!namesTable(*findParameter(key))) content += std::string(rightGroup) + "." + key + "=" + text + "\n";
   return shortHash(content);
 }
 

@@ -72,7 +72,7 @@ using Rows = std::vector<Parameter>;
 Rows trackRows();    // track, rail, pad, sleeper, ballast
 Rows vehicleRows();  // wheelset, suspension
 Rows motionRows();   // motion, contact, damping
-Rows runRows();      // mesh, output
+Rows runRows();      // model, mesh, output
 Rows defectRows();   // defect
 Rows growthRows();   // growth
 

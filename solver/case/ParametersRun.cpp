@@ -86,6 +86,14 @@ void addContact(Rows& rows) {
       "assumed"));
 }
 
+void addModel(Rows& rows) {
+  rows.push_back(choice(
+      "model.extent", {"half", "whole"}, ModelExtent::half, +[](Case& c) -> ModelExtent& { return c.extent; },
+      "half: one rail and half the wheelset, with a mirror at the track centre, so that both rails have the defect; "
+      "whole: both rails and the whole wheelset, at twice the cost; keys in [right] say what differs on the right side",
+      "paper, section 2: half of the track and of the wheelset"));
+}
+
 void addMesh(Rows& rows) {
   rows.push_back(choice(
       "mesh.preset", {"tiny", "draft", "standard", "paper"}, MeshPreset::draft,
@@ -185,6 +193,7 @@ Rows motionRows() {
 
 Rows runRows() {
   Rows rows;
+  addModel(rows);
   addMesh(rows);
   addOutput(rows);
   return rows;

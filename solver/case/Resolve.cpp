@@ -1,7 +1,10 @@
 #include "case/Resolve.h"
 
+#include <algorithm>
+
 #include "case/DynamicPads.h"
 #include "case/LevelsText.h"
+#include "case/RightSide.h"
 #include "scenario/WheelsetMass.h"
 
 namespace squat::cases {
@@ -37,6 +40,22 @@ scenario::Scenario resolve(const CaseDescription& d) {
   resolved.pad.dynamic = parseDynamicStiffness(d.pad.dynamicValues).value_or(std::vector<scenario::DynamicStiffness>());
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
   return resolved;
+}
+
+Sides resolveSides(const CaseDescription& description) {
+  Sides sides{resolve(description), {}};
+  if (description.extent == ModelExtent::half) return sides;
+  sides.right = resolve(rightOf(description));
+  sides.right->extent = ModelExtent::whole;
+  const auto zoneOf = [](const scenario::Scenario& d) {
+    return scenario::defectZone(d.defectSurface, d.tread, d.mesh);
+  };
+  const auto left = zoneOf(sides.left), right = zoneOf(*sides.right);
+  for (auto* side : {&sides.left, &*sides.right}) {
+    side->mesh.zoneBefore = std::max(left.before, right.before);
+    side->mesh.zoneBehind = std::max(left.behind, right.behind);
+  }
+  return sides;
 }
 
 scenario::Scenario loadScenario(const std::string& nameOrPath, const CaseOverrides& overrides) {

@@ -1,6 +1,8 @@
 // solver/case/Resolve.h - from what a user wrote to what is simulated.
 #pragma once
 
+#include <optional>
+
 #include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 
@@ -8,6 +10,13 @@ namespace squat::cases {
 
 // The scenario of a case that has been validated (Validation.h): everything in SI, the surface of its defect made.
 scenario::Scenario resolve(const CaseDescription& description);
+
+// Both sides of a whole model, on meshes for what either of them has in its way; of a half model the one there is.
+struct Sides {
+  scenario::Scenario left;
+  std::optional<scenario::Scenario> right;
+};
+Sides resolveSides(const CaseDescription& description);
 
 // The surface of the defect that the case describes: of a profile with its height scale. The one way from a case to a
 // surface, for all who ask about a case that is not run yet.

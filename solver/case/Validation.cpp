@@ -5,10 +5,13 @@
 #include "case/Applicability.h"
 #include "case/CaseRelations.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 
 namespace squat::cases {
 
-std::vector<Finding> validateRelations(const CaseDescription& description) {
+namespace {
+
+std::vector<Finding> validateSide(const CaseDescription& description) {
   std::vector<Finding> findings;
   relations::checkMaterials(description, findings);
   relations::checkWheelset(description, findings);
@@ -20,6 +23,33 @@ std::vector<Finding> validateRelations(const CaseDescription& description) {
   relations::checkSeat(description, findings);
   relations::checkMesh(description, findings);
   relations::checkTraction(description, findings);
+  return findings;
+}
+
+// What is wrong with the right side and is not with the left.
+void addRightSide(const CaseDescription& description, std::vector<Finding>& findings) {
+  auto ofRight = validateSide(rightOf(description));
+  std::erase_if(ofRight, [&](const Finding& one) {
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& left) {
+      return left.problem.key == one.problem.key && left.problem.value == one.problem.value &&
+             left.problem.allowed == one.problem.allowed;
+    });
+  });
+  for (auto& finding : ofRight) {
+    const auto isStated = [&](const auto& one) { return one.first == finding.problem.key; };
+    if (std::any_of(description.right.begin(), description.right.end(), isStated))
+      finding.problem = onRight(finding.problem);
+    else
+      finding.problem.advice = "On the right side: " + finding.problem.advice;
+    findings.push_back(std::move(finding));
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> validateRelations(const CaseDescription& description) {
+  auto findings = validateSide(description);
+  if (description.extent == ModelExtent::whole && !description.right.empty()) addRightSide(description, findings);
   return findings;
 }
 
@@ -41,6 +71,10 @@ Validation validate(const CaseDescription& description) {
   }
   for (const auto& parameter : parameterTable())
     if (auto warning = valueWithoutEffect(description, parameter)) result.warnings.push_back(std::move(*warning));
+  if (description.extent == ModelExtent::half)
+    for (const auto& [key, text] : description.right)
+      result.warnings.push_back(
+          onRight({key, isList(*findParameter(key)) ? "given" : text, "", "no effect because model.extent is half"}));
   return result;
 }
 

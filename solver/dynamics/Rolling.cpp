@@ -131,91 +131,6 @@ void Rolling::restore(RollingState state) {
   view_.angularVelocity = state_.angularVelocity;
 }
 
-void Rolling::advance(long steps, const std::function<void(const StepView&)>& observe) {
-  const auto begun = std::chrono::steady_clock::now();
-  const long first = state_.step;
-  nextForces_.at = 0;
-  if (pace_.alone())
-    takeSteps(oneShare_, 0, first, steps, observe);
-  else
-    team_.runInStep([&](int index) { takeSteps(shares_, index, first, steps, observe); });
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
-  if (pace_.advanced(steps, seconds.count(), shares_.work)) shares_ = shareStep(model_, pace_.otherWork());
-  if (timings_) timings_->end(0, StepPhase::waiting), timings_->countSteps(steps);
-  finishStep();
-  if (timings_) timings_->end(0, StepPhase::motion);
-  observe(view_);
-  if (timings_) timings_->end(0, StepPhase::observers);
-}
-
-// Of one thread. The first one closes a step and begins the next while others already collect forces.
-void Rolling::takeSteps(StepShares& shares, int index, long first, long steps,
-                        const std::function<void(const StepView&)>& observe) {
-  const bool together = shares.threads.size() > 1;
-  auto& clock = pace_.clock(index);
-  auto& own = shares.threads[static_cast<std::size_t>(index)];
-  const auto done = [&](StepPhase phase) {
-    if (timings_) timings_->end(index, phase);
-  };
-  auto part = WorkClock::Part::gathering;
-  const auto meet = [&] {
-    if (!together) return;
-    clock.rest(part);
-    team_.barrier();
-    clock.resume();
-    done(StepPhase::waiting);
-  };
-  done(index == 0 ? StepPhase::observers : StepPhase::waiting);
-  clock.resume();
-  for (long k = 0; k < steps; ++k) {
-    if (index == 0) {
-      if (k > 0) {
-        finishStep();
-        done(StepPhase::motion);
-        observe(view_);
-        done(StepPhase::observers);
-      }
-      nextSleeper_.at = 0;
-      pushWheelset();
-      addContactInertia(0);
-      if (!shares.wheelsetOfOne) addContactInertia(1);
-      done(StepPhase::wheelset);
-    }
-    pushForceElements(shares, index);
-    done(StepPhase::forceElements);
-    if (!shares.wheelsetOfOne) placeTiedNodes(own, index);
-    done(StepPhase::tiedNodes);
-    yieldLayer(index, static_cast<int>(shares.threads.size()), first + k);
-    done(StepPhase::layer);
-    readEnds(shares, own, index, false);
-    done(StepPhase::ends);
-    meet();
-    part = WorkClock::Part::advancing;
-    if (index == 0) {
-      sumDamperPower();
-      nextForces_.at = 0;
-    }
-    if (shares.wheelsetOfOne && index + 1 == static_cast<int>(shares.threads.size())) addContactInertia(1);
-    if (shares.wheelsetOfOne) placeTiedNodes(own, index);
-    done(StepPhase::tiedNodes);
-    readEnds(shares, own, index, true);
-    done(StepPhase::ends);
-    if (!shares.wheelsetOfOne) meet();
-    advanceStations(own, index);
-    done(StepPhase::stations);
-    if (!shares.wheelsetOfOne) meet();
-    passTieForces(own, index);
-    advanceMasters(own, index);
-    fix(own.fixed);
-    done(StepPhase::masters);
-    advanceSleepers(shares, index);
-    done(StepPhase::sleepers);
-    meet();
-    part = WorkClock::Part::gathering;
-    clock.endStep();
-  }
-}
-
 double Rolling::torqueAt(double time) const {
   const auto& m = model_.scenario.motion;
   const double full = m.tractionCoefficient != 0 ? m.tractionCoefficient * load_ * model_.surfaces.radius : m.torque;
@@ -254,11 +169,11 @@ void Rolling::evaluateContact() {
 }
 
 // Of rail (0) or rim (1), once the contact is known and before the first of its stations is advanced.
-void Rolling::addContactInertia(int side) {
-  const int b = side == 0 ? model_.rail : model_.rim;
+void Rolling::addContactInertia(int body) {
+  const int b = body == 0 ? model_.rail : model_.rim;
   auto& inertia = contact_.inertia();
-  inertia.apply(side, inverseMass_[b].data());
-  blockSteps_[b].ownFilter = inertia.ownFilter(side), blockSteps_[b].filters = inertia.filters(side);
+  inertia.apply(body, inverseMass_[b].data());
+  blockSteps_[b].ownFilter = inertia.ownFilter(body), blockSteps_[b].filters = inertia.filters(body);
 }
 
 model::PlaneVector Rolling::boxVelocity() const {
@@ -291,9 +206,23 @@ void Rolling::pushWheelset() {
   elasticity::addIrregularForces(model_.movedElements, state_.displaced.data(), forces_.data());
   applyHubForce();
   for (auto* state : {&state_.displaced, &state_.velocity}) followJournal(model_, turned_, state->data());
+}
+
+void Rolling::pushSides() {
+  Turning all;
+  for (auto* side : sides_) {
+    side->pushWheelset();
+    all.outer += side->torque_ + side->view_.patch.rotationMoment + side->state_.addedMoment;
+    all.inner += side->state_.turningMoment;
+    all.inertia += side->model_.wheelset.inertia;
+  }
+  for (auto* side : sides_) side->turn(all);
+}
+
+void Rolling::turn(const Turning& all) {
   const auto& w = model_.wheelset;
-  referenceAcceleration_ = (torque_ + view_.patch.rotationMoment + state_.addedMoment) / w.inertia;
-  angularAcceleration_ = referenceAcceleration_ + state_.turningMoment / w.inertia;
+  referenceAcceleration_ = all.outer / all.inertia;
+  angularAcceleration_ = referenceAcceleration_ + all.inner / all.inertia;
   // The reference turns about its centre of mass.
   const double share = -referenceAcceleration_ / w.turningMass, c = std::cos(state_.rotation),
                s = std::sin(state_.rotation);
@@ -311,102 +240,6 @@ void Rolling::pushWheelset() {
 
 void Rolling::fix(const std::vector<std::size_t>& unknowns) {
   for (const auto index : unknowns) state_.velocity[index] = 0, state_.displaced[index] = 0;
-}
-
-// The elements of the vehicle push the journal: their forces are passed on to the seat there.
-void Rolling::pushForceElements(const StepShares& shares, int index) {
-  const auto add = [&](const forces::ForceShare& share) {
-    forces::addForces(share, state_.displaced.data(), state_.velocity.data(), forces_.data(),
-                      groupDamperPowers_.data());
-  };
-  if (index == 0) {
-    add(shares.vehicleForces);
-    double* auxiliary = forces_.data() + model_.forceSize - model::auxiliaryUnknowns;
-    const model::PlaneVector force{std::exchange(auxiliary[model_.journalX - model_.firstAuxiliary], 0.0),
-                                   std::exchange(auxiliary[model_.journalZ - model_.firstAuxiliary], 0.0)};
-    addRingForce(model_, model_.bearing, turned_, force, forces_.data());
-  }
-  for (std::size_t i = nextForces_.at++; i < shares.trackForces.size(); i = nextForces_.at++)
-    add(shares.trackForces[i]);
-}
-
-void Rolling::sumDamperPower() {
-  damperPower_ = std::accumulate(groupDamperPowers_.begin(), groupDamperPowers_.end(), 0.0);
-}
-
-void Rolling::placeTiedNodes(const ThreadShare& own, int index) {
-  for (const auto& share : own.placed)
-    interpolateSlaves(model_.ties[share.tie], model_.blocks, state_.displaced.data(), tieWorkspaces_[index].data(),
-                      share.slaves.front());
-}
-
-// Plastic flow in the layer around the patch, shared among the threads by groups.
-void Rolling::yieldLayer(int index, int threads, long step) {
-  if (model_.layer.empty()) return;
-  const double x = model_.startX + model_.scenario.motion.speed * static_cast<double>(step) * step_;
-  plasticity::returnWindow(model_.layer, layerKernels_, state_.displaced.data(), x, model_.surfaces.reach, index,
-                           threads, state_.plastic, layerForces_);
-}
-
-// A step in place overwrites what neighbouring stretches need: each thread reads that first. Blocks with slaves come
-// when those are placed, the others before.
-void Rolling::readEnds(const StepShares& shares, ThreadShare& own, int index, bool late) {
-  const auto read = [&](const std::vector<elasticity::Segment>& work, std::vector<elasticity::SegmentEnds>& ends) {
-    for (std::size_t i = 0; i < work.size(); ++i)
-      if (shares.endsLate[work[i].block] == late)
-        elasticity::readEnd(work[i], model_.blocks, blockSteps_, state_.displaced.data(), *scratch_[index], ends[i]);
-  };
-  read(own.stations, own.stationEnds);
-  read(own.masters, own.masterEnds);
-}
-
-void Rolling::advanceStations(const ThreadShare& own, int index) {
-  // Each thread adds the forces of plastic strain to the stations that it will advance.
-  if (!model_.layer.empty())
-    for (const auto& part : own.stations)
-      if (part.block == model_.rail)
-        plasticity::addPlasticForces(model_.layer, layerForces_, part.first, part.first + part.count,
-                                     forces_.data() + model_.loaded[part.block].offset,
-                                     model_.loaded[part.block].lineOfNode.data());
-  elasticity::advanceSegments(own.stations, model_.blocks, blockSteps_, step_, state_.displaced.data(),
-                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &own.stationEnds);
-}
-
-void Rolling::advanceSleepers(StepShares& shares, int index) {
-  for (std::size_t i = nextSleeper_.at++; i < shares.sleepers.size(); i = nextSleeper_.at++) {
-    const auto& sleeper = shares.sleepers[i];
-    const int block = sleeper.stations.front().block;
-    if (model_.sleeperShape.size() > 0)
-      elasticity::addIrregularForces(model_.sleeperShape, state_.displaced.data() + model_.blocks[block].offset,
-                                     forces_.data() + model_.loaded[block].offset);
-    elasticity::advanceSegments(sleeper.stations, model_.blocks, blockSteps_, step_, state_.displaced.data(),
-                                state_.displaced.data(), state_.velocity.data(), *scratch_[index], &sleeper.ends);
-    fix(sleeper.fixed);
-  }
-}
-
-void Rolling::passTieForces(const ThreadShare& own, int index) {
-  for (const auto& share : own.served) {
-    const auto& tie = model_.ties[share.tie];
-    const auto &slave = model_.blocks[tie.slaveBlock], &master = model_.blocks[tie.masterBlock];
-    const auto &from = model_.loaded[tie.slaveBlock], &to = model_.loaded[tie.masterBlock];
-    // Inner forces of slaves pull their masters the other way round than outer ones: negative share.
-    elasticity::transferForces(
-        tie, -1.0,
-        [&](int i, int c) {
-          return forces_.data() + from.offset +
-                 (static_cast<std::size_t>(from.lineOfNode[tie.slaveNodes[i]]) * 3 + c) * slave.stride;
-        },
-        [&](int node, int c) {
-          return forces_.data() + to.offset + (static_cast<std::size_t>(to.lineOfNode[node]) * 3 + c) * master.stride;
-        },
-        tieWorkspaces_[index].data(), share.masters.first, share.masters.last, share.slaves);
-  }
-}
-
-void Rolling::advanceMasters(const ThreadShare& own, int index) {
-  elasticity::advanceSegments(own.masters, model_.blocks, blockSteps_, step_, state_.displaced.data(),
-                              state_.displaced.data(), state_.velocity.data(), *scratch_[index], &own.masterEnds);
 }
 
 void Rolling::finishStep() {
@@ -444,14 +277,24 @@ void Rolling::finishStep() {
   state_.sums.damping += step_ * damperPower_;
   state_.sums.torqueWork += step_ * torque_ * (0.5 * (oldRate + state_.angularVelocity) + hubAngularVelocity_);
 
-  // The new velocities stand in the basis of the new rotation.
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
-  if (wheelsetDamping_.due(state_.step)) state_.sums.damping += wheelsetDamping_.apply(state_.rotation, v);
+  view_.angularVelocity = 0.5 * (oldRate + state_.angularVelocity);
+}
+
+// The new velocities stand in the basis of the new rotation.
+void Rolling::finishSides() {
+  for (auto* side : sides_) side->finishStep();
+  if (wheelsetDamping_.due(state_.step)) halves_ ? dampBothHalves() : dampWheelset();
+  for (auto* side : sides_) side->takeAccelerations();
+}
+
+void Rolling::dampWheelset() { state_.sums.damping += wheelsetDamping_.apply(state_.rotation, state_.velocity.data()); }
+
+void Rolling::takeAccelerations() {
   const auto box = boxVelocity();
-  const auto wheel = ringMean(model_, model_.centre, turned_, v);
+  const auto wheel = ringMean(model_, model_.centre, turned_, state_.velocity.data());
   view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};
   view_.wheelAcceleration = {(wheel.x - wheelVelocity_.x) / step_, (wheel.z - wheelVelocity_.z) / step_};
-  view_.angularVelocity = 0.5 * (oldRate + state_.angularVelocity);
   boxVelocity_ = box, wheelVelocity_ = wheel;
 }
 

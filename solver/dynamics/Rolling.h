@@ -17,12 +17,17 @@
 // forces about the displaced positions, sum of (e x u) . f: the power w S is what the stored energy, which knows the
 // displacements in the turning basis, misses of the inner forces' work. S and the added inertia's moment are taken from
 // the step before.
+//
+// Two halves of one wheelset roll together (take()): each has its own rail, contact and forces; where sleepers and axle
+// cross the track centre, both have the mean of their motion after each step, since the plane's nodes are one body of
+// both masses. Both turn at one rate, by the moments and inertias of both.
 #pragma once
 
 #include <array>
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/ThreadTeam.h"
@@ -49,12 +54,21 @@ struct StepView {
 class Rolling {
  public:
   Rolling(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team, double step, double beta);
+  Rolling(const Rolling&) = delete;
+  Rolling& operator=(const Rolling&) = delete;
+  ~Rolling();
 
   // Steady-rolling start: displacements of the equilibrium, velocities that rolling implies.
   void start(const AlignedVector& displacement, const AlignedVector& velocity, double angularVelocity);
 
   // Advances `steps` steps; `observe(view)` is called on the calling thread for every step.
   void advance(long steps, const std::function<void(const StepView&)>& observe);
+  // From now on this half and the other one, which stays where it is, roll as one wheelset: every step of this one is
+  // one of the other. Their models meet at the track centre (model/CentrePlane.h: shared) on meshes that are alike
+  // there, with one step, one team and the same rotation. Throws std::invalid_argument where they do not.
+  void take(Rolling& right);
+  // This half and, where there is one, the one that it has taken.
+  std::span<Rolling* const> sides() const { return sides_; }
   // Phases of each step and thread are timed from now on; null: no longer.
   void setTimings(StepTimings* timings) { timings_ = timings; }
 
@@ -81,23 +95,35 @@ class Rolling {
   double frontOfContact(double margin) const;
 
  private:
-  void takeSteps(StepShares& shares, int index, long first, long steps,
-                 const std::function<void(const StepView&)>& observe);
-  void pushWheelset();            // contact, irregular elements, torque, angular acceleration
+  void takeSteps(int index, long first, long steps, const std::function<void(const StepView&)>& observe);
+  void pushSides();     // every side's wheelset, with the angular acceleration of all
+  void pushWheelset();  // contact, irregular elements, torque
+  // What turns a side: moment, the part of the inner forces, inertia.
+  struct Turning {
+    double outer = 0, inner = 0, inertia = 0;
+  };
+  void turn(const Turning& all);  // angular acceleration, and what the reference's own asks of each mass
   struct alignas(64) NextPiece {  // written by all threads, alone in its cache line
     std::atomic<std::size_t> at{0};
   };
-  void addContactInertia(int side);
-  void pushForceElements(const StepShares& shares, int index);
+  void addContactInertia(int body);
+  void pushForceElements(int index);
   void sumDamperPower();
   void placeTiedNodes(const ThreadShare& own, int index);
   void yieldLayer(int index, int threads, long step);
-  void readEnds(const StepShares& shares, ThreadShare& own, int index, bool late);
+  void readEnds(ThreadShare& own, int index, bool late);
   void advanceStations(const ThreadShare& own, int index);  // and what is tied to nothing
   void passTieForces(const ThreadShare& own, int index);
   void advanceMasters(const ThreadShare& own, int index);
-  void advanceSleepers(StepShares& shares, int index);
+  void advanceSleepers(int index);
+  void advanceSleeper(SleeperShare& sleeper, int index);
+  void joinAxle(const ThreadShare& own);  // the part of the axle's centre that the thread has advanced, of both sides
+  void joinSleepers(const SleeperShare& sleeper);
   void finishStep();
+  void finishSides();
+  void dampWheelset();
+  void dampBothHalves();
+  void takeAccelerations();
   void fix(const std::vector<std::size_t>& unknowns);
   void evaluateContact();
   void applyHubForce();
@@ -116,8 +142,12 @@ class Rolling {
   std::vector<std::unique_ptr<elasticity::KernelScratch>> scratch_;
   std::vector<elasticity::BlockStep> blockSteps_;
   model::WheelsetDamping wheelsetDamping_;
+  std::vector<Rolling*> sides_{this};
+  struct Halves;  // what both of a whole wheelset need together
+  std::unique_ptr<Halves> halves_;
   TeamPace pace_;
   StepShares shares_, oneShare_;             // of all threads; of one that works alone
+  StepShares* taken_ = nullptr;              // those of the steps that are being made
   NextPiece nextForces_, nextSleeper_;       // of trackForces and of the sleepers
   std::vector<AlignedVector> acceleration_;  // per block: 3 lines
   std::vector<AlignedVector> inverseMass_;   // per block, in chunks

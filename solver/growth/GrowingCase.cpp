@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/RightSide.h"
 #include "core/Errors.h"
 #include "growth/Grow.h"
 #include "growth/RollingTraffic.h"
@@ -32,6 +33,7 @@ void requireRoom(const cases::CaseDescription& c, const DefectExtent& extent) {
 
 cases::CaseDescription growingCase(cases::CaseDescription c) {
   constexpr double before = 0.050, behind = 0.120, runUp = 0.40, beyond = 0.05;  // [m]
+  cases::requireHalf(c, "growth");
   constexpr double ramp = 0.008;  // [s] so slow that the wheelset's torsion, some 500 Hz, is hardly excited
   const DefectExtent extent = extentOf(c);
   auto& mesh = c.mesh;

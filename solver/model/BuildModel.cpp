@@ -6,6 +6,7 @@
 #include "geometry/WheelSection.h"
 #include "model/BuildBlocks.h"
 #include "model/BuildForceElements.h"
+#include "model/CentrePlane.h"
 #include "model/Model.h"
 #include "model/Rings.h"
 #include "scenario/DefectSurface.h"
@@ -122,27 +123,6 @@ void addMasses(Model& model) {
   }
 }
 
-// In its middle nothing moves along it; sleepers that are fixed do not move at all.
-void fixSleeper(Model& model, const elasticity::SweptBlock& sleeper) {
-  const bool whole = model.scenario.sleeper.fixed;
-  for (int n = 0; n < sleeper.nodes; ++n)
-    for (int c = 0; c < (whole ? 3 : 1); ++c)
-      for (int s = 0; s < (whole ? sleeper.stationCount : 1); ++s) model.fixed.push_back(sleeper.index(n, c, s));
-}
-
-// Symmetry plane at the track centre: no lateral motion of axle end and sleeper ends.
-void fixSymmetry(Model& model) {
-  for (const auto& block : model.blocks) model.freeMask.emplace_back(block.lines(), 1.0);
-  const auto& body = model.blocks[model.body];
-  for (int n = 0; n < body.nodes; ++n)
-    if (body.section.nodes[n][1] < -model.scenario.wheelset.trackCentre + 1e-9)
-      model.freeMask[model.body][3 * n + 2] = 0;
-  for (int i = 0; i < model.sleepers; ++i) {
-    const auto& sleeper = model.blocks[model.firstSleeper + i];
-    fixSleeper(model, sleeper);
-  }
-}
-
 // The surface nodes take the shape of the defect; nodes below follow, less with depth, down to four element sizes.
 elasticity::NodeShift defectShift(const Model& model) {
   const auto& d = model.scenario;
@@ -246,7 +226,7 @@ Model buildTrackCell(const scenario::Scenario& scenario, double stationLength, i
   addSleepers(model, sleeperIntervals);
   shapeSleepers(model);
   addSupports(model);
-  fixSleeper(model, model.blocks[model.firstSleeper]);
+  fixSleeper(model, model.blocks[model.firstSleeper], Centre::symmetric);
   for (const auto& block : model.blocks) {
     const auto mass = elasticity::lumpedMass(block);
     model.mass.emplace_back(mass.begin(), mass.end());
@@ -282,8 +262,7 @@ Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals) {
   fillIrregularSlots(model);
   shapeSleepers(model);
   addForceElements(model);
-  fixRailEnds(model);
-  fixSymmetry(model);
+  fixUnknowns(model, scenario.extent == scenario::ModelExtent::whole ? Centre::shared : Centre::symmetric);
   addMasses(model);
   return model;
 }

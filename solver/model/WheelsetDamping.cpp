@@ -80,16 +80,41 @@ WaveUse waveUse(int harmonic, bool turned) {
   return turned ? WaveUse{cosine, sine, -1} : WaveUse{sine, cosine, 1};
 }
 
+struct RigidMotion {
+  int harmonic = 0;
+  std::vector<double> shape;  // as of ModeShape
+  double box = 0;
+};
+
+// Of symmetric halves: rotation; up and down with its pair along the track. Of antisymmetric ones: sideways; roll about
+// the track centre, up by the distance from it and outwards by the height below the axis, with its pair, yaw.
+std::vector<RigidMotion> rigidMotions(const scenario::Wheelset& w, const geometry::SectionMesh& section,
+                                      Centre centre) {
+  const std::size_t nodes = section.nodes.size();
+  std::vector<double> around(3 * nodes, 0.0), upwards(3 * nodes, 0.0);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const auto [radius, y] = section.nodes[n];
+    const bool alike = centre == Centre::symmetric;
+    const double lift = alike ? 1 : y + w.trackCentre;
+    if (alike)
+      around[3 * n] = radius;
+    else
+      around[3 * n + 2] = 1, upwards[3 * n + 2] = radius;
+    upwards[3 * n] = lift, upwards[3 * n + 1] = -lift;
+  }
+  return {{0, around, 0}, {1, upwards, centre == Centre::symmetric ? 1 : w.bearingCentre + w.trackCentre}};
+}
+
 }  // namespace
 
-WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model) {
+WheelsetDamping::WheelsetDamping(const Model& model, double step, Centre centre) : model_(model) {
   const auto& w = model.scenario.wheelset;
   if (w.dampingRatio <= 0) return;
   WheelsetShapes shapes;
   int harmonics = 0;
   // Up to the harmonic that has no mode below the limit; plates and rings get stiffer with each.
   for (harmonics = 3;; ++harmonics) {
-    shapes = wheelsetShapes(model.scenario, w.dampingLimit, harmonics);
+    shapes = wheelsetShapes(model.scenario, w.dampingLimit, harmonics, centre);
     if (std::none_of(shapes.modes.begin(), shapes.modes.end(),
                      [&](const ModeShape& m) { return m.mode.harmonic == harmonics; }))
       break;
@@ -114,20 +139,17 @@ WheelsetDamping::WheelsetDamping(const Model& model, double step) : model_(model
     }
     for (const auto& p : block.section.nodes) locations[b].push_back(locate(shapes.section, p));
   }
-  // Rigid motions: rotation, up and down with its pair along the track.
-  const std::size_t sectionNodes = shapes.section.nodes.size();
-  std::vector<double> turn(3 * sectionNodes, 0.0), lift(3 * sectionNodes, 0.0);
-  for (std::size_t n = 0; n < sectionNodes; ++n)
-    turn[3 * n] = shapes.section.nodes[n][0], lift[3 * n] = 1, lift[3 * n + 1] = -1;
+  std::vector<double> masks[2];
+  for (int b = 0; b < 2; ++b)
+    masks[b] = centreMask(w, model.blocks[indices[b]], indices[b] == model.body ? centre : Centre::shared);
   const auto vectorOf = [&](int harmonic, const std::vector<double>& shape, double box) {
     Vector vector{harmonic, false, box, {}};
     for (int b = 0; b < 2; ++b)
-      vector.amplitude[b] =
-          interpolated(model.blocks[indices[b]], locations[b], shapes.section, shape, model.freeMask[indices[b]]);
+      vector.amplitude[b] = interpolated(model.blocks[indices[b]], locations[b], shapes.section, shape, masks[b]);
     return vector;
   };
-  addPair(vectorOf(0, turn, 0));
-  addPair(vectorOf(1, lift, 1));
+  for (const auto& rigid : rigidMotions(w, shapes.section, centre))
+    addPair(vectorOf(rigid.harmonic, rigid.shape, rigid.box));
   const auto rigid = static_cast<Eigen::Index>(vectors_.size());
   for (const auto& m : shapes.modes) {
     addPair(vectorOf(m.mode.harmonic, m.shape, m.box));

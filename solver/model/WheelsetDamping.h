@@ -1,6 +1,7 @@
-// solver/model/WheelsetDamping.h - modal damping of the half wheelset while it rolls.
+// solver/model/WheelsetDamping.h - modal damping of the wheelset while it rolls: of the modes of half a wheelset that
+// is symmetric, or antisymmetric (CentrePlane.h).
 //
-// Every flexible mode of the free half wheelset below a limit loses velocity at the rate 2 zeta omega; rigid motion and
+// Every flexible mode of the free wheelset below a limit loses velocity at the rate 2 zeta omega; rigid motion and
 // everything else lose nothing. Damping proportional to the stiffness would do this to the highest modes of the mesh
 // first and cost the time step. Modes are slow against the step, so they are damped in kicks, at least twenty in the
 // shortest period and two in a sample of the output: the modal velocities are taken to exp(-2 zeta omega t) of what
@@ -12,6 +13,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "model/CentrePlane.h"
 #include "model/Model.h"
 
 namespace squat::model {
@@ -19,7 +21,7 @@ namespace squat::model {
 class WheelsetDamping {
  public:
   // Nothing is computed, and due() stays false, where the case asks for no damping. `step` [s] of the time loop.
-  WheelsetDamping(const Model& model, double step);
+  WheelsetDamping(const Model& model, double step, Centre centre = Centre::symmetric);
 
   bool due(long step) const { return every_ > 0 && step % every_ == 0; }
 

@@ -92,7 +92,7 @@ Lowest lowestPairs(const Eigen::MatrixXd& matrix, double limit) {
 
 }  // namespace
 
-WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int lastHarmonic) {
+WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int lastHarmonic, Centre centre) {
   const auto& w = d.wheelset;
   const auto block = wholeWheelset(w);
   const auto lumped = elasticity::lumpedMass(block);
@@ -101,7 +101,7 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
   for (int n = 0; n < block.nodes; ++n) mass[n] = lumped[n * block.stride], solid += sectors * mass[n];
   const auto bearing =
       seatRing(block, 0, w.journalRadius, w.bearingCentre - w.bearingWidth / 2, w.bearingCentre + w.bearingWidth / 2);
-  const auto centre = sectionRing(block, 0, geometry::seatLineRadius(w), 0);
+  const auto wheelCentre = sectionRing(block, 0, geometry::seatLineRadius(w), 0);
   const auto tread = sectionRing(block, 0, w.radius, 0);
   const bool onSpring = w.bearingStiffness > 0;
   if (!onSpring) addMass(mass, bearing, w.axleBoxMass);
@@ -110,6 +110,7 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
           std::max(0.0, w.totalMass - w.axleBoxMass - solid - scenario::brakeDiscsMass(w)));
 
   const auto interval = elasticity::intervalMatrices(block, 0);
+  const auto mayMove = centreMask(w, block, centre);
   WheelsetShapes shapes;
   shapes.section = block.section;
   for (int harmonic = 0; harmonic <= lastHarmonic; ++harmonic) {
@@ -124,7 +125,7 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
     std::vector<int> kept;
     for (int n = 0; n < block.nodes; ++n)
       for (int component = 0; component < 3; ++component)
-        if (component != 2 || block.section.nodes[n][1] > -w.trackCentre + 1e-9) kept.push_back(3 * n + component);
+        if (mayMove[3 * n + component] != 0) kept.push_back(3 * n + component);
     if (onSpring && harmonic == 1) {
       addBearing(matrix, bearing, boxAt, w.bearingStiffness / whole);
       kept.push_back(boxAt);
@@ -143,10 +144,10 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
         found.shape[kept[i]] = lowest.vectors(static_cast<Eigen::Index>(i), k) / std::sqrt(inertia[kept[i]] * whole);
       found.box = found.shape[boxAt];
       found.shape.resize(boxAt);
-      found.mode = {frequency, harmonic, 0, 0, 0, 0};
+      found.mode = {frequency, harmonic, 0, 0, 0, 0, centre};
       if (harmonic == 1) {
         found.mode.boxAmplitude = onSpring ? found.box : ringShare(bearing, found.shape);
-        found.mode.wheelAmplitude = ringShare(centre, found.shape);
+        found.mode.wheelAmplitude = ringShare(wheelCentre, found.shape);
       }
       for (std::size_t i = 0; i < tread.nodes.size(); ++i) {
         found.mode.contactAmplitude -= tread.weight[i] * found.shape[3 * tread.nodes[i] + 1];
@@ -160,9 +161,17 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
   return shapes;
 }
 
-std::vector<HarmonicMode> wheelsetModes(const scenario::Scenario& d, double highest, int lastHarmonic) {
+std::vector<HarmonicMode> wheelsetModes(const scenario::Scenario& d, double highest, int lastHarmonic, Centre centre) {
   std::vector<HarmonicMode> modes;
-  for (const auto& found : wheelsetShapes(d, highest, lastHarmonic).modes) modes.push_back(found.mode);
+  for (const auto& found : wheelsetShapes(d, highest, lastHarmonic, centre).modes) modes.push_back(found.mode);
+  return modes;
+}
+
+std::vector<HarmonicMode> allWheelsetModes(const scenario::Scenario& d, double highest, int lastHarmonic) {
+  auto modes = wheelsetModes(d, highest, lastHarmonic);
+  const auto others = wheelsetModes(d, highest, lastHarmonic, Centre::antisymmetric);
+  modes.insert(modes.end(), others.begin(), others.end());
+  std::stable_sort(modes.begin(), modes.end(), [](const auto& a, const auto& b) { return a.frequency < b.frequency; });
   return modes;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/SectionMesh.h"
+#include "model/CentrePlane.h"
 #include "scenario/ScenarioDeclaration.h"
 
 namespace squat::model {
@@ -20,13 +21,19 @@ struct HarmonicMode {
   double wheelAmplitude = 0;    // at the wheel centre
   double contactAmplitude = 0;  // at the tread, upwards
   double lateralAmplitude = 0;  // at the tread where it meets the rail, outwards
+  Centre centre = Centre::symmetric;
 };
 
 // Modes up to `highest` [Hz] of harmonics 0 to `lastHarmonic`, ascending; rigid motions are left out.
-std::vector<HarmonicMode> wheelsetModes(const scenario::Scenario& scenario, double highest, int lastHarmonic);
+std::vector<HarmonicMode> wheelsetModes(const scenario::Scenario& scenario, double highest, int lastHarmonic,
+                                        Centre centre = Centre::symmetric);
 
-// A mode with its shape, mass-normalised: u_r and u_y ~ cos(n alpha), u_alpha ~ sin(n alpha) (n = 0: all constant); the
-// other mode of the pair: u_r and u_y ~ sin(n alpha), u_alpha ~ -cos(n alpha).
+// Those of the whole wheelset: symmetric and antisymmetric ones, ascending; amplitudes are those of the left side,
+// mass-normalised over one half.
+std::vector<HarmonicMode> allWheelsetModes(const scenario::Scenario& scenario, double highest, int lastHarmonic);
+
+// A mode with its shape, mass-normalised over the half wheelset: u_r and u_y ~ cos(n alpha), u_alpha ~ sin(n alpha) (n
+// = 0: all constant); the other mode of the pair: u_r and u_y ~ sin(n alpha), u_alpha ~ -cos(n alpha).
 struct ModeShape {
   HarmonicMode mode;
   std::vector<double> shape;  // per section node: alpha, r, y
@@ -36,6 +43,7 @@ struct WheelsetShapes {
   geometry::SectionMesh section;  // (r, y) of the whole half wheelset
   std::vector<ModeShape> modes;   // ascending
 };
-WheelsetShapes wheelsetShapes(const scenario::Scenario& scenario, double highest, int lastHarmonic);
+WheelsetShapes wheelsetShapes(const scenario::Scenario& scenario, double highest, int lastHarmonic,
+                              Centre centre = Centre::symmetric);
 
 }  // namespace squat::model

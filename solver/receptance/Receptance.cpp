@@ -147,7 +147,7 @@ TrackReceptance trackReceptance(const scenario::Scenario& scenario, const Recept
   result.notes = lossNotes(own);
   result.how = howOf(options);
   if (!(options.endless ? solveEndless : solveWholeTrack)(own, options, result, monitor)) return {};
-  if (options.wheelset) result.modes = model::wheelsetModes(scenario, options.highest, 3);
+  if (options.wheelset) result.modes = model::allWheelsetModes(scenario, options.highest, 3);
   result.complete = true;
   return result;
 }

@@ -28,7 +28,7 @@ Parts partsOf(const std::vector<std::complex<double>>& values) {
 }
 
 struct ModeColumns {
-  std::vector<double> frequency, harmonic, box, wheel, contact;
+  std::vector<double> frequency, harmonic, antisymmetric, box, wheel, contact;
 };
 
 ModeColumns columnsOf(const std::vector<model::HarmonicMode>& modes) {
@@ -36,6 +36,7 @@ ModeColumns columnsOf(const std::vector<model::HarmonicMode>& modes) {
   for (const auto& mode : modes) {
     columns.frequency.push_back(mode.frequency);
     columns.harmonic.push_back(mode.harmonic);
+    columns.antisymmetric.push_back(mode.centre == model::Centre::antisymmetric ? 1 : 0);
     columns.box.push_back(mode.boxAmplitude);
     columns.wheel.push_back(mode.wheelAmplitude);
     columns.contact.push_back(mode.contactAmplitude);
@@ -76,6 +77,7 @@ void writeReceptance(const std::string& path, const TrackReceptance& receptance,
   const auto modes = columnsOf(receptance.modes);
   tree.add("/wheelset/frequency", modes.frequency, "Hz");
   tree.add("/wheelset/harmonic", modes.harmonic, "1");
+  tree.add("/wheelset/antisymmetric", modes.antisymmetric, "1");
   tree.add("/wheelset/box", modes.box, "1/sqrt(kg)");
   tree.add("/wheelset/wheel", modes.wheel, "1/sqrt(kg)");
   tree.add("/wheelset/contact", modes.contact, "1/sqrt(kg)");
@@ -114,8 +116,9 @@ std::string thirdOctavesCsv(const TrackReceptance& receptance, ReceptanceQuantit
 std::string modesCsv(const TrackReceptance& receptance) {
   const auto c = columnsOf(receptance.modes);
   return text::csvColumns(
-      {"frequency [Hz]", "harmonic", "box [1/sqrt(kg)]", "wheel centre [1/sqrt(kg)]", "contact [1/sqrt(kg)]"},
-      {&c.frequency, &c.harmonic, &c.box, &c.wheel, &c.contact});
+      {"frequency [Hz]", "harmonic", "antisymmetric", "box [1/sqrt(kg)]", "wheel centre [1/sqrt(kg)]",
+       "contact [1/sqrt(kg)]"},
+      {&c.frequency, &c.harmonic, &c.antisymmetric, &c.box, &c.wheel, &c.contact});
 }
 
 std::vector<std::string> receptanceFiles(const std::string& stem) {

@@ -50,16 +50,16 @@ std::string receptanceSummary(const TrackReceptance& receptance, ReceptanceQuant
       text += formatted(" %.0f", f);
     text += "\n";
   }
-  if (!receptance.modes.empty()) text += "\nNatural modes of the free half wheelset:\n" + modesTable(receptance.modes);
+  if (!receptance.modes.empty()) text += "\nNatural modes of the free wheelset:\n" + modesTable(receptance.modes);
   for (const auto& note : receptance.notes) text += "note: " + note + "\n";
   return text;
 }
 
 std::string modesTable(const std::vector<model::HarmonicMode>& modes) {
-  TextTable table({"mode [Hz]", "axle box", "wheel centre", "contact [1/√kg]"});
+  TextTable table({"mode [Hz]", "both sides", "axle box", "wheel centre", "contact [1/√kg]"});
   for (const auto& mode : modes)
-    table.add({roundedText(mode.frequency), roundedText(mode.boxAmplitude), roundedText(mode.wheelAmplitude),
-               roundedText(mode.contactAmplitude)});
+    table.add({roundedText(mode.frequency), mode.centre == model::Centre::symmetric ? "symmetric" : "antisymmetric",
+               roundedText(mode.boxAmplitude), roundedText(mode.wheelAmplitude), roundedText(mode.contactAmplitude)});
   return table.text();
 }
 

@@ -9,6 +9,7 @@
 #include "scenario/Growth.h"
 #include "scenario/Irregularity.h"
 #include "scenario/MeshSizes.h"
+#include "scenario/ModelExtent.h"
 #include "scenario/Motion.h"
 #include "scenario/Output.h"
 #include "scenario/Track.h"
@@ -22,6 +23,7 @@ enum class DefectModel { gapFunction, movedNodes };
 
 // What a user writes and what is simulated alike.
 struct Inputs {
+  ModelExtent extent = ModelExtent::half;
   Track track;
   Rail rail;
   Pad pad;

@@ -1,60 +1,114 @@
 #include "signals/SignalCatalogue.h"
 
+#include <deque>
+#include <string>
+#include <utility>
+
 #include "signals/Butterworth.h"
 
 namespace squat::signals {
 
+namespace {
+
+std::vector<CatalogueRow> rowsOfOneSide() {
+  return {{.name = names::axleBox,
+           .unit = "m/s2",
+           .description = "vertical acceleration of the axle box, up positive, anti-aliased",
+           .filteredName = names::axleBoxFiltered},
+          {.name = names::axleBoxLongitudinal,
+           .unit = "m/s2",
+           .description = "longitudinal acceleration of the axle box, rolling direction positive"},
+          {.name = names::wheel,
+           .unit = "m/s2",
+           .description = "vertical acceleration of the wheel centre, up positive",
+           .filteredName = names::wheelFiltered},
+          {.name = names::contactForce,
+           .unit = "N",
+           .description = "vertical force of the wheel on the rail, down positive",
+           .curve = {.figure = "contact_force",
+                     .label = "vertical",
+                     .front = true,
+                     .tab = "Force",
+                     .title = "Contact force",
+                     .axis = "Force on the rail [kN]",
+                     .factor = 1e-3,
+                     .withZero = true}},  // so that a loss of contact shows
+          {.name = names::creepForce,
+           .unit = "N",
+           .description = "longitudinal force of the wheel on the rail, rolling direction positive",
+           .curve = {.figure = "contact_force", .label = "longitudinal", .factor = 1e-3}},
+          {.name = names::wheelSpeed, .unit = "rad/s", .description = "angular velocity of the wheelset"},
+          {.name = names::patchLength, .unit = "m", .description = "2 sqrt(5 <x2>) of the pressure"},
+          {.name = names::patchWidth, .unit = "m", .description = "2 sqrt(5 <y2>) of the pressure"},
+          {.name = names::rail,
+           .unit = "m/s2",
+           .description = "vertical acceleration of the rail foot at output.rail_accelerometer, up positive",
+           .curve = {.figure = "trackside",
+                     .label = "rail foot",
+                     .tab = "Track",
+                     .title = "Acceleration of rail and sleeper beside the track",
+                     .axis = "Vertical acceleration [m/s\u00b2]"}},
+          {.name = names::sleeper,
+           .unit = "m/s2",
+           .description =
+               "vertical acceleration of the sleeper nearest to output.rail_accelerometer, below the rail, up positive",
+           .curve = {.figure = "trackside", .label = "nearest sleeper", .front = true}},
+          {.name = names::irregularity,
+           .unit = "m",
+           .description = "height of the rail's irregularity below the wheel centre, up positive"}};
+}
+
+// Of the right side, each drawn in the figure of the left one; axle boxes have a figure of both sides.
+class RightRows {
+ public:
+  std::vector<CatalogueRow> rows;
+
+  RightRows() {
+    for (const auto& left : rowsOfOneSide()) {
+      CatalogueRow right = left;
+      right.left = left.name;
+      right.name = keep(std::string(left.name) + "_right");
+      right.description = keep(std::string(left.description) + "; right side");
+      if (left.filteredName) right.filteredName = keep(std::string(right.name) + "_filtered");
+      if (left.curve.figure)
+        right.curve = {.figure = left.curve.figure,
+                       .label = keep(std::string(left.curve.label) + ", right"),
+                       .factor = left.curve.factor};
+      if (left.name == std::string_view(names::axleBox))
+        right.curve = {.figure = "sides",
+                       .label = "right",
+                       .tab = "Sides",
+                       .title = "Axle box acceleration of both sides",
+                       .axis = "Axle box acceleration [m/s\u00b2]",
+                       .filtered = true};
+      rows.push_back(right);
+    }
+  }
+
+ private:
+  const char* keep(std::string text) { return texts_.emplace_back(std::move(text)).c_str(); }
+  std::deque<std::string> texts_;  // where they are, they stay
+};
+
+}  // namespace
+
 const std::vector<CatalogueRow>& signalCatalogue() {
-  static const std::vector<CatalogueRow> rows{
-      {.name = names::axleBox,
-       .unit = "m/s2",
-       .description = "vertical acceleration of the axle box, up positive, anti-aliased",
-       .filteredName = names::axleBoxFiltered},
-      {.name = names::axleBoxLongitudinal,
-       .unit = "m/s2",
-       .description = "longitudinal acceleration of the axle box, rolling direction positive"},
-      {.name = names::wheel,
-       .unit = "m/s2",
-       .description = "vertical acceleration of the wheel centre, up positive",
-       .filteredName = names::wheelFiltered},
-      {.name = names::contactForce,
-       .unit = "N",
-       .description = "vertical force of the wheel on the rail, down positive",
-       .curve = {.figure = "contact_force",
-                 .label = "vertical",
-                 .front = true,
-                 .tab = "Force",
-                 .title = "Contact force",
-                 .axis = "Force on the rail [kN]",
-                 .factor = 1e-3,
-                 .withZero = true}},  // so that a loss of contact shows
-      {.name = names::creepForce,
-       .unit = "N",
-       .description = "longitudinal force of the wheel on the rail, rolling direction positive",
-       .curve = {.figure = "contact_force", .label = "longitudinal", .factor = 1e-3}},
-      {.name = names::wheelSpeed, .unit = "rad/s", .description = "angular velocity of the wheelset"},
-      {.name = names::patchLength, .unit = "m", .description = "2 sqrt(5 <x2>) of the pressure"},
-      {.name = names::patchWidth, .unit = "m", .description = "2 sqrt(5 <y2>) of the pressure"},
-      {.name = names::rail,
-       .unit = "m/s2",
-       .description = "vertical acceleration of the rail foot at output.rail_accelerometer, up positive",
-       .curve = {.figure = "trackside",
-                 .label = "rail foot",
-                 .tab = "Track",
-                 .title = "Acceleration of rail and sleeper beside the track",
-                 .axis = "Vertical acceleration [m/s\u00b2]"}},
-      {.name = names::sleeper,
-       .unit = "m/s2",
-       .description =
-           "vertical acceleration of the sleeper nearest to output.rail_accelerometer, below the rail, up positive",
-       .curve = {.figure = "trackside", .label = "nearest sleeper", .front = true}},
-      {.name = names::irregularity,
-       .unit = "m",
-       .description = "height of the rail's irregularity below the wheel centre, up positive"},
-      {.name = names::position,
-       .unit = "m",
-       .description = "wheel centre relative to the deepest point of the defect"}};
+  static const RightRows right;
+  static const std::vector<CatalogueRow> rows = [] {
+    auto all = rowsOfOneSide();
+    all.insert(all.end(), right.rows.begin(), right.rows.end());
+    all.push_back({.name = names::position,
+                   .unit = "m",
+                   .description = "wheel centre relative to the deepest point of the defect"});
+    return all;
+  }();
   return rows;
+}
+
+const CatalogueRow* catalogueRow(std::string_view name) {
+  for (const auto& row : signalCatalogue())
+    if (row.name == name) return &row;
+  return nullptr;
 }
 
 bool carriesFilter(const TimeSeries& series, double cutoff) {

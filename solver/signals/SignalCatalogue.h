@@ -2,6 +2,7 @@
 // low-passed partner that is stored beside it, and the figure that it is drawn in.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "signals/TimeSeries.h"
@@ -37,6 +38,7 @@ struct SignalCurve {
   const char* axis = "";         // "Force on the rail [kN]"
   double factor = 1;             // from SI to the unit of the axis
   bool withZero = false;         // the range of the axis holds zero
+  bool filtered = false;         // drawn as its low-passed partner
 };
 
 struct CatalogueRow {
@@ -45,11 +47,14 @@ struct CatalogueRow {
   const char* description;
   const char* filteredName = nullptr;  // also stored low-passed at output.filter_cutoff under this name
   SignalCurve curve = {};
+  const char* left = nullptr;  // of a signal of the right side, which only a whole model has: that of the left
 };
 
-// In the order in which results store them. To add a signal with its figure, add its row here and its probe in
+// In the order in which results store them: the left side or the half model, the right side ("aba_right"), the
+// position. To add a signal with its figure, add its row here and its probe in
 // simulation/Signals.cpp.
 const std::vector<CatalogueRow>& signalCatalogue();
+const CatalogueRow* catalogueRow(std::string_view name);  // nullptr: none
 
 // The filtered partner: Butterworth of order 4 forward and back. A series that is too short for it, or sampled too
 // slowly for the cut-off [Hz], is its own partner.

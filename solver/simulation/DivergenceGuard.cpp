@@ -9,13 +9,20 @@
 
 namespace squat::simulation {
 
+namespace {
+
+// Behind a location.
+std::string sideName(std::size_t side) { return side == 0 ? "" : ", right side"; }
+
+}  // namespace
+
 DivergenceGuard::DivergenceGuard(const dynamics::Rolling& rolling, const EnergyBalance& balance, long perSample,
                                  long grid)
     : balance_(balance),
       perSample_(perSample),
       grid_(grid),
       firstStep_(rolling.state().step),
-      lastContact_(rolling.state().time) {}
+      lastContact_(rolling.sides().size(), rolling.state().time) {}
 
 // The first step alone: a state from a file is judged before it can fly apart. Then a fixed grid, laid anew in every
 // sample.
@@ -30,7 +37,7 @@ void DivergenceGuard::onStep(const dynamics::Rolling& rolling) {
     entries_ = balance_.entries();
     checkEverything(rolling, displacement_);
   }
-  check(rolling);
+  for (std::size_t i = 0; i < lastContact_.size(); ++i) check(*rolling.sides()[i], sideName(i), lastContact_[i]);
 }
 
 void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling) {
@@ -39,6 +46,11 @@ void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling) {
 }
 
 void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling, AlignedVector& displacement) {
+  for (std::size_t i = 0; i < rolling.sides().size(); ++i) checkSide(*rolling.sides()[i], sideName(i), displacement);
+}
+
+void DivergenceGuard::checkSide(const dynamics::Rolling& rolling, const std::string& where,
+                                AlignedVector& displacement) {
   constexpr double absurd = 1e4;  // [m], [m/s] beyond the speed of sound in steel; a not-a-number is not below it
   const auto& state = rolling.state();
   const auto isAbsurd = [](double value) { return !(std::abs(value) < absurd); };
@@ -51,21 +63,21 @@ void DivergenceGuard::checkEverything(const dynamics::Rolling& rolling, AlignedV
     if (count == 0) continue;
     const auto at = std::find_if(values->begin(), values->end(), isAbsurd) - values->begin();
     throw RunError("the run diverges: a displacement or velocity is not a number or grows without bound", state.step,
-                   state.time, model::locationName(rolling.model(), static_cast<std::size_t>(at)));
+                   state.time, model::locationName(rolling.model(), static_cast<std::size_t>(at)) + where);
   }
   if (!(std::abs(state.rotation) < maximumRotation) || !(std::abs(state.angularVelocity) < maximumAngularVelocity))
     throw RunError("the run diverges: the angular velocity of the wheel grows without bound", state.step, state.time,
                    "wheelset");
   rolling.displacement(displacement);
   if (const auto location = model::invertedElement(rolling.model(), displacement, &rolling.team()); !location.empty())
-    throw RunError("an element is turned inside out", state.step, state.time, location);
+    throw RunError("an element is turned inside out", state.step, state.time, location + where);
 }
 
-void DivergenceGuard::check(const dynamics::Rolling& rolling) {
+void DivergenceGuard::check(const dynamics::Rolling& rolling, const std::string& where, double& lastContact) {
   const auto& view = rolling.view();
   const auto& state = rolling.state();
   const auto fail = [&](const std::string& what, const std::string& location) {
-    throw RunError(what, state.step, state.time, location);
+    throw RunError(what, state.step, state.time, location + where);
   };
   const auto diverges = [&] {
     std::size_t worst = 0;
@@ -80,8 +92,8 @@ void DivergenceGuard::check(const dynamics::Rolling& rolling) {
   if (view.patch.deepest > 2e-3)
     fail("runaway penetration of " + std::to_string(view.patch.deepest * 1e3) + " mm", "contact");
   if (std::abs(view.patch.vertical) > 1e3 * rolling.wheelLoad()) diverges();
-  if (view.patch.points > 0) lastContact_ = state.time;
-  if (state.time - lastContact_ > 0.010) fail("the wheel has lost contact for 10 ms", "contact");
+  if (view.patch.points > 0) lastContact = state.time;
+  if (state.time - lastContact > 0.010) fail("the wheel has lost contact for 10 ms", "contact");
   if (std::abs(balance_.relativeResidual()) > 0.005)
     fail("the energy balance does not close: error " + std::to_string(100 * balance_.relativeResidual()) +
              " % of the strain energy at the start plus all dissipation",

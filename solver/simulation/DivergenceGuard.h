@@ -25,13 +25,14 @@ class DivergenceGuard : public StepObserver {
 
  private:
   static void checkEverything(const dynamics::Rolling& rolling, AlignedVector& displacement);
-  void check(const dynamics::Rolling& rolling);
+  static void checkSide(const dynamics::Rolling& side, const std::string& where, AlignedVector& displacement);
+  void check(const dynamics::Rolling& side, const std::string& where, double& lastContact);
 
   const EnergyBalance& balance_;
   long perSample_, grid_, firstStep_;
   std::size_t entries_ = 0;
-  double lastContact_;          // [s]
-  AlignedVector displacement_;  // kept: allocating it each time costs more than filling it
+  std::vector<double> lastContact_;  // [s] of each side
+  AlignedVector displacement_;       // kept: allocating it each time costs more than filling it
 };
 
 }  // namespace squat::simulation

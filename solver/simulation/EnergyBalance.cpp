@@ -18,13 +18,21 @@ double springEnergy(const dynamics::Rolling& rolling, const AlignedVector& u) {
 }  // namespace
 
 EnergyBalance::EnergyBalance(const dynamics::Rolling& rolling, double startStrain)
-    : reference_(startStrain), firstAngularVelocity_(rolling.state().angularVelocity), sums_(rolling) {}
+    : reference_(startStrain), firstAngularVelocity_(rolling.state().angularVelocity) {
+  for (const auto* side : rolling.sides()) sums_.emplace_back(*side);
+}
 
 double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling) {
+  double sum = 0;
+  for (std::size_t i = 0; i < sums_.size(); ++i) sum += kineticEnergy(*rolling.sides()[i], sums_[i]);
+  return sum;
+}
+
+double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling, EnergySums& sums) const {
   const auto& model = rolling.model();
   const auto& state = rolling.state();
   const auto& d = model.scenario;
-  auto [sum, momentum] = sums_.motion(rolling);
+  auto [sum, momentum] = sums.motion(rolling);
   const double vx = state.velocity[model.sprungX], vz = state.velocity[model.sprungZ];
   sum += 0.5 * d.suspension.sprungMass * (vx * vx + vz * vz);
   momentum += d.suspension.sprungMass * vx;
@@ -40,43 +48,53 @@ double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling) {
 }
 
 void EnergyBalance::before(const dynamics::Rolling& rolling) {
-  const auto& model = rolling.model();
-  rolling.displacement(displacement_);
-  const auto energies = sums_.quadratic(rolling, displacement_);
-  velocity_ = rolling.state().velocity;
-  const auto damping = sums_.quadratic(rolling, velocity_);
-  const double springs = springEnergy(rolling, displacement_);
-  shares_ = {0.5 * energies.rail, 0.5 * energies.wheelset, 0.5 * energies.sleepers, springs};
-  const double fall = sums_.workOfWeight(rolling, displacement_);
-  const double power = rolling.beta() * damping.sum(), time = rolling.state().time;
+  double power = 0, plastic = 0, strain = 0, fall = 0;
+  shares_ = {};
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    const auto& side = *rolling.sides()[i];
+    side.displacement(displacement_);
+    const auto energies = sums_[i].quadratic(side, displacement_);
+    velocity_ = side.state().velocity;
+    power += side.beta() * sums_[i].quadratic(side, velocity_).sum();
+    const double springs = springEnergy(side, displacement_);
+    fall += sums_[i].workOfWeight(side, displacement_);
+    // Plastic strain: the solids' energy is that of the elastic strain alone, hardening stores a part of what flow
+    // takes.
+    const auto flow =
+        plasticity::layerEnergy(side.model().layer, side.state().plastic, side.layerForces(), displacement_.data());
+    shares_.rail += 0.5 * energies.rail + (flow.elastic + flow.hardening);
+    shares_.wheelset += 0.5 * energies.wheelset, shares_.sleepers += 0.5 * energies.sleepers,
+        shares_.springs += springs;
+    strain += 0.5 * energies.sum() + springs + (flow.elastic + flow.hardening);
+    plastic += flow.dissipated;
+  }
+  const double time = rolling.state().time;
   if (started_) materialDamping_ += 0.5 * (power + lastDampingPower_) * (time - lastTime_);
   lastDampingPower_ = power, lastTime_ = time;
   pending_ = {};
   addSums(rolling);
   pending_.kinetic = 0.5 * kineticEnergy(rolling);
-  pending_.strain = 0.5 * energies.sum() + springs;
+  pending_.strain = strain;
   pending_.damping += materialDamping_;
   pending_.external += fall;
-  // Plastic strain: the solids' energy is that of the elastic strain alone, hardening stores a part of what flow takes.
-  const auto flow =
-      plasticity::layerEnergy(model.layer, rolling.state().plastic, rolling.layerForces(), displacement_.data());
-  shares_.rail += flow.elastic + flow.hardening;
-  pending_.strain += flow.elastic + flow.hardening;
-  pending_.plastic = flow.dissipated;
+  pending_.plastic = plastic;
 }
 
 // Half the work of a step is done when its displacement stands.
 void EnergyBalance::addSums(const dynamics::Rolling& rolling) {
-  const auto& sums = rolling.state().sums;
-  pending_.damping += 0.5 * sums.damping;
-  pending_.external += 0.5 * sums.torqueWork;
+  for (const auto* side : rolling.sides()) {
+    pending_.damping += 0.5 * side->state().sums.damping;
+    pending_.external += 0.5 * side->state().sums.torqueWork;
+  }
 }
 
 void EnergyBalance::after(const dynamics::Rolling& rolling) {
   addSums(rolling);
-  pending_.friction = rolling.state().sums.friction;  // of the slip that has led to this displacement
+  for (const auto* side : rolling.sides()) {
+    pending_.friction += side->state().sums.friction;  // of the slip that has led to this displacement
+    pending_.contact += side->view().patch.storedEnergy;
+  }
   pending_.kinetic += 0.5 * kineticEnergy(rolling);
-  pending_.contact = rolling.view().patch.storedEnergy;
   if (!started_) first_ = pending_, started_ = true;
   samples_.push_back(pending_);
   time_.push_back(lastTime_);

@@ -3,7 +3,8 @@
 // Kinetic energy counts from that of the reference motion (constant), at full steps as the mean of both half steps; so
 // does what dashpots and torque have done: half the work of a step is done when its displacement stands. The residual
 // is change of kinetic, strain and contact energy plus everything dissipated minus the work of torque and weight; it is
-// judged against the strain energy at the start plus all dissipation.
+// judged against the strain energy at the start plus all dissipation. Of a whole wheelset everything is that of both
+// sides: each alone gets and gives energy at the track centre.
 #pragma once
 
 #include <vector>
@@ -44,7 +45,8 @@ class EnergyBalance {
   struct Sample {
     double kinetic = 0, strain = 0, contact = 0, friction = 0, damping = 0, external = 0, plastic = 0;
   };
-  double kineticEnergy(const dynamics::Rolling& rolling);
+  double kineticEnergy(const dynamics::Rolling& rolling);  // of all sides
+  double kineticEnergy(const dynamics::Rolling& side, EnergySums& sums) const;
   void addSums(const dynamics::Rolling& rolling);
   double residual(const Sample& sample) const;  // [J]
   double relativeResidual(const Sample& sample) const;
@@ -56,7 +58,7 @@ class EnergyBalance {
   Shares shares_;
   std::vector<double> time_;
   std::vector<Sample> samples_;
-  EnergySums sums_;
+  std::vector<EnergySums> sums_;           // of each side
   AlignedVector displacement_, velocity_;  // kept: allocating them costs more than filling them
 };
 

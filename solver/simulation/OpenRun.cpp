@@ -10,6 +10,7 @@
 #include "case/Validation.h"
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
+#include "model/CentrePlane.h"
 #include "simulation/Describe.h"
 #include "simulation/RollingStateFile.h"
 #include "simulation/SurfaceFields.h"
@@ -77,7 +78,7 @@ RollingRun::RollingRun(const RunOptions& options, results::RunResult& result, Mo
 }
 
 OpenRun::OpenRun(const cases::CaseDescription& d, const RunOptions& o, Monitor& m)
-    : description(d), scenario(cases::resolve(d)), options(o), monitor(m) {
+    : description(d), sides(cases::resolveSides(d)), scenario(sides.left), options(o), monitor(m) {
   refuseOrWarn();
   try {
     kernels = elasticity::kernelsFor(options.isa);
@@ -137,6 +138,7 @@ bool OpenRun::start(const StoredState* stored) {
     modes = std::async(team->size() > 1 ? std::launch::async : std::launch::deferred,
                        [this] { return naturalModes(scenario); });
   model = timed("mesh", [&] { return made ? withDefect(*made, scenario) : model::buildModel(scenario); });
+  if (sides.right) rightModel = model::buildModel(*sides.right);
   if (scenario.rail.plastic && model.layer.empty())
     warn("rail.plastic_depth is less than half an element of the head: no element can yield, the rail stays elastic");
   describeProfile(scenario, result);
@@ -145,8 +147,40 @@ bool OpenRun::start(const StoredState* stored) {
   return true;
 }
 
+namespace {
+
+// Half of a whole model with a mirror at the track centre. Its highest frequency is that of the whole, which belongs to
+// the smallest elements, far from the centre.
+model::Model mirrored(const model::Model& half) {
+  model::Model alone = half;
+  model::fixUnknowns(alone, model::Centre::symmetric);
+  return alone;
+}
+
+}  // namespace
+
+// Of both sides the shorter one; they differ where surface nodes are moved.
+dynamics::StableStep OpenRun::findStableStep() {
+  if (!rightModel) return dynamics::stableStep(model, kernels, *team, monitor);
+  auto stable = dynamics::stableStep(mirrored(model), kernels, *team, monitor);
+  const bool alike = model.movedElements.size() == 0 && rightModel->movedElements.size() == 0;
+  if (alike || monitor.cancelled()) return stable;
+  auto right = dynamics::stableStep(mirrored(*rightModel), kernels, *team, monitor);
+  return right.step < stable.step ? right : stable;
+}
+
+// Both sides of a whole model start alike, as mirror images.
+statics::SteadyRollingStart OpenRun::findStart() {
+  if (!rightModel) return statics::prepareSteadyRollingStart(model, kernels, *team, monitor);
+  return statics::prepareSteadyRollingStart(mirrored(model), kernels, *team, monitor);
+}
+
 void OpenRun::makeRolling() {
   rolling.emplace(model, kernels, *team, steps.step, steps.beta);
+  if (rightModel) {
+    rightRolling.emplace(*rightModel, kernels, *team, steps.step, steps.beta);
+    rolling->take(*rightRolling);
+  }
   if (options.timed) rolling->setTimings(&timings.emplace(team->size()));
 }
 
@@ -155,23 +189,23 @@ bool OpenRun::begin(std::future<Modes> modes) {
   if (monitor.cancelled()) return false;
   if (modes.valid()) result.modes = timed("modes", [&] { return modes.get(); });
   if (monitor.cancelled()) return false;
-  const auto stable = timed("stable_step", [&] { return dynamics::stableStep(model, kernels, *team, monitor); });
+  const auto stable = timed("stable_step", [&] { return findStableStep(); });
   if (monitor.cancelled()) return false;
   const long perSample = stepsPerSample(scenario, stable);
   steps = {perSample, 1 / scenario.output.rate / static_cast<double>(perSample), stable.beta};
   describeMesh(model, stable, steps.step, result);
   reportStep(monitor, steps.step, stable.location);
-  const auto steady =
-      timed("equilibrium", [&] { return statics::prepareSteadyRollingStart(model, kernels, *team, monitor); });
+  const auto steady = timed("equilibrium", [&] { return findStart(); });
   const auto& equilibrium = steady.equilibrium;
   if (equilibrium.cancelled) return false;
   describeEquilibrium(model, equilibrium, result);
-  startStrain_ = equilibrium.strainEnergy;
+  startStrain_ = equilibrium.strainEnergy * (rightModel ? 2 : 1);
 
   makeRolling();
   const auto& motion = scenario.motion;
-  rolling->start(equilibrium.displacement, steady.velocity,
-                 motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
+  for (auto* side : rolling->sides())
+    side->start(equilibrium.displacement, steady.velocity,
+                motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
   if (!options.snapshots) return true;
   fields = std::make_unique<SurfaceFields>(model);
   result.surface = fields->mesh();
@@ -190,9 +224,10 @@ void OpenRun::restore(const StoredState& stored) {
     result.surface = fields->mesh();
   }
   makeRolling();
-  rolling->start(AlignedVector(model.stateSize, 0.0), AlignedVector(model.stateSize, 0.0), 0);
+  for (auto* side : rolling->sides())
+    side->start(AlignedVector(model.stateSize, 0.0), AlignedVector(model.stateSize, 0.0), 0);
   requireFittingState(stored, *rolling, lastStep());
-  rolling->restore(loadRolling(stored.tree));
+  restoreRolling(stored.tree, *rolling);
   if (options.snapshots) loadPictures(stored.tree, stored.file, result);
 }
 

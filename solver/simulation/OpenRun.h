@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "case/Resolve.h"
+#include "dynamics/StableStep.h"
 #include "model/Model.h"
 #include "simulation/CheckpointWriter.h"
 #include "simulation/DivergenceGuard.h"
@@ -19,6 +21,7 @@
 #include "simulation/RunCase.h"
 #include "simulation/SampleStream.h"
 #include "simulation/SignalRecorder.h"
+#include "statics/SteadyRollingStart.h"
 
 namespace squat::simulation {
 
@@ -78,7 +81,8 @@ class OpenRun {
 
   const Clock::time_point opened = Clock::now();
   const cases::CaseDescription& description;
-  const scenario::Scenario scenario;
+  const cases::Sides sides;
+  const scenario::Scenario& scenario;  // of the left side, or the half model
   const RunOptions& options;
   Monitor& monitor;
   results::RunResult result;
@@ -86,10 +90,11 @@ class OpenRun {
   elasticity::KernelSet kernels;
   std::unique_ptr<ThreadTeam> team;
   model::Model model;
+  std::optional<model::Model> rightModel;  // of a whole model
   RunStart steps;
   std::unique_ptr<SurfaceFields> fields;
   std::optional<dynamics::StepTimings> timings;  // where they are asked for
-  std::optional<dynamics::Rolling> rolling;
+  std::optional<dynamics::Rolling> rolling, rightRolling;
   std::optional<RollingRun> parts;
 
  private:
@@ -98,6 +103,8 @@ class OpenRun {
   void reportPhase(const char* name);
   using Modes = std::vector<results::WheelsetMode>;
   bool begin(std::future<Modes> modes);
+  dynamics::StableStep findStableStep();
+  statics::SteadyRollingStart findStart();
   void makeRolling();
   void restore(const StoredState& stored);
   double startStrain_ = 0;  // [J]

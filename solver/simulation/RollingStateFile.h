@@ -1,4 +1,5 @@
-// solver/simulation/RollingStateFile.h - the state of a rolling run as arrays of a checkpoint, and back.
+// solver/simulation/RollingStateFile.h - the state of a rolling run as arrays of a checkpoint, and back: /rolling, and
+// /rolling_right where there is a right side.
 #pragma once
 
 #include <string>
@@ -10,7 +11,8 @@
 namespace squat::simulation {
 
 void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree);
-dynamics::RollingState loadRolling(const results::ArrayTree& tree);
+// Restores every side of a rolling run. Call requireFittingState() before.
+void restoreRolling(const results::ArrayTree& tree, dynamics::Rolling& rolling);
 
 // Throws FileError(file, array) where a stored state has other arrays or lengths than this run, points of contact that
 // the model does not have, or a step beyond the end: it may be an untrusted file.

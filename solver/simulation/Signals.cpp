@@ -35,10 +35,18 @@ std::map<std::string_view, Probe> probes(const dynamics::Rolling& rolling) {
 }  // namespace
 
 std::vector<Signal> outputSignals(const dynamics::Rolling& rolling) {
-  auto all = probes(rolling);
+  auto left = probes(rolling);
+  std::map<std::string_view, Probe> right;
+  if (rolling.sides().size() > 1) right = probes(*rolling.sides()[1]);
   std::vector<Signal> output;
   for (const auto& row : signals::signalCatalogue())
-    if (const auto probe = all.find(row.name); probe != all.end()) output.push_back({row, std::move(probe->second)});
+    if (row.left) {
+      if (const auto probe = right.find(row.left); probe != right.end())
+        output.push_back(
+            {row, [own = std::move(probe->second)](const dynamics::Rolling& r) { return own(*r.sides()[1]); }});
+    } else if (const auto probe = left.find(row.name); probe != left.end()) {
+      output.push_back({row, std::move(probe->second)});
+    }
   return output;
 }
 

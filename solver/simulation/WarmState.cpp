@@ -9,6 +9,7 @@
 #include "case/BeforeDefect.h"
 #include "case/ParameterValue.h"
 #include "case/Resolve.h"
+#include "case/RightSide.h"
 #include "contact/ContactSurfaces.h"
 #include "core/Errors.h"
 #include "simulation/OpenRun.h"
@@ -167,6 +168,7 @@ void keepState(const OpenRun& run, WarmState& warm) {
 std::optional<WarmState> makeWarmState(const cases::CaseDescription& description, const RunOptions& options,
                                        Monitor& monitor) {
   refuseMovedNodes(description);
+  cases::requireHalf(description, "a warm state");
   auto plain = options;
   plain.checkpointPath.clear(), plain.resume = false, plain.warm.reset();
   WarmState warm;

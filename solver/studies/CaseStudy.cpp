@@ -9,6 +9,7 @@
 #include "case/NamedTables.h"
 #include "case/ParameterTable.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
@@ -20,7 +21,7 @@ namespace {
 
 // Each value on its own: type and range. Relations between keys are found when the point's case is made.
 void checkValues(const Variation& variation, std::vector<CaseProblem>& problems) {
-  const auto* parameter = cases::findParameter(variation.key);
+  const auto* parameter = cases::findOnEitherSide(variation.key);
   if (!parameter) {
     problems.push_back(cases::unknownKey(variation.key));
     return;
@@ -42,9 +43,10 @@ void checkGrid(const StudyDefinition& definition, const cases::CaseOverrides& ov
       const auto description = caseAt(definition, overrides, point);
       canBeRun = true;
       for (auto item = withoutEffect.begin(); item != withoutEffect.end();) {
-        const auto& parameter = *cases::findParameter(item->first);
-        if (item->second.empty()) item->second = cases::reasonWithoutEffect(description, parameter);
-        item = cases::applies(description, parameter) ? withoutEffect.erase(item) : std::next(item);
+        const auto& parameter = *cases::findOnEitherSide(item->first);
+        const auto side = cases::sideOf(description, item->first);
+        if (item->second.empty()) item->second = cases::reasonWithoutEffect(side, parameter);
+        item = cases::applies(side, parameter) ? withoutEffect.erase(item) : std::next(item);
       }
     } catch (const CaseError& error) {
       if (problems.empty()) problems = error.problems();
@@ -110,7 +112,7 @@ StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOver
                         const StudyOptions& options, Monitor& monitor) {
   auto inputs = cases::filesOfCase(definition.caseName, cases::loadCase(definition.caseName, overrides));
   for (const auto& variation : definition.variations)
-    if (const auto* parameter = cases::findParameter(variation.key); parameter && cases::namesTable(*parameter))
+    if (const auto* parameter = cases::findOnEitherSide(variation.key); parameter && cases::namesTable(*parameter))
       inputs.insert(inputs.end(), variation.values.begin(), variation.values.end());
   keepInputs(inputs, studyFiles(options.folder, options.part));
   const StudyRunner runner = [&](const StudyPoint& point, Monitor& own) -> std::optional<FeatureRow> {

@@ -33,7 +33,7 @@ std::optional<cases::CaseDescription> caseOfAll(const StudyDefinition& definitio
   for (const auto& point : gridOf(definition)) {
     try {
       const auto description = caseAt(definition, overrides, point);
-      if (description.defect.moveNodes) return std::nullopt;
+      if (description.defect.moveNodes || description.extent == cases::ModelExtent::whole) return std::nullopt;
       const auto own = cases::defectZone(description);
       zone = {std::max(zone.before, own.before), std::max(zone.behind, own.behind)};
       if (!base) base = description;

@@ -126,7 +126,7 @@ TEST_F(FigureRegistry, signalsOfTheCatalogueAreDrawnInTheirFigures) {
   const auto result = tests::syntheticResult();
   int drawn = 0;
   for (const auto& row : signals::signalCatalogue()) {
-    if (!row.curve.figure) continue;
+    if (!row.curve.figure || row.left) continue;  // a half model has no right side
     const auto& figureOfIt = figureRow(row.curve.figure);
     EXPECT_TRUE(figureOfIt.needs.find(row.name) != std::string::npos || *row.curve.tab == 0) << row.name;
     const auto figure = figureOfIt.build(result, lightStyle(), {});

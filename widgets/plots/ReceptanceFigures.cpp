@@ -67,9 +67,9 @@ std::unique_ptr<Figure> phases(const receptance::TrackReceptance& r, receptance:
   return figure;
 }
 
-// A stroke from zero for every mode.
+// A stroke from zero for every mode, broken where both sides move oppositely.
 std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style& style) {
-  auto figure = std::make_unique<Figure>(QStringLiteral("modes of the half wheelset"), style);
+  auto figure = std::make_unique<Figure>(QStringLiteral("modes of the wheelset"), style);
   figure->yAxis->setLabel(QStringLiteral("Mode shape [1/√kg]"));
   const struct {
     const char* label;
@@ -79,13 +79,18 @@ std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style&
                 {"contact", &model::HarmonicMode::contactAmplitude}};
   double width = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    Curve curve{{}, {}, QString::fromUtf8(shares[i].label), i, 2.0};
     width = 0.004 * r.frequency.back() * static_cast<double>(i);  // side by side
-    for (const auto& mode : r.modes) {
-      curve.x.insert(curve.x.end(), {mode.frequency + width, mode.frequency + width, mode.frequency + width});
-      curve.y.insert(curve.y.end(), {0, std::abs(mode.*(shares[i].share)), NAN});
+    for (const auto centre : {model::Centre::symmetric, model::Centre::antisymmetric}) {
+      const bool alike = centre == model::Centre::symmetric;
+      Curve curve{{}, {}, QString::fromUtf8(shares[i].label) + (alike ? "" : ", antisymmetric"), i, alike ? 2.0 : 1.2,
+                  alike ? Qt::SolidLine : Qt::DotLine};
+      for (const auto& mode : r.modes) {
+        if (mode.centre != centre) continue;
+        curve.x.insert(curve.x.end(), {mode.frequency + width, mode.frequency + width, mode.frequency + width});
+        curve.y.insert(curve.y.end(), {0, std::abs(mode.*(shares[i].share)), NAN});
+      }
+      if (!curve.x.empty()) addCurve(*figure, curve);
     }
-    addCurve(*figure, curve);
   }
   setFrequencyAxis(*figure, r);
   fitValues(*figure);

@@ -54,6 +54,8 @@ std::string whyNoPreview(const cases::CaseDescription& open) {
   if (open.defect.moveNodes)
     return "No preview with defect.move_nodes: moved nodes change the stiffness of the rail, so every profile needs a "
            "whole run.";
+  if (open.extent == cases::ModelExtent::whole)
+    return "No preview of a whole model: it shows one rail and half the wheelset. Set model.extent to half to see it.";
   const auto surface = cases::surfaceOf(open);
   if (surface.first() == surface.last()) return "No preview of a smooth rail: the case has no defect.";
   return {};

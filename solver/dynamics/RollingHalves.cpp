@@ -1,0 +1,90 @@
+// Two halves of a wheelset that roll together (Rolling::take).
+#include <stdexcept>
+
+#include "dynamics/Rolling.h"
+#include "model/CentrePlane.h"
+
+namespace squat::dynamics {
+
+struct Rolling::Halves {
+  model::CentreNodes axle;
+  std::vector<model::CentreNodes> sleepers;
+  model::WheelsetDamping antisymmetric;
+  AlignedVector mean, difference;  // velocities, state layout; of the wheelset alone
+};
+
+Rolling::~Rolling() = default;
+
+namespace {
+
+// Whether a motion of the one may be added to one of the other, unknown by unknown.
+bool haveLikeUnknowns(const model::Model& a, const model::Model& b) {
+  if (a.stateSize != b.stateSize || a.blocks.size() != b.blocks.size() || a.body != b.body) return false;
+  for (std::size_t i = 0; i < a.blocks.size(); ++i)
+    if (a.blocks[i].offset != b.blocks[i].offset || a.blocks[i].nodes != b.blocks[i].nodes ||
+        a.blocks[i].stationCount != b.blocks[i].stationCount)
+      return false;
+  return true;
+}
+
+}  // namespace
+
+void Rolling::take(Rolling& right) {
+  if (!haveLikeUnknowns(model_, right.model_))
+    throw std::invalid_argument("both halves of a wheelset need meshes with the same unknowns");
+  if (step_ != right.step_ || beta_ != right.beta_ || &team_ != &right.team_)
+    throw std::invalid_argument("both halves of a wheelset need the same step, damping and threads");
+  std::vector<model::CentreNodes> sleepers;
+  for (int i = 0; i < model_.sleepers; ++i) sleepers.push_back(sleeperCentre(model_, model_.firstSleeper + i));
+  halves_.reset(new Halves{axleCentre(model_),
+                           std::move(sleepers),
+                           {model_, step_, model::Centre::antisymmetric},
+                           AlignedVector(model_.stateSize, 0.0),
+                           AlignedVector(model_.stateSize, 0.0)});
+  sides_ = {this, &right};
+}
+
+void Rolling::joinAxle(const ThreadShare& own) {
+  if (!halves_) return;
+  auto& other = sides_[1]->state_;
+  for (const auto& part : own.masters) {
+    if (part.block != model_.body) continue;
+    const auto& body = model_.blocks[part.block];
+    const int end = part.first + part.count;
+    joinAtCentre(body, halves_->axle, part.first, end, state_.velocity.data(), other.velocity.data());
+    joinAtCentre(body, halves_->axle, part.first, end, state_.displaced.data(), other.displaced.data());
+    if (part.first > 0) continue;
+    for (auto* displaced : {&state_.displaced, &other.displaced}) copyToGhost(body, halves_->axle, displaced->data());
+  }
+}
+
+void Rolling::joinSleepers(const SleeperShare& sleeper) {
+  if (!halves_) return;
+  auto& other = sides_[1]->state_;
+  const int b = sleeper.stations.front().block;
+  const auto& centre = halves_->sleepers[static_cast<std::size_t>(b - model_.firstSleeper)];
+  for (const auto& [left, right] : {std::pair{state_.velocity.data(), other.velocity.data()},
+                                    std::pair{state_.displaced.data(), other.displaced.data()}})
+    joinAtCentre(model_.blocks[b], centre, 0, 1, left, right);
+}
+
+// Symmetric and antisymmetric motion have modes of their own, and no energy in common: that of both halves is
+// m s^2 + m a^2, twice what the damping of one half reports.
+void Rolling::dampBothHalves() {
+  auto &mean = halves_->mean, &difference = halves_->difference;
+  auto &left = state_.velocity, &right = sides_[1]->state_.velocity;
+  const auto forWheelset = [&](const auto& work) {
+    for (const int b : {model_.rim, model_.body}) {
+      const auto& block = model_.blocks[b];
+      for (std::size_t i = block.offset; i < block.offset + block.size(); ++i) work(i);
+    }
+    if (model_.boxOnSpring()) work(model_.boxX), work(model_.boxZ);
+  };
+  forWheelset([&](std::size_t i) { mean[i] = 0.5 * (left[i] + right[i]), difference[i] = 0.5 * (left[i] - right[i]); });
+  const double taken = wheelsetDamping_.apply(state_.rotation, mean.data()) +
+                       halves_->antisymmetric.apply(state_.rotation, difference.data());
+  forWheelset([&](std::size_t i) { left[i] = mean[i] + difference[i], right[i] = mean[i] - difference[i]; });
+  for (auto* side : sides_) side->state_.sums.damping += taken;
+}
+
+}  // namespace squat::dynamics
