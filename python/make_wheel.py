@@ -43,6 +43,8 @@ def pack(folder, build, version):
     files[info + "/WHEEL"] = WHEEL.format(tag=tag).encode()
     rows = [record_of(name, content) for name, content in files.items()] + [f"{info}/RECORD,,"]
     files[info + "/RECORD"] = ("\n".join(rows) + "\n").encode()
+    for earlier in build.glob("squat_studio-*.whl"):  # of other versions: one stays, which a pattern names
+        earlier.unlink()
     wheel = build / f"squat_studio-{version}-{tag}.whl"
     with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in files.items():
