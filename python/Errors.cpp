@@ -46,7 +46,9 @@ py::object ofCase(const CaseError& error) {
 }
 
 py::object ofFile(const FileError& error) {
-  py::object exception = typeNamed("FileError")(inWordsOfPython(error.what()));
+  const std::string text = error.what();
+  const auto path = text.starts_with(error.path()) ? error.path().size() : 0;  // stays as it is
+  py::object exception = typeNamed("FileError")(text.substr(0, path) + inWordsOfPython(text.substr(path)));
   exception.attr("path") = error.path(), exception.attr("location") = error.location();
   return exception;
 }

@@ -115,6 +115,11 @@ class Cases(unittest.TestCase):
         again.update({key: value for key, value in values.items() if value != again[key]})
         self.assertEqual(again.hash, self.case.hash)
 
+    def test_the_path_in_a_message_stays_as_it_is(self):
+        with self.assertRaises(squat.FileError) as raised:
+            squat.load_case("folder/a --speed b--c.toml")
+        self.assertTrue(str(raised.exception).startswith("folder/a --speed b--c.toml: "), raised.exception)
+
     def test_a_copy_is_changed_by_itself(self):
         copy = self.case.copy()
         copy["defect.depth"] = 0.2
