@@ -1,5 +1,7 @@
 #include "case/ShippedCases.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -22,6 +24,21 @@ fs::path besideProgram() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   return error ? fs::path() : program.parent_path().parent_path() / "share" / "squat-studio";
+}
+
+// The shared library that this code is part of, where it is one: the module of Python, whose program is the
+// interpreter.
+fs::path ownLibrary() {
+  Dl_info place{};
+  if (::dladdr(reinterpret_cast<const void*>(&besideProgram), &place) == 0 || !place.dli_fname) return {};
+  const fs::path file = place.dli_fname;
+  return file.extension() == ".so" ? file : fs::path();
+}
+
+// FOLDER/_solver.so -> FOLDER/resources; of programs as above.
+fs::path besideOwn() {
+  const auto library = ownLibrary();
+  return library.empty() ? besideProgram() : library.parent_path() / "resources";
 }
 
 // What stands under the name of a case instead of a file; empty where nothing does.
@@ -48,8 +65,7 @@ std::string nearestCase(const std::string& name, const std::vector<std::string>&
 
 fs::path resourcesFolder() {
   if (const char* named = std::getenv("SQUAT_RESOURCES"); named && *named) return named;
-  for (const fs::path& folder :
-       {besideProgram(), fs::path(SQUAT_SOURCE_RESOURCES), fs::path(SQUAT_INSTALLED_RESOURCES)})
+  for (const fs::path& folder : {besideOwn(), fs::path(SQUAT_SOURCE_RESOURCES), fs::path(SQUAT_INSTALLED_RESOURCES)})
     if (hasCases(folder)) return folder;
   return {};
 }

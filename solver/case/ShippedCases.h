@@ -8,7 +8,7 @@
 namespace squat::cases {
 
 // Folder with cases/, profiles/ and reference/: the environment's SQUAT_RESOURCES where it is set, else beside the
-// installed program, else the source tree. Empty where there is none.
+// installed program or module of Python, else the source tree. Empty where there is none.
 std::filesystem::path resourcesFolder();
 
 // Names of the shipped cases ("light-defect"), sorted.
