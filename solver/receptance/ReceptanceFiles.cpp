@@ -115,10 +115,9 @@ std::string thirdOctavesCsv(const TrackReceptance& receptance, ReceptanceQuantit
 
 std::string modesCsv(const TrackReceptance& receptance) {
   const auto c = columnsOf(receptance.modes);
-  return text::csvColumns(
-      {"frequency [Hz]", "harmonic", "antisymmetric", "box [1/sqrt(kg)]", "wheel centre [1/sqrt(kg)]",
-       "contact [1/sqrt(kg)]"},
-      {&c.frequency, &c.harmonic, &c.antisymmetric, &c.box, &c.wheel, &c.contact});
+  return text::csvColumns({"frequency [Hz]", "harmonic", "antisymmetric", "box [1/sqrt(kg)]",
+                           "wheel centre [1/sqrt(kg)]", "contact [1/sqrt(kg)]"},
+                          {&c.frequency, &c.harmonic, &c.antisymmetric, &c.box, &c.wheel, &c.contact});
 }
 
 std::vector<std::string> receptanceFiles(const std::string& stem) {

@@ -145,6 +145,19 @@ TEST_F(FigureRegistry, signalsOfTheCatalogueAreDrawnInTheirFigures) {
   EXPECT_GE(drawn, 4);  // two forces, two accelerations beside the track
 }
 
+// Both sides of a whole model in one figure, low-passed as in the figure of one.
+TEST_F(FigureRegistry, bothSidesOfAWholeModelAreDrawnTogether) {
+  const auto result = tests::syntheticResult();
+  const auto figure = figureRow("sides").build(result, lightStyle(), {});
+  ASSERT_EQ(figure->graphCount(), 2);
+  const std::pair<const char*, const char*> curves[] = {{"left", "aba_filtered"}, {"right", "aba_right_filtered"}};
+  for (int g = 0; g < 2; ++g) {
+    EXPECT_EQ(figure->graph(g)->name(), curves[g].first);
+    const auto& values = *result.signal(curves[g].second);
+    EXPECT_DOUBLE_EQ(figure->graph(g)->data()->at(100)->value, values[100]);
+  }
+}
+
 // The same run begun half a second earlier, laid over itself in time: the wheels pass the defect together.
 TEST_F(FigureRegistry, overlaidRunsStandOnTheAxisOfTheShownOne) {
   const auto shown = tests::syntheticResult();

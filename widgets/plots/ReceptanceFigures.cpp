@@ -82,7 +82,11 @@ std::unique_ptr<Figure> modes(const receptance::TrackReceptance& r, const Style&
     width = 0.004 * r.frequency.back() * static_cast<double>(i);  // side by side
     for (const auto centre : {model::Centre::symmetric, model::Centre::antisymmetric}) {
       const bool alike = centre == model::Centre::symmetric;
-      Curve curve{{}, {}, QString::fromUtf8(shares[i].label) + (alike ? "" : ", antisymmetric"), i, alike ? 2.0 : 1.2,
+      Curve curve{{},
+                  {},
+                  QString::fromUtf8(shares[i].label) + (alike ? "" : ", antisymmetric"),
+                  i,
+                  alike ? 2.0 : 1.2,
                   alike ? Qt::SolidLine : Qt::DotLine};
       for (const auto& mode : r.modes) {
         if (mode.centre != centre) continue;
