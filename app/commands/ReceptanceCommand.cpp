@@ -168,7 +168,7 @@ void addFrequencies(CLI::App& command, ReceptanceCommandOptions& options) {
 
 void addReceptanceCommand(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand(
-      "receptance", "Compute the track receptance, its decay rates and the natural modes of the half wheelset");
+      "receptance", "Compute the track receptance, its decay rates and the natural modes of the wheelset");
   auto options = std::make_shared<ReceptanceCommandOptions>();
   addCaseOptions(*command, options->caseOptions);
   addName(*command, options->caseOptions);

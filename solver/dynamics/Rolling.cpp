@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "dynamics/RollingHalves.h"
 #include "model/BuildForceElements.h"
 
 namespace squat::dynamics {

@@ -1,17 +1,11 @@
-// Two halves of a wheelset that roll together (Rolling::take).
-#include <stdexcept>
+#include "dynamics/RollingHalves.h"
 
-#include "dynamics/Rolling.h"
-#include "model/CentrePlane.h"
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace squat::dynamics {
-
-struct Rolling::Halves {
-  model::CentreNodes axle;
-  std::vector<model::CentreNodes> sleepers;
-  model::WheelsetDamping antisymmetric;
-  AlignedVector mean, difference;  // velocities, state layout; of the wheelset alone
-};
 
 Rolling::~Rolling() = default;
 
@@ -34,13 +28,7 @@ void Rolling::take(Rolling& right) {
     throw std::invalid_argument("both halves of a wheelset need meshes with the same unknowns");
   if (step_ != right.step_ || beta_ != right.beta_ || &team_ != &right.team_)
     throw std::invalid_argument("both halves of a wheelset need the same step, damping and threads");
-  std::vector<model::CentreNodes> sleepers;
-  for (int i = 0; i < model_.sleepers; ++i) sleepers.push_back(sleeperCentre(model_, model_.firstSleeper + i));
-  halves_.reset(new Halves{axleCentre(model_),
-                           std::move(sleepers),
-                           {model_, step_, model::Centre::antisymmetric},
-                           AlignedVector(model_.stateSize, 0.0),
-                           AlignedVector(model_.stateSize, 0.0)});
+  halves_ = std::make_unique<Halves>(model_, step_);
   sides_ = {this, &right};
 }
 

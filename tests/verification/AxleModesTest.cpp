@@ -17,8 +17,8 @@ namespace {
 using model::Centre;
 using std::numbers::pi;
 
-// A uniform shaft of 80 mm radius with a bore, wheels that are 150 mm thick almost down to the hub, next to no axle box.
-// Steps of radii below 12 mm are not meshed (geometry/WheelSection.h); the case must have them.
+// A uniform shaft of 80 mm radius with a bore, wheels that are 150 mm thick almost down to the hub, next to no axle
+// box. Steps of radii below 12 mm are not meshed (geometry/WheelSection.h); the case must have them.
 scenario::Scenario stiffWheels() {
   return cases::loadScenario("smooth-rail", {"tiny",
                                              {{"wheelset.preset", "none"},
@@ -79,7 +79,8 @@ class HalfShaft {
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n), mass = stiffness;
     const double r = w_.axleRadius, b = w_.boreRadius, nu = w_.material.poisson, m2 = b * b / (r * r);
     const double area = pi * (r * r - b * b), second = pi / 4 * (std::pow(r, 4) - std::pow(b, 4));
-    const double shear = 6 * (1 + nu) * (1 + m2) * (1 + m2) / ((7 + 6 * nu) * (1 + m2) * (1 + m2) + (20 + 12 * nu) * m2);
+    const double shear =
+        6 * (1 + nu) * (1 + m2) * (1 + m2) / ((7 + 6 * nu) * (1 + m2) * (1 + m2) + (20 + 12 * nu) * m2);
     const double rigidity = w_.material.young * second;
     for (std::size_t e = 0; e + 1 < nodes_.size(); ++e) {
       const double l = nodes_[e + 1] - nodes_[e];
