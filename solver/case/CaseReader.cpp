@@ -232,31 +232,6 @@ void readNamedTables(CaseDescription& description, const CaseOverrides& override
   }
 }
 
-// The same of the right side, which then has the numbers of its own tables.
-void readTablesOfRight(CaseDescription& description, const CaseOverrides& overrides,
-                       const std::filesystem::path& folder, Problems& problems) {
-  const auto isStated = [&](const std::string& key) {
-    return std::any_of(description.right.begin(), description.right.end(),
-                       [&](const auto& one) { return one.first == key; });
-  };
-  for (const auto& table : namedTables()) {
-    const bool filled = std::any_of(table.valueKeys.begin(), table.valueKeys.end(), isStated);
-    CaseDescription right = rightOf(description);
-    if (!isStated(table.fileKey) || filled || !table.isWanted(right)) continue;
-    const std::filesystem::path named = table.file(right);
-    const bool fileSet = overrideOf(overrides, std::string(rightGroup) + "." + table.fileKey) != nullptr;
-    try {
-      table.clear(right);
-      table.read(right, named.is_absolute() || fileSet ? named : folder / named);
-      for (const auto& key : table.valueKeys)
-        description.right.emplace_back(key, valueText(right, *findParameter(key)));
-    } catch (const FileError&) {
-      if (problems.empty()) throw;
-      problems.throwIfAny();
-    }
-  }
-}
-
 struct Reading {
   bool finished = true;    // relations between values hold
   bool opensFiles = true;  // of presets, and tables that the case names
@@ -277,7 +252,6 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   applyRight(description, stated, overrides, problems);
   if (reading.finished) checkProfileIsUsed(description, stated, overrides, problems);
   if (reading.opensFiles) readNamedTables(description, overrides, folder, problems);
-  if (reading.opensFiles) readTablesOfRight(description, overrides, folder, problems);
   for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
       const Stated* one = find(stated, finding.problem.key);

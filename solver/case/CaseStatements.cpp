@@ -176,9 +176,10 @@ class Statements {
   }
 
   void addRight(const toml::table& right) {
+    if (right.empty()) add(std::string(rightGroup) + ".", right);
     for (const auto& [name, node] : right) {
       const std::string start = std::string(rightGroup) + "." + std::string(name.str());
-      if (const auto* group = node.as_table())
+      if (const auto* group = node.as_table(); group && !group->empty())
         for (const auto& [key, value] : *group) add(start + "." + std::string(key.str()), value);
       else
         add(start, node);
@@ -189,7 +190,7 @@ class Statements {
     Stated one{key, {}, node.source().begin.line, {}};
     const auto onRight = keyOnRight(key);
     if (!onRight.empty() && !mayDiffer(onRight)) {
-      one.typeProblem = noKeyOfRight(onRight);
+      one.typeProblem = ++unknown_ <= maximumUnknown ? noKeyOfRight(onRight) : CaseProblem{key, {}, {}, {}};
     } else if (const Parameter* parameter = findParameter(onRight.empty() ? key : onRight)) {
       if (auto text = textFor(node, parameter->kind, source_))
         one.text = std::move(*text);

@@ -10,6 +10,7 @@
 #include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
 #include "case/PointsText.h"
+#include "case/RightSide.h"
 #include "case/SeatsText.h"
 #include "scenario/WheelsetMass.h"
 
@@ -142,6 +143,20 @@ Json valueJson(const Parameter& parameter, const std::string& text) {
   }
 }
 
+// What the right side has of its own.
+std::string describeRight(const CaseDescription& description) {
+  if (description.right.empty()) return {};
+  std::string text = "\n[" + std::string(rightGroup) + "]\n";
+  for (const auto& [key, value] : description.right) {
+    const auto& parameter = *findParameter(key);
+    const auto reason = reasonWithoutRight(description, parameter);
+    text += "* " + padded(std::string(rightGroup) + "." + key, 34) + " " + padded(shortText(parameter, value), 18) +
+            " " + padded(rangeText(parameter), 18) + " " + parameter.doc + " [" +
+            (reason.empty() ? "this case" : reason) + "]\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string describeTable(const CaseDescription& description, const SetKeys& set) {
@@ -159,7 +174,7 @@ std::string describeTable(const CaseDescription& description, const SetKeys& set
             padded(rangeText(parameter), 18) + " " + parameter.doc + " [" + effect +
             derivedText(description, parameter) + sourceText(description, parameter, set) + "]\n";
   }
-  return text;
+  return text + describeRight(description);
 }
 
 std::string describeJson(const CaseDescription& description, const SetKeys& set) {

@@ -1,5 +1,4 @@
 // Writing of case files, and the hash of a case.
-#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -119,16 +118,15 @@ bool countsInHash(const CaseDescription& description, const Parameter& parameter
   return true;
 }
 
-// Keys of the right side, by groups in the order of the table.
+// Keys of the right side, by groups.
 std::string rightText(const CaseDescription& description) {
   const CaseDescription right = rightOf(description);
   std::string text, group;
-  for (const auto& parameter : parameterTable()) {
-    const auto isStated = [&](const auto& one) { return one.first == parameter.key; };
-    if (std::none_of(description.right.begin(), description.right.end(), isStated)) continue;
+  for (const auto& [key, value] : description.right) {
+    const Parameter& parameter = *findParameter(key);
     if (std::exchange(group, parameter.group) != parameter.group)
       text += "\n[" + std::string(rightGroup) + "." + group + "]\n";
-    text += std::string(lastPart(parameter.key)) + " = " + tomlValue(right, parameter) + comment(parameter) + "\n";
+    text += std::string(lastPart(key)) + " = " + tomlValue(right, parameter) + comment(parameter) + "\n";
   }
   return text;
 }
@@ -166,7 +164,7 @@ std::string caseHash(const CaseDescription& description) {
     if (countsInHash(description, parameter)) content += parameter.key + "=" + valueText(description, parameter) + "\n";
   if (description.extent == ModelExtent::whole)
     for (const auto& [key, text] : description.right)
-      if (!namesTable(*findParameter(key))) content += std::string(rightGroup) + "." + key + "=" + text + "\n";
+      content += std::string(rightGroup) + "." + key + "=" + text + "\n";
   return shortHash(content);
 }
 

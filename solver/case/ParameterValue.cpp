@@ -7,6 +7,7 @@
 #include "case/ForceCurveText.h"
 #include "case/PointsText.h"
 #include "case/Quantity.h"
+#include "case/RightSide.h"
 #include "case/SeatsText.h"
 
 namespace squat::cases {
@@ -265,6 +266,8 @@ std::optional<CaseProblem> checkRange(const CaseDescription& description, const 
 }
 
 CaseProblem unknownKey(std::string_view key) {
+  if (const auto right = keyOnRight(key); !right.empty() && !mayDiffer(right)) return noKeyOfRight(right);
+  if (!keyOnRight(key).empty()) return {shortened(key), "", "", "a key of the right side, which cannot be used here"};
   const std::string near = nearestKey(key);
   return {shortened(key), "", "",
           "unknown key; " + (near.empty() ? "squat describe lists all keys" : "did you mean " + near + "?")};

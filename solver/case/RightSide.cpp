@@ -1,16 +1,16 @@
 #include "case/RightSide.h"
 
 #include <algorithm>
-#include <array>
 
+#include "case/Applicability.h"
+#include "case/NamedTables.h"
 #include "case/ParameterValue.h"
 
 namespace squat::cases {
 
 namespace {
 
-// Where they differ, both sides still start as mirror images of each other.
-constexpr std::array<std::string_view, 1> groups{"defect."};
+constexpr std::size_t longestShown = 60;  // letters of a key in a message
 
 }  // namespace
 
@@ -20,9 +20,11 @@ std::string_view keyOnRight(std::string_view key) {
              : std::string_view();
 }
 
+// The sides start as mirror images of each other, so that only their defects may differ; a profile is a table, which
+// copies of a case have to take along, and of these there is one.
 bool mayDiffer(std::string_view key) {
-  return findParameter(key) &&
-         std::any_of(groups.begin(), groups.end(), [&](std::string_view start) { return key.starts_with(start); });
+  const auto* parameter = key.starts_with("defect.") ? findParameter(key) : nullptr;
+  return parameter && !isList(*parameter) && !namesTable(*parameter);
 }
 
 const Parameter* findOnEitherSide(std::string_view key) {
@@ -32,13 +34,15 @@ const Parameter* findOnEitherSide(std::string_view key) {
 }
 
 CaseProblem noKeyOfRight(std::string_view key) {
-  const std::string name = std::string(rightGroup) + "." + std::string(key);
-  constexpr const char* allowed = "a key of defect";
-  if (findParameter(key)) return {name, "the same on both sides", allowed, "Remove it"};
+  const std::string name = std::string(rightGroup) + "." + std::string(key.substr(0, longestShown));
+  if (findParameter(key))
+    return {name, "", "",
+            "Both sides have the same; only keys of the defect may differ, without its profile. Remove it"};
   const std::string near = nearestKey(key);
-  return {
-      name, "no such key", allowed,
-      near.empty() || !mayDiffer(near) ? "Remove it" : "Did you mean " + std::string(rightGroup) + "." + near + "?"};
+  return {name, "", "",
+          near.empty() || !mayDiffer(near)
+              ? "No such key: only keys of the defect may differ on the right side. Remove it"
+              : "No such key. Did you mean " + std::string(rightGroup) + "." + near + "?"};
 }
 
 CaseDescription rightOf(const CaseDescription& description) {
@@ -55,10 +59,18 @@ std::optional<CaseProblem> trySetRight(CaseDescription& description, std::string
   CaseDescription right = rightOf(description);
   if (auto wrong = trySetValue(right, parameter, text)) return onRight(*wrong);
   auto& stated = description.right;
-  const auto own = std::find_if(stated.begin(), stated.end(), [&](const auto& one) { return one.first == key; });
-  if (own != stated.end()) own->second = valueText(right, parameter);
-  if (own == stated.end()) stated.emplace_back(key, valueText(right, parameter));
+  std::erase_if(stated, [&](const auto& one) { return one.first == key; });
+  // In the order of the table, whatever the order in which they were stated.
+  const auto behind = std::find_if(stated.begin(), stated.end(),
+                                   [&](const auto& one) { return findParameter(one.first) > &parameter; });
+  stated.emplace(behind, key, valueText(right, parameter));
   return std::nullopt;
+}
+
+std::string reasonWithoutRight(const CaseDescription& description, const Parameter& parameter) {
+  if (description.extent == ModelExtent::half) return "no effect because model.extent is half";
+  const auto right = rightOf(description);
+  return applies(right, parameter) ? std::string() : reasonWithoutEffect(right, parameter);
 }
 
 void requireHalf(const CaseDescription& description, const std::string& purpose) {

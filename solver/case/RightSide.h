@@ -18,7 +18,7 @@ inline constexpr std::string_view rightGroup = "right";
 
 // "defect.depth" of "right.defect.depth"; empty: the key is none of the right side's.
 std::string_view keyOnRight(std::string_view key);
-// Whether the sides may differ in this key: those of the defect.
+// Whether the sides may differ in this key: those of the defect but for its profile.
 bool mayDiffer(std::string_view key);
 // The row of a key of either side; nullptr: no such key.
 const Parameter* findOnEitherSide(std::string_view key);
@@ -31,8 +31,11 @@ CaseDescription rightOf(const CaseDescription& description);
 inline CaseDescription sideOf(const CaseDescription& description, std::string_view key) {
   return keyOnRight(key).empty() ? description : rightOf(description);
 }
-// Sets a key of the right side, named as on the left, as trySetValue does.
+// Sets a key of the right side, named as on the left, as trySetValue does. Stated keys stand in the order of the table.
 std::optional<CaseProblem> trySetRight(CaseDescription& description, std::string_view key, const std::string& text);
+
+// Why a key of the right side has no effect in a case; empty: it has one.
+std::string reasonWithoutRight(const CaseDescription& description, const Parameter& parameter);
 
 // Throws CaseError for a whole model where only a half one will do: "a warm state".
 void requireHalf(const CaseDescription& description, const std::string& purpose);

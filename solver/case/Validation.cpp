@@ -4,6 +4,7 @@
 
 #include "case/Applicability.h"
 #include "case/CaseRelations.h"
+#include "case/Findings.h"
 #include "case/ParameterValue.h"
 #include "case/RightSide.h"
 
@@ -40,7 +41,7 @@ void addRightSide(const CaseDescription& description, std::vector<Finding>& find
     if (std::any_of(description.right.begin(), description.right.end(), isStated))
       finding.problem = onRight(finding.problem);
     else
-      finding.problem.advice = "On the right side: " + finding.problem.advice;
+      finding.problem.advice = "Because of the right side: " + finding.problem.advice;
     findings.push_back(std::move(finding));
   }
 }
@@ -49,7 +50,11 @@ void addRightSide(const CaseDescription& description, std::vector<Finding>& find
 
 std::vector<Finding> validateRelations(const CaseDescription& description) {
   auto findings = validateSide(description);
-  if (description.extent == ModelExtent::whole && !description.right.empty()) addRightSide(description, findings);
+  if (description.extent == ModelExtent::half) return findings;
+  if (!description.right.empty()) addRightSide(description, findings);
+  if (description.rail.plastic)
+    relations::add(findings, description, Severity::problem, {"rail.plastic", "model.extent"},
+                   "false if model.extent is whole", "A whole model has an elastic rail: set one of them back");
   return findings;
 }
 
@@ -71,10 +76,9 @@ Validation validate(const CaseDescription& description) {
   }
   for (const auto& parameter : parameterTable())
     if (auto warning = valueWithoutEffect(description, parameter)) result.warnings.push_back(std::move(*warning));
-  if (description.extent == ModelExtent::half)
-    for (const auto& [key, text] : description.right)
-      result.warnings.push_back(
-          onRight({key, isList(*findParameter(key)) ? "given" : text, "", "no effect because model.extent is half"}));
+  for (const auto& [key, text] : description.right)
+    if (const auto reason = reasonWithoutRight(description, *findParameter(key)); !reason.empty())
+      result.warnings.push_back(onRight({key, text, "", reason}));
   return result;
 }
 

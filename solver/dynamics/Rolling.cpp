@@ -285,7 +285,10 @@ void Rolling::finishStep() {
 // The new velocities stand in the basis of the new rotation.
 void Rolling::finishSides() {
   for (auto* side : sides_) side->finishStep();
-  if (wheelsetDamping_.due(state_.step)) halves_ ? dampBothHalves() : dampWheelset();
+  if (halves_)
+    dampBothHalves();
+  else if (wheelsetDamping_.due(state_.step))
+    dampWheelset();
   for (auto* side : sides_) side->takeAccelerations();
 }
 

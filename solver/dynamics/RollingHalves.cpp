@@ -59,6 +59,9 @@ void Rolling::joinSleepers(const SleeperShare& sleeper) {
 // Symmetric and antisymmetric motion have modes of their own, and no energy in common: that of both halves is
 // m s^2 + m a^2, twice what the damping of one half reports.
 void Rolling::dampBothHalves() {
+  // Either kind may have no mode below the limit.
+  const bool symmetric = wheelsetDamping_.due(state_.step), antisymmetric = halves_->antisymmetric.due(state_.step);
+  if (!symmetric && !antisymmetric) return;
   auto &mean = halves_->mean, &difference = halves_->difference;
   auto &left = state_.velocity, &right = sides_[1]->state_.velocity;
   const auto forWheelset = [&](const auto& work) {
@@ -69,8 +72,9 @@ void Rolling::dampBothHalves() {
     if (model_.boxOnSpring()) work(model_.boxX), work(model_.boxZ);
   };
   forWheelset([&](std::size_t i) { mean[i] = 0.5 * (left[i] + right[i]), difference[i] = 0.5 * (left[i] - right[i]); });
-  const double taken = wheelsetDamping_.apply(state_.rotation, mean.data()) +
-                       halves_->antisymmetric.apply(state_.rotation, difference.data());
+  double taken = 0;
+  if (symmetric) taken += wheelsetDamping_.apply(state_.rotation, mean.data());
+  if (antisymmetric) taken += halves_->antisymmetric.apply(state_.rotation, difference.data());
   forWheelset([&](std::size_t i) { left[i] = mean[i] + difference[i], right[i] = mean[i] - difference[i]; });
   for (auto* side : sides_) side->state_.sums.damping += taken;
 }

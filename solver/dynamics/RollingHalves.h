@@ -1,5 +1,5 @@
-// solver/dynamics/RollingHalves.h - what two halves of a wheelset that roll together need besides themselves; internal to
-// Rolling.
+// solver/dynamics/RollingHalves.h - what two halves of a wheelset that roll together need besides themselves; internal
+// to Rolling.
 #pragma once
 
 #include <vector>

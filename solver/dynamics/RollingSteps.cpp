@@ -18,7 +18,7 @@ void Rolling::advance(long steps, const std::function<void(const StepView&)>& ob
   else
     team_.runInStep([&](int index) { takeSteps(index, first, steps, observe); });
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
-  if (pace_.advanced(steps, seconds.count() / static_cast<double>(sides_.size()), shares_.work))
+  if (pace_.advanced(steps, seconds.count(), shares_.work))
     for (auto* side : sides_) side->shares_ = shareStep(side->model_, pace_.otherWork());
   if (timings_) timings_->end(0, StepPhase::waiting), timings_->countSteps(steps);
   finishSides();

@@ -12,7 +12,7 @@ namespace squat::receptance {
 std::string receptanceSummary(const TrackReceptance& receptance,
                               ReceptanceQuantity quantity = ReceptanceQuantity::receptance);
 
-// Natural modes of the half wheelset: frequency, mass-normalised mode shape at axle box, wheel centre, contact.
+// Natural modes of the wheelset: frequency, mass-normalised mode shape at axle box, wheel centre, contact.
 std::string modesTable(const std::vector<model::HarmonicMode>& modes);
 
 }  // namespace squat::receptance

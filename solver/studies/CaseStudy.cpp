@@ -44,9 +44,10 @@ void checkGrid(const StudyDefinition& definition, const cases::CaseOverrides& ov
       canBeRun = true;
       for (auto item = withoutEffect.begin(); item != withoutEffect.end();) {
         const auto& parameter = *cases::findOnEitherSide(item->first);
-        const auto side = cases::sideOf(description, item->first);
-        if (item->second.empty()) item->second = cases::reasonWithoutEffect(side, parameter);
-        item = cases::applies(side, parameter) ? withoutEffect.erase(item) : std::next(item);
+        const auto reason = cases::keyOnRight(item->first).empty() ? cases::reasonWithoutEffect(description, parameter)
+                                                                   : cases::reasonWithoutRight(description, parameter);
+        if (item->second.empty()) item->second = reason;
+        item = reason.empty() ? withoutEffect.erase(item) : std::next(item);
       }
     } catch (const CaseError& error) {
       if (problems.empty()) problems = error.problems();

@@ -18,13 +18,14 @@ constexpr double kBytes = 110.0 * (1 << 20);
 }  // namespace
 
 CostEstimate costOf(const cases::CaseDescription& description) {
-  const auto scenario = cases::resolve(description);
-  const auto model = model::buildModel(scenario);
+  const auto sides = cases::resolveSides(description);
+  const auto& scenario = sides.left;
+  const auto model = model::buildModel(scenario);  // both sides have the same mesh
   ThreadTeam team(1);
   Monitor silent;
   const double step = dynamics::stableStep(model, elasticity::kernelsFor(""), team, silent).step;
   CostEstimate cost;
-  cost.elements = model.elements();
+  cost.elements = (sides.right ? 2 : 1) * model.elements();
   cost.steps = (scenario.motion.runUp + scenario.motion.beyond) / scenario.motion.speed / step;
   cost.coreSeconds = kBesideRolling * cost.steps * static_cast<double>(cost.elements) / kUpdatesPerSecond;
   cost.bytes = kBytes + kStateOfAnElement * static_cast<double>(cost.elements);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "case/ParameterTable.h"
+#include "case/RightSide.h"
 #include "text/Numbers.h"
 #include "text/TextTable.h"
 #include "text/Units.h"
@@ -31,7 +32,7 @@ std::string cellOf(const StudyRow& row, const Shown& shown) {
 }
 
 std::string headOf(const std::string& key) {
-  const auto* parameter = cases::findParameter(key);
+  const auto* parameter = cases::findOnEitherSide(key);
   const std::string unit = parameter ? parameter->unit : std::string();
   return unit.empty() || unit == "-" ? key : key + " [" + text::printedUnit(unit) + "]";
 }

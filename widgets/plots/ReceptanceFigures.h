@@ -1,4 +1,4 @@
-// widgets/plots/ReceptanceFigures.h - receptance of the track and modes of the half wheelset.
+// widgets/plots/ReceptanceFigures.h - receptance of the track and modes of the wheelset.
 #pragma once
 
 #include <string>

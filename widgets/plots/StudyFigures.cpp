@@ -7,6 +7,7 @@
 
 #include "analysis/AnalysisFiles.h"
 #include "case/ParameterTable.h"
+#include "case/RightSide.h"
 #include "plots/AxisTicker.h"
 #include "plots/LineFigure.h"
 #include "plots/UnitText.h"
@@ -65,7 +66,7 @@ std::vector<std::string> featuresIn(const studies::StudyTable& table) {
 }
 
 QString axisLabel(const std::string& key) {
-  const auto* parameter = cases::findParameter(key);
+  const auto* parameter = cases::findOnEitherSide(key);
   const std::string unit = parameter ? parameter->unit : std::string();
   return QString::fromStdString(key) + (unit.empty() || unit == "-" ? QString() : " [" + unitText(unit) + "]");
 }

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "studio/common/Words.h"
 
 namespace squat::studio {
@@ -135,7 +136,7 @@ QString KeyRows::keyOf(const Row& row) {
 
 void KeyRows::showValue(const Row& row) const {
   const std::string key = keyOf(row).toStdString();
-  const auto* parameter = cases::findParameter(key);
+  const auto* parameter = cases::findOnEitherSide(key);
   QString text, allowed;
   if (parameter && keys_.contains(QString::fromStdString(key))) {
     const bool bare = parameter->unit.empty() || parameter->unit == "-";

@@ -130,7 +130,7 @@ void ReceptanceForm::chooseMeasured() {
 QString ReceptanceForm::explanation() const {
   return tr(
       "Computes the receptance of the open case's track from 50 to 2000 Hz, over a sleeper and at midspan, and "
-      "the natural modes of the free half wheelset; or the track decay rates from 100 to 5000 Hz.");
+      "the natural modes of the free wheelset; or the track decay rates from 100 to 5000 Hz.");
 }
 
 ToolWork ReceptanceForm::work() {

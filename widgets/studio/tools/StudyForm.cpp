@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "case/CaseNames.h"
+#include "case/RightSide.h"
 #include "core/DurableFile.h"
 #include "core/FolderLock.h"
 #include "plots/StudyFigures.h"
@@ -44,9 +45,11 @@ std::string textOf(const studies::StudyTable& table, const std::string& file) {
 // "depth 0.2, speed 40": as runs are called by what differs.
 std::string nameOf(const studies::StudyDefinition& definition, const studies::StudyPoint& point) {
   std::string name;
-  for (std::size_t i = 0; i < point.values.size(); ++i)
-    name += (i > 0 ? ", " : "") + cases::shortLabel(*cases::findParameter(definition.variations[i].key)) + " " +
-            point.values[i];
+  for (std::size_t i = 0; i < point.values.size(); ++i) {
+    const auto& key = definition.variations[i].key;
+    name += (i > 0 ? ", " : "") + std::string(cases::keyOnRight(key).empty() ? "" : "right ") +
+            cases::shortLabel(*cases::findOnEitherSide(key)) + " " + point.values[i];
+  }
   return name;
 }
 
