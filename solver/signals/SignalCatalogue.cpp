@@ -1,6 +1,7 @@
 #include "signals/SignalCatalogue.h"
 
 #include <deque>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -58,7 +59,7 @@ std::vector<CatalogueRow> rowsOfOneSide() {
            .description = "height of the rail's irregularity below the wheel centre, up positive"}};
 }
 
-// Of the right side, each drawn in the figure of the left one; axle boxes have a figure of both sides.
+// Of the right side, each drawn in the figure of the left one.
 class RightRows {
  public:
   std::vector<CatalogueRow> rows;
@@ -74,13 +75,6 @@ class RightRows {
         right.curve = {.figure = left.curve.figure,
                        .label = keep(std::string(left.curve.label) + ", right"),
                        .factor = left.curve.factor};
-      if (left.name == std::string_view(names::axleBox))
-        right.curve = {.figure = "sides",
-                       .label = "right",
-                       .tab = "Sides",
-                       .title = "Axle box acceleration of both sides",
-                       .axis = "Axle box acceleration [m/s\u00b2]",
-                       .filtered = true};
       rows.push_back(right);
     }
   }
@@ -105,10 +99,10 @@ const std::vector<CatalogueRow>& signalCatalogue() {
   return rows;
 }
 
-const CatalogueRow* catalogueRow(std::string_view name) {
+const char* filteredNameOnRight(std::string_view left) {
   for (const auto& row : signalCatalogue())
-    if (row.name == name) return &row;
-  return nullptr;
+    if (row.left && row.left == left && row.filteredName) return row.filteredName;
+  throw std::out_of_range("no filtered signal of the right side: " + std::string(left));
 }
 
 bool carriesFilter(const TimeSeries& series, double cutoff) {

@@ -38,7 +38,6 @@ struct SignalCurve {
   const char* axis = "";         // "Force on the rail [kN]"
   double factor = 1;             // from SI to the unit of the axis
   bool withZero = false;         // the range of the axis holds zero
-  bool filtered = false;         // drawn as its low-passed partner
 };
 
 struct CatalogueRow {
@@ -54,7 +53,8 @@ struct CatalogueRow {
 // position. To add a signal with its figure, add its row here and its probe in
 // simulation/Signals.cpp.
 const std::vector<CatalogueRow>& signalCatalogue();
-const CatalogueRow* catalogueRow(std::string_view name);  // nullptr: none
+// "aba_right_filtered", or another name of the right side's. Throws std::out_of_range for one that the catalogue lacks.
+const char* filteredNameOnRight(std::string_view left);
 
 // The filtered partner: Butterworth of order 4 forward and back. A series that is too short for it, or sampled too
 // slowly for the cut-off [Hz], is its own partner.

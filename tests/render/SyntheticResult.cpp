@@ -55,13 +55,6 @@ void addSignals(results::RunResult& result) {
   raw.name = "aba";
   result.signals = {raw, box, wheel, force, creep};
   addTrackside(result);
-  for (const auto& left : {raw, box}) {  // the right side hums alone
-    auto right = left;
-    right.name = left.name == "aba" ? "aba_right" : "aba_right_filtered";
-    for (std::size_t i = 0; i < right.values.size(); ++i)
-      right.values[i] = 1.5 * std::sin(2 * M_PI * 420 * result.time[i]);
-    result.signals.push_back(right);
-  }
 }
 
 void addSpectra(results::RunResult& result) {

@@ -20,16 +20,6 @@ std::vector<const signals::CatalogueRow*> rowsOf(const std::string& figure) {
   return rows;
 }
 
-const char* drawnName(const signals::CatalogueRow& row, const signals::SignalCurve& curve) {
-  return curve.filtered && row.filteredName ? row.filteredName : row.name;
-}
-
-// The signal of the left side that is drawn beside one of the right, in a figure that is of both sides alone.
-const signals::CatalogueRow* ownLeft(const signals::CatalogueRow& row) {
-  const auto* left = row.left ? signals::catalogueRow(row.left) : nullptr;
-  return left && !left->curve.figure ? left : nullptr;
-}
-
 void fit(Figure& figure, const signals::SignalCurve& curve) {
   if (curve.withZero)
     fitWithZero(figure);
@@ -39,7 +29,8 @@ void fit(Figure& figure, const signals::SignalCurve& curve) {
 
 std::string signalList(const std::vector<const signals::CatalogueRow*>& rows) {
   std::string list;
-  for (const auto* row : rows) list += (list.empty() ? "" : " or ") + std::string(row->name);
+  for (const auto* row : rows)
+    if (!row->left) list += (list.empty() ? "" : " or ") + std::string(row->name);
   return list;
 }
 
@@ -56,15 +47,11 @@ std::unique_ptr<Figure> catalogueFigure(const std::string& figure, const RunResu
   drawn->xAxis->setRange(1e3 * window.from, 1e3 * window.to);
   const std::vector<double> position = scaled(result.position, 1e3);
   std::size_t colour = 0;
-  const auto add = [&](const char* name, const char* label, const signals::SignalCurve& curve) {
-    if (const auto* values = result.signal(name))
-      addCurve(*drawn, {position, scaled(*values, curve.factor), QString::fromUtf8(label), colour,
-                        curve.front ? 1.2 : 0.9, Qt::SolidLine, curve.front});
-    ++colour;
-  };
   for (const auto* row : rows) {
-    if (const auto* left = ownLeft(*row)) add(drawnName(*left, row->curve), "left", row->curve);
-    add(drawnName(*row, row->curve), row->curve.label, row->curve);
+    if (const auto* values = result.signal(row->name))
+      addCurve(*drawn, {position, scaled(*values, row->curve.factor), QString::fromUtf8(row->curve.label), colour,
+                        row->curve.front ? 1.2 : 0.9, Qt::SolidLine, row->curve.front});
+    ++colour;
   }
   if (drawn->graphCount() == 0)
     addNotice(*drawn, "no signal " + QString::fromStdString(signalList(rows)) + " in this result");
@@ -87,7 +74,7 @@ FigureRow catalogueRow(const std::string& figure) {
     return catalogueFigure(figure, result, style);
   };
   row.overlay = [first](const OverlaidRun& other, const RunResult&, const FigureSettings&) {
-    return againstPosition(*other.record, drawnName(*first, first->curve), first->curve.factor);
+    return againstPosition(*other.record, first->name, first->curve.factor);
   };
   row.fit = [first](Figure& drawn, const FigureSettings&) { fit(drawn, first->curve); };
   row.marks = FigureMarks::extremes;

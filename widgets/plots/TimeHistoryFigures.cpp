@@ -30,6 +30,9 @@ void addAccelerations(Figure& figure, const results::RunResult& result, const st
   if (!box) box = result.signal(signals::names::axleBox);
   if (box) addCurve(figure, {x, *box, labelWithExtremes("axle box", x, *box, from, to), 0, 1.2, Qt::SolidLine, true});
   if (wheel) addCurve(figure, {x, *wheel, labelWithExtremes("wheel centre", x, *wheel, from, to), 1, 0.8});
+  // Of a whole model, behind the left side.
+  if (const auto* right = result.signal(signals::filteredNameOnRight(signals::names::axleBox)))
+    addCurve(figure, {x, *right, labelWithExtremes("axle box, right", x, *right, from, to), 2, 0.9});
   if (!box && !wheel) addNotice(figure, "no acceleration in this result");
   figure.xAxis->setRange(from, to);
   figure.yAxis->setLabel("Vertical acceleration [m/s²]");
