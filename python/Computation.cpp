@@ -69,7 +69,7 @@ class Mailbox : public Monitor {
   std::atomic<bool> isCancelled_{false};
 };
 
-void tellPython(const News& news, const py::object& progress) {
+void reportToPython(const News& news, const py::object& progress) {
   for (const auto& text : news.messages) py::module_::import("logging").attr("getLogger")("squat").attr("info")(text);
   if (!progress.is_none())
     for (const auto& [phase, fraction] : news.reports) progress(phase, fraction);
@@ -98,7 +98,7 @@ void computeAside(const py::object& progress, const std::function<void(Monitor&)
     isDone = news.isDone;
     if (ofPython) continue;  // only waits for the computation to notice
     try {
-      tellPython(news, progress);
+      reportToPython(news, progress);
     } catch (...) {
       ofPython = std::current_exception();
       mailbox.cancel();

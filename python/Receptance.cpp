@@ -109,6 +109,9 @@ py::dict freeModes(const py::object& self) {
   py::dict all;
   all["frequency"] = viewOfMember(modes, &model::HarmonicMode::frequency, self);
   all["harmonic"] = viewOfMember(modes, &model::HarmonicMode::harmonic, self);
+  py::list antisymmetric;
+  for (const auto& mode : modes) antisymmetric.append(mode.centre == model::Centre::antisymmetric);
+  all["antisymmetric"] = antisymmetric;
   all["box_share"] = viewOfMember(modes, &model::HarmonicMode::boxAmplitude, self);
   all["wheel_share"] = viewOfMember(modes, &model::HarmonicMode::wheelAmplitude, self);
   all["contact_share"] = viewOfMember(modes, &model::HarmonicMode::contactAmplitude, self);
@@ -146,7 +149,8 @@ negative where the response lags. Arrays are read-only and not copied.)")
           "unit", [](const Receptance& self) { return receptance::unitOf(self.quantity); }, "Unit of the values: str.")
       .def_property_readonly(
           "modes", &freeModes,
-          R"(Natural modes of the free half wheelset: a dict of frequency [Hz], harmonic, and box_share,
+          R"(Natural modes of the free wheelset: a dict of frequency [Hz], harmonic, antisymmetric (a list of bool: both
+sides move oppositely; else alike, as in the half model), and box_share,
 wheel_share and contact_share [1/sqrt(kg)], arrays (m).)")
       .def_property_readonly(
           "notes", [](const Receptance& self) { return self.track.notes; }, "A list of str.");

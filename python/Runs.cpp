@@ -250,7 +250,7 @@ whole. Raises FileError.)")
 called several times a second with the phase (str) and its fraction (0 to 1); what it raises ends
 the run and is raised here, as Ctrl-C is (KeyboardInterrupt). `fields`: keep surface, snapshots and
 contact patches for pictures, which are most of a result's memory. Python's lock is released, so
-that runs in several threads go on at once.
+that several threads can make runs at the same time.
 
 Raises CaseError for a case that cannot be run, RunError for a run that failed.)");
   module.def("read_result", &readResult, py::arg("path"), py::arg("fields") = true,

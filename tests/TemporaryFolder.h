@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -13,7 +14,10 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     auto pattern = (std::filesystem::temp_directory_path() / "squat-test-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
+    if (!::mkdtemp(pattern.data()))
+      throw std::filesystem::filesystem_error("no folder for a test", pattern,
+                                              std::error_code(errno, std::generic_category()));
+    path_ = pattern;
   }
   ~TemporaryFolder() {
     std::error_code ignored;
