@@ -74,6 +74,8 @@ struct LaterKey {
 };
 constexpr LaterKey laterKeys[] = {
     {"model.extent", "model.extent"},
+    {"suspension.lateral_stiffness", "model.extent"},
+    {"suspension.lateral_damping", "model.extent"},
     {"track.seats", "track.seats"},
     {"rail.loss_factor", "rail.loss_factor"},
     {"pad.loss_factor", "pad.loss_factor"},

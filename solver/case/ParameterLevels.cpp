@@ -56,6 +56,8 @@ const std::vector<std::string_view>& keysOfLevel(Level level) {
                                                     "wheelset.damping_limit",
                                                     "suspension.longitudinal_stiffness",
                                                     "suspension.longitudinal_damping",
+                                                    "suspension.lateral_stiffness",
+                                                    "suspension.lateral_damping",
                                                     "mesh.contact_size",
                                                     "mesh.rolling_size",
                                                     "mesh.far_size",

@@ -191,6 +191,17 @@ void addSuspension(Rows& rows) {
       "suspension.longitudinal_damping", damping, 20, {0, 1000},
       [](Case& c) -> double& { return c.suspension.longitudinalDamping; }, "longitudinal damping of the axle guidance",
       "assumed"));
+  rows.push_back(appliesIf("model.extent", {"whole"},
+                           number(
+                               "suspension.lateral_stiffness", stiffness, 4, {0.01, 100},
+                               [](Case& c) -> double& { return c.suspension.lateralStiffness; },
+                               "lateral stiffness of the axle guidance, which holds the wheelset across the track",
+                               "assumed: usual order of axle guidance")));
+  rows.push_back(appliesIf("model.extent", {"whole"},
+                           number(
+                               "suspension.lateral_damping", damping, 20, {0, 1000},
+                               [](Case& c) -> double& { return c.suspension.lateralDamping; },
+                               "lateral damping of the axle guidance", "assumed")));
 }
 
 }  // namespace

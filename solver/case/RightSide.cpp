@@ -1,9 +1,10 @@
 #include "case/RightSide.h"
 
 #include <algorithm>
+#include <array>
 
 #include "case/Applicability.h"
-#include "case/NamedTables.h"
+#include "case/BeforeDefect.h"
 #include "case/ParameterValue.h"
 
 namespace squat::cases {
@@ -11,6 +12,9 @@ namespace squat::cases {
 namespace {
 
 constexpr std::size_t longestShown = 60;  // letters of a key in a message
+constexpr std::string_view whatMayDiffer =
+    "the right side may have its own defect (but for the profile), pads, ballast, suspension, friction, lateral offset "
+    "and seed of the irregularity";
 
 }  // namespace
 
@@ -20,11 +24,24 @@ std::string_view keyOnRight(std::string_view key) {
              : std::string_view();
 }
 
-// The sides start as mirror images of each other, so that only their defects may differ; a profile is a table, which
-// copies of a case have to take along, and of these there is one.
 bool mayDiffer(std::string_view key) {
-  const auto* parameter = key.starts_with("defect.") ? findParameter(key) : nullptr;
-  return parameter && !isList(*parameter) && !namesTable(*parameter);
+  // Of the whole groups but for what holds in the frequency domain alone; a profile is a table, which copies of a case
+  // have to take along, and of these there is one.
+  constexpr std::array<std::string_view, 4> groups{"defect", "pad", "ballast", "suspension"};
+  constexpr std::array<std::string_view, 3> single{"contact.friction", "motion.lateral_offset",
+                                                   "rail.irregularity_seed"};
+  const auto* parameter = findParameter(key);
+  if (!parameter || isList(*parameter) || parameter->kind == Kind::text || key.ends_with(".loss_factor")) return false;
+  if (key.starts_with("suspension.lateral_")) return false;  // of the wheelset
+  const auto among = [](const auto& list, std::string_view name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  return among(groups, parameter->group) || among(single, key);
+}
+
+bool startsAlike(const CaseDescription& description) {
+  return std::none_of(description.right.begin(), description.right.end(),
+                      [](const auto& stated) { return countsBeforeDefect(*findParameter(stated.first)); });
 }
 
 const Parameter* findOnEitherSide(std::string_view key) {
@@ -35,14 +52,11 @@ const Parameter* findOnEitherSide(std::string_view key) {
 
 CaseProblem noKeyOfRight(std::string_view key) {
   const std::string name = std::string(rightGroup) + "." + std::string(key.substr(0, longestShown));
-  if (findParameter(key))
-    return {name, "", "",
-            "Both sides have the same; only keys of the defect may differ, without its profile. Remove it"};
+  if (findParameter(key)) return {name, "", "", "Both sides have the same. Remove it; " + std::string(whatMayDiffer)};
   const std::string near = nearestKey(key);
   return {name, "", "",
-          near.empty() || !mayDiffer(near)
-              ? "No such key: only keys of the defect may differ on the right side. Remove it"
-              : "No such key. Did you mean " + std::string(rightGroup) + "." + near + "?"};
+          near.empty() || !mayDiffer(near) ? "No such key. Remove it; " + std::string(whatMayDiffer)
+                                           : "No such key. Did you mean " + std::string(rightGroup) + "." + near + "?"};
 }
 
 CaseDescription rightOf(const CaseDescription& description) {

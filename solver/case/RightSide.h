@@ -18,8 +18,11 @@ inline constexpr std::string_view rightGroup = "right";
 
 // "defect.depth" of "right.defect.depth"; empty: the key is none of the right side's.
 std::string_view keyOnRight(std::string_view key);
-// Whether the sides may differ in this key: those of the defect but for its profile.
+// Whether the sides may differ in this key: the defect but for its profile, supports, suspension, friction, lateral
+// position and the random irregularity's seed.
 bool mayDiffer(std::string_view key);
+// Whether both sides are alike up to their defects, so that they start as mirror images.
+bool startsAlike(const CaseDescription& description);
 // The row of a key of either side; nullptr: no such key.
 const Parameter* findOnEitherSide(std::string_view key);
 // What a user reads of a key behind "right." that does not exist, or must be the same on both sides.

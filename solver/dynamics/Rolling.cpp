@@ -218,6 +218,7 @@ void Rolling::pushSides() {
     all.inertia += side->model_.wheelset.inertia;
   }
   for (auto* side : sides_) side->turn(all);
+  if (halves_) pushLaterally();
 }
 
 void Rolling::turn(const Turning& all) {
@@ -276,6 +277,7 @@ void Rolling::finishStep() {
   state_.time = static_cast<double>(state_.step) * step_;
   state_.sums.friction += step_ * view_.patch.frictionPower;
   state_.sums.damping += step_ * damperPower_;
+  if (halves_) state_.sums.damping += step_ * halves_->lateralDamperPower;
   state_.sums.torqueWork += step_ * torque_ * (0.5 * (oldRate + state_.angularVelocity) + hubAngularVelocity_);
 
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);

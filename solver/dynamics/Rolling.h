@@ -102,6 +102,7 @@ class Rolling {
   struct Turning {
     double outer = 0, inner = 0, inertia = 0;
   };
+  void pushLaterally();
   void turn(const Turning& all);  // angular acceleration, and what the reference's own asks of each mass
   struct alignas(64) NextPiece {  // written by all threads, alone in its cache line
     std::atomic<std::size_t> at{0};

@@ -32,6 +32,24 @@ void Rolling::take(Rolling& right) {
   sides_ = {this, &right};
 }
 
+// The suspension of both sides along the wheelset's lateral motion, half the difference of what its journals move
+// outwards: the vehicle does not follow within a run.
+void Rolling::pushLaterally() {
+  const auto& other = *sides_[1];
+  const auto &left = model_.scenario.suspension, &right = other.model_.scenario.suspension;
+  const auto lateral = [&](const AlignedVector& onLeft, const AlignedVector& onRight) {
+    return 0.5 * (ringLateralMean(model_, model_.bearing, onLeft.data()) -
+                  ringLateralMean(model_, model_.bearing, onRight.data()));
+  };
+  const double stiffness = left.lateralStiffness + right.lateralStiffness;
+  const double damping = left.lateralDamping + right.lateralDamping;
+  const double rate = lateral(state_.velocity, other.state_.velocity);
+  const double force = stiffness * lateral(state_.displaced, other.state_.displaced) + damping * rate;
+  addRingLateralForce(model_, model_.bearing, -0.5 * force, forces_.data());
+  addRingLateralForce(model_, model_.bearing, 0.5 * force, sides_[1]->forces_.data());
+  halves_->lateralDamperPower = damping * rate * rate;
+}
+
 void Rolling::joinAxle(const ThreadShare& own) {
   if (!halves_) return;
   auto& other = sides_[1]->state_;

@@ -19,6 +19,7 @@ struct Rolling::Halves {
   }
   model::CentreNodes axle;
   std::vector<model::CentreNodes> sleepers;
+  double lateralDamperPower = 0;  // [W] of both suspensions
   model::WheelsetDamping antisymmetric;
   AlignedVector mean, difference;  // velocities, state layout; of the wheelset alone
 };

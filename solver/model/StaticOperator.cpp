@@ -23,17 +23,6 @@ std::vector<unsigned char> findFree(const Model& model, bool fixSprungMassAlong)
   return free;
 }
 
-// Mean turn of the hub: enough to fix the rotation, whose force is zero in the equilibrium.
-std::vector<std::pair<std::size_t, double>> hubTurn(const Model& model) {
-  std::vector<std::pair<std::size_t, double>> terms;
-  const auto& block = model.blocks[model.hub.block];
-  for (std::size_t i = 0; i < model.hub.nodes.size(); ++i)
-    for (int s = 0; s < block.stationCount; ++s)
-      terms.push_back({block.index(model.hub.nodes[i], 0, s),
-                       model.hub.weight[i] / block.stationCount / block.section.nodes[model.hub.nodes[i]][0]});
-  return terms;
-}
-
 // What the slaves' own diagonal adds to that of their masters, by the squares of the weights: as if the slaves of a
 // master moved one by one. Without it, masters of a much finer block would look a tenth as stiff as they are.
 void addTiedDiagonal(const elasticity::SweptTie& tie, const std::vector<elasticity::SweptBlock>& blocks,
@@ -55,6 +44,16 @@ void addTiedDiagonal(const elasticity::SweptTie& tie, const std::vector<elastici
 }
 
 }  // namespace
+
+std::vector<std::pair<std::size_t, double>> hubTurn(const Model& model) {
+  std::vector<std::pair<std::size_t, double>> terms;
+  const auto& block = model.blocks[model.hub.block];
+  for (std::size_t i = 0; i < model.hub.nodes.size(); ++i)
+    for (int s = 0; s < block.stationCount; ++s)
+      terms.push_back({block.index(model.hub.nodes[i], 0, s),
+                       model.hub.weight[i] / block.stationCount / block.section.nodes[model.hub.nodes[i]][0]});
+  return terms;
+}
 
 StaticOperator::StaticOperator(const Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                                double rotation, double rotationStiffness, bool fixSprungMassAlong)

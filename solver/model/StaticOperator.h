@@ -4,6 +4,8 @@
 
 #include <array>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "core/ThreadTeam.h"
 #include "elasticity/SweptWork.h"
@@ -68,6 +70,9 @@ class StaticOperator {
   std::vector<std::array<std::size_t, 2>> notFree_;  // stretches of the state: first and one past the last
   std::vector<AlignedVector> tieWorkspaces_;         // per thread
 };
+
+// Mean turn of the hub as a sum over unknowns: enough to fix the rotation, whose force is zero in the equilibrium.
+std::vector<std::pair<std::size_t, double>> hubTurn(const Model& model);
 
 // Weight of the model in state layout: gravity times mass, z down; the wheelset's at the given rotation.
 AlignedVector gravityForces(const Model& model, double rotation);

@@ -65,6 +65,38 @@ std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const 
   return terms;
 }
 
+double ringLateralMean(const Model& model, const Ring& ring, const double* state) {
+  const auto& block = model.blocks[ring.block];
+  double mean = 0;
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
+    const auto c = block.line(state, ring.nodes[i], 2);
+    double sum = 0;
+    for (int s = 0; s < block.stationCount; ++s) sum += c[s];
+    mean += ring.weight[i] * sum / block.stationCount;
+  }
+  return mean;
+}
+
+void addRingLateralForce(const Model& model, const Ring& ring, double force, double* forces) {
+  const auto& block = model.blocks[ring.block];
+  const auto& loaded = model.loaded[ring.block];
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i) {
+    double* c =
+        forces + loaded.offset + (static_cast<std::size_t>(loaded.lineOfNode[ring.nodes[i]]) * 3 + 2) * block.stride;
+    const double share = force * ring.weight[i] / block.stationCount;
+    for (int s = 0; s < block.stationCount; ++s) c[s] += share;
+  }
+}
+
+std::vector<std::pair<std::size_t, double>> ringLateral(const Model& model, const Ring& ring) {
+  const auto& block = model.blocks[ring.block];
+  std::vector<std::pair<std::size_t, double>> terms;
+  for (std::size_t i = 0; i < ring.nodes.size(); ++i)
+    for (int s = 0; s < block.stationCount; ++s)
+      terms.push_back({block.index(ring.nodes[i], 2, s), ring.weight[i] / block.stationCount});
+  return terms;
+}
+
 void turnBases(const Model& model, double rotation, AlignedVector& state) {
   const double c = std::cos(rotation), s = std::sin(rotation);
   for (const int b : {model.rim, model.body}) {

@@ -33,6 +33,12 @@ void followJournal(const Model& model, const TurnedStations& turned, double* sta
 std::vector<std::pair<std::size_t, double>> ringTerms(const Model& model, const Ring& ring,
                                                       const TurnedStations& turned, PlaneVector direction);
 
+// The ring's mean motion along its axis, outwards, the same at any rotation; as a sum over unknowns; and a force along
+// it, spread over the ring.
+double ringLateralMean(const Model& model, const Ring& ring, const double* state);
+std::vector<std::pair<std::size_t, double>> ringLateral(const Model& model, const Ring& ring);
+void addRingLateralForce(const Model& model, const Ring& ring, double force, double* forces);
+
 // Turns the wheelset's displacements or forces from bases of rotation zero into those turned by `rotation`.
 void turnBases(const Model& model, double rotation, AlignedVector& state);
 

@@ -32,6 +32,7 @@ struct Wheelset {
 struct Suspension {
   double sprungMass = 0, stiffness = 0, damping = 0;          // [kg], [N/m], [N s/m] vertical
   double longitudinalStiffness = 0, longitudinalDamping = 0;  // guidance: carries the traction to the sprung mass
+  double lateralStiffness = 0, lateralDamping = 0;            // of a whole model
 };
 
 }  // namespace squat::scenario

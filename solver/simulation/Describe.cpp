@@ -14,9 +14,17 @@
 
 namespace squat::simulation {
 
+namespace {
+
+double weightOf(const scenario::Scenario& d) {
+  return d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
+}
+
+}  // namespace
+
 void describeEquilibrium(const model::Model& model, const statics::Equilibrium& e, results::RunResult& result) {
   const auto& d = model.scenario;
-  const double weight = d.motion.gravity * (d.suspension.sprungMass + d.wheelset.totalMass);
+  const double weight = weightOf(d);
   const auto& s = model.surfaces;
   // Two bodies of 2 (1 - nu2) E* each give way as rail and wheel together, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
   const auto compliance = [](const auto& m) { return (1 - m.poisson * m.poisson) / m.young; };
@@ -45,6 +53,17 @@ void describeEquilibrium(const model::Model& model, const statics::Equilibrium& 
       {"newton_steps", "1", "", static_cast<double>(e.newtonSteps)},
       {"iterations", "1", "of conjugate gradients", static_cast<double>(e.iterations)},
   };
+}
+
+void describeRightEquilibrium(const model::Model& right, const statics::Equilibrium& e, results::RunResult& result) {
+  result.equilibrium.insert(
+      result.equilibrium.end(),
+      {{"contact_force_right", "N", "vertical", e.contactForce},
+       {"lateral_force_right", "N", "of the right wheel on its rail, outwards positive", e.lateralForce},
+       {"weight_right", "N", "of the right half of the wheelset and its sprung mass", weightOf(right.scenario)},
+       {"patch_centre_lateral_right", "m", "y of the pressure's centre, outwards positive", e.centreLateral},
+       {"peak_pressure_right", "Pa", "3 N / (2 pi a b)", e.peakPressure},
+       {"approach_right", "m", "of wheel centre and rail section", e.approach}});
 }
 
 void describeMesh(const model::Model& model, const dynamics::StableStep& stable, double step,

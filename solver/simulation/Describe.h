@@ -14,6 +14,9 @@ namespace squat::simulation {
 
 void describeEquilibrium(const model::Model& model, const statics::Equilibrium& equilibrium,
                          results::RunResult& result);
+// Of a whole model, behind those of the left side: what the right side has of its own.
+void describeRightEquilibrium(const model::Model& right, const statics::Equilibrium& equilibrium,
+                              results::RunResult& result);
 void describeMesh(const model::Model& model, const dynamics::StableStep& stable, double step,
                   results::RunResult& result);
 std::vector<results::WheelsetMode> naturalModes(const scenario::Scenario& scenario);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/WheelMotion.h"
+
 namespace squat::simulation {
 
 namespace {
@@ -13,6 +15,15 @@ double springEnergy(const dynamics::Rolling& rolling, const AlignedVector& u) {
   double sum = 0;
   for (const auto& set : rolling.model().forceElements) sum += forces::storedEnergy(set, u.data());
   return sum;
+}
+
+// Of the lateral suspension (Rolling::pushLaterally).
+double lateralEnergy(const dynamics::Rolling& rolling, const std::vector<double>& outwards) {
+  if (outwards.size() < 2) return 0;
+  double stiffness = 0;
+  for (const auto* side : rolling.sides()) stiffness += side->model().scenario.suspension.lateralStiffness;
+  const double lateral = 0.5 * (outwards[0] - outwards[1]);
+  return 0.5 * stiffness * lateral * lateral;
 }
 
 }  // namespace
@@ -49,12 +60,14 @@ double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling, EnergySums
 
 void EnergyBalance::before(const dynamics::Rolling& rolling) {
   double power = 0, plastic = 0, strain = 0, fall = 0;
+  std::vector<double> outwards;  // [m] journals of each side
   shares_ = {};
   for (std::size_t i = 0; i < sums_.size(); ++i) {
     const auto& side = *rolling.sides()[i];
     side.displacement(displacement_);
     const auto energies = sums_[i].quadratic(side, displacement_);
     velocity_ = side.state().velocity;
+    outwards.push_back(ringLateralMean(side.model(), side.model().bearing, displacement_.data()));
     power += side.beta() * sums_[i].quadratic(side, velocity_).sum();
     const double springs = springEnergy(side, displacement_);
     fall += sums_[i].workOfWeight(side, displacement_);
@@ -68,6 +81,8 @@ void EnergyBalance::before(const dynamics::Rolling& rolling) {
     strain += 0.5 * energies.sum() + springs + (flow.elastic + flow.hardening);
     plastic += flow.dissipated;
   }
+  const double lateral = lateralEnergy(rolling, outwards);
+  shares_.springs += lateral, strain += lateral;
   const double time = rolling.state().time;
   if (started_) materialDamping_ += 0.5 * (power + lastDampingPower_) * (time - lastTime_);
   lastDampingPower_ = power, lastTime_ = time;

@@ -7,6 +7,7 @@
 #include "case/CaseFile.h"
 #include "case/MeshPresets.h"
 #include "case/Resolve.h"
+#include "case/RightSide.h"
 #include "case/Validation.h"
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
@@ -16,6 +17,7 @@
 #include "simulation/SurfaceFields.h"
 #include "simulation/WarmState.h"
 #include "statics/SteadyRollingStart.h"
+#include "statics/WholeSystem.h"
 
 namespace squat::simulation {
 
@@ -159,20 +161,25 @@ model::Model mirrored(const model::Model& half) {
 
 }  // namespace
 
-// Of both sides the shorter one; they differ where surface nodes are moved.
+// Of both sides the shorter one, where they are not alike.
 dynamics::StableStep OpenRun::findStableStep() {
   if (!rightModel) return dynamics::stableStep(model, kernels, *team, monitor);
   auto stable = dynamics::stableStep(mirrored(model), kernels, *team, monitor);
-  const bool alike = model.movedElements.size() == 0 && rightModel->movedElements.size() == 0;
-  if (alike || monitor.cancelled()) return stable;
+  const bool haveMovedNodes = model.movedElements.size() > 0 || rightModel->movedElements.size() > 0;
+  if ((!haveMovedNodes && cases::startsAlike(description)) || monitor.cancelled()) return stable;
   auto right = dynamics::stableStep(mirrored(*rightModel), kernels, *team, monitor);
   return right.step < stable.step ? right : stable;
 }
 
-// Both sides of a whole model start alike, as mirror images.
-statics::SteadyRollingStart OpenRun::findStart() {
-  if (!rightModel) return statics::prepareSteadyRollingStart(model, kernels, *team, monitor);
-  return statics::prepareSteadyRollingStart(mirrored(model), kernels, *team, monitor);
+// Sides that differ in what lies ahead alone start as mirror images: for those one half is enough.
+std::vector<statics::SteadyRollingStart> OpenRun::findStart() {
+  if (rightModel && !cases::startsAlike(description)) {
+    statics::WholeSystem system(model, *rightModel, kernels, *team, 0);
+    return statics::prepareSteadyRolling(system, monitor);
+  }
+  if (!rightModel) return {statics::prepareSteadyRollingStart(model, kernels, *team, monitor)};
+  const auto start = statics::prepareSteadyRollingStart(mirrored(model), kernels, *team, monitor);
+  return {start, start};
 }
 
 void OpenRun::makeRolling() {
@@ -195,17 +202,19 @@ bool OpenRun::begin(std::future<Modes> modes) {
   steps = {perSample, 1 / scenario.output.rate / static_cast<double>(perSample), stable.beta};
   describeMesh(model, stable, steps.step, result);
   reportStep(monitor, steps.step, stable.location);
-  const auto steady = timed("equilibrium", [&] { return findStart(); });
-  const auto& equilibrium = steady.equilibrium;
+  const auto starts = timed("equilibrium", [&] { return findStart(); });
+  const auto& equilibrium = starts.front().equilibrium;
   if (equilibrium.cancelled) return false;
   describeEquilibrium(model, equilibrium, result);
-  startStrain_ = equilibrium.strainEnergy * (rightModel ? 2 : 1);
+  if (rightModel) describeRightEquilibrium(*rightModel, starts.back().equilibrium, result);
+  for (const auto& start : starts) startStrain_ += start.equilibrium.strainEnergy;
 
   makeRolling();
   const auto& motion = scenario.motion;
-  for (auto* side : rolling->sides())
-    side->start(equilibrium.displacement, steady.velocity,
-                motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    rolling->sides()[i]->start(
+        starts[i].equilibrium.displacement, starts[i].velocity,
+        motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
   if (!options.snapshots) return true;
   fields = std::make_unique<SurfaceFields>(model);
   result.surface = fields->mesh();

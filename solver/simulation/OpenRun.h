@@ -104,7 +104,7 @@ class OpenRun {
   using Modes = std::vector<results::WheelsetMode>;
   bool begin(std::future<Modes> modes);
   dynamics::StableStep findStableStep();
-  statics::SteadyRollingStart findStart();
+  std::vector<statics::SteadyRollingStart> findStart();  // of each side
   void makeRolling();
   void restore(const StoredState& stored);
   double startStrain_ = 0;  // [J]

@@ -322,7 +322,13 @@ int CoarseSpace::sourceFor(int i, const std::vector<int>& ofOneColour) const {
 
 bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
   forces::ForceElements kept = std::exchange(op.contactSprings(), forces::ForceElements{});
-  auto& team = op.team();
+  const bool isDone = assemble(
+      op.team(), [&](double* u, double* result) { op.apply(u, result); }, monitor);
+  op.contactSprings() = std::move(kept);
+  return isDone;
+}
+
+bool CoarseSpace::assemble(ThreadTeam& team, const Product& product, Monitor& monitor) {
   std::vector<std::vector<int>> groups;
   for (int j = 0; j < unknowns_; ++j) {
     if (placed_[j].colour >= static_cast<int>(groups.size())) groups.resize(placed_[j].colour + 1);
@@ -333,15 +339,12 @@ bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
   Eigen::VectorXd coarse;
   for (const auto& group : groups) {
     if (group.empty()) continue;
-    if (monitor.cancelled()) {
-      op.contactSprings() = std::move(kept);
-      return false;
-    }
+    if (monitor.cancelled()) return false;
     Eigen::VectorXd source = Eigen::VectorXd::Zero(unknowns_);
     for (const int j : group) source[j] = 1;
     std::fill(u.begin(), u.end(), 0.0);
     prolong(team, source, u.data());
-    op.apply(u.data(), result.data());
+    product(u.data(), result.data());
     project(team, result.data(), coarse);
     for (int i = 0; i < unknowns_; ++i)
       if (const int j = sourceFor(i, group); j >= 0) matrix_(i, j) = coarse[i];
@@ -350,7 +353,6 @@ bool CoarseSpace::assemble(model::StaticOperator& op, Monitor& monitor) {
     for (int i = 0; i < unknowns_; ++i)
       if (placed_[i].part == Part::restOfWheelset) matrix_(i, j) = matrix_(j, i);
   matrix_ = 0.5 * (matrix_ + matrix_.transpose()).eval();
-  op.contactSprings() = std::move(kept);
   return true;
 }
 
@@ -405,12 +407,18 @@ Eigen::VectorXd CoarseSpace::projectSparse(const forces::ForceElements& springs,
 }
 
 void CoarseSpace::factorise(const forces::ForceElements& contact) {
+  const forces::ForceElements* only = &contact;
+  factorise(std::span(&only, 1));
+}
+
+void CoarseSpace::factorise(std::span<const forces::ForceElements* const> contacts) {
   Eigen::MatrixXd whole = matrix_;
-  for (std::size_t i = 0; i < contact.size(); ++i) {
-    const Eigen::VectorXd g = projectSparse(contact, i);
-    for (int j = 0; j < unknowns_; ++j)
-      if (g[j] != 0) whole.col(j) += contact.stiffness[i] * g[j] * g;
-  }
+  for (const auto* contact : contacts)
+    for (std::size_t i = 0; i < contact->size(); ++i) {
+      const Eigen::VectorXd g = projectSparse(*contact, i);
+      for (int j = 0; j < unknowns_; ++j)
+        if (g[j] != 0) whole.col(j) += contact->stiffness[i] * g[j] * g;
+    }
   // Hats of the wheelset overlap and are nearly dependent: a little relative stiffness keeps the factor definite.
   whole.diagonal() *= 1 + 1e-10;
   for (int j = 0; j < unknowns_; ++j)  // fixed, or out of reach of every node

@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "core/Monitor.h"
@@ -25,10 +27,12 @@ class CoarseSpace {
   int size() const { return unknowns_; }
   // Z^T K Z without contact springs; call once. False when the monitor has cancelled it.
   bool assemble(model::StaticOperator& op, Monitor& monitor);
-  // The same from a space that has assembled it for the same model at the same rotation.
-  void adopt(const Eigen::MatrixXd& stiffness) { matrix_ = stiffness; }
+  // The same of any K that couples what that of the model couples: writes K u into the result (u, result).
+  using Product = std::function<void(double*, double*)>;
+  bool assemble(ThreadTeam& team, const Product& product, Monitor& monitor);
   const Eigen::MatrixXd& stiffness() const { return matrix_; }
-  // Adds the contact springs' share and factorises.
+  // Adds the share of contact springs and factorises.
+  void factorise(std::span<const forces::ForceElements* const> contacts);
   void factorise(const forces::ForceElements& contact);
   // The correction Z y, y = (Z^T K Z)^-1 Z^T r, and what it has in common with the residual, r.Z y.
   struct Correction {

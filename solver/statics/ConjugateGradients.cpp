@@ -19,14 +19,11 @@ struct Norms {
 
 }  // namespace
 
-LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& coarse, const AlignedVector& b,
-                                  AlignedVector& x, double target, int maximumIterations,
-                                  const std::function<bool(int, double)>& step) {
-  auto& team = op.team();
+LinearSolution conjugateGradients(StaticSystem& system, const AlignedVector& b, AlignedVector& x, double target,
+                                  int maximumIterations, const std::function<bool(int, double)>& step) {
+  auto& team = system.team();
   const std::size_t n = b.size();
-  const auto& free = op.freeUnknowns();
-  AlignedVector inverse = op.diagonal();
-  for (std::size_t i = 0; i < n; ++i) inverse[i] = free[i] ? 1 / inverse[i] : 0;
+  const AlignedVector inverse = system.inverseDiagonal();
   AlignedVector r = b, p(n, 0.0), q(n, 0.0);
   std::fill(x.begin(), x.end(), 0.0);
 
@@ -41,12 +38,12 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
                    sumInLanes(begin, end, [&](std::size_t i) { return r[i] * inverse[i] * r[i]; })};
     });
     solution.residual = std::sqrt(norms.residual2);
-    const auto correction = coarse.correctionOf(team, r.data());
+    const auto correction = system.correctionOf(r.data());
     if (solution.residual < target || solution.iterations >= maximumIterations) {
       for (std::size_t i = 0; i < n; ++i) x[i] += alpha * p[i];
       // A last coarse correction leaves no resultant force on any coarse field, rigid motions of the wheelset among
       // them.
-      coarse.prolong(team, correction.y, x.data());
+      system.prolong(correction.y, x.data());
       return solution;
     }
     if (solution.iterations % 8 == 0 && !step(solution.iterations, solution.residual)) {
@@ -61,8 +58,8 @@ LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& 
       for (std::size_t i = begin; i < end; ++i) x[i] += alpha * p[i], p[i] = inverse[i] * r[i] + beta * p[i];
       return 0.0;
     });
-    coarse.prolong(team, correction.y, p.data());
-    op.apply(p.data(), q.data());
+    system.prolong(correction.y, p.data());
+    system.apply(p.data(), q.data());
     const double curvature = orderedSum(team, n, [&](std::size_t begin, std::size_t end) {
       return sumInLanes(begin, end, [&](std::size_t i) { return p[i] * q[i]; });
     });

@@ -1,10 +1,9 @@
-// solver/statics/ConjugateGradients.h - conjugate gradients on the whole model, preconditioned by diagonal and coarse
-// space.
+// solver/statics/ConjugateGradients.h - conjugate gradients, preconditioned by diagonal and coarse space.
 #pragma once
 
 #include <functional>
 
-#include "statics/CoarseSpace.h"
+#include "statics/StaticSystem.h"
 
 namespace squat::statics {
 
@@ -16,8 +15,7 @@ struct LinearSolution {
 
 // Solves (K + contact) x = b from x = 0 until the residual's 2-norm is below `target` or `maximumIterations` are done.
 // `step(iterations, residual)` is asked every few iterations and returns false to stop; x is not to be used then.
-LinearSolution conjugateGradients(model::StaticOperator& op, const CoarseSpace& coarse, const AlignedVector& b,
-                                  AlignedVector& x, double target, int maximumIterations,
-                                  const std::function<bool(int, double)>& step);
+LinearSolution conjugateGradients(StaticSystem& system, const AlignedVector& b, AlignedVector& x, double target,
+                                  int maximumIterations, const std::function<bool(int, double)>& step);
 
 }  // namespace squat::statics

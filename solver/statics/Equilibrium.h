@@ -5,20 +5,18 @@
 // the track, the wheelset's mean rotation is fixed and taken out of the result.
 #pragma once
 
-#include <Eigen/Core>
-#include <functional>
+#include <vector>
 
-#include "contact/TouchPoint.h"
 #include "core/Monitor.h"
-#include "model/StaticOperator.h"
+#include "statics/StaticSystem.h"
 
 namespace squat::statics {
 
 struct EquilibriumOptions {
   double tolerance = 1e-7;  // residual 2-norm relative to the wheel load
   int maximumNewtonSteps = 40;
-  int maximumIterations = 20000;  // of conjugate gradients in all
-  const AlignedVector* guess = nullptr;
+  int maximumIterations = 20000;         // of conjugate gradients in all
+  const AlignedVector* guess = nullptr;  // of all halves
 };
 
 struct Equilibrium {
@@ -34,19 +32,20 @@ struct Equilibrium {
   double halfAxisRolling = 0, halfAxisLateral = 0;  // [m] sqrt(5 <x^2>), sqrt(5 <y^2>) of the pressure
   double peakPressure = 0;                          // [Pa] 3 N / (2 pi a b)
   double strainEnergy = 0;                          // [J] solids, springs and contact
-  Eigen::MatrixXd coarseStiffness;                  // as from CoarseSpace::stiffness(), for equilibriumRate()
   int newtonSteps = 0, iterations = 0;
   bool cancelled = false;
 };
 
-// Throws RunError when it does not converge or the wheel finds no contact.
+// Of every half of a system, which it assembles; throws RunError when it does not converge or a wheel finds no contact.
+std::vector<Equilibrium> findEquilibria(StaticSystem& system, double wheelX, const EquilibriumOptions& options,
+                                        Monitor& monitor);
+// Of a half model.
 Equilibrium findEquilibrium(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                             double wheelX, double rotation, const EquilibriumOptions& options, Monitor& monitor);
 
-// How the equilibrium changes as the wheel rolls on: du/dx per metre [1], state layout, wheelset in the bases of
-// rotation zero; `e` must stand at rotation zero. One linear system with the closed contact of `e`:
+// How the equilibrium changes as the wheel rolls on: du/dx per metre [1] of all halves, wheelset in the bases of
+// rotation zero; `system` as findEquilibria() has left it, at rotation zero. One linear system with the closed contact:
 // K_T du/dx = dR/dx, R the residual with the material fixed and the wheel moved and turned.
-AlignedVector equilibriumRate(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
-                              const Equilibrium& e, Monitor& monitor);
+AlignedVector equilibriumRate(StaticSystem& system, const std::vector<Equilibrium>& found, Monitor& monitor);
 
 }  // namespace squat::statics

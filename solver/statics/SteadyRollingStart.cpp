@@ -40,27 +40,54 @@ double treadRate(const model::Model& model) {
   return (path.back().height - path.front().height) / (2 * step);
 }
 
-}  // namespace
-
-SteadyRollingStart prepareSteadyRollingStart(const model::Model& model, const elasticity::KernelSet& kernels,
-                                             ThreadTeam& team, Monitor& monitor) {
-  const auto& d = model.scenario;
-  SteadyRollingStart start;
-  start.equilibrium = findEquilibrium(model, kernels, team, model.startX, 0, {}, monitor);
-  start.velocity.assign(model.stateSize, 0.0);
-  if (start.equilibrium.cancelled) return start;
-  start.velocity = equilibriumRate(model, kernels, team, start.equilibrium, monitor);
-  start.equilibrium.cancelled = monitor.cancelled();
-  if (start.equilibrium.cancelled) return start;
+// What the vehicle's vertical velocity per metre rolled lacks to follow the rail [1].
+double missingRate(const model::Model& model, const SteadyRollingStart& start) {
   model::TurnedStations turned;
   model::turnStations(model.blocks[model.body], 0, turned);
   const double wheelRate = model::ringMean(model, model.centre, turned, start.velocity.data()).z;
   const double rate =
       railRate(model, start.equilibrium.displacement, start.velocity, start.equilibrium.wheelX) + treadRate(model);
-  addVerticalMotion(model, 0, rate - wheelRate, start.velocity);
-  for (double& value : start.velocity) value *= d.motion.speed;
-  model::removeMeanRotation(model, model::meanRotation(model, start.velocity.data()), start.velocity.data());
-  return start;
+  return rate - wheelRate;
+}
+
+}  // namespace
+
+std::vector<SteadyRollingStart> prepareSteadyRolling(StaticSystem& system, Monitor& monitor) {
+  const auto& halves = system.halves();
+  const auto found = findEquilibria(system, halves.front().model.startX, {}, monitor);
+  std::vector<SteadyRollingStart> starts;
+  for (std::size_t i = 0; i < halves.size(); ++i)
+    starts.push_back({found[i], AlignedVector(halves[i].model.stateSize, 0.0)});
+  if (found.front().cancelled) return starts;
+  const auto rate = equilibriumRate(system, found, monitor);
+  double turn = 0, mean = 0;
+  std::vector<double> missing;
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const auto& [model, op, offset] = halves[i];
+    auto& start = starts[i];
+    start.equilibrium.cancelled = monitor.cancelled();
+    start.velocity.assign(rate.data() + offset, rate.data() + offset + model.stateSize);
+    missing.push_back(missingRate(model, start));
+    mean += missing.back() / static_cast<double>(halves.size());
+  }
+  if (monitor.cancelled()) return starts;
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const auto& model = halves[i].model;
+    auto& velocity = starts[i].velocity;
+    addVerticalMotion(model, 0, mean, velocity.data());
+    if (halves.size() > 1) addRoll(model, 0, missing[i] - mean, velocity.data());
+    for (double& value : velocity) value *= model.scenario.motion.speed;
+    turn += model::meanRotation(model, velocity.data()) / static_cast<double>(halves.size());
+  }
+  for (std::size_t i = 0; i < halves.size(); ++i)
+    model::removeMeanRotation(halves[i].model, turn, starts[i].velocity.data());
+  return starts;
+}
+
+SteadyRollingStart prepareSteadyRollingStart(const model::Model& model, const elasticity::KernelSet& kernels,
+                                             ThreadTeam& team, Monitor& monitor) {
+  HalfSystem system(model, kernels, team, 0);
+  return prepareSteadyRolling(system, monitor).front();
 }
 
 }  // namespace squat::statics

@@ -14,6 +14,9 @@ struct SteadyRollingStart {
   AlignedVector velocity;   // state layout [m/s]
 };
 
+// Of every half of a system at rotation zero, which it assembles.
+std::vector<SteadyRollingStart> prepareSteadyRolling(StaticSystem& system, Monitor& monitor);
+// Of a half model.
 SteadyRollingStart prepareSteadyRollingStart(const model::Model& model, const elasticity::KernelSet& kernels,
                                              ThreadTeam& team, Monitor& monitor);
 

@@ -19,16 +19,16 @@ double normOf(const AlignedVector& v) { return std::sqrt(std::inner_product(v.be
 }  // namespace
 
 UnloadedShapes::UnloadedShapes(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team)
-    : model_(model), operator_(model, kernels, team, 0, 1e8, true), coarse_(model, operator_) {
+    : model_(model), system_(model, kernels, team, 0) {
   last_.assign(model.stateSize, 0.0);
 }
 
 bool UnloadedShapes::prepare(Monitor& monitor) {
-  if (!coarse_.assemble(operator_, monitor)) return false;
+  if (!system_.assemble(monitor)) return false;
   // No contact carries the vehicle: one spring fixes the sprung mass, and with it the wheelset. Nothing pushes them:
   // the spring keeps its length, and any stiffness will do.
-  operator_.contactSprings().add({{model_.sprungZ, 1.0}}, model_.scenario.suspension.stiffness, 0);
-  coarse_.factorise(operator_.contactSprings());
+  system_.op().contactSprings().add({{model_.sprungZ, 1.0}}, model_.scenario.suspension.stiffness, 0);
+  system_.factorise();
   return true;
 }
 
@@ -44,7 +44,7 @@ AlignedVector UnloadedShapes::forcesOf(const plasticity::LayerForces& forces) {
     for (int c = 0; c < 3; ++c)
       for (int s = 0; s < rail.stationCount; ++s)
         force[rail.index(n, c, s)] = lines[(static_cast<std::size_t>(n) * 3 + c) * rail.stride + s];
-  operator_.reduceForces(force.data());
+  system_.op().reduceForces(force.data());
   return force;
 }
 
@@ -58,8 +58,8 @@ void UnloadedShapes::follow(const plasticity::LayerForces& forces, double tolera
   const double norm = normOf(added);
   if (norm == 0) return;
   AlignedVector more(model_.stateSize, 0.0);
-  const auto solution = conjugateGradients(
-      operator_, coarse_, added, more, tolerance * norm, maximumIterations, [&](int, double residual) {
+  const auto solution =
+      conjugateGradients(system_, added, more, tolerance * norm, maximumIterations, [&](int, double residual) {
         Progress progress;
         progress.phase = "unloading";
         progress.fraction = std::clamp(std::log(norm / residual) / std::log(1 / tolerance), 0.0, 1.0);
@@ -73,7 +73,7 @@ void UnloadedShapes::follow(const plasticity::LayerForces& forces, double tolera
     throw RunError("the unloaded rail does not converge: residual " + std::to_string(shape.residual) +
                        " of the plastic forces after " + std::to_string(shape.iterations) + " iterations",
                    0, 0, "unloading");
-  operator_.fillSlaves(more.data());
+  system_.op().fillSlaves(more.data());
   for (std::size_t i = 0; i < more.size(); ++i) shape.displacement[i] += more[i];
   last_ = std::move(force);
 }

@@ -6,7 +6,7 @@
 #include "core/Monitor.h"
 #include "model/StaticOperator.h"
 #include "plasticity/LayerWork.h"
-#include "statics/CoarseSpace.h"
+#include "statics/StaticSystem.h"
 
 namespace squat::statics {
 
@@ -39,8 +39,7 @@ class UnloadedShapes {
   AlignedVector forcesOf(const plasticity::LayerForces& forces);
 
   const model::Model& model_;
-  model::StaticOperator operator_;
-  CoarseSpace coarse_;
+  HalfSystem system_;
   AlignedVector last_;
 };
 

@@ -1,6 +1,7 @@
 #include "verification/TrackBeam.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "verification/SectionTorsion.h"
@@ -49,11 +50,11 @@ BeamSection beamSection(const geometry::SectionMesh& section) {
 }
 
 TrackBeam::TrackBeam(const scenario::Scenario& description, const BeamSection& section, double railStart,
-                     const std::vector<double>& sleeperPositions)
+                     const std::vector<double>& sleeperPositions, Rails rails)
     : case_(description), section_(section), railStart_(railStart) {
   layRail(sleeperPositions);
   for (const double x : sleeperPositions) {
-    const int sleeper = addSleeper();
+    const int sleeper = addSleeper(rails);
     addBallast(sleeper, seatAt(x));
     addPad(sleeper, x, seatAt(x));
   }
@@ -92,7 +93,7 @@ void TrackBeam::layRail(const std::vector<double>& sleeperPositions) {
   }
 }
 
-int TrackBeam::addSleeper() {
+int TrackBeam::addSleeper(Rails rails) {
   const auto& s = case_.sleeper;
   const double step = s.halfLength / sleeperParts;
   const double young = s.material.young, shear = shearModulus(s.material), density = s.material.density;
@@ -115,7 +116,9 @@ int TrackBeam::addSleeper() {
     system_.addBar(l + twist, r + twist, step, shear * torsion, density * (upright + flat));
     for (const int at : {l, r}) weights_.emplace_back(at + lift, 0.5 * step * density * area);
   }
-  for (const int fixed : {stretch, liftSlope, shiftSlope}) system_.hold(first + fixed);
+  const auto fixed =
+      rails == Rails::alike ? std::array{stretch, liftSlope, shiftSlope} : std::array{lift, shift, twist};
+  for (const int unknown : fixed) system_.hold(first + unknown);
   return first;
 }
 

@@ -1,8 +1,9 @@
 // tests/verification/TrackBeam.h - the half track as beams: the theory that the solids are held against.
 //
 // Rail: vertical Timoshenko beam with rotary inertia; stretch; lateral bending about the shear centre and Vlasov's
-// torsion, which the bending sleepers turn it into. Half sleepers: beams across the track from the symmetry plane (no
-// slopes, no lateral motion) to the end that bend vertically and horizontally, stretch and twist. Pads: 6 x 4 springs
+// torsion, which the bending sleepers turn it into. Half sleepers: beams across the track from the track centre to the
+// end that bend vertically and horizontally, stretch and twist; at the centre without slopes and lateral motion, or,
+// where both rails move oppositely, without all else. Pads: 6 x 4 springs
 // over the footprint, ballast under the whole base, both in three directions. Rail ends are free. Sections keep their
 // shape: that alone is left out. Nothing is taken from the solid model but the section that the caller gives.
 #pragma once
@@ -33,9 +34,11 @@ BeamSection beamSection(const geometry::SectionMesh& section);
 
 class TrackBeam {
  public:
+  // How the rails move to each other.
+  enum class Rails { alike, oppositely };
   // Sleepers at the given positions; rail from railStart, of the case's length.
   TrackBeam(const scenario::Scenario& description, const BeamSection& section, double railStart,
-            const std::vector<double>& sleeperPositions);
+            const std::vector<double>& sleeperPositions, Rails rails = Rails::alike);
 
   // Deflection [m], up positive, at x under the weight of the track and a force [N], down positive, at `loadX`.
   double deflection(double x, double loadX, double force, bool withWeight) const;
@@ -51,7 +54,7 @@ class TrackBeam {
   enum Sleeper { stretch, lift, liftSlope, shift, shiftSlope, twist, sleeperUnknowns };
 
   void layRail(const std::vector<double>& sleeperPositions);
-  int addSleeper();
+  int addSleeper(Rails rails);
   scenario::Seat seatAt(double x) const;
   void addBallast(int sleeper, const scenario::Seat& seat);
   void addPad(int sleeper, double at, const scenario::Seat& seat);
