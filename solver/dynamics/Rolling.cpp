@@ -124,7 +124,7 @@ void Rolling::restore(RollingState state) {
   layerForces_ = plasticity::layerForces(model_.layer, layerKernels_, state_.plastic);
   turnStations(model_.blocks[model_.body], state_.rotation, turned_);
   view_ = {};
-  boxVelocity_ = boxVelocity();
+  boxVelocity_ = boxVelocity(), boxLateralVelocity_ = boxLateralVelocity();
   wheelVelocity_ = ringMean(model_, model_.centre, turned_, state_.velocity.data());
   const auto wheel = wheelRolling(state_.displaced.data());
   view_.step = state_.step, view_.time = state_.time;
@@ -182,6 +182,9 @@ model::PlaneVector Rolling::boxVelocity() const {
   if (model_.boxOnSpring()) return {v[model_.boxX], v[model_.boxZ]};
   return ringMean(model_, model_.bearing, turned_, v);
 }
+
+// The box has no play along the axle.
+double Rolling::boxLateralVelocity() const { return ringLateralMean(model_, model_.bearing, state_.velocity.data()); }
 
 // The torque acts evenly on the hub, against alpha.
 void Rolling::applyHubForce() {
@@ -302,6 +305,10 @@ void Rolling::takeAccelerations() {
   view_.boxAcceleration = {(box.x - boxVelocity_.x) / step_, (box.z - boxVelocity_.z) / step_};
   view_.wheelAcceleration = {(wheel.x - wheelVelocity_.x) / step_, (wheel.z - wheelVelocity_.z) / step_};
   boxVelocity_ = box, wheelVelocity_ = wheel;
+  if (model_.scenario.extent == scenario::ModelExtent::half) return;
+  const double lateral = boxLateralVelocity();
+  view_.boxLateralAcceleration = (lateral - boxLateralVelocity_) / step_;
+  boxLateralVelocity_ = lateral;
 }
 
 AlignedVector Rolling::displacement() const {

@@ -48,6 +48,7 @@ struct StepView {
   double time = 0, position = 0;  // [s], [m] wheel centre relative to the defect
   contact::PatchState patch;
   model::PlaneVector boxAcceleration, wheelAcceleration;  // [m/s2]
+  double boxLateralAcceleration = 0;                      // [m/s2] outwards, of a whole model
   double angularVelocity = 0;                             // [rad/s]
 };
 
@@ -129,6 +130,7 @@ class Rolling {
   void evaluateContact();
   void applyHubForce();
   model::PlaneVector boxVelocity() const;
+  double boxLateralVelocity() const;
   contact::WheelRolling wheelRolling(const double* displaced) const;
   double positionOf(const contact::WheelRolling& wheel) const;
 
@@ -159,6 +161,7 @@ class Rolling {
   plasticity::LayerForces layerForces_;
   StepView view_;
   model::PlaneVector boxVelocity_, wheelVelocity_;
+  double boxLateralVelocity_ = 0;  // [m/s]
   double angularAcceleration_ = 0, referenceAcceleration_ = 0;
   double damperPower_ = 0;                      // [W]
   std::vector<double> groupDamperPowers_;       // [W] of each group of force elements, written while they push

@@ -19,6 +19,9 @@ std::vector<CatalogueRow> rowsOfOneSide() {
           {.name = names::axleBoxLongitudinal,
            .unit = "m/s2",
            .description = "longitudinal acceleration of the axle box, rolling direction positive"},
+          {.name = names::axleBoxLateral,
+           .unit = "m/s2",
+           .description = "lateral acceleration of the axle box, outwards positive; of a whole model"},
           {.name = names::wheel,
            .unit = "m/s2",
            .description = "vertical acceleration of the wheel centre, up positive",
@@ -91,6 +94,10 @@ const std::vector<CatalogueRow>& signalCatalogue() {
   static const std::vector<CatalogueRow> rows = [] {
     auto all = rowsOfOneSide();
     all.insert(all.end(), right.rows.begin(), right.rows.end());
+    all.push_back({.name = names::wheelsetRoll,
+                   .unit = "rad/s2",
+                   .description = "roll of the wheelset, from both wheel centres, left side up positive; of a whole "
+                                  "model"});
     all.push_back({.name = names::position,
                    .unit = "m",
                    .description = "wheel centre relative to the deepest point of the defect"});

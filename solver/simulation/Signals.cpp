@@ -25,6 +25,13 @@ std::map<std::string_view, Probe> probes(const dynamics::Rolling& rolling) {
       {names::rail, Accelerometer(railFootAt(model, sensor), rolling)},
       {names::sleeper, Accelerometer(sleeperTopNear(model, sensor), rolling)},
       {names::position, [](const Rolling& r) { return r.view().position; }}};
+  if (model.scenario.extent == scenario::ModelExtent::whole)
+    probes[names::axleBoxLateral] = [](const Rolling& r) { return r.view().boxLateralAcceleration; };
+  if (rolling.sides().size() > 1)
+    probes[names::wheelsetRoll] = [](const Rolling& r) {
+      const double rises = r.view().wheelAcceleration.z, other = r.sides()[1]->view().wheelAcceleration.z;
+      return (rises - other) / (2 * r.model().scenario.wheelset.trackCentre);
+    };
   if (!model.scenario.irregularity.isSmooth())
     probes[names::irregularity] = [](const Rolling& r) {
       return r.model().scenario.irregularity.height(r.view().position);
