@@ -14,8 +14,12 @@ namespace squat::cases {
 // out as well: a mesh for a longer one serves a shorter defect. The location of the defect on the track counts.
 bool countsBeforeDefect(const Parameter& parameter);
 
-// The keys that count and whose values differ, in the order of the table.
+// The keys that count and whose values differ, in the order of the table; then those that differ on the right side
+// alone.
 std::vector<const Parameter*> differencesBeforeDefect(const CaseDescription& one, const CaseDescription& other);
+
+// Whether nodes of the rail are moved under the defect of a side.
+bool hasMovedNodes(const CaseDescription& description);
 
 // Eight hexadecimal digits that stand for all values that count.
 std::string hashBeforeDefect(const CaseDescription& description);

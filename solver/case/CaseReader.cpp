@@ -232,6 +232,33 @@ void readNamedTables(CaseDescription& description, const CaseOverrides& override
   }
 }
 
+// The profile that the right side names for itself, in the same way.
+void readRightProfile(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
+                      Problems& problems) {
+  const auto& table = *namedTable("defect.file");
+  const auto isOwn = [&](const std::string& key) {
+    return std::any_of(description.right.begin(), description.right.end(),
+                       [&](const auto& stated) { return stated.first == key; });
+  };
+  if (!isOwn(table.fileKey)) return;
+  const std::string fileKey = std::string(rightGroup) + "." + table.fileKey;
+  const bool fileSet = overrideOf(overrides, fileKey) != nullptr;
+  CaseDescription right = rightOf(description);
+  if (!table.isWanted(right)) {
+    problems.add(
+        {std::string(rightGroup) + ".defect.shape", valueText(right, *findParameter("defect.shape")),
+         "profile if " + fileKey + " is given", "Give shape = \"profile\" to [right.defect], or remove " + fileKey},
+        fileSet ? " (--set)" : std::string());
+    return;
+  }
+  if (std::any_of(table.valueKeys.begin(), table.valueKeys.end(), isOwn) && !fileSet) return;
+  const std::filesystem::path named = table.file(right);
+  table.clear(right);
+  table.read(right, named.is_absolute() || fileSet ? named : folder / named);
+  for (const auto& key : table.valueKeys)
+    if (auto wrong = trySetRight(description, key, valueText(right, *findParameter(key)))) problems.add(*wrong, "");
+}
+
 struct Reading {
   bool finished = true;    // relations between values hold
   bool opensFiles = true;  // of presets, and tables that the case names
@@ -251,7 +278,10 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   applyOverrides(description, overrides, problems);
   applyRight(description, stated, overrides, problems);
   if (reading.finished) checkProfileIsUsed(description, stated, overrides, problems);
-  if (reading.opensFiles) readNamedTables(description, overrides, folder, problems);
+  if (reading.opensFiles) {
+    readNamedTables(description, overrides, folder, problems);
+    if (problems.empty()) readRightProfile(description, overrides, folder, problems);
+  }
   for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {
       const Stated* one = find(stated, finding.problem.key);
@@ -289,10 +319,10 @@ CaseDescription loadCase(const std::string& nameOrPath, const CaseOverrides& ove
 std::vector<std::string> filesOfCase(const std::string& nameOrPath, const CaseDescription& description) {
   const auto file = findCase(nameOrPath);
   std::vector<std::string> files{file.string()};
-  auto named = description;
-  for (const auto& table : namedTables())
-    if (const auto& path = table.file(named); !path.empty())
-      files.insert(files.end(), {(file.parent_path() / path).string(), path});
+  for (auto named : {description, rightOf(description)})
+    for (const auto& table : namedTables())
+      if (const auto& path = table.file(named); !path.empty())
+        files.insert(files.end(), {(file.parent_path() / path).string(), path});
   return files;
 }
 

@@ -166,7 +166,7 @@ std::string caseHash(const CaseDescription& description) {
     if (countsInHash(description, parameter)) content += parameter.key + "=" + valueText(description, parameter) + "\n";
   if (description.extent == ModelExtent::whole)
     for (const auto& [key, text] : description.right)
-      content += std::string(rightGroup) + "." + key + "=" + text + "\n";
+      if (!namesTable(*findParameter(key))) content += std::string(rightGroup) + "." + key + "=" + text + "\n";
   return shortHash(content);
 }
 

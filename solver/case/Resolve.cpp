@@ -29,7 +29,13 @@ std::vector<WavelengthLevel> levelsOf(const Irregularity& rail) {
 }
 
 DefectZone defectZone(const CaseDescription& description) {
-  return scenario::defectZone(surfaceOf(description), treadOf(description), description.mesh);
+  const auto zoneOf = [](const CaseDescription& side) {
+    return scenario::defectZone(surfaceOf(side), treadOf(side), side.mesh);
+  };
+  const auto left = zoneOf(description);
+  if (description.extent == ModelExtent::half) return left;
+  const auto right = zoneOf(rightOf(description));
+  return {std::max(left.before, right.before), std::max(left.behind, right.behind)};
 }
 
 scenario::Scenario resolve(const CaseDescription& d) {

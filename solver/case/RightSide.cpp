@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t longestShown = 60;  // letters of a key in a message
 constexpr std::string_view whatMayDiffer =
-    "the right side may have its own defect (but for the profile), pads, ballast, suspension, friction, lateral offset "
-    "and seed of the irregularity";
+    "the right side may have its own defect, pads, ballast, suspension, friction, lateral offset and seed of the "
+    "irregularity";
 
 }  // namespace
 
@@ -25,13 +25,14 @@ std::string_view keyOnRight(std::string_view key) {
 }
 
 bool mayDiffer(std::string_view key) {
-  // Of the whole groups but for what holds in the frequency domain alone; a profile is a table, which copies of a case
-  // have to take along, and of these there is one.
+  // Of the whole groups but for what holds in the frequency domain alone, and for curves.
   constexpr std::array<std::string_view, 4> groups{"defect", "pad", "ballast", "suspension"};
   constexpr std::array<std::string_view, 3> single{"contact.friction", "motion.lateral_offset",
                                                    "rail.irregularity_seed"};
   const auto* parameter = findParameter(key);
-  if (!parameter || isList(*parameter) || parameter->kind == Kind::text || key.ends_with(".loss_factor")) return false;
+  if (!parameter || key.ends_with(".loss_factor")) return false;
+  const bool isTable = isList(*parameter) || parameter->kind == Kind::text;
+  if (isTable && parameter->group != "defect") return false;
   if (key.starts_with("suspension.lateral_")) return false;  // of the wheelset
   const auto among = [](const auto& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();

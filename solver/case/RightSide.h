@@ -18,8 +18,8 @@ inline constexpr std::string_view rightGroup = "right";
 
 // "defect.depth" of "right.defect.depth"; empty: the key is none of the right side's.
 std::string_view keyOnRight(std::string_view key);
-// Whether the sides may differ in this key: the defect but for its profile, supports, suspension, friction, lateral
-// position and the random irregularity's seed.
+// Whether the sides may differ in this key: defect, supports, suspension, friction, lateral position and the random
+// irregularity's seed.
 bool mayDiffer(std::string_view key);
 // Whether both sides are alike up to their defects, so that they start as mirror images.
 bool startsAlike(const CaseDescription& description);

@@ -52,6 +52,12 @@ std::vector<Finding> validateRelations(const CaseDescription& description) {
   auto findings = validateSide(description);
   if (description.extent == ModelExtent::half) return findings;
   if (!description.right.empty()) addRightSide(description, findings);
+  const auto& rail = description.rail.irregularity;
+  if (rail.kind != IrregularityKind::none && rightOf(description).rail.irregularity.seed == rail.seed)
+    relations::add(findings, description, Severity::warning, {"rail.irregularity", "model.extent"},
+                   rail.kind == IrregularityKind::heights ? "none, or heights that both rails have"
+                                                          : "another right.rail.irregularity_seed",
+                   "Both rails have the same irregularity, as mirror images");
   if (description.rail.plastic)
     relations::add(findings, description, Severity::problem, {"rail.plastic", "model.extent"},
                    "false if model.extent is whole", "A whole model has an elastic rail: set one of them back");

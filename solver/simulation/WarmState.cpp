@@ -53,7 +53,7 @@ double reachOf(const scenario::Scenario& scenario) {
 }
 
 void checkDefect(const WarmState& warm, const cases::CaseDescription& description, std::vector<CaseProblem>& problems) {
-  if (description.defect.moveNodes)
+  if (cases::hasMovedNodes(description))
     problems.push_back({"defect.move_nodes", "true", "false with a warm state",
                         "Moved nodes change the stiffness of the rail, which waves feel before the wheel arrives: "
                         "run the whole case"});
@@ -75,10 +75,17 @@ void checkDefect(const WarmState& warm, const cases::CaseDescription& descriptio
 
 void requireFit(const WarmState& warm, const cases::CaseDescription& description) {
   std::vector<CaseProblem> problems;
-  for (const auto* parameter : cases::differencesBeforeDefect(description, warm.description))
-    problems.push_back({parameter->key, withUnit(description, *parameter),
-                        withUnit(warm.description, *parameter) + ", as in " + nameOf(warm),
-                        "Only the defect may differ from what the warm state was made for"});
+  for (const auto* parameter : cases::differencesBeforeDefect(description, warm.description)) {
+    const auto problemOf = [&](const cases::CaseDescription& own, const cases::CaseDescription& served) {
+      return CaseProblem{parameter->key, withUnit(own, *parameter),
+                         withUnit(served, *parameter) + ", as in " + nameOf(warm),
+                         "Only the defect may differ from what the warm state was made for"};
+    };
+    const bool onLeft = cases::valueText(description, *parameter) != cases::valueText(warm.description, *parameter);
+    problems.push_back(onLeft
+                           ? problemOf(description, warm.description)
+                           : cases::onRight(problemOf(cases::rightOf(description), cases::rightOf(warm.description))));
+  }
   if (problems.empty()) checkDefect(warm, description, problems);
   if (!problems.empty()) throw CaseError(problems);
 }
@@ -100,8 +107,11 @@ cases::CaseDescription onMeshOf(const WarmState& warm, cases::CaseDescription de
 }
 
 void requireAhead(const WarmState& warm, const dynamics::Rolling& rolling) {
-  const auto& surface = rolling.model().scenario.defectSurface;
-  if (surface.first() == surface.last() || rolling.frontOfContact(0.5 * untouched) < surface.first()) return;
+  const auto isAhead = [](const dynamics::Rolling* side) {
+    const auto& surface = side->model().scenario.defectSurface;
+    return surface.first() == surface.last() || side->frontOfContact(0.5 * untouched) < surface.first();
+  };
+  if (std::all_of(rolling.sides().begin(), rolling.sides().end(), isAhead)) return;
   throw CaseError({{"--warm", nameOf(warm), "a state before the wheel feels the defect",
                     "The profile rises so high that the wheel touches it earlier: make the warm state with this "
                     "defect, or with a longer mesh.zone_before"}});
@@ -116,7 +126,7 @@ std::size_t byteCount(const WarmState& warm) { return sizeof warm + results::byt
 namespace {
 
 void refuseMovedNodes(const cases::CaseDescription& description) {
-  if (description.defect.moveNodes)
+  if (cases::hasMovedNodes(description))
     throw CaseError({{"defect.move_nodes", "true", "false for a warm state",
                       "Moved nodes change the stiffness of the rail, which waves feel before the wheel arrives"}});
 }
@@ -136,8 +146,15 @@ struct Looks {
   double margin = 0;
 };
 
+// [m] x of the foremost contact point of any wheel with a gap below `margin`.
+double frontOf(const dynamics::Rolling& rolling, double margin) {
+  double front = -std::numeric_limits<double>::infinity();
+  for (const auto* side : rolling.sides()) front = std::max(front, side->frontOfContact(margin));
+  return front;
+}
+
 void requireRoom(const OpenRun& run, double zone) {
-  if (run.rolling->frontOfContact(Looks(run).margin) < zone) return;
+  if (frontOf(*run.rolling, Looks(run).margin) < zone) return;
   throw CaseError(
       {{"motion.run_up", withUnit(run.description, *cases::findParameter("motion.run_up")),
         "such that the wheel starts some 20 mm before the defect and mesh.zone_before", "Lengthen the run-up"}});
@@ -148,11 +165,11 @@ bool rollUpTo(OpenRun& run, double zone) {
   auto& rolling = *run.rolling;
   const Looks looks(run);
   DivergenceGuard::checkEverything(rolling);
-  while (rolling.frontOfContact(looks.margin) < zone)
+  while (frontOf(rolling, looks.margin) < zone)
     if (roll(rolling, rolling.state().step + looks.steps, run.parts->observers, run.monitor, run.parts->clock) ==
         LoopEnd::cancelled)
       return false;
-  if (rolling.frontOfContact(0.5 * untouched) >= zone)
+  if (frontOf(rolling, 0.5 * untouched) >= zone)
     throw RunError("the wheel touched the defect before a state could be taken", rolling.state().step,
                    rolling.state().time, "contact");
   return true;
@@ -168,7 +185,6 @@ void keepState(const OpenRun& run, WarmState& warm) {
 std::optional<WarmState> makeWarmState(const cases::CaseDescription& description, const RunOptions& options,
                                        Monitor& monitor) {
   refuseMovedNodes(description);
-  cases::requireHalf(description, "a warm state");
   auto plain = options;
   plain.checkpointPath.clear(), plain.resume = false, plain.warm.reset();
   WarmState warm;

@@ -5,6 +5,7 @@
 
 #include "case/BeforeDefect.h"
 #include "case/Resolve.h"
+#include "case/RightSide.h"
 #include "core/Errors.h"
 #include "text/Numbers.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 bool variesOnlyTheDefect(const StudyDefinition& definition) {
   return std::all_of(definition.variations.begin(), definition.variations.end(), [](const Variation& variation) {
-    const auto* parameter = cases::findParameter(variation.key);
+    const auto* parameter = cases::findOnEitherSide(variation.key);
     const bool isZone = variation.key == "mesh.zone_before" || variation.key == "mesh.zone_behind";
     return parameter && !isZone && !cases::countsBeforeDefect(*parameter);
   });
@@ -33,7 +34,7 @@ std::optional<cases::CaseDescription> caseOfAll(const StudyDefinition& definitio
   for (const auto& point : gridOf(definition)) {
     try {
       const auto description = caseAt(definition, overrides, point);
-      if (description.defect.moveNodes || description.extent == cases::ModelExtent::whole) return std::nullopt;
+      if (cases::hasMovedNodes(description)) return std::nullopt;
       const auto own = cases::defectZone(description);
       zone = {std::max(zone.before, own.before), std::max(zone.behind, own.behind)};
       if (!base) base = description;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "dynamics/Rolling.h"
 #include "elasticity/SweptSamples.h"
 #include "keys/Keys.h"
 #include "model/StaticOperator.h"
@@ -120,6 +121,29 @@ TEST(SuspensionKeys, SupportTheSprungMass) {
     motion[row.isVertical ? model.sprungZ : model.sprungX] = 1;
     EXPECT_NEAR(met(model, motion, forces::Kind::primarySuspension, row.met), row.value, 1e-9 * row.value) << row.key;
   }
+}
+
+// A whole wheelset that moves sideways as one body, one step long: both dashpots take 2 c v^2.
+TEST(SuspensionKeys, DampsTheWholeWheelsetLaterally) {
+  const auto left = modelWith({{"model.extent", "whole"}, {"suspension.lateral_damping", "50"}}), right = left;
+  ThreadTeam team(1);
+  const double step = 1e-7, speed = 0.1;
+  dynamics::Rolling rolling(left, elasticity::kernelsFor(""), team, step, 0);
+  dynamics::Rolling other(right, elasticity::kernelsFor(""), team, step, 0);
+  rolling.take(other);
+  const AlignedVector atRest(left.stateSize, 0.0);
+  AlignedVector velocity = atRest;
+  for (const int b : {left.rim, left.body}) {
+    const auto& block = left.blocks[b];
+    for (int n = 0; n < block.nodes; ++n)
+      for (int s = 0; s < block.stationCount; ++s) velocity[block.index(n, 2, s)] = speed;
+  }
+  rolling.start(atRest, velocity, 0);
+  for (double& value : velocity) value = -value;
+  other.start(atRest, velocity, 0);
+  rolling.advance(1, [](const dynamics::StepView&) {});
+  const double expected = 2 * 50e3 * speed * speed * step;
+  EXPECT_NEAR(rolling.state().sums.damping + other.state().sums.damping, expected, 1e-9 * expected);
 }
 
 TEST(SuspensionKeys, SprungMassAndGravityWeighOnTheSpring) {

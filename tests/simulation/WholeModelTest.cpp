@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "signals/SignalCatalogue.h"
 #include "simulation/RunCase.h"
 #include "simulation/StoppedRuns.h"
+#include "simulation/WarmState.h"
 
 namespace squat {
 namespace {
@@ -132,6 +135,92 @@ TEST(WholeModel, AResumedRunGivesTheSameBits) {
     EXPECT_EQ(*resumed.signal(channel.name), channel.values) << channel.name;
 }
 
+// Sides that are not alike start from an equilibrium of their own: on a smooth rail each wheel carries what it carries
+// at rest, within the ripple of a patch of few points, and energy is balanced.
+TEST(WholeModel, UnlikeSidesStartAtRest) {
+  const auto result = rolled(dip({{"model.extent", "whole"},
+                                  {"defect.shape", "none"},
+                                  {"suspension.sprung_mass", "9000"},
+                                  {"right.suspension.sprung_mass", "6000"},
+                                  {"right.pad.stiffness", "300"},
+                                  {"right.contact.friction", "0.2"}}));
+  EXPECT_LT(energyResidual(result), 1e-3);
+  const auto atRest = [&](const std::string& name) {
+    for (const auto& figure : result.equilibrium)
+      if (figure.name == name) return figure.value;
+    return std::nan("");
+  };
+  EXPECT_GT(atRest("contact_force"), 1.2 * atRest("contact_force_right"));
+  for (const std::string name : {"contact_force", "contact_force_right"})
+    for (const double force : *result.signal(name)) ASSERT_NEAR(force, atRest(name), 0.05 * atRest(name)) << name;
+}
+
+// Rails of a random irregularity have one of their own each; the same one on both is said.
+TEST(WholeModel, RailsMayBeRoughInDifferentWays) {
+  const Settings rough{{"model.extent", "whole"}, {"defect.shape", "none"}, {"rail.irregularity", "iso3095"}};
+  Settings unlike = rough;
+  unlike.push_back({"right.rail.irregularity_seed", "7"});
+  const auto same = dip(rough), own = dip(unlike);
+  const auto isSaid = [](const cases::CaseDescription& description) {
+    const auto warnings = cases::validate(description).warnings;
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [](const auto& warning) { return warning.advice.find("mirror images") != std::string::npos; });
+  };
+  EXPECT_TRUE(isSaid(same));
+  EXPECT_FALSE(isSaid(own));
+  const auto result = rolled(own);
+  EXPECT_LT(energyResidual(result), 1e-3);
+  EXPECT_NE(*result.signal("irregularity"), *result.signal("irregularity_right"));
+  EXPECT_GT(largest(*result.signal("aba_lateral")), 0);
+}
+
+// A profile that the right side names is read beside the case, and the case keeps its points.
+TEST(WholeModel, TheRightSideMayHaveAProfileOfItsOwn) {
+  const tests::TemporaryFolder folder;
+  std::ofstream(folder / "left.csv") << ("position [mm],height [mm]\n-20,0\n0,-0.1\n20,0\n");
+  std::ofstream(folder / "right.csv") << ("position [mm],height [mm]\n-30,0\n0,-0.2\n30,0\n");
+  std::ofstream(folder / "both.toml")
+      << ("[model]\nextent = \"whole\"\n[defect]\nshape = \"profile\"\nfile = \"left.csv\"\n"
+          "[right.defect]\nfile = \"right.csv\"\n");
+  const auto description = cases::readCase(folder / "both.toml");
+  const auto right = cases::rightOf(description);
+  ASSERT_EQ(right.defect.points.size(), 3u);
+  EXPECT_DOUBLE_EQ(right.defect.points[0].position, -0.03);
+  EXPECT_DOUBLE_EQ(right.defect.points[1].height, -0.2e-3);
+  EXPECT_DOUBLE_EQ(description.defect.points[1].height, -0.1e-3);
+  const auto again = cases::parseCase(cases::writeCase(description), "elsewhere, without the files");
+  EXPECT_EQ(cases::rightOf(again).defect.points.size(), 3u);
+  EXPECT_EQ(cases::caseHash(again), cases::caseHash(description));
+}
+
+// Up to the defects a whole model moves as it does without them: a state from there serves other defects on either side
+// with the bits of the whole run, and is refused where a side differs in anything else.
+TEST(WholeModel, StartsFromAWarmState) {
+  Settings keys{{"model.extent", "whole"},     {"motion.run_up", "0.1"},   {"motion.beyond", "0.06"},
+                {"mesh.zone_before", "30"},    {"mesh.zone_behind", "30"}, {"right.suspension.sprung_mass", "7000"},
+                {"right.defect.depth", "0.02"}};
+  const auto made = dip(keys);
+  simulation::RunOptions options;
+  options.threads = 2, options.wheelsetModes = options.snapshots = false;
+  Monitor silent;
+  auto warm = simulation::makeWarmState(made, options, silent);
+  ASSERT_TRUE(warm);
+  options.warm = std::make_shared<const simulation::WarmState>(*std::move(warm));
+  keys.back() = {"right.defect.length", "20"};
+  const auto other = dip(keys);
+  const auto from = simulation::runCase(other, options, silent);
+  const auto whole = rolled(other);
+  ASSERT_EQ(from.signals.size(), whole.signals.size());
+  for (const auto& channel : whole.signals) EXPECT_EQ(*from.signal(channel.name), channel.values) << channel.name;
+  keys.push_back({"right.pad.stiffness", "500"});
+  try {
+    simulation::runCase(dip(keys), options, silent);
+    ADD_FAILURE() << "a state of other pads was taken";
+  } catch (const CaseError& error) {
+    EXPECT_NE(std::string(error.what()).find("right.pad.stiffness"), std::string::npos) << error.what();
+  }
+}
+
 // What a case says of the right side is kept when it is written, in whatever order it was stated, and counts in its
 // hash only where there is a right side.
 TEST(WholeModel, KeysOfTheRightSideAreReadAndWritten) {
@@ -165,7 +254,7 @@ TEST(WholeModel, WhatBothSidesShareIsRefusedOnTheRight) {
   EXPECT_NE(messageOf("[right.motion]\nspeed = 20\n").find("right.motion.speed"), std::string::npos);
   EXPECT_NE(messageOf("[right.defect]\ndept = 0.1\n").find("Did you mean right.defect.depth?"), std::string::npos);
   EXPECT_NE(messageOf("[right.defect]\ndepth = 900\n").find("right.defect.depth"), std::string::npos);
-  EXPECT_NE(messageOf("[right.defect]\nfile = \"dip.csv\"\n").find("right.defect.file"), std::string::npos);
+  EXPECT_NE(messageOf("[right.defect]\nfile = \"dip.csv\"\n").find("profile if right.defect.file"), std::string::npos);
   EXPECT_NE(messageOf("[right]\n").find("right"), std::string::npos);
   EXPECT_NE(messageOf("[model]\nextent = \"whole\"\n[rail]\nplastic = true\n").find("rail.plastic"), std::string::npos);
 }
