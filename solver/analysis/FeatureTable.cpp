@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "analysis/RunFeatures.h"
@@ -14,7 +15,13 @@ namespace squat::analysis {
 namespace {
 
 // Names as featureTable gives them, without their units, up to the name of a band. First match counts.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kMeanings{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kMeanings{{
+    {"right peak", "largest absolute value of aba_right_filtered"},
+    {"right maximum", "largest value of aba_right_filtered"},
+    {"right minimum", "smallest value of aba_right_filtered"},
+    {"right rms", "root mean square of aba_right_filtered, whole record"},
+    {"right smallest contact force", "smallest vertical force on the right rail"},
+    {"right largest contact force", "largest vertical force on the right rail"},
     {"speed", "of the wheel where it passes the anchor"},
     {"impact time", "of the anchor, since the start of the record"},
     {"peak to peak", "largest less smallest value of aba_filtered"},
@@ -66,15 +73,36 @@ std::string unitIn(const std::string& column) {
   return from == std::string::npos || to == std::string::npos ? std::string() : column.substr(from + 1, to - from - 1);
 }
 
+using Row = std::vector<std::pair<std::string, double>>;
+
+void addForces(const results::RunResult& result, const std::string& signal, const std::string& side, Row& row) {
+  const auto* force = result.signal(signal);
+  if (!force || force->empty()) return;
+  const auto [low, high] = std::minmax_element(force->begin(), force->end());
+  row.emplace_back(side + "smallest contact force [N]", *low);
+  row.emplace_back(side + "largest contact force [N]", *high);
+}
+
+// Of a whole model: what the right axle box feels, beside all that is said of the left one.
+void addRight(const results::RunResult& result, Row& row) {
+  const auto* values = result.signal(signals::filteredNameOnRight(signals::names::axleBox));
+  if (!values || values->empty()) return;
+  const auto [low, high] = std::minmax_element(values->begin(), values->end());
+  double squares = 0;
+  for (const double value : *values) squares += value * value;
+  row.emplace_back("right peak [m/s2]", std::max(std::abs(*low), std::abs(*high)));
+  row.emplace_back("right maximum [m/s2]", *high);
+  row.emplace_back("right minimum [m/s2]", *low);
+  row.emplace_back("right rms [m/s2]", std::sqrt(squares / static_cast<double>(values->size())));
+  addForces(result, std::string(signals::names::contactForce) + "_right", "right ", row);
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, double>> featureTable(const results::RunResult& result) {
   auto row = signals::featureRow(runFeatures(result));
-  if (const auto* force = result.signal(signals::names::contactForce); force && !force->empty()) {
-    const auto [low, high] = std::minmax_element(force->begin(), force->end());
-    row.emplace_back("smallest contact force [N]", *low);
-    row.emplace_back("largest contact force [N]", *high);
-  }
+  addForces(result, signals::names::contactForce, "", row);
+  addRight(result, row);
   return row;
 }
 

@@ -177,29 +177,48 @@ std::string describeTable(const CaseDescription& description, const SetKeys& set
   return text + describeRight(description);
 }
 
+namespace {
+
+Json rowJson(const CaseDescription& description, const Parameter& parameter, const SetKeys& set) {
+  const bool isNumber = parameter.kind == Kind::number;
+  constexpr const char* kinds[] = {"number", "choice", "text", "boolean", "points", "lines", "force curve", "seats"};
+  Json row;
+  row["key"] = parameter.key;
+  row["value"] = valueJson(parameter, valueText(description, parameter));
+  row["unit"] = parameter.unit;
+  row["default"] = valueJson(parameter, defaultTextOf(parameter));
+  row["min"] = isNumber ? Json(parameter.minimum) : Json(nullptr);
+  row["max"] = isNumber ? Json(parameter.maximum) : Json(nullptr);
+  row["doc"] = parameter.doc;
+  row["group"] = parameter.group;
+  row["source"] = sourceText(description, parameter, set);
+  row["default_source"] = defaultOf(description, parameter).source;
+  row["applies"] = applies(description, parameter);
+  row["applies_if"] = parameter.condition.empty() ? Json(nullptr) : Json(conditionText(parameter.condition));
+  row["kind"] = kinds[static_cast<int>(parameter.kind)];
+  if (const auto derived = derivedValue(description, parameter)) row["derived"] = *derived;
+  if (parameter.kind == Kind::choice) row["choices"] = parameter.choices;
+  return row;
+}
+
+// A stated key of the right side; its default is what the left side has.
+Json rightJson(const CaseDescription& description, const Parameter& parameter) {
+  Json row = rowJson(rightOf(description), parameter, {});
+  row["key"] = std::string(rightGroup) + "." + parameter.key;
+  row["group"] = std::string(rightGroup) + "." + parameter.group;
+  row["default"] = valueJson(parameter, valueText(description, parameter));
+  row["source"] = "set in the case";
+  row["default_source"] = "as on the left side";
+  row["applies"] = reasonWithoutRight(description, parameter).empty();
+  return row;
+}
+
+}  // namespace
+
 std::string describeJson(const CaseDescription& description, const SetKeys& set) {
   Json all = Json::array();
-  for (const auto& parameter : parameterTable()) {
-    const bool isNumber = parameter.kind == Kind::number;
-    constexpr const char* kinds[] = {"number", "choice", "text", "boolean", "points", "lines", "force curve", "seats"};
-    Json row;
-    row["key"] = parameter.key;
-    row["value"] = valueJson(parameter, valueText(description, parameter));
-    row["unit"] = parameter.unit;
-    row["default"] = valueJson(parameter, defaultTextOf(parameter));
-    row["min"] = isNumber ? Json(parameter.minimum) : Json(nullptr);
-    row["max"] = isNumber ? Json(parameter.maximum) : Json(nullptr);
-    row["doc"] = parameter.doc;
-    row["group"] = parameter.group;
-    row["source"] = sourceText(description, parameter, set);
-    row["default_source"] = defaultOf(description, parameter).source;
-    row["applies"] = applies(description, parameter);
-    row["applies_if"] = parameter.condition.empty() ? Json(nullptr) : Json(conditionText(parameter.condition));
-    row["kind"] = kinds[static_cast<int>(parameter.kind)];
-    if (const auto derived = derivedValue(description, parameter)) row["derived"] = *derived;
-    if (parameter.kind == Kind::choice) row["choices"] = parameter.choices;
-    all.push_back(std::move(row));
-  }
+  for (const auto& parameter : parameterTable()) all.push_back(rowJson(description, parameter, set));
+  for (const auto& [key, value] : description.right) all.push_back(rightJson(description, *findParameter(key)));
   return all.dump(1, ' ', false, Json::error_handler_t::replace);
 }
 

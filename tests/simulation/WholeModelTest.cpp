@@ -11,6 +11,7 @@
 
 #include "FixtureCase.h"
 #include "TemporaryFolder.h"
+#include "analysis/FeatureTable.h"
 #include "case/CaseFile.h"
 #include "case/RightSide.h"
 #include "case/Validation.h"
@@ -107,6 +108,18 @@ TEST(WholeModel, EnergyOfBothSidesIsBalanced) {
   EXPECT_LT(energyResidual(oneSided()), 1e-3);
   EXPECT_LT(energyResidual(damped), 1e-3);
   EXPECT_LT(largest(*damped.signal("aba_right")), largest(*oneSided().signal("aba_right")));
+}
+
+TEST(WholeModel, FeaturesTellTheSidesApart) {
+  const auto row = analysis::featureTable(oneSided());
+  const auto valueOf = [&](const std::string& name) {
+    for (const auto& [column, value] : row)
+      if (column == name) return value;
+    return std::nan("");
+  };
+  EXPECT_EQ(valueOf("right peak [m/s2]"), largest(*oneSided().signal("aba_right_filtered")));
+  EXPECT_EQ(valueOf("right largest contact force [N]"), largest(*oneSided().signal("contact_force_right")));
+  EXPECT_GT(valueOf("peak [m/s2]"), valueOf("right peak [m/s2]"));
 }
 
 // With three threads the wheelset is shared among them, with one or two it is not.
