@@ -1,6 +1,5 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <memory>
@@ -10,6 +9,7 @@
 #include "case/ParameterValue.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "core/platform/OwnFolder.h"
 #include "estimation/EstimateFiles.h"
 #include "estimation/Estimation.h"
 #include "python/Arrays.h"
@@ -32,10 +32,10 @@ using estimation::Estimate;
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "squat-XXXXXX").string();
-    if (!::mkdtemp(name.data()))
-      throw FileError(name, "", "cannot be made", "Set TMPDIR to a folder that can be written");
-    path_ = name;
+    const auto beginning = (std::filesystem::temp_directory_path() / "squat").string();
+    path_ = platform::makeOwnFolder(beginning);
+    if (path_.empty())
+      throw FileError(beginning + "-XXXXXX", "", "cannot be made", "Set TMPDIR to a folder that can be written");
   }
   ~TemporaryFolder() {
     std::error_code ignored;

@@ -7,7 +7,7 @@
 
 #include "case/Resolve.h"
 #include "core/Errors.h"
-#include "core/SteadyMemory.h"
+#include "core/platform/Memory.h"
 #include "python/Arrays.h"
 #include "python/Case.h"
 #include "python/Computation.h"
@@ -45,7 +45,7 @@ std::shared_ptr<RunResult> run(const Case& which, int threads, const py::object&
     raise(exception);
   }
   result->stem = stem;
-  giveBackFreeMemory();  // a loop over many runs does not grow
+  platform::giveBackFreeMemory();  // a loop over many runs does not grow
   return result;
 }
 

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 
@@ -105,7 +103,7 @@ int analyse(const AnalyseOptions& given) {
 
   if (given.roughness.asked()) gaugeOptions(given.roughness);  // what is wrong with it is said before the work
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   const auto analysis = analysis::analyse(given.files, options, monitor);
   roughness::TransferFunction transfer;
   if (given.roughness.asked() && !InterruptGuard::asked()) transfer = transferFunctionOf(given.roughness, 0, monitor);

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cstdio>
 
 #include "calibration/Calibration.h"
@@ -63,7 +61,7 @@ int calibrate(CalibrateCommandOptions options) {
   calibration::shareCores(definition, options.jobs, options.threads, options.calibration);
   makeFolder(folder);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   if (options.calibration.part) return calibratePart(options, definition, monitor);
 
   const FolderLock owner(folder, "squat calibrate " + options.caseOptions.name);

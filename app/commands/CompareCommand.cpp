@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -57,7 +55,7 @@ int compare(const CompareOptions& given) {
   options.comparison.align = !options.smooth;
 
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   const auto pairs = analysis::compareFiles(given.result, given.measured, options, monitor);
   monitor.clearLine();
   for (const auto& pair : pairs) printComparison(pair);

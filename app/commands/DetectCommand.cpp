@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 
@@ -122,7 +120,7 @@ int detect(DetectCommandOptions options) {
   const auto search = searchOf(options);
   if (!options.learned.empty() && options.labels.empty()) detection::readExamples(options.learned);  // before the work
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   if (options.roughness.asked()) gaugeOptions(options.roughness);  // what is wrong with it is said before the work
   if (!options.partition.empty()) return searchPart(search, studies::partitionFromText(options.partition), monitor);
 

@@ -1,7 +1,5 @@
 #include "commands/DrivenRun.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 
 #include "analysis/FeatureTable.h"
@@ -49,7 +47,7 @@ void addDrivenOptions(CLI::App& command, DrivenOptions& options) {
 int driveRun(const DrivenOptions& driven, const CaseOptions& caseOptions, simulation::RunOptions run) {
   keepInputs({driven.parameters, caseOptions.name}, {driven.results});
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   try {
     const auto request = studies::readRequest(driven.parameters);
     const auto features = featuresAsked(driven, request);

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cstdio>
 #include <optional>
 
@@ -60,7 +58,7 @@ int estimate(EstimateCommandOptions options) {
   if (options.partition.empty()) owner.emplace(options.folder, "squat estimate " + definition.files.front());
 
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   if (options.each)
     return estimateEach(
         {definition, options.estimate, options.folder, options.partition, options.collect, options.figures}, monitor);

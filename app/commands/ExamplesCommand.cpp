@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cstdio>
 #include <optional>
 
@@ -34,7 +32,7 @@ int examples(const ExamplesOptions& options) {
   std::optional<OutputFolder> folder;
   if (!examples.passages.empty()) folder.emplace(examples.passages);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   const auto made = detection::makeExamples(description, examples, monitor);
   monitor.clearLine();
   if (!made) {

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -102,7 +100,7 @@ int paper(const PaperFigureOptions& options) {
                       "Use the full build: package squat-studio, or cmake --preset release"}});
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   PaperResults drawn;
   drawn.lightMeasured = passagesOf(options.measured, options, monitor);
   drawn.squatMeasured = passagesOf(options.measuredSquat, options, monitor);

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -103,7 +101,7 @@ int grow(GrowCommandOptions options) {
   const FolderLock owner(folder, "squat grow " + options.caseOptions.name);
   keepCheckpoint(options, growth.checkpoint);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   growth.finishedStage = [&](const growth::Stage& stage) { monitor.message(growth::stageLine(stage)); };
   const auto grown = growth::grow(description, growth, monitor);
   monitor.clearLine();

@@ -7,7 +7,7 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/FolderLock.h"
-#include "core/SteadyMemory.h"
+#include "core/platform/Memory.h"
 #include "studies/CaseStudy.h"
 #include "studies/CostEstimate.h"
 #include "studies/Jobs.h"
@@ -138,7 +138,7 @@ std::optional<growth::Forecast> forecastGrowth(const ForecastPlan& plan, Monitor
   each.threads = plan.threads;
   const auto grow = [&](const studies::StudyPoint& point, Monitor& own) -> std::optional<studies::FeatureRow> {
     requireSameCase(plan);
-    giveBackFreeMemory();
+    platform::giveBackFreeMemory();
     const auto grown = growth::grow(studies::caseAt(plan.study, plan.overrides, point), each, own);
     if (!grown.complete) return {};
     return rowOf(grown, plan.growth);

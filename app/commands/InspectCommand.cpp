@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -79,7 +77,7 @@ int inspect(const InspectOptions& options) {
   read.columns = fileOptions(options.signal);
   read.everyAcceleration = true;
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   auto all = nlohmann::ordered_json::array();
   for (const auto& file : options.files) {
     const auto seen = records::inspectRecord(recordFile(file), read, monitor);

@@ -1,9 +1,5 @@
 #include "commands/Program.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -18,6 +14,8 @@
 #include "commands/ExitCodes.h"
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
+#include "core/platform/Signals.h"
+#include "core/platform/Terminal.h"
 
 namespace squat::commands {
 
@@ -57,13 +55,6 @@ int act(const Action& action, const CLI::App& program) {
   } catch (const std::exception& error) {
     return reported("run failed", error, kRunFailed);
   }
-}
-
-// A file opened later would take the number of a closed stdout, and what is printed would end up in it. What nobody
-// wants to see goes nowhere instead.
-void keepStandardStreamsOpen() {
-  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(number, F_GETFD) < 0 && errno == EBADF) static_cast<void>(::open("/dev/null", O_RDWR));
 }
 
 // A table that a full disk cut short must not pass for a complete one.
@@ -110,9 +101,9 @@ std::string unknownCommand(const CLI::App& program, const std::vector<std::strin
 }  // namespace
 
 int runProgram(int argc, char** argv) {
-  ::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of size is an error of writing, not the end of the program
-  ::signal(SIGPIPE, SIG_DFL);
-  keepStandardStreamsOpen();
+  platform::ignoreFileSizeSignal();
+  platform::endWhereAPipeIsClosed();
+  platform::keepStandardStreamsOpen();
   CLI::App program("Rolls a wheel over a rail-head defect and computes the axle box acceleration.", "squat");
   program.set_version_flag("--version", "squat " + programVersionText());
   program.require_subcommand(1);

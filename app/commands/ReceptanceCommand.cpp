@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -77,7 +75,7 @@ int computeDecay(const ReceptanceCommandOptions& options) {
   keepInputs(inputs, {table});
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   receptance::DecayOptions decay;
   decay.track.threads = options.receptance.threads;
   const auto rates = receptance::trackDecayRates(cases::resolve(description), decay, monitor);
@@ -102,7 +100,7 @@ int computeReceptance(const ReceptanceCommandOptions& options) {
   keepInputs(cases::filesOfCase(options.caseOptions.name, description), tables);
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   auto asked = options.receptance;
   asked.places = placesOf(options, description.track.sleeperSpacing);
   asked.rails = options.oneRail ? receptance::StruckRails::one : receptance::StruckRails::both;

@@ -1,6 +1,3 @@
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -25,6 +22,7 @@
 #include "commands/TimingsTable.h"
 #include "core/Errors.h"
 #include "core/FolderLock.h"
+#include "core/platform/Memory.h"
 #include "results/Checkpoint.h"
 #include "results/ResultFile.h"
 #include "simulation/RunCase.h"
@@ -140,9 +138,9 @@ int reportCancelled(const RunFiles& files, const char* what) {
 
 // Of the whole command: drawing takes more than the simulation of a small mesh.
 void printMemory() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  std::printf("\npeak memory of the command: %s\n", roundedText(std::round(usage.ru_maxrss / 1024.0), "MiB").c_str());
+  constexpr double mebibyte = 1 << 20;
+  std::printf("\npeak memory of the command: %s\n",
+              roundedText(std::round(platform::peakMemory() / mebibyte), "MiB").c_str());
 }
 
 // --warm: the case on the mesh of the warm state, which `run` is to start from. Throws where it does not fit.
@@ -183,7 +181,7 @@ int runOneCase(const RunCommandOptions& options) {
 
   runOptions.checkpointPath = files.checkpoint();
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   std::string timings;
   if (options.timings) runOptions.timed = [&](const dynamics::StepTimings& steps) { timings = timingsTable(steps); };
   results::RunResult result, partial;

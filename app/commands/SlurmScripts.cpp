@@ -1,12 +1,8 @@
 #include "commands/SlurmScripts.h"
 
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
-
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "core/platform/CommandOutput.h"
 
 namespace squat::commands {
 
@@ -22,16 +18,12 @@ std::string option(const std::string& text) { return "#SBATCH --" + text + "\n";
 
 // What a command prints, both streams. RunError with it where the command fails.
 std::string outputOf(const std::string& command) {
-  std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
-  if (!pipe) throw RunError("cannot call " + command, 0, 0, "");
-  std::string output;
-  std::array<char, 256> part{};
-  while (std::fgets(part.data(), part.size(), pipe)) output += part.data();
-  const int status = ::pclose(pipe);
-  output.erase(output.find_last_not_of('\n') + 1);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw RunError(command + ": " + output + "; the scripts are written, submit them yourself", 0, 0, "");
-  return output;
+  auto output = platform::outputOfCommand(command + " 2>&1");
+  if (!output.isStarted) throw RunError("cannot call " + command, 0, 0, "");
+  output.text.erase(output.text.find_last_not_of('\n') + 1);
+  if (!output.isDone)
+    throw RunError(command + ": " + output.text + "; the scripts are written, submit them yourself", 0, 0, "");
+  return output.text;
 }
 
 }  // namespace

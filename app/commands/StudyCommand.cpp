@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/FolderLock.h"
+#include "core/platform/Terminal.h"
 #include "studies/CaseStudy.h"
 #include "studies/CollectParts.h"
 #include "studies/ComputeStudy.h"
@@ -66,7 +65,7 @@ void printCost(const studies::StudyCost& cost) {
 // False where it takes above an hour on so many cores and whoever sits at the terminal says no.
 bool isWanted(const StudyCommandOptions& options, double coreHours) {
   const int cores = options.job.run.threads * options.job.study.jobs;
-  if (coreHours < cores || options.yes || ::isatty(STDIN_FILENO) == 0 || ::isatty(STDERR_FILENO) == 0) return true;
+  if (coreHours < cores || options.yes || !platform::isTerminal(stdin) || !platform::isTerminal(stderr)) return true;
   std::fprintf(stderr, "%.2g hours on %d cores. Start? [y/N] ", coreHours / cores, cores);
   const int answer = std::getchar();
   return answer == 'y' || answer == 'Y';
@@ -85,7 +84,7 @@ int compute(StudyCommandOptions options) {
   std::optional<FolderLock> owner;  // parts are locked one by one
   if (!job.study.part) owner.emplace(job.study.folder, "squat study " + options.caseOptions.name);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   const auto table = studies::computeStudy(job, monitor);
   monitor.clearLine();
   const int code = printSummary(table, studies::studyFiles(job.study.folder, job.study.part).front());

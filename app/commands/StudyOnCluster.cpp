@@ -6,6 +6,7 @@
 #include "commands/ExitCodes.h"
 #include "commands/SlurmScripts.h"
 #include "core/Errors.h"
+#include "core/platform/ProgramPath.h"
 #include "studies/CollectParts.h"
 
 namespace squat::commands {
@@ -13,9 +14,8 @@ namespace squat::commands {
 namespace {
 
 std::string thisProgram() {
-  std::error_code failure;
-  const auto path = std::filesystem::read_symlink("/proc/self/exe", failure);
-  return failure ? std::string("squat") : path.string();
+  const auto path = platform::programPath();
+  return path.empty() ? std::string("squat") : path.string();
 }
 
 // The parts that miss points or hold failed ones.

@@ -1,10 +1,9 @@
 #include "commands/TerminalMonitor.h"
 
-#include <sys/ioctl.h>
-
 #include <cmath>
 
 #include "commands/Interrupt.h"
+#include "core/platform/Terminal.h"
 #include "text/Numbers.h"
 
 namespace squat::commands {
@@ -26,8 +25,8 @@ std::string remainingText(double seconds) {
 // Characters in a line of the terminal; what is longer would wrap, and the carriage return would not take it back.
 std::size_t columnsOf(std::FILE* stream) {
   constexpr std::size_t usual = 80;
-  winsize size{};
-  return ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 1 ? size.ws_col : usual;
+  const auto columns = platform::columnsOfTerminal(stream);
+  return columns > 1 ? columns : usual;
 }
 
 }  // namespace
@@ -46,6 +45,8 @@ std::string progressText(const Progress& progress, std::size_t maximumLength) {
   if (progress.axleBoxAcceleration != 0) add(formatted("  ABA %.1f m/s²", progress.axleBoxAcceleration));
   return text + remaining;
 }
+
+TerminalMonitor::TerminalMonitor(std::FILE* stream) : TerminalMonitor(stream, platform::isTerminal(stream)) {}
 
 void TerminalMonitor::report(const Progress& progress) {
   const auto now = Clock::now();

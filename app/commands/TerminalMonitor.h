@@ -18,6 +18,7 @@ std::string progressText(const Progress& progress, std::size_t maximumLength = 1
 // One line that is written over on a terminal; else plain lines, at most one every two seconds and one for each phase.
 class TerminalMonitor : public Monitor {
  public:
+  explicit TerminalMonitor(std::FILE* stream);  // a terminal or not
   TerminalMonitor(std::FILE* stream, bool isTerminal) : stream_(stream), isTerminal_(isTerminal) {}
   ~TerminalMonitor() override { clearLine(); }
   void report(const Progress& progress) override;

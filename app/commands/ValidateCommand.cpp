@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -177,7 +175,7 @@ int validate(const ValidateOptions& options) {
       statements::readReference(options.reference.empty() ? statements::paperReferencePath() : options.reference);
   const OutputFolder folder(options.folder);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   if (options.sensitivity) {
     const int code = showSensitivity(options, reference, monitor);
     return InterruptGuard::asked() ? cancelled() : code;

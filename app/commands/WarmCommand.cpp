@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include <cstdio>
 
 #include "case/ParameterValue.h"
@@ -41,7 +39,7 @@ int warm(const WarmCommandOptions& options) {
   prepareFolder(files);
   const FolderLock owner(options.folder, "squat warm " + options.caseOptions.name);
   const InterruptGuard interrupt;
-  TerminalMonitor monitor(stderr, ::isatty(STDERR_FILENO) != 0);
+  TerminalMonitor monitor(stderr);
   const auto made = simulation::makeWarmState(description, options.run, monitor);
   monitor.clearLine();
   if (!made) {

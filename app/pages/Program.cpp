@@ -1,9 +1,9 @@
 #include "pages/Program.h"
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
+
+#include "core/platform/CommandOutput.h"
 
 namespace squat::pages {
 
@@ -11,13 +11,10 @@ namespace {
 
 std::string helpOf(const std::string& path, const std::string& words) {
   const auto command = "'" + path + "' " + words + " --help 2>/dev/null";
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  if (!pipe) throw std::runtime_error("cannot start " + command);
-  std::string text;
-  std::array<char, 4096> piece{};
-  while (const auto size = std::fread(piece.data(), 1, piece.size(), pipe)) text.append(piece.data(), size);
-  if (::pclose(pipe) != 0) throw std::runtime_error(command + " failed");
-  return text;
+  auto output = platform::outputOfCommand(command);
+  if (!output.isStarted) throw std::runtime_error("cannot start " + command);
+  if (!output.isDone) throw std::runtime_error(command + " failed");
+  return output.text;
 }
 
 void addCalls(const std::string& path, const std::string& words, std::vector<std::pair<std::string, HelpText>>& calls) {

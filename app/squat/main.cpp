@@ -1,8 +1,8 @@
 // squat - the command line of Squat Studio.
 #include "commands/Program.h"
-#include "core/SteadyMemory.h"
+#include "core/platform/Memory.h"
 
 int main(int argc, char** argv) {
-  squat::keepMemorySteady();
+  squat::platform::keepMemorySteady();
   return squat::commands::runProgram(argc, argv);
 }

@@ -12,7 +12,7 @@
 #include "commands/ExitCodes.h"
 #include "commands/PaperTable.h"
 #include "core/ProgramVersion.h"
-#include "core/SteadyMemory.h"
+#include "core/platform/Memory.h"
 #include "simulation/RunCase.h"
 #include "simulation/WarmState.h"
 #include "studio/Arguments.h"
@@ -34,7 +34,7 @@ std::vector<squat::studio::ComparedRow> comparedRows(const squat::results::RunRe
 }  // namespace
 
 int main(int argc, char** argv) {
-  squat::keepMemorySteady();
+  squat::platform::keepMemorySteady();
   const bool pictureOnly = squat::studio::wantsScreenshot(argc, argv);
   const bool noDisplay = qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
   // A picture needs no display, so one that is named but not there must not matter.

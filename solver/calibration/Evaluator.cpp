@@ -6,7 +6,7 @@
 #include "calibration/StatementResiduals.h"
 #include "case/Resolve.h"
 #include "core/Errors.h"
-#include "core/SteadyMemory.h"
+#include "core/platform/Memory.h"
 #include "studies/CaseStudy.h"
 
 namespace squat::calibration {
@@ -110,7 +110,7 @@ bool Evaluator::computeDecays(const Values& values, std::vector<TargetValue>& ta
 }
 
 std::optional<Evaluation> Evaluator::evaluate(const Values& values, Monitor& monitor) const {
-  giveBackFreeMemory();
+  platform::giveBackFreeMemory();
   // The case is read anew for every point: an edit in between would mix two cases in one table.
   const auto hash = cases::caseHash(cases::loadCase(definition_.caseName, definition_.overrides));
   if (hash != definition_.caseHash)

@@ -1,12 +1,11 @@
 #include "case/ShippedCases.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cstdlib>
 
 #include "case/ParameterTable.h"
 #include "core/Errors.h"
+#include "core/platform/ProgramPath.h"
 
 namespace squat::cases {
 
@@ -21,23 +20,14 @@ bool hasCases(const fs::path& folder) {
 
 // PREFIX/bin/squat -> PREFIX/share/squat-studio
 fs::path besideProgram() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : program.parent_path().parent_path() / "share" / "squat-studio";
+  const auto program = platform::programPath();
+  return program.empty() ? fs::path() : program.parent_path().parent_path() / "share" / "squat-studio";
 }
 
-// The shared library that this code is part of, where it is one: the module of Python, whose program is the
-// interpreter.
-fs::path ownLibrary() {
-  Dl_info place{};
-  if (::dladdr(reinterpret_cast<const void*>(&besideProgram), &place) == 0 || !place.dli_fname) return {};
-  const fs::path file = place.dli_fname;
-  return file.extension() == ".so" ? file : fs::path();
-}
-
-// FOLDER/_solver.so -> FOLDER/resources; of programs as above.
+// FOLDER/_solver.so -> FOLDER/resources, for the module of Python, whose program is the interpreter; of programs as
+// above.
 fs::path besideOwn() {
-  const auto library = ownLibrary();
+  const auto library = platform::ownLibrary();
   return library.empty() ? besideProgram() : library.parent_path() / "resources";
 }
 

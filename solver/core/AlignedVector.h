@@ -6,10 +6,9 @@
 
 #include <cstddef>
 #include <new>
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
 #include <vector>
+
+#include "core/platform/Memory.h"
 
 namespace squat {
 
@@ -25,10 +24,7 @@ struct AlignedAllocator {
   }
   T* allocate(std::size_t n) {
     void* p = ::operator new(n * sizeof(T), alignment(n));
-#if defined(__linux__)
-    // A wish only: where the system has none, everything works with small pages.
-    if (n * sizeof(T) >= largePage) ::madvise(p, n * sizeof(T), MADV_HUGEPAGE);
-#endif
+    if (n * sizeof(T) >= largePage) platform::wishLargePages(p, n * sizeof(T));
     return static_cast<T*>(p);
   }
   void deallocate(T* p, std::size_t n) { ::operator delete(p, alignment(n)); }

@@ -1,17 +1,13 @@
 #include "core/DurableFile.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <sys/statvfs.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
 #include "core/Errors.h"
-#include "core/FileDescriptor.h"
+#include "core/PartFile.h"
+#include "core/platform/File.h"
+#include "core/platform/Signals.h"
 
 namespace squat {
 
@@ -24,28 +20,16 @@ std::string folderOf(const std::string& path) {
   return parent.empty() ? std::string(".") : parent.string();
 }
 
-std::string reasonText(int error) { return std::generic_category().message(error); }
-
-[[noreturn]] void cannotWrite(const std::string& path, int error, std::size_t needed) {
-  std::string what = "cannot be written: " + reasonText(error) + " (" + std::to_string(needed) + " bytes needed";
-  struct statvfs space {};
-  if (::statvfs(folderOf(path).c_str(), &space) == 0)
-    what += ", " + std::to_string(static_cast<unsigned long long>(space.f_bavail) * space.f_frsize) + " free";
+[[noreturn]] void cannotWrite(const std::string& path, std::error_code error, std::size_t needed) {
+  std::string what = "cannot be written: " + error.message() + " (" + std::to_string(needed) + " bytes needed";
+  std::error_code notKnown;
+  const auto space = fs::space(folderOf(path), notKnown);
+  if (!notKnown) what += ", " + std::to_string(space.available) + " free";
   what += ")";
-  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
   throw FileError(path, "", what,
-                  full ? "Free some space or choose another folder; what stood there before is untouched"
-                       : "Check that the folder exists and may be written, or choose another one");
-}
-
-int writeAll(int descriptor, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const auto written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return written < 0 ? errno : ENOSPC;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  return 0;
+                  platform::isLackOfRoom(error)
+                      ? "Free some space or choose another folder; what stood there before is untouched"
+                      : "Check that the folder exists and may be written, or choose another one");
 }
 
 // The earlier file gets a second name before the new one takes the first: there is a file under `path` at all times.
@@ -53,13 +37,15 @@ void keepPrevious(const std::string& path) {
   const auto previous = path + ".previous";
   removeLeftOvers(previous);
   const auto link = partName(previous);
-  ::unlink(link.c_str());
-  if (::link(path.c_str(), link.c_str()) == 0)
-    ::rename(link.c_str(), previous.c_str());
-  else if (errno != ENOENT)
-    ::rename(path.c_str(), previous.c_str());  // a file system without links
+  std::error_code linking, ignored;
+  std::remove(link.c_str());
+  fs::create_hard_link(path, link, linking);
+  if (!linking)
+    fs::rename(link, previous, ignored);
+  else if (linking != std::errc::no_such_file_or_directory)
+    fs::rename(path, previous, ignored);  // a file system without links
   // Renaming does nothing where both names stand for one file already (a kill between the two renames of last time).
-  ::unlink(link.c_str());
+  std::remove(link.c_str());
 }
 
 }  // namespace
@@ -72,28 +58,29 @@ void writeDurably(const std::string& path, std::span<const std::byte> bytes,
     const std::string& file;
     bool armed = true;
     ~Remover() {
-      if (armed) ::unlink(file.c_str());
+      if (armed) std::remove(file.c_str());
     }
   } remover{part};
 
   {
-    const FileSizeSignalBlocked blocked;
-    FileDescriptor file(part, O_WRONLY | O_CREAT | O_TRUNC);
-    if (file.get() < 0) {
+    const platform::FileSizeSignalBlocked blocked;
+    platform::File file(part, platform::File::Access::replace);
+    if (file.openingError()) {
       remover.armed = false;
-      cannotWrite(path, errno, bytes.size());
+      cannotWrite(path, file.openingError(), bytes.size());
     }
-    int error = writeAll(file.get(), bytes);
-    if (error == 0 && ::fsync(file.get()) != 0) error = errno;
-    const int closing = file.closeNow();
-    if (error != 0 || closing != 0) cannotWrite(path, error != 0 ? error : closing, bytes.size());
+    auto error = file.write(bytes);
+    if (!error) error = file.flush();
+    const auto closing = file.close();
+    if (error || closing) cannotWrite(path, error ? error : closing, bytes.size());
   }
   if (verify) verify(part);
   if (previous == Previous::kept) keepPrevious(path);
-  if (::rename(part.c_str(), path.c_str()) != 0) cannotWrite(path, errno, bytes.size());
+  std::error_code renaming;
+  fs::rename(part, path, renaming);
+  if (renaming) cannotWrite(path, renaming, bytes.size());
   remover.armed = false;
-  const FileDescriptor folder(folderOf(path), O_RDONLY | O_DIRECTORY);
-  if (folder.get() >= 0) ::fsync(folder.get());  // makes the rename itself durable; some file systems refuse, no harm
+  platform::flushFolder(folderOf(path));  // makes the rename itself durable
 }
 
 void writeDurably(const std::string& path, std::string_view text) {
@@ -119,22 +106,20 @@ void makeFolder(const std::string& folder) {
 }
 
 std::string readWholeFile(const std::string& path, std::size_t largest) {
-  // Not blocking: a named pipe must not hold the program.
-  const FileDescriptor file(path, O_RDONLY | O_NONBLOCK);
-  struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
-    throw FileError(path, "", "cannot be read: " + reasonText(errno), "Check the path");
-  if (!S_ISREG(status.st_mode)) throw FileError(path, "", "is not a regular file", "Name a file");
-  if (static_cast<unsigned long long>(status.st_size) > largest)
+  platform::File file(path, platform::File::Access::read);
+  auto error = file.openingError();
+  const auto state = error ? platform::File::State() : file.state(error);
+  if (error) throw FileError(path, "", "cannot be read: " + error.message(), "Check the path");
+  if (!state.isRegular) throw FileError(path, "", "is not a regular file", "Name a file");
+  if (state.size > largest)
     throw FileError(path, "", "is larger than the " + std::to_string(largest) + " bytes that are read", "Cut it down");
-  std::string text(static_cast<std::size_t>(status.st_size), '\0');
+  std::string text(static_cast<std::size_t>(state.size), '\0');
   std::size_t have = 0;
   while (have < text.size()) {
-    const auto got = ::read(file.get(), text.data() + have, text.size() - have);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) throw FileError(path, "", "cannot be read: " + reasonText(errno));
+    const auto got = file.read(std::as_writable_bytes(std::span(text).subspan(have)), error);
+    if (error) throw FileError(path, "", "cannot be read: " + error.message());
     if (got == 0) break;
-    have += static_cast<std::size_t>(got);
+    have += got;
   }
   text.resize(have);
   return text;

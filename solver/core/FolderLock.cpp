@@ -1,6 +1,7 @@
 #include "core/FolderLock.h"
 
 #include "core/Errors.h"
+#include "core/platform/Process.h"
 
 namespace squat {
 
@@ -8,7 +9,7 @@ FolderLock::FolderLock(const std::string& folder, const std::string& owner) : lo
   if (lock_.isTaken())
     throw CaseError({{"-o", folder, "a folder that no other run is writing to",
                       "In use by " + lock_.other() + ": wait until it has ended, or choose another folder"}});
-  lock_.write(processName(owner) + "\n");  // on a full disk the lock holds without a name
+  lock_.write(platform::processName(owner) + "\n");  // on a full disk the lock holds without a name
 }
 
 }  // namespace squat

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/FileLock.h"
+#include "core/platform/FileLock.h"
 
 namespace squat {
 
@@ -18,7 +18,7 @@ class FolderLock {
   bool held() const { return lock_.held(); }
 
  private:
-  FileLock lock_;
+  platform::FileLock lock_;
 };
 
 }  // namespace squat

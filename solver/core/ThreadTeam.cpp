@@ -1,38 +1,16 @@
 #include "core/ThreadTeam.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <string_view>
 #include <utility>
 
 #include "core/Errors.h"
+#include "core/platform/Threads.h"
 
 namespace squat {
-
-namespace {
-
-// Times that the calling thread has lost its core to others against its will.
-long lostCores() {
-#if defined(RUSAGE_THREAD)
-  rusage usage{};
-  if (::getrusage(RUSAGE_THREAD, &usage) == 0) return usage.ru_nivcsw;
-#endif
-  return 0;
-}
-
-// Of the calling thread.
-std::chrono::nanoseconds processorTime() {
-  timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
-
-}  // namespace
 
 // Another program that computes takes its turn every few milliseconds; what the system itself does is rarer.
 void CoreContention::Watch::look(CoreContention& contention) {
@@ -40,7 +18,7 @@ void CoreContention::Watch::look(CoreContention& contention) {
   constexpr long often = 3;
   const auto now = Clock::now();
   if (lost_ >= 0 && now - since_ < window) return;
-  const long lost = lostCores();
+  const long lost = platform::timesCoreWasLost();
   const bool isOften = lost_ >= 0 && lost - lost_ >= often;
   if (isOften != counted_) contention.affected_ += isOften ? 1 : -1;
   counted_ = isOften, lost_ = lost, since_ = now;
@@ -57,9 +35,7 @@ bool SpinPolicy::waitFor(const Done& done) const {
   const int spins = contended ? std::min(spins_, 100) : spins_, yields = contended ? 0 : yields_;
   for (int i = 0; i < spins; ++i) {
     if (done()) return true;
-#if defined(__x86_64__)
-    __builtin_ia32_pause();
-#endif
+    platform::pauseOfAWait();
   }
   for (int i = 0; i < yields; ++i) {
     if (done()) return true;
@@ -133,9 +109,9 @@ void ThreadTeam::runInOrder(std::initializer_list<std::function<void(int)>> phas
   std::atomic<long long> work{0};  // [ns]
   const auto begun = std::chrono::steady_clock::now();
   runInStep([&](int index) {
-    const auto own = processorTime();
+    const auto own = platform::processorTime();
     inStep(index);
-    work += (processorTime() - own).count();
+    work += (platform::processorTime() - own).count();
   });
   fallback_.note(std::chrono::steady_clock::now() - begun, std::chrono::nanoseconds(work));
 }

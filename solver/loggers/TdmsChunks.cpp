@@ -1,13 +1,13 @@
 #include "loggers/TdmsChunks.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "core/CheckedCounts.h"
 #include "core/Errors.h"
 
 namespace squat::loggers {
 namespace {
-
-__extension__ using TdmsProduct = unsigned __int128;  // of two counts of bytes
 
 // The work on one stretch; a chunk is what the indices of its objects describe, and follows itself until the end.
 class TdmsChunks {
@@ -38,9 +38,10 @@ class TdmsChunks {
   }
 
   void add(std::uint64_t& sum, std::uint64_t factor, std::uint64_t other = 1) const {
-    std::uint64_t product = 0;
-    if (__builtin_mul_overflow(factor, other, &product) || __builtin_add_overflow(sum, product, &sum))
-      fail("the file is damaged: its channels have more values than a file can hold");
+    const auto product = checkedProduct(factor, other);
+    const auto total = product ? checkedSum(sum, *product) : std::nullopt;
+    if (!total) fail("the file is damaged: its channels have more values than a file can hold");
+    sum = *total;
   }
 
   void run(std::size_t object, std::uint64_t offset, std::uint64_t count, std::size_t stride) const {
@@ -71,15 +72,15 @@ class TdmsChunks {
   // segment has the same share of each; in one that was not closed they are of different lengths.
   std::uint64_t handOutPart(const std::vector<std::size_t>& filled, std::uint64_t offset, std::uint64_t rest,
                             std::uint64_t chunk) {
-    const auto share = [&](std::size_t i) { return static_cast<TdmsProduct>(indexOf(i).count) * rest; };
+    const auto share = [&](std::size_t i) { return shareOf(indexOf(i).count, rest, chunk); };
     const auto isText = [&](std::size_t i) { return indexOf(i).type->kind == TdmsKind::text; };
     if (rest == 0 || std::any_of(filled.begin(), filled.end(), isText)) return 0;
     if (filled.size() > 1 && (!stretch_.closed || std::any_of(filled.begin(), filled.end(),
-                                                              [&](std::size_t i) { return share(i) % chunk != 0; })))
+                                                              [&](std::size_t i) { return share(i).left != 0; })))
       return 0;
     std::uint64_t used = 0;
     for (const std::size_t i : filled) {
-      const auto count = static_cast<std::uint64_t>(share(i) / chunk);
+      const std::uint64_t count = share(i).whole;
       run(i, offset + used, count, indexOf(i).type->size);
       used += count * indexOf(i).type->size;
     }

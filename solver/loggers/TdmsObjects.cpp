@@ -1,5 +1,7 @@
 #include "loggers/TdmsObjects.h"
 
+#include "core/CheckedCounts.h"
+
 namespace squat::loggers {
 namespace {
 
@@ -95,10 +97,13 @@ TdmsIndex readTdmsIndex(TdmsCursor& cursor, std::uint32_t firstWord) {
   if (!index.type) cursor.refuse("a channel has values of the type " + std::to_string(code) + ", which is not read");
   if (cursor.word() != 1) cursor.refuse("the file has arrays of more than one dimension, which are not read");
   index.count = cursor.doubleWord();
-  if (index.type->kind == TdmsKind::text)
+  if (index.type->kind == TdmsKind::text) {
     index.bytes = cursor.doubleWord();
-  else if (__builtin_mul_overflow(index.count, std::uint64_t{index.type->size}, &index.bytes))
-    cursor.fail("the file is damaged here: a channel of " + std::to_string(index.count) + " values");
+  } else {
+    const auto bytes = checkedProduct(index.count, std::uint64_t{index.type->size});
+    if (!bytes) cursor.fail("the file is damaged here: a channel of " + std::to_string(index.count) + " values");
+    index.bytes = *bytes;
+  }
   return index;
 }
 

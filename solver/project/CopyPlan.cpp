@@ -1,7 +1,5 @@
 #include "project/CopyPlan.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -11,6 +9,7 @@
 #include "case/CaseFile.h"
 #include "case/NamedTables.h"
 #include "core/DurableFile.h"
+#include "core/platform/File.h"
 
 namespace squat::project {
 namespace {
@@ -19,7 +18,7 @@ namespace fs = std::filesystem;
 
 bool isReadable(const fs::path& file) {
   std::error_code none;
-  return fs::is_regular_file(file, none) && ::access(file.c_str(), R_OK) == 0;
+  return fs::is_regular_file(file, none) && platform::mayRead(file);
 }
 
 // A copy may go to a file system that takes "Dip.h5" and "dip.h5" for one name.

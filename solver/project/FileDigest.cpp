@@ -1,41 +1,34 @@
 #include "project/FileDigest.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
+#include <cstdint>
+#include <span>
+#include <system_error>
 
 #include "case/ShortHash.h"
-#include "core/FileDescriptor.h"
+#include "core/platform/File.h"
 
 namespace squat::project {
 namespace {
 
-constexpr off_t edge = 1 << 20;  // [bytes] that are read at the beginning and at the end
+constexpr std::uint64_t edge = 1 << 20;  // [bytes] that are read at the beginning and at the end
 
 // False where the file has become shorter meanwhile, or cannot be read.
-bool readFrom(int file, off_t from, std::string& into) {
-  for (std::size_t have = 0; have < into.size();) {
-    const auto count = ::pread(file, into.data() + have, into.size() - have, from + static_cast<off_t>(have));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    have += static_cast<std::size_t>(count);
-  }
-  return true;
+bool readFrom(const platform::File& file, std::uint64_t from, std::string& into) {
+  return file.readAt(from, std::as_writable_bytes(std::span(into)));
 }
 
 }  // namespace
 
 std::string fileDigest(const std::string& path) {
-  const FileDescriptor file(path, O_RDONLY | O_NONBLOCK);  // a named pipe must not hold the program
-  struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode)) return {};
-  const off_t size = status.st_size, tailFrom = std::max(std::min(size, edge), size - edge);
-  std::string head(static_cast<std::size_t>(std::min(size, edge)), '\0');
-  std::string tail(static_cast<std::size_t>(size - tailFrom), '\0');
-  if (!readFrom(file.get(), 0, head) || !readFrom(file.get(), tailFrom, tail)) return {};
+  const platform::File file(path, platform::File::Access::read);
+  std::error_code error = file.openingError();
+  if (error) return {};
+  const auto state = file.state(error);
+  if (error || !state.isRegular) return {};
+  const std::uint64_t size = state.size, headTo = std::min(size, edge), tailFrom = std::max(headTo, size - headTo);
+  std::string head(headTo, '\0'), tail(size - tailFrom, '\0');
+  if (!readFrom(file, 0, head) || !readFrom(file, tailFrom, tail)) return {};
   return cases::shortHash(std::to_string(size) + ' ' + head + tail);
 }
 

@@ -1,18 +1,18 @@
 #include "project/ProjectCopy.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <filesystem>
+#include <span>
 #include <system_error>
+#include <vector>
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
-#include "core/FileDescriptor.h"
-#include "core/FileLock.h"
+#include "core/PartFile.h"
+#include "core/platform/File.h"
+#include "core/platform/FileLock.h"
+#include "core/platform/Process.h"
+#include "core/platform/Signals.h"
 #include "project/CopyPlan.h"
 #include "project/ProjectFile.h"
 
@@ -21,19 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void cannotRead(const std::string& path, int error) {
-  throw FileError(path, "", "cannot be read: " + std::generic_category().message(error),
+[[noreturn]] void cannotRead(const std::string& path, std::error_code error) {
+  throw FileError(path, "", "cannot be read: " + error.message(),
                   "Nothing was copied; remove it from the project, or try again");
 }
 
-[[noreturn]] void cannotWrite(const std::string& path, int error) {
-  throw FileError(path, "", "cannot be written: " + std::generic_category().message(error),
+[[noreturn]] void cannotWrite(const std::string& path, std::error_code error) {
+  throw FileError(path, "", "cannot be written: " + error.message(),
                   "Nothing is left of the copy; free some space or choose another folder");
-}
-
-void flushFolder(const fs::path& folder) {
-  const FileDescriptor opened(folder, O_RDONLY | O_DIRECTORY);
-  if (opened.get() >= 0) ::fsync(opened.get());  // some file systems refuse, no harm
 }
 
 // FOLDER.part-PID, which takes the name FOLDER when all is in it; else it goes.
@@ -55,19 +50,19 @@ class PartFolder {
     std::error_code error;
     fs::path path = part_ / name;
     fs::create_directories(path.parent_path(), error);
-    if (error) cannotWrite((folder_ / name).string(), error.value());
+    if (error) cannotWrite((folder_ / name).string(), error);
     return path;
   }
   void takeName() {
     std::error_code error;
     if (!fs::exists(part_, error)) return;  // no file goes with the project
     for (const auto& each : fs::recursive_directory_iterator(part_))
-      if (each.is_directory()) flushFolder(each.path());
-    flushFolder(part_);
+      if (each.is_directory()) platform::flushFolder(each.path());
+    platform::flushFolder(part_);
     fs::rename(part_, folder_, error);
-    if (error) cannotWrite(folder_.string(), error.value());
+    if (error) cannotWrite(folder_.string(), error);
     renamed_ = true;
-    flushFolder(folder_.parent_path());
+    platform::flushFolder(folder_.parent_path());
   }
   void keep() { kept_ = true; }
 
@@ -101,33 +96,23 @@ class Watch {
   double all_ = 0, copied_ = 0;
 };
 
-void writeAll(int file, const char* bytes, std::size_t count, const std::string& shown) {
-  while (count > 0) {
-    const auto written = ::write(file, bytes, count);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) cannotWrite(shown, written < 0 ? errno : ENOSPC);
-    bytes += written, count -= static_cast<std::size_t>(written);
-  }
-}
-
 // False: cancelled. `shown`: the name that the copy will have, for messages.
 bool copyFile(const PlannedFile& file, const std::string& to, const std::string& shown, Watch& watch) {
-  const FileDescriptor source(file.from, O_RDONLY | O_NONBLOCK);  // a named pipe must not hold the program
-  if (source.get() < 0) cannotRead(file.from, errno);
-  FileDescriptor target(to, O_WRONLY | O_CREAT | O_TRUNC);
-  if (target.get() < 0) cannotWrite(shown, errno);
-  std::vector<char> buffer(std::size_t{4} << 20U);
+  platform::File source(file.from, platform::File::Access::read);
+  if (source.openingError()) cannotRead(file.from, source.openingError());
+  platform::File target(to, platform::File::Access::replace);
+  if (target.openingError()) cannotWrite(shown, target.openingError());
+  std::vector<std::byte> buffer(std::size_t{4} << 20U);
   for (;;) {
-    const auto count = ::read(source.get(), buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) cannotRead(file.from, errno);
+    std::error_code reading;
+    const auto count = source.read(buffer, reading);
+    if (reading) cannotRead(file.from, reading);
     if (count == 0) break;
-    writeAll(target.get(), buffer.data(), static_cast<std::size_t>(count), shown);
-    if (!watch.goesOn(file.to, static_cast<std::size_t>(count))) return false;
+    if (const auto writing = target.write(std::span(buffer).first(count))) cannotWrite(shown, writing);
+    if (!watch.goesOn(file.to, count)) return false;
   }
-  const int flushing = ::fsync(target.get()) == 0 ? 0 : errno;
-  const int closing = target.closeNow();
-  if (flushing != 0 || closing != 0) cannotWrite(shown, flushing != 0 ? flushing : closing);
+  const auto flushing = target.flush(), closing = target.close();
+  if (flushing || closing) cannotWrite(shown, flushing ? flushing : closing);
   return true;
 }
 
@@ -164,10 +149,10 @@ std::string dataFolder(const std::string& path) {
 
 ProjectCopy copyWithData(const Project& project, const std::string& path, Monitor& monitor) {
   const std::string folder = dataFolder(path), beside = fs::path(path).parent_path().string();
-  FileLock owner(beside + "/." + fs::path(path).filename().string() + ".lock");  // as the studio has it
+  platform::FileLock owner(beside + "/." + fs::path(path).filename().string() + ".lock");  // as the studio has it
   if (owner.isTaken())
     throw FileError(path, "", "is open in a window: " + owner.other(), "Choose another name for the copy");
-  owner.write(processName("a copy of a project"));
+  owner.write(platform::processName("a copy of a project"));
   std::error_code none;
   if (fs::exists(fs::symlink_status(folder, none)))
     throw FileError(folder, "", "exists", "Choose another name for the copy, or move this folder away");
@@ -175,7 +160,7 @@ ProjectCopy copyWithData(const Project& project, const std::string& path, Monito
   ProjectCopy copy{false, 0, plan.problems};
   Watch watch(monitor, plan.files);
   requireRoom(beside, watch.all());
-  const FileSizeSignalBlocked blocked;
+  const platform::FileSizeSignalBlocked blocked;
   PartFolder part(folder);
   if (!copyAll(plan, part, folder, watch)) return copy;
   part.takeName();

@@ -2,13 +2,12 @@
 // error here: libraries that read such files are not proof against damage.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
 
+#include "core/platform/ForkedReader.h"
 #include "results/TreeStream.h"
 
 namespace squat::results {
@@ -27,31 +26,24 @@ class GuardedChild {
   // is received.
   using Work = std::function<void(const ByteSink&)>;
   GuardedChild(std::string path, const ChildLimits& limits, Work work);
-  ~GuardedChild();  // ends the child
-  GuardedChild(const GuardedChild&) = delete;
-  GuardedChild& operator=(const GuardedChild&) = delete;
 
   // The child sends one byte before each thing; this reads it.
   char receiveKind();
   std::size_t receive(std::span<std::byte> wanted);  // fewer bytes than wanted: the child has ended
   // Waits for the child and throws FileError saying how it ended.
   [[noreturn]] void died();
-  void wait();
+  void wait() { child_.waitForEnd(); }
 
   static constexpr char refused = 'E';
 
  private:
   void start();
-  void end();
   void awaitFirstByte();
   std::string path_;
   ChildLimits limits_;
   Work work_;
   bool hasBegun_ = false;
-  int source_ = -1;
-  pid_t process_ = -1;
-  int status_ = 0;
-  bool waited_ = false;
+  platform::ForkedReader child_;  // which ends the child
 };
 
 }  // namespace squat::results

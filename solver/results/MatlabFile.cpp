@@ -9,10 +9,12 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <system_error>
 
+#include "core/CheckedCounts.h"
 #include "core/Errors.h"
 #include "results/ColumnPieces.h"
 #include "text/Utf8Text.h"
@@ -40,10 +42,9 @@ bool isNumeric(const matvar_t& array) {
 bool isText(const matvar_t& array) { return array.class_type == MAT_C_CHAR && array.rank == 2; }
 
 std::size_t countOf(const matvar_t& array) {
-  std::size_t count = 1;
-  for (int axis = 0; axis < array.rank; ++axis)
-    if (__builtin_mul_overflow(count, array.dims[axis], &count)) return static_cast<std::size_t>(-1);
-  return count;
+  std::optional<std::size_t> count = 1;
+  for (int axis = 0; count && axis < array.rank; ++axis) count = checkedProduct(*count, array.dims[axis]);
+  return count.value_or(static_cast<std::size_t>(-1));
 }
 
 // The elements of the file, each behind its type and size, must lie within it: the library takes what is cut off for

@@ -11,6 +11,7 @@
 #include "case/Validation.h"
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
+#include "core/platform/Clock.h"
 #include "model/CentrePlane.h"
 #include "simulation/Describe.h"
 #include "simulation/RollingStateFile.h"
@@ -27,10 +28,8 @@ constexpr long maximumStepsAtOnce = 24;  // cancel is asked at least this often
 constexpr int samplesPerBalance = 5;     // output samples between entries of the energy balance
 
 std::string utcNow() {
-  const std::time_t now = std::time(nullptr);
   char text[32];
-  std::tm utc{};
-  gmtime_r(&now, &utc);
+  const std::tm utc = platform::utcDate(std::time(nullptr));
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text;
 }

@@ -1,7 +1,5 @@
 #include "simulation/RunCase.h"
 
-#include <sys/resource.h>
-
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -9,6 +7,7 @@
 
 #include "analysis/FeatureTable.h"
 #include "core/Errors.h"
+#include "core/platform/Memory.h"
 #include "results/Checkpoint.h"
 #include "signals/SignalCatalogue.h"
 #include "simulation/Describe.h"
@@ -117,9 +116,7 @@ void finish(OpenRun& run) {
   if (r.complete && !lacking.empty()) run.warn(lacking);  // a part of a run has seldom enough
   r.features = analysis::featureScalars(r);
   r.performance.push_back({"seconds", "s", "wall time of the whole run", secondsSince(run.opened)});
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  r.performance.push_back({"peak_memory", "B", "largest resident size", 1024.0 * static_cast<double>(usage.ru_maxrss)});
+  r.performance.push_back({"peak_memory", "B", "largest resident size", platform::peakMemory()});
   r.performance.insert(r.performance.end(), run.phases.begin(), run.phases.end());
 }
 

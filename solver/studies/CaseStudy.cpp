@@ -13,7 +13,7 @@
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "core/ProgramVersion.h"
-#include "core/SteadyMemory.h"
+#include "core/platform/Memory.h"
 #include "studies/SampledPoints.h"
 
 namespace squat::studies {
@@ -122,7 +122,7 @@ StudyTable runCaseStudy(const StudyDefinition& definition, const cases::CaseOver
       throw CaseError({{"case", definition.caseName + " (" + hash + ")",
                         "the case that the study started with (" + definition.caseHash + ")",
                         "The case was changed during the study: restore it, or start a new study in another folder"}});
-    giveBackFreeMemory();
+    platform::giveBackFreeMemory();
     const auto result = run(caseAt(definition, overrides, point), point, own);
     if (!result.complete) return std::nullopt;
     return analysis::featureTable(result);

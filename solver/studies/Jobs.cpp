@@ -1,21 +1,17 @@
 #include "studies/Jobs.h"
 
-#include <sched.h>
-
 #include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <map>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "core/ThreadTeam.h"
+#include "core/platform/Cores.h"
+#include "core/platform/Memory.h"
 
 namespace squat::studies {
 namespace {
@@ -27,20 +23,9 @@ double runsFor(double supply, double demand) {
 
 }  // namespace
 
-double freeMemory() {
-  std::ifstream file("/proc/meminfo");
-  for (std::string word; file >> word;) {
-    double kilobytes = 0;
-    if (word == "MemAvailable:" && file >> kilobytes) return 1024 * kilobytes;
-  }
-  return 0;
-}
-
 int coresHere() {
   int cores = threadCount(0);
-  cpu_set_t allowed;
-  CPU_ZERO(&allowed);
-  if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0) cores = std::min(cores, CPU_COUNT(&allowed));
+  if (const int usable = platform::usableCores(); usable > 0) cores = std::min(cores, usable);
   if (const char* given = std::getenv("SLURM_CPUS_PER_TASK")) {  // a batch system without cgroups does not hold it
     int count = 0;
     const auto* end = given + std::string_view(given).size();
@@ -70,25 +55,9 @@ double memoryBandwidth(int cores) {
   return 4.0 * sizeof(double) * length * cores / best;
 }
 
-// Linux lists the caches of each core; those that cores share are counted once.
-double lastLevelCache() {
-  const std::filesystem::path folder("/sys/devices/system/cpu");
-  std::map<std::string, double> sizes;  // by the cores that share it
-  std::error_code none;
-  for (const auto& core : std::filesystem::directory_iterator(folder, none)) {
-    std::ifstream shared(core.path() / "cache/index3/shared_cpu_list"), file(core.path() / "cache/index3/size");
-    std::string cores;
-    double kibibytes = 0;
-    if (shared >> cores && file >> kibibytes) sizes[cores] = 1024 * kibibytes;  // "32768K"
-  }
-  double sum = 0;
-  for (const auto& [cores, size] : sizes) sum += size;
-  return sum;
-}
-
 Machine thisMachine() {
   const int cores = coresHere();
-  return {cores, freeMemory(), memoryBandwidth(cores), lastLevelCache()};
+  return {cores, platform::availableMemory(), memoryBandwidth(cores), platform::lastLevelCache()};
 }
 
 RunDemand demandOnMesh(const std::string& preset) {

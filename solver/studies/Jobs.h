@@ -14,11 +14,9 @@ struct Machine {
 
 // Cores: as many as Slurm has given to the task (SLURM_CPUS_PER_TASK), else those that the process may run on.
 int coresHere();
-double freeMemory();  // [bytes]; 0: not known
 // Measured by all cores at once, a tenth of a second. Four cores or fewer do not reach the limit of their memory with
 // this solver (two threads compute 1.8 to 2.1 times as fast as one, resources/manual/speed.md): 0, nothing is measured.
 double memoryBandwidth(int cores);
-double lastLevelCache();  // [bytes]; 0: not known
 Machine thisMachine();
 
 struct RunDemand {

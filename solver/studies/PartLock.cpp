@@ -4,6 +4,7 @@
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
+#include "core/platform/Process.h"
 
 namespace squat::studies {
 namespace {
@@ -34,10 +35,10 @@ PartLock::PartLock(const std::string& command, const Partition& part, const std:
     : lock_(folder + "/" + stemOf(part, command) + ".lock"),
       part_(toText(part)),
       folder_(folder),
-      name_(processName("squat " + command + " --partition " + part_)),
+      name_(platform::processName("squat " + command + " --partition " + part_)),
       beat_(beat) {
   if (lock_.isTaken()) refuse(ownerIn(lock_.other()));
-  const bool isOfThisMachine = ownerIn(lock_.left()).ends_with(" on " + hostName() + ")");
+  const bool isOfThisMachine = ownerIn(lock_.left()).ends_with(" on " + platform::hostName() + ")");
   if (!lock_.left().empty() && !(lock_.held() && isOfThisMachine)) watchOther(monitor);
   lock_.write(textWithBeat(name_, 0));
   beating_ = std::jthread([this](const std::stop_token& stop) { beatUntil(stop); });

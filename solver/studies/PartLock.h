@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 
-#include "core/FileLock.h"
 #include "core/Monitor.h"
+#include "core/platform/FileLock.h"
 #include "studies/Partition.h"
 
 namespace squat::studies {
@@ -39,7 +39,7 @@ class PartLock {
   [[noreturn]] void refuse(const std::string& owner) const;
   void beatUntil(const std::stop_token& stop);
 
-  FileLock lock_;
+  platform::FileLock lock_;
   std::string part_, folder_, name_;
   std::chrono::milliseconds beat_;
   std::mutex mutex_;

@@ -1,16 +1,15 @@
 #include "studies/StudyIdentity.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <system_error>
 
 #include "core/DurableFile.h"
 #include "core/Errors.h"
-#include "core/FileLock.h"
+#include "core/platform/Process.h"
 #include "studies/StudyTable.h"
 
 namespace squat::studies {
@@ -111,12 +110,12 @@ bool hasGrownByHash(const Json& found, const Json& own, const Partition& parts, 
 
 // Under its name whole or not at all, and never over another file. False where one stands there.
 bool writeFirst(const std::string& path, const std::string& text) {
-  const auto beside = path + "." + hostName() + "-" + std::to_string(::getpid());
+  const auto beside = path + "." + platform::hostName() + "-" + std::to_string(platform::processNumber());
   writeDurably(beside, std::string_view(text));
-  const bool isFirst = ::link(beside.c_str(), path.c_str()) == 0;
-  const int reason = isFirst ? 0 : errno;
-  ::unlink(beside.c_str());
-  if (isFirst || reason == EEXIST) return isFirst;
+  std::error_code linking;
+  std::filesystem::create_hard_link(beside, path, linking);
+  std::remove(beside.c_str());
+  if (!linking || linking == std::errc::file_exists) return !linking;
   if (std::filesystem::exists(path)) return false;
   writeDurably(path, std::string_view(text));  // a file system without links
   return true;

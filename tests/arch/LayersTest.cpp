@@ -32,7 +32,11 @@ bool isVtk(const std::string& include) { return include.rfind("vtk", 0) == 0; }
 // The studio is large: each of its modules has a layer of its own.
 Folder moduleOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
 
+// What only one system or compiler has stands below all else, in a folder of its own.
+const Folder platform = "solver/core/platform";
+
 Folder folderOf(const Include& include) {
+  if (moduleOf("solver/" + include.name) == platform) return platform;
   const auto first = include.name.substr(0, include.name.find('/'));
   if (first == "python") return "python";
   if (first == "app" || first == "commands" || first == "manual" || first == "pages") return "app";
@@ -45,7 +49,8 @@ Folder folderOf(const Include& include) {
   return {};
 }
 Folder folderOf(const SourceFile& file) {
-  if (file.layer == "widgets" && file.folder == "studio") return moduleOf(file.path);
+  const auto module = moduleOf(file.path);
+  if (module == platform || (file.layer == "widgets" && file.folder == "studio")) return module;
   return file.layer == "app" || file.layer == "python" ? file.layer : file.layer + "/" + file.folder;
 }
 
@@ -96,6 +101,7 @@ std::string cycleIn(const Graph& graph) {
 TEST(Layers, TheTreeWasRead) {
   EXPECT_GT(sources().size(), 20U);
   EXPECT_TRUE(folderGraph()["solver/simulation"].count("solver/results"));
+  EXPECT_TRUE(folderGraph()["solver/core"].count(platform));
 }
 
 TEST(Layers, SolverKnowsNoQtAndNoVtk) {
@@ -157,6 +163,7 @@ TEST(Layers, Hdf5StaysInResults) {
 // which is how a user writes what is simulated: it sees the scenario alone.
 const std::vector<std::vector<Folder>>& layers() {
   static const std::vector<std::vector<Folder>> list{
+      {platform},
       {"solver/core"},
       {"solver/text"},
       {"solver/signals"},
@@ -299,7 +306,7 @@ TEST(Layers, TheDefectSurfaceIsBuiltInOnePlace) {
 }
 
 TEST(Layers, TheSolverNeverPrintsAbortsOrExits) {
-  // ::_exit is allowed: the child process of the guarded reader ends with it.
+  // ::_exit is allowed: the child process of the forked reader ends with it.
   static const std::regex pattern(
       R"(\b(std::cout|std::cerr|std::clog|printf|fprintf|puts|abort|std::terminate|assert|exit|quick_exit)\s*(\(|<<))");
   std::vector<std::string> list;

@@ -55,20 +55,20 @@ SourceFile readSource(const fs::path& top, const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream buffer;
   buffer << stream.rdbuf();
-  const auto text = buffer.str();
 
   SourceFile file;
+  file.text = buffer.str();
   const auto relative = path.lexically_relative(top);
   file.path = relative.generic_string();
   auto part = relative.begin();
   file.layer = part->string();
   ++part;
   if (std::next(part) != relative.end()) file.folder = part->string();
-  file.lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-  file.code = withoutComments(text);
+  file.lines = static_cast<int>(std::count(file.text.begin(), file.text.end(), '\n'));
+  file.code = withoutComments(file.text);
 
   static const std::regex pattern(R"re(^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"])re");
-  std::istringstream lines(text);
+  std::istringstream lines(file.text);
   for (std::string line; std::getline(lines, line);) {
     std::smatch match;
     if (std::regex_search(line, match, pattern)) file.includes.push_back({match[2], match[1] == "\""});

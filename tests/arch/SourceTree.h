@@ -17,6 +17,7 @@ struct SourceFile {
   std::string layer;   // "solver", "widgets", "app"
   std::string folder;  // "case", "scene"; "commands" for app/commands; empty for files of the layer itself
   int lines = 0;
+  std::string text;  // as it stands in the file
   std::string code;  // without comments and without what stands between quotes
   std::vector<Include> includes;
 };

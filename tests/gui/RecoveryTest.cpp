@@ -12,12 +12,12 @@
 #include <QTemporaryDir>
 
 #include "case/CaseFile.h"
+#include "core/platform/Process.h"
 #include "gui/MadeUpRun.h"
 #include "render/SyntheticResult.h"
 #include "results/ResultFile.h"
 #include "results/SignalTable.h"
 #include "studio/common/MessageBar.h"
-#include "studio/common/ProcessIdentity.h"
 #include "studio/document/CaseDocument.h"
 #include "studio/profile/ProfileEditor.h"
 #include "studio/profile/ProfilePlot.h"
@@ -352,11 +352,12 @@ TEST(ProcessIdentity, ofAProcessThatHasEndedIsNotAlive) {
   const auto fields = firstLine(stat).split(' ');
   const QString boot = firstLine("/proc/sys/kernel/random/boot_id").left(8);
   const QString identity = QStringLiteral("%1-%2-%3").arg(child).arg(QString(fields.value(21)), boot);
-  EXPECT_TRUE(isAlive(identity));
-  EXPECT_FALSE(isAlive(QStringLiteral("%1-1-%2").arg(child).arg(boot)));  // another one had this number
+  EXPECT_TRUE(platform::isAlive(identity.toStdString()));
+  EXPECT_FALSE(
+      platform::isAlive(QStringLiteral("%1-1-%2").arg(child).arg(boot).toStdString()));  // another one had this number
   ::close(pipe[0]), ::close(pipe[1]);
   EXPECT_TRUE(tests::passes([&] { return firstLine(stat).contains(") Z "); }));
-  EXPECT_FALSE(isAlive(identity));
+  EXPECT_FALSE(platform::isAlive(identity.toStdString()));
   ::waitpid(child, nullptr, 0);
 }
 

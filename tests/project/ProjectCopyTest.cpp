@@ -18,7 +18,7 @@
 #include "case/CaseFile.h"
 #include "case/ParameterTable.h"
 #include "core/Errors.h"
-#include "core/FileLock.h"
+#include "core/platform/FileLock.h"
 #include "project/FileDigest.h"
 #include "project/ProjectFile.h"
 
@@ -262,7 +262,7 @@ TEST_F(CopiedProject, replacesNoDataAndNoOpenProject) {
   EXPECT_EQ(folder_.read("stick/copy.data/letter.txt"), "mine");
   fs::remove_all(folder_.path("stick/copy.data"));
   {
-    FileLock window(folder_.path("stick/.copy.squat-project.lock"));
+    platform::FileLock window(folder_.path("stick/.copy.squat-project.lock"));
     window.write("squat-studio (process 7)");
     EXPECT_THAT(refusal(), HasSubstr("squat-studio (process 7)"));
   }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/Errors.h"
-#include "core/FileLock.h"
+#include "core/platform/FileLock.h"
 
 namespace squat::results {
 namespace {
@@ -84,7 +84,7 @@ TEST_F(Children, EndWhereTheirReaderIsKilled) {
   const std::string path = begun_.string() + "-lock";
   const pid_t reader = ::fork();
   if (reader == 0) {
-    const FileLock lock(path);
+    const platform::FileLock lock(path);
     GuardedChild child("a.h5", impatient(), [](const ByteSink& send) { send(std::vector<std::byte>(1 << 20)); });
     std::byte first{};
     child.receive(std::span(&first, 1));
@@ -96,10 +96,10 @@ TEST_F(Children, EndWhereTheirReaderIsKilled) {
     return holds();
   };
   EXPECT_TRUE(within([&] { return fs::exists(begun_); }));
-  EXPECT_TRUE(FileLock(path).isTaken());
+  EXPECT_TRUE(platform::FileLock(path).isTaken());
   ::kill(reader, SIGKILL);
   ::waitpid(reader, nullptr, 0);
-  EXPECT_TRUE(within([&] { return FileLock(path).held(); }));
+  EXPECT_TRUE(within([&] { return platform::FileLock(path).held(); }));
   fs::remove(path);
 }
 

@@ -6,8 +6,8 @@
 #include "case/BeforeDefect.h"
 #include "case/Resolve.h"
 #include "core/Errors.h"
+#include "core/platform/Threads.h"
 #include "signals/SignalCatalogue.h"
-#include "studio/common/ThreadPriority.h"
 #include "studio/preview/GrowingCurve.h"
 #include "studio/preview/PreviewCase.h"
 
@@ -141,7 +141,7 @@ PreviewWorker::Wish PreviewWorker::newest() const {
 }
 
 void PreviewWorker::work() {
-  giveWayToTheWindow();
+  platform::giveWay();  // to the window
   lastSeen_ = Clock::now();
   unsigned long served = 0;
   while (true) {

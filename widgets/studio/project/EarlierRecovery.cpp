@@ -6,7 +6,7 @@
 
 #include "case/CaseDescription.h"
 #include "case/CaseFile.h"
-#include "studio/common/ProcessIdentity.h"
+#include "core/platform/Process.h"
 #include "studio/project/UntitledProject.h"
 
 namespace squat::studio {
@@ -47,7 +47,8 @@ std::optional<project::Project> takeEarlierRecovery(const QString& folder, const
   const auto left = [&](const QString& ending, QDir::SortFlags order) {
     QFileInfoList found;
     for (const QFileInfo& entry : QDir(folder).entryInfoList({'*' + ending}, QDir::Files, order))
-      if (!isAlive(entry.completeBaseName().section(' ', 0, 0).section('-', 0, 2))) found << entry;
+      if (!platform::isAlive(entry.completeBaseName().section(' ', 0, 0).section('-', 0, 2).toStdString()))
+        found << entry;
     return found;
   };
   for (const QFileInfo& entry : left(".case", QDir::Time))

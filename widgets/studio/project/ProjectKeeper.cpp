@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/Errors.h"
+#include "core/platform/Process.h"
 #include "project/ProjectFile.h"
 #include "studio/project/EarlierRecovery.h"
 
@@ -54,12 +55,12 @@ bool ProjectKeeper::take(const QString& path, QString* other) {
   const QString whole = file.absoluteFilePath();
   if (whole == path_) return true;
   const QString beside = file.absoluteDir().filePath("." + file.fileName() + ".lock");
-  auto lock = std::make_unique<FileLock>(beside.toStdString());
+  auto lock = std::make_unique<platform::FileLock>(beside.toStdString());
   if (lock->isTaken()) {
     *other = QString::fromStdString(lock->other()).trimmed();
     return false;
   }
-  lock->write(processName("squat-studio"));
+  lock->write(platform::processName("squat-studio"));
   lock_ = std::move(lock);
   path_ = whole;
   Q_EMIT openChanged(true);

@@ -10,7 +10,7 @@
 #include <functional>
 #include <memory>
 
-#include "core/FileLock.h"
+#include "core/platform/FileLock.h"
 #include "project/Project.h"
 #include "project/ProjectCopy.h"
 #include "studio/project/UntitledProject.h"
@@ -71,7 +71,7 @@ class ProjectKeeper : public QObject {
 
   std::function<project::Project()> collect_;
   QString path_;
-  std::unique_ptr<FileLock> lock_;
+  std::unique_ptr<platform::FileLock> lock_;
   QString untitledFolder_;
   std::unique_ptr<UntitledProject> untitled_;  // null: none can be kept
   bool hasEnded_ = false;

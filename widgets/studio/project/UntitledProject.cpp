@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/Errors.h"
+#include "core/platform/Process.h"
 #include "project/ProjectFile.h"
 
 namespace squat::studio {
@@ -17,8 +18,8 @@ const QLatin1String fileName("untitled.squat-project");
 
 QString fileIn(const QString& folder) { return QDir(folder).filePath(fileName); }
 
-std::unique_ptr<FileLock> lockOf(const QString& folder) {
-  return std::make_unique<FileLock>(QDir(folder).filePath("." + fileName + ".lock").toStdString());
+std::unique_ptr<platform::FileLock> lockOf(const QString& folder) {
+  return std::make_unique<platform::FileLock>(QDir(folder).filePath("." + fileName + ".lock").toStdString());
 }
 
 // Those of running windows too; the one that was saved last comes first.
@@ -62,9 +63,9 @@ QString nextResultFile(const QString& projectFile, const QString& stem) {
   }
 }
 
-UntitledProject::UntitledProject(const QString& folder, std::unique_ptr<FileLock> lock)
+UntitledProject::UntitledProject(const QString& folder, std::unique_ptr<platform::FileLock> lock)
     : folder_(folder), lock_(std::move(lock)) {
-  lock_->write(processName("squat-studio"));
+  lock_->write(platform::processName("squat-studio"));
 }
 
 // A folder that still holds something stays: a result that could not be read, say.

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/FileLock.h"
+#include "core/platform/FileLock.h"
 #include "project/Project.h"
 
 namespace squat::studio {
@@ -36,10 +36,10 @@ class UntitledProject {
   void clear();                              // the work is saved elsewhere, or discarded
 
  private:
-  UntitledProject(const QString& folder, std::unique_ptr<FileLock> lock);
+  UntitledProject(const QString& folder, std::unique_ptr<platform::FileLock> lock);
 
   QString folder_;
-  std::unique_ptr<FileLock> lock_;
+  std::unique_ptr<platform::FileLock> lock_;
 };
 
 // The newest work that a window left which no longer runs; it belongs to this window now.

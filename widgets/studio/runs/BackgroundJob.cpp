@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "studio/common/ThreadPriority.h"
+#include "core/platform/Threads.h"
 #include "studio/common/WaitForSignal.h"
 
 namespace squat::studio {
@@ -23,7 +23,7 @@ void BackgroundJob::start(Work work) {
   monitor_ = std::make_unique<WorkerMonitor>();
   error_ = nullptr;
   thread_ = std::thread([this, work = std::move(work)] {
-    giveWayToTheWindow();
+    platform::giveWay();  // to the window
     try {
       work(*monitor_);
     } catch (...) {

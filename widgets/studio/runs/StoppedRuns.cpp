@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "case/CaseFile.h"
+#include "core/platform/Process.h"
 #include "results/Checkpoint.h"
 
 namespace squat::studio {
@@ -50,16 +51,16 @@ QDateTime StoppedRuns::time(const QString& file) {
 // Asked with every change of the case: without a run under way there is no lock to be opened.
 QString StoppedRuns::owner(const QString& file) {
   if (file.isEmpty() || !QFileInfo::exists(file + lockEnding)) return {};
-  FileLock lock((file + lockEnding).toStdString());
+  platform::FileLock lock((file + lockEnding).toStdString());
   if (lock.held()) lock.write({});  // a process that died has left it: without its text it goes with this one
   return QString::fromStdString(lock.other());
 }
 
-std::unique_ptr<FileLock> StoppedRuns::hold(const QString& file) {
+std::unique_ptr<platform::FileLock> StoppedRuns::hold(const QString& file) {
   if (file.isEmpty()) return nullptr;
-  auto lock = std::make_unique<FileLock>((file + lockEnding).toStdString());
+  auto lock = std::make_unique<platform::FileLock>((file + lockEnding).toStdString());
   if (lock->isTaken()) return nullptr;
-  lock->write(processName("squat-studio"));
+  lock->write(platform::processName("squat-studio"));
   return lock;
 }
 

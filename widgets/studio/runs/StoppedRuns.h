@@ -8,7 +8,7 @@
 #include <string>
 
 #include "case/CaseDescription.h"
-#include "core/FileLock.h"
+#include "core/platform/FileLock.h"
 
 namespace squat::studio {
 
@@ -31,7 +31,7 @@ class StoppedRuns {
   // Who computes the run of this checkpoint now: "squat-studio (process 4711 on HOST)"; empty: nobody.
   static QString owner(const QString& file);
   // For as long as a run is under way. Null without a file, and where another window holds it.
-  static std::unique_ptr<FileLock> hold(const QString& file);
+  static std::unique_ptr<platform::FileLock> hold(const QString& file);
   static void forget(const QString& file);  // nothing happens where there is none, or its run is under way
 
  private:

@@ -192,7 +192,7 @@ class MainWindow : public QMainWindow {
   StudioServices services_;
   CaseDocument document_;
   RunStore store_;
-  std::unique_ptr<FileLock> held_;  // on the checkpoint; outlives the run
+  std::unique_ptr<platform::FileLock> held_;  // on the checkpoint; outlives the run
   RunController controller_;
   PreviewController preview_;
   StoppedRuns stopped_;

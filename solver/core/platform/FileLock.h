@@ -1,9 +1,9 @@
-// solver/core/FileLock.h - one owner of a file at a time.
+// solver/core/platform/FileLock.h - one owner of a file at a time.
 #pragma once
 
 #include <string>
 
-namespace squat {
+namespace squat::platform {
 
 // An advisory lock of the operating system (flock) on a file, made where missing and removed at the end of its life; a
 // process that dies loses the lock and leaves the file. Where the file system has no locks nothing is held, but the
@@ -31,8 +31,4 @@ class FileLock {
   bool isLocked_ = false;
 };
 
-// "OWNER (process 4711 on HOST)", at most 200 bytes.
-std::string processName(const std::string& owner);
-std::string hostName();
-
-}  // namespace squat
+}  // namespace squat::platform

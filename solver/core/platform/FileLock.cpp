@@ -1,4 +1,4 @@
-#include "core/FileLock.h"
+#include "core/platform/FileLock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <utility>
 
-namespace squat {
+namespace squat::platform {
 namespace {
 
 // An owner that ends removes the file: who has waited for it between opening and locking holds a lock on nothing.
@@ -21,7 +21,7 @@ bool standsThere(int file, const std::string& path) {
 }
 
 std::string textIn(int file) {
-  std::array<char, 256> text{};
+  std::array<char, 256> text{};  // more than a processName() (Process.h)
   const auto count = ::pread(file, text.data(), text.size(), 0);
   std::string owner(text.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
   owner.erase(owner.find_last_not_of('\n') + 1);
@@ -29,17 +29,6 @@ std::string textIn(int file) {
 }
 
 }  // namespace
-
-std::string hostName() {
-  std::array<char, 128> host{};
-  if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = 0;
-  return std::string(host.data()).substr(0, 64);
-}
-
-std::string processName(const std::string& owner) {
-  // The whole fits into what textIn() reads.
-  return owner.substr(0, 100) + " (process " + std::to_string(::getpid()) + " on " + hostName() + ")";
-}
 
 FileLock::FileLock(std::string path) : path_(std::move(path)) {
   for (;;) {
@@ -77,4 +66,4 @@ bool FileLock::write(const std::string& text) {
   return isWritten && ::ftruncate(file_, static_cast<off_t>(text.size())) == 0 && ::fdatasync(file_) == 0;
 }
 
-}  // namespace squat
+}  // namespace squat::platform

@@ -1,0 +1,25 @@
+// solver/core/platform/Threads.h - the calling thread and the core that it runs on.
+#pragma once
+
+#include <chrono>
+
+namespace squat::platform {
+
+// Times that the calling thread has lost its core to others against its will; 0: not known.
+long timesCoreWasLost();
+
+// That the calling thread has had.
+std::chrono::nanoseconds processorTime();
+
+// In a loop that waits for another thread: the processor spends less on it meanwhile. In the header, since a call would
+// take as long as the pause.
+inline void pauseOfAWait() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+// The calling thread, and those that it starts from here on, let the others of the machine go first.
+void giveWay();
+
+}  // namespace squat::platform
