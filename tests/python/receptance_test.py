@@ -17,12 +17,11 @@ def table(path):
     return dict(zip(head, numpy.array([[float(cell or "nan") for cell in row] for row in rows]).T))
 
 
-def computed(*words):
+def computed(*words, ends=("-receptance", "-decay-rate")):
     """The table of a call for the light defect."""
     with tempfile.TemporaryDirectory() as folder:
         program.squat("receptance", "light-defect", "--mesh", "tiny", *words, "--format", "svg", "-o", folder)
-        (path,) = [path for path in pathlib.Path(folder).glob("light-defect-*.csv")
-                   if path.stem.endswith(("-receptance", "-decay-rate"))]  # fmt: skip
+        (path,) = [path for path in pathlib.Path(folder).glob("light-defect-*.csv") if path.stem.endswith(ends)]
         return table(path)
 
 
@@ -83,6 +82,15 @@ class Receptance(unittest.TestCase):
         self.assertIn("nothing damps", str(raised.exception))
         self.assertEqual((raised.exception.step, raised.exception.partial), (0, None))
         self.assertIsInstance(raised.exception, squat.Error)
+
+    def test_modes_say_whether_both_sides_move_alike(self):
+        modes = squat.receptance(self.case, lowest=100, highest=200, step=50).modes
+        columns = computed("--from", 100, "--to", 200, "--step", 50, ends="-wheelset-modes")
+        self.assertEqual(len(modes["antisymmetric"]), len(modes["frequency"]))
+        self.assertTrue(numpy.allclose(modes["frequency"], columns["frequency [Hz]"], rtol=1e-5))
+        self.assertEqual([float(one) for one in modes["antisymmetric"]], list(columns["antisymmetric"]))
+        # A free wheelset bends and twists in both ways.
+        self.assertEqual({True, False}, set(modes["antisymmetric"]))
 
     def test_an_unknown_place_is_a_key_error(self):
         found = squat.receptance(self.case, lowest=100, highest=200, step=50)
