@@ -41,7 +41,7 @@ results::RunResult rolled(const cases::CaseDescription& description, int threads
 }
 
 const results::RunResult& oneSided() {
-  static const auto result = rolled(dip({{"model.extent", "whole"}, {"right.defect.depth", "0.01"}}));
+  static const auto result = rolled(dip({{"model.extent", "whole"}, {"right.defect.shape", "none"}}));
   return result;
 }
 
@@ -73,7 +73,8 @@ double energyResidual(const results::RunResult& result) {
 
 // Left and right are names: exchanged sides give exchanged signals.
 TEST(WholeModel, ExchangedSidesGiveExchangedSignals) {
-  const auto other = rolled(dip({{"model.extent", "whole"}, {"defect.depth", "0.01"}, {"right.defect.depth", "0.15"}}));
+  const auto other =
+      rolled(dip({{"model.extent", "whole"}, {"defect.shape", "none"}, {"right.defect.shape", "profile"}}));
   EXPECT_EQ(*other.signal("aba_right"), *oneSided().signal("aba"));
   EXPECT_EQ(*other.signal("aba"), *oneSided().signal("aba_right"));
 }
@@ -104,7 +105,7 @@ TEST(WholeModel, ADipOnTheLeftIsFeltOnTheRightWhenAWaveHasCrossed) {
 // limit is that of the half model (RunCaseTest): a fifth of the one at which a run is stopped.
 TEST(WholeModel, EnergyOfBothSidesIsBalanced) {
   const auto damped =
-      rolled(dip({{"model.extent", "whole"}, {"right.defect.depth", "0.01"}, {"wheelset.damping_ratio", "0.02"}}));
+      rolled(dip({{"model.extent", "whole"}, {"right.defect.shape", "none"}, {"wheelset.damping_ratio", "0.02"}}));
   EXPECT_LT(energyResidual(oneSided()), 1e-3);
   EXPECT_LT(energyResidual(damped), 1e-3);
   EXPECT_LT(largest(*damped.signal("aba_right")), largest(*oneSided().signal("aba_right")));
@@ -125,7 +126,7 @@ TEST(WholeModel, FeaturesTellTheSidesApart) {
 // With three threads the wheelset is shared among them, with one or two it is not.
 TEST(WholeModel, SameBitsForAnyNumberOfThreads) {
   for (const int threads : {1, 3}) {
-    const auto other = rolled(dip({{"model.extent", "whole"}, {"right.defect.depth", "0.01"}}), threads);
+    const auto other = rolled(dip({{"model.extent", "whole"}, {"right.defect.shape", "none"}}), threads);
     for (const auto& channel : oneSided().signals)
       EXPECT_EQ(*other.signal(channel.name), channel.values) << channel.name << ", threads: " << threads;
   }
@@ -133,7 +134,7 @@ TEST(WholeModel, SameBitsForAnyNumberOfThreads) {
 
 TEST(WholeModel, AResumedRunGivesTheSameBits) {
   const tests::TemporaryFolder folder;
-  const auto description = dip({{"model.extent", "whole"}, {"right.defect.depth", "0.01"}});
+  const auto description = dip({{"model.extent", "whole"}, {"right.defect.shape", "none"}});
   simulation::RunOptions options;
   options.threads = 2, options.wheelsetModes = options.snapshots = false;
   options.checkpointPath = folder / "whole.checkpoint", options.checkpointSeconds = 1e9;
@@ -149,7 +150,8 @@ TEST(WholeModel, AResumedRunGivesTheSameBits) {
 }
 
 // Sides that are not alike start from an equilibrium of their own: on a smooth rail each wheel carries what it carries
-// at rest, within the ripple of a patch of few points, and energy is balanced.
+// at rest, on the mean, and energy is balanced. A patch of few points ripples: the half model's force leaves that at
+// rest by up to 7 % on this mesh.
 TEST(WholeModel, UnlikeSidesStartAtRest) {
   const auto result = rolled(dip({{"model.extent", "whole"},
                                   {"defect.shape", "none"},
@@ -164,13 +166,18 @@ TEST(WholeModel, UnlikeSidesStartAtRest) {
     return std::nan("");
   };
   EXPECT_GT(atRest("contact_force"), 1.2 * atRest("contact_force_right"));
-  for (const std::string name : {"contact_force", "contact_force_right"})
-    for (const double force : *result.signal(name)) ASSERT_NEAR(force, atRest(name), 0.05 * atRest(name)) << name;
+  for (const std::string name : {"contact_force", "contact_force_right"}) {
+    const auto& forces = *result.signal(name);
+    double mean = 0;
+    for (const double force : forces) mean += force / static_cast<double>(forces.size());
+    EXPECT_NEAR(mean, atRest(name), 0.01 * atRest(name)) << name;
+    for (const double force : forces) ASSERT_NEAR(force, atRest(name), 0.1 * atRest(name)) << name;
+  }
 }
 
 // Rails of a random irregularity have one of their own each; the same one on both is said.
 TEST(WholeModel, RailsMayBeRoughInDifferentWays) {
-  const Settings rough{{"model.extent", "whole"}, {"defect.shape", "none"}, {"rail.irregularity", "iso3095"}};
+  const Settings rough{{"model.extent", "whole"}, {"defect.shape", "none"}, {"rail.irregularity", "iso-3095"}};
   Settings unlike = rough;
   unlike.push_back({"right.rail.irregularity_seed", "7"});
   const auto same = dip(rough), own = dip(unlike);
@@ -211,7 +218,7 @@ TEST(WholeModel, TheRightSideMayHaveAProfileOfItsOwn) {
 TEST(WholeModel, StartsFromAWarmState) {
   Settings keys{{"model.extent", "whole"},     {"motion.run_up", "0.1"},   {"motion.beyond", "0.06"},
                 {"mesh.zone_before", "30"},    {"mesh.zone_behind", "30"}, {"right.suspension.sprung_mass", "7000"},
-                {"right.defect.depth", "0.02"}};
+                {"right.defect.shape", "none"}};
   const auto made = dip(keys);
   simulation::RunOptions options;
   options.threads = 2, options.wheelsetModes = options.snapshots = false;
@@ -219,7 +226,7 @@ TEST(WholeModel, StartsFromAWarmState) {
   auto warm = simulation::makeWarmState(made, options, silent);
   ASSERT_TRUE(warm);
   options.warm = std::make_shared<const simulation::WarmState>(*std::move(warm));
-  keys.back() = {"right.defect.length", "20"};
+  keys.back() = {"right.defect.height_scale", "0.5"};
   const auto other = dip(keys);
   const auto from = simulation::runCase(other, options, silent);
   const auto whole = rolled(other);
