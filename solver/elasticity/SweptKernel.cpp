@@ -2,32 +2,30 @@
 
 #include <stdexcept>
 
+#include "elasticity/SweptKernelUnits.h"
+
 namespace squat::elasticity {
 
-KernelSet kernelsSse2(Precision precision);
-KernelSet kernelsAvx2(Precision precision);
-KernelSet kernelsAvx512(Precision precision);
+std::vector<std::string> knownInstructionSets() {
+  std::vector<std::string> sets;
+  for (const auto& unit : kernelUnits()) sets.push_back(unit.name);
+  return sets;
+}
 
 std::vector<std::string> availableInstructionSets() {
-  std::vector<std::string> sets{"sse2"};
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    sets.push_back("avx2");
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-      sets.push_back("avx512");
-  }
+  std::vector<std::string> sets;
+  for (const auto& unit : kernelUnits())
+    if (unit.isUsable) sets.push_back(unit.name);
   return sets;
 }
 
 KernelSet kernelsFor(const std::string& isa, Precision precision) {
-  const auto available = availableInstructionSets();
-  const std::string wanted = isa.empty() ? available.back() : isa;
+  const std::string wanted = isa.empty() ? availableInstructionSets().back() : isa;
   std::string names;
-  for (const auto& name : available) {
-    if (name == wanted)
-      return name == "avx512" ? kernelsAvx512(precision)
-             : name == "avx2" ? kernelsAvx2(precision)
-                              : kernelsSse2(precision);
-    names += (names.empty() ? "" : ", ") + name;
+  for (const auto& unit : kernelUnits()) {
+    if (!unit.isUsable) continue;
+    if (unit.name == wanted) return unit.kernels(precision);
+    names += (names.empty() ? "" : ", ") + unit.name;
   }
   throw std::invalid_argument("instruction set '" + wanted + "' is not available here; this processor has " + names);
 }

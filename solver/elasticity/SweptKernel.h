@@ -118,7 +118,7 @@ struct KernelCall {
 enum class Precision { doubleInside, singleInside };
 
 struct KernelSet {
-  std::string name;  // "sse2", "avx2", "avx512"
+  std::string name;  // "sse2", "avx2", "avx512"; "neon"
   Precision precision = Precision::doubleInside;
   void (*applyStiffness)(const KernelCall&) = nullptr;
   void (*carryOver)(const KernelCall&) = nullptr;  // carry of the interval before call.first, nothing else
@@ -129,7 +129,8 @@ struct KernelSet {
 // Kernels for a named instruction set; empty: the best that this processor has. Throws std::invalid_argument for a name
 // that is not known or that this processor lacks.
 KernelSet kernelsFor(const std::string& isa, Precision precision = Precision::doubleInside);
-std::vector<std::string> availableInstructionSets();
+std::vector<std::string> availableInstructionSets();  // the best last
+std::vector<std::string> knownInstructionSets();      // whether or not this one of the kind of processor has them
 
 std::size_t kernelWorkspace(int window);     // doubles
 std::size_t forceWorkspace(int forceSlots);  // doubles

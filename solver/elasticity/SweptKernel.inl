@@ -1,5 +1,6 @@
 // Body of the kernels; included once per instruction set with LANES (doubles a vector) and WIDEST (vectors a group)
-// set.
+// set, behind what its processors have of their own (SweptKernelX86.inl, SweptKernelArm64.inl): FlushTiny, ask(),
+// fixed().
 #include <chrono>
 
 // Each needs those before it.

@@ -1,6 +1,6 @@
 #define LANES 4
 #define WIDEST 2
-#include "elasticity/SweptKernel.inl"
+#include "elasticity/SweptKernelX86.inl"
 
 namespace squat::elasticity {
 

@@ -1,6 +1,6 @@
 #define LANES 8
 #define WIDEST 4
-#include "elasticity/SweptKernel.inl"
+#include "elasticity/SweptKernelX86.inl"
 
 namespace squat::elasticity {
 

@@ -150,10 +150,8 @@ inline void gather(const KernelCall& call, const Group<Real>& group, const Rigid
 }
 
 // Memory is asked for so many nodes ahead, about a microsecond: the processor's own prefetchers come too late where
-// rows change from one array to the next. Assembly, for GCC takes a function of nothing but __builtin_prefetch for an
-// empty one and leaves out its calls.
+// rows change from one array to the next.
 constexpr int sourceAhead = 3, stepAhead = 2;
-inline void ask(const double* p) { asm volatile("prefetcht0 %0" : : "m"(*p)); }
 
 // Three lines of a node.
 inline void askLines(const double* lines, std::size_t line, int stations) {
@@ -165,17 +163,6 @@ inline void askSource(const KernelCall& call, const Group<Real>& group, int node
   const auto n = static_cast<std::size_t>(node);
   askLines(call.source + group.state + n * 3 * chunk, chunk, group.count);
   for (int c = 0; c < 3; ++c) ask(group.next + n * group.nextNode + c * group.nextLine);
-}
-
-// A value that stays in its register: without this the compiler loads it anew for each of its three products.
-template <typename Packed>
-inline Packed fixed(Packed value) {
-#if LANES == 8
-  asm("" : "+v"(value));
-#else
-  asm("" : "+x"(value));
-#endif
-  return value;
 }
 
 // Coefficients of a part's vectors: the same for all, or their own.

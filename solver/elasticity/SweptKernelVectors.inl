@@ -1,6 +1,6 @@
 // What the kernels of one instruction set work with; LANES (doubles a vector) and WIDEST (vectors a group) are set. GCC
 // vector types: the same text for every width. No reassociation is allowed, so that a lane's result does not depend on
-// how stations are grouped.
+// how stations are grouped; products and sums may become one operation (cmake/Kernels.cmake).
 #include "elasticity/SweptKernel.h"
 
 namespace squat::elasticity {
@@ -65,16 +65,6 @@ inline Vector advanced(Vector now, Vector after) {
   return __builtin_shufflevector(now, after, 1, 2);
 #endif
 }
-
-// While one stands, numbers too small for full precision count as zero: ahead of a wave front they would cost some
-// processors a hundred times the work.
-struct FlushTiny {
-  unsigned before = __builtin_ia32_stmxcsr();
-  FlushTiny() { __builtin_ia32_ldmxcsr(before | 0x8040); }  // flush to zero, denormals are zero
-  ~FlushTiny() { __builtin_ia32_ldmxcsr(before); }
-  FlushTiny(const FlushTiny&) = delete;
-  FlushTiny& operator=(const FlushTiny&) = delete;
-};
 
 constexpr int chunk = stationChunk;
 

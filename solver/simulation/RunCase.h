@@ -19,7 +19,7 @@ struct WarmState;  // WarmState.h
 
 struct RunOptions {
   int threads = 0;                 // 0: all cores
-  std::string isa;                 // empty: the best this processor has; else sse2, avx2, avx512
+  std::string isa;                 // empty: the best this processor has; else SweptKernel.h
   bool wheelsetModes = true;       // compute the natural modes of the half wheelset
   bool snapshots = true;           // keep fields for pictures
   std::string checkpointPath;      // empty: no checkpoints

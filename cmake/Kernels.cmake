@@ -1,0 +1,37 @@
+# Kernels: what most of the time of a run goes into, written for the vectors of the processor. One binary for all
+# processors of a kind: each unit is compiled for its own instruction set and chosen at run time.
+#
+# squat_kernels(NAME): adds NAMESse2.cpp, NAMEAvx2.cpp, ... to the solver and NAMEUnitsX86.cpp, which knows them; on
+# other kinds of processor theirs.
+#
+# Multiplications and additions of the kernels become one operation, rounded once, wherever an instruction set has it
+# (all but SSE2): the compiler's default for C++. Everything else rounds twice, as x86 does where nothing is asked of the
+# processor; so that it does on ARM as well, that default is turned off there, and on again for the kernels. What the
+# kernels rely on is only that all instances of a loop are contracted alike, however its stations are grouped.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  set(kernel_processor X86)
+  set(kernel_units Sse2 Avx2 Avx512)
+  set(kernel_options_Sse2 -O3)
+  set(kernel_options_Avx2 -O3 -mavx2 -mfma)
+  set(kernel_options_Avx512 -O3 -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
+  set(kernel_processor Arm64)
+  set(kernel_units Neon)
+  set(kernel_options_Neon -O3 -ffp-contract=fast)
+  target_compile_options(squat_flags INTERFACE -ffp-contract=off)
+else()
+  message(FATAL_ERROR "There are no kernels for the processor '${CMAKE_SYSTEM_PROCESSOR}'; cmake/Kernels.cmake lists those that "
+    "there are")
+endif()
+
+function(squat_kernels name)
+  set(sources)
+  foreach(unit IN LISTS kernel_units)
+    list(APPEND sources ${name}${unit}.cpp)
+  endforeach()
+  squat_sources(squat_solver ${name}Units${kernel_processor}.cpp ALONE ${sources})
+  foreach(unit IN LISTS kernel_units)
+    set_source_files_properties(${name}${unit}.cpp TARGET_DIRECTORY squat_solver PROPERTIES
+      COMPILE_OPTIONS "${kernel_options_${unit}}")
+  endforeach()
+endfunction()
