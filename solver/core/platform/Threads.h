@@ -16,6 +16,8 @@ std::chrono::nanoseconds processorTime();
 inline void pauseOfAWait() {
 #if defined(__x86_64__)
   __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("isb");  // `yield` does nothing on most of these processors; this takes about as long as x86's pause
 #endif
 }
 
