@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "case/ParameterTable.h"
+#include "elasticity/SweptKernel.h"
 
 namespace squat::commands {
 
@@ -31,6 +34,13 @@ std::string limitThreads(std::string& input) {
   return {};
 }
 
+// "sse2, avx2 or avx512": man pages and completion read the choices there.
+std::string listed(const std::vector<std::string>& names) {
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 == names.size() ? " or " : ", ") + names[i];
+  return text;
+}
+
 }  // namespace
 
 int usefulThreads(int cores) { return std::max(8, 4 * cores); }
@@ -43,8 +53,9 @@ void addThreads(CLI::App& command, int& threads, const std::string& help) {
 }
 
 void addInstructionSet(CLI::App& command, std::string& isa) {
-  command.add_option("--isa", isa, "Instruction set: sse2, avx2 or avx512 (default: best available)")
-      ->check(CLI::IsMember({"sse2", "avx2", "avx512"}))
+  const auto names = elasticity::knownInstructionSets();
+  command.add_option("--isa", isa, "Instruction set: " + listed(names) + " (default: best available)")
+      ->check(CLI::IsMember(names))
       ->type_name("NAME");
 }
 

@@ -155,7 +155,7 @@ struct MassSample {
   }
 
   AlignedVector bareAccelerations() const {
-    AlignedVector a = applySwept(blocks, displaced, "sse2");
+    AlignedVector a = applySwept(blocks, displaced, availableInstructionSets().front());
     for (std::size_t b = 0; b < blocks.size(); ++b)
       for (const std::size_t i : unknownsOf(blocks[b])) {
         const auto at = blocks[b].unknownAt(i);

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/DurableFile.h"
+#include "elasticity/SweptKernel.h"
 #include "pages/Program.h"
 #include "results/SampleResult.h"
 
@@ -50,7 +51,10 @@ TEST_F(Completion, OfOptionsOfTheCommand) {
 
 TEST_F(Completion, OfValues) {
   EXPECT_EQ(offered("run --mesh ''"), "tiny draft standard paper");
-  EXPECT_EQ(offered("run light-defect --isa avx"), "avx2 avx512");
+  std::string sets;  // on x86 two
+  for (const auto& name : elasticity::knownInstructionSets())
+    if (name.starts_with("avx")) sets += (sets.empty() ? "" : " ") + name;
+  EXPECT_EQ(offered("run light-defect --isa avx"), sets);
 }
 
 TEST_F(Completion, OfTheLastInAList) {
