@@ -17,7 +17,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
   set(kernel_processor Arm64)
   set(kernel_units Neon)
-  set(kernel_options_Neon -O3 -ffp-contract=fast)
+  # Without the scheduling before registers are given out, which GCC leaves out on x86: it moves so many loads ahead that
+  # the operator's sums go to the stack and back.
+  set(kernel_options_Neon -O3 -ffp-contract=fast $<$<CXX_COMPILER_ID:GNU>:-fno-schedule-insns>)
   target_compile_options(squat_flags INTERFACE -ffp-contract=off)
 else()
   message(FATAL_ERROR "There are no kernels for the processor '${CMAKE_SYSTEM_PROCESSOR}'; cmake/Kernels.cmake lists those that "
