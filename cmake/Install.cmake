@@ -22,8 +22,8 @@ add_custom_command(OUTPUT ${pages}/made
   COMMAND ${CMAKE_COMMAND} -E touch ${pages}/made
   DEPENDS squat_pages ${programs} VERBATIM
   COMMENT "Man pages, shell completion and reference pages from the programs' own help and table of parameters")
-if(SQUAT_SANITIZERS)
-  add_custom_target(pages DEPENDS ${pages}/made)  # nobody installs these programs
+if(SQUAT_SANITIZERS OR CMAKE_CROSSCOMPILING)
+  add_custom_target(pages DEPENDS ${pages}/made)  # nobody installs these programs, or they do not start here
 else()
   add_custom_target(pages ALL DEPENDS ${pages}/made)
 endif()
@@ -41,7 +41,7 @@ if(TARGET squat_manual)
     COMMAND squat_manual ${PROJECT_SOURCE_DIR}/resources/manual/README.md ${pages}/manual ${html}
     DEPENDS squat_manual ${pages}/made ${texts} CHANGELOG.md CONTRIBUTING.md VERBATIM
     COMMENT "Manual as one HTML file")
-  if(SQUAT_SANITIZERS)
+  if(SQUAT_SANITIZERS OR CMAKE_CROSSCOMPILING)
     add_custom_target(manual DEPENDS ${html})
   else()
     add_custom_target(manual ALL DEPENDS ${html})
