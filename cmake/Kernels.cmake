@@ -5,9 +5,10 @@
 # other kinds of processor theirs.
 #
 # Multiplications and additions of the kernels become one operation, rounded once, wherever an instruction set has it
-# (all but SSE2): the compiler's default for C++. Everything else rounds twice, as x86 does where nothing is asked of the
-# processor; so that it does on ARM as well, that default is turned off there, and on again for the kernels. What the
-# kernels rely on is only that all instances of a loop are contracted alike, however its stations are grouped.
+# (all but SSE2): the compiler's default for C++. Everything else of ours rounds twice, since not all x86 processors have
+# it; so that it does on ARM as well, that default is turned off there, and on again for the kernels.
+# (Eigen's vectors on ARM round once where Eigen says so.) What the kernels rely on is only that all instances of a loop
+# are contracted alike, however its stations are grouped.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
   set(kernel_processor X86)
   set(kernel_units Sse2 Avx2 Avx512)
@@ -17,13 +18,12 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
   set(kernel_processor Arm64)
   set(kernel_units Neon)
-  # Without the scheduling before registers are given out, which GCC leaves out on x86: it moves so many loads ahead that
-  # the operator's sums go to the stack and back.
+  # Without the scheduling before registers are given out, which GCC leaves out on x86: it moves so many loads ahead
+  # that the operator's sums go to the stack and back.
   set(kernel_options_Neon -O3 -ffp-contract=fast $<$<CXX_COMPILER_ID:GNU>:-fno-schedule-insns>)
   target_compile_options(squat_flags INTERFACE -ffp-contract=off)
 else()
-  message(FATAL_ERROR "There are no kernels for the processor '${CMAKE_SYSTEM_PROCESSOR}'; cmake/Kernels.cmake lists those that "
-    "there are")
+  message(FATAL_ERROR "no kernels for the processor '${CMAKE_SYSTEM_PROCESSOR}'; cmake/Kernels.cmake has those there are")
 endif()
 
 function(squat_kernels name)
