@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -132,7 +133,7 @@ void addDetection(py::module_& module) {
         search.options.threshold = threshold, search.options.falseAlarms = falseAlarms;
         search.options.leastShare = leastShare, search.options.threads = threads;
         checkOptions(search.options, diameter);
-        if (diameter) search.options.surroundings.circumference = M_PI * *diameter;
+        if (diameter) search.options.surroundings.circumference = std::numbers::pi * *diameter;
         auto& source = search.source;
         if (vehicle) source.vehicle = vehicle->description, source.vehicleName = vehicle->stem, makeFolder(folder);
         source.folder = folder.string(), source.examplesFile = examples.string();

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "analysis/OptionText.h"
 #include "commands/CaseOptions.h"
@@ -114,7 +115,7 @@ int notWritten(TerminalMonitor& monitor) {
 }
 
 int detect(DetectCommandOptions options) {
-  if (options.diameter > 0) options.detect.surroundings.circumference = M_PI * options.diameter;
+  if (options.diameter > 0) options.detect.surroundings.circumference = std::numbers::pi * options.diameter;
   if (options.folder.empty()) options.folder = ".";
   options.limits = detection::severityLimitsFromText(options.light, options.moderate);
   const auto search = searchOf(options);

@@ -11,7 +11,8 @@
 namespace squat::analysis {
 
 // Columns with their units ("peak [m/s2]") and values: signals::featureRow of runFeatures, and the extremes of the
-// contact force; of a whole model those of the right side behind them. Throws SignalError where the record is too short.
+// contact force; of a whole model those of the right side behind them. Throws SignalError where the record is too
+// short.
 std::vector<std::pair<std::string, double>> featureTable(const results::RunResult& result);
 
 // Name of a feature in one word, without its unit: "peak_1_frequency" for "peak 1 frequency [Hz]".

@@ -232,31 +232,47 @@ void readNamedTables(CaseDescription& description, const CaseOverrides& override
   }
 }
 
-// The profile that the right side names for itself, in the same way.
-void readRightProfile(CaseDescription& description, const CaseOverrides& overrides, const std::filesystem::path& folder,
-                      Problems& problems) {
+// The profile that the right side names for itself, as readNamedTables() reads that of the left one. A right side that
+// states another shape may keep the name.
+void readRightProfile(CaseDescription& description, const CaseOverrides& overrides,
+                      const std::filesystem::path& folder) {
   const auto& table = *namedTable("defect.file");
   const auto isOwn = [&](const std::string& key) {
     return std::any_of(description.right.begin(), description.right.end(),
                        [&](const auto& stated) { return stated.first == key; });
   };
-  if (!isOwn(table.fileKey)) return;
-  const std::string fileKey = std::string(rightGroup) + "." + table.fileKey;
-  const bool fileSet = overrideOf(overrides, fileKey) != nullptr;
+  const auto isSet = [&](const std::string& key) {
+    return overrideOf(overrides, std::string(rightGroup) + "." + key) != nullptr;
+  };
+  const auto any = [&](const auto& matches) {
+    return std::any_of(table.valueKeys.begin(), table.valueKeys.end(), matches);
+  };
   CaseDescription right = rightOf(description);
-  if (!table.isWanted(right)) {
-    problems.add(
-        {std::string(rightGroup) + ".defect.shape", valueText(right, *findParameter("defect.shape")),
-         "profile if " + fileKey + " is given", "Give shape = \"profile\" to [right.defect], or remove " + fileKey},
-        fileSet ? " (--set)" : std::string());
-    return;
-  }
-  if (std::any_of(table.valueKeys.begin(), table.valueKeys.end(), isOwn) && !fileSet) return;
+  if (!isOwn(table.fileKey) || !table.isWanted(right)) return;
+  const bool fileSet = isSet(table.fileKey);
+  if (any(isOwn) && (!fileSet || any(isSet))) return;
   const std::filesystem::path named = table.file(right);
   table.clear(right);
   table.read(right, named.is_absolute() || fileSet ? named : folder / named);
   for (const auto& key : table.valueKeys)
-    if (auto wrong = trySetRight(description, key, valueText(right, *findParameter(key)))) problems.add(*wrong, "");
+    if (auto wrong = trySetRight(description, key, valueText(right, *findParameter(key)))) throw CaseError({*wrong});
+}
+
+// As checkProfileIsUsed(): a profile named on the right, in the file or with --set, where nothing on the right asks for
+// one.
+void checkRightProfileIsUsed(const CaseDescription& description, const std::vector<Stated>& stated,
+                             const CaseOverrides& overrides, Problems& problems) {
+  const CaseDescription right = rightOf(description);
+  if (right.defect.file.empty() || right.defect.shape == DefectShape::profile) return;
+  const std::string start = std::string(rightGroup) + ".";
+  const auto levelOf = [&](std::string_view key) { return overrideOf(overrides, key) ? 2 : find(stated, key) ? 1 : 0; };
+  const int level = levelOf(start + "defect.file");
+  if (level <= levelOf(start + "defect.shape")) return;
+  const Stated* line = level == 1 ? find(stated, start + "defect.file") : nullptr;
+  problems.add({start + "defect.shape", valueText(right, *findParameter("defect.shape")),
+                "profile if " + start + "defect.file is given",
+                "Give shape = \"profile\" to [right.defect], or remove right.defect.file"},
+               level == 2 ? " (--set)" : lineNote(line ? line->line : 0));
 }
 
 struct Reading {
@@ -277,10 +293,13 @@ CaseDescription parse(std::string_view text, const std::string& origin, const st
   applyStated(description, stated, presets, problems);
   applyOverrides(description, overrides, problems);
   applyRight(description, stated, overrides, problems);
-  if (reading.finished) checkProfileIsUsed(description, stated, overrides, problems);
+  if (reading.finished) {
+    checkProfileIsUsed(description, stated, overrides, problems);
+    checkRightProfileIsUsed(description, stated, overrides, problems);
+  }
   if (reading.opensFiles) {
     readNamedTables(description, overrides, folder, problems);
-    if (problems.empty()) readRightProfile(description, overrides, folder, problems);
+    if (problems.empty()) readRightProfile(description, overrides, folder);
   }
   for (auto& finding : reading.finished ? validateRelations(description) : std::vector<Finding>())
     if (finding.severity == Severity::problem && !problems.concern(finding.keys)) {

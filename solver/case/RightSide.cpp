@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t longestShown = 60;  // letters of a key in a message
 constexpr std::string_view whatMayDiffer =
-    "the right side may have its own defect, pads, ballast, suspension, friction, lateral offset and seed of the "
-    "irregularity";
+    "the right side may have its own defect, stiffness and damping of pads and ballast, sprung mass and suspension, "
+    "friction, lateral offset and seed of the irregularity";
 
 }  // namespace
 
@@ -33,7 +33,8 @@ bool mayDiffer(std::string_view key) {
   if (!parameter || key.ends_with(".loss_factor")) return false;
   const bool isTable = isList(*parameter) || parameter->kind == Kind::text;
   if (isTable && parameter->group != "defect") return false;
-  if (key.starts_with("suspension.lateral_")) return false;  // of the wheelset
+  // Of the wheelset; what the meshes of both sides have in common.
+  if (key.starts_with("suspension.lateral_") || key == "pad.length" || key == "pad.width") return false;
   const auto among = [](const auto& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();
   };
@@ -41,8 +42,11 @@ bool mayDiffer(std::string_view key) {
 }
 
 bool startsAlike(const CaseDescription& description) {
-  return std::none_of(description.right.begin(), description.right.end(),
-                      [](const auto& stated) { return countsBeforeDefect(*findParameter(stated.first)); });
+  const auto right = rightOf(description);
+  return std::none_of(description.right.begin(), description.right.end(), [&](const auto& stated) {
+    const auto& parameter = *findParameter(stated.first);
+    return countsBeforeDefect(parameter) && valueText(right, parameter) != valueText(description, parameter);
+  });
 }
 
 const Parameter* findOnEitherSide(std::string_view key) {

@@ -7,6 +7,7 @@
 #include "case/Findings.h"
 #include "case/ParameterValue.h"
 #include "case/RightSide.h"
+#include "scenario/WheelsetMass.h"
 
 namespace squat::cases {
 
@@ -46,12 +47,40 @@ void addRightSide(const CaseDescription& description, std::vector<Finding>& find
   }
 }
 
+// A wheelset carried at its journals and standing on its wheels: half of the difference of the loads, times the ratio
+// of the levers, is added on one side and taken off on the other.
+void checkBothWheelsStand(const CaseDescription& left, const CaseDescription& right, std::vector<Finding>& findings) {
+  const auto& w = left.wheelset;
+  const double lever = (w.trackCentre + w.bearingCentre) / w.trackCentre, own = scenario::wheelsetMass(w);
+  const double onLeft = left.suspension.sprungMass, onRight = right.suspension.sprungMass;
+  const double light = std::min(onLeft, onRight), heavy = std::max(onLeft, onRight);
+  const double standing = own + 0.5 * (light + heavy) - 0.5 * lever * (heavy - light);  // [kg] on the light side
+  constexpr double least = 0.02;  // of the mean: closer than that, rounding and deflections decide
+  if (standing > least * (own + 0.5 * (light + heavy))) return;
+  const double needed = (0.5 * heavy * (lever - 1) - (1 - least) * own) * 2 / (1 + lever);
+  const std::string key = "suspension.sprung_mass";
+  const bool isRight = onRight < onLeft;
+  CaseProblem problem{key, relations::rounded(light) + " kg",
+                      "at least " + relations::rounded(1.05 * needed, relations::Side::above) + " kg",
+                      std::string("The ") + (isRight ? "right" : "left") +
+                          " wheel lifts: the load on the other side, " + relations::rounded(heavy) +
+                          " kg, tips the wheelset over its wheel"};
+  findings.push_back({Severity::problem, isRight ? cases::onRight(std::move(problem)) : std::move(problem), {key}});
+}
+
 }  // namespace
 
 std::vector<Finding> validateRelations(const CaseDescription& description) {
   auto findings = validateSide(description);
   if (description.extent == ModelExtent::half) return findings;
   if (!description.right.empty()) addRightSide(description, findings);
+  checkBothWheelsStand(description, rightOf(description), findings);
+  if (description.wheelset.bearingStiffness > 0)
+    relations::add(
+        findings, description, Severity::warning, {"wheelset.bearing_stiffness", "model.extent"},
+        "0 for lateral signals",
+        "A box on a spring has no mass along the axle: aba_lateral and the wheelset's lateral motion are those "
+        "of a wheelset without boxes");
   const auto& rail = description.rail.irregularity;
   if (rail.kind != IrregularityKind::none && rightOf(description).rail.irregularity.seed == rail.seed)
     relations::add(findings, description, Severity::warning, {"rail.irregularity", "model.extent"},

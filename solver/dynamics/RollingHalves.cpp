@@ -9,20 +9,6 @@ namespace squat::dynamics {
 
 Rolling::~Rolling() = default;
 
-namespace {
-
-// Whether a motion of the one may be added to one of the other, unknown by unknown.
-bool haveLikeUnknowns(const model::Model& a, const model::Model& b) {
-  if (a.stateSize != b.stateSize || a.blocks.size() != b.blocks.size() || a.body != b.body) return false;
-  for (std::size_t i = 0; i < a.blocks.size(); ++i)
-    if (a.blocks[i].offset != b.blocks[i].offset || a.blocks[i].nodes != b.blocks[i].nodes ||
-        a.blocks[i].stationCount != b.blocks[i].stationCount)
-      return false;
-  return true;
-}
-
-}  // namespace
-
 void Rolling::take(Rolling& right) {
   if (!haveLikeUnknowns(model_, right.model_))
     throw std::invalid_argument("both halves of a wheelset need meshes with the same unknowns");

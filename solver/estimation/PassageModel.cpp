@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "case/ParameterValue.h"
 #include "case/RightSide.h"
@@ -44,7 +45,7 @@ cases::CaseDescription caseForSearch(const cases::CaseDescription& description, 
   cases::requireHalf(description, "an estimate");
   auto searched = description;
   ProfilePoints points;  // some dip; every run has its own
-  for (int i = -10; i <= 10; ++i) points.push_back({2e-3 * i, -5e-5 * (1 + std::cos(i * 0.1 * M_PI))});
+  for (int i = -10; i <= 10; ++i) points.push_back({2e-3 * i, -5e-5 * (1 + std::cos(i * 0.1 * std::numbers::pi))});
   searched = withProfile(searched, points);
   searched.mesh.zoneBefore = -window.first + margin, searched.mesh.zoneBehind = window.last + margin;
   // The wheel starts outside the zone, as makeWarmState asks.

@@ -48,6 +48,15 @@ void fixUnknowns(Model& model, Centre centre) {
   for (int i = 0; i < model.sleepers; ++i) fixSleeper(model, model.blocks[model.firstSleeper + i], centre);
 }
 
+bool haveLikeUnknowns(const Model& a, const Model& b) {
+  if (a.stateSize != b.stateSize || a.blocks.size() != b.blocks.size() || a.body != b.body) return false;
+  for (std::size_t i = 0; i < a.blocks.size(); ++i)
+    if (a.blocks[i].offset != b.blocks[i].offset || a.blocks[i].nodes != b.blocks[i].nodes ||
+        a.blocks[i].stationCount != b.blocks[i].stationCount)
+      return false;
+  return true;
+}
+
 CentreNodes axleCentre(const Model& model) {
   CentreNodes centre{model.body, {}, {1, 1, -1}};
   const auto& body = model.blocks[model.body];

@@ -27,6 +27,10 @@ void fixUnknowns(Model& model, Centre centre);
 // Of one sleeper.
 void fixSleeper(Model& model, const elasticity::SweptBlock& sleeper, Centre centre);
 
+// Whether a motion of the one model may be added to one of the other, unknown by unknown: as both halves of one need
+// it.
+bool haveLikeUnknowns(const Model& a, const Model& b);
+
 // Nodes of a block in the centre plane; `sign` of each component: 1 where both halves move alike, -1 where oppositely.
 struct CentreNodes {
   int block = 0;

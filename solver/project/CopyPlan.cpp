@@ -8,6 +8,7 @@
 #include "case/CaseDescription.h"
 #include "case/CaseFile.h"
 #include "case/NamedTables.h"
+#include "case/RightSide.h"
 #include "core/DurableFile.h"
 #include "core/platform/File.h"
 
@@ -32,14 +33,25 @@ fs::path numbered(const std::string& kind, int number) {
   return number == 1 ? fs::path(kind) : fs::path(kind) / std::to_string(number);
 }
 
+// The names of all tables that a case has, of both sides; each once.
+std::vector<std::string> tablesOf(const cases::CaseDescription& description) {
+  std::vector<std::string> names;
+  for (auto side : {description, cases::rightOf(description)})
+    for (const auto& table : cases::namedTables())
+      if (const auto& name = table.file(side);
+          !name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+  return names;
+}
+
 // The table that has this name in a case gets another; false: none has.
 bool renameTable(cases::CaseDescription& description, const std::string& from, const std::string& to) {
+  bool isRenamed = false;
   for (const auto& table : cases::namedTables())
-    if (table.file(description) == from) {
-      table.file(description) = to;
-      return true;
-    }
-  return false;
+    if (table.file(description) == from) table.file(description) = to, isRenamed = true;
+  for (auto& [key, text] : description.right)
+    if (cases::namedTable(key) && text == from) text = to, isRenamed = true;
+  return isRenamed;
 }
 
 // The text of a case with `profile`, which it names by a full path, named `name` instead; empty where that path is not
@@ -50,9 +62,10 @@ std::string renamedProfile(const std::string& path, const std::string& profile, 
   const auto before = cases::parseCase(text, path, fs::path(path).parent_path());
   for (const char quote : {'"', '\''}) {
     const std::string written = quote + profile + quote;
-    const auto at = text.find(written);
+    auto at = text.find(written);
     if (at == std::string::npos) continue;
-    text.replace(at, written.size(), quote + name + quote);
+    for (; at != std::string::npos; at = text.find(written, at))
+      text.replace(at, written.size(), quote + name + quote), at += name.size() + 2;
     auto after = cases::parseCase(text, path, fs::path(profile).parent_path());
     return renameTable(after, name, name) && cases::caseHash(after) == cases::caseHash(before) ? text : std::string();
   }
@@ -110,11 +123,9 @@ class Planner {
     std::vector<fs::path> beside;  // tables that the case names by a path relative to its own
     std::string full;              // and the one by a full path
     try {
-      auto description = cases::readCase(path);
-      for (const auto& named : cases::namedTables()) {
-        const auto& table = named.file(description);
+      for (const auto& table : tablesOf(cases::readCase(path))) {
         const fs::path at = (fs::path(path).parent_path() / table).lexically_normal();
-        if (table.empty() || !isReadable(at)) continue;  // the case has the points of the table itself
+        if (!isReadable(at)) continue;  // the case has the points of the table itself
         if (fs::path(table).is_relative())
           beside.push_back(at);
         else if (full.empty() && beside.empty())

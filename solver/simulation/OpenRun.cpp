@@ -1,6 +1,7 @@
 #include "simulation/OpenRun.h"
 
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <utility>
 
@@ -181,6 +182,23 @@ std::vector<statics::SteadyRollingStart> OpenRun::findStart() {
   return {start, start};
 }
 
+// Friction, which would hold the wheelset, is not there yet.
+void OpenRun::warnOfLateralShift(const statics::Equilibrium& left, const statics::Equilibrium& right) {
+  constexpr double usual = 0.1e-3;  // [m]
+  const auto outwards = [&](const statics::Equilibrium& e) {
+    return ringLateralMean(model, model.bearing, e.displacement.data());
+  };
+  const double shift = 0.5 * (outwards(left) - outwards(right));
+  if (std::abs(shift) < usual) return;
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "at rest, where no friction holds it, the wheelset stands %.2f mm to the %s: the forces of the wheels on "
+      "the rails lean; see motion.lateral_offset of both sides and suspension.lateral_stiffness",
+      1e3 * std::abs(shift), shift > 0 ? "left" : "right");
+  warn(text);
+}
+
 void OpenRun::makeRolling() {
   rolling.emplace(model, kernels, *team, steps.step, steps.beta);
   if (rightModel) {
@@ -206,6 +224,7 @@ bool OpenRun::begin(std::future<Modes> modes) {
   if (equilibrium.cancelled) return false;
   describeEquilibrium(model, equilibrium, result);
   if (rightModel) describeRightEquilibrium(*rightModel, starts.back().equilibrium, result);
+  if (rightModel) warnOfLateralShift(equilibrium, starts.back().equilibrium);
   for (const auto& start : starts) startStrain_ += start.equilibrium.strainEnergy;
 
   makeRolling();

@@ -105,6 +105,7 @@ class OpenRun {
   bool begin(std::future<Modes> modes);
   dynamics::StableStep findStableStep();
   std::vector<statics::SteadyRollingStart> findStart();  // of each side
+  void warnOfLateralShift(const statics::Equilibrium& left, const statics::Equilibrium& right);
   void makeRolling();
   void restore(const StoredState& stored);
   double startStrain_ = 0;  // [J]

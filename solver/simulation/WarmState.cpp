@@ -24,6 +24,10 @@ constexpr double untouched = 0.1e-3;
 // A state is looked for at least this often [m].
 constexpr double stride = 1e-3;
 
+std::string movedKey(const cases::CaseDescription& description) {
+  return description.defect.moveNodes ? "defect.move_nodes" : "right.defect.move_nodes";
+}
+
 std::string nameOf(const WarmState& warm) { return warm.file.empty() ? "the warm state" : warm.file; }
 
 std::string withUnit(const cases::CaseDescription& description, const cases::Parameter& parameter) {
@@ -54,7 +58,7 @@ double reachOf(const scenario::Scenario& scenario) {
 
 void checkDefect(const WarmState& warm, const cases::CaseDescription& description, std::vector<CaseProblem>& problems) {
   if (cases::hasMovedNodes(description))
-    problems.push_back({"defect.move_nodes", "true", "false with a warm state",
+    problems.push_back({movedKey(description), "true", "false with a warm state",
                         "Moved nodes change the stiffness of the rail, which waves feel before the wheel arrives: "
                         "run the whole case"});
   const auto own = cases::defectZone(description), served = cases::defectZone(warm.description);
@@ -127,7 +131,7 @@ namespace {
 
 void refuseMovedNodes(const cases::CaseDescription& description) {
   if (cases::hasMovedNodes(description))
-    throw CaseError({{"defect.move_nodes", "true", "false for a warm state",
+    throw CaseError({{movedKey(description), "true", "false for a warm state",
                       "Moved nodes change the stiffness of the rail, which waves feel before the wheel arrives"}});
 }
 

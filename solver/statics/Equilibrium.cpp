@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/Errors.h"
@@ -130,9 +131,10 @@ void complete(StaticSystem& system, AlignedVector& u, std::vector<Equilibrium>& 
 
 std::size_t pointsOf(const std::vector<ClosedContact>& closed) {
   std::size_t count = 0;
-  for (const auto& contact : closed) {
-    if (contact.springs.size() == 0) throw RunError("the wheel finds no contact in the equilibrium", 0, 0, "contact");
-    count += contact.springs.size();
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const std::string wheel = closed.size() == 1 ? "the wheel" : i == 0 ? "the left wheel" : "the right wheel";
+    if (closed[i].springs.size() == 0) throw RunError(wheel + " finds no contact in the equilibrium", 0, 0, "contact");
+    count += closed[i].springs.size();
   }
   return count;
 }
@@ -241,15 +243,14 @@ AlignedVector unbalancedAt(const StaticSystem& system, AlignedVector u, double w
 }  // namespace
 
 AlignedVector equilibriumRate(StaticSystem& system, const std::vector<Equilibrium>& found, Monitor& monitor) {
-  const auto& model = system.halves().front().model;
   const double wheelX = found.front().wheelX;
   AlignedVector u(system.size(), 0.0);
   for (std::size_t i = 0; i < found.size(); ++i)
     std::copy(found[i].displacement.begin(), found[i].displacement.end(),
               u.begin() + static_cast<std::ptrdiff_t>(system.halves()[i].offset));
   // Small against an element, large against round-off: the residual changes by some kN a millimetre.
-  const double distance = 1e-2 * model.scenario.mesh.contactSize;
-  const double turn = distance / model.surfaces.radius;
+  const double distance = 1e-2 * system.halves().front().model.scenario.mesh.contactSize;
+  const double turn = distance / system.rollingRadius();
   AlignedVector change = unbalancedAt(system, u, wheelX + distance, turn);
   const AlignedVector behind = unbalancedAt(system, u, wheelX - distance, -turn);
   for (std::size_t i = 0; i < change.size(); ++i) change[i] = (change[i] - behind[i]) / (2 * distance);

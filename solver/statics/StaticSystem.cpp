@@ -2,6 +2,12 @@
 
 namespace squat::statics {
 
+double StaticSystem::rollingRadius() const {
+  double sum = 0;
+  for (const auto& half : halves_) sum += half.model.surfaces.radius;
+  return sum / static_cast<double>(halves_.size());
+}
+
 HalfSystem::HalfSystem(const model::Model& model, const elasticity::KernelSet& kernels, ThreadTeam& team,
                        double rotation)
     : StaticSystem(team, rotation), kernels_(kernels) {

@@ -32,6 +32,7 @@ class StaticSystem {
   std::size_t size() const { return halves_.back().offset + halves_.back().model.stateSize; }
   double rotation() const { return rotation_; }
   ThreadTeam& team() const { return team_; }
+  double rollingRadius() const;  // [m] mean of all wheels
 
   // The same at another rotation, not assembled.
   virtual std::unique_ptr<StaticSystem> turnedBy(double rotation) const = 0;

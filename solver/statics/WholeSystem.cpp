@@ -1,6 +1,7 @@
 #include "statics/WholeSystem.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "core/OrderedSum.h"
@@ -26,6 +27,8 @@ Terms meanOf(const Terms& terms, std::size_t rightOffset, double sign) {
 WholeSystem::WholeSystem(const model::Model& left, const model::Model& right, const elasticity::KernelSet& kernels,
                          ThreadTeam& team, double rotation)
     : StaticSystem(team, rotation), kernels_(kernels) {
+  if (!haveLikeUnknowns(left, right))
+    throw std::invalid_argument("both halves of a whole model need meshes with the same unknowns");
   constexpr std::size_t line = 8;  // numbers of a cache line, at which kernels want a state to begin
   const std::size_t offset = (left.stateSize + line - 1) / line * line;
   for (const auto& [model, at] : {std::pair{&left, std::size_t{0}}, std::pair{&right, offset}})

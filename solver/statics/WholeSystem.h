@@ -21,7 +21,7 @@ namespace squat::statics {
 
 class WholeSystem : public StaticSystem {
  public:
-  // The models have like unknowns (dynamics::Rolling::take).
+  // Throws std::invalid_argument where the models do not have like unknowns.
   WholeSystem(const model::Model& left, const model::Model& right, const elasticity::KernelSet& kernels,
               ThreadTeam& team, double rotation);
 

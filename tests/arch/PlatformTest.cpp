@@ -29,8 +29,10 @@ bool isHeaderOfOneSystem(const std::string& name) {
       "fcntl.h",  "fnmatch.h",   "ftw.h",    "getopt.h",   "glob.h",   "grp.h",     "io.h",      "langinfo.h",
       "libgen.h", "limits.h",    "malloc.h", "netdb.h",    "poll.h",   "process.h", "pthread.h", "pwd.h",
       "sched.h",  "semaphore.h", "signal.h", "spawn.h",    "stdio.h",  "stdlib.h",  "string.h",  "strings.h",
-      "syslog.h", "termios.h",   "time.h",   "ucontext.h", "unistd.h", "utime.h",   "windows.h", "wordexp.h"};
-  static const std::vector<std::string> folders{"arpa/", "asm/", "bits/", "linux/", "netinet/", "sys/"};
+      "syslog.h", "termios.h",   "time.h",   "ucontext.h", "unistd.h", "utime.h",   "windows.h", "wordexp.h",
+      "math.h",   "stdint.h",    "ctype.h",  "locale.h",   "endian.h", "err.h",     "link.h",    "features.h"};
+  static const std::vector<std::string> folders{"arpa/", "asm/", "bits/", "ext/", "linux/", "netinet/", "sys/"};
+  if (name.ends_with("intrin.h") || name == "arm_neon.h") return true;
   return headers.count(name) > 0 || std::any_of(folders.begin(), folders.end(),
                                                 [&](const std::string& folder) { return name.starts_with(folder); });
 }
@@ -38,29 +40,30 @@ bool isHeaderOfOneSystem(const std::string& name) {
 // Functions, types and constants that no code of ours would call by the same name.
 bool isNameOfOneSystem(const std::string& name) {
   static const std::set<std::string> names{
-      "clock_gettime", "dladdr",      "dlopen",      "dlsym",         "environ",
-      "execl",         "execlp",      "execv",       "execve",        "execvp",
-      "fcntl",         "fdatasync",   "fdopen",      "fileno",        "flock",
-      "fork",          "fseeko",      "fstat",       "fsync",         "ftello",
-      "ftruncate",     "gethostname", "getpid",      "getppid",       "getpriority",
-      "getpwuid",      "getrlimit",   "getrusage",   "gettimeofday",  "getuid",
-      "gmtime_r",      "id_t",        "ioctl",       "isatty",        "killpg",
-      "localtime_r",   "lstat",       "madvise",     "mallinfo",      "mallinfo2",
-      "malloc_trim",   "mallopt",     "mkdtemp",     "mkfifo",        "mkstemp",
-      "mmap",          "mode_t",      "munmap",      "nanosleep",     "off_t",
-      "openat",        "opendir",     "pclose",      "pid_t",         "pipe2",
-      "popen",         "pread",       "putenv",      "pwrite",        "readdir",
-      "readlink",      "realpath",    "rlimit",      "rusage",        "sched_getaffinity",
-      "sched_yield",   "setenv",      "setpriority", "setrlimit",     "sigaction",
-      "sigaddset",     "sigemptyset", "sigprocmask", "sigset_t",      "sigtimedwait",
-      "ssize_t",       "statvfs",     "strcasecmp",  "strdup",        "strerror_r",
-      "strsignal",     "strtok_r",    "syscall",     "sysconf",       "timegm",
-      "unlink",        "unsetenv",    "usleep",      "utimensat",     "vfork",
-      "waitpid",       "_exit",       "SIGINT",      "SIGKILL",       "SIGPIPE",
-      "SIGTERM",       "SIGXCPU",     "SIGXFSZ",     "STDERR_FILENO", "STDIN_FILENO",
-      "STDOUT_FILENO"};
+      "clock_gettime", "dladdr",        "dlopen",       "dlsym",        "environ",
+      "execl",         "execlp",        "execv",        "execve",       "execvp",
+      "fcntl",         "fdatasync",     "fdopen",       "fileno",       "flock",
+      "fork",          "fseeko",        "fstat",        "fsync",        "ftello",
+      "ftruncate",     "gethostname",   "getpid",       "getppid",      "getpriority",
+      "getpwuid",      "getrlimit",     "getrusage",    "gettimeofday", "getuid",
+      "gmtime_r",      "id_t",          "ioctl",        "isatty",       "killpg",
+      "localtime_r",   "lstat",         "madvise",      "mallinfo",     "mallinfo2",
+      "malloc_trim",   "mallopt",       "mkdtemp",      "mkfifo",       "mkstemp",
+      "mmap",          "mode_t",        "munmap",       "nanosleep",    "off_t",
+      "openat",        "opendir",       "pclose",       "pid_t",        "pipe2",
+      "popen",         "pread",         "putenv",       "pwrite",       "readdir",
+      "readlink",      "realpath",      "rlimit",       "rusage",       "sched_getaffinity",
+      "sched_yield",   "setenv",        "setpriority",  "setrlimit",    "sigaction",
+      "sigaddset",     "sigemptyset",   "sigprocmask",  "sigset_t",     "sigtimedwait",
+      "ssize_t",       "statvfs",       "strcasecmp",   "strdup",       "strerror_r",
+      "strsignal",     "strtok_r",      "syscall",      "sysconf",      "timegm",
+      "unlink",        "unsetenv",      "usleep",       "utimensat",    "vfork",
+      "waitpid",       "_exit",         "SIGINT",       "SIGKILL",      "SIGPIPE",
+      "SIGTERM",       "SIGSEGV",       "SIGHUP",       "SIGUSR1",      "SIGXCPU",
+      "SIGXFSZ",       "STDERR_FILENO", "STDIN_FILENO", "STDOUT_FILENO"};
   return names.count(name) > 0 || name.starts_with("O_") || name.starts_with("pthread_") ||
-         name.starts_with("posix_") || name.starts_with("RLIMIT_");
+         name.starts_with("posix_") || name.starts_with("RLIMIT_") || name.starts_with("M_PI") ||
+         name.starts_with("S_IS");
 }
 
 // Two underscores begin what belongs to a compiler; these are every compiler's.

@@ -60,7 +60,8 @@ TEST(RailDeflection, UnderTheWheelIsThatOfABeam) {
 }
 
 // Two rails on whole sleepers: loads of the mean on both as for one rail with a mirror at the centre, and half their
-// difference, up on one and down on the other, on sleepers that rock about their centre.
+// difference, up on one and down on the other, on sleepers that rock about their centre. 2 %: sections of this mesh
+// give way less than those of the usual coarse one; 0.7 % is seen.
 TEST(RailDeflection, UnderUnlikeWheelsIsThatOfTwoBeams) {
   using Keys = std::vector<std::pair<std::string, std::string>>;
   const auto scenarioWith = [](const std::string& sprungMass) {

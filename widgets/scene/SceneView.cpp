@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "scene/PatchActor.h"
@@ -201,7 +202,7 @@ double SceneView::heading() const {
 }
 
 Eye SceneView::eye() const {
-  constexpr double degrees = 180 / M_PI;
+  constexpr double degrees = 180 / std::numbers::pi;
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   const double* direction = camera->GetDirectionOfProjection();
   Eye eye;
@@ -231,7 +232,7 @@ void SceneView::rotate(double right, double up) {
   camera->Azimuth(right);
   // Straight above or below the view would flip over.
   const double* direction = camera->GetDirectionOfProjection();
-  const double elevation = -std::asin(std::clamp(direction[2], -1.0, 1.0)) * 180 / M_PI;
+  const double elevation = -std::asin(std::clamp(direction[2], -1.0, 1.0)) * 180 / std::numbers::pi;
   camera->Elevation(std::clamp(up, -88 - elevation, 88 - elevation));
   camera->SetViewUp(0, 0, 1);
 }

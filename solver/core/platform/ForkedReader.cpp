@@ -63,7 +63,12 @@ void sendAll(int out, std::span<const std::byte> bytes) {
 
 [[noreturn]] void child(int out, const ForkedReader::Work& work, const ForkedReader::Limits& limits) {
   limitMyself(limits);
-  work([out](std::span<const std::byte> bytes) { sendAll(out, bytes); });
+  try {
+    work([out](std::span<const std::byte> bytes) { sendAll(out, bytes); });
+  } catch (...) {
+    // It would unwind what belongs to the parent: its locks and files would be removed.
+    ::_exit(1);
+  }
   ::_exit(0);
 }
 

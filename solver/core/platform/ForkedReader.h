@@ -27,8 +27,8 @@ class ForkedReader {
   ForkedReader(const ForkedReader&) = delete;
   ForkedReader& operator=(const ForkedReader&) = delete;
 
-  // `work` runs in the child, which can write no file, and ends it when it returns; what it throws goes on in the
-  // child. No child may be left from before. Without one where an error is returned.
+  // `work` runs in the child, which can write no file, and ends it when it returns or throws. No child may be left from
+  // before. On an error there is no child.
   std::error_code start(const Work& work, const Limits& limits);
   Waited wait(std::chrono::milliseconds patience) const;  // for the next byte
   std::size_t receive(std::span<std::byte> wanted);       // fewer bytes than wanted: the child has ended
