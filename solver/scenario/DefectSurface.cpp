@@ -117,6 +117,17 @@ std::vector<double> DefectSurface::marks(const ProfileCurve* curve) const {
   return marks;
 }
 
+// Where the line, monotone between x and y, crosses a height that lies between those of its ends.
+double DefectSurface::crossing(const ProfileCurve* curve, double x, double y, double height) const {
+  constexpr int halvings = 40;
+  const bool falls = along(curve, x).height >= height;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (x + y);
+    ((along(curve, middle).height >= height) == falls ? x : y) = middle;
+  }
+  return 0.5 * (x + y);
+}
+
 void DefectSurface::measure() {
   if (first_ == last_) return;
   const ProfileCurve* deepest = deepestCurve();
@@ -124,12 +135,16 @@ void DefectSurface::measure() {
   depth_ = std::max(0.0, -along(deepest, 0).height);
   const double shallow = -0.05 * depth_;
   double from = first_, to = last_;  // edges of the dip around x = 0
+  double before = first_;            // the mark ahead
+  bool wasBelow = false;
   for (const double x : marks(deepest)) {
     const auto here = along(deepest, x);
     steepest_ = std::max(steepest_, std::abs(here.slope));
-    if (here.height < shallow) continue;
-    if (x <= 0) from = x;
-    if (x >= 0) to = std::min(to, x);
+    const bool isBelow = here.height < shallow;
+    if (x <= 0 && !isBelow) from = x;
+    if (x <= 0 && isBelow && !wasBelow) from = crossing(deepest, before, x, shallow);
+    if (x >= 0 && !isBelow) to = std::min(to, wasBelow ? crossing(deepest, before, x, shallow) : x);
+    before = x, wasBelow = isBelow;
   }
   for (const auto& curve : curves_)
     for (const double x : marks(&curve)) steepest_ = std::max(steepest_, std::abs(curve.at(x).slope));

@@ -49,6 +49,7 @@ class DefectSurface {
   void takeLines();
   void measure();
   std::vector<double> marks(const ProfileCurve* curve) const;
+  double crossing(const ProfileCurve* curve, double x, double y, double height) const;
   HeightAndSlope along(const ProfileCurve* curve, double x) const;
   double across(double y) const;
   const ProfileCurve* deepestCurve() const { return curves_.empty() ? nullptr : &curves_[deepestCurve_]; }

@@ -112,6 +112,14 @@ void describeProfile(const scenario::Scenario& d, results::RunResult& result) {
 
 namespace {
 
+// Nothing shakes the wheel: the scalogram shows what is left of the start, and its maximum means nothing. Of a whole
+// model the other side is not known here.
+bool isQuiet(const scenario::Scenario& d) {
+  const auto& defect = d.defectSurface;
+  return d.extent == scenario::ModelExtent::half && defect.first() == defect.last() && d.tread.isRound() &&
+         d.irregularity.isSmooth();
+}
+
 // The maximum near the defect, where it stands in the cone of influence: the ends of the record shape it.
 std::string remarkOnCone(const results::RunResult& result) {
   const std::size_t columns = result.scalogramPosition.size();
@@ -170,7 +178,7 @@ std::string addSpectra(const scenario::Scenario& d, results::RunResult& result) 
   } catch (const std::exception& error) {
     return std::string("no spectra: ") + error.what();
   }
-  return remarkOnCone(result);
+  return isQuiet(d) ? std::string() : remarkOnCone(result);
 }
 
 }  // namespace squat::simulation

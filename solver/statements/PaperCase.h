@@ -22,7 +22,8 @@ struct PaperCase {
 
 // The paper's case with the fewest differences from the case of the result, on the result's own mesh preset. Keys that
 // cannot change what the paper states do not count: title, note, mesh, distance rolled before and after the defect,
-// number of wavelets. Nothing where the defect is another one, and where the result carries no case.
+// number of wavelets. The torque may be that of the case or the paper's. Nothing where the defect is another one, and
+// where the result carries no case.
 std::optional<PaperCase> paperCaseOf(const results::RunResult& result);
 
 // The mesh preset that a result was made on. Throws FileError where it carries no case that this version can read.

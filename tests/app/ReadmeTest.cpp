@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <sstream>
 
 #include "app/FilesPage.h"
 #include "arch/Page.h"
@@ -113,6 +114,33 @@ TEST(Typed, EveryCommandWorksInAnEmptyFolder) {
     EXPECT_TRUE(name.ends_with(": position") || name.ends_with(": time") || name == "/: commit" ||
                 name.find(".json: ") != std::string::npos)  // keys of what there may be: FilesPageTest
         << name;
+}
+
+// What `describe` warns of in the case that a page writes and runs, on the mesh that is the default.
+std::string warningsOfTheCaseOf(const std::string& page) {
+  const TemporaryFolder folder;
+  int described = 0;
+  for (const auto& code : arch::codeOf(page)) {
+    if (!code.isBlock) continue;
+    const bool writes = beginsWith(code.text, "printf ");
+    const bool runs = beginsWith(code.text, "squat run ") && code.text.find(".toml") != std::string::npos;
+    if (!writes && !runs) continue;
+    std::string words = code.text;
+    if (runs) {
+      std::istringstream typed(code.text);
+      for (int i = 0; i < 3; ++i) typed >> words;  // squat run CASE
+      words = "'" SQUAT_PROGRAM "' describe " + words + " 2>> said > /dev/null";
+      ++described;
+    }
+    EXPECT_EQ(std::system(("cd '" + folder.path() + "' && " + words).c_str()), 0) << page << ": " << code.text;
+  }
+  EXPECT_EQ(described, 1) << page;
+  return readWholeFile(folder / "said", 1000000);
+}
+
+TEST(TypedReadme, FirstCasesBringNoWarning) {
+  for (const char* page : {"/README.md", "/resources/manual/tutorials.md"})
+    EXPECT_EQ(warningsOfTheCaseOf(std::string(SQUAT_SOURCE_DIR) + page), "") << page;
 }
 
 // Nothing in a block of the README is passed over: what is not typed here is for the source folder.

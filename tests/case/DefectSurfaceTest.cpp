@@ -81,8 +81,8 @@ TEST(DefectSurface, CosineFollowsItsFormula) {
   EXPECT_EQ(surface.height(0.0251), 0);
   // steepest at a quarter: depth pi / length; the samples of the search miss it by less than 1e-6 of it
   EXPECT_NEAR(surface.steepest(), 0.00015 * pi / 0.05, 1e-6 * 0.01);
-  // 5 % of the depth: (1 + cos) / 2 = 0.05, to the step of the search (length / 4000) on both sides
-  EXPECT_NEAR(surface.dipLength(), 2 * 0.05 / (2 * pi) * std::acos(-0.9), 2 * 0.05 / 4000);
+  // 5 % of the depth: (1 + cos) / 2 = 0.05
+  EXPECT_NEAR(surface.dipLength(), 2 * 0.05 / (2 * pi) * std::acos(-0.9), 1e-12);
   expectSlopesFit(surface);
 }
 

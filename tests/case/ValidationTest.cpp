@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "case/MeshPresets.h"
 #include "case/ParameterValue.h"
+#include "scenario/DefectSurface.h"
 
 namespace squat::cases {
 namespace {
@@ -319,6 +321,31 @@ TEST(Validation, TorqueBeyondTheAdhesionLimitBringsAWarning) {
   EXPECT_THAT(nearly.warnings[0].advice, HasSubstr("nearly reaches the adhesion limit"));
   EXPECT_TRUE(validate(caseWith({{"motion.traction_coefficient", "0"}, {"motion.torque", "11000"}})).warnings.empty());
   EXPECT_TRUE(validate(caseWith({{"contact.friction", "0.25"}})).warnings.empty());
+}
+
+// The same dips, sampled as finely as the message about their first points asks for.
+TEST(Validation, ASpacingThatAMessageNamesIsAccepted) {
+  const std::vector<std::string> sampled{"[[-20, 0], [-10, -0.06], [0, -0.1], [10, -0.06], [20, 0]]",
+                                         "[[-20, 0], [-10, -0.03], [0, -0.1], [10, -0.03], [20, 0]]",
+                                         "[[-30, 0], [-15, -0.05], [0, -0.15], [15, -0.05], [30, 0]]",
+                                         "[[0, 0], [7, -0.02], [14, -0.1], [21, -0.06], [40, 0]]"};
+  const auto named = [](const CaseDescription& description) {  // [m]; 0: no warning
+    const std::string words = "sampled with points at most ";
+    for (const auto& warning : validate(description).warnings)
+      if (warning.allowed.starts_with(words)) return 1e-3 * std::stod(warning.allowed.substr(words.size()));
+    return 0.0;
+  };
+  for (const auto& points : sampled) {
+    auto description = caseWith({{"defect.shape", "profile"}, {"defect.points", points.c_str()}});
+    const double step = named(description);
+    ASSERT_GT(step, 0) << points;
+    const scenario::DefectSurface coarse(description.defect);
+    description.defect.points = {{coarse.first(), 0}};
+    for (double x = std::floor(coarse.first() / step) * step; x < coarse.last() - 0.01 * step; x += step)
+      if (x > coarse.first() + 0.01 * step) description.defect.points.push_back({x, coarse.height(x)});
+    description.defect.points.push_back({coarse.last(), 0});
+    EXPECT_EQ(named(description), 0) << points;
+  }
 }
 
 // A newcomer's first case, and what the studio opens with: defaults, on any mesh.

@@ -50,6 +50,26 @@ TEST(Describe, SlowRunsHaveSpectraToo) {
   EXPECT_NEAR(result.frequency[static_cast<std::size_t>(peak)], 500, result.frequency[1]);
 }
 
+// A low tone lies below the cone of influence all along. Behind a defect that is worth a remark; on a smooth rail under
+// a round wheel there is nothing to mind.
+TEST(Describe, TheConeIsRemarkedOnWhereSomethingShakesTheWheel) {
+  const auto remark = [](const std::string& name) {
+    const auto description = cases::loadCase(tests::fixtureCase(name), {"tiny", {}});
+    results::RunResult result;
+    result.speed = description.motion.speed;
+    std::vector<double> tone;
+    for (int i = 0; i < 400; ++i) {
+      const double t = i / 25e3;
+      result.time.push_back(t), result.position.push_back(result.speed * t - 0.15);
+      tone.push_back(std::sin(2 * std::numbers::pi * 60 * t));
+    }
+    result.signals = {{"aba_filtered", "m/s2", "", tone}, {"wheel_acceleration_filtered", "m/s2", "", tone}};
+    return addSpectra(cases::resolve(description), result);
+  };
+  EXPECT_THAT(remark("light-defect"), testing::HasSubstr("cone of influence"));
+  EXPECT_EQ(remark("smooth-rail"), "");
+}
+
 // At 150 m/s and 16 kHz a sample every 9.4 mm, from -0.5 m on.
 TEST(Describe, ARecordTooShortForSpectraSaysWhatToDo) {
   const auto description =

@@ -28,6 +28,23 @@ TEST(PaperCase, EachShippedCaseOfThePaperIsItselfOnEveryMesh) {
     }
 }
 
+// The runs of `squat validate` have it, and so has the case that keeps it.
+TEST(PaperCase, ThePapersTorqueMakesNoDifference) {
+  for (const char* name : {"light-defect", "class-c-squat", "class-c-squat-modified", "smooth-rail"}) {
+    const auto found = paperCaseOf(resultOf(name, {{"motion.torque", "12450.49"}}));
+    ASSERT_TRUE(found) << name;
+    EXPECT_EQ(found->name, name);
+    EXPECT_TRUE(found->isThePapers()) << name;
+  }
+  const auto full = paperCaseOf(resultOf("light-defect-full-torque"));
+  ASSERT_TRUE(full);
+  EXPECT_EQ(full->name, "light-defect");
+  EXPECT_TRUE(full->isThePapers());
+  const auto other = paperCaseOf(resultOf("light-defect", {{"motion.torque", "11000"}}));
+  ASSERT_TRUE(other);
+  EXPECT_FALSE(other->isThePapers());
+}
+
 TEST(PaperCase, WhatThePaperDoesNotStateIsFree) {
   const auto found = paperCaseOf(
       resultOf("light-defect",
