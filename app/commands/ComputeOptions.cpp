@@ -35,7 +35,7 @@ std::string limitThreads(std::string& input) {
 }
 
 // "sse2, avx2 or avx512": man pages and completion read the choices there.
-std::string listed(const std::vector<std::string>& names) {
+std::string namesOf(const std::vector<std::string>& names) {
   std::string text = names.front();
   for (std::size_t i = 1; i < names.size(); ++i) text += (i + 1 == names.size() ? " or " : ", ") + names[i];
   return text;
@@ -54,7 +54,7 @@ void addThreads(CLI::App& command, int& threads, const std::string& help) {
 
 void addInstructionSet(CLI::App& command, std::string& isa) {
   const auto names = elasticity::knownInstructionSets();
-  command.add_option("--isa", isa, "Instruction set: " + listed(names) + " (default: best available)")
+  command.add_option("--isa", isa, "Instruction set: " + namesOf(names) + " (default: best available)")
       ->check(CLI::IsMember(names))
       ->type_name("NAME");
 }
