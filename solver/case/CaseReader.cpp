@@ -248,9 +248,11 @@ void readRightProfile(CaseDescription& description, const CaseOverrides& overrid
     return std::any_of(table.valueKeys.begin(), table.valueKeys.end(), matches);
   };
   CaseDescription right = rightOf(description);
-  if (!isOwn(table.fileKey) || !table.isWanted(right)) return;
-  const bool fileSet = isSet(table.fileKey);
-  if (any(isOwn) && (!fileSet || any(isSet))) return;
+  if (!table.isWanted(right)) return;
+  // The name may be the left side's, which has another shape and no use for it.
+  const bool ownFile = isOwn(table.fileKey), ownSet = isSet(table.fileKey);
+  if (ownFile ? any(isOwn) && (!ownSet || any(isSet)) : table.isFilled(right)) return;
+  const bool fileSet = ownFile ? ownSet : overrideOf(overrides, table.fileKey) != nullptr;
   const std::filesystem::path named = table.file(right);
   table.clear(right);
   table.read(right, named.is_absolute() || fileSet ? named : folder / named);
@@ -264,6 +266,8 @@ void checkRightProfileIsUsed(const CaseDescription& description, const std::vect
                              const CaseOverrides& overrides, Problems& problems) {
   const CaseDescription right = rightOf(description);
   if (right.defect.file.empty() || right.defect.shape == DefectShape::profile) return;
+  const auto isPoints = [](const auto& one) { return one.first == "defect.points" || one.first == "defect.lines"; };
+  if (std::any_of(description.right.begin(), description.right.end(), isPoints)) return;  // read before
   const std::string start = std::string(rightGroup) + ".";
   const auto levelOf = [&](std::string_view key) { return overrideOf(overrides, key) ? 2 : find(stated, key) ? 1 : 0; };
   const int level = levelOf(start + "defect.file");

@@ -31,10 +31,11 @@ bool mayDiffer(std::string_view key) {
                                                    "rail.irregularity_seed"};
   const auto* parameter = findParameter(key);
   if (!parameter || key.ends_with(".loss_factor")) return false;
-  const bool isTable = isList(*parameter) || parameter->kind == Kind::text;
+  const bool isTable = isList(*parameter) || parameter->kind == Kind::forceCurve || parameter->kind == Kind::text;
   if (isTable && parameter->group != "defect") return false;
-  // Of the wheelset; what the meshes of both sides have in common.
-  if (key.starts_with("suspension.lateral_") || key == "pad.length" || key == "pad.width") return false;
+  // Of the wheelset; what the meshes of both sides have in common; where the pads' common curve begins.
+  if (key.starts_with("suspension.lateral_") || key == "pad.length" || key == "pad.width" || key == "pad.preload")
+    return false;
   const auto among = [](const auto& list, std::string_view name) {
     return std::find(list.begin(), list.end(), name) != list.end();
   };

@@ -57,11 +57,11 @@ void checkBothWheelsStand(const CaseDescription& left, const CaseDescription& ri
   const double standing = own + 0.5 * (light + heavy) - 0.5 * lever * (heavy - light);  // [kg] on the light side
   constexpr double least = 0.02;  // of the mean: closer than that, rounding and deflections decide
   if (standing > least * (own + 0.5 * (light + heavy))) return;
-  const double needed = (0.5 * heavy * (lever - 1) - (1 - least) * own) * 2 / (1 + lever);
+  const double needed = (heavy * (lever - 1 + least) - 2 * (1 - least) * own) / (1 + lever - least);
   const std::string key = "suspension.sprung_mass";
   const bool isRight = onRight < onLeft;
   CaseProblem problem{key, relations::rounded(light) + " kg",
-                      "at least " + relations::rounded(1.05 * needed, relations::Side::above) + " kg",
+                      "at least " + relations::rounded(1.01 * needed, relations::Side::above) + " kg",
                       std::string("The ") + (isRight ? "right" : "left") +
                           " wheel lifts: the load on the other side, " + relations::rounded(heavy) +
                           " kg, tips the wheelset over its wheel"};

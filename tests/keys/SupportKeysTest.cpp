@@ -127,10 +127,8 @@ TEST(SuspensionKeys, SupportTheSprungMass) {
 // take 2 (k y + c v) dt of its momentum, and the dashpots 2 c v^2 dt of its energy. Of the momentum of both halves,
 // 2 m v of some 250 N s, that is 0.007 N s: round-off of the sums stays below 1e-4 of it.
 TEST(SuspensionKeys, HoldTheWholeWheelsetLaterally) {
-  const auto left = modelWith({{"model.extent", "whole"},
-                               {"suspension.lateral_stiffness", "30"},
-                               {"suspension.lateral_damping", "50"},
-                               {"motion.gravity", "0"}});
+  const auto left = modelWith(
+      {{"model.extent", "whole"}, {"suspension.lateral_stiffness", "30"}, {"suspension.lateral_damping", "50"}});
   const auto right = left;
   ThreadTeam team(1);
   const double step = 1e-7, shift = 1e-3, speed = 0.1;

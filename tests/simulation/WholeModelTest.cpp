@@ -124,7 +124,7 @@ TEST(WholeModel, FeaturesTellTheSidesApart) {
   };
   EXPECT_EQ(valueOf("right peak [m/s2]"), largest(*oneSided().signal("aba_right_filtered")));
   EXPECT_EQ(valueOf("right largest contact force [N]"), largest(*oneSided().signal("contact_force_right")));
-  EXPECT_GT(valueOf("peak [m/s2]"), valueOf("right peak [m/s2]"));
+  EXPECT_NE(valueOf("peak [m/s2]"), valueOf("right peak [m/s2]"));
 }
 
 // With three threads the wheelset is shared among them, with one or two it is not.
@@ -256,7 +256,7 @@ TEST(WholeModel, TheRightSideMayHaveAProfileOfItsOwn) {
   EXPECT_EQ(cases::rightOf(again).defect.points.size(), 3u);
   EXPECT_EQ(cases::caseHash(again), cases::caseHash(description));
   // Points that are set count more than the file; another shape keeps the file's name.
-  const std::string points = "[[-0.01, 0], [0, -0.0003], [0.01, 0]]";
+  const std::string points = "[[-10, 0], [0, -0.3], [10, 0]]";
   const auto set = cases::readCase(folder / "both.toml", {"", {{"right.defect.points", points}}});
   EXPECT_DOUBLE_EQ(cases::rightOf(set).defect.points[1].height, -0.3e-3);
   const auto smooth = cases::readCase(folder / "both.toml", {"", {{"right.defect.shape", "none"}}});
