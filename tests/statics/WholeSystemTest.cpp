@@ -57,8 +57,8 @@ TEST(WholeSystem, SidesThatAreAlikeStandAsTheHalfModelDoes) {
   ThreadTeam team(2);
   Monitor quiet;
   const auto expected = prepareSteadyRollingStart(half, elasticity::kernelsFor(""), team, quiet);
-  const auto left = model::buildModel(wholeScenario({})), right = left;
-  WholeSystem system(left, right, elasticity::kernelsFor(""), team, 0);
+  const auto side = model::buildModel(wholeScenario({}));
+  WholeSystem system(side, side, elasticity::kernelsFor(""), team, 0);
   const auto starts = prepareSteadyRolling(system, quiet);
   ASSERT_EQ(starts.size(), 2u);
   for (const auto& start : starts) {
