@@ -49,7 +49,7 @@ Folder folderOf(const Include& include) {
   return {};
 }
 Folder folderOf(const SourceFile& file) {
-  const auto module = moduleOf(file.path);
+  auto module = moduleOf(file.path);
   if (module == platform || (file.layer == "widgets" && file.folder == "studio")) return module;
   return file.layer == "app" || file.layer == "python" ? file.layer : file.layer + "/" + file.folder;
 }
