@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <thread>
 #include <utility>
 
 namespace squat::platform {
@@ -28,6 +30,16 @@ std::string textIn(int file) {
   return owner;
 }
 
+// Who has the lock writes its name right after it has taken it.
+std::string ownerIn(int file) {
+  constexpr int looks = 100;
+  for (int look = 0; look < looks; ++look) {
+    if (auto owner = textIn(file); !owner.empty()) return owner;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return "another process";
+}
+
 }  // namespace
 
 FileLock::FileLock(std::string path) : path_(std::move(path)) {
@@ -36,8 +48,7 @@ FileLock::FileLock(std::string path) : path_(std::move(path)) {
     if (file < 0) return;
     isLocked_ = ::flock(file, LOCK_EX | LOCK_NB) == 0;
     if (!isLocked_ && errno == EWOULDBLOCK) {
-      other_ = textIn(file);
-      if (other_.empty()) other_ = "another process";
+      other_ = ownerIn(file);
       ::close(file);
       return;
     }

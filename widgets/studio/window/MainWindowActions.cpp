@@ -88,7 +88,7 @@ void MainWindow::makeFileMenu() {
   int number = 0;
   for (const auto& name : cases::shippedCases()) {
     const QString text = QString::fromStdString(name);
-    const QString keys = ++number < 10 ? QStringLiteral("Alt+Shift+%1").arg(number) : QString();
+    const QString keys = ++number <= 10 ? QStringLiteral("Alt+Shift+%1").arg(number % 10) : QString();
     add(shipped, text, QKeySequence(keys), "", this, [this, text] {
       openCase(text);
     })->setObjectName("shipped " + text);
