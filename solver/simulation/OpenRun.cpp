@@ -107,7 +107,7 @@ void OpenRun::refuseOrWarn() {
   const auto validation = cases::validate(description);
   if (!validation.problems.empty()) throw CaseError(validation.problems);
   for (const auto& warning : validation.warnings) warn(toWarning(warning));
-  // What the mesh stands for, no fault of the case: said, and not kept among the warnings of the result.
+  // What the mesh stands for, no fault of the case: reported, and not kept among the warnings of the result.
   if (const std::string note = cases::presetNote(description); !note.empty()) monitor.message("note: " + note);
 }
 
@@ -191,11 +191,11 @@ void OpenRun::warnOfLateralShift(const statics::Equilibrium& left, const statics
   };
   const double shift = 0.5 * (outwards(left) - outwards(right));
   if (std::abs(shift) < usual) return;
-  char text[200];
+  char text[300];
   std::snprintf(
       text, sizeof text,
       "at rest, where no friction holds it, the wheelset stands %.2f mm to the %s: the forces of the wheels on "
-      "the rails lean; see motion.lateral_offset of both sides and suspension.lateral_stiffness",
+      "the rails are inclined; see motion.lateral_offset of both sides and suspension.lateral_stiffness",
       1e3 * std::abs(shift), shift > 0 ? "left" : "right");
   warn(text);
 }
@@ -230,10 +230,11 @@ bool OpenRun::begin(std::future<Modes> modes) {
 
   makeRolling();
   const auto& motion = scenario.motion;
+  const double right = rightModel ? rightModel->surfaces.radius : model.surfaces.radius;
+  const double radius = 0.5 * (model.surfaces.radius + right);  // wheels of unlike rolling radii turn as one
+  const double rate = motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / radius;
   for (std::size_t i = 0; i < starts.size(); ++i)
-    rolling->sides()[i]->start(
-        starts[i].equilibrium.displacement, starts[i].velocity,
-        motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / model.surfaces.radius);
+    rolling->sides()[i]->start(starts[i].equilibrium.displacement, starts[i].velocity, rate);
   if (!options.snapshots) return true;
   fields = std::make_unique<SurfaceFields>(model);
   result.surface = fields->mesh();

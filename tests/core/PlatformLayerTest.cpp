@@ -1,9 +1,12 @@
 // What the platform layer promises, on the system that this runs on.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -123,6 +126,22 @@ TEST(ForkedReader, receivesWhatItsChildSends) {
   reader.waitForEnd();
   EXPECT_TRUE(reader.hasEnded());
   EXPECT_FALSE(reader.wasStopped());
+}
+
+// What the work throws must not unwind the parent's code in the child, whose locks and files it would remove.
+TEST_F(PlatformLayer, aChildWhoseWorkThrowsEndsThere) {
+  ForkedReader reader;
+  const auto fails = [](const ForkedReader::Send&) { throw std::runtime_error("inside"); };
+  try {
+    ASSERT_FALSE(reader.start(fails, {1U << 24U, 10}));
+  } catch (const std::runtime_error&) {
+    std::ofstream(folder_ / "unwound") << "by the child";
+    ::_exit(3);
+  }
+  std::string text(10, ' ');
+  EXPECT_EQ(reader.receive(std::as_writable_bytes(std::span(text))), 0U);
+  reader.waitForEnd();
+  EXPECT_FALSE(fs::exists(folder_ / "unwound"));
 }
 
 TEST(ForkedReader, stopsAChildThatSendsNothing) {

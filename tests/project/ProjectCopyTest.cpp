@@ -151,6 +151,27 @@ TEST_F(CopiedProject, isWholeOnAnotherMachine) {
   EXPECT_EQ(cases::writeCase(cases::readCase(moved.open.path)), moved.open.toml);  // as the studio compares them
 }
 
+// A case of two rails names a profile of each: both come along, beside the case or by their full paths.
+TEST_F(CopiedProject, takesAlongTheProfileOfTheRightRail) {
+  const auto twoRails = [](const std::string& left, const std::string& right) {
+    return caseWith(left) + "[model]\nextent = \"whole\"\n[right.defect]\nfile = \"" + right + "\"\n";
+  };
+  write("here/left.csv", profile), write("here/right.csv", "position [mm],height [mm]\n-30,0\n0,-0.2\n30,0\n");
+  write("here/beside.toml", twoRails("left.csv", "right.csv"));
+  write("far/both.csv", profile);
+  write("here/far.toml", twoRails(folder_.path("far/both.csv"), folder_.path("far/both.csv")));
+  Project project;
+  project.cases = {folder_.path("here/beside.toml"), folder_.path("here/far.toml")};
+  std::vector<std::string> hashes;
+  for (const auto& path : project.cases) hashes.push_back(cases::caseHash(cases::readCase(path)));
+  Watch watch;
+  EXPECT_THAT(copyWithData(project, target(), watch).problems, IsEmpty());
+  fs::remove_all(folder_.path("here")), fs::remove_all(folder_.path("far"));
+  const auto copy = readProject(target());
+  ASSERT_EQ(copy.cases.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(cases::caseHash(cases::readCase(copy.cases[i])), hashes[i]);
+}
+
 TEST_F(CopiedProject, saysWhatIsMissingAndKeepsItsLink) {
   auto project = everything();
   fs::remove(project.entries[1].path);
