@@ -48,6 +48,7 @@ using scenario::RailEnds;
 using scenario::RailSection;
 using scenario::rigidWheelPath;
 using scenario::Seat;
+using scenario::SecondPlace;
 using scenario::Sleeper;
 using scenario::SleeperRange;
 using scenario::sleepersOf;

@@ -17,6 +17,7 @@ void checkIrregularity(const CaseDescription& description, std::vector<Finding>&
 void checkLosses(const CaseDescription& description, std::vector<Finding>& findings);
 void checkSeat(const CaseDescription& description, std::vector<Finding>& findings);
 void checkMesh(const CaseDescription& description, std::vector<Finding>& findings);
+void checkBogie(const CaseDescription& description, std::vector<Finding>& findings);
 void checkTraction(const CaseDescription& description, std::vector<Finding>& findings);
 
 }  // namespace squat::cases::relations

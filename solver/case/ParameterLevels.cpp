@@ -58,6 +58,7 @@ const std::vector<std::string_view>& keysOfLevel(Level level) {
                                                     "suspension.longitudinal_damping",
                                                     "suspension.lateral_stiffness",
                                                     "suspension.lateral_damping",
+                                                    "bogie.pitch_radius",
                                                     "mesh.contact_size",
                                                     "mesh.rolling_size",
                                                     "mesh.far_size",

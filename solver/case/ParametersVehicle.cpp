@@ -1,4 +1,4 @@
-// Rows of the parameter table: wheelset, suspension.
+// Rows of the parameter table: wheelset, suspension, bogie.
 #include "case/ParameterRows.h"
 
 namespace squat::cases::rows {
@@ -204,6 +204,26 @@ void addSuspension(Rows& rows) {
                                "lateral damping of the axle guidance", "assumed")));
 }
 
+void addBogie(Rows& rows) {
+  const auto ofSecond = [&](Parameter parameter) {
+    rows.push_back(appliesUnless("bogie.wheelbase", {"0"}, std::move(parameter)));
+  };
+  rows.push_back(number(
+      "bogie.wheelbase", metre, 0, {0, 4}, [](Case& c) -> double& { return c.bogie.wheelbase; },
+      "distance between the two wheelsets of the bogie; 0: a single wheelset",
+      "assumed: a single wheelset, as in the paper; passenger bogies have 2.4 to 2.6 m (unverified)"));
+  ofSecond(choice(
+      "bogie.second_wheelset", {"behind", "ahead"}, SecondPlace::behind,
+      +[](Case& c) -> SecondPlace& { return c.bogie.second; },
+      "where the second wheelset runs, seen from the one that rolls over the defect; its wheels are modes of vibration "
+      "on Hertzian springs",
+      "assumed"));
+  ofSecond(number(
+      "bogie.pitch_radius", metre, 0.9, {0.1, 5}, [](Case& c) -> double& { return c.bogie.pitchRadius; },
+      "radius of gyration of the sprung mass of both wheelsets in pitch, about its lateral axis midway between them",
+      "assumed: usual order of bogie frames"));
+}
+
 }  // namespace
 
 Rows vehicleRows() {
@@ -213,6 +233,7 @@ Rows vehicleRows() {
   addAxle(rows);
   addWheelsetDamping(rows);
   addSuspension(rows);
+  addBogie(rows);
   return rows;
 }
 

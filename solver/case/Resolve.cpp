@@ -15,12 +15,20 @@ scenario::TreadDeviation treadOf(const CaseDescription& description) {
   return scenario::TreadDeviation(description.tread, description.wheelset.radius);
 }
 
-IrregularSurface irregularityOf(const CaseDescription& description) {
+namespace {
+
+// [m] `start`: where the wheel stands at first.
+IrregularSurface irregularityFrom(const CaseDescription& description, double start) {
   const auto& rail = description.rail.irregularity;
-  const double start = -description.motion.runUp;
   if (rail.kind == IrregularityKind::none) return {};
   if (rail.kind == IrregularityKind::heights) return IrregularSurface::ofHeights(rail, start);
   return IrregularSurface::ofSpectrum(levelsOf(rail), rail, start);
+}
+
+}  // namespace
+
+IrregularSurface irregularityOf(const CaseDescription& description) {
+  return irregularityFrom(description, -description.motion.runUp);
 }
 
 std::vector<WavelengthLevel> levelsOf(const Irregularity& rail) {
@@ -42,7 +50,8 @@ scenario::Scenario resolve(const CaseDescription& d) {
   scenario::Scenario resolved{
       static_cast<const scenario::Inputs&>(d), surfaceOf(d),
       d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction, treadOf(d),
-      irregularityOf(d)};
+      irregularityOf(d), {}};
+  if (d.bogie.hasSecond()) resolved.irregularityUnderSecond = irregularityFrom(d, d.bogie.offset() - d.motion.runUp);
   resolved.pad.dynamic = parseDynamicStiffness(d.pad.dynamicValues).value_or(std::vector<scenario::DynamicStiffness>());
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);
   return resolved;

@@ -99,6 +99,12 @@ void requireHalf(const CaseDescription& description, const std::string& purpose)
                     "Set model.extent to half: both rails then have the defect, mirrored at the track centre"}});
 }
 
+void requireSingleWheelset(const CaseDescription& description, const std::string& purpose) {
+  if (!description.bogie.hasSecond()) return;
+  throw CaseError({{"bogie.wheelbase", valueText(description, *findParameter("bogie.wheelbase")) + " m",
+                    "0 for " + purpose, "Remove bogie.wheelbase: a single wheelset then rolls over the defect"}});
+}
+
 CaseProblem onRight(CaseProblem problem) {
   problem.key = std::string(rightGroup) + "." + problem.key;
   return problem;

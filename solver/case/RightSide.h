@@ -42,6 +42,8 @@ std::string reasonWithoutRight(const CaseDescription& description, const Paramet
 
 // Throws CaseError for a whole model where only a half one will do: "a warm state".
 void requireHalf(const CaseDescription& description, const std::string& purpose);
+// The same of a bogie with two wheelsets.
+void requireSingleWheelset(const CaseDescription& description, const std::string& purpose);
 
 // What the right side's case says with the names of its keys: "right.defect.depth".
 CaseProblem onRight(CaseProblem problem);

@@ -25,6 +25,7 @@ std::vector<Finding> validateSide(const CaseDescription& description) {
   relations::checkSeat(description, findings);
   relations::checkMesh(description, findings);
   relations::checkTraction(description, findings);
+  relations::checkBogie(description, findings);
   return findings;
 }
 

@@ -103,6 +103,10 @@ Rolling::Rolling(const model::Model& model, const elasticity::KernelSet& kernels
   for (const auto& tie : model.ties) largestTie = std::max(largestTie, elasticity::tieWorkspace(tie));
   tieWorkspaces_.assign(static_cast<std::size_t>(team.size()), AlignedVector(largestTie, 0.0));
   groupDamperPowers_.assign(shares_.forceGroups, 0.0);
+  if (model.second && model.scenario.extent == scenario::ModelExtent::half) {
+    const model::Model* const sides[] = {&model};
+    second_ = std::make_unique<SecondRolling>(sides, step);
+  }
 }
 
 void Rolling::start(const AlignedVector& displacement, const AlignedVector& velocity, double angularVelocity) {
@@ -222,6 +226,7 @@ void Rolling::pushSides() {
   }
   for (auto* side : sides_) side->turn(all);
   if (halves_) pushLaterally();
+  if (second_) pushSecond();
 }
 
 void Rolling::turn(const Turning& all) {
@@ -289,12 +294,15 @@ void Rolling::finishStep() {
 
 // The new velocities stand in the basis of the new rotation.
 void Rolling::finishSides() {
+  if (second_) advanceSecond();
   for (auto* side : sides_) side->finishStep();
   if (halves_)
     dampBothHalves();
   else if (wheelsetDamping_.due(state_.step))
     dampWheelset();
   for (auto* side : sides_) side->takeAccelerations();
+  if (second_)
+    for (std::size_t i = 0; i < sides_.size(); ++i) sides_[i]->view_.second = second_->view(i);
 }
 
 void Rolling::dampWheelset() { state_.sums.damping += wheelsetDamping_.apply(state_.rotation, state_.velocity.data()); }

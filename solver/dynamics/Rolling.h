@@ -33,6 +33,7 @@
 #include "core/ThreadTeam.h"
 #include "dynamics/ContactPhase.h"
 #include "dynamics/RollingState.h"
+#include "dynamics/SecondRolling.h"
 #include "dynamics/StepShares.h"
 #include "dynamics/StepTimings.h"
 #include "dynamics/TeamPace.h"
@@ -50,6 +51,7 @@ struct StepView {
   model::PlaneVector boxAcceleration, wheelAcceleration;  // [m/s2]
   double boxLateralAcceleration = 0;                      // [m/s2] outwards, of a whole model
   double angularVelocity = 0;                             // [rad/s]
+  SecondView second;                                      // of a bogie's other wheelset, this side
 };
 
 class Rolling {
@@ -62,12 +64,17 @@ class Rolling {
   // Steady-rolling start: displacements of the equilibrium, velocities that rolling implies.
   void start(const AlignedVector& displacement, const AlignedVector& velocity, double angularVelocity);
 
+  // Of a bogie, once all sides have started: its other wheelset rolls steadily as well.
+  void startSecond();
   // Advances `steps` steps; `observe(view)` is called on the calling thread for every step.
   void advance(long steps, const std::function<void(const StepView&)>& observe);
   // From now on this half and the other one, which stays where it is, roll as one wheelset: every step of this one is
   // one of the other. Their models meet at the track centre (model/CentrePlane.h: shared) on meshes that are alike
   // there, with one step, one team and the same rotation. Throws std::invalid_argument where they do not.
   void take(Rolling& right);
+  // The bogie's other wheelset; null: none, or the half has been taken by another, which has that of both.
+  const SecondRolling* second() const { return second_.get(); }
+  void restoreSecond(std::span<const double> packed) { second_->unpack(packed); }
   // This half and, where there is one, the one that it has taken.
   std::span<Rolling* const> sides() const { return sides_; }
   // Phases of each step and thread are timed from now on; null: no longer.
@@ -104,6 +111,8 @@ class Rolling {
     double outer = 0, inner = 0, inertia = 0;
   };
   void pushLaterally();
+  void pushSecond();
+  void advanceSecond();
   void turn(const Turning& all);  // angular acceleration, and what the reference's own asks of each mass
   struct alignas(64) NextPiece {  // written by all threads, alone in its cache line
     std::atomic<std::size_t> at{0};
@@ -148,6 +157,7 @@ class Rolling {
   std::vector<Rolling*> sides_{this};
   struct Halves;  // what both of a whole wheelset need together
   std::unique_ptr<Halves> halves_;
+  std::unique_ptr<SecondRolling> second_;
   TeamPace pace_;
   StepShares shares_, oneShare_;             // of all threads; of one that works alone
   StepShares* taken_ = nullptr;              // those of the steps that are being made

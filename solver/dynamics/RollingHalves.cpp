@@ -1,9 +1,12 @@
 #include "dynamics/RollingHalves.h"
 
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "model/BuildForceElements.h"
 
 namespace squat::dynamics {
 
@@ -16,6 +19,40 @@ void Rolling::take(Rolling& right) {
     throw std::invalid_argument("both halves of a wheelset need the same step, damping and threads");
   halves_ = std::make_unique<Halves>(model_, step_);
   sides_ = {this, &right};
+  if (!model_.second) return;
+  const model::Model* const models[] = {&model_, &right.model_};
+  second_ = std::make_unique<SecondRolling>(models, step_);
+}
+
+// At the start displacements stand where the rolling's u + beta v does, a stretch of the damping's time away.
+void Rolling::startSecond() {
+  if (!second_) return;
+  std::vector<AlignedVector> filled;
+  std::vector<const double*> displaced, velocity;
+  for (const auto* side : sides_) filled.push_back(side->displacement());
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    displaced.push_back(filled[i].data()), velocity.push_back(sides_[i]->state_.velocity.data());
+  second_->start(displaced, velocity);
+}
+
+void Rolling::pushSecond() {
+  std::array<const double*, 2> displaced{};
+  std::array<double*, 2> forces{};
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    displaced[i] = sides_[i]->state_.displaced.data(), forces[i] = sides_[i]->forces_.data();
+  second_->push(state_.step, {displaced.data(), sides_.size()}, {forces.data(), sides_.size()});
+}
+
+// Forces on the sprung mass above the first wheelset are known, and not yet used.
+void Rolling::advanceSecond() {
+  std::array<double, 2> sprung{};
+  const auto force = [](Rolling& side) -> double& {
+    const std::size_t auxiliary = side.model_.forceSize - model::auxiliaryUnknowns;
+    return side.forces_[auxiliary + side.model_.sprungZ - side.model_.firstAuxiliary];
+  };
+  for (std::size_t i = 0; i < sides_.size(); ++i) sprung[i] = force(*sides_[i]);
+  second_->advance({sprung.data(), sides_.size()});
+  for (std::size_t i = 0; i < sides_.size(); ++i) force(*sides_[i]) = sprung[i];
 }
 
 // The suspension of both sides along the wheelset's lateral motion, half the difference of what its journals move

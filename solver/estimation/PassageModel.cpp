@@ -43,6 +43,7 @@ double positionStep(double speed, double cutoff) { return speed / (10 * cutoff);
 cases::CaseDescription caseForSearch(const cases::CaseDescription& description, const SearchWindow& window,
                                      double speed, double cutoff) {
   cases::requireHalf(description, "an estimate");
+  cases::requireSingleWheelset(description, "an estimate");
   auto searched = description;
   ProfilePoints points;  // some dip; every run has its own
   for (int i = -10; i <= 10; ++i) points.push_back({2e-3 * i, -5e-5 * (1 + std::cos(i * 0.1 * std::numbers::pi))});

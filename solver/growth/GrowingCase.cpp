@@ -16,8 +16,8 @@ void requireRoom(const cases::CaseDescription& c, const DefectExtent& extent) {
   const double before = endEffect + fadingLength - extent.first, behind = extent.last + fadingLength;
   std::vector<CaseProblem> problems;
   const auto require = [&](const char* key, double stated, double least) {
-    constexpr double rounding = 1e-9;
-    if (stated >= least - rounding) return;
+    constexpr double roundOff = 1e-9;
+    if (stated >= least - roundOff) return;
     problems.push_back(
         {key, text::fixedText(1e3 * stated, 2) + " mm",
          "at least " + text::fixedText(std::ceil(1e4 * least) / 10, 1) + " mm",
@@ -34,6 +34,7 @@ void requireRoom(const cases::CaseDescription& c, const DefectExtent& extent) {
 cases::CaseDescription growingCase(cases::CaseDescription c) {
   constexpr double before = 0.050, behind = 0.120, runUp = 0.40, beyond = 0.05;  // [m]
   cases::requireHalf(c, "growth");
+  cases::requireSingleWheelset(c, "growth");
   constexpr double ramp = 0.008;  // [s] so slow that the wheelset's torsion, some 500 Hz, is hardly excited
   const DefectExtent extent = extentOf(c);
   auto& mesh = c.mesh;

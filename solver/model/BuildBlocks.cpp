@@ -134,13 +134,20 @@ RollingStretch laidStretch(const scenario::Scenario& d, double railStart, double
   const double start = -d.motion.runUp, end = d.motion.beyond + patchEnd;
   const double fineFrom = fineStart(d), startTo = start + d.mesh.fineStart;
   const double h = d.mesh.contactSize, rolling = d.mesh.rollingSize, far = d.mesh.farSize;
-  std::vector<geometry::Zone> zones{{start - std::max(d.mesh.fineStart, patchMargin), far, whole}};
+  std::vector<geometry::Zone> zones;
+  const auto layPathOfSecond = [&] {
+    zones.push_back({start + d.bogie.offset() - secondPathMargin, far});
+    zones.push_back({d.motion.beyond + d.bogie.offset() + secondPathMargin, std::min(far, secondPathSize)});
+  };
+  if (d.bogie.offset() < 0) layPathOfSecond();
+  zones.push_back({start - std::max(d.mesh.fineStart, patchMargin), far, whole});
   if (startTo + 8 * rolling < fineFrom) {
     zones.push_back({startTo, h, whole});
     zones.push_back({fineFrom, rolling, whole});
   }
   zones.push_back({std::min(fineTo, end), h, whole});
   if (fineTo + 4 * rolling < end) zones.push_back({end, rolling, whole});
+  if (d.bogie.offset() > 0) layPathOfSecond();
   zones.push_back({railEnd, far});
   RollingStretch stretch;
   stretch.rail = geometry::stationsOver(railStart, zones, runGrowth, vectorMultiple);

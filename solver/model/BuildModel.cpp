@@ -264,6 +264,7 @@ Model buildModel(const scenario::Scenario& scenario, int sleeperIntervals) {
   addForceElements(model);
   fixUnknowns(model, scenario.extent == scenario::ModelExtent::whole ? Centre::shared : Centre::symmetric);
   addMasses(model);
+  if (scenario.bogie.hasSecond()) model.second = secondWheelset(model);
   return model;
 }
 

@@ -9,15 +9,10 @@
 #include <array>
 #include <vector>
 
+#include "model/Centre.h"
 #include "model/Model.h"
 
 namespace squat::model {
-
-enum class Centre {
-  symmetric,      // a mirror: what crosses the plane does not move along y
-  antisymmetric,  // what crosses the plane moves along y only
-  shared          // free: whoever steps both halves joins them (joinAtCentre)
-};
 
 // 1 for each of the three unknowns of a node that may move, 0 for one that the centre plane holds.
 std::vector<double> centreMask(const scenario::Wheelset& wheelset, const elasticity::SweptBlock& body, Centre centre);

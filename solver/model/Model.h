@@ -9,6 +9,7 @@
 // (SweptBlock.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "elasticity/SweptBlock.h"
 #include "elasticity/SweptTie.h"
 #include "forces/ForceElements.h"
+#include "model/SecondWheelset.h"
 #include "plasticity/SurfaceLayer.h"
 #include "scenario/Scenario.h"
 
@@ -75,7 +77,8 @@ struct Model {
   Ring bearing, hub, centre;  // centre: the ring that stands for the wheel centre
   WheelsetFigures wheelset;
   contact::Surfaces surfaces;
-  double startX = 0;  // [m] wheel position at the start
+  double startX = 0;                     // [m] wheel position at the start
+  std::optional<SecondWheelset> second;  // of a bogie
 
   std::size_t elements() const;
   std::size_t nodeCount() const;  // without slaves counted twice

@@ -8,6 +8,7 @@
 #include "core/DenseAlgebra.h"
 #include "elasticity/StandingWave.h"
 #include "geometry/WheelSection.h"
+#include "model/CentrePlane.h"
 #include "model/Rings.h"
 #include "scenario/WheelsetMass.h"
 
@@ -113,6 +114,7 @@ WheelsetShapes wheelsetShapes(const scenario::Scenario& d, double highest, int l
   const auto mayMove = centreMask(w, block, centre);
   WheelsetShapes shapes;
   shapes.section = block.section;
+  for (const double each : mass) shapes.mass.push_back(sectors * each);
   for (int harmonic = 0; harmonic <= lastHarmonic; ++harmonic) {
     // Half the circumference's mean of cos^2 for n > 0; the whole for n = 0.
     const double whole = (harmonic == 0 ? 1.0 : 0.5) * sectors;

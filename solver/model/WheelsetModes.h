@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/SectionMesh.h"
-#include "model/CentrePlane.h"
+#include "model/Centre.h"
 #include "scenario/ScenarioDeclaration.h"
 
 namespace squat::model {
@@ -41,6 +41,7 @@ struct ModeShape {
 };
 struct WheelsetShapes {
   geometry::SectionMesh section;  // (r, y) of the whole half wheelset
+  std::vector<double> mass;       // [kg] per section node, all around; without an axle box on a bearing spring
   std::vector<ModeShape> modes;   // ascending
 };
 WheelsetShapes wheelsetShapes(const scenario::Scenario& scenario, double highest, int lastHarmonic,

@@ -31,6 +31,7 @@ struct Inputs {
   Support ballast;
   Wheelset wheelset;
   Suspension suspension;
+  Bogie bogie;
   Motion motion;
   Contact contact;
   Damping damping;
@@ -44,6 +45,7 @@ struct Scenario : Inputs {
   DefectModel defectModel = DefectModel::gapFunction;
   TreadDeviation tread;
   IrregularSurface irregularity;  // of the rail, always a term of the gap
+  IrregularSurface irregularityUnderSecond;  // the same rail, level where the second wheelset stands at the start
 };
 
 }  // namespace squat::scenario

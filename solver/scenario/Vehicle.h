@@ -1,4 +1,4 @@
-// solver/scenario/Vehicle.h - half wheelset and primary suspension.
+// solver/scenario/Vehicle.h - half wheelset, primary suspension, bogie.
 #pragma once
 
 #include "scenario/Material.h"
@@ -33,6 +33,18 @@ struct Suspension {
   double sprungMass = 0, stiffness = 0, damping = 0;          // [kg], [N/m], [N s/m] vertical
   double longitudinalStiffness = 0, longitudinalDamping = 0;  // guidance: carries the traction to the sprung mass
   double lateralStiffness = 0, lateralDamping = 0;            // of a whole model
+};
+
+// Where the bogie's other wheelset runs, seen from the one that rolls over the defect.
+enum class SecondPlace { behind, ahead };
+
+struct Bogie {
+  double wheelbase = 0;  // [m] between the wheelsets; 0: a single wheelset
+  SecondPlace second = SecondPlace::behind;
+  double pitchRadius = 0;  // [m] radius of gyration of the sprung mass of both about its lateral axis
+  bool hasSecond() const { return wheelbase > 0; }
+  // [m] x of the second wheelset from the first.
+  double offset() const { return second == SecondPlace::behind ? -wheelbase : wheelbase; }
 };
 
 }  // namespace squat::scenario

@@ -59,7 +59,16 @@ std::vector<CatalogueRow> rowsOfOneSide() {
            .curve = {.figure = "trackside", .label = "nearest sleeper", .front = true}},
           {.name = names::irregularity,
            .unit = "m",
-           .description = "height of the rail's irregularity below the wheel centre, up positive"}};
+           .description = "height of the rail's irregularity below the wheel centre, up positive"},
+          {.name = names::secondAxleBox,
+           .unit = "m/s2",
+           .description = "vertical acceleration of the axle box of the bogie's second wheelset, up positive, "
+                          "anti-aliased",
+           .filteredName = names::secondAxleBoxFiltered},
+          {.name = names::secondContactForce,
+           .unit = "N",
+           .description = "vertical force of the second wheelset's wheel on the rail, down positive",
+           .curve = {.figure = "contact_force", .label = "second wheelset", .factor = 1e-3}}};
 }
 
 // Of the right side, each drawn in the figure of the left one.

@@ -36,7 +36,10 @@ EnergyBalance::EnergyBalance(const dynamics::Rolling& rolling, double startStrai
 double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling) {
   double sum = 0;
   for (std::size_t i = 0; i < sums_.size(); ++i) sum += kineticEnergy(*rolling.sides()[i], sums_[i]);
-  return sum;
+  if (!rolling.second()) return sum;
+  std::vector<double> sprung;  // [m/s] of each side
+  for (const auto* side : rolling.sides()) sprung.push_back(side->state().velocity[side->model().sprungZ]);
+  return sum + rolling.second()->kineticEnergy(sprung);
 }
 
 double EnergyBalance::kineticEnergy(const dynamics::Rolling& rolling, EnergySums& sums) const {
@@ -83,6 +86,7 @@ void EnergyBalance::before(const dynamics::Rolling& rolling) {
   }
   const double lateral = lateralEnergy(rolling, outwards);
   shares_.springs += lateral, strain += lateral;
+  if (const auto* second = rolling.second()) strain += second->strainEnergy(), fall += second->workOfWeight();
   const double time = rolling.state().time;
   if (started_) materialDamping_ += 0.5 * (power + lastDampingPower_) * (time - lastTime_);
   lastDampingPower_ = power, lastTime_ = time;
@@ -101,6 +105,8 @@ void EnergyBalance::addSums(const dynamics::Rolling& rolling) {
     pending_.damping += 0.5 * side->state().sums.damping;
     pending_.external += 0.5 * side->state().sums.torqueWork;
   }
+  if (const auto* second = rolling.second())
+    pending_.damping += 0.5 * second->damped(), pending_.external += 0.5 * second->driven();
 }
 
 void EnergyBalance::after(const dynamics::Rolling& rolling) {
@@ -109,6 +115,7 @@ void EnergyBalance::after(const dynamics::Rolling& rolling) {
     pending_.friction += side->state().sums.friction;  // of the slip that has led to this displacement
     pending_.contact += side->view().patch.storedEnergy;
   }
+  if (const auto* second = rolling.second()) pending_.contact += second->contactEnergy();
   pending_.kinetic += 0.5 * kineticEnergy(rolling);
   if (!started_) first_ = pending_, started_ = true;
   samples_.push_back(pending_);

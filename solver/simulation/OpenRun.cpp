@@ -235,6 +235,7 @@ bool OpenRun::begin(std::future<Modes> modes) {
   const double rate = motion.angularVelocity > 0 ? motion.angularVelocity : motion.speed / radius;
   for (std::size_t i = 0; i < starts.size(); ++i)
     rolling->sides()[i]->start(starts[i].equilibrium.displacement, starts[i].velocity, rate);
+  rolling->startSecond();
   if (!options.snapshots) return true;
   fields = std::make_unique<SurfaceFields>(model);
   result.surface = fields->mesh();

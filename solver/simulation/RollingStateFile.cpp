@@ -1,5 +1,6 @@
 #include "simulation/RollingStateFile.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -11,6 +12,8 @@
 namespace squat::simulation {
 
 namespace {
+
+constexpr const char* secondPath = "/rolling/second_wheelset";
 
 std::string groupOf(std::size_t side) { return side == 0 ? "/rolling" : "/rolling_right"; }
 
@@ -82,6 +85,7 @@ dynamics::RollingState loadSide(const results::ArrayTree& tree, const std::strin
 
 void saveRolling(const dynamics::Rolling& rolling, results::ArrayTree& tree) {
   for (std::size_t i = 0; i < rolling.sides().size(); ++i) saveSide(*rolling.sides()[i], groupOf(i), tree);
+  if (const auto* second = rolling.second()) tree.add(secondPath, second->packed(), "1");
 }
 
 void requireFittingState(const StoredState& stored, const dynamics::Rolling& rolling, long lastStep) {
@@ -94,10 +98,17 @@ void requireFittingState(const StoredState& stored, const dynamics::Rolling& rol
     if (turnOf(i) != turnOf(0))
       throw FileError(stored.file, groupOf(i) + "/scalars", "names another step or rotation than the left side has");
   }
+  if (!rolling.second()) return;
+  const auto& values = results::valuesOf<double>(stored.tree, secondPath, stored.file);
+  if (values.size() != rolling.second()->packed().size() ||
+      !std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+    throw FileError(stored.file, secondPath, "is not a state of this case's second wheelset",
+                    results::asSentence(stored.instead));
 }
 
 void restoreRolling(const results::ArrayTree& tree, dynamics::Rolling& rolling) {
   for (std::size_t i = 0; i < rolling.sides().size(); ++i) rolling.sides()[i]->restore(loadSide(tree, groupOf(i)));
+  if (rolling.second()) rolling.restoreSecond(results::valuesOf<double>(tree, secondPath, "checkpoint"));
 }
 
 }  // namespace squat::simulation

@@ -32,6 +32,10 @@ std::map<std::string_view, Probe> probes(const dynamics::Rolling& rolling) {
       const double rises = r.view().wheelAcceleration.z, other = r.sides()[1]->view().wheelAcceleration.z;
       return (rises - other) / (2 * r.model().scenario.wheelset.trackCentre);
     };
+  if (model.second) {
+    probes[names::secondAxleBox] = [](const Rolling& r) { return r.view().second.boxAcceleration; };
+    probes[names::secondContactForce] = [](const Rolling& r) { return r.view().second.force; };
+  }
   if (!model.scenario.irregularity.isSmooth())
     probes[names::irregularity] = [](const Rolling& r) {
       return r.model().scenario.irregularity.height(r.view().position);

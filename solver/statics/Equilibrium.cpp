@@ -80,11 +80,23 @@ void findUnbalanced(StaticSystem& system, AlignedVector& u, const AlignedVector&
   system.join(r.data());
 }
 
-AlignedVector weightOf(const StaticSystem& system) {
+// Of everything; a bogie's second wheelset, whose load needs no equation, stands on the rails at its distance from
+// the wheel.
+AlignedVector weightOf(const StaticSystem& system, double wheelX) {
   AlignedVector weight(system.size(), 0.0);
+  std::vector<const scenario::Scenario*> sides;
   for (const auto& half : system.halves()) {
     const auto own = model::gravityForces(half.model, system.rotation());
     std::copy(own.begin(), own.end(), weight.begin() + static_cast<std::ptrdiff_t>(half.offset));
+    sides.push_back(&half.model.scenario);
+  }
+  if (!system.halves().front().model.second) return weight;
+  const auto loads = model::secondLoads(sides);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    const auto& half = system.halves()[i];
+    model::SecondRailSeat seat(half.model);
+    seat.moveTo(wheelX + half.model.second->offset);
+    seat.addToState(-loads[i], weight.data() + half.offset);
   }
   return weight;
 }
@@ -170,7 +182,7 @@ std::vector<Equilibrium> findEquilibria(StaticSystem& system, double wheelX, con
   };
   const double load = loadOf(system);
   AlignedVector u = firstGuess(system, found, options.guess), change(system.size(), 0.0);
-  const AlignedVector weight = weightOf(system);
+  const AlignedVector weight = weightOf(system, wheelX);
   if (!system.assemble(monitor)) return cancelled();
 
   Unbalanced unbalanced{AlignedVector(system.size(), 0.0), {}};
@@ -235,7 +247,7 @@ AlignedVector unbalancedAt(const StaticSystem& system, AlignedVector u, double w
   const auto turned = system.turnedBy(rotation);
   turnHalves(system, rotation, u);
   Unbalanced unbalanced{AlignedVector(system.size(), 0.0), {}};
-  findUnbalanced(*turned, u, weightOf(*turned), wheelX, unbalanced);
+  findUnbalanced(*turned, u, weightOf(*turned, wheelX), wheelX, unbalanced);
   turnHalves(system, -rotation, unbalanced.force);
   return std::move(unbalanced.force);
 }
