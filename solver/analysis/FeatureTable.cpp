@@ -57,7 +57,15 @@ std::string peakMeaning(std::string_view rest) {
   return {};
 }
 
+// "right peak [m/s2]": what "peak" means, of another axle box than the first.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kOthers{{
+    {"right ", ", of the right side"},
+    {"second ", ", of the second wheelset"},
+}};
+
 std::string meaningOf(const std::string& column) {
+  for (const auto& [whose, words] : kOthers)
+    if (column.starts_with(whose)) return meaningOf(column.substr(whose.size())) + std::string(words);
   constexpr std::string_view peak = "peak ";
   const std::string_view name = column;
   if (name.starts_with(peak) && name.size() > peak.size() + 2 && name[peak.size()] >= '1' && name[peak.size()] <= '9')
@@ -83,18 +91,19 @@ void addForces(const results::RunResult& result, const std::string& signal, cons
   row.emplace_back(side + "largest contact force [N]", *high);
 }
 
-// Of a whole model: what the right axle box feels, beside all that is said of the left one.
-void addRight(const results::RunResult& result, Row& row) {
-  const auto* values = result.signal(signals::filteredNameOnRight(signals::names::axleBox));
+// What another axle box feels, beside all that is said of the first one: of the other side, of a bogie's other wheelset.
+void addOther(const results::RunResult& result, const std::string& filtered, const std::string& force,
+              const std::string& whose, Row& row) {
+  const auto* values = result.signal(filtered);
   if (!values || values->empty()) return;
   const auto [low, high] = std::minmax_element(values->begin(), values->end());
   double squares = 0;
   for (const double value : *values) squares += value * value;
-  row.emplace_back("right peak [m/s2]", std::max(std::abs(*low), std::abs(*high)));
-  row.emplace_back("right maximum [m/s2]", *high);
-  row.emplace_back("right minimum [m/s2]", *low);
-  row.emplace_back("right rms [m/s2]", std::sqrt(squares / static_cast<double>(values->size())));
-  addForces(result, std::string(signals::names::contactForce) + "_right", "right ", row);
+  row.emplace_back(whose + "peak [m/s2]", std::max(std::abs(*low), std::abs(*high)));
+  row.emplace_back(whose + "maximum [m/s2]", *high);
+  row.emplace_back(whose + "minimum [m/s2]", *low);
+  row.emplace_back(whose + "rms [m/s2]", std::sqrt(squares / static_cast<double>(values->size())));
+  addForces(result, force, whose, row);
 }
 
 }  // namespace
@@ -102,7 +111,12 @@ void addRight(const results::RunResult& result, Row& row) {
 std::vector<std::pair<std::string, double>> featureTable(const results::RunResult& result) {
   auto row = signals::featureRow(runFeatures(result));
   addForces(result, signals::names::contactForce, "", row);
-  addRight(result, row);
+  namespace names = signals::names;
+  const auto onRight = [](const char* name) { return std::string(name) + "_right"; };
+  addOther(result, signals::filteredNameOnRight(names::axleBox), onRight(names::contactForce), "right ", row);
+  addOther(result, names::secondAxleBoxFiltered, names::secondContactForce, "second ", row);
+  addOther(result, signals::filteredNameOnRight(names::secondAxleBox), onRight(names::secondContactForce),
+           "right second ", row);
   return row;
 }
 

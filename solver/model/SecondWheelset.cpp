@@ -13,8 +13,8 @@ namespace squat::model {
 
 namespace {
 
-constexpr double highestMode = 4000;  // [Hz] twice what the signals are judged up to
-constexpr int lastHarmonicOfWheel = 4;
+constexpr double highestMode = 5000;  // [Hz] far above what the signals are judged up to
+constexpr int lastHarmonicOfWheel = 5;
 constexpr double touchedHalfWidth = 0.008;  // [m] across the rail
 
 // Wheelset and axle box; what the solids do not weigh sits on the axle. About the track centre, in roll: over one half.

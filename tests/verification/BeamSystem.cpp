@@ -107,20 +107,22 @@ double BeamSystem::gapLoad(const Eigen::VectorXd& displacement) const {
 }
 
 std::vector<std::complex<double>> BeamSystem::answers(const Eigen::MatrixXd& shapes, double omega) const {
+  const Eigen::MatrixXcd all = transfers(shapes, omega);
+  const Eigen::VectorXcd own = all.diagonal();
+  return {own.begin(), own.end()};
+}
+
+Eigen::MatrixXcd BeamSystem::transfers(const Eigen::MatrixXd& shapes, std::complex<double> omega) const {
+  const std::complex<double> i(0, 1);
   std::vector<Eigen::Triplet<std::complex<double>>> entries;
   for (const auto& e : stiffness_) entries.emplace_back(e.row(), e.col(), e.value());
-  for (const auto& e : damping_) entries.emplace_back(e.row(), e.col(), std::complex<double>(0, omega * e.value()));
+  for (const auto& e : damping_) entries.emplace_back(e.row(), e.col(), i * omega * e.value());
   for (const auto& e : mass_) entries.emplace_back(e.row(), e.col(), -omega * omega * e.value());
   Eigen::SparseMatrix<std::complex<double>> dynamic(unknowns_, unknowns_);
   dynamic.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SparseLU<Eigen::SparseMatrix<std::complex<double>>> factor(dynamic);
-  std::vector<std::complex<double>> result;
-  for (Eigen::Index c = 0; c < shapes.cols(); ++c) {
-    const Eigen::VectorXcd shape = shapes.col(c).cast<std::complex<double>>();
-    const Eigen::VectorXcd u = factor.solve(shape);
-    result.push_back(shape.dot(u));
-  }
-  return result;
+  const Eigen::MatrixXcd forces = shapes.cast<std::complex<double>>();
+  return forces.transpose() * factor.solve(forces);
 }
 
 }  // namespace squat::verification

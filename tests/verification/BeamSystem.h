@@ -36,6 +36,9 @@ class BeamSystem {
   double gapLoad(const Eigen::VectorXd& displacement) const;  // [N] that all gap springs carry, compression positive
   // Answer of every shape (column) to a unit harmonic force along itself.
   std::vector<std::complex<double>> answers(const Eigen::MatrixXd& shapes, double omega) const;
+  // Answer along every shape (row) to a force along every shape (column) that varies with exp(i omega t), omega
+  // complex: [rad/s], with a negative imaginary part it grows.
+  Eigen::MatrixXcd transfers(const Eigen::MatrixXd& shapes, std::complex<double> omega) const;
 
  private:
   using Entries = std::vector<Eigen::Triplet<double>>;

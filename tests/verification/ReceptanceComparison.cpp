@@ -46,17 +46,8 @@ double outside(const receptance::TrackReceptance& solid, const Complexes& values
   return expected < lowest ? lowest - expected : expected > highest ? expected - highest : 0.0;
 }
 
-// What the section gives way between its mean and the pads is computed from a slice by itself (SectionFlexibility.h).
 TrackBeam beamOf(const cases::CaseDescription& description) {
-  const auto own = receptance::receptanceCase(cases::resolve(description));
-  const auto model = model::buildModel(own);
-  const auto& rail = model.blocks[model.rail];
-  auto section = beamSection(rail.section);
-  std::vector<double> across;
-  for (const double location : {-0.375, -0.125, 0.125, 0.375}) across.push_back(location * own.pad.width);
-  section.footFlexibility =
-      footFlexibility(rail.section, own.rail.material, across, own.pad.stiffness / own.pad.length);
-  return {own, section, rail.positions.front(), model.sleeperPositions};
+  return verification::beamOf(model::buildModel(receptance::receptanceCase(cases::resolve(description))));
 }
 
 // Whether a frequency is at least 4 % away from every one of a list.
@@ -66,6 +57,18 @@ bool awayFrom(const std::vector<double>& resonances, double frequency) {
 }
 
 }  // namespace
+
+// What the section gives way between its mean and the pads is computed from a slice by itself (SectionFlexibility.h).
+TrackBeam beamOf(const model::Model& model) {
+  const auto& own = model.scenario;
+  const auto& rail = model.blocks[model.rail];
+  auto section = beamSection(rail.section);
+  std::vector<double> across;
+  for (const double location : {-0.375, -0.125, 0.125, 0.375}) across.push_back(location * own.pad.width);
+  section.footFlexibility =
+      footFlexibility(rail.section, own.rail.material, across, own.pad.stiffness / own.pad.length);
+  return {own, section, rail.positions.front(), model.sleeperPositions};
+}
 
 double levelDifference(const receptance::TrackReceptance& solid, const std::vector<std::complex<double>>& values,
                        double frequency, double expected) {

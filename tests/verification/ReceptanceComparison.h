@@ -2,7 +2,9 @@
 #pragma once
 
 #include "case/CaseDescription.h"
+#include "model/Model.h"
 #include "receptance/Receptance.h"
+#include "verification/TrackBeam.h"
 
 namespace squat::verification {
 
@@ -11,6 +13,9 @@ constexpr double kShift = 0.04, kDecibels = 1.5, kDegrees = 8;
 // How far `expected` [dB] lies outside the solid's levels within 4 % of a frequency.
 double levelDifference(const receptance::TrackReceptance& solid, const std::vector<std::complex<double>>& values,
                        double frequency, double expected);
+
+// The beam that stands for the track of a solid model.
+TrackBeam beamOf(const model::Model& model);
 
 // Without the wheelset's modes, one thread.
 receptance::TrackReceptance solidTrack(const cases::CaseDescription& description,

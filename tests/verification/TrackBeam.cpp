@@ -119,6 +119,8 @@ int TrackBeam::addSleeper(Rails rails) {
   const auto fixed =
       rails == Rails::alike ? std::array{stretch, liftSlope, shiftSlope} : std::array{lift, shift, twist};
   for (const int unknown : fixed) system_.hold(first + unknown);
+  if (s.fixed)
+    for (int unknown = 0; unknown < sleeperUnknowns * (sleeperParts + 1); ++unknown) system_.hold(first + unknown);
   return first;
 }
 
@@ -223,10 +225,18 @@ double TrackBeam::deflection(double x, double loadX, double force, bool withWeig
 
 double TrackBeam::voidedLoad(double loadX, double force) const { return system_.gapLoad(atRest(loadX, force, true)); }
 
-std::vector<std::complex<double>> TrackBeam::receptance(const std::vector<double>& at, double frequency) const {
+Eigen::MatrixXd TrackBeam::railShapes(const std::vector<double>& at) const {
   Eigen::MatrixXd shapes(system_.unknowns(), static_cast<Eigen::Index>(at.size()));
   for (std::size_t i = 0; i < at.size(); ++i) shapes.col(static_cast<Eigen::Index>(i)) = railShape(at[i]);
-  return system_.answers(shapes, 2 * std::acos(-1.0) * frequency);
+  return shapes;
+}
+
+std::vector<std::complex<double>> TrackBeam::receptance(const std::vector<double>& at, double frequency) const {
+  return system_.answers(railShapes(at), 2 * std::acos(-1.0) * frequency);
+}
+
+Eigen::MatrixXcd TrackBeam::transfers(const std::vector<double>& at, std::complex<double> omega) const {
+  return system_.transfers(railShapes(at), omega);
 }
 
 }  // namespace squat::verification

@@ -47,6 +47,8 @@ class TrackBeam {
 
   // Displacement at each x for a unit harmonic force there [m/N].
   std::vector<std::complex<double>> receptance(const std::vector<double>& at, double frequency) const;
+  // Between all of these places [m/N], at a complex angular frequency (BeamSystem.h).
+  Eigen::MatrixXcd transfers(const std::vector<double>& at, std::complex<double> omega) const;
 
  private:
   // Unknowns of a node of the rail, and of a sleeper.
@@ -62,6 +64,7 @@ class TrackBeam {
   // Weights of a sleeper's unknown at a distance from the symmetry plane.
   Terms sleeperAt(int sleeper, int unknown, double y, double factor) const;
   Eigen::VectorXd railShape(double x) const;
+  Eigen::MatrixXd railShapes(const std::vector<double>& at) const;
   Eigen::VectorXd atRest(double loadX, double force, bool withWeight) const;
 
   scenario::Scenario case_;

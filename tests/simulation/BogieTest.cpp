@@ -1,0 +1,260 @@
+// The bogie's second wheelset (bogie.wheelbase): what theory says of energy, waves, weight and the body that pitches,
+// and that a run is the same with any number of threads and after it was resumed. Waves between both wheelsets against
+// a beam: verification/SecondWheelsetTest.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "FixtureCase.h"
+#include "TemporaryFolder.h"
+#include "analysis/FeatureTable.h"
+#include "case/CaseFile.h"
+#include "case/ParameterValue.h"
+#include "case/Resolve.h"
+#include "case/Validation.h"
+#include "core/Errors.h"
+#include "dynamics/SecondRolling.h"
+#include "simulation/RunCase.h"
+#include "simulation/StoppedRuns.h"
+#include "simulation/WarmState.h"
+
+namespace squat {
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+// A dip of the light defect's shape, reached after 60 mm and left behind after 60 mm.
+cases::CaseDescription bogie(Settings settings = {}, const std::string& wheelbase = "2.5") {
+  settings.insert(settings.begin(), {{"motion.run_up", "0.06"},
+                                     {"motion.beyond", "0.06"},
+                                     {"track.length", "7.8"},
+                                     {"bogie.wheelbase", wheelbase}});
+  return cases::loadCase(tests::fixtureCase("light-defect"), {"tiny", settings});
+}
+
+results::RunResult passed(const cases::CaseDescription& description, int threads = 2) {
+  simulation::RunOptions options;
+  options.threads = threads;
+  options.wheelsetModes = options.snapshots = false;
+  Monitor silent;
+  return simulation::runCase(description, options, silent);
+}
+
+const results::RunResult& oneDip() {
+  static const auto result = passed(bogie());
+  return result;
+}
+
+double highest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+double residualOf(const results::RunResult& result) {
+  for (const auto& figure : result.performance)
+    if (figure.name == "energy_residual") return figure.value;
+  return INFINITY;
+}
+
+double loadAtRest(const cases::CaseDescription& d) {
+  return d.motion.gravity * (cases::resolve(d).wheelset.totalMass + d.suspension.sprungMass);
+}
+
+// On a smooth rail the second wheelset rolls as steadily as it starts: its load is its weight. What shakes it comes from
+// the first wheel, whose patch of few points ripples by up to 7 % of its load on this mesh (WholeModelTest): 0.5 %, and
+// less than 1 m/s2, are small beside that.
+TEST(Bogie, TheSecondWheelsetRollsSteadilyOnASmoothRail) {
+  const auto d = bogie({{"defect.shape", "none"}});
+  const auto result = passed(d);
+  for (const double force : *result.signal("second_contact_force")) ASSERT_NEAR(force, loadAtRest(d), 5e-3 * loadAtRest(d));
+  EXPECT_LT(highest(*result.signal("second_aba")), 1);
+}
+
+// Its rail bends by what the load of both asks: where the second wheelset stands, the first one feels a fraction of
+// it; its own static load is not changed.
+TEST(Bogie, TheFirstWheelCarriesItsOwnLoad) {
+  const auto d = bogie({{"defect.shape", "none"}});
+  for (const auto& figure : passed(d).equilibrium)
+    if (figure.name == "contact_force") EXPECT_NEAR(figure.value, loadAtRest(d), 1e-4 * loadAtRest(d));
+}
+
+// The limit is that of the half model (RunCaseTest): a fifth of the one at which a run is stopped.
+TEST(Bogie, EnergyIsBalanced) {
+  EXPECT_LT(residualOf(oneDip()), 1e-3);
+  EXPECT_LT(residualOf(passed(bogie({{"wheelset.damping_ratio", "0.02"}, {"bogie.pitch_radius", "0.6"}}))), 1e-3);
+  EXPECT_LT(residualOf(passed(bogie({{"rail.irregularity", "iso-3095"}, {"bogie.second_wheelset", "ahead"}}))), 1e-3);
+  EXPECT_LT(residualOf(passed(bogie({{"model.extent", "whole"}, {"right.defect.shape", "none"}}))), 1e-3);
+}
+
+// No wave in a bar of steel is faster than sqrt(E / rho): the second wheelset feels nothing of the dip before that has
+// come all the way, and a force of some kilonewtons by the time bending waves have, within three times as long.
+TEST(Bogie, TheSecondWheelsetFeelsTheDipWhenAWaveHasCome) {
+  const auto d = bogie();
+  const auto without = passed(bogie({{"defect.shape", "none"}}));
+  const auto departure = [&](const char* signal, double limit) {
+    const auto &values = *oneDip().signal(signal), &others = *without.signal(signal);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (std::abs(values[i] - others[i]) > limit) return oneDip().time[i];
+    return static_cast<double>(INFINITY);
+  };
+  const auto& steel = d.rail.material;
+  const double coming = d.bogie.wheelbase / std::sqrt(steel.young / steel.density), sample = 1 / d.output.rate;
+  const double delay = departure("second_contact_force", 100) - departure("contact_force", 100);
+  EXPECT_GT(delay, coming - 2 * sample);
+  EXPECT_LT(delay, 3 * coming);
+  EXPECT_GT(highest(*oneDip().signal("second_aba")), 1);
+}
+
+// A whole bogie whose sides are alike is the mirror image of half of one, to the bit.
+TEST(Bogie, EqualSidesMoveAsTheHalfModelDoes) {
+  const auto whole = passed(bogie({{"model.extent", "whole"}}));
+  for (const std::string name : {"aba", "contact_force", "second_aba", "second_contact_force"}) {
+    EXPECT_EQ(*whole.signal(name), *oneDip().signal(name)) << name;
+    EXPECT_EQ(*whole.signal(name + "_right"), *oneDip().signal(name)) << name;
+  }
+}
+
+// With a dip on the left alone the right wheel of the second wheelset moves less than the left one.
+TEST(Bogie, SidesOfTheSecondWheelsetDiffer) {
+  const Settings left{{"model.extent", "whole"}, {"right.defect.shape", "none"}};
+  const Settings right{{"model.extent", "whole"}, {"defect.shape", "none"}, {"right.defect.shape", "profile"}};
+  const auto one = passed(bogie(left)), other = passed(bogie(right));
+  EXPECT_EQ(*one.signal("second_aba"), *other.signal("second_aba_right"));
+  EXPECT_EQ(*one.signal("second_aba_right"), *other.signal("second_aba"));
+  EXPECT_GT(highest(*one.signal("second_aba")), highest(*one.signal("second_aba_right")));
+}
+
+// A wheelset whose sides carry unlike loads rests on its levers: moments about the other wheel.
+TEST(Bogie, UnlikeLoadsStandOnTheirLevers) {
+  const auto d = bogie({{"model.extent", "whole"},
+                        {"defect.shape", "none"},
+                        {"suspension.sprung_mass", "9000"},
+                        {"right.suspension.sprung_mass", "6000"}});
+  const auto result = passed(d);
+  const auto& w = d.wheelset;
+  const double gauge = 2 * w.trackCentre, arm = w.bearingCentre, own = cases::resolve(d).wheelset.totalMass;
+  // Of the left wheel about the right one: gauge from it the wheelset's own halves act on both wheels alike.
+  const double left = own + (9000 * (gauge + arm) - 6000 * arm) / gauge;
+  const double right = own + (6000 * (gauge + arm) - 9000 * arm) / gauge;
+  const auto meanOf = [&](const char* name) {
+    double sum = 0;
+    for (const double force : *result.signal(name)) sum += force;
+    return sum / static_cast<double>(result.signal(name)->size());
+  };
+  EXPECT_NEAR(meanOf("second_contact_force"), left * d.motion.gravity, 2e-3 * left * d.motion.gravity);
+  EXPECT_NEAR(meanOf("second_contact_force_right"), right * d.motion.gravity, 2e-3 * right * d.motion.gravity);
+}
+
+// Newton and Euler for a body of mass 2 m and pitch radius r with forces F1, F2 at half the wheelbase b before and
+// behind its middle: a1 = (F1 + F2) / (2 m) + (F1 - F2) (b / 2)^2 / (2 m r^2).
+TEST(Bogie, TheSprungMassPitches) {
+  for (const char* radius : {"1.25", "0.7"}) {
+    const auto d = bogie({{"bogie.pitch_radius", radius}});
+    const auto model = model::buildModel(cases::resolve(d));
+    const model::Model* const sides[] = {&model};
+    dynamics::SecondRolling second(sides, 1e-7);
+    const AlignedVector rest(model.stateSize, 0.0);
+    const double* const at[] = {rest.data()};
+    second.start(at, at);
+    const double mass = d.suspension.sprungMass, weight = mass * d.motion.gravity, pushed = 5e3;
+    double force[] = {pushed};
+    second.advance(force);
+    const double lever = std::pow(0.5 * d.bogie.wheelbase / d.bogie.pitchRadius, 2);
+    EXPECT_NEAR(force[0], 0.5 * (pushed + weight) + 0.5 * lever * (pushed - weight), 1e-6 * weight) << radius;
+  }
+}
+
+TEST(Bogie, SameBitsForAnyNumberOfThreads) {
+  for (const int threads : {1, 3}) {
+    const auto other = passed(bogie(), threads);
+    for (const auto& channel : oneDip().signals)
+      EXPECT_EQ(*other.signal(channel.name), channel.values) << channel.name << ", threads: " << threads;
+  }
+}
+
+TEST(Bogie, AResumedRunGivesTheSameBits) {
+  const tests::TemporaryFolder folder;
+  simulation::RunOptions options;
+  options.threads = 2, options.wheelsetModes = options.snapshots = false;
+  options.checkpointPath = folder / "bogie.checkpoint", options.checkpointSeconds = 1e9;
+  tests::CancelAt stopping(0.5);
+  ASSERT_FALSE(simulation::runCase(bogie(), options, stopping).complete);
+  options.resume = true;
+  Monitor silent;
+  const auto resumed = simulation::runCase(bogie(), options, silent);
+  ASSERT_TRUE(resumed.complete);
+  for (const auto& channel : oneDip().signals)
+    EXPECT_EQ(*resumed.signal(channel.name), channel.values) << channel.name;
+  EXPECT_EQ(residualOf(resumed), residualOf(oneDip()));
+}
+
+TEST(Bogie, StartsFromAWarmState) {
+  Settings keys{{"motion.run_up", "0.1"},       {"mesh.zone_before", "30"}, {"mesh.zone_behind", "30"},
+                {"defect.height_scale", "1"}};
+  simulation::RunOptions options;
+  options.threads = 2, options.wheelsetModes = options.snapshots = false;
+  Monitor silent;
+  auto warm = simulation::makeWarmState(bogie(keys), options, silent);
+  ASSERT_TRUE(warm);
+  options.warm = std::make_shared<const simulation::WarmState>(*std::move(warm));
+  keys.back().second = "0.5";
+  const auto from = simulation::runCase(bogie(keys), options, silent);
+  const auto whole = passed(bogie(keys));
+  for (const auto& channel : whole.signals) EXPECT_EQ(*from.signal(channel.name), channel.values) << channel.name;
+  EXPECT_THROW(simulation::runCase(bogie(keys, "2.6"), options, silent), CaseError);
+}
+
+// The second wheelset rolls over the same rail, as rough as it is there.
+TEST(Bogie, TheSecondWheelsetFeelsTheIrregularityOfItsOwnPlace) {
+  const auto rough = passed(bogie({{"defect.shape", "none"}, {"rail.irregularity", "iso-3095"}}));
+  const auto smooth = passed(bogie({{"defect.shape", "none"}}));
+  EXPECT_GT(highest(*rough.signal("second_aba")), 3 * highest(*smooth.signal("second_aba")));
+  const auto scenario = cases::resolve(bogie({{"rail.irregularity", "iso-3095"}}));
+  // Away from where both start, heights differ by a constant: both are heights above a starting point.
+  const auto at = [&](double x) { return scenario.irregularity.height(x) - scenario.irregularityUnderSecond.height(x); };
+  EXPECT_NEAR(at(0.02), at(0.05), 1e-15);
+}
+
+TEST(Bogie, FeaturesHoldTheSecondWheelset) {
+  const auto row = analysis::featureTable(oneDip());
+  const auto found = std::find_if(row.begin(), row.end(), [](const auto& one) { return one.first == "second peak [m/s2]"; });
+  ASSERT_NE(found, row.end());
+  EXPECT_EQ(found->second, highest(*oneDip().signal("second_aba_filtered")));
+}
+
+// What is refused is accepted with what the message asks for.
+TEST(Bogie, NeedsRoomOnTheRail) {
+  const auto problemOf = [](const cases::CaseDescription& d) -> std::optional<CaseProblem> {
+    const auto found = cases::validate(d).problems;
+    if (found.empty()) return std::nullopt;
+    return found.front();
+  };
+  EXPECT_FALSE(problemOf(bogie()));
+  const auto changed = [](const Settings& settings) {
+    auto d = bogie();
+    for (const auto& [key, value] : settings) cases::setValue(d, key, value);
+    return d;
+  };
+  const auto near = problemOf(changed({{"bogie.wheelbase", "0.5"}}));
+  ASSERT_TRUE(near);
+  EXPECT_EQ(near->key, "bogie.wheelbase");
+  EXPECT_FALSE(problemOf(changed({{"bogie.wheelbase", "0.62"}})));
+  const auto shortRail = problemOf(changed({{"track.length", "6"}}));
+  ASSERT_TRUE(shortRail);
+  EXPECT_EQ(shortRail->key, "track.length");
+  const std::string start = "at least ";
+  ASSERT_EQ(shortRail->allowed.find(start), 0u) << shortRail->allowed;
+  const std::string length = std::to_string(std::stod(shortRail->allowed.substr(start.size())));
+  EXPECT_FALSE(problemOf(changed({{"track.length", length}})));
+  EXPECT_TRUE(problemOf(changed({{"track.length", length}, {"motion.run_up", "0.5"}})));
+}
+
+}  // namespace
+}  // namespace squat
