@@ -182,6 +182,11 @@ std::vector<PaperRow> rowsOf(const RunResult& result, const statements::Referenc
   std::vector<PaperRow> rows;
   if (run.nearest) addChangedKeys(rows, *run.nearest);
   addPeak(rows, result, signals::names::axleBoxFiltered, "axle box acceleration, maximum / minimum");
+  const auto addOther = [&](const char* channel, const char* what) {
+    if (result.signal(channel)) addPeak(rows, result, channel, what);
+  };
+  addOther(signals::filteredNameOnRight(signals::names::axleBox), "right axle box, maximum / minimum");
+  addOther(signals::names::secondAxleBoxFiltered, "axle box of the second wheelset, maximum / minimum");
   addPeak(rows, result, signals::names::wheelFiltered, "wheel centre acceleration, maximum / minimum");
   addAnchor(rows, result);
   addLines(rows, result);

@@ -62,10 +62,14 @@ SecondWheelset secondWheelset(const Model& model) {
   second.offset = d.bogie.offset();
   second.wheelMass = d.wheelset.totalMass;
   second.spread = 2 * secondPathSize;
-  const auto& material = d.rail.material;
+  // Of two materials as of one with Young's modulus in between (contact/Hertz.h).
+  const auto compliance = [](const auto& m) { return (1 - m.poisson * m.poisson) / m.young; };
+  const double poisson = d.rail.material.poisson;
+  const double young =
+      2 * (1 - poisson * poisson) / (compliance(d.rail.material) + compliance(d.wheelset.material));
   const double load = d.motion.gravity * (d.wheelset.totalMass + d.suspension.sprungMass);
   const auto contact =
-      contact::hertzContact(model.surfaces.radius, model.surfaces.crownRadius, material.young, material.poisson, load);
+      contact::hertzContact(model.surfaces.radius, model.surfaces.crownRadius, young, poisson, load);
   second.hertz = load / std::pow(contact.approach, 1.5);
   second.halfLength = contact.halfAxisX;
   second.kinds.push_back(motionsOf(d, Centre::symmetric));

@@ -200,6 +200,7 @@ TEST(CaseHash, StandsForWhatThePhysicsSees) {
     if (parameter.key.rfind("wheelset.brake_disc_", 0) == 0) setValue(plain, "wheelset.brake_discs", "1");
     if (parameter.key.rfind("rail.irregularity_", 0) == 0) setValue(plain, "rail.irregularity", "iso-3095");
     if (parameter.key.rfind("suspension.lateral_", 0) == 0) setValue(plain, "model.extent", "whole");
+    if (parameter.key == "bogie.pitch_radius") setValue(plain, "bogie.wheelbase", "2.5");
     if (parameter.key == "defect.filter_width") setValue(plain, "defect.filter", "median");
     CaseDescription changed = plain;
     setValue(changed, parameter.key,
