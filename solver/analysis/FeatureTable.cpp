@@ -91,7 +91,8 @@ void addForces(const results::RunResult& result, const std::string& signal, cons
   row.emplace_back(side + "largest contact force [N]", *high);
 }
 
-// What another axle box feels, beside all that is said of the first one: of the other side, of a bogie's other wheelset.
+// What another axle box feels, beside all that is said of the first one: of the other side, of a bogie's other
+// wheelset.
 void addOther(const results::RunResult& result, const std::string& filtered, const std::string& force,
               const std::string& whose, Row& row) {
   const auto* values = result.signal(filtered);

@@ -18,7 +18,8 @@ void checkBogie(const CaseDescription& c, std::vector<Finding>& findings) {
         "The wheelsets roll over stretches of their own: shorten motion.run_up or motion.beyond");
   const double fromEnd = 1.5 * c.track.sleeperSpacing;
   const double centre = trackCentre(c.track, c.motion), offset = c.bogie.offset();
-  const double reach = std::max(std::abs(-c.motion.runUp + offset - centre), std::abs(c.motion.beyond + offset - centre));
+  const double reach =
+      std::max(std::abs(-c.motion.runUp + offset - centre), std::abs(c.motion.beyond + offset - centre));
   if (reach + fromEnd > 0.5 * c.track.length)
     add(findings, c, Severity::problem, {"track.length", "bogie.wheelbase", "motion.run_up", "motion.beyond"},
         limitText("track.length", "at least", 2 * (reach + fromEnd)),

@@ -48,9 +48,12 @@ DefectZone defectZone(const CaseDescription& description) {
 
 scenario::Scenario resolve(const CaseDescription& d) {
   scenario::Scenario resolved{
-      static_cast<const scenario::Inputs&>(d), surfaceOf(d),
-      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction, treadOf(d),
-      irregularityOf(d), {}};
+      static_cast<const scenario::Inputs&>(d),
+      surfaceOf(d),
+      d.defect.moveNodes ? scenario::DefectModel::movedNodes : scenario::DefectModel::gapFunction,
+      treadOf(d),
+      irregularityOf(d),
+      {}};
   if (d.bogie.hasSecond()) resolved.irregularityUnderSecond = irregularityFrom(d, d.bogie.offset() - d.motion.runUp);
   resolved.pad.dynamic = parseDynamicStiffness(d.pad.dynamicValues).value_or(std::vector<scenario::DynamicStiffness>());
   resolved.wheelset.totalMass = scenario::wheelsetMass(d.wheelset);

@@ -65,11 +65,9 @@ SecondWheelset secondWheelset(const Model& model) {
   // Of two materials as of one with Young's modulus in between (contact/Hertz.h).
   const auto compliance = [](const auto& m) { return (1 - m.poisson * m.poisson) / m.young; };
   const double poisson = d.rail.material.poisson;
-  const double young =
-      2 * (1 - poisson * poisson) / (compliance(d.rail.material) + compliance(d.wheelset.material));
+  const double young = 2 * (1 - poisson * poisson) / (compliance(d.rail.material) + compliance(d.wheelset.material));
   const double load = d.motion.gravity * (d.wheelset.totalMass + d.suspension.sprungMass);
-  const auto contact =
-      contact::hertzContact(model.surfaces.radius, model.surfaces.crownRadius, young, poisson, load);
+  const auto contact = contact::hertzContact(model.surfaces.radius, model.surfaces.crownRadius, young, poisson, load);
   second.hertz = load / std::pow(contact.approach, 1.5);
   second.halfLength = contact.halfAxisX;
   second.kinds.push_back(motionsOf(d, Centre::symmetric));
@@ -108,7 +106,8 @@ void SecondRailSeat::moveTo(double x) {
   weight_.clear();
   for (int s = first_; s <= last; ++s) {
     const double left = s > 0 ? (potential(s) - potential(s - 1)) / (at[s] - at[s - 1]) : 0;
-    const double right = s < static_cast<int>(at.size()) - 1 ? (potential(s + 1) - potential(s)) / (at[s + 1] - at[s]) : 1;
+    const double right =
+        s < static_cast<int>(at.size()) - 1 ? (potential(s + 1) - potential(s)) / (at[s + 1] - at[s]) : 1;
     weight_.push_back(right - left);
   }
 }

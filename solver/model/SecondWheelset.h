@@ -22,18 +22,18 @@ struct Model;
 
 // Motions of one symmetry. Rigid motion: by how much the wheel of the left side rises, and with it the axle box.
 struct SecondMotions {
-  double rigidMass = 0;  // [kg] over one half, at the wheel
-  double boxLever = 1;   // rise of the axle box over that of the wheel
+  double rigidMass = 0;             // [kg] over one half, at the wheel
+  double boxLever = 1;              // rise of the axle box over that of the wheel
   std::vector<HarmonicMode> modes;  // that a vertical force excites
 };
 
 struct SecondWheelset {
-  double offset = 0;                // [m] x from the first wheelset
-  double hertz = 0;                 // [N/m^1.5] force = hertz approach^1.5
-  double halfLength = 0;            // [m] of the patch at rest
-  double spread = 0;                // [m] half of the stretch of rail that a wheel's force is spread over
+  double offset = 0;                 // [m] x from the first wheelset
+  double hertz = 0;                  // [N/m^1.5] force = hertz approach^1.5
+  double halfLength = 0;             // [m] of the patch at rest
+  double spread = 0;                 // [m] half of the stretch of rail that a wheel's force is spread over
   std::vector<SecondMotions> kinds;  // symmetric; antisymmetric as well of a whole model
-  double wheelMass = 0;             // [kg] half the wheelset with its axle box
+  double wheelMass = 0;              // [kg] half the wheelset with its axle box
 };
 
 // Of the case of a model, whose rail has been meshed.
@@ -53,10 +53,10 @@ class SecondRailSeat {
  public:
   explicit SecondRailSeat(const Model& model);
 
-  void moveTo(double x);  // [m]
-  double mean(const double* state) const;                       // upwards, of displacements or velocities
-  void addToForces(double upwards, double* forces) const;       // [N], force buffer of the model
-  void addToState(double upwards, double* state) const;         // the same, state layout
+  void moveTo(double x);                                   // [m]
+  double mean(const double* state) const;                  // upwards, of displacements or velocities
+  void addToForces(double upwards, double* forces) const;  // [N], force buffer of the model
+  void addToState(double upwards, double* state) const;    // the same, state layout
 
  private:
   template <typename Work>

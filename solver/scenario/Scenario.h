@@ -44,7 +44,7 @@ struct Scenario : Inputs {
   DefectSurface defectSurface{Defect{}};
   DefectModel defectModel = DefectModel::gapFunction;
   TreadDeviation tread;
-  IrregularSurface irregularity;  // of the rail, always a term of the gap
+  IrregularSurface irregularity;             // of the rail, always a term of the gap
   IrregularSurface irregularityUnderSecond;  // the same rail, level where the second wheelset stands at the start
 };
 

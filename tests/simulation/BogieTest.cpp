@@ -31,10 +31,9 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 // A dip of the light defect's shape, reached after 60 mm and left behind after 60 mm.
 cases::CaseDescription bogie(Settings settings = {}, const std::string& wheelbase = "2.5") {
-  settings.insert(settings.begin(), {{"motion.run_up", "0.06"},
-                                     {"motion.beyond", "0.06"},
-                                     {"track.length", "7.8"},
-                                     {"bogie.wheelbase", wheelbase}});
+  settings.insert(
+      settings.begin(),
+      {{"motion.run_up", "0.06"}, {"motion.beyond", "0.06"}, {"track.length", "7.8"}, {"bogie.wheelbase", wheelbase}});
   return cases::loadCase(tests::fixtureCase("light-defect"), {"tiny", settings});
 }
 
@@ -67,13 +66,14 @@ double loadAtRest(const cases::CaseDescription& d) {
   return d.motion.gravity * (cases::resolve(d).wheelset.totalMass + d.suspension.sprungMass);
 }
 
-// On a smooth rail the second wheelset rolls as steadily as it starts: its load is its weight. What shakes it comes from
-// the first wheel, whose patch of few points ripples by up to 7 % of its load on this mesh (WholeModelTest): 0.5 %, and
-// less than 1 m/s2, are small beside that.
+// On a smooth rail the second wheelset rolls as steadily as it starts: its load is its weight. What shakes it comes
+// from the first wheel, whose patch of few points ripples by up to 7 % of its load on this mesh (WholeModelTest): 0.5
+// %, and less than 1 m/s2, are small beside that.
 TEST(Bogie, TheSecondWheelsetRollsSteadilyOnASmoothRail) {
   const auto d = bogie({{"defect.shape", "none"}});
   const auto result = passed(d);
-  for (const double force : *result.signal("second_contact_force")) ASSERT_NEAR(force, loadAtRest(d), 5e-3 * loadAtRest(d));
+  for (const double force : *result.signal("second_contact_force"))
+    ASSERT_NEAR(force, loadAtRest(d), 5e-3 * loadAtRest(d));
   EXPECT_LT(highest(*result.signal("second_aba")), 1);
 }
 
@@ -190,14 +190,13 @@ TEST(Bogie, AResumedRunGivesTheSameBits) {
   Monitor silent;
   const auto resumed = simulation::runCase(bogie(), options, silent);
   ASSERT_TRUE(resumed.complete);
-  for (const auto& channel : oneDip().signals)
-    EXPECT_EQ(*resumed.signal(channel.name), channel.values) << channel.name;
+  for (const auto& channel : oneDip().signals) EXPECT_EQ(*resumed.signal(channel.name), channel.values) << channel.name;
   EXPECT_EQ(residualOf(resumed), residualOf(oneDip()));
 }
 
 TEST(Bogie, StartsFromAWarmState) {
-  Settings keys{{"motion.run_up", "0.1"},       {"mesh.zone_before", "30"}, {"mesh.zone_behind", "30"},
-                {"defect.height_scale", "1"}};
+  Settings keys{
+      {"motion.run_up", "0.1"}, {"mesh.zone_before", "30"}, {"mesh.zone_behind", "30"}, {"defect.height_scale", "1"}};
   simulation::RunOptions options;
   options.threads = 2, options.wheelsetModes = options.snapshots = false;
   Monitor silent;
@@ -218,13 +217,16 @@ TEST(Bogie, TheSecondWheelsetFeelsTheIrregularityOfItsOwnPlace) {
   EXPECT_GT(highest(*rough.signal("second_aba")), 3 * highest(*smooth.signal("second_aba")));
   const auto scenario = cases::resolve(bogie({{"rail.irregularity", "iso-3095"}}));
   // Away from where both start, heights differ by a constant: both are heights above a starting point.
-  const auto at = [&](double x) { return scenario.irregularity.height(x) - scenario.irregularityUnderSecond.height(x); };
+  const auto at = [&](double x) {
+    return scenario.irregularity.height(x) - scenario.irregularityUnderSecond.height(x);
+  };
   EXPECT_NEAR(at(0.02), at(0.05), 1e-15);
 }
 
 TEST(Bogie, FeaturesHoldTheSecondWheelset) {
   const auto row = analysis::featureTable(oneDip());
-  const auto found = std::find_if(row.begin(), row.end(), [](const auto& one) { return one.first == "second peak [m/s2]"; });
+  const auto found =
+      std::find_if(row.begin(), row.end(), [](const auto& one) { return one.first == "second peak [m/s2]"; });
   ASSERT_NE(found, row.end());
   EXPECT_EQ(found->second, highest(*oneDip().signal("second_aba_filtered")));
 }

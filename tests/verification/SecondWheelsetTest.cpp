@@ -57,7 +57,8 @@ Complex wheelReceptance(const model::SecondMotions& motions, Complex s) {
 
 Complex laplace(const std::vector<double>& values, double step, Complex s) {
   Complex sum = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) sum += values[i] * std::exp(-s * (static_cast<double>(i) * step)) * step;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    sum += values[i] * std::exp(-s * (static_cast<double>(i) * step)) * step;
   return sum;
 }
 
