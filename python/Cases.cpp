@@ -8,6 +8,7 @@
 
 #include "case/NamedTables.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "case/ShippedCases.h"
 #include "case/Validation.h"
 #include "core/DurableFile.h"
@@ -141,9 +142,14 @@ void addCases(py::module_& module) {
 case["defect.depth"] is a number in the unit of the case file (squat.parameters() lists the units),
 a text, a bool or a list; an assignment takes the same, or a text with a unit ("108 km/h"), and
 raises CaseError for an unknown key, a wrong value, and for values that do not go together. A case
-is a mapping: dict(case) has every key.)")
+is a mapping: dict(case) has every key. Of a whole model (model.extent) case["right.defect.depth"]
+is the value of the right side, which is that of the left one unless it is set; dict(case) lacks these.)")
       .def("__getitem__",
-           [](const Case& self, const std::string& key) { return valueOf(self.description, parameterNamed(key)); })
+           [](const Case& self, const std::string& key) {
+             const auto right = cases::keyOnRight(key);
+             if (right.empty() || !cases::mayDiffer(right)) return valueOf(self.description, parameterNamed(key));
+             return valueOf(cases::rightOf(self.description), *cases::findParameter(right));
+           })
       .def("__setitem__",
            [](Case& self, const std::string& key, const py::object& value) {
              py::dict one;
@@ -153,7 +159,7 @@ is a mapping: dict(case) has every key.)")
       .def("update", &setKeys, py::arg("values"),
            R"(Set several keys at once, all or none: for values that only together make a case. `values`: dict of
 key and value. Raises CaseError.)")
-      .def("__contains__", [](const Case&, const std::string& key) { return cases::findParameter(key) != nullptr; })
+      .def("__contains__", [](const Case&, const std::string& key) { return cases::findOnEitherSide(key) != nullptr; })
       .def(
           "keys", [](const Case&) { return keys(); }, "Every key, in the order of the case file: a list of str.")
       .def("__iter__", [](const Case&) { return py::iter(py::cast(keys())); })

@@ -31,6 +31,17 @@ class Cases(unittest.TestCase):
         self.assertIs(text["rail"]["plastic"], True)
         self.assertEqual(text["mesh"]["preset"], "tiny")
 
+    def test_the_right_side_has_values_of_its_own(self):
+        self.assertEqual(self.case["right.defect.depth"], self.case["defect.depth"])
+        self.case.update({"model.extent": "whole", "right.defect.depth": 0.05, "right.defect.shape": "cosine"})
+        self.assertEqual(self.case["right.defect.depth"], 0.05)
+        right = tomllib.loads(self.case.toml())["right"]["defect"]
+        self.assertEqual((right["depth"], right["shape"]), (0.05, "cosine"))
+        self.assertIn("right.defect.depth", self.case)
+        self.assertNotIn("right.motion.speed", self.case)
+        with self.assertRaises(squat.CaseError):
+            self.case["right.motion.speed"] = 20
+
     def test_a_unit_of_its_own_is_converted(self):
         self.case["motion.speed"] = "108 km/h"
         self.assertAlmostEqual(self.case["motion.speed"], 108 / 3.6, places=12)
