@@ -102,7 +102,7 @@ class Search {
   UnitPoint ownPoint() const {
     const auto description = cases::loadCase(definition_.caseName, definition_.overrides);
     Values own;
-    for (const auto& input : definition_.inputs) own.push_back(cases::numberInUnit(description, *input.parameter));
+    for (const auto& input : definition_.inputs) own.push_back(input.valueIn(description));
     auto start = pointOf(definition_.inputs, own);
     for (double& coordinate : start) coordinate = std::clamp(coordinate, 0.0, 1.0);
     return start;

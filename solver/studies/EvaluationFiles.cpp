@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "analysis/FeatureTable.h"
-#include "case/ParameterTable.h"
+#include "case/RightSide.h"
 #include "core/DurableFile.h"
 #include "core/Errors.h"
 #include "text/Numbers.h"
@@ -61,10 +61,10 @@ std::vector<Entry> entriesOf(const std::string& path) {
   return entries;
 }
 
+// "right__pad__stiffness": dots are not allowed in Dakota's names.
 std::string keyOf(std::string name) {
-  if (cases::findParameter(name)) return name;
-  const auto underscores = name.find("__");
-  if (underscores != std::string::npos) name.replace(underscores, 2, ".");
+  if (cases::findOnEitherSide(name)) return name;
+  for (auto at = name.find("__"); at != std::string::npos; at = name.find("__", at)) name.replace(at, 2, ".");
   return name;
 }
 

@@ -4,6 +4,7 @@
 
 #include "case/CaseDescription.h"
 #include "case/ParameterValue.h"
+#include "case/RightSide.h"
 #include "core/Errors.h"
 #include "text/Numbers.h"
 
@@ -29,20 +30,27 @@ void addInput(const std::string& option, const std::string& text, std::vector<In
   const auto high = text::numberFromText(text.substr(colon + 1));
   if (!low || !high) return problems.push_back(notARange(option, text));
   const auto key = text.substr(0, equals);
-  const auto* parameter = cases::findParameter(key);
+  const auto* parameter = cases::findOnEitherSide(key);
   if (!parameter) return problems.push_back(cases::unknownKey(key));
   if (parameter->kind != cases::Kind::number || parameter->integer)
     return problems.push_back({option + " " + key, "", "", "Only keys whose value is a decimal number have limits"});
   if (!(*low < *high))
     return problems.push_back({option + " " + key, text.substr(equals + 1), "LOW below HIGH", "Exchange the limits"});
   for (const double limit : {*low, *high})
-    if (auto problem = limitProblem(*parameter, text::numberText(limit))) return problems.push_back(*problem);
+    if (auto problem = limitProblem(*parameter, text::numberText(limit)))
+      return problems.push_back(cases::keyOnRight(key).empty() ? *problem : cases::onRight(*problem));
   for (const auto& other : inputs)
     if (other.key() == key) return problems.push_back({option + " " + key, "given twice", "given once", ""});
-  inputs.push_back({parameter, *low, *high});
+  inputs.push_back({parameter, *low, *high, !cases::keyOnRight(key).empty()});
 }
 
 }  // namespace
+
+std::string InputRange::key() const { return (isRight ? std::string(cases::rightGroup) + "." : "") + parameter->key; }
+
+double InputRange::valueIn(const cases::CaseDescription& description) const {
+  return cases::numberInUnit(isRight ? cases::rightOf(description) : description, *parameter);
+}
 
 std::vector<InputRange> inputRangesFromText(const std::vector<std::string>& texts, const std::string& option) {
   std::vector<InputRange> inputs;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "case/CaseDeclaration.h"
 #include "case/ParameterTable.h"
 
 namespace squat::studies {
@@ -12,8 +13,11 @@ namespace squat::studies {
 struct InputRange {
   const cases::Parameter* parameter = nullptr;
   double low = 0, high = 0;
+  bool isRight = false;  // of the right side of a whole model
 
-  const std::string& key() const { return parameter->key; }
+  std::string key() const;  // "pad.stiffness", "right.pad.stiffness"
+  // What the case has, in the unit of the case file.
+  double valueIn(const cases::CaseDescription& description) const;
 };
 
 // From "KEY=LOW:HIGH", as `option` was given. Throws CaseError with every problem: unknown key, a key that is not a

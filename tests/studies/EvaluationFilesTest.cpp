@@ -33,7 +33,7 @@ const std::string kStandard = R"(                                          3 var
 )";
 const std::string kAprepro = R"(                    { DAKOTA_VARS = 2 }
                     { defect__depth = 1.500000000000000e-01 }
-                    { defect__lateral = "parabolic" }
+                    { right__defect__lateral = "parabolic" }
                     { DAKOTA_FNS = 1 }
                     { ASV_1:peak = 1 }
                     { DAKOTA_DER_VARS = 0 }
@@ -62,11 +62,11 @@ TEST_F(EvaluationFiles, bothFormsAreRead) {
   const auto standard = read(kStandard);
   EXPECT_THAT(standard.values,
               ElementsAre(Pair("defect.depth", "1.500000000000000e-01"), Pair("pad.stiffness", "8.000000000000000e+02"),
-                          Pair("defect.lateral", "parabolic")));
+                          Pair("right.defect.lateral", "parabolic")));
   EXPECT_THAT(standard.features, ElementsAre("peak", "largest_contact_force"));
   const auto aprepro = read(kAprepro);
   EXPECT_THAT(aprepro.values,
-              ElementsAre(Pair("defect.depth", "1.500000000000000e-01"), Pair("defect.lateral", "parabolic")));
+              ElementsAre(Pair("defect.depth", "1.500000000000000e-01"), Pair("right.defect.lateral", "parabolic")));
   EXPECT_THAT(aprepro.features, ElementsAre("peak"));
 }
 

@@ -10,6 +10,7 @@
 #include "core/Errors.h"
 #include "results/SampleResult.h"
 #include "studies/CaseStudy.h"
+#include "studies/InputRange.h"
 
 namespace squat::studies {
 namespace {
@@ -61,6 +62,16 @@ TEST(SampledPoints, lieBetweenTheLimits) {
     EXPECT_LT(std::stod(value), 60);
   }
   EXPECT_EQ(std::set<std::string>(variations[0].values.begin(), variations[0].values.end()).size(), 64U);
+}
+
+TEST(SampledPoints, mayBeOfTheRightSide) {
+  const auto ranges = inputRangesFromText({"pad.stiffness=200:2000", "right.pad.stiffness=300:900"}, "--free");
+  EXPECT_EQ(sampledVariations({"right.pad.stiffness=300:900"}, "sobol:8", 1).front().key, "right.pad.stiffness");
+  const auto whole = cases::parseCase("[model]\nextent = \"whole\"\n[pad]\nstiffness = 1200\n[right.pad]\nstiffness = 700\n", "a case");
+  EXPECT_EQ(ranges[0].valueIn(whole), 1200);
+  EXPECT_EQ(ranges[1].valueIn(whole), 700);
+  EXPECT_THROW(inputRangesFromText({"right.motion.speed=20:30"}, "--free"), CaseError);
+  EXPECT_THROW(inputRangesFromText({"right.pad.stiffness=300:9e9"}, "--free"), CaseError);
 }
 
 TEST(SampledPoints, wrongCallsAreNamed) {
